@@ -1,0 +1,23 @@
+//! Exact motion of pin-in-slot mechanisms.
+//!
+//! With the cosine and the sine of an angle held as a pair ([`Turn`]), every rate in this crate is a rational
+//! function of what it is given. The formulas are therefore generic over a [`Field`] and run unchanged on `f64`, on
+//! truncated power series ([`Jet`], the derivatives), on exact rationals, on rationals with square roots adjoined
+//! ([`Surd`]) and on degree bounds ([`DegreeBound`], how many points prove an identity).
+//!
+//! This crate holds no number that a source prints, does no input or output, and knows nothing of claims or books.
+
+mod proofs;
+mod scalars;
+
+pub mod pin_slot;
+pub mod pin_triangle;
+pub mod pin_vectors;
+
+pub use num_rational::BigRational as Rational;
+pub use proofs::degree::DegreeBound;
+pub use proofs::identity::{Identity, Proof, Refutation, prove};
+pub use scalars::field::{Field, rational};
+pub use scalars::jet::Jet;
+pub use scalars::surd::Surd;
+pub use scalars::turn::{Turn, angular_velocity};

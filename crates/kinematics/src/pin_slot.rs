@@ -1,0 +1,136 @@
+//! A pin on a crank in the slot of a follower: the shape of the mechanism and its rates.
+//!
+//! Notation: `R` crank radius, `l` centre distance, `k = l / R` their ratio; θ crank angle from the line of centres,
+//! zero when the pin is nearest to the follower's pivot; `r` distance of the pin from that pivot. The formulas take
+//! the ratio `k` and give lengths in crank radii.
+
+use crate::{Field, Turn};
+use nalgebra::Vector2;
+use std::fmt;
+
+/// A crank with a pin and a follower with a slot through its own pivot, outside the crank's circle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PinSlot {
+    crank_radius: f64,
+    centre_distance: f64,
+}
+
+/// A length that no mechanism of this kind can have.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum GeometryError {
+    /// The crank radius is not a positive, finite number.
+    CrankRadius(f64),
+    /// The centre distance is not finite and greater than the crank radius.
+    CentreDistance {
+        /// The distance that was asked for.
+        asked: f64,
+        /// The crank radius that it must exceed.
+        crank_radius: f64,
+    },
+}
+
+impl fmt::Display for GeometryError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::CrankRadius(asked) => {
+                write!(f, "crank radius {asked}: it must be positive and finite; give a length above zero")
+            }
+            Self::CentreDistance { asked, crank_radius } => write!(
+                f,
+                "centre distance {asked}: it must be finite and greater than the crank radius {crank_radius}; \
+                 move the centres apart or shorten the crank"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for GeometryError {}
+
+impl PinSlot {
+    /// A mechanism from its crank radius (> 0) and centre distance (> crank radius), in one unit of length.
+    pub fn new(crank_radius: f64, centre_distance: f64) -> Result<Self, GeometryError> {
+        if !(crank_radius > 0.0 && crank_radius.is_finite()) {
+            return Err(GeometryError::CrankRadius(crank_radius));
+        }
+        if !(centre_distance > crank_radius && centre_distance.is_finite()) {
+            return Err(GeometryError::CentreDistance { asked: centre_distance, crank_radius });
+        }
+        Ok(Self { crank_radius, centre_distance })
+    }
+
+    /// Distance of the pin's centre from the driver's axis.
+    pub fn crank_radius(&self) -> f64 {
+        self.crank_radius
+    }
+
+    /// Distance between the two axes.
+    pub fn centre_distance(&self) -> f64 {
+        self.centre_distance
+    }
+
+    /// Centre distance over crank radius, dimensionless, above 1.
+    pub fn ratio(&self) -> f64 {
+        self.centre_distance / self.crank_radius
+    }
+
+    /// Largest crank angle, in radians from the line of centres, at which the pin moves along the slot: cos θ = R / l.
+    ///
+    /// Between minus and plus this angle the follower turns against the driver; at both ends it stands still.
+    pub fn engagement_half_angle(&self) -> f64 {
+        libm::acos(self.crank_radius / self.centre_distance)
+    }
+}
+
+/// Position of the pin seen from the follower's pivot, in crank radii; first coordinate along the line of centres.
+pub fn pin_from_pivot<S: Field>(ratio: &S, crank: &Turn<S>) -> Vector2<S> {
+    Vector2::new(ratio.clone() - crank.cos.clone(), crank.sin.clone())
+}
+
+/// Square of the pin's distance from the follower's pivot, in squared crank radii: 1 + k² − 2 k cos θ.
+///
+/// The law of cosines in the triangle of the two axes and the pin.
+pub fn slot_radius_squared<S: Field>(ratio: &S, crank: &Turn<S>) -> S {
+    S::one() + ratio.clone() * ratio.clone() - S::integer(2) * ratio.clone() * crank.cos.clone()
+}
+
+/// Angular velocity of the follower over that of the crank, dimensionless: (k cos θ − 1) / (1 + k² − 2 k cos θ).
+///
+/// Positive while the two turn in opposite senses; zero where the pin moves along the slot, k cos θ = 1.
+pub fn velocity_ratio<S: Field>(ratio: &S, crank: &Turn<S>) -> S {
+    (ratio.clone() * crank.cos.clone() - S::one()) / slot_radius_squared(ratio, crank)
+}
+
+/// Slot radius times its rate of change with the crank angle, r dr/dθ, in squared crank radii: k sin θ.
+///
+/// Free of the root in `r`, so exact over the rationals; divide by `r` for the sliding speed over the crank speed.
+pub fn sliding_product<S: Field>(ratio: &S, crank: &Turn<S>) -> S {
+    ratio.clone() * crank.sin.clone()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn impossible_lengths_are_named() {
+        for radius in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert!(matches!(PinSlot::new(radius, 2.0), Err(GeometryError::CrankRadius(_))), "{radius}");
+        }
+        for distance in [1.0, 0.5, f64::NAN, f64::INFINITY] {
+            assert!(matches!(PinSlot::new(1.0, distance), Err(GeometryError::CentreDistance { .. })), "{distance}");
+        }
+        let message = PinSlot::new(2.0, 1.5).expect_err("too close").to_string();
+        assert!(message.contains("1.5") && message.contains("greater than the crank radius 2"), "{message}");
+    }
+
+    #[test]
+    fn the_follower_stands_still_at_both_ends_of_the_engagement() {
+        let mechanism = PinSlot::new(2.0, 3.0).expect("possible");
+        let end = mechanism.engagement_half_angle();
+        for crank in [Turn::from_radians(end), Turn::from_radians(-end)] {
+            approx::assert_abs_diff_eq!(velocity_ratio(&mechanism.ratio(), &crank), 0.0, epsilon = 1e-15);
+        }
+        let inside = Turn::from_radians(0.99 * end);
+        assert!(velocity_ratio(&mechanism.ratio(), &inside) > 0.0);
+    }
+}

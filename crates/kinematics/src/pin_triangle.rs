@@ -1,0 +1,74 @@
+//! Motion of a pin in a slot by the laws of sines and cosines: the route of a textbook.
+//!
+//! The triangle has the follower's pivot O, the driver's axis B and the pin P as corners. Notation as in
+//! [`pin_slot`](crate::pin_slot); β is the angle of the slot at O, γ the angle between the slot and the normal of
+//! the pin's velocity.
+
+use crate::Turn;
+use crate::pin_slot::{PinSlot, slot_radius_squared};
+
+/// Lengths, angles and speeds at one instant, as the triangle gives them.
+///
+/// Angles are in radians, lengths in the unit of the mechanism, speeds in that unit times the unit of the driver's
+/// angular speed. The signs hold for a driver that turns so that θ decreases.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TriangleSolution {
+    /// r² / R².
+    pub radius_squared_ratio: f64,
+    /// r / R.
+    pub radius_ratio: f64,
+    /// r, distance of the pin from the follower's pivot.
+    pub slot_radius: f64,
+    /// sin β, by the law of sines.
+    pub sine_at_pivot: f64,
+    /// β, angle of the slot from the line of centres.
+    pub angle_at_pivot: f64,
+    /// γ = 90° − β − θ.
+    pub velocity_angle: f64,
+    /// Speed of the pin, R ω.
+    pub pin_speed: f64,
+    /// Speed across the slot of the follower's point under the pin, v sin γ; positive against the driver's sense.
+    pub slot_point_speed: f64,
+    /// Speed of the pin along the slot, v cos γ; positive towards the follower's pivot.
+    pub sliding_speed: f64,
+    /// Angular speed of the follower; positive against the driver's sense.
+    pub follower_speed: f64,
+}
+
+/// Solves the triangle at crank angle θ (`from_line_of_centres`) for a driver of the given angular speed.
+pub fn solve(mechanism: &PinSlot, from_line_of_centres: &Turn<f64>, driver_speed: f64) -> TriangleSolution {
+    let radius_squared_ratio = slot_radius_squared(&mechanism.ratio(), from_line_of_centres);
+    let radius_ratio = radius_squared_ratio.sqrt();
+    let slot_radius = radius_ratio * mechanism.crank_radius();
+    let sine_at_pivot = from_line_of_centres.sin / radius_ratio;
+    let angle_at_pivot = libm::asin(sine_at_pivot);
+    let velocity_angle = std::f64::consts::FRAC_PI_2 - angle_at_pivot - from_line_of_centres.radians();
+    let pin_speed = mechanism.crank_radius() * driver_speed;
+    let slot_point_speed = pin_speed * libm::sin(velocity_angle);
+    TriangleSolution {
+        radius_squared_ratio,
+        radius_ratio,
+        slot_radius,
+        sine_at_pivot,
+        angle_at_pivot,
+        velocity_angle,
+        pin_speed,
+        slot_point_speed,
+        sliding_speed: pin_speed * libm::cos(velocity_angle),
+        follower_speed: slot_point_speed / slot_radius,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn on_the_line_of_centres_the_pin_drives_across_the_slot() {
+        let mechanism = PinSlot::new(1.0, 3.0).expect("possible");
+        let solution = solve(&mechanism, &Turn::from_radians(0.0), 2.0);
+        approx::assert_relative_eq!(solution.slot_radius, 2.0);
+        approx::assert_relative_eq!(solution.follower_speed, 1.0);
+        approx::assert_abs_diff_eq!(solution.sliding_speed, 0.0, epsilon = 1e-15);
+    }
+}

@@ -1,0 +1,67 @@
+//! Motion of a pin in a slot by differentiating where the pin is: vectors and power series, no triangle.
+//!
+//! Frame: the follower's pivot O is the origin, the driver's axis B lies at (l, 0). The crank angle φ is measured
+//! counter-clockwise from the direction O → B; it is 180° minus the angle θ from the line of centres.
+
+use crate::scalars::turn::angular_velocity;
+use crate::{Field, Jet, Turn};
+use nalgebra::Vector2;
+
+/// Position and velocities of the pin and of the slot under it, at one instant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PinMotion<S> {
+    /// Position of the pin from the follower's pivot.
+    pub position: Vector2<S>,
+    /// Absolute velocity of the pin.
+    pub pin_velocity: Vector2<S>,
+    /// Velocity of the follower's point under the pin.
+    pub slot_point_velocity: Vector2<S>,
+    /// Velocity of the pin relative to the follower, along the slot.
+    pub sliding_velocity: Vector2<S>,
+    /// Angular velocity of the follower, counter-clockwise positive.
+    pub follower_speed: S,
+}
+
+/// The pin's motion for a crank of radius R at centre distance l, angle φ and angular velocity (counter-clockwise).
+///
+/// `None` if the pin is on the follower's pivot, where the slot has no direction. The pin's place as a power series
+/// in time gives its velocity and, as the rate of its direction, the follower's angular velocity.
+pub fn solve<S: Field>(crank_radius: &S, centre_distance: &S, crank: &Turn<S>, driver: &S) -> Option<PinMotion<S>> {
+    let moving = crank.moving::<2>(driver.clone()).direction() * Jet::constant(crank_radius.clone());
+    let path = moving + Vector2::new(Jet::constant(centre_distance.clone()), Jet::constant(S::zero()));
+    let follower_speed = angular_velocity(&path)?;
+    let position = path.map(|coordinate| coordinate.value());
+    let pin_velocity = path.map(|coordinate| coordinate.rate());
+    let slot_point_velocity = quarter_turn(&position) * follower_speed.clone();
+    let sliding_velocity = pin_velocity.clone() - slot_point_velocity.clone();
+    Some(PinMotion { position, pin_velocity, slot_point_velocity, sliding_velocity, follower_speed })
+}
+
+/// The vector turned by a quarter, counter-clockwise: the direction of motion of a point that rotates so.
+pub fn quarter_turn<S: Field>(vector: &Vector2<S>) -> Vector2<S> {
+    Vector2::new(-vector.y.clone(), vector.x.clone())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{pin_slot, rational};
+
+    #[test]
+    fn the_slot_carries_across_and_the_pin_slides_along() {
+        let crank = Turn::from_half_tangent(&rational(5, 2));
+        let motion = solve(&rational(2, 1), &rational(3, 1), &crank, &rational(7, 1)).expect("off the pivot");
+        let zero = rational(0, 1);
+        assert_eq!(motion.slot_point_velocity.dot(&motion.position), zero);
+        assert_eq!(motion.sliding_velocity.perp(&motion.position), zero);
+        // And the closed form says the same, with the sign of the opposite sense.
+        let ratio = pin_slot::velocity_ratio(&rational(3, 2), &crank.supplement());
+        assert_eq!(motion.follower_speed, -(rational(7, 1) * ratio));
+    }
+
+    #[test]
+    fn a_pin_on_the_pivot_has_no_motion_of_the_slot() {
+        let half_turn = Turn { cos: rational(-1, 1), sin: rational(0, 1) };
+        assert_eq!(solve(&rational(1, 1), &rational(1, 1), &half_turn, &rational(1, 1)), None);
+    }
+}

@@ -1,0 +1,116 @@
+//! An identity between rational functions, proven at more points than its degree allows it to fail at.
+
+use super::degree::DegreeBound;
+use crate::scalars::field::{Field, rational};
+use num_rational::BigRational;
+use num_traits::Zero;
+use std::array::from_fn;
+use std::fmt;
+
+/// A statement "this expression is zero for all values of its `V` variables".
+pub trait Identity<const V: usize> {
+    /// Left side minus right side, over any field.
+    fn difference<S: Field>(&self, variables: &[S; V]) -> S;
+}
+
+/// What makes an identity certain: a polynomial of these degrees that is zero on so many points is zero.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Proof {
+    /// Bound of the degree of the difference's numerator, in each variable.
+    pub degrees: Vec<u32>,
+    /// Number of points at which the difference was evaluated exactly: the product of (degree + 1).
+    pub points: usize,
+}
+
+/// A point where the two sides differ, exactly.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Refutation {
+    /// The values of the variables.
+    pub at: Vec<BigRational>,
+    /// Left side minus right side there.
+    pub difference: BigRational,
+}
+
+impl fmt::Display for Proof {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let degrees: Vec<_> = self.degrees.iter().map(u32::to_string).collect();
+        write!(f, "exact at {} points, degree at most {}", self.points, degrees.join(" × "))
+    }
+}
+
+impl fmt::Display for Refutation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let at: Vec<_> = self.at.iter().map(BigRational::to_string).collect();
+        write!(f, "fails at ({}): the sides differ by {}", at.join(", "), self.difference)
+    }
+}
+
+impl std::error::Error for Refutation {}
+
+/// Proves or refutes `identity` by exact arithmetic on a grid of rationals.
+///
+/// The degree of the difference's numerator is found by running it on [`DegreeBound`]s. A polynomial of degree at
+/// most d in a variable that vanishes at d + 1 values of it vanishes for all; over several variables the same holds
+/// on the product grid. The values are k + 1/3 for whole k around zero, all different; an identity must have no pole
+/// there (a division by zero would stop the proof with a panic, as any division by zero of a rational does).
+pub fn prove<const V: usize>(identity: &impl Identity<V>) -> Result<Proof, Refutation> {
+    let bound = identity.difference(&from_fn(DegreeBound::<V>::variable));
+    let sides: [usize; V] = bound.numerator.map(|degree| degree as usize + 1);
+    let points: usize = sides.iter().product();
+    for index in 0..points {
+        let mut rest = index;
+        let at: [BigRational; V] = from_fn(|v| {
+            let k = rest % sides[v];
+            rest /= sides[v];
+            abscissa(k)
+        });
+        let difference = identity.difference(&at);
+        if !difference.is_zero() {
+            return Err(Refutation { at: at.to_vec(), difference });
+        }
+    }
+    Ok(Proof { degrees: bound.numerator.to_vec(), points })
+}
+
+/// The k-th value: 1/3, 4/3, −2/3, 7/3, −5/3 …
+fn abscissa(k: usize) -> BigRational {
+    let step = k.div_ceil(2) as i64;
+    let whole = if k % 2 == 1 { step } else { -step };
+    rational(3 * whole + 1, 3)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct Binomial {
+        wrong: i64,
+    }
+
+    impl Identity<2> for Binomial {
+        /// (x + y)² − (x² + (2 + wrong) x y + y²)
+        fn difference<S: Field>(&self, [x, y]: &[S; 2]) -> S {
+            let (x, y) = (x.clone(), y.clone());
+            let sum = x.clone() + y.clone();
+            sum.clone() * sum - x.clone() * x.clone() - S::integer(2 + self.wrong) * x * y.clone() - y.clone() * y
+        }
+    }
+
+    #[test]
+    fn a_true_identity_is_proven_on_a_full_grid() {
+        let proof = prove(&Binomial { wrong: 0 }).expect("the binomial formula holds");
+        assert_eq!(proof, Proof { degrees: vec![2, 2], points: 9 });
+    }
+
+    #[test]
+    fn a_false_identity_is_refuted_with_a_point() {
+        let refutation = prove(&Binomial { wrong: 1 }).expect_err("three is not two");
+        assert_eq!(refutation.difference, rational(-1, 9));
+    }
+
+    #[test]
+    fn all_abscissas_differ() {
+        let values: std::collections::HashSet<_> = (0..40).map(abscissa).collect();
+        assert_eq!(values.len(), 40);
+    }
+}

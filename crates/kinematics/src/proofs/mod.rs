@@ -1,0 +1,4 @@
+//! Proof of an algebraic identity by exact evaluation at enough points.
+
+pub(crate) mod degree;
+pub(crate) mod identity;

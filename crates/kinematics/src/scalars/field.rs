@@ -1,0 +1,71 @@
+//! What a formula may ask of its numbers: the four operations, nothing else.
+
+use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Scalar};
+use num_rational::BigRational;
+use num_traits::{One, ToPrimitive, Zero};
+use std::ops::Neg;
+
+/// A field: numbers with the four operations, fit for nalgebra's vectors.
+///
+/// No order, no roots and no transcendental functions: whoever needs those says so by asking for `f64`.
+pub trait Field:
+    Scalar + Zero + One + ClosedAddAssign + ClosedSubAssign + ClosedMulAssign + ClosedDivAssign + Neg<Output = Self>
+{
+    /// The integer `n` as a number of this field.
+    fn integer(n: i64) -> Self;
+
+    /// The nearest `f64`, for display and for comparison with floating-point routes.
+    fn approximate(&self) -> f64;
+}
+
+impl Field for f64 {
+    fn integer(n: i64) -> Self {
+        n as f64
+    }
+
+    fn approximate(&self) -> f64 {
+        *self
+    }
+}
+
+impl Field for BigRational {
+    fn integer(n: i64) -> Self {
+        BigRational::from_integer(n.into())
+    }
+
+    fn approximate(&self) -> f64 {
+        self.to_f64().unwrap_or(f64::NAN)
+    }
+}
+
+/// The exact fraction `numerator / denominator`; `denominator` must not be zero.
+pub fn rational(numerator: i64, denominator: i64) -> BigRational {
+    BigRational::new(numerator.into(), denominator.into())
+}
+
+/// Writes `a += b` and its three sisters from `a + b` and its own, for a type that is a field.
+macro_rules! assign_from_binary {
+    ([$($generics:tt)*] $type:ty) => {
+        impl<$($generics)*> std::ops::AddAssign for $type {
+            fn add_assign(&mut self, other: Self) {
+                *self = self.clone() + other;
+            }
+        }
+        impl<$($generics)*> std::ops::SubAssign for $type {
+            fn sub_assign(&mut self, other: Self) {
+                *self = self.clone() - other;
+            }
+        }
+        impl<$($generics)*> std::ops::MulAssign for $type {
+            fn mul_assign(&mut self, other: Self) {
+                *self = self.clone() * other;
+            }
+        }
+        impl<$($generics)*> std::ops::DivAssign for $type {
+            fn div_assign(&mut self, other: Self) {
+                *self = self.clone() / other;
+            }
+        }
+    };
+}
+pub(crate) use assign_from_binary;

@@ -1,0 +1,152 @@
+//! Derivatives without a second, hand-derived formula: truncated power series.
+
+use super::field::{Field, assign_from_binary};
+use num_traits::{One, Zero};
+use std::array::from_fn;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// The first `N` coefficients of a power series in one variable, the k-th being the k-th derivative over k!.
+///
+/// Running a formula on a jet gives the formula's value and its first `N - 1` derivatives, exactly if `S` is exact.
+/// `N` must be at least 1.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Jet<S, const N: usize>([S; N]);
+
+impl<S: Field, const N: usize> Jet<S, N> {
+    /// A quantity that does not change: `value`, all derivatives zero.
+    pub fn constant(value: S) -> Self {
+        Self(from_fn(|k| if k == 0 { value.clone() } else { S::zero() }))
+    }
+
+    /// The variable itself at `value`: first derivative one, all others zero.
+    pub fn variable(value: S) -> Self {
+        Self(from_fn(|k| match k {
+            0 => value.clone(),
+            1 => S::one(),
+            _ => S::zero(),
+        }))
+    }
+
+    /// A series from its coefficients, lowest power first.
+    pub fn from_coefficients(coefficients: [S; N]) -> Self {
+        Self(coefficients)
+    }
+
+    /// The value, in the unit of the quantity.
+    pub fn value(&self) -> S {
+        self.0[0].clone()
+    }
+
+    /// The `order`-th derivative; zero beyond the last one carried is *not* implied: `None` there.
+    pub fn derivative(&self, order: usize) -> Option<S> {
+        let coefficient = self.0.get(order)?;
+        Some((1..=order as i64).fold(coefficient.clone(), |product, k| product * S::integer(k)))
+    }
+
+    /// The first derivative; zero for a jet that carries none (`N` = 1).
+    pub fn rate(&self) -> S {
+        self.derivative(1).unwrap_or_else(S::zero)
+    }
+}
+
+impl<S: Field, const N: usize> Add for Jet<S, N> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self(from_fn(|k| self.0[k].clone() + other.0[k].clone()))
+    }
+}
+
+impl<S: Field, const N: usize> Sub for Jet<S, N> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self(from_fn(|k| self.0[k].clone() - other.0[k].clone()))
+    }
+}
+
+impl<S: Field, const N: usize> Neg for Jet<S, N> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(self.0.map(|c| -c))
+    }
+}
+
+impl<S: Field, const N: usize> Mul for Jet<S, N> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        Self(from_fn(|k| (0..=k).fold(S::zero(), |sum, i| sum + self.0[i].clone() * other.0[k - i].clone())))
+    }
+}
+
+impl<S: Field, const N: usize> Div for Jet<S, N> {
+    type Output = Self;
+    /// Long division of series: `other * quotient = self`, solved from the lowest power up.
+    fn div(self, other: Self) -> Self {
+        let mut quotient: [S; N] = from_fn(|_| S::zero());
+        for k in 0..N {
+            let known = (0..k).fold(S::zero(), |sum, i| sum + quotient[i].clone() * other.0[k - i].clone());
+            quotient[k] = (self.0[k].clone() - known) / other.0[0].clone();
+        }
+        Self(quotient)
+    }
+}
+
+assign_from_binary!([S: Field, const N: usize] Jet<S, N>);
+
+impl<S: Field, const N: usize> Zero for Jet<S, N> {
+    fn zero() -> Self {
+        Self::constant(S::zero())
+    }
+    fn is_zero(&self) -> bool {
+        self.0.iter().all(S::is_zero)
+    }
+}
+
+impl<S: Field, const N: usize> One for Jet<S, N> {
+    fn one() -> Self {
+        Self::constant(S::one())
+    }
+}
+
+impl<S: Field, const N: usize> Field for Jet<S, N> {
+    fn integer(n: i64) -> Self {
+        Self::constant(S::integer(n))
+    }
+    fn approximate(&self) -> f64 {
+        self.0[0].approximate()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Rational, Turn, rational};
+    use num_dual::third_derivative;
+
+    #[test]
+    fn derivatives_of_a_rational_function_are_exact() {
+        // 1 / x at 2: derivatives -1/4, 2/8, -6/16.
+        let inverse = Jet::<Rational, 4>::one() / Jet::variable(rational(2, 1));
+        let derivatives: Vec<_> = (0..4).filter_map(|k| inverse.derivative(k)).collect();
+        assert_eq!(derivatives, [rational(1, 2), rational(-1, 4), rational(1, 4), rational(-3, 8)]);
+        assert_eq!(inverse.derivative(4), None);
+    }
+
+    #[test]
+    fn a_library_of_dual_numbers_agrees() {
+        let crank = Turn::from_radians(0.3).moving::<4>(1.0);
+        let ratio = Jet::constant(1.5);
+        let ours = crate::pin_slot::velocity_ratio(&ratio, &crank);
+        let (_, first, second, third) = third_derivative(
+            |t| {
+                use num_dual::DualNum;
+                let (c, k) = (t.cos(), 1.5);
+                (c * k - 1.0) / (c * (-2.0 * k) + 1.0 + k * k)
+            },
+            0.3,
+        );
+        for (order, theirs) in [(1, first), (2, second), (3, third)] {
+            let ours = ours.derivative(order).expect("carried");
+            approx::assert_relative_eq!(ours, theirs, max_relative = 1e-13);
+        }
+    }
+}

@@ -1,0 +1,126 @@
+//! Square roots without rounding: numbers a + b √D.
+
+use super::field::{Field, assign_from_binary};
+use num_traits::{One, Zero};
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// `a + b √D` over the field `S`, in which `D` must not be a square already.
+///
+/// Nested, it holds several roots: `Surd<Surd<Rational, 2>, 3>` has √2, √3 and √6.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Surd<S, const D: u32> {
+    /// The part without the root.
+    pub plain: S,
+    /// What stands before the root.
+    pub rooted: S,
+}
+
+impl<S: Field, const D: u32> Surd<S, D> {
+    /// The root √D itself.
+    pub fn root() -> Self {
+        Self { plain: S::zero(), rooted: S::one() }
+    }
+
+    /// `plain`, without a root.
+    pub fn from_plain(plain: S) -> Self {
+        Self { plain, rooted: S::zero() }
+    }
+
+    fn radicand() -> S {
+        S::integer(i64::from(D))
+    }
+}
+
+impl<S: Field, const D: u32> Add for Surd<S, D> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self { plain: self.plain + other.plain, rooted: self.rooted + other.rooted }
+    }
+}
+
+impl<S: Field, const D: u32> Sub for Surd<S, D> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self { plain: self.plain - other.plain, rooted: self.rooted - other.rooted }
+    }
+}
+
+impl<S: Field, const D: u32> Neg for Surd<S, D> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self { plain: -self.plain, rooted: -self.rooted }
+    }
+}
+
+impl<S: Field, const D: u32> Mul for Surd<S, D> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        let (a, b, c, d) = (self.plain, self.rooted, other.plain, other.rooted);
+        Self { plain: a.clone() * c.clone() + Self::radicand() * b.clone() * d.clone(), rooted: a * d + b * c }
+    }
+}
+
+impl<S: Field, const D: u32> Div for Surd<S, D> {
+    type Output = Self;
+    /// By the conjugate: the norm a² − D b² is zero only for zero, √D not being in `S`.
+    #[allow(clippy::suspicious_arithmetic_impl, reason = "division is multiplication by the conjugate over the norm")]
+    fn div(self, other: Self) -> Self {
+        let (a, b) = (other.plain, other.rooted);
+        let norm = a.clone() * a.clone() - Self::radicand() * b.clone() * b.clone();
+        let product = self * Self { plain: a, rooted: -b };
+        Self { plain: product.plain / norm.clone(), rooted: product.rooted / norm }
+    }
+}
+
+assign_from_binary!([S: Field, const D: u32] Surd<S, D>);
+
+impl<S: Field, const D: u32> Zero for Surd<S, D> {
+    fn zero() -> Self {
+        Self::from_plain(S::zero())
+    }
+    fn is_zero(&self) -> bool {
+        self.plain.is_zero() && self.rooted.is_zero()
+    }
+}
+
+impl<S: Field, const D: u32> One for Surd<S, D> {
+    fn one() -> Self {
+        Self::from_plain(S::one())
+    }
+}
+
+impl<S: Field, const D: u32> Field for Surd<S, D> {
+    fn integer(n: i64) -> Self {
+        Self::from_plain(S::integer(n))
+    }
+    fn approximate(&self) -> f64 {
+        self.plain.approximate() + self.rooted.approximate() * f64::from(D).sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Rational, rational};
+
+    type WithTwo = Surd<Rational, 2>;
+    type WithTwoAndThree = Surd<WithTwo, 3>;
+
+    #[test]
+    fn roots_multiply_and_divide_exactly() {
+        let two = WithTwoAndThree::from_plain(WithTwo::root());
+        let three = WithTwoAndThree::root();
+        let six = two.clone() * three.clone();
+        assert_eq!(six.clone() * six.clone(), WithTwoAndThree::integer(6));
+        assert_eq!(six.clone() / three, two);
+        let odd = six + WithTwoAndThree::integer(1);
+        assert_eq!(odd.clone() / odd.clone(), WithTwoAndThree::one());
+        approx::assert_relative_eq!(odd.approximate(), 1.0 + 6f64.sqrt(), max_relative = 1e-15);
+    }
+
+    #[test]
+    fn one_over_a_root_is_rationalised() {
+        let inverse = WithTwo::one() / WithTwo::root();
+        assert_eq!(inverse, WithTwo { plain: rational(0, 1), rooted: rational(1, 2) });
+    }
+}

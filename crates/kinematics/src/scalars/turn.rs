@@ -1,0 +1,141 @@
+//! An angle as the pair of its cosine and sine.
+
+use super::field::Field;
+use super::jet::Jet;
+use nalgebra::Vector2;
+use std::array::from_fn;
+
+/// A direction in the plane: cosine and sine of an angle measured counter-clockwise.
+///
+/// As a pair, an angle needs no transcendental function: sums, half turns and motions are polynomials, and points of
+/// the circle with rational cosine and sine are exact.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Turn<S> {
+    /// Cosine of the angle.
+    pub cos: S,
+    /// Sine of the angle.
+    pub sin: S,
+}
+
+impl<S: Field> Turn<S> {
+    /// The angle whose half has the tangent `t`: cos = (1 − t²)/(1 + t²), sin = 2 t/(1 + t²).
+    ///
+    /// Rational `t` gives all rational points of the circle but the half turn.
+    pub fn from_half_tangent(t: &S) -> Self {
+        let square = t.clone() * t.clone();
+        let scale = S::one() + square.clone();
+        Self { cos: (S::one() - square) / scale.clone(), sin: S::integer(2) * t.clone() / scale }
+    }
+
+    /// The same angle with the opposite sign.
+    pub fn reversed(&self) -> Self {
+        Self { cos: self.cos.clone(), sin: -self.sin.clone() }
+    }
+
+    /// 180° minus this angle: what remains to the half turn.
+    pub fn supplement(&self) -> Self {
+        Self { cos: -self.cos.clone(), sin: self.sin.clone() }
+    }
+
+    /// The sum of this angle and `other`.
+    pub fn plus(&self, other: &Self) -> Self {
+        Self {
+            cos: self.cos.clone() * other.cos.clone() - self.sin.clone() * other.sin.clone(),
+            sin: self.sin.clone() * other.cos.clone() + self.cos.clone() * other.sin.clone(),
+        }
+    }
+
+    /// Unit vector in this direction.
+    pub fn direction(&self) -> Vector2<S> {
+        Vector2::new(self.cos.clone(), self.sin.clone())
+    }
+
+    /// The angle moving at `rate` (radians per unit of the jet's variable), as a power series from this instant on.
+    ///
+    /// From cos' = −rate sin and sin' = rate cos, coefficient by coefficient.
+    pub fn moving<const N: usize>(&self, rate: S) -> Turn<Jet<S, N>> {
+        let mut pairs = vec![(self.cos.clone(), self.sin.clone())];
+        for k in 1..N {
+            let (c, s) = pairs[k - 1].clone();
+            let step = rate.clone() / S::integer(k as i64);
+            pairs.push((-(step.clone() * s), step * c));
+        }
+        Turn {
+            cos: Jet::from_coefficients(from_fn(|k| pairs[k].0.clone())),
+            sin: Jet::from_coefficients(from_fn(|k| pairs[k].1.clone())),
+        }
+    }
+}
+
+impl Turn<f64> {
+    /// The angle of `radians`; the cosine and sine come from a portable library, not from the platform's.
+    pub fn from_radians(radians: f64) -> Self {
+        Self { cos: libm::cos(radians), sin: libm::sin(radians) }
+    }
+
+    /// The angle of `degrees`.
+    pub fn from_degrees(degrees: f64) -> Self {
+        Self::from_radians(degrees.to_radians())
+    }
+
+    /// The angle in radians, in (−π, π].
+    pub fn radians(&self) -> f64 {
+        libm::atan2(self.sin, self.cos)
+    }
+
+    /// The angle in degrees, in (−180°, 180°].
+    pub fn degrees(&self) -> f64 {
+        self.radians().to_degrees()
+    }
+}
+
+/// Angular velocity of the direction of `position`, in radians per unit of the jet's variable.
+///
+/// `None` where the position is the origin and has no direction. It is the derivative of the polar angle,
+/// (x y' − y x') / (x² + y²): rational, so no inverse tangent is differentiated.
+pub fn angular_velocity<S: Field, const N: usize>(position: &Vector2<Jet<S, N>>) -> Option<S> {
+    let (x, y) = (&position.x, &position.y);
+    let square = x.value() * x.value() + y.value() * y.value();
+    if square.is_zero() {
+        return None;
+    }
+    Some((x.value() * y.rate() - y.value() * x.rate()) / square)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Rational, rational};
+
+    #[test]
+    fn rational_points_lie_on_the_circle_and_add() {
+        let a = Turn::from_half_tangent(&rational(1, 2));
+        let b = Turn::from_half_tangent(&rational(-2, 7));
+        for turn in [a.clone(), b.clone(), a.plus(&b), a.supplement(), b.reversed()] {
+            assert_eq!(turn.cos.clone() * turn.cos + turn.sin.clone() * turn.sin, rational(1, 1));
+        }
+        assert_eq!(a.plus(&a.reversed()), Turn { cos: rational(1, 1), sin: rational(0, 1) });
+    }
+
+    #[test]
+    fn a_moving_angle_stays_on_the_circle_to_every_order_carried() {
+        let turn = Turn::<Rational>::from_half_tangent(&rational(3, 5)).moving::<6>(rational(7, 3));
+        let norm = turn.cos.clone() * turn.cos + turn.sin.clone() * turn.sin;
+        assert_eq!(norm, Jet::integer(1));
+    }
+
+    #[test]
+    fn a_direction_turns_at_its_own_rate_and_the_origin_has_none() {
+        let position = Turn::from_half_tangent(&rational(1, 3)).moving::<2>(rational(5, 2)).direction();
+        assert_eq!(angular_velocity(&position), Some(rational(5, 2)));
+        let origin = Vector2::<Jet<Rational, 2>>::zeros();
+        assert_eq!(angular_velocity(&origin), None);
+    }
+
+    #[test]
+    fn degrees_go_through_and_back() {
+        for degrees in [-179.0, -45.0, 0.0, 30.0, 150.0, 180.0] {
+            approx::assert_relative_eq!(Turn::from_degrees(degrees).degrees(), degrees, max_relative = 1e-15);
+        }
+    }
+}
