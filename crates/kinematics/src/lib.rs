@@ -10,6 +10,7 @@
 mod proofs;
 mod scalars;
 
+pub mod pin_proofs;
 pub mod pin_slot;
 pub mod pin_triangle;
 pub mod pin_vectors;

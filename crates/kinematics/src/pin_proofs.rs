@@ -1,0 +1,204 @@
+//! What the triangle and the velocity triangle of a pin in a slot say, as identities that can be proven exactly.
+//!
+//! Notation as in [`pin_slot`](crate::pin_slot) and [`pin_vectors`](crate::pin_vectors). Roots are avoided by
+//! multiplying out: a length that is a root of a rational function appears squared or against its own direction.
+//!
+//! Most identities have the variables p = R cos φ, q = R sin φ, l and the driver's angular velocity ω. The crank pair
+//! (p, q) then carries its own length R, and everything is a polynomial over r²: few points suffice for a proof.
+
+use crate::{Field, Identity, Turn, pin_slot, pin_vectors};
+use nalgebra::Vector2;
+
+/// Law of cosines in triangle OPB: r² = R² + l² − 2 R l cos(180° − φ), against the pin's coordinates.
+///
+/// Variables: R, l, and the tangent of φ/2.
+pub struct LawOfCosines;
+
+impl Identity<3> for LawOfCosines {
+    fn difference<S: Field>(&self, [radius, distance, half]: &[S; 3]) -> S {
+        let crank = Turn::from_half_tangent(half);
+        let pin = pin_place(radius, distance, &crank);
+        let ratio = distance.clone() / radius.clone();
+        let scaled = pin_slot::slot_radius_squared(&ratio, &crank.supplement());
+        pin.dot(&pin) - scaled * radius.clone() * radius.clone()
+    }
+}
+
+/// Law of sines in triangle OPB: sin β / R = sin(180° − φ) / r, both sines taken from cross products of the sides.
+///
+/// Multiplied by R r l it says that OB × OP = BP × BO. Variables: R, l, and the tangent of φ/2.
+pub struct LawOfSines;
+
+impl Identity<3> for LawOfSines {
+    fn difference<S: Field>(&self, [radius, distance, half]: &[S; 3]) -> S {
+        let crank = Turn::from_half_tangent(half);
+        let axis = Vector2::new(distance.clone(), S::zero());
+        let from_pivot = pin_place(radius, distance, &crank);
+        let from_axis = from_pivot.clone() - axis.clone();
+        axis.perp(&from_pivot) - from_axis.perp(&(-axis))
+    }
+}
+
+/// The pin slides along the slot and nowhere else: (v_P − v_P′) × OP = 0.
+///
+/// Variables: p, q, l, ω.
+pub struct SlidesAlongTheSlot;
+
+impl Identity<4> for SlidesAlongTheSlot {
+    fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
+        moving(variables, |motion, _| motion.sliding_velocity.perp(&motion.position))
+    }
+}
+
+/// The slot's point moves across the slot: v_P′ · OP = 0. Variables: p, q, l, ω.
+pub struct SlotPointMovesAcross;
+
+impl Identity<4> for SlotPointMovesAcross {
+    fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
+        moving(variables, |motion, _| motion.slot_point_velocity.dot(&motion.position))
+    }
+}
+
+/// Speed of the pin on its circle: v_P² = R² ω². Variables: p, q, l, ω.
+pub struct PinSpeed;
+
+impl Identity<4> for PinSpeed {
+    fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
+        let [p, q, _, driver] = variables.clone();
+        let radius_squared = p.clone() * p + q.clone() * q;
+        moving(variables, |motion, _| {
+            motion.pin_velocity.dot(&motion.pin_velocity) - radius_squared * driver.clone() * driver
+        })
+    }
+}
+
+/// v_P′ = v_P sin γ with γ = 90° − β − θ, multiplied by r: the component of v_P across the slot, towards the driver.
+///
+/// sin γ = cos β cos θ − sin β sin θ; r cos β and r sin β are the pin's coordinates, R cos θ = −p and R sin θ = q.
+/// Variables: p, q, l, ω.
+pub struct SlotPointSpeed;
+
+impl Identity<4> for SlotPointSpeed {
+    fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
+        let [p, q, _, driver] = variables.clone();
+        moving(variables, |motion, square| {
+            let sine = -(motion.position.x.clone() * p) - motion.position.y.clone() * q;
+            // r v_P′ = r² ω_S, and ω_S is against the driver's sense.
+            -(motion.follower_speed.clone() * square) - driver * sine
+        })
+    }
+}
+
+/// v_{P/S} = v_P cos γ with γ = 90° − β − θ, multiplied by r: the component of v_P along the slot, to the pivot.
+///
+/// Variables: p, q, l, ω.
+pub struct SlidingSpeed;
+
+impl Identity<4> for SlidingSpeed {
+    fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
+        let [p, q, _, driver] = variables.clone();
+        moving(variables, |motion, _| {
+            let cosine = motion.position.x.clone() * q - motion.position.y.clone() * p;
+            -motion.pin_velocity.dot(&motion.position) - driver * cosine
+        })
+    }
+}
+
+/// v_P′ = r ω_S, multiplied by r: OP × v_P′ = r² ω_S, the slot's point being across the slot. Variables: p, q, l, ω.
+pub struct SlotPointOnTheFollower;
+
+impl Identity<4> for SlotPointOnTheFollower {
+    fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
+        moving(variables, |motion, square| {
+            motion.position.perp(&motion.slot_point_velocity) - square * motion.follower_speed.clone()
+        })
+    }
+}
+
+/// The velocity ratio of [`pin_slot`](crate::pin_slot) is the one that differentiating the pin's place gives.
+///
+/// In crank radii, with a driver of speed one. Variables: k and the tangent of φ/2.
+pub struct VelocityRatio;
+
+impl Identity<2> for VelocityRatio {
+    fn difference<S: Field>(&self, [ratio, half]: &[S; 2]) -> S {
+        let crank = Turn::from_half_tangent(half);
+        let formula = pin_slot::velocity_ratio(ratio, &crank.supplement());
+        pin_vectors::solve(&S::one(), ratio, &crank, &S::one())
+            .map_or_else(S::zero, |motion| motion.follower_speed + formula)
+    }
+}
+
+/// Where can a four-slot follower stand still as the pin enters? The condition on k = l / R, multiplied out.
+///
+/// The slots of four are 90° apart, so the pin enters and leaves at β = ±45°: k − cos θ = sin θ. The follower stands
+/// still if k cos θ = 1. With cos θ = 1/k and sin θ = k − 1/k the pin is on its circle, cos² + sin² = 1, exactly if
+/// (k² − 1)(k² − 2) = 0. Variable: k.
+pub struct StandstillOfFourSlots;
+
+impl Identity<1> for StandstillOfFourSlots {
+    fn difference<S: Field>(&self, [ratio]: &[S; 1]) -> S {
+        let square = ratio.clone() * ratio.clone();
+        let product = (square.clone() - S::one()) * (square.clone() - S::integer(2));
+        square * four_slot_entry_misfit(ratio) - product
+    }
+}
+
+/// How far the pin is off its circle if it is at β = 45° and the follower stands still: cos² θ + sin² θ − 1.
+///
+/// Zero for the ratios k = l / R at which a four-slot follower is at rest as the pin enters; k must not be zero.
+pub fn four_slot_entry_misfit<S: Field>(ratio: &S) -> S {
+    let cos = S::one() / ratio.clone();
+    let sin = ratio.clone() - cos.clone();
+    cos.clone() * cos + sin.clone() * sin - S::one()
+}
+
+fn pin_place<S: Field>(radius: &S, distance: &S, crank: &Turn<S>) -> Vector2<S> {
+    crank.direction() * radius.clone() + Vector2::new(distance.clone(), S::zero())
+}
+
+/// Runs `difference` on the motion at p, q, l, ω and on r²; zero if the pin is on the pivot, where nothing is said.
+fn moving<S: Field>(
+    [p, q, distance, driver]: &[S; 4],
+    difference: impl FnOnce(&pin_vectors::PinMotion<S>, S) -> S,
+) -> S {
+    let crank = Turn { cos: p.clone(), sin: q.clone() };
+    pin_vectors::solve(&S::one(), distance, &crank, driver).map_or_else(S::zero, |motion| {
+        let square = motion.position.dot(&motion.position);
+        difference(&motion, square)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Rational, Surd, prove, rational};
+
+    #[test]
+    fn all_identities_of_the_pin_are_proven() {
+        let proofs = [
+            prove(&LawOfCosines),
+            prove(&LawOfSines),
+            prove(&SlidesAlongTheSlot),
+            prove(&SlotPointMovesAcross),
+            prove(&PinSpeed),
+            prove(&SlotPointSpeed),
+            prove(&SlidingSpeed),
+            prove(&SlotPointOnTheFollower),
+            prove(&VelocityRatio),
+        ];
+        for proof in proofs {
+            println!("{}", proof.expect("an identity"));
+        }
+        println!("{}", prove(&StandstillOfFourSlots).expect("an identity"));
+    }
+
+    #[test]
+    fn the_only_possible_ratio_of_four_slots_is_the_root_of_two() {
+        type WithTwo = Surd<Rational, 2>;
+        assert_eq!(four_slot_entry_misfit(&WithTwo::root()), WithTwo::integer(0));
+        // The other positive root, k = 1, puts the pivot on the crank circle: no mechanism.
+        assert_eq!(four_slot_entry_misfit(&rational(1, 1)), rational(0, 1));
+        assert_ne!(four_slot_entry_misfit(&rational(2, 1)), rational(0, 1));
+    }
+}
