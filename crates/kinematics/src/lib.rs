@@ -15,7 +15,7 @@ pub mod pin_slot;
 pub mod pin_triangle;
 pub mod pin_vectors;
 
-pub use num_rational::BigRational as Rational;
+pub use dashu_ratio::RBig as Rational;
 pub use proofs::degree::DegreeBound;
 pub use proofs::identity::{Identity, Proof, Refutation, prove};
 pub use scalars::field::{Field, rational};

@@ -1,8 +1,8 @@
 //! What a formula may ask of its numbers: the four operations, nothing else.
 
+use dashu_ratio::{RBig, Relaxed};
 use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Scalar};
-use num_rational::BigRational;
-use num_traits::{One, ToPrimitive, Zero};
+use num_traits::{One, Zero};
 use std::ops::Neg;
 
 /// A field: numbers with the four operations, fit for nalgebra's vectors.
@@ -28,19 +28,30 @@ impl Field for f64 {
     }
 }
 
-impl Field for BigRational {
+impl Field for RBig {
     fn integer(n: i64) -> Self {
-        BigRational::from_integer(n.into())
+        RBig::from(n)
     }
 
     fn approximate(&self) -> f64 {
-        self.to_f64().unwrap_or(f64::NAN)
+        self.to_f64().value()
+    }
+}
+
+/// Fractions that are not reduced at every step: the same numbers as [`RBig`], faster where little is computed.
+impl Field for Relaxed {
+    fn integer(n: i64) -> Self {
+        Relaxed::from(n)
+    }
+
+    fn approximate(&self) -> f64 {
+        self.to_f64().value()
     }
 }
 
 /// The exact fraction `numerator / denominator`; `denominator` must not be zero.
-pub fn rational(numerator: i64, denominator: i64) -> BigRational {
-    BigRational::new(numerator.into(), denominator.into())
+pub fn rational(numerator: i64, denominator: i64) -> RBig {
+    RBig::from(numerator) / RBig::from(denominator)
 }
 
 /// Writes `a += b` and its three sisters from `a + b` and its own, for a type that is a field.

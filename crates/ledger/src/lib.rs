@@ -1,0 +1,59 @@
+//! What the sources print, what we compute, and the verdict: the only room that knows both.
+//!
+//! A claim is one row: a stable id, where it stands in its source, the printed characters, how the quantity is
+//! computed, a second route that shares no code with the first, and the verdict that is expected. [`judge`] derives
+//! the verdict; a claim holds if the derived verdict is the recorded one and nothing contradicts it. Everything shown
+//! anywhere (tests, tables of the book, command line, JSON, CSV) is drawn from [`claims`].
+//!
+//! The ledger computes nothing itself: it calls the formula crates. A printed number stands here and nowhere else.
+
+mod claim;
+mod dimension;
+mod inventory;
+mod judge;
+mod printed;
+mod tolerance;
+mod verdict;
+mod work;
+
+pub mod pin;
+
+pub use claim::{Check, Claim, Erratum, Evidence, Finding, Kind, Route, Severity};
+pub use dimension::Dimension;
+pub use inventory::{Entry, Line, Symbol, fingerprint, numeric_tokens};
+pub use judge::{Judged, judge};
+pub use printed::{Decimal, Mark, Marked, Unreadable};
+pub use tolerance::{TOLERANCES, Tolerance};
+pub use verdict::Verdict;
+pub use work::Work;
+
+use std::sync::OnceLock;
+
+/// All claims, by source and in the order of the source.
+pub fn claims() -> &'static [Claim] {
+    static CLAIMS: OnceLock<Vec<Claim>> = OnceLock::new();
+    CLAIMS.get_or_init(|| Work::ALL.iter().flat_map(|work| work.claims()).collect())
+}
+
+/// The claim with this id.
+pub fn claim(id: &str) -> Option<&'static Claim> {
+    claims().iter().find(|claim| claim.id == id)
+}
+
+/// All verdicts, derived once and kept.
+pub fn verdicts() -> &'static [Judged] {
+    static VERDICTS: OnceLock<Vec<Judged>> = OnceLock::new();
+    VERDICTS.get_or_init(|| claims().iter().map(judge).collect())
+}
+
+/// The derived verdict of the claim with this id.
+pub fn verdict(id: &str) -> Option<&'static Judged> {
+    verdicts().iter().find(|judged| judged.claim.id == id)
+}
+
+/// The number that the source prints in the claim with this id, in the printed unit.
+///
+/// `None` if there is no such claim or if it prints no number.
+pub fn printed_value(id: &str) -> Option<f64> {
+    Some(claim(id)?.printed.parse::<Decimal>().ok()?.to_f64())
+}

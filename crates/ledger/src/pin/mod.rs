@@ -1,0 +1,87 @@
+//! The textbook problem: angular velocity of a four-slot wheel and velocity of the pin in its slot.
+//!
+//! The claims stand in the order of the source, a file for each stage: what is given, the position triangle, the
+//! velocity triangle. The instant itself, from the printed data, is [`Instant`].
+
+mod given;
+mod inventory;
+mod position;
+mod symbols;
+mod velocity;
+
+pub use inventory::INVENTORY;
+pub use symbols::SYMBOLS;
+
+use crate::{Claim, Evidence, Finding, printed_value};
+use geneva_kinematics::pin_slot::PinSlot;
+use geneva_kinematics::pin_triangle::{self, TriangleSolution};
+use geneva_kinematics::pin_vectors::{self, PinMotion};
+use geneva_kinematics::{Turn, pin_slot::GeometryError};
+
+/// The mechanism at the printed instant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Instant {
+    /// Crank and slot, lengths in the printed unit.
+    pub mechanism: PinSlot,
+    /// Crank angle φ from the direction O → B, counter-clockwise.
+    pub crank: Turn<f64>,
+    /// Angular velocity of the driver in rad/s, counter-clockwise positive.
+    pub driver_speed: f64,
+}
+
+impl Instant {
+    /// The instant of the printed data; the centre distance is the corrected one, √2 R.
+    pub fn printed() -> Result<Self, GeometryError> {
+        let radius = printed("pin.crank-radius");
+        Ok(Self {
+            mechanism: PinSlot::new(radius, radius * std::f64::consts::SQRT_2)?,
+            crank: Turn::from_degrees(printed("pin.crank-angle")),
+            driver_speed: printed("pin.driver-speed"),
+        })
+    }
+
+    /// The route of the source: laws of cosines and sines.
+    pub fn by_triangle(&self) -> TriangleSolution {
+        pin_triangle::solve(&self.mechanism, &self.crank.supplement(), self.driver_speed)
+    }
+
+    /// The other route: the pin's place differentiated.
+    ///
+    /// `None` if the pin is on the follower's pivot, which a [`PinSlot`] excludes.
+    pub fn by_vectors(&self) -> Option<PinMotion<f64>> {
+        let (radius, distance) = (self.mechanism.crank_radius(), self.mechanism.centre_distance());
+        pin_vectors::solve(&radius, &distance, &self.crank, &self.driver_speed)
+    }
+}
+
+/// All claims of the problem, in the order of the source.
+pub fn claims() -> Vec<Claim> {
+    [given::claims(), position::claims(), velocity::claims()].concat()
+}
+
+/// The number printed in the claim with this id; not a number if there is none, which no verdict survives.
+fn printed(id: &str) -> f64 {
+    printed_value(id).unwrap_or(f64::NAN)
+}
+
+/// A quantity of the triangle at the printed instant.
+fn triangle(quantity: fn(&TriangleSolution) -> f64) -> f64 {
+    Instant::printed().map_or(f64::NAN, |instant| quantity(&instant.by_triangle()))
+}
+
+/// A quantity of the vectors at the printed instant.
+fn vectors(quantity: fn(&PinMotion<f64>) -> f64) -> f64 {
+    Instant::printed().ok().and_then(|instant| instant.by_vectors()).map_or(f64::NAN, |motion| quantity(&motion))
+}
+
+/// The sine of an angle in degrees.
+fn sine(degrees: f64) -> f64 {
+    Turn::from_degrees(degrees).sin
+}
+
+/// Whether two numbers agree as two routes must; says both.
+fn same(a: f64, b: f64) -> Finding {
+    Finding::new(crate::tolerance::ROUTES.agrees(a, b), format!("{a} against {b}"))
+}
+
+use Evidence::{ClosedForm, ExactIdentity, Jet, OtherPlaceInSource, Vectors};

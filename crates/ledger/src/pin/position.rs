@@ -1,0 +1,143 @@
+//! The position triangle OPB: law of cosines, law of sines.
+
+use super::*;
+use crate::{Check, Kind, Work};
+use geneva_kinematics::pin_proofs::{LawOfCosines, LawOfSines};
+use geneva_kinematics::prove;
+
+const COSINES: &str = "Solution, law of cosines";
+const SINES: &str = "Solution, law of sines";
+
+pub fn claims() -> Vec<Claim> {
+    vec![
+        Claim::new(
+            "pin.position-figure",
+            Work::Pin,
+            "Solution, 1st sentence",
+            (Kind::Figure, "triangle OPB is the position at the given crank angle"),
+            ("OPB", ""),
+            Check::form(
+                (Vectors, || {
+                    let motion = Instant::printed().ok().and_then(|instant| Some((instant.by_vectors()?, instant)));
+                    let Some((motion, instant)) = motion else { return Finding::new(false, "no such position") };
+                    let side =
+                        (motion.position - nalgebra::Vector2::new(instant.mechanism.centre_distance(), 0.0)).norm();
+                    same(side, instant.mechanism.crank_radius())
+                }),
+                (ClosedForm, || same(vectors(|motion| motion.position.norm()), triangle(|t| t.slot_radius))),
+            ),
+        ),
+        Claim::new(
+            "pin.law-of-cosines",
+            Work::Pin,
+            COSINES,
+            (Kind::Equation, "law of cosines for the side OP"),
+            (r"r^{2}=R^{2}+l^{2}-2 R l \cos", ""),
+            Check::form(
+                (ExactIdentity, || prove(&LawOfCosines).into()),
+                (Vectors, || same(triangle(|t| t.slot_radius), vectors(|motion| motion.position.norm()))),
+            ),
+        ),
+        Claim::new(
+            "pin.angle-at-driver",
+            Work::Pin,
+            COSINES,
+            (Kind::Value, "angle of the triangle at B, 180° − φ"),
+            ("30", "°"),
+            Check::number(
+                (ClosedForm, || 180.0 - printed("pin.crank-angle")),
+                (Vectors, || {
+                    Instant::printed().map_or(f64::NAN, |instant| {
+                        let (to_pin, to_pivot) = (instant.crank.direction(), nalgebra::Vector2::new(-1.0, 0.0));
+                        Turn { cos: to_pin.dot(&to_pivot), sin: to_pin.perp(&to_pivot) }.degrees()
+                    })
+                }),
+            ),
+        ),
+        Claim::new(
+            "pin.radius-squared",
+            Work::Pin,
+            COSINES,
+            (Kind::Value, "square of OP, in squared crank radii"),
+            ("0.551", "R^{2}"),
+            Check::number(
+                (ClosedForm, || triangle(|t| t.radius_squared_ratio)),
+                (Vectors, || {
+                    let radius = printed("pin.crank-radius");
+                    vectors(|motion| motion.position.norm_squared()) / (radius * radius)
+                }),
+            ),
+        ),
+        Claim::new(
+            "pin.radius-ratio",
+            Work::Pin,
+            COSINES,
+            (Kind::Value, "OP in crank radii"),
+            ("0.742", "R"),
+            Check::number_from_rounded(
+                (ClosedForm, || triangle(|t| t.radius_ratio)),
+                (Vectors, || vectors(|motion| motion.position.norm()) / printed("pin.crank-radius")),
+                || printed("pin.radius-squared").sqrt(),
+            ),
+        ),
+        Claim::new(
+            "pin.radius",
+            Work::Pin,
+            COSINES,
+            (Kind::Value, "OP, distance of the pin from the follower's pivot"),
+            ("37.1", "mm"),
+            Check::number_from_rounded(
+                (ClosedForm, || triangle(|t| t.slot_radius)),
+                (Vectors, || vectors(|motion| motion.position.norm())),
+                || printed("pin.radius-ratio") * printed("pin.crank-radius"),
+            ),
+        ),
+        Claim::new(
+            "pin.law-of-sines",
+            Work::Pin,
+            SINES,
+            (Kind::Equation, "law of sines for the angle at O"),
+            (r"\frac{\sin b}{R}=\frac{\sin 30^{\circ}}{r}", ""),
+            Check::form(
+                (ExactIdentity, || prove(&LawOfSines).into()),
+                (Vectors, || same(triangle(|t| t.sine_at_pivot), vectors(|motion| motion.position.normalize().y))),
+            ),
+        ),
+        Claim::new(
+            "pin.sine-at-pivot",
+            Work::Pin,
+            SINES,
+            (Kind::Equation, "sine of the angle at O, from the rounded r/R"),
+            (r"\sin b=\frac{\sin 30^{\circ}}{0.742}", ""),
+            // An equation with a rounded number in it holds if the number is a rounding of what would make it exact.
+            Check::form(
+                (ClosedForm, || makes_exact(triangle(|t| t.sine_at_pivot))),
+                (Vectors, || makes_exact(vectors(|motion| motion.position.normalize().y))),
+            ),
+        ),
+        Claim::new(
+            "pin.angle-at-pivot",
+            Work::Pin,
+            SINES,
+            (Kind::Value, "β, angle of the slot at O from the line of centres"),
+            ("42.4", "°"),
+            Check::number_from_rounded(
+                (ClosedForm, || triangle(|t| t.angle_at_pivot).to_degrees()),
+                (Vectors, || vectors(|motion| Turn { cos: motion.position.x, sin: motion.position.y }.degrees())),
+                || {
+                    let sine = sine(printed("pin.angle-at-driver")) / printed("pin.radius-ratio");
+                    Turn { cos: (1.0 - sine * sine).sqrt(), sin: sine }.degrees()
+                },
+            ),
+        ),
+    ]
+}
+
+/// Whether the printed r/R is a rounding of the denominator that makes sin β exact.
+fn makes_exact(sine_at_pivot: f64) -> Finding {
+    let exact = sine(printed("pin.angle-at-driver")) / sine_at_pivot;
+    let holds = crate::claim("pin.radius-ratio")
+        .and_then(|claim| claim.printed.parse::<crate::Decimal>().ok())
+        .is_some_and(|printed| printed.is_rounding_of(exact));
+    Finding::new(holds, format!("exact with {exact} in the denominator"))
+}

@@ -1,0 +1,26 @@
+//! The letters of the source: its Greek ones and its arrows came out of the copy as Latin letters.
+
+use crate::Symbol;
+
+/// Each printed letter and the book's symbol. A letter that stands twice has two meanings in the source.
+pub const SYMBOLS: &[Symbol] = &[
+    Symbol { printed: "f", ours: r"\varphi", meaning: "crank angle, from the direction OB" },
+    Symbol { printed: "b", ours: r"\beta", meaning: "angle of the slot at O" },
+    Symbol { printed: "g", ours: r"\gamma", meaning: "angle between the pin's velocity and the slot" },
+    Symbol { printed: "v", ours: r"\omega", meaning: "angular velocity" },
+    Symbol { printed: "v", ours: r"v", meaning: "speed" },
+    Symbol { printed: "d", ours: r"\swarrow", meaning: "arrow of a direction, before its angle" },
+    Symbol { printed: "f", ours: r"\searrow", meaning: "arrow of a direction, before its angle" },
+    Symbol { printed: "i", ours: r"\circlearrowright", meaning: "arrow of a sense of rotation" },
+    Symbol { printed: r"1 \overline{2}", ours: r"\sqrt{2}", meaning: "a root" },
+];
+
+/// Whether a letter of the source stands for one thing only.
+pub fn is_unambiguous(letter: &str) -> bool {
+    SYMBOLS.iter().filter(|symbol| symbol.printed == letter).count() == 1
+}
+
+/// Whether each of the book's symbols stands for one thing only.
+pub fn ours_are_unambiguous() -> bool {
+    SYMBOLS.iter().all(|symbol| SYMBOLS.iter().filter(|other| other.ours == symbol.ours).count() == 1)
+}

@@ -1,0 +1,204 @@
+//! Printed digits, kept as text and compared exactly.
+
+use crate::tolerance::ARITHMETIC;
+use dashu_base::{Abs, Signed};
+use dashu_int::{IBig, UBig};
+use geneva_kinematics::{Field, Rational, rational};
+use std::fmt;
+use std::str::FromStr;
+
+/// A decimal number as printed: its digits and how many of them stand behind the point.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Decimal {
+    digits: IBig,
+    places: u32,
+}
+
+/// Text that is not a printed decimal number.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unreadable(String);
+
+impl fmt::Display for Unreadable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "`{}` is not a printed number: digits are expected, with an optional sign, thousands commas and one point",
+            self.0
+        )
+    }
+}
+
+impl std::error::Error for Unreadable {}
+
+/// How a printed digit compares with the computed value rounded to as many places.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mark {
+    /// The same digit in the same place.
+    Agree,
+    /// All digits before this one agree and this is the last.
+    Last,
+    /// The first digit that differs, or one behind it.
+    Wrong,
+}
+
+/// The printed characters, each with its mark.
+pub type Marked = Vec<(char, Mark)>;
+
+impl FromStr for Decimal {
+    type Err = Unreadable;
+
+    fn from_str(text: &str) -> Result<Self, Unreadable> {
+        let unreadable = || Unreadable(text.to_owned());
+        let unsigned = text.strip_prefix(['-', '−', '+']).unwrap_or(text);
+        let (whole, fraction) = unsigned.split_once('.').unwrap_or((unsigned, ""));
+        let grouped = whole.replace(',', "");
+        let point_without_digits = fraction.is_empty() && unsigned.contains('.');
+        if grouped.is_empty() || point_without_digits || !groups_of_three(whole) {
+            return Err(unreadable());
+        }
+        let all = format!("{grouped}{fraction}");
+        if !all.bytes().all(|b| b.is_ascii_digit()) {
+            return Err(unreadable());
+        }
+        let digits: IBig = all.parse().map_err(|_| unreadable())?;
+        let negative = text.starts_with(['-', '−']);
+        Ok(Self { digits: if negative { -digits } else { digits }, places: fraction.len() as u32 })
+    }
+}
+
+fn groups_of_three(whole: &str) -> bool {
+    let mut groups = whole.split(',');
+    let first = groups.next().unwrap_or_default();
+    let mut rest = groups.peekable();
+    rest.peek().is_none() || (1..=3).contains(&first.len()) && rest.all(|group| group.len() == 3)
+}
+
+impl Decimal {
+    /// Digits behind the point.
+    pub fn places(&self) -> u32 {
+        self.places
+    }
+
+    /// The number, exactly.
+    pub fn exact(&self) -> Rational {
+        Rational::from_parts(self.digits.clone(), power_of_ten(self.places))
+    }
+
+    /// The nearest `f64`.
+    pub fn to_f64(&self) -> f64 {
+        self.exact().approximate()
+    }
+
+    /// One unit of the last printed place.
+    pub fn unit_in_last_place(&self) -> Rational {
+        Rational::from_parts(IBig::ONE, power_of_ten(self.places))
+    }
+
+    /// Whether `computed` rounds to the printed digits: it is within half a unit of the last printed place.
+    pub fn is_rounding_of(&self, computed: f64) -> bool {
+        let Ok(exact) = Rational::try_from(computed) else { return false };
+        let half = self.unit_in_last_place() / rational(2, 1);
+        (exact.clone() - self.exact()).abs() <= half + slack(&exact)
+    }
+
+    /// Whether cutting `computed` off behind the last printed place gives the printed digits.
+    pub fn is_truncation_of(&self, computed: f64) -> bool {
+        let Ok(exact) = Rational::try_from(computed) else { return false };
+        let (size, printed) = (exact.clone().abs(), self.exact().abs());
+        let same_side = exact.is_negative() == self.digits.is_negative() || self.digits.is_zero();
+        let beyond = size - printed;
+        same_side && beyond >= -slack(&exact) && beyond < self.unit_in_last_place()
+    }
+
+    /// Marks each character of `text`, as which this number was printed, against `computed`.
+    pub fn marks(&self, text: &str, computed: f64) -> Marked {
+        let ours = format!("{computed:.*}", self.places as usize);
+        let plain: Vec<char> = text.chars().map(|c| if c == '−' { '-' } else { c }).filter(|c| *c != ',').collect();
+        let ours: Vec<char> = ours.chars().collect();
+        let differs = if self.is_rounding_of(computed) {
+            None
+        } else if plain.len() == ours.len() {
+            plain.iter().zip(&ours).position(|(p, o)| p != o)
+        } else {
+            Some(0)
+        };
+        let mut place = 0;
+        text.chars()
+            .map(|c| {
+                let here = place;
+                place += usize::from(c != ',');
+                let mark = match differs {
+                    Some(first) if here == first && first + 1 == plain.len() => Mark::Last,
+                    Some(first) if here >= first && c.is_ascii_digit() => Mark::Wrong,
+                    _ => Mark::Agree,
+                };
+                (c, mark)
+            })
+            .collect()
+    }
+}
+
+fn power_of_ten(exponent: u32) -> UBig {
+    UBig::from(10u8).pow(exponent as usize)
+}
+
+/// What floating-point arithmetic may have cost a computed value.
+fn slack(exact: &Rational) -> Rational {
+    Rational::try_from(ARITHMETIC.relative).map_or(Rational::ZERO, |relative| exact.clone().abs() * relative)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn decimal(text: &str) -> Decimal {
+        text.parse().expect("readable")
+    }
+
+    #[test]
+    fn digits_are_kept_with_their_places() {
+        assert_eq!(decimal("0.050").places(), 3);
+        assert_eq!(decimal("1,234").exact(), rational(1234, 1));
+        assert_eq!(decimal("−0.25").exact(), rational(-1, 4));
+        for text in ["", ".", "1.2.3", "12,34", ",123", "1e3", "a", "--1", "1.", ".5"] {
+            let read = text.parse::<Decimal>();
+            assert!(read.is_err(), "{text}: {read:?}");
+        }
+    }
+
+    #[test]
+    fn half_a_unit_of_the_last_place_decides() {
+        let printed = decimal("0.3");
+        for (computed, rounds) in [(0.25, true), (0.3499, true), (0.2499, false), (0.3501, false), (f64::NAN, false)] {
+            assert_eq!(printed.is_rounding_of(computed), rounds, "{computed}");
+        }
+    }
+
+    #[test]
+    fn cutting_off_is_told_from_rounding() {
+        let printed = decimal("0.055");
+        assert!(printed.is_truncation_of(1.0 / 18.0) && !printed.is_rounding_of(1.0 / 18.0));
+        assert!(!printed.is_truncation_of(-1.0 / 18.0));
+        assert!(decimal("-1.2").is_truncation_of(-1.29));
+    }
+
+    #[test]
+    fn marks_show_where_the_digits_part() {
+        let marks = |text: &str, computed| -> String {
+            decimal(text)
+                .marks(text, computed)
+                .iter()
+                .map(|(_, mark)| match mark {
+                    Mark::Agree => '=',
+                    Mark::Last => '~',
+                    Mark::Wrong => '#',
+                })
+                .collect()
+        };
+        assert_eq!(marks("12.34", 12.3412), "=====");
+        assert_eq!(marks("12.34", 12.351), "====~");
+        assert_eq!(marks("12.34", 12.21), "===##");
+        assert_eq!(marks("1,234", 1334.0), "==###");
+        assert_eq!(marks("9.9", 10.4), "#=#");
+    }
+}

@@ -1,0 +1,50 @@
+//! The one table of tolerances that are not printed digits.
+
+/// A relative tolerance with its reason.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tolerance {
+    /// What it is for.
+    pub name: &'static str,
+    /// Largest relative difference.
+    pub relative: f64,
+    /// Why so large and no larger.
+    pub reason: &'static str,
+}
+
+/// For deciding on which side of a rounding boundary a floating-point result lies.
+pub const ARITHMETIC: Tolerance = Tolerance {
+    name: "arithmetic",
+    relative: 1e-14,
+    reason: "a chain of a dozen correctly rounded operations and a few library functions is wrong by at most some \
+             ten units in the last place; a value closer than that to the edge of the printed interval counts as on it",
+};
+
+/// For two independent routes to one number.
+pub const ROUTES: Tolerance = Tolerance {
+    name: "routes",
+    relative: 1e-12,
+    reason: "two routes round differently, and subtractions of nearly equal numbers in one of them may cost two to \
+             three decimal digits of the sixteen; a wrong formula differs in the first few digits",
+};
+
+/// All tolerances.
+pub const TOLERANCES: &[Tolerance] = &[ARITHMETIC, ROUTES];
+
+impl Tolerance {
+    /// Whether two numbers agree, relative to the larger.
+    pub fn agrees(&self, a: f64, b: f64) -> bool {
+        (a - b).abs() <= self.relative * a.abs().max(b.abs())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn agreement_is_relative_and_refuses_what_is_not_a_number() {
+        assert!(ROUTES.agrees(1e9, 1e9 + 1e-4));
+        assert!(!ROUTES.agrees(1.0, 1.0 + 1e-11));
+        assert!(!ROUTES.agrees(f64::NAN, f64::NAN));
+    }
+}
