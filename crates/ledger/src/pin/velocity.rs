@@ -105,7 +105,7 @@ fn triangle_of_velocities() -> Vec<Claim> {
             Work::Pin,
             TRIANGLE,
             (Kind::Statement, "the slot's point under the pin moves across OP"),
-            (r"v_{P'} \perp OP", ""),
+            ("perpendicular", ""),
             Check::form(
                 (ExactIdentity, || prove(&SlotPointMovesAcross).into()),
                 (Jet, || {
@@ -120,7 +120,7 @@ fn triangle_of_velocities() -> Vec<Claim> {
             Work::Pin,
             TRIANGLE,
             (Kind::Statement, "the pin moves along the slot as seen from the wheel"),
-            (r"v_{P/S} \parallel OP", ""),
+            ("along the slot", ""),
             Check::form(
                 (ExactIdentity, || prove(&SlidesAlongTheSlot).into()),
                 (ClosedForm, || {
@@ -153,7 +153,7 @@ fn triangle_of_velocities() -> Vec<Claim> {
             Work::Pin,
             ANGLE,
             (Kind::Equation, "γ is what β and the angle at B leave of a right angle"),
-            ("g = 90° – … – …", ""),
+            (r"g=90^{\circ}-\ldots-\ldots", ""),
             Check::form(
                 (Vectors, || {
                     same(

@@ -1,0 +1,38 @@
+//! A figure: the drawing, its words and its numbers.
+
+use crate::series::Series;
+use crate::svg::canvas::{Canvas, Kind};
+
+/// A drawing with its text alternative, its caption and the numbers it was drawn from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Figure {
+    /// Name in lower-case letters and hyphens; the ids inside the SVG begin with it.
+    pub id: String,
+    /// What the figure is, in a few words.
+    pub title: String,
+    /// One or two sentences that stand for the drawing where it cannot be seen.
+    pub description: String,
+    /// What to look at, in a sentence of plain text.
+    pub caption: String,
+    /// The drawing: one `svg` element without blank lines, one element to a line.
+    pub svg: String,
+    /// The numbers behind the drawing.
+    pub series: Series,
+}
+
+/// The words of a figure, before it is drawn.
+pub(crate) struct Words {
+    pub id: &'static str,
+    pub title: String,
+    pub description: String,
+    pub caption: String,
+}
+
+impl Words {
+    /// The figure that these words, this canvas and these numbers make.
+    pub fn figure(self, canvas: Canvas, kind: Kind, series: Series) -> Figure {
+        let svg = canvas.finish(kind, self.id, &self.title, &self.description);
+        let Self { id, title, description, caption } = self;
+        Figure { id: id.to_owned(), title, description, caption, svg, series }
+    }
+}

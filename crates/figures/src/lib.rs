@@ -1,0 +1,21 @@
+//! Drawings of pin-in-slot mechanisms, to scale, and the numbers behind them.
+//!
+//! A [`Figure`] is an SVG with its text alternative, its caption and the [`Series`] it was drawn from. Everything
+//! drawn is computed by `geneva-kinematics` from the arguments: this crate holds no number that a source prints,
+//! knows nothing of claims or books, and does no input or output. The same arguments give the same bytes.
+//!
+//! Colours are `currentColor` and the custom properties `--fig-1` to `--fig-3`, `--fig-grid`, `--fig-fill` and
+//! `--fig-paper`, each with a fallback, so that a page may restyle a figure for a dark background.
+
+mod figure;
+mod number;
+mod plot;
+mod series;
+mod svg;
+mod theme;
+mod wheel;
+
+pub mod pin;
+
+pub use figure::Figure;
+pub use series::{Column, Series};

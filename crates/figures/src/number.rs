@@ -1,0 +1,85 @@
+//! Numbers as text: rounded explicitly, and zero without a sign.
+
+/// `value` with so many digits after the point; a value that rounds to zero has no sign.
+pub fn fixed(value: f64, decimals: usize) -> String {
+    let text = format!("{value:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(digits) if digits.bytes().all(|b| b == b'0' || b == b'.') => digits.to_owned(),
+        _ => text,
+    }
+}
+
+/// `value` rounded to so many digits after the point, written without trailing zeros: coordinates and angles.
+pub fn trimmed(value: f64, decimals: usize) -> String {
+    let text = fixed(value, decimals);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
+/// `value` rounded to so many significant digits (at least one), trailing zeros kept.
+pub fn significant(value: f64, digits: usize) -> String {
+    let after_first = digits.saturating_sub(1);
+    let scientific = format!("{value:.after_first$e}");
+    let exponent = scientific.split_once('e').and_then(|(_, e)| e.parse::<i32>().ok()).unwrap_or(0);
+    let decimals = usize::try_from(after_first as i32 - exponent).unwrap_or(0);
+    fixed(scientific.parse().unwrap_or(value), decimals)
+}
+
+/// `value`, or zero where it is nothing but rounding error beside a value of the size of `scale`.
+pub fn without_noise(value: f64, scale: f64) -> f64 {
+    if value.abs() <= 1e-12 * scale.abs() { 0.0 } else { value }
+}
+
+/// The same text with a minus sign in place of each hyphen, for display.
+pub fn with_minus_sign(text: &str) -> String {
+    text.replace('-', "−")
+}
+
+/// An angle given in radians, as text: degrees to a tenth, with their sign.
+pub fn degrees(radians: f64) -> String {
+    with_minus_sign(&format!("{}°", trimmed(radians.to_degrees(), 1)))
+}
+
+/// The smallest of 1, 2, 2.5 and 5 times a power of ten that is not below `least`; 1 if `least` is no positive number.
+pub fn round_step(least: f64) -> f64 {
+    if !(least > 0.0 && least.is_finite()) {
+        return 1.0;
+    }
+    let exponent = format!("{least:e}").split_once('e').and_then(|(_, e)| e.parse::<i32>().ok()).unwrap_or(0);
+    let power = |k: i32| format!("1e{k}").parse::<f64>().unwrap_or(1.0);
+    let decade = power(exponent);
+    let slack = 1.0 - 1e-9;
+    [1.0, 2.0, 2.5, 5.0]
+        .map(|m| m * decade)
+        .into_iter()
+        .find(|step| *step >= least * slack)
+        .unwrap_or(power(exponent + 1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn zero_has_no_sign() {
+        assert_eq!([fixed(-0.0, 3), fixed(-0.0004, 3), fixed(-0.0006, 3)], ["0.000", "0.000", "-0.001"]);
+        assert_eq!([trimmed(-0.0004, 3), trimmed(2.5, 3), trimmed(100.0, 0)], ["0", "2.5", "100"]);
+    }
+
+    #[test]
+    fn significant_digits_count_from_the_first() {
+        let written = [significant(0.0, 4), significant(7.0, 4), significant(99.996, 4), significant(123_456.0, 4)];
+        assert_eq!(written, ["0.000", "7.000", "100.0", "123500"]);
+        assert_eq!(significant(-0.012_345, 3), "-0.0123");
+    }
+
+    #[test]
+    fn only_what_is_lost_in_rounding_counts_as_noise() {
+        assert_eq!([without_noise(-3e-13, 2.0), without_noise(-3e-11, 2.0)], [0.0, -3e-11]);
+    }
+
+    #[test]
+    fn steps_are_round() {
+        assert_eq!([round_step(0.8), round_step(1.0), round_step(21.0), round_step(0.06)], [1.0, 1.0, 25.0, 0.1]);
+        assert_eq!([round_step(0.0), round_step(f64::NAN)], [1.0, 1.0]);
+    }
+}

@@ -1,0 +1,183 @@
+//! The triangle of the two axes and the pin, drawn on the mechanism.
+
+use super::instant::Instant;
+use crate::figure::{Figure, Words};
+use crate::number::{degrees, significant, without_noise};
+use crate::series::Series;
+use crate::svg::canvas::{Canvas, Kind};
+use crate::svg::label::Label;
+use crate::svg::marks::{arc, arc_arrow, dimension, fixed_pivot};
+use crate::svg::path::Sense;
+use crate::svg::shape::{DASHED, Shape};
+use crate::svg::view::{Pixels, View, heading};
+use crate::theme::{DRIVER, FILL, FOLLOWER, INK, PAPER};
+use crate::wheel::{SLOT_HALF_WIDTH, outline, rim_radius};
+use geneva_kinematics::Turn;
+use geneva_kinematics::pin_slot::PinSlot;
+use nalgebra::Vector2;
+use std::f64::consts::PI;
+
+const WIDTH: f64 = 640.0;
+/// Free space around the mechanism, in pixels.
+const MARGIN: f64 = 26.0;
+/// Room on the far side of the line of centres for the dimension of the centre distance, in pixels.
+const DIMENSION: f64 = 62.0;
+
+/// The narrowest angle at the pivot that has room for its mark, in radians.
+const NARROWEST: f64 = 0.25;
+
+/// Where the corners of the triangle lie on the page, and what places the rest.
+struct Layout {
+    view: View,
+    pivot: Pixels,
+    axis: Pixels,
+    pin: Pixels,
+    /// Crank radius in pixels.
+    crank: f64,
+    /// +1 if the pin is above the line of centres, −1 below: the drawing is mirrored.
+    side: f64,
+    height: f64,
+}
+
+impl Layout {
+    fn new(mechanism: &PinSlot, instant: &Instant) -> Self {
+        let (l, r, rim) = (mechanism.centre_distance(), mechanism.crank_radius(), rim_radius(mechanism));
+        let scale = (WIDTH - 2.0 * MARGIN) / (rim + l + r);
+        let reach = rim.max(r) * scale + MARGIN;
+        let height = 2.0 * reach + DIMENSION - MARGIN / 2.0;
+        let side = instant.side();
+        let level = if side > 0.0 { reach } else { height - reach };
+        let view = View { origin: Vector2::new(MARGIN + rim * scale, level), scale };
+        let axis = view.place(&Vector2::new(l, 0.0));
+        Self { view, pivot: view.origin, axis, pin: view.place(&instant.position), crank: r * scale, side, height }
+    }
+
+    /// A direction of the page at so many degrees counter-clockwise, mirrored with the drawing.
+    fn towards(&self, degrees: f64) -> Pixels {
+        heading(self.side * degrees.to_radians())
+    }
+}
+
+/// The triangle O P B at crank angle φ, to scale, on the follower and the pin's circle.
+///
+/// O is the follower's pivot (left), B the driver's axis (right), P the pin. `crank` is φ, counter-clockwise from the
+/// direction O → B, meant to be within the engagement. Lengths are labelled in crank radii R, so no unit is needed;
+/// the driver is shown turning counter-clockwise. Series: φ, l/R, r/R, β, the pin's coordinates in crank radii.
+pub fn position_triangle(mechanism: &PinSlot, crank: &Turn<f64>) -> Figure {
+    let instant = Instant::new(mechanism, crank, 1.0);
+    let layout = Layout::new(mechanism, &instant);
+    let mut canvas = Canvas::new(WIDTH, layout.height);
+    bodies(&mut canvas, &layout, mechanism, &instant);
+    angles(&mut canvas, &layout, &instant);
+    sides(&mut canvas, &layout, mechanism, &instant);
+    senses(&mut canvas, &layout, &instant);
+
+    let (ratio, beta) = (mechanism.ratio(), instant.slot_angle.to_degrees());
+    let position = instant.position / mechanism.crank_radius();
+    let row = [instant.crank_angle.to_degrees(), ratio, instant.radius_ratio, beta, position.x, position.y];
+    let columns = [("phi", "deg"), ("l/R", "1"), ("r/R", "1"), ("beta", "deg"), ("x_P/R", "1"), ("y_P/R", "1")];
+    let (phi, beta) = (degrees(instant.crank_angle), degrees(instant.slot_angle));
+    let (l, r) = (significant(ratio, 4), significant(instant.radius_ratio, 4));
+    let words = Words {
+        id: "pin-position",
+        title: format!("The triangle of the two axes and the pin at a crank angle of {phi}"),
+        description: format!(
+            "The follower's pivot O on the left, the driver's axis B on the right at a distance of {l} crank radii, and \
+             the pin P on the crank circle about B, at an angle of {phi} from the extension of OB beyond B. \
+             P lies in a slot of the follower: OP is {r} crank radii long and makes an angle of {beta} with OB."
+        ),
+        caption: format!("Pivot O, axis B and pin P to scale at φ = {phi}. One slot of the follower S lies along OP."),
+    };
+    words.figure(canvas, Kind::Mechanism, Series::new(columns, [row]))
+}
+
+/// The follower with its slots and the pin's circle, in the background.
+fn bodies(canvas: &mut Canvas, at: &Layout, mechanism: &PinSlot, instant: &Instant) {
+    let follower = Shape::path(outline(mechanism, instant.slot_angle, &at.view)).fill(FILL);
+    canvas.draw(follower.stroke(FOLLOWER, 1.5).with("stroke-opacity", "0.6").class("follower"));
+    canvas.draw(Shape::circle(&at.axis, at.crank).stroke(DRIVER, 1.3).dashed("2 4").class("pin-circle"));
+    let end = at.axis + Vector2::new(at.crank + 14.0, 0.0);
+    canvas.draw(Shape::line(&at.axis, &end).stroke(INK, 1.2).dashed(DASHED));
+}
+
+/// The three sides with their lengths, and the corners.
+fn sides(canvas: &mut Canvas, at: &Layout, mechanism: &PinSlot, instant: &Instant) {
+    let row = if at.side > 0.0 { at.height - 0.55 * DIMENSION } else { 0.55 * DIMENSION };
+    let drop = Vector2::new(0.0, row - at.pivot.y);
+    let middle = dimension(canvas, &at.pivot, &at.axis, &drop);
+    for (from, to, shade, name) in [
+        (&at.pivot, &at.axis, INK, "side-l"),
+        (&at.axis, &at.pin, DRIVER, "side-R"),
+        (&at.pivot, &at.pin, FOLLOWER, "side-r"),
+    ] {
+        canvas.draw(Shape::line(from, to).stroke(shade, 3.0).with("stroke-linecap", "round").class(name));
+    }
+    fixed_pivot(canvas, &at.pivot, at.side);
+    fixed_pivot(canvas, &at.axis, at.side);
+    let radius = 0.8 * SLOT_HALF_WIDTH * at.crank;
+    canvas.draw(Shape::circle(&at.pin, radius).stroke(INK, 2.0).fill(PAPER).class("pin"));
+
+    let length =
+        |letter: &str, ratio: f64| Label::symbol(letter).and(&format!(" = {} ", significant(ratio, 4))).and_symbol("R");
+    // The lengths and the angle that have no room at their places stand in the dimension's row.
+    let (right, level) = (Vector2::new(1.0, 0.0), middle + Vector2::new(0.0, -14.0));
+    canvas.label(&level, &Pixels::zeros(), 0.0, &length("l", mechanism.ratio()));
+    let r = length("r", instant.radius_ratio).shade(FOLLOWER);
+    canvas.label(&Vector2::new(WIDTH, level.y), &-right, MARGIN, &r);
+    canvas.label(&Vector2::new(0.0, level.y), &right, MARGIN, &angle("β", instant.slot_angle.abs()));
+    let across = heading(instant.slot_angle + at.side * PI / 2.0);
+    canvas.label(&at.pivot.lerp(&at.pin, 0.4), &across, 16.0, &Label::symbol("r").shade(FOLLOWER).on(FILL));
+    let across = heading(instant.crank_angle - at.side * PI / 2.0);
+    canvas.label(&at.axis.lerp(&at.pin, 0.5), &across, 14.0, &Label::symbol("R").shade(DRIVER));
+    canvas.label(&at.pivot, &at.towards(200.0), 16.0, &Label::words("O").on(FILL));
+    canvas.label(&at.axis, &at.towards(-20.0), 20.0, &Label::words("B"));
+    canvas.label(&at.pin, &at.towards(90.0), 32.0, &Label::words("P").on(FILL));
+}
+
+/// The angles at O and at B.
+fn angles(canvas: &mut Canvas, at: &Layout, instant: &Instant) {
+    let (beta, phi) = (instant.slot_angle, instant.crank_angle);
+    let half_turn = at.side * PI;
+    let phi = if at.side > 0.0 { phi } else { phi - 2.0 * PI };
+    if beta.abs() > NARROWEST {
+        arc(canvas, &at.pivot, 60.0, 0.0, beta, INK, 1.5);
+        let middle = heading(beta / 2.0);
+        canvas.label(&(at.pivot + middle * 60.0), &middle, 8.0, &Label::symbol("β").on(FILL));
+    }
+    arc_arrow(canvas, &at.axis, 40.0, 0.0, phi, INK, 1.5);
+    let middle = at.towards(58.0);
+    canvas.label(&(at.axis + middle * 40.0), &middle, 10.0, &angle("φ", instant.crank_angle));
+    // The rest to the half turn is too narrow for its label: the arc leads out of the triangle to it.
+    let out = half_turn + at.side * 0.3;
+    arc(canvas, &at.axis, 62.0, phi, out, INK, 1.5);
+    let rest = Label::words("180° − ").and_symbol("φ");
+    canvas.label(&(at.axis + heading(out) * 62.0), &at.towards(-109.0), 22.0, &rest);
+}
+
+/// A symbol with its angle, which is given in radians.
+fn angle(symbol: &str, radians: f64) -> Label {
+    Label::symbol(symbol).and(&format!(" = {}", degrees(radians)))
+}
+
+/// The names of the two bodies and which way they turn, for a driver turning counter-clockwise.
+fn senses(canvas: &mut Canvas, at: &Layout, instant: &Instant) {
+    let [driver, follower] = [("D", DRIVER), ("S", FOLLOWER)]
+        .map(|(name, shade)| (Label::words(name).shade(shade), Label::symbol("ω").sub(name).shade(shade)));
+    let face = at.axis + at.towards(72.0) * 0.78 * at.crank;
+    canvas.label(&face, &Pixels::zeros(), 0.0, &driver.0);
+    let lobe = at.pivot + heading(instant.slot_angle + at.side * PI / 4.0) * 0.54 * at.crank;
+    canvas.label(&lobe, &Pixels::zeros(), 0.0, &follower.0.on(FILL));
+
+    let (radius, middle, half) = (0.74 * at.crank, -at.side * 0.72, 0.37);
+    arc_arrow(canvas, &at.axis, radius, middle - half, middle + half, DRIVER, 2.5);
+    let towards = heading(middle);
+    canvas.label(&(at.axis + towards * radius), &(-towards), 12.0, &driver.1);
+    // At entry and exit the follower stands still and has no sense.
+    let turning = without_noise(instant.speed_ratio, 1.0);
+    if turning != 0.0 {
+        let (radius, half) = (58.0, 0.57 * Sense::of(turning).sign());
+        arc_arrow(canvas, &at.pivot, radius, PI - half, PI + half, FOLLOWER, 2.5);
+        let towards = heading(PI);
+        canvas.label(&(at.pivot + towards * radius), &towards, 10.0, &follower.1.on(FILL));
+    }
+}

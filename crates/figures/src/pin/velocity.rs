@@ -1,0 +1,184 @@
+//! The velocity triangle of the pin in the slot.
+
+use super::instant::Instant;
+use crate::figure::{Figure, Words};
+use crate::number::{degrees, round_step, significant, trimmed};
+use crate::series::Series;
+use crate::svg::canvas::{Canvas, Kind};
+use crate::svg::label::Label;
+use crate::svg::marks::{arc, arrow, right_angle};
+use crate::svg::shape::{DASHED, Shape};
+use crate::svg::view::{Pixels, View, angle_of, heading};
+use crate::theme::{DRIVER, FOLLOWER, GRID, INK, RELATIVE};
+use geneva_kinematics::Turn;
+use geneva_kinematics::pin_slot::PinSlot;
+use nalgebra::Vector2;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+const WIDTH: f64 = 640.0;
+/// The largest the triangle may be: width and height in pixels. Labels stand beside it.
+const ROOM: (f64, f64) = (330.0, 400.0);
+/// Free space above and below the triangle, in pixels.
+const MARGIN: f64 = 44.0;
+
+/// Radii of the two marks of the slot's angle, in pixels: at the common tip and at the common tail.
+const AT_TIP: f64 = 84.0;
+const AT_TAIL: f64 = 58.0;
+/// The narrowest angle that has room for its mark, in radians.
+const NARROWEST: f64 = 0.2;
+
+/// The triangle's corners on the page: common tail, end of the slot point's velocity, common tip.
+struct Layout {
+    view: View,
+    tail: Pixels,
+    corner: Pixels,
+    tip: Pixels,
+    height: f64,
+}
+
+impl Layout {
+    fn new(instant: &Instant) -> Self {
+        let corners = [Vector2::zeros(), instant.slot_point_velocity, instant.pin_velocity];
+        let least = corners.iter().fold(Vector2::zeros(), |a: Vector2<f64>, b| a.inf(b));
+        let most = corners.iter().fold(Vector2::zeros(), |a: Vector2<f64>, b| a.sup(b));
+        let size = most - least;
+        let fit = |room: f64, size: f64| if size > 0.0 { room / size } else { f64::INFINITY };
+        let scale = fit(ROOM.0, size.x).min(fit(ROOM.1, size.y));
+        let scale = if scale.is_finite() { scale } else { 1.0 };
+        let height = (size.y * scale).max(0.3 * WIDTH) + 2.0 * MARGIN;
+        let middle = (least + most) / 2.0 * scale;
+        let view = View { origin: Vector2::new(WIDTH / 2.0 - middle.x, height / 2.0 + middle.y), scale };
+        let [tail, corner, tip] = corners.map(|corner| view.place(&corner));
+        Self { view, tail, corner, tip, height }
+    }
+
+    /// The direction away from the triangle, across the side between two corners.
+    fn outwards(&self, from: &Pixels, to: &Pixels) -> Pixels {
+        let along = to - from;
+        let across = Vector2::new(-along.y, along.x);
+        let inside = (self.tail + self.corner + self.tip) / 3.0 - from;
+        if across.dot(&inside) > 0.0 { -across } else { across }
+    }
+}
+
+/// The velocity triangle of the pin at crank angle φ, to scale: the pin's velocity is that of the slot under it plus
+/// that along the slot.
+///
+/// `crank` is φ, counter-clockwise from the direction O → B; `driver_speed` the driver's angular velocity in radians
+/// per time, counter-clockwise positive; `speed_unit` the unit of the speeds that follow. Series: φ, the three
+/// speeds, γ (acute, between the pin's velocity and the slot) and β (of the slot, from the line of centres).
+pub fn velocity_triangle(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed: f64, speed_unit: &str) -> Figure {
+    let instant = Instant::new(mechanism, crank, driver_speed);
+    let layout = Layout::new(&instant);
+    let mut canvas = Canvas::new(WIDTH, layout.height);
+    directions(&mut canvas, &layout, &instant);
+    vectors(&mut canvas, &layout, &instant, speed_unit);
+    scale_bar(&mut canvas, &layout, speed_unit);
+
+    let speeds = instant.speeds();
+    let [phi, gamma, beta] = [instant.crank_angle, instant.velocity_angle(), instant.slot_angle].map(f64::to_degrees);
+    let row = [phi, speeds[0], speeds[1], speeds[2], gamma, beta];
+    let columns = [
+        ("phi", "deg"),
+        ("v_P", speed_unit),
+        ("v_P'", speed_unit),
+        ("v_P/S", speed_unit),
+        ("gamma", "deg"),
+        ("beta", "deg"),
+    ];
+    let (phi, gamma) = (degrees(instant.crank_angle), degrees(instant.velocity_angle()));
+    let [pin, across, along] = speeds.map(|speed| format!("{} {speed_unit}", significant(speed, 4)));
+    let words = Words {
+        id: "pin-velocity",
+        title: format!("Velocity triangle of the pin at a crank angle of {phi}"),
+        description: format!(
+            "A right-angled triangle of arrows, to scale. The pin's velocity, {pin}, is the hypotenuse; it is the sum \
+             of the velocity of the slot's point under the pin, {across}, and of the pin's velocity along the slot, \
+             {along}. The angle between the pin's velocity and the slot is {gamma}."
+        ),
+        caption:
+            "The pin's velocity is that of the slot under it plus that along the slot, which stand at right angles."
+                .to_owned(),
+    };
+    words.figure(canvas, Kind::Diagram, Series::new(columns, [row]))
+}
+
+/// Reference directions and the angles from them.
+fn directions(canvas: &mut Canvas, at: &Layout, instant: &Instant) {
+    let along = at.corner - at.tip;
+    if let Some(direction) = along.try_normalize(1e-9) {
+        let ends = (at.tip - direction * 34.0, at.corner + direction * 40.0);
+        canvas.draw(Shape::line(&ends.0, &ends.1).stroke(RELATIVE, 1.3).dashed(DASHED).class("slot-direction"));
+        let horizontal = if direction.x < 0.0 { PI } else { 0.0 };
+        if along.norm() > 2.0 * AT_TIP {
+            angle_from(canvas, &at.tip, horizontal, angle_of(&along), AT_TIP, true);
+        }
+    }
+    let across = at.corner - at.tail;
+    if across.norm() > AT_TAIL {
+        let vertical = if across.y > 0.0 { -FRAC_PI_2 } else { FRAC_PI_2 };
+        angle_from(canvas, &at.tail, vertical, angle_of(&across), AT_TAIL, false);
+    }
+    right_angle(canvas, &at.corner, &(at.tail - at.corner), &(at.tip - at.corner), 15.0);
+    // γ is narrow: its arc leads out across the pin's velocity to the label.
+    let (slot, pin) = (angle_of(&along), angle_of(&(at.tail - at.tip)));
+    let turn = wrapped(pin - slot);
+    let radius = 0.36 * (at.tail - at.tip).norm();
+    let out = pin + turn.signum() * 20.0 / radius.max(20.0);
+    arc(canvas, &at.tip, radius, out - wrapped(out - slot), out, INK, 1.5);
+    let end = at.tip + heading(out) * radius;
+    let label = Label::symbol("γ").and(&format!(" = {}", degrees(instant.velocity_angle())));
+    canvas.label(&end, &at.outwards(&at.tail, &at.tip), 6.0, &label);
+}
+
+/// A reference direction at `corner`, and the angle from it to another, drawn as an arc of so many pixels.
+fn angle_from(canvas: &mut Canvas, corner: &Pixels, reference: f64, angle: f64, radius: f64, with_value: bool) {
+    let turn = wrapped(angle - reference);
+    if turn.abs() < NARROWEST {
+        return;
+    }
+    canvas.draw(Shape::line(corner, &(corner + heading(reference) * (radius + 40.0))).stroke(GRID, 1.3).dashed(DASHED));
+    arc(canvas, corner, radius, reference, reference + turn, INK, 1.5);
+    let middle = heading(reference + turn / 2.0);
+    let value = if with_value { format!(" = {}", degrees(turn.abs())) } else { String::new() };
+    let label = Label::symbol("β").and(&value);
+    canvas.label(&(corner + middle * radius), &middle, 8.0, &label);
+}
+
+/// The three arrows with their symbols and magnitudes.
+fn vectors(canvas: &mut Canvas, at: &Layout, instant: &Instant, unit: &str) {
+    let magnitude =
+        |index: &str, speed: f64| Label::symbol("v").sub(index).and(&format!(" = {} {unit}", significant(speed, 4)));
+    let [pin, slot_point, sliding] = instant.speeds();
+    arrow(canvas, &at.tail, &at.tip, DRIVER, 3.5, "v-pin");
+    arrow(canvas, &at.tail, &at.corner, FOLLOWER, 3.5, "v-slot-point");
+    arrow(canvas, &at.corner, &at.tip, RELATIVE, 3.5, "v-sliding");
+    for (from, to, share, label) in [
+        (&at.tail, &at.tip, 0.36, magnitude("P", pin).shade(DRIVER)),
+        (&at.tail, &at.corner, 0.5, magnitude("P′", slot_point).shade(FOLLOWER)),
+        (&at.corner, &at.tip, 0.5, magnitude("P/S", sliding).shade(RELATIVE)),
+    ] {
+        canvas.label(&from.lerp(to, share), &at.outwards(from, to), 14.0, &label);
+    }
+}
+
+/// A bar of a round speed, in the upper corner away from the triangle's tail.
+fn scale_bar(canvas: &mut Canvas, at: &Layout, unit: &str) {
+    let speed = round_step(60.0 / at.view.scale);
+    let length = speed * at.view.scale;
+    let left = if at.tip.x <= at.tail.x { 24.0 } else { WIDTH - 24.0 - length };
+    let start = Vector2::new(left, 34.0);
+    let end = start + Vector2::new(length, 0.0);
+    canvas.draw(Shape::line(&start, &end).stroke(INK, 2.0).class("scale-bar"));
+    for at in [start, end] {
+        let tick = Vector2::new(0.0, 6.0);
+        canvas.draw(Shape::line(&(at - tick), &(at + tick)).stroke(INK, 2.0));
+    }
+    let label = Label::words(&format!("{} {unit}", trimmed(speed, 6)));
+    canvas.label(&((start + end) / 2.0), &Vector2::new(0.0, 1.0), 16.0, &label);
+}
+
+/// An angle in radians, brought into (−π, π].
+fn wrapped(angle: f64) -> f64 {
+    Turn::from_radians(angle).radians()
+}

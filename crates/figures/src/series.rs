@@ -1,0 +1,63 @@
+//! The numbers behind a figure, and their text.
+
+use crate::number::fixed;
+
+/// Digits after the point to which a series is written.
+const DECIMALS: usize = 9;
+
+/// What a column of a series holds.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Column {
+    /// Symbol of the quantity, in ASCII.
+    pub name: String,
+    /// Its unit; `1` for a pure number.
+    pub unit: String,
+}
+
+/// A table of numbers with named columns.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Series {
+    /// The columns, in the order of each row's values.
+    pub columns: Vec<Column>,
+    /// The rows; each has one value per column.
+    pub rows: Vec<Vec<f64>>,
+    /// Digits after the point to which values are written.
+    pub decimals: usize,
+}
+
+impl Series {
+    /// A series of columns given as (name, unit) and rows of as many values, written to nine decimals.
+    pub fn new<const N: usize>(columns: [(&str, &str); N], rows: impl IntoIterator<Item = [f64; N]>) -> Self {
+        let columns = columns.map(|(name, unit)| Column { name: name.to_owned(), unit: unit.to_owned() }).to_vec();
+        Self { columns, rows: rows.into_iter().map(|row| row.to_vec()).collect(), decimals: DECIMALS }
+    }
+
+    /// The table as text of fixed width: a line of names and units, then one line per row, all flush right.
+    ///
+    /// Values are rounded to [`decimals`](Self::decimals); zero has no sign. Each line ends with a line feed.
+    pub fn to_text(&self) -> String {
+        let heads = self.columns.iter().map(|column| format!("{} [{}]", column.name, column.unit)).collect();
+        let values = self.rows.iter().map(|row| row.iter().map(|value| fixed(*value, self.decimals)).collect());
+        let lines: Vec<Vec<String>> = std::iter::once(heads).chain(values).collect();
+        let width = |k: usize| lines.iter().filter_map(|line| line.get(k)).map(|cell| cell.chars().count()).max();
+        let mut text = String::new();
+        for line in &lines {
+            let padded = line.iter().enumerate().map(|(k, cell)| format!("{cell:>w$}", w = width(k).unwrap_or(0)));
+            text.push_str(&padded.collect::<Vec<_>>().join("  "));
+            text.push('\n');
+        }
+        text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_stand_flush_right_and_zero_has_no_sign() {
+        let series = Series::new([("phi", "deg"), ("v", "m/s")], [[1.0, -0.0], [-12.0, -1e-12]]);
+        let expected = "    phi [deg]      v [m/s]\n  1.000000000  0.000000000\n-12.000000000  0.000000000\n";
+        assert_eq!(series.to_text(), expected);
+    }
+}

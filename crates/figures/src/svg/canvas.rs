@@ -1,0 +1,71 @@
+//! The page: shapes first, labels on top, then the frame that makes it an image with words.
+
+use super::label::{Label, TEXT_SIZE, escape};
+use super::shape::Shape;
+use super::view::Pixels;
+use crate::number::trimmed;
+
+/// What a drawing is: its class, for the page's style sheet.
+#[derive(Clone, Copy, Debug)]
+pub enum Kind {
+    /// Bodies and joints, to scale.
+    Mechanism,
+    /// Vectors and angles, to scale.
+    Diagram,
+    /// Curves over axes.
+    Plot,
+}
+
+/// A drawing in the making.
+#[derive(Clone, Debug)]
+pub struct Canvas {
+    width: f64,
+    height: f64,
+    shapes: Vec<String>,
+    labels: Vec<String>,
+}
+
+impl Canvas {
+    /// An empty page, in pixels of the view box.
+    pub fn new(width: f64, height: f64) -> Self {
+        Self { width, height, shapes: Vec::new(), labels: Vec::new() }
+    }
+
+    /// Draws a shape over the earlier ones.
+    pub fn draw(&mut self, shape: Shape) {
+        self.shapes.push(shape.markup());
+    }
+
+    /// Draws finished markup, one element to a line, over the earlier shapes.
+    pub fn draw_markup(&mut self, markup: String) {
+        self.shapes.push(markup);
+    }
+
+    /// Writes a label over all shapes, so far from `point` in the direction of `towards`.
+    pub fn label(&mut self, point: &Pixels, towards: &Pixels, distance: f64, label: &Label) {
+        self.labels.push(label.beside(point, towards, distance));
+    }
+
+    /// The drawing as one `svg` element, named and described for those who cannot see it.
+    pub fn finish(self, kind: Kind, id: &str, title: &str, description: &str) -> String {
+        let class = match kind {
+            Kind::Mechanism => "mechanism",
+            Kind::Diagram => "diagram",
+            Kind::Plot => "plot",
+        };
+        let opening = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" class=\"{class}\" role=\"img\" \
+             aria-labelledby=\"{id}-title {id}-desc\" font-family=\"sans-serif\" font-size=\"{}\">",
+            trimmed(self.width, 2),
+            trimmed(self.height, 2),
+            trimmed(TEXT_SIZE, 2),
+        );
+        let title = format!("<title id=\"{id}-title\">{}</title>", escape(title));
+        let description = format!("<desc id=\"{id}-desc\">{}</desc>", escape(description));
+        let mut lines = vec![opening, title, description];
+        lines.extend(self.shapes);
+        lines.extend(self.labels);
+        lines.push("</svg>".to_owned());
+        lines.join("\n")
+    }
+}

@@ -1,0 +1,72 @@
+//! Path data: lines and true arcs.
+
+use super::view::Pixels;
+use crate::number::trimmed;
+
+/// Which way round, as seen on the page.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sense {
+    /// Against the hands of a clock.
+    CounterClockwise,
+    /// With the hands of a clock.
+    Clockwise,
+}
+
+impl Sense {
+    /// Counter-clockwise for a positive rate, as angles are counted.
+    pub fn of(rate: f64) -> Self {
+        if rate < 0.0 { Self::Clockwise } else { Self::CounterClockwise }
+    }
+
+    /// +1 counter-clockwise, −1 clockwise.
+    pub fn sign(self) -> f64 {
+        match self {
+            Self::CounterClockwise => 1.0,
+            Self::Clockwise => -1.0,
+        }
+    }
+}
+
+/// The `d` attribute of a path, written as it goes.
+#[derive(Clone, Debug, Default)]
+pub struct Path(String);
+
+impl Path {
+    /// Begins at a point.
+    pub fn start(at: &Pixels) -> Self {
+        Self(format!("M{}", pair(at)))
+    }
+
+    /// Goes straight on to a point.
+    pub fn line_to(mut self, to: &Pixels) -> Self {
+        self.0 += &format!(" L{}", pair(to));
+        self
+    }
+
+    /// Goes to a point along a circle of this radius, by no more than half of it.
+    pub fn arc_to(self, radius: f64, sense: Sense, to: &Pixels) -> Self {
+        self.arc(radius, false, sense, to)
+    }
+
+    /// Goes to a point along a circle of this radius, by more than half of it if `large`.
+    pub fn arc(mut self, radius: f64, large: bool, sense: Sense, to: &Pixels) -> Self {
+        let (r, sweep) = (trimmed(radius, 2), u8::from(sense == Sense::Clockwise));
+        self.0 += &format!(" A{r} {r} 0 {} {sweep} {}", u8::from(large), pair(to));
+        self
+    }
+
+    /// Returns to the start.
+    pub fn close(mut self) -> Self {
+        self.0 += " Z";
+        self
+    }
+
+    /// The finished data.
+    pub fn data(self) -> String {
+        self.0
+    }
+}
+
+fn pair(point: &Pixels) -> String {
+    format!("{} {}", trimmed(point.x, 2), trimmed(point.y, 2))
+}

@@ -1,0 +1,59 @@
+//! The table of printed against computed numbers, with the differing digits marked.
+
+use super::inline::{badge, computed, rounded, with_unit};
+use super::lookup;
+use crate::html::{escape, table as html_table};
+use geneva_ledger::{Decimal, Judged, Kind, Mark, Marked};
+
+const LEGEND: &str = "<p class=\"legend\">Digits of the printed number: plain where they agree with the computed one, \
+     <span class=\"digit last\">dotted</span> where only the last place differs, \
+     <span class=\"digit wrong\">wavy</span> from the first wrong one on. \u{201c}From rounded steps\u{201d} is what the \
+     source's own rounded intermediate results give.</p>";
+
+/// The table for all numbers of a source, or for the claims listed with spaces between.
+pub fn table(of: &str) -> anyhow::Result<String> {
+    let listed: Vec<&Judged> = if of.contains('.') {
+        of.split_whitespace().map(lookup::judged).collect::<Result<_, _>>()?
+    } else {
+        lookup::of_work(lookup::work(of)?).filter(|judged| judged.claim.kind == Kind::Value).collect()
+    };
+    let rows = listed.into_iter().map(row).collect::<anyhow::Result<Vec<_>>>()?;
+    let head = ["Quantity", "Printed", "Computed", "From rounded steps", "Verdict"];
+    Ok(format!("{}\n{LEGEND}", html_table("Printed against computed", &head, &rows)))
+}
+
+fn row(judged: &Judged) -> anyhow::Result<Vec<String>> {
+    let claim = judged.claim;
+    let (digits, remark) = match (claim.printed.parse::<Decimal>(), judged.computed) {
+        (Ok(decimal), Some(number)) => marked(&decimal.marks(claim.printed, number)),
+        _ => (escape(claim.printed), ""),
+    };
+    let printed = with_unit(&digits, claim.unit)?;
+    let dash = || "–".to_owned();
+    Ok(vec![
+        escape(claim.meaning),
+        if remark.is_empty() { printed } else { format!("{printed} <small>{remark}</small>") },
+        computed(judged).unwrap_or_else(dash),
+        judged.from_rounded.map_or_else(dash, |number| rounded(judged, number)),
+        format!("<a class=\"to-ledger\" href=\"ledger.html#{}\">{}</a>", claim.id, badge(judged.verdict)),
+    ])
+}
+
+/// The digits with their marks, and the same in words.
+fn marked(digits: &Marked) -> (String, &'static str) {
+    let mut html = String::new();
+    for (c, mark) in digits {
+        match mark {
+            Mark::Agree => html.push(*c),
+            Mark::Last => html.push_str(&format!("<span class=\"digit last\">{c}</span>")),
+            Mark::Wrong => html.push_str(&format!("<span class=\"digit wrong\">{c}</span>")),
+        }
+    }
+    let has = |wanted| digits.iter().any(|(_, mark)| *mark == wanted);
+    let remark = match (has(Mark::Wrong), has(Mark::Last)) {
+        (true, _) => "(wrong digits)",
+        (_, true) => "(last place differs)",
+        _ => "",
+    };
+    (html, remark)
+}

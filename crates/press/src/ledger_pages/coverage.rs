@@ -1,0 +1,56 @@
+//! The sources line by line: which claims stand where, and what is no claim, with the reason.
+
+use super::lookup;
+use crate::html::{escape, table};
+use geneva_ledger::{Entry, Line, Work};
+
+/// The tables of all sources.
+pub fn page() -> anyhow::Result<String> {
+    let mut out = String::new();
+    for work in Work::ALL {
+        let lines = work.inventory();
+        let numbers: usize =
+            lines.iter().map(|line| line.entries.iter().map(|entry| entry.numbers().len()).sum::<usize>()).sum();
+        out.push_str(&format!(
+            "## Source `{work}`\n\n{} claims account for all {numbers} numbers in {} lines.\n\n",
+            lookup::of_work(*work).count(),
+            lines.len()
+        ));
+        let rows: Vec<_> = lines.iter().map(row).collect();
+        out.push_str(&table(&format!("Lines of {work}"), &["Line", "Claims", "Numbers", "Accounted for"], &rows));
+        out.push_str(&format!("\n\n### No claims: `{work}`\n\n{}\n\n", exceptions(lines)));
+    }
+    Ok(out)
+}
+
+fn row(line: &Line) -> Vec<String> {
+    let claims: Vec<_> = line
+        .entries
+        .iter()
+        .filter_map(|entry| match entry {
+            Entry::Claim(id) => Some(format!("<a href=\"ledger.html#{id}\"><code>{id}</code></a>")),
+            Entry::Again(_) | Entry::Exception { .. } => None,
+        })
+        .collect();
+    let numbers: usize = line.entries.iter().map(|entry| entry.numbers().len()).sum();
+    vec![
+        line.number.to_string(),
+        if claims.is_empty() { "–".to_owned() } else { claims.join(", ") },
+        numbers.to_string(),
+        if line.is_accounted_for() { "yes" } else { "no" }.to_owned(),
+    ]
+}
+
+fn exceptions(lines: &[Line]) -> String {
+    let rows: Vec<_> = lines
+        .iter()
+        .flat_map(|line| line.entries.iter().map(|entry| (line.number, entry)))
+        .filter_map(|(number, entry)| match entry {
+            Entry::Exception { id, reason, .. } => {
+                Some(vec![format!("<code>{id}</code>"), number.to_string(), escape(reason)])
+            }
+            Entry::Claim(_) | Entry::Again(_) => None,
+        })
+        .collect();
+    table("Exceptions", &["Exception", "Line", "Why there is nothing to check"], &rows)
+}

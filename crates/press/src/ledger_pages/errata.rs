@@ -1,0 +1,83 @@
+//! Errata: one in its chapter, and the page of all.
+
+use super::forms::how;
+use super::inline::{badge, computed, with_unit};
+use super::lookup;
+use crate::html::{escape, table, tex_or_text};
+use anyhow::anyhow;
+use geneva_ledger::{Erratum, Judged, Severity, Work, verdicts};
+
+/// One erratum, as a box.
+pub fn one(id: &str) -> anyhow::Result<String> {
+    let judged = lookup::judged(id)?;
+    let erratum = judged.claim.erratum.as_ref().ok_or_else(|| anyhow!("claim `{id}` has no erratum"))?;
+    boxed(judged, erratum)
+}
+
+/// All errata, by source, after a table of how many there are of each severity.
+pub fn page() -> anyhow::Result<String> {
+    let mut out = summary();
+    for work in Work::ALL {
+        out.push_str(&format!("\n\n## Source `{work}`\n\n{}\n", escape(work.citation())));
+        for judged in lookup::of_work(*work) {
+            if let Some(erratum) = &judged.claim.erratum {
+                out.push_str(&format!("\n{}\n", boxed(judged, erratum)?));
+            }
+        }
+    }
+    Ok(out)
+}
+
+fn boxed(judged: &Judged, erratum: &Erratum) -> anyhow::Result<String> {
+    let claim = judged.claim;
+    let mut out = format!(
+        "<aside class=\"erratum\" aria-label=\"Erratum {}\">\n<p><strong>Erratum, {}.</strong> {}: {}. {}</p>\n<dl>\n",
+        claim.id,
+        erratum.severity,
+        escape(claim.locator),
+        escape(claim.meaning),
+        badge(judged.verdict),
+    );
+    let mut entry = |term: &str, text: String| out.push_str(&format!("<dt>{term}</dt><dd>{text}</dd>\n"));
+    entry("Printed", with_unit(&tex_or_text(claim.printed)?, claim.unit)?);
+    entry("Should be", with_unit(&tex_or_text(erratum.corrected)?, claim.unit)?);
+    if let Some(number) = computed(judged) {
+        entry("Computed", with_unit(&number, claim.unit)?);
+    }
+    entry("Why", escape(erratum.reason));
+    entry("Second witness", escape(erratum.witness));
+    if !judged.findings.is_empty() {
+        entry("How it was found", how(judged));
+    }
+    if !erratum.inherited_by.is_empty() {
+        let links: Vec<_> = erratum
+            .inherited_by
+            .iter()
+            .map(|id| format!("<a href=\"ledger.html#{id}\"><code>{id}</code></a>"))
+            .collect();
+        entry("Inherited by", links.join(", "));
+    }
+    out.push_str(&format!("</dl>\n<p><a href=\"ledger.html#{0}\"><code>{0}</code></a></p>\n</aside>", claim.id));
+    Ok(out)
+}
+
+fn summary() -> String {
+    let rows: Vec<_> = Severity::ALL
+        .iter()
+        .map(|severity| {
+            let graded = verdicts().iter().filter_map(|judged| judged.claim.erratum.as_ref());
+            let count = graded.filter(|erratum| erratum.severity == *severity).count();
+            vec![severity.to_string(), meaning(*severity).to_owned(), count.to_string()]
+        })
+        .collect();
+    table("Errata by severity", &["Severity", "What it means", "Errata"], &rows)
+}
+
+fn meaning(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Transcription => "the copy lost or changed a character; the original is not to blame",
+        Severity::Typographical => "a misprint of the source",
+        Severity::Arithmetical => "a wrong or carelessly rounded computation",
+        Severity::Conceptual => "a wrong idea",
+    }
+}

@@ -1,0 +1,49 @@
+//! The table of a source's equations, figures and statements, with what was found of each.
+
+use super::inline::badge;
+use super::lookup;
+use crate::html::{escape, table as html_table, tex_or_text};
+use geneva_ledger::{Check, Judged, Kind};
+
+/// The table for a source.
+pub fn table(slug: &str) -> anyhow::Result<String> {
+    let forms = lookup::of_work(lookup::work(slug)?).filter(|judged| judged.claim.kind != Kind::Value);
+    let rows = forms.map(row).collect::<anyhow::Result<Vec<_>>>()?;
+    Ok(html_table(
+        "Equations, figures and statements",
+        &["What it says", "Printed", "Verdict", "How it was found"],
+        &rows,
+    ))
+}
+
+fn row(judged: &Judged) -> anyhow::Result<Vec<String>> {
+    let claim = judged.claim;
+    Ok(vec![
+        escape(claim.meaning),
+        tex_or_text(claim.printed)?,
+        format!("<a class=\"to-ledger\" href=\"ledger.html#{}\">{}</a>", claim.id, badge(judged.verdict)),
+        how(judged),
+    ])
+}
+
+/// How a form was found to hold or to fail; for a missing datum, what is missing.
+pub fn how(judged: &Judged) -> String {
+    if let Check::Missing { reason } = &judged.claim.check {
+        return escape(reason);
+    }
+    let evidence = judged.claim.check.evidence();
+    let kind = |role: &str| match role {
+        "witness" => evidence.last(),
+        _ => evidence.first(),
+    };
+    let parts: Vec<_> = judged
+        .findings
+        .iter()
+        .map(|(role, finding)| {
+            let kind = kind(role).map_or_else(String::new, |kind| format!(" ({kind})"));
+            let says = if finding.holds { "holds" } else { "fails" };
+            format!("{role}{kind} {says}: {}", escape(&finding.how))
+        })
+        .collect();
+    parts.join(";<br>")
+}

@@ -1,0 +1,73 @@
+//! Pieces of the ledger inside a sentence.
+
+use super::lookup;
+use crate::html::{escape, tex_or_text};
+use anyhow::anyhow;
+use geneva_ledger::{Decimal, Judged, Verdict, claims};
+
+/// How many places more than the printed number a computed one is shown with.
+const MORE_PLACES: usize = 3;
+
+/// The printed characters with their unit.
+pub fn printed(id: &str) -> anyhow::Result<String> {
+    let claim = lookup::judged(id)?.claim;
+    Ok(format!("<span class=\"claim\">{}</span>", with_unit(&tex_or_text(claim.printed)?, claim.unit)?))
+}
+
+/// The computed number with its unit.
+pub fn value(id: &str) -> anyhow::Result<String> {
+    let judged = lookup::judged(id)?;
+    let number = computed(judged).ok_or_else(|| anyhow!("claim `{id}` computes no number"))?;
+    Ok(format!("<span class=\"claim\">{}</span>", with_unit(&number, judged.claim.unit)?))
+}
+
+/// The printed characters with their unit and verdict.
+pub fn claim(id: &str) -> anyhow::Result<String> {
+    Ok(format!("{}&nbsp;({})", printed(id)?, verdict(id)?))
+}
+
+/// The verdict, as a link to the claim's row in the ledger.
+pub fn verdict(id: &str) -> anyhow::Result<String> {
+    let judged = lookup::judged(id)?;
+    Ok(format!("<a class=\"to-ledger\" href=\"ledger.html#{id}\">{}</a>", badge(judged.verdict)))
+}
+
+/// The number of claims of a source, or of `all`.
+pub fn count(of: &str) -> anyhow::Result<String> {
+    match of {
+        "all" => Ok(claims().len().to_string()),
+        slug => Ok(lookup::of_work(lookup::work(slug)?).count().to_string()),
+    }
+}
+
+/// What the source is.
+pub fn citation(slug: &str) -> anyhow::Result<String> {
+    Ok(escape(lookup::work(slug)?.citation()))
+}
+
+/// A verdict as a badge: the word, to which style only adds.
+pub fn badge(verdict: Verdict) -> String {
+    format!("<span class=\"verdict verdict-{verdict}\">{verdict}</span>")
+}
+
+/// The computed number, with some places more than the printed one.
+pub fn computed(judged: &Judged) -> Option<String> {
+    Some(rounded(judged, judged.computed?))
+}
+
+/// A number beside the printed one of a claim, with some places more.
+pub fn rounded(judged: &Judged, number: f64) -> String {
+    let places = judged.claim.printed.parse::<Decimal>().map_or(0, |decimal| decimal.places() as usize);
+    format!("{number:.*}", places + MORE_PLACES).replace('-', "−")
+}
+
+/// A number, already HTML, with its unit behind.
+pub fn with_unit(number: &str, unit: &str) -> anyhow::Result<String> {
+    Ok(match unit {
+        "" => number.to_owned(),
+        "°" => format!("{number}°"),
+        // Lengths in crank radii have a letter for a unit.
+        "R" => format!("{number}&nbsp;{}", crate::maths::formula("R", false)?),
+        _ => format!("{number}&nbsp;{}", tex_or_text(unit)?),
+    })
+}

@@ -1,0 +1,66 @@
+//! Lists: all claims, the classes of verdict, the tolerances, the letters of a source.
+
+use super::inline::{badge, computed, with_unit};
+use super::lookup;
+use crate::html::{escape, table, tex_or_text};
+use crate::maths;
+use geneva_ledger::{Judged, TOLERANCES, Verdict, Work, verdicts as judged};
+
+/// All claims, a table for each source; every row can be linked to by the claim's id.
+pub fn ledger() -> anyhow::Result<String> {
+    let mut out = String::new();
+    for work in Work::ALL {
+        let rows = lookup::of_work(*work).map(row).collect::<anyhow::Result<Vec<_>>>()?;
+        let head = ["Claim", "Where", "What", "Printed", "Computed", "Evidence", "Verdict"];
+        out.push_str(&format!("## Source `{work}`\n\n{}\n\n", table(&format!("Claims of {work}"), &head, &rows)));
+    }
+    Ok(out)
+}
+
+fn row(judged: &Judged) -> anyhow::Result<Vec<String>> {
+    let claim = judged.claim;
+    let evidence: Vec<_> = claim.check.evidence().iter().map(ToString::to_string).collect();
+    Ok(vec![
+        format!("<code id=\"{0}\">{0}</code>", claim.id),
+        escape(claim.locator),
+        format!("{}: {}", claim.kind, escape(claim.meaning)),
+        with_unit(&tex_or_text(claim.printed)?, claim.unit)?,
+        computed(judged).unwrap_or_else(|| "–".to_owned()),
+        if evidence.is_empty() { "–".to_owned() } else { evidence.join(", ") },
+        badge(judged.verdict),
+    ])
+}
+
+/// The classes of verdict with their meaning and how many claims have each.
+pub fn verdicts() -> String {
+    let rows: Vec<_> = Verdict::ALL
+        .iter()
+        .map(|verdict| {
+            let count = judged().iter().filter(|judged| judged.verdict == *verdict).count();
+            vec![badge(*verdict), escape(verdict.meaning()), count.to_string()]
+        })
+        .collect();
+    table("Classes of verdict", &["Verdict", "What it means", "Claims"], &rows)
+}
+
+/// The tolerances that are not printed digits.
+pub fn tolerances() -> String {
+    let rows: Vec<_> = TOLERANCES
+        .iter()
+        .map(|tolerance| vec![tolerance.name.to_owned(), format!("{:e}", tolerance.relative), escape(tolerance.reason)])
+        .collect();
+    table("Tolerances", &["Tolerance", "Relative", "Why"], &rows)
+}
+
+/// The letters of a source and the book's.
+pub fn symbols(slug: &str) -> anyhow::Result<String> {
+    let rows = lookup::work(slug)?
+        .symbols()
+        .iter()
+        .map(|symbol| {
+            let ours = maths::formula(symbol.ours, false)?;
+            Ok(vec![tex_or_text(symbol.printed)?, ours, escape(symbol.meaning)])
+        })
+        .collect::<anyhow::Result<Vec<_>>>()?;
+    Ok(table("Letters", &["In the copy", "In this book", "What it stands for"], &rows))
+}

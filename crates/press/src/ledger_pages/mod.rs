@@ -1,0 +1,9 @@
+//! What the ledger shows in the book: words in a line, tables, whole pages.
+
+pub mod compare;
+pub mod coverage;
+pub mod errata;
+pub mod forms;
+pub mod inline;
+pub mod lists;
+pub mod lookup;
