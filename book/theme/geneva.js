@@ -1,7 +1,7 @@
 // mdBook turns the chapter at the keys Left and Right. Inside something that scrolls or slides by these keys,
 // a table, a long formula, a block of code, a control, they keep their own meaning.
 document.body.addEventListener('keydown', event => {
-    const own = '.compare, .table-wrapper, .display, .fig, pre, input, select';
+    const own = '.compare, .listing, .table-wrapper, .display, .fig, pre, input, select';
     if ((event.key === 'ArrowLeft' || event.key === 'ArrowRight') && event.target.closest(own)) {
         event.stopPropagation();
     }

@@ -15,6 +15,7 @@ use katex::{KatexContext, Settings};
 /// What KaTeX accepts but LaTeX would not is an error, not a warning.
 pub fn formula(tex: &str, display: bool) -> anyhow::Result<String> {
     thread_local!(static CONTEXT: KatexContext = KatexContext::default());
+    check_roots(tex)?;
     let settings = Settings::builder().display_mode(display).strict(StrictSetting::Mode(StrictMode::Error)).build();
     let markup = CONTEXT
         .with(|context| katex::render_to_string(context, tex.trim(), &settings))
@@ -23,6 +24,15 @@ pub fn formula(tex: &str, display: bool) -> anyhow::Result<String> {
     check_theme(&markup).with_context(|| format!("the formula `{}`", tex.trim()))?;
     let markup = tidy(&shorter(&markup));
     Ok(if display { format!("<span class=\"display\">{markup}</span>") } else { markup })
+}
+
+/// An error for a root of something without braces, `\sqrt 2`, which katex-rs draws through its own root sign.
+fn check_roots(tex: &str) -> anyhow::Result<()> {
+    for behind in tex.split("\\sqrt").skip(1) {
+        let braced = behind.trim_start().starts_with(['{', '[']);
+        ensure!(braced, "the formula `{}`: what stands under a root needs braces, \\sqrt{{…}}", tex.trim());
+    }
+    Ok(())
 }
 
 /// The classes of KaTeX whose letters the book's theme does not carry (`book/theme/katex.css`).
@@ -120,6 +130,13 @@ mod tests {
     fn what_latex_would_refuse_is_refused() {
         assert!(formula("é", false).is_err());
         assert!(formula("45°", false).is_ok());
+    }
+
+    #[test]
+    fn a_root_needs_braces() {
+        let error = formula("\\sqrt 2", false).unwrap_err().to_string();
+        assert!(error.contains("needs braces"), "{error}");
+        assert!(formula("\\sqrt{2} + \\sqrt[3]{x}", false).is_ok());
     }
 
     #[test]

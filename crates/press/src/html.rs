@@ -25,12 +25,26 @@ pub fn tex_or_text(text: &str) -> anyhow::Result<String> {
     if is_tex { maths::formula(text, false) } else { Ok(escape(text)) }
 }
 
+/// What a table holds, which decides how its cells are set.
+#[derive(Clone, Copy)]
+pub enum Cells {
+    /// Numbers: to the right, on one line.
+    Numbers,
+    /// Words: to the left, broken where need be.
+    Words,
+}
+
 /// A table with a head, which scrolls inside itself, under a name for screen readers.
 ///
 /// The cells are HTML already; the first of each row is its head.
-pub fn table(name: &str, head: &[&str], rows: &[Vec<String>]) -> String {
-    let mut out = format!("<div class=\"compare\" role=\"region\" tabindex=\"0\" aria-label=\"{}\">\n", escape(name));
-    out.push_str("<table>\n<thead><tr>");
+pub fn table(name: &str, cells: Cells, head: &[&str], rows: &[Vec<String>]) -> String {
+    let class = match cells {
+        Cells::Numbers => "compare",
+        Cells::Words => "listing",
+    };
+    let name = escape(name);
+    let mut out = format!("<div class=\"{class}\" role=\"region\" tabindex=\"0\" aria-label=\"{name}\">\n<table>\n");
+    out.push_str("<thead><tr>");
     for cell in head {
         out.push_str(&format!("<th scope=\"col\">{cell}</th>"));
     }

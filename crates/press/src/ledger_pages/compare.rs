@@ -2,13 +2,12 @@
 
 use super::inline::{badge, computed, rounded, with_unit};
 use super::lookup;
-use crate::html::{escape, table as html_table};
+use crate::html::{Cells, escape, table as html_table};
 use geneva_ledger::{Decimal, Judged, Kind, Mark, Marked};
 
 const LEGEND: &str = "<p class=\"legend\">Digits of the printed number: plain where they agree with the computed one, \
      <span class=\"digit last\">dotted</span> where only the last place differs, \
-     <span class=\"digit wrong\">wavy</span> from the first wrong one on. \u{201c}From rounded steps\u{201d} is what the \
-     source's own rounded intermediate results give.</p>";
+     <span class=\"digit wrong\">wavy</span> from the first wrong one on.</p>";
 
 /// The table for all numbers of a source, or for the claims listed with spaces between.
 pub fn table(of: &str) -> anyhow::Result<String> {
@@ -19,7 +18,9 @@ pub fn table(of: &str) -> anyhow::Result<String> {
     };
     let rows = listed.into_iter().map(row).collect::<anyhow::Result<Vec<_>>>()?;
     let head = ["Quantity", "Printed", "Computed", "From rounded steps", "Verdict"];
-    Ok(format!("{}\n{LEGEND}", html_table("Printed against computed", &head, &rows)))
+    let table = html_table("Printed against computed", Cells::Numbers, &head, &rows);
+    // The legend explains marks; a table without marks needs none.
+    Ok(if table.contains("class=\"digit") { format!("{table}\n{LEGEND}") } else { table })
 }
 
 fn row(judged: &Judged) -> anyhow::Result<Vec<String>> {

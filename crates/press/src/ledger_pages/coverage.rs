@@ -1,7 +1,7 @@
 //! The sources line by line: which claims stand where, and what is no claim, with the reason.
 
 use super::lookup;
-use crate::html::{escape, table};
+use crate::html::{Cells, escape, table};
 use geneva_ledger::{Entry, Line, Work};
 
 /// The tables of all sources.
@@ -17,7 +17,12 @@ pub fn page() -> anyhow::Result<String> {
             lines.len()
         ));
         let rows: Vec<_> = lines.iter().map(row).collect();
-        out.push_str(&table(&format!("Lines of {work}"), &["Line", "Claims", "Numbers", "Accounted for"], &rows));
+        out.push_str(&table(
+            &format!("Lines of {work}"),
+            Cells::Words,
+            &["Line", "Claims", "Numbers", "Accounted for"],
+            &rows,
+        ));
         out.push_str(&format!("\n\n### No claims: `{work}`\n\n{}\n\n", exceptions(lines)));
     }
     Ok(out)
@@ -52,5 +57,5 @@ fn exceptions(lines: &[Line]) -> String {
             Entry::Claim(_) | Entry::Again(_) => None,
         })
         .collect();
-    table("Exceptions", &["Exception", "Line", "Why there is nothing to check"], &rows)
+    table("Exceptions", Cells::Words, &["Exception", "Line", "Why there is nothing to check"], &rows)
 }

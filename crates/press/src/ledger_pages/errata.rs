@@ -3,7 +3,7 @@
 use super::forms::how;
 use super::inline::{badge, computed, with_unit};
 use super::lookup;
-use crate::html::{escape, table, tex_or_text};
+use crate::html::{Cells, escape, table, tex_or_text};
 use anyhow::anyhow;
 use geneva_ledger::{Erratum, Judged, Severity, Work, verdicts};
 
@@ -70,7 +70,7 @@ fn summary() -> String {
             vec![severity.to_string(), meaning(*severity).to_owned(), count.to_string()]
         })
         .collect();
-    table("Errata by severity", &["Severity", "What it means", "Errata"], &rows)
+    table("Errata by severity", Cells::Words, &["Severity", "What it means", "Errata"], &rows)
 }
 
 fn meaning(severity: Severity) -> &'static str {

@@ -2,7 +2,7 @@
 
 use super::inline::badge;
 use super::lookup;
-use crate::html::{escape, table as html_table, tex_or_text};
+use crate::html::{Cells, escape, table as html_table, tex_or_text};
 use geneva_ledger::{Check, Judged, Kind};
 
 /// The table for a source.
@@ -11,6 +11,7 @@ pub fn table(slug: &str) -> anyhow::Result<String> {
     let rows = forms.map(row).collect::<anyhow::Result<Vec<_>>>()?;
     Ok(html_table(
         "Equations, figures and statements",
+        Cells::Words,
         &["What it says", "Printed", "Verdict", "How it was found"],
         &rows,
     ))

@@ -2,7 +2,7 @@
 
 use super::inline::{badge, computed, with_unit};
 use super::lookup;
-use crate::html::{escape, table, tex_or_text};
+use crate::html::{Cells, escape, table, tex_or_text};
 use crate::maths;
 use geneva_ledger::{Judged, TOLERANCES, Verdict, Work, verdicts as judged};
 
@@ -12,7 +12,10 @@ pub fn ledger() -> anyhow::Result<String> {
     for work in Work::ALL {
         let rows = lookup::of_work(*work).map(row).collect::<anyhow::Result<Vec<_>>>()?;
         let head = ["Claim", "Where", "What", "Printed", "Computed", "Evidence", "Verdict"];
-        out.push_str(&format!("## Source `{work}`\n\n{}\n\n", table(&format!("Claims of {work}"), &head, &rows)));
+        out.push_str(&format!(
+            "## Source `{work}`\n\n{}\n\n",
+            table(&format!("Claims of {work}"), Cells::Words, &head, &rows)
+        ));
     }
     Ok(out)
 }
@@ -40,7 +43,7 @@ pub fn verdicts() -> String {
             vec![badge(*verdict), escape(verdict.meaning()), count.to_string()]
         })
         .collect();
-    table("Classes of verdict", &["Verdict", "What it means", "Claims"], &rows)
+    table("Classes of verdict", Cells::Words, &["Verdict", "What it means", "Claims"], &rows)
 }
 
 /// The tolerances that are not printed digits.
@@ -49,7 +52,7 @@ pub fn tolerances() -> String {
         .iter()
         .map(|tolerance| vec![tolerance.name.to_owned(), format!("{:e}", tolerance.relative), escape(tolerance.reason)])
         .collect();
-    table("Tolerances", &["Tolerance", "Relative", "Why"], &rows)
+    table("Tolerances", Cells::Words, &["Tolerance", "Relative", "Why"], &rows)
 }
 
 /// The letters of a source and the book's.
@@ -62,5 +65,5 @@ pub fn symbols(slug: &str) -> anyhow::Result<String> {
             Ok(vec![tex_or_text(symbol.printed)?, ours, escape(symbol.meaning)])
         })
         .collect::<anyhow::Result<Vec<_>>>()?;
-    Ok(table("Letters", &["In the copy", "In this book", "What it stands for"], &rows))
+    Ok(table("Letters", Cells::Words, &["In the copy", "In this book", "What it stands for"], &rows))
 }
