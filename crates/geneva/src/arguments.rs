@@ -1,0 +1,228 @@
+//! What can be said to the program.
+
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use geneva_ledger::{Verdict, Work};
+use std::path::PathBuf;
+
+/// Derives the verdict on every claim of the sources, and builds the book.
+///
+/// Without a command: verifies all claims, says what differs, builds the book and says where it is.
+#[derive(Debug, Parser)]
+#[command(
+    name = "geneva",
+    version,
+    max_term_width = 100,
+    after_help = "\
+Examples:
+  geneva                                       verify all claims and build the book
+  geneva claims --source pin --format json     the claims of one source as data
+  geneva errata                                what is wrong in the sources
+  geneva coverage --source pin                 which claim each line of a source belongs to
+  geneva book --open                           build the book and open it
+  geneva completions bash                      completions for a shell
+
+Exit codes: 0 all is as recorded, 1 something differs, 2 bad usage, bad input or no access."
+)]
+pub struct Arguments {
+    /// What to do; without it, verify and build.
+    #[command(subcommand)]
+    pub command: Option<Command>,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// List the claims: what is printed, what is computed, the verdict
+    #[command(after_help = "\
+Examples:
+  geneva claims --source pin
+  geneva claims --verdict corrected
+  geneva claims --format json > claims.json")]
+    Claims(ClaimsArguments),
+    /// List the errata: for what is printed, what to read, why, and who else says so
+    #[command(after_help = "\
+Examples:
+  geneva errata
+  geneva errata --format markdown > errata.md")]
+    Errata(ErrataArguments),
+    /// Show line by line which claim or exception each number of a source belongs to
+    #[command(after_help = "\
+Examples:
+  geneva coverage
+  geneva coverage --source pin --against my-copy.txt
+
+With --against, exit code 1 says that a line of the copy has other numbers than the ledger.")]
+    Coverage(CoverageArguments),
+    /// Build the book, or test its chapters
+    #[command(
+        args_conflicts_with_subcommands = true,
+        disable_help_subcommand = true,
+        after_help = "\
+Examples:
+  geneva book --open
+  geneva book build --out public
+  geneva book test"
+    )]
+    Book(BookArguments),
+    /// Write the completions for a shell to standard output
+    #[command(after_help = "\
+Example:
+  geneva completions bash > ~/.local/share/bash-completion/completions/geneva")]
+    Completions {
+        /// The shell
+        #[arg(value_name = "SHELL")]
+        shell: clap_complete::Shell,
+    },
+    /// Be mdBook's preprocessor: a book comes in on standard input and goes out on standard output
+    #[command(
+        hide = true,
+        disable_help_subcommand = true,
+        after_help = "\
+Example, in book.toml:
+  [preprocessor.geneva]
+  command = \"cargo run -q -p geneva -- preprocess\""
+    )]
+    Preprocess(PreprocessArguments),
+}
+
+/// Which claims, and how.
+#[derive(Args, Debug)]
+pub struct ClaimsArguments {
+    /// Only those of this source
+    #[arg(long, value_parser = sources())]
+    pub source: Option<Work>,
+    /// Only those with this derived verdict
+    #[arg(long, value_parser = verdicts())]
+    pub verdict: Option<Verdict>,
+    /// How to write them
+    #[arg(long, value_enum, default_value_t)]
+    pub format: ClaimsFormat,
+}
+
+/// How to write claims.
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub enum ClaimsFormat {
+    /// A table for reading
+    #[default]
+    Text,
+    /// An array of objects, with all that is known of each claim
+    Json,
+    /// The same, a row for each claim
+    Csv,
+}
+
+/// How to write the errata.
+#[derive(Args, Debug)]
+pub struct ErrataArguments {
+    /// How to write them
+    #[arg(long, value_enum, default_value_t)]
+    pub format: ErrataFormat,
+}
+
+/// How to write errata.
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub enum ErrataFormat {
+    /// Paragraphs for reading
+    #[default]
+    Text,
+    /// An array of objects
+    Json,
+    /// A list by source
+    Markdown,
+}
+
+/// Which source's coverage, and whether to compare it with a copy.
+#[derive(Args, Debug)]
+pub struct CoverageArguments {
+    /// Only this source
+    #[arg(long, value_parser = sources())]
+    pub source: Option<Work>,
+    /// Compare the numbers in each line with those in your own copy of the source's text
+    #[arg(long, value_name = "FILE", requires = "source")]
+    pub against: Option<PathBuf>,
+}
+
+/// Build or test.
+#[derive(Args, Debug)]
+pub struct BookArguments {
+    /// What to do with the book; without it, build.
+    #[command(subcommand)]
+    pub action: Option<BookAction>,
+    /// Without an action: how to build.
+    #[command(flatten)]
+    pub build: BuildArguments,
+}
+
+/// What can be done with the book.
+#[derive(Debug, Subcommand)]
+pub enum BookAction {
+    /// Build the book; this is what `geneva book` does
+    #[command(after_help = "\
+Example:
+  geneva book build --out public --open")]
+    Build(BuildArguments),
+    /// Compile and run every Rust block of every chapter
+    #[command(after_help = "\
+Example:
+  geneva book test")]
+    Test,
+}
+
+/// Where the book goes.
+#[derive(Args, Debug, Default)]
+pub struct BuildArguments {
+    /// The directory to build into; a book that is there is replaced when the new one is complete
+    /// [default: target/book in the workspace]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Open the book when it is built
+    #[arg(long)]
+    pub open: bool,
+}
+
+/// What mdBook wants of its preprocessor.
+#[derive(Args, Debug)]
+pub struct PreprocessArguments {
+    /// A question instead of a book.
+    #[command(subcommand)]
+    pub question: Option<Question>,
+}
+
+/// What mdBook asks before it hands over a book.
+#[derive(Debug, Subcommand)]
+pub enum Question {
+    /// Exit with 0 if the renderer is supported, with 1 if not
+    Supports {
+        /// mdBook's name of the renderer
+        renderer: String,
+    },
+}
+
+fn sources() -> impl TypedValueParser<Value = Work> {
+    named(Work::ALL, Work::slug, Work::citation)
+}
+
+fn verdicts() -> impl TypedValueParser<Value = Verdict> {
+    named(Verdict::ALL, Verdict::slug, Verdict::meaning)
+}
+
+/// One of the values in a list of the ledger's, by its name.
+fn named<T: Copy + Send + Sync + 'static>(
+    all: &'static [T],
+    slug: fn(T) -> &'static str,
+    meaning: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(all.iter().map(|value| PossibleValue::new(slug(*value)).help(meaning(*value))))
+        .try_map(move |name| all.iter().copied().find(|value| slug(*value) == name).ok_or("not a known name"))
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_arguments_do_not_contradict_one_another() {
+        super::Arguments::command().debug_assert();
+    }
+}

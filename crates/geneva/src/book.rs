@@ -1,0 +1,45 @@
+//! The book: built, opened, tested.
+
+use crate::arguments::{BookAction, BookArguments, BuildArguments};
+use crate::output::{Outcome, print};
+use crate::{progress, workspace};
+use anyhow::Context;
+use geneva_press::{Geneva, building};
+
+/// Builds the book or tests its chapters.
+pub fn run(wanted: BookArguments) -> anyhow::Result<Outcome> {
+    match wanted.action {
+        None => build(&wanted.build)?,
+        Some(BookAction::Build(wanted)) => build(&wanted)?,
+        Some(BookAction::Test) => test()?,
+    }
+    Ok(Outcome::AsRecorded)
+}
+
+/// Builds the book, says where it is and how to open it, and opens it if that is wanted.
+pub fn build(wanted: &BuildArguments) -> anyhow::Result<()> {
+    let root = workspace::root()?;
+    let out = wanted.out.clone().unwrap_or_else(|| root.join("target").join("book"));
+    let first_page = {
+        let _step = progress::step("building the book");
+        building::build(&root, &out, Geneva)?
+    };
+    let folder = first_page.parent().unwrap_or(&out);
+    print(&format!("The book is in {}\n", folder.display()))?;
+    if wanted.open {
+        opener::open(&first_page)
+            .with_context(|| format!("no program opens {}: open it in a browser", first_page.display()))?;
+    } else {
+        print(&format!("Open {} in a browser.\n", first_page.display()))?;
+    }
+    Ok(())
+}
+
+fn test() -> anyhow::Result<()> {
+    {
+        let _step = progress::step("testing the chapters");
+        building::test(&workspace::root()?, Geneva)?;
+    }
+    print("Every Rust block of the book compiles and runs.\n")?;
+    Ok(())
+}

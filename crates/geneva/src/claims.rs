@@ -1,0 +1,74 @@
+//! The list of claims.
+
+use crate::arguments::{ClaimsArguments, ClaimsFormat};
+use crate::output::{WIDTH, count, cut, heading, style};
+use crate::record::ClaimRecord;
+use geneva_ledger::{Decimal, Judged, Verdict};
+
+/// The claims that are wanted, as they are wanted.
+pub fn page(wanted: &ClaimsArguments) -> anyhow::Result<String> {
+    let of_source = |judged: &&Judged| wanted.source.is_none_or(|source| judged.claim.work == source);
+    let of_verdict = |judged: &&Judged| wanted.verdict.is_none_or(|verdict| judged.verdict == verdict);
+    let rows: Vec<_> = geneva_ledger::verdicts().iter().filter(of_source).filter(of_verdict).collect();
+    match wanted.format {
+        ClaimsFormat::Text => Ok(table(&rows)),
+        ClaimsFormat::Json => {
+            let records: Vec<_> = rows.into_iter().map(ClaimRecord::from).collect();
+            Ok(serde_json::to_string_pretty(&records)? + "\n")
+        }
+        ClaimsFormat::Csv => csv(&rows),
+    }
+}
+
+fn csv(rows: &[&Judged]) -> anyhow::Result<String> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(ClaimRecord::COLUMNS)?;
+    for judged in rows {
+        writer.write_record(ClaimRecord::from(*judged).row())?;
+    }
+    Ok(String::from_utf8(writer.into_inner()?)?)
+}
+
+/// A line for each claim, under the place in the source. Ids and verdicts are never cut.
+fn table(rows: &[&Judged]) -> String {
+    let longest = |length: fn(&Judged) -> usize| rows.iter().map(|judged| length(judged)).max().unwrap_or(0);
+    let id = longest(|judged| judged.claim.id.len());
+    let verdict = Verdict::ALL.iter().map(|verdict| verdict.slug().len()).max().unwrap_or(0);
+    let middle = WIDTH.saturating_sub(2 + id + 2 + 2 + verdict);
+    let computed = longest(|judged| computed(judged).map_or(0, |number| number.len())).max("computed".len());
+    let printed = middle.saturating_sub(2 + computed);
+
+    let bold = heading();
+    let mut page =
+        format!("{bold}  {:<id$}  {:<printed$}  {:>computed$}  verdict{bold:#}\n", "id", "printed", "computed");
+    let mut place = None;
+    for judged in rows {
+        let (claim, colour) = (judged.claim, style(judged.verdict));
+        if place.replace((claim.work, claim.locator)) != Some((claim.work, claim.locator)) {
+            page += &format!("{}, {}\n", claim.work, claim.locator);
+        }
+        let what = match self::computed(judged) {
+            Some(number) => format!("{}  {number:>computed$}", cut(&with_unit(claim.printed, claim.unit), printed)),
+            // A form has nothing to set beside it.
+            None => cut(&with_unit(claim.printed, claim.unit), middle),
+        };
+        page += &format!("  {:<id$}  {what}  {colour}{}{colour:#}\n", claim.id, judged.verdict);
+    }
+    page + &count(rows.len(), "claim") + "\n"
+}
+
+/// The printed characters, or what should stand in their place, with the claim's unit.
+pub fn with_unit(characters: &str, unit: &str) -> String {
+    let space = if unit.is_empty() || unit.starts_with('°') { "" } else { " " };
+    format!("{characters}{space}{unit}")
+}
+
+/// The computed number with some places more than are printed.
+fn computed(judged: &Judged) -> Option<String> {
+    const MORE: usize = 3;
+    let number = judged.computed?;
+    Some(match judged.claim.printed.parse::<Decimal>() {
+        Ok(printed) => format!("{number:.*}", printed.places() as usize + MORE),
+        Err(_) => number.to_string(),
+    })
+}

@@ -1,0 +1,116 @@
+//! Which claim or exception each number of a source belongs to, and whether a copy has the same numbers.
+
+use crate::arguments::CoverageArguments;
+use crate::output::{Outcome, count, heading, wrapped};
+use anyhow::Context;
+use geneva_ledger::{Entry, Line, Work, fingerprint, numeric_tokens};
+use std::fs;
+use std::path::Path;
+
+/// The coverage that is wanted, and whether a line differs.
+pub fn page(wanted: &CoverageArguments) -> anyhow::Result<(String, Outcome)> {
+    if let (Some(source), Some(file)) = (wanted.source, &wanted.against) {
+        return against(source, file);
+    }
+    let works = Work::ALL.iter().filter(|work| wanted.source.is_none_or(|source| source == **work));
+    let page = works.clone().map(|work| inventory(*work)).collect::<Vec<_>>().join("\n");
+    let complete = works.flat_map(|work| work.inventory()).all(Line::is_accounted_for);
+    Ok((page, Outcome::as_recorded_if(complete)))
+}
+
+fn inventory(work: Work) -> String {
+    let bold = heading();
+    let mut page = wrapped(&format!("{work}: "), work.citation());
+    page += &format!("\n{bold}  line  claims  again  exceptions  its numbers{bold:#}\n");
+    for line in work.inventory() {
+        let number_of = |wanted: fn(&Entry) -> bool| line.entries.iter().filter(|entry| wanted(entry)).count();
+        page += &format!(
+            "  {:>4}  {:>6}  {:>5}  {:>10}  {}\n",
+            line.number,
+            number_of(|entry| matches!(entry, Entry::Claim(_))),
+            number_of(|entry| matches!(entry, Entry::Again(_))),
+            number_of(|entry| matches!(entry, Entry::Exception { .. })),
+            if line.is_accounted_for() { "all accounted for" } else { "NOT accounted for" },
+        );
+    }
+    page += &format!("\n{bold}Exceptions{bold:#}\n");
+    for line in work.inventory() {
+        for entry in line.entries {
+            if let Entry::Exception { id, reason, .. } = entry {
+                page += &wrapped(&format!("  line {:>4}  ", line.number), &format!("{id}: {reason}"));
+            }
+        }
+    }
+    page
+}
+
+fn against(work: Work, file: &Path) -> anyhow::Result<(String, Outcome)> {
+    let bytes = fs::read(file)
+        .with_context(|| format!("cannot read {}; --against wants a text file, your copy of {work}", file.display()))?;
+    // Digits are the same in every encoding that a copy is likely to have.
+    Ok(compare(work.inventory(), &String::from_utf8_lossy(&bytes)))
+}
+
+/// Compares the numbers of a text, line by line, with an inventory.
+fn compare(inventory: &[Line], text: &str) -> (String, Outcome) {
+    let copy: Vec<Vec<String>> = text.lines().map(numeric_tokens).collect();
+    let last = inventory.iter().map(|line| line.number as usize).max().unwrap_or(0).max(copy.len());
+    let (mut page, mut compared, mut differing) = (String::new(), 0, 0);
+    for number in 1..=last {
+        let found = copy.get(number - 1).map_or(&[][..], Vec::as_slice);
+        let expected = inventory.iter().find(|line| line.number as usize == number);
+        if expected.is_none() && found.is_empty() {
+            continue;
+        }
+        compared += 1;
+        if fingerprint(found) == expected.map_or(fingerprint(&[]), |line| line.fingerprint) {
+            page += &format!("line {number:>4}  the same numbers\n");
+            continue;
+        }
+        differing += 1;
+        page += &format!("line {number:>4}  OTHER NUMBERS\n");
+        page += &wrapped("    in your copy:   ", &listed(found));
+        let ours: Vec<_> = expected.iter().flat_map(|line| line.entries).flat_map(Entry::numbers).collect();
+        page += &wrapped("    in the ledger:  ", &listed(&ours));
+    }
+    page += &match differing {
+        0 => format!("{} compared: all have the ledger's numbers\n", count(compared, "line")),
+        _ if differing == compared => {
+            format!(
+                "{} compared: none has the ledger's numbers; is it a copy of this source?\n",
+                count(compared, "line")
+            )
+        }
+        _ => format!("{} compared: {differing} with other numbers than the ledger\n", count(compared, "line")),
+    };
+    (page, Outcome::as_recorded_if(differing == 0))
+}
+
+fn listed(numbers: &[String]) -> String {
+    if numbers.is_empty() { "none".to_owned() } else { numbers.join(" ") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn line(number: u32, printed: &str) -> Line {
+        Line { number, fingerprint: fingerprint(&numeric_tokens(printed)), entries: &[] }
+    }
+
+    #[test]
+    fn a_copy_with_the_same_numbers_agrees_whatever_its_words() {
+        let (page, outcome) = compare(&[line(1, "a 1 b 2"), line(3, "")], "1 and 2\r\n\r\nnothing\n\n");
+        assert_eq!(outcome, Outcome::AsRecorded, "{page}");
+    }
+
+    #[test]
+    fn a_changed_number_a_lost_line_and_one_too_many_are_each_seen() {
+        let inventory = [line(1, "1.5"), line(2, "2.5")];
+        for (copy, differing) in [("1.5\n2.6\n", 1), ("1.5\n", 1), ("1.5\n2.5\n3.5\n", 1), ("", 2)] {
+            let (page, outcome) = compare(&inventory, copy);
+            assert_eq!(outcome, Outcome::Differs, "{copy}");
+            assert_eq!(page.matches("OTHER NUMBERS").count(), differing, "{page}");
+        }
+    }
+}

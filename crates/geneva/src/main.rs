@@ -1,0 +1,69 @@
+//! The command line `geneva`: argument parsing and printing, nothing else.
+//!
+//! Every command turns its arguments into text; what the text says comes from the ledger, and the book from the
+//! press. Exit codes: 0 all is as recorded, 1 something differs, 2 bad usage, bad input or no access.
+
+mod arguments;
+mod book;
+mod claims;
+mod completions;
+mod coverage;
+mod errata;
+mod output;
+mod preprocess;
+mod progress;
+mod record;
+mod summary;
+mod workspace;
+
+use arguments::{Arguments, Command};
+use clap::Parser;
+use output::{Outcome, print};
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    match run(arguments) {
+        Ok(outcome) => outcome.into(),
+        Err(error) => {
+            output::complain(&error);
+            Outcome::Failed.into()
+        }
+    }
+}
+
+fn run(arguments: Arguments) -> anyhow::Result<Outcome> {
+    match arguments.command {
+        None => verify_and_build(),
+        Some(Command::Claims(wanted)) => {
+            print(&claims::page(&wanted)?)?;
+            Ok(Outcome::AsRecorded)
+        }
+        Some(Command::Errata(wanted)) => {
+            print(&errata::page(wanted.format)?)?;
+            Ok(Outcome::AsRecorded)
+        }
+        Some(Command::Coverage(wanted)) => {
+            let (page, outcome) = coverage::page(&wanted)?;
+            print(&page)?;
+            Ok(outcome)
+        }
+        Some(Command::Book(wanted)) => book::run(wanted),
+        Some(Command::Completions { shell }) => {
+            print(&completions::script(shell)?)?;
+            Ok(Outcome::AsRecorded)
+        }
+        Some(Command::Preprocess(call)) => preprocess::run(call),
+    }
+}
+
+/// What happens without arguments. The book is built even if some verdict differs.
+fn verify_and_build() -> anyhow::Result<Outcome> {
+    let verdicts = {
+        let _step = progress::step("deriving the verdicts");
+        geneva_ledger::verdicts()
+    };
+    print(&summary::page(verdicts))?;
+    book::build(&arguments::BuildArguments::default())?;
+    Ok(Outcome::as_recorded_if(verdicts.iter().all(geneva_ledger::Judged::holds)))
+}

@@ -1,0 +1,140 @@
+//! Printing: streams, colours, exit codes, and lines of a readable length.
+
+use clap::builder::styling::{AnsiColor, Style};
+use geneva_ledger::Verdict;
+use std::io::{ErrorKind, Write};
+use std::process::ExitCode;
+
+/// Characters in a line of text.
+pub const WIDTH: usize = 100;
+
+/// What a command found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// All is as recorded, or there was nothing to compare.
+    AsRecorded,
+    /// Something differs.
+    Differs,
+    /// It could not be done, and the reader has been told why.
+    Failed,
+}
+
+impl Outcome {
+    /// As recorded, if it is.
+    pub fn as_recorded_if(it_is: bool) -> Self {
+        if it_is { Self::AsRecorded } else { Self::Differs }
+    }
+}
+
+impl From<Outcome> for ExitCode {
+    fn from(outcome: Outcome) -> Self {
+        Self::from(match outcome {
+            Outcome::AsRecorded => 0,
+            Outcome::Differs => 1,
+            // As clap exits on bad usage.
+            Outcome::Failed => 2,
+        })
+    }
+}
+
+/// Writes text to standard output, without its colours unless a terminal shows them and `NO_COLOR` is not set.
+///
+/// A reader that has seen enough and closes the pipe is no error.
+pub fn print(text: &str) -> std::io::Result<()> {
+    let mut stream = anstream::stdout().lock();
+    match stream.write_all(text.as_bytes()).and_then(|()| stream.flush()) {
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+        result => result,
+    }
+}
+
+/// Writes an error and its causes to standard error.
+pub fn complain(error: &anyhow::Error) {
+    let red = AnsiColor::Red.on_default().bold();
+    // Nobody is left to be told if this fails.
+    let _ = writeln!(anstream::stderr(), "{red}error:{red:#} {error:#}");
+}
+
+/// How a verdict is coloured; the colour repeats what the word says.
+pub fn style(verdict: Verdict) -> Style {
+    let colour = match verdict {
+        Verdict::Reproduced => AnsiColor::Green,
+        Verdict::Truncated | Verdict::FromRounded | Verdict::ReadOff => AnsiColor::Yellow,
+        Verdict::Corrected => AnsiColor::Cyan,
+        Verdict::NotReproduced | Verdict::NotReproducible => AnsiColor::Red,
+    };
+    colour.on_default()
+}
+
+/// The style of headings.
+pub fn heading() -> Style {
+    Style::new().bold()
+}
+
+/// A name and its text, which is broken into lines under one another.
+pub fn field(name: &str, text: &str) -> String {
+    wrapped(&format!("  {name:<14}"), text)
+}
+
+/// `text` in lines of at most [`WIDTH`] characters: behind `lead`, then under it.
+pub fn wrapped(lead: &str, text: &str) -> String {
+    let indent = lead.chars().count();
+    let mut lines = vec![lead.to_owned()];
+    let mut length = indent;
+    for word in text.split_whitespace() {
+        let (word_length, first) = (word.chars().count(), length == indent);
+        if !first && length + 1 + word_length > WIDTH {
+            lines.push(" ".repeat(indent));
+            length = indent;
+        }
+        let Some(line) = lines.last_mut() else { break };
+        if length > indent {
+            line.push(' ');
+            length += 1;
+        }
+        line.push_str(word);
+        length += word_length;
+    }
+    lines.iter().map(|line| format!("{}\n", line.trim_end())).collect()
+}
+
+/// `text` in `width` characters, cut with an ellipsis if it is longer.
+pub fn cut(text: &str, width: usize) -> String {
+    if text.chars().count() <= width {
+        return format!("{text:<width$}");
+    }
+    let kept: String = text.chars().take(width.saturating_sub(1)).collect();
+    format!("{kept}…")
+}
+
+/// "1 claim", "2 claims".
+pub fn count(number: usize, thing: &str) -> String {
+    format!("{number} {thing}{}", if number == 1 { "" } else { "s" })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_text_is_broken_between_words_and_stays_under_its_beginning() {
+        let text = wrapped("  - ", &"word ".repeat(40));
+        assert!(text.lines().all(|line| line.chars().count() <= WIDTH));
+        assert!(text.lines().skip(1).all(|line| line.starts_with("    word")));
+        assert_eq!(text.split_whitespace().count(), 41);
+    }
+
+    #[test]
+    fn a_word_longer_than_the_line_stays_whole() {
+        let word = "x".repeat(2 * WIDTH);
+        assert_eq!(wrapped("", &word), format!("{word}\n"));
+        assert_eq!(wrapped("a ", ""), "a\n");
+    }
+
+    #[test]
+    fn what_is_cut_says_so() {
+        assert_eq!(cut("β = 42°", 7), "β = 42°");
+        assert_eq!(cut("β = 42°", 5), "β = …");
+        assert_eq!(cut("β", 3), "β  ");
+    }
+}

@@ -1,0 +1,20 @@
+//! mdBook's protocol for preprocessors: a question, or a book in and a book out. Nothing else is printed.
+
+use crate::arguments::{PreprocessArguments, Question};
+use crate::output::{Outcome, print};
+use anyhow::{Context, ensure};
+use geneva_press::Geneva;
+use mdbook_preprocessor::{Preprocessor, parse_input};
+use std::io::{IsTerminal, stdin};
+
+/// Answers the question, or processes the book on standard input.
+pub fn run(call: PreprocessArguments) -> anyhow::Result<Outcome> {
+    if let Some(Question::Supports { renderer }) = call.question {
+        return Ok(Outcome::as_recorded_if(Geneva.supports_renderer(&renderer)?));
+    }
+    ensure!(!stdin().is_terminal(), "mdBook calls this command and hands it a book; to build the book: geneva book");
+    let (context, book) = parse_input(stdin().lock())
+        .context("what came in on standard input is no book of mdBook 0.5; to build the book: geneva book")?;
+    print(&serde_json::to_string(&Geneva.run(&context, book)?)?)?;
+    Ok(Outcome::AsRecorded)
+}

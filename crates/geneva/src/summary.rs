@@ -1,0 +1,100 @@
+//! What all verdicts come to: a small table, and whatever differs from the record.
+
+use crate::claims::with_unit;
+use crate::output::{count, field, heading, style, wrapped};
+use geneva_ledger::{Judged, Verdict, Work};
+
+/// Verdicts by source, and each claim that does not stand as recorded.
+pub fn page(verdicts: &[Judged]) -> String {
+    table(verdicts) + "\n" + &differences(verdicts)
+}
+
+fn table(verdicts: &[Judged]) -> String {
+    let label = Verdict::ALL.iter().map(|verdict| verdict.slug().len()).max().unwrap_or(0);
+    let columns: Vec<(&str, Option<Work>)> =
+        Work::ALL.iter().map(|work| (work.slug(), Some(*work))).chain([("all", None)]).collect();
+    let line = |name: &str, cell: &dyn Fn(&str, Option<Work>) -> String| -> String {
+        let cells =
+            columns.iter().map(|(title, work)| format!("  {:>width$}", cell(title, *work), width = title.len().max(5)));
+        format!("{name:<label$}{}", cells.collect::<String>())
+    };
+    let tally = |wanted: &dyn Fn(&Judged) -> bool, work: Option<Work>| {
+        let number = verdicts
+            .iter()
+            .filter(|judged| work.is_none_or(|work| judged.claim.work == work) && wanted(judged))
+            .count();
+        if number == 0 { "–".to_owned() } else { number.to_string() }
+    };
+
+    let bold = heading();
+    let mut table = format!("{bold}{}{bold:#}\n", line("verdict", &|title, _| title.to_owned()));
+    for verdict in Verdict::ALL {
+        let colour = style(*verdict);
+        let row = line(verdict.slug(), &|_, work| tally(&|judged| judged.verdict == *verdict, work));
+        table += &format!("{colour}{}{colour:#}{}\n", &row[..verdict.slug().len()], &row[verdict.slug().len()..]);
+    }
+    table += &format!("{}\n", line("all claims", &|_, work| tally(&|_| true, work)));
+    table + &format!("{}\n", line("not as recorded", &|_, work| tally(&|judged| !judged.holds(), work)))
+}
+
+fn differences(verdicts: &[Judged]) -> String {
+    let differing: Vec<_> = verdicts.iter().filter(|judged| !judged.holds()).collect();
+    if differing.is_empty() {
+        let errata = verdicts.iter().filter(|judged| judged.claim.erratum.is_some()).count();
+        return format!(
+            "{}: each stands as recorded. {errata} with an erratum: geneva errata\n",
+            count(verdicts.len(), "claim")
+        );
+    }
+    let bold = heading();
+    let mut page = format!("{} of {} not as recorded:\n", differing.len(), count(verdicts.len(), "claim"));
+    for judged in differing {
+        let claim = judged.claim;
+        page += &format!("\n{bold}{}{bold:#}  {}\n", claim.id, claim.locator);
+        page += &field("printed", &with_unit(claim.printed, claim.unit));
+        if let Some(computed) = judged.computed {
+            page += &field("computed", &computed.to_string());
+        }
+        page += &field("expected", claim.expected.slug());
+        page += &field("found", judged.verdict.slug());
+        for (form, finding) in &judged.findings {
+            let holds = if finding.holds { "holds" } else { "fails" };
+            page += &field(form, &format!("{holds}: {}", finding.how));
+        }
+        for complaint in judged.complaints() {
+            page += &wrapped("  - ", &complaint);
+        }
+    }
+    page + "\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use geneva_ledger::{Check, Claim, Evidence, Kind, judge};
+
+    /// A claim that no source makes, with these digits for seven thirds.
+    fn judged(printed: &'static str) -> Judged {
+        let check = Check::number((Evidence::ClosedForm, || 7.0 / 3.0), (Evidence::LimitCase, || 7.0 / 3.0));
+        let says = (Kind::Value, "seven thirds");
+        let claim = Claim::new("pin.made-up", Work::Pin, "Nowhere, line 1", says, (printed, "mm"), check);
+        judge(Box::leak(Box::new(claim)))
+    }
+
+    #[test]
+    fn a_claim_that_differs_is_shown_with_all_that_is_known() {
+        let page = page(&[judged("2.33"), judged("2.43")]);
+        for part in
+            ["1 of 2 claims", "2.43 mm", "expected      reproduced", "found         not-reproduced", "recorded as"]
+        {
+            assert!(page.contains(part), "{part} is not in:\n{page}");
+        }
+        assert_eq!(page.matches("Nowhere, line 1").count(), 1);
+    }
+
+    #[test]
+    fn nothing_is_said_of_claims_that_stand() {
+        let page = page(&[judged("2.33")]);
+        assert!(page.ends_with("1 claim: each stands as recorded. 0 with an erratum: geneva errata\n"), "{page}");
+    }
+}

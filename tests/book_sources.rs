@@ -1,0 +1,78 @@
+//! Are the chapters written as chapters should be? Looks at the Markdown, before anything is drawn in.
+
+use geneva_ledger::{Decimal, numeric_tokens, verdicts};
+use geneva_press::fences;
+use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
+
+fn chapters() -> Vec<(String, String)> {
+    geneva_suite::CHAPTERS
+        .iter()
+        .map(|file| {
+            let text = std::fs::read_to_string(crate::path("book").join(file)).expect("a chapter");
+            ((*file).to_owned(), text)
+        })
+        .collect()
+}
+
+#[test]
+fn the_chapters_that_are_tested_are_those_of_the_table_of_contents() {
+    let summary = std::fs::read_to_string(crate::path("book/src/SUMMARY.md")).expect("a table of contents");
+    let listed: Vec<_> = Parser::new(&summary)
+        .filter_map(|event| match event {
+            Event::Start(Tag::Link { dest_url, .. }) => Some(format!("src/{dest_url}")),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(listed, geneva_suite::CHAPTERS);
+}
+
+#[test]
+fn every_block_of_code_names_its_language_and_runs_if_it_is_rust() {
+    for (file, text) in chapters() {
+        let untagged = fences::untagged(&text);
+        assert!(untagged.is_empty(), "{file}: blocks without a language: {untagged:?}");
+        for event in Parser::new(&text) {
+            let Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(tags))) = event else { continue };
+            for tag in ["ignore", "no_run", "compile_fail", "should_panic"] {
+                assert!(!tags.contains(tag), "{file}: a block marked {tags}; every example runs");
+            }
+        }
+    }
+}
+
+#[test]
+fn no_decimal_of_the_ledger_is_typed_in_a_chapter() {
+    for (file, text) in chapters() {
+        for (at, line) in text.lines().enumerate() {
+            for token in numeric_tokens(line).iter().filter(|token| token.contains('.')) {
+                let typed: Decimal = match token.parse() {
+                    Ok(typed) => typed,
+                    Err(_) => continue,
+                };
+                let owner = verdicts().iter().find(|judged| {
+                    judged.claim.printed == token || judged.computed.is_some_and(|number| typed.is_rounding_of(number))
+                });
+                assert!(owner.is_none(), "{file}, line {}: {token} belongs to {}", at + 1, owner.unwrap().claim.id);
+            }
+        }
+    }
+}
+
+#[test]
+fn every_figure_is_shown_in_some_chapter() {
+    let all: String = chapters().into_iter().map(|(_, text)| text).collect();
+    for name in geneva_press::drawings::NAMES {
+        assert!(all.contains(&format!("{{{{figure:{name}}}}}")), "{name} is drawn and not shown");
+    }
+}
+
+#[test]
+fn every_erratum_is_told_in_some_chapter() {
+    // The errata page draws all; the chapter of a source must at least speak of each that is not the copy's fault.
+    let all: String = chapters().into_iter().map(|(_, text)| text).collect();
+    for claim in geneva_ledger::claims() {
+        let Some(erratum) = &claim.erratum else { continue };
+        let grave = erratum.severity != geneva_ledger::Severity::Transcription;
+        assert!(!grave || all.contains(&format!("{{{{erratum:{}}}}}", claim.id)), "{} is not told", claim.id);
+    }
+}

@@ -1,0 +1,378 @@
+//! Does the program `geneva` say what the ledger says, and does it behave as a program should?
+//!
+//! Run as it is by a reader, with its output in a pipe. What a page looks like is pinned under
+//! `snapshots/command-line`; what must hold whatever it looks like is asserted.
+
+use geneva_ledger::{claims, verdicts};
+use insta_cmd::assert_cmd_snapshot;
+use serde_json::Value;
+use std::fs;
+use std::io::{BufRead, BufReader, Write};
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+/// The program, whatever the terminal and the settings of whoever runs the test.
+fn geneva(arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_geneva"));
+    command.args(arguments);
+    for variable in ["NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE", "COLUMNS"] {
+        command.env_remove(variable);
+    }
+    command
+}
+
+/// Pins standard output, standard error and exit code under a name.
+#[track_caller]
+fn pin(name: &str, arguments: &[&str]) {
+    settings().bind(|| assert_cmd_snapshot!(name, geneva(arguments)));
+}
+
+fn settings() -> insta::Settings {
+    let mut settings = insta::Settings::clone_current();
+    let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("crates/geneva is in it");
+    settings.set_snapshot_path(workspace.join("snapshots/command-line"));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings
+}
+
+#[track_caller]
+fn run(arguments: &[&str]) -> Output {
+    geneva(arguments).output().expect("the program runs")
+}
+
+/// Standard output of a run that exits with `code`.
+#[track_caller]
+fn stdout(arguments: &[&str], code: i32) -> String {
+    let output = run(arguments);
+    assert_eq!(output.status.code(), Some(code), "{arguments:?}: {output:?}");
+    String::from_utf8(output.stdout).expect("UTF-8")
+}
+
+/// Standard error of a run that fails with exit code 2 and has said nothing else.
+#[track_caller]
+fn refusal(mut command: Command) -> String {
+    let output = command.output().expect("the program runs");
+    assert_eq!(output.status.code(), Some(2), "{output:?}");
+    assert!(output.stdout.is_empty(), "{output:?}");
+    String::from_utf8(output.stderr).expect("UTF-8")
+}
+
+fn json(arguments: &[&str]) -> Vec<Value> {
+    serde_json::from_str(&stdout(arguments, 0)).expect("an array")
+}
+
+/// A workspace with a book of one chapter.
+fn small_workspace() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    fs::create_dir_all(folder.path().join("book/src")).expect("writable");
+    for (file, text) in [
+        ("Cargo.toml", ""),
+        ("book/book.toml", "[book]\ntitle = \"Small\"\n[build]\ncreate-missing = false\n"),
+        ("book/src/SUMMARY.md", "- [Only](only.md)\n"),
+        ("book/src/only.md", "# Only\n\nA chapter.\n"),
+    ] {
+        fs::write(folder.path().join(file), text).expect("writable");
+    }
+    folder
+}
+
+#[test]
+fn every_command_explains_itself_with_an_example() {
+    for (name, arguments) in [
+        ("help", &["--help"][..]),
+        ("help-claims", &["claims", "--help"]),
+        ("help-errata", &["errata", "--help"]),
+        ("help-coverage", &["coverage", "--help"]),
+        ("help-book", &["book", "--help"]),
+        ("help-book-build", &["book", "build", "--help"]),
+        ("help-book-test", &["book", "test", "--help"]),
+        ("help-completions", &["completions", "--help"]),
+        ("help-preprocess", &["preprocess", "--help"]),
+    ] {
+        assert!(stdout(arguments, 0).contains("Example"), "{name}");
+        pin(name, arguments);
+    }
+}
+
+#[test]
+fn the_version_is_that_of_the_workspace() {
+    assert_eq!(stdout(&["--version"], 0), concat!("geneva ", env!("CARGO_PKG_VERSION"), "\n"));
+}
+
+#[test]
+fn claims_are_listed_by_source_and_by_verdict() {
+    pin("claims-of-pin", &["claims", "--source", "pin"]);
+    pin("claims-of-pin-corrected", &["claims", "--source", "pin", "--verdict", "corrected"]);
+    pin("claims-of-pin-from-rounded-json", &claims_of_pin("from-rounded", "json"));
+    pin("claims-of-pin-not-reproducible-json", &claims_of_pin("not-reproducible", "json"));
+    pin("claims-of-pin-corrected-csv", &claims_of_pin("corrected", "csv"));
+    pin("claims-none", &claims_of_pin("read-off", "text"));
+}
+
+fn claims_of_pin<'a>(verdict: &'a str, format: &'a str) -> [&'a str; 7] {
+    ["claims", "--source", "pin", "--verdict", verdict, "--format", format]
+}
+
+#[test]
+fn a_line_of_claims_is_at_most_100_characters_long() {
+    for line in stdout(&["claims"], 0).lines() {
+        assert!(line.chars().count() <= 100, "{line}");
+    }
+}
+
+#[test]
+fn json_says_what_the_ledger_says() {
+    let rows = json(&["claims", "--format", "json"]);
+    assert_eq!(rows.len(), claims().len());
+    for (row, judged) in rows.iter().zip(verdicts()) {
+        let claim = judged.claim;
+        for (key, value) in [
+            ("id", claim.id),
+            ("source", claim.work.slug()),
+            ("locator", claim.locator),
+            ("kind", claim.kind.slug()),
+            ("meaning", claim.meaning),
+            ("printed", claim.printed),
+            ("unit", claim.unit),
+            ("verdict", judged.verdict.slug()),
+            ("expected", claim.expected.slug()),
+        ] {
+            assert_eq!(row[key], value, "{} {key}", claim.id);
+        }
+        for (key, value) in
+            [("computed", judged.computed), ("witnessed", judged.witnessed), ("from_rounded", judged.from_rounded)]
+        {
+            assert_eq!(row[key].as_f64().map(f64::to_bits), value.map(f64::to_bits), "{} {key}", claim.id);
+        }
+        let evidence: Vec<_> = claim.check.evidence().iter().map(|evidence| evidence.slug()).collect();
+        assert_eq!(row["evidence"], Value::from(evidence), "{}", claim.id);
+        assert_eq!(row["holds"], judged.holds(), "{}", claim.id);
+        match &claim.erratum {
+            None => assert_eq!(row["erratum"], Value::Null, "{}", claim.id),
+            Some(erratum) => {
+                for (key, value) in [
+                    ("printed", claim.printed),
+                    ("corrected", erratum.corrected),
+                    ("reason", erratum.reason),
+                    ("witness", erratum.witness),
+                    ("severity", erratum.severity.slug()),
+                ] {
+                    assert_eq!(row["erratum"][key], value, "{} {key}", claim.id);
+                }
+                assert_eq!(row["erratum"]["inherited_by"], Value::from(erratum.inherited_by.to_vec()));
+            }
+        }
+    }
+}
+
+#[test]
+fn every_verdict_selects_its_claims() {
+    for verdict in geneva_ledger::Verdict::ALL {
+        let rows = json(&["claims", "--verdict", verdict.slug(), "--format", "json"]);
+        let expected: Vec<_> =
+            verdicts().iter().filter(|judged| judged.verdict == *verdict).map(|judged| judged.claim.id).collect();
+        let found: Vec<_> = rows.iter().filter_map(|row| row["id"].as_str()).collect();
+        assert_eq!(found, expected, "{verdict}");
+    }
+}
+
+#[test]
+fn csv_has_a_row_for_each_claim_and_all_digits() {
+    let text = stdout(&["claims", "--format", "csv"], 0);
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let headers = reader.headers().expect("a header").clone();
+    let column = |name: &str| headers.iter().position(|header| header == name).expect("a column of that name");
+    let rows: Vec<_> = reader.records().map(|row| row.expect("as many cells as columns")).collect();
+    assert_eq!(rows.len(), claims().len());
+    for (row, judged) in rows.iter().zip(verdicts()) {
+        assert_eq!(&row[column("id")], judged.claim.id);
+        assert_eq!(&row[column("printed")], judged.claim.printed);
+        assert_eq!(row[column("computed")].parse().ok(), judged.computed);
+        assert_eq!(&row[column("verdict")], judged.verdict.slug());
+        let corrected = judged.claim.erratum.as_ref().map_or("", |erratum| erratum.corrected);
+        assert_eq!(&row[column("erratum_corrected")], corrected);
+    }
+}
+
+#[test]
+fn the_errata_are_those_of_the_ledger() {
+    pin("errata", &["errata"]);
+    pin("errata-json", &["errata", "--format", "json"]);
+    pin("errata-markdown", &["errata", "--format", "markdown"]);
+    let expected: Vec<_> =
+        claims().iter().filter(|claim| claim.erratum.is_some()).map(|claim| Value::from(claim.id)).collect();
+    let found: Vec<_> = json(&["errata", "--format", "json"]).into_iter().map(|row| row["id"].clone()).collect();
+    assert_eq!(found, expected);
+}
+
+#[test]
+fn a_wrong_name_is_answered_with_the_nearest() {
+    pin("wrong-source", &["claims", "--source", "pim"]);
+    pin("wrong-verdict", &["claims", "--verdict", "reproducd"]);
+    pin("wrong-format", &["errata", "--format", "markdwon"]);
+    pin("wrong-command", &["clams"]);
+    pin("wrong-shell", &["completions", "bosh"]);
+    pin("wrong-option", &["book", "test", "--out", "elsewhere"]);
+    pin("copy-of-no-source", &["coverage", "--against", "copy.txt"]);
+}
+
+#[test]
+fn coverage_accounts_for_every_line() {
+    pin("coverage-of-pin", &["coverage", "--source", "pin"]);
+}
+
+#[test]
+fn a_copy_with_other_numbers_differs() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    fs::write(folder.path().join("copy.txt"), "One line with 10 and 2.\nNo number.\n").expect("writable");
+    let mut command = geneva(&["coverage", "--source", "pin", "--against", "copy.txt"]);
+    command.current_dir(folder.path());
+    settings().bind(|| assert_cmd_snapshot!("coverage-of-another-text", command));
+}
+
+#[test]
+fn a_copy_that_cannot_be_read_is_named() {
+    let said = refusal(geneva(&["coverage", "--source", "pin", "--against", "no/such/copy.txt"]));
+    assert!(said.starts_with("error: cannot read no/such/copy.txt; --against wants a text file"), "{said}");
+}
+
+#[test]
+fn without_arguments_the_verdicts_are_summed_up_and_the_book_is_built() {
+    let workspace = small_workspace();
+    let mut command = geneva(&[]);
+    let output = command.current_dir(workspace.path()).output().expect("the program runs");
+    let code = if verdicts().iter().all(geneva_ledger::Judged::holds) { 0 } else { 1 };
+    assert_eq!(output.status.code(), Some(code), "{output:?}");
+    assert!(output.stderr.is_empty(), "no progress is shown in a pipe: {output:?}");
+    assert!(workspace.path().join("target/book/index.html").is_file());
+    let here = workspace.path().canonicalize().expect("it exists");
+    let page = String::from_utf8(output.stdout).expect("UTF-8").replace(&*here.to_string_lossy(), "[workspace]");
+    settings().bind(|| insta::assert_snapshot!("summary", page));
+}
+
+#[test]
+fn a_place_where_nothing_can_be_written_leaves_the_old_book() {
+    let workspace = small_workspace();
+    let inside = |arguments: &[&str]| {
+        let mut command = geneva(arguments);
+        command.current_dir(workspace.path());
+        command
+    };
+    assert!(inside(&["book", "--out", "out"]).output().expect("the program runs").status.success());
+    let page = workspace.path().join("out/index.html");
+    let old = fs::read(&page).expect("the book is there");
+
+    // Permissions do not stop every user; a file where a folder should be does.
+    fs::write(workspace.path().join("file"), "").expect("writable");
+    let said = refusal(inside(&["book", "--out", "file/book"]));
+    assert!(said.contains("file") && said.contains("choose another output directory"), "{said}");
+    let said = refusal(inside(&["book", "build", "--out", "file"]));
+    assert!(said.contains("file") && said.contains("choose another output directory"), "{said}");
+
+    // What is no build of the book stays, and so does the old book when the new one fails.
+    let said = refusal(inside(&["book", "--out", "book"]));
+    assert!(said.contains("choose another output directory"), "{said}");
+    fs::write(workspace.path().join("book/src/SUMMARY.md"), "- [Missing](missing.md)\n").expect("writable");
+    let said = refusal(inside(&["book", "--out", "out"]));
+    assert!(said.contains("missing.md"), "{said}");
+    assert_eq!(fs::read(&page).expect("the book is still there"), old);
+}
+
+#[test]
+fn outside_of_a_workspace_the_book_is_the_one_of_the_program() {
+    let elsewhere = tempfile::tempdir().expect("a temporary folder");
+    let mut command = geneva(&["book", "--out", "file/book"]);
+    fs::write(elsewhere.path().join("file"), "").expect("writable");
+    let said = refusal({
+        command.current_dir(elsewhere.path());
+        command
+    });
+    assert!(!said.contains("no book found"), "{said}");
+}
+
+#[test]
+fn mdbook_is_told_which_renderers_are_supported() {
+    for (renderer, code) in [("html", 0), ("test", 0), ("latex", 1)] {
+        assert_eq!(stdout(&["preprocess", "supports", renderer], code), "", "{renderer}");
+    }
+}
+
+#[test]
+fn mdbook_gets_a_book_for_a_book() {
+    let mut output = piped(
+        r##"[{"root": "", "config": {"book": {}}, "renderer": "html", "mdbook_version": "0.5.0"},
+            {"items": [{"Chapter": {"name": "Only", "content": "# Only\n", "number": [1], "sub_items": [],
+             "path": "only.md", "source_path": "only.md", "parent_names": []}}]}]"##,
+    );
+    assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+    let book: Value = serde_json::from_slice(&output.stdout).expect("JSON and nothing else");
+    assert_eq!(book["items"][0]["Chapter"]["name"], "Only");
+
+    output = piped("no book");
+    assert_eq!(output.status.code(), Some(2));
+    assert!(output.stdout.is_empty() && String::from_utf8_lossy(&output.stderr).contains("geneva book"), "{output:?}");
+}
+
+/// A run as mdBook's preprocessor.
+fn piped(input: &str) -> Output {
+    let mut child = geneva(&["preprocess"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program runs");
+    child.stdin.take().expect("a pipe").write_all(input.as_bytes()).expect("it reads");
+    child.wait_with_output().expect("it ends")
+}
+
+#[test]
+fn nothing_but_text_goes_into_a_pipe() {
+    for arguments in [&["claims"][..], &["errata"], &["coverage"], &["--help"], &["claims", "--source", "pim"]] {
+        for no_color in [None, Some("1")] {
+            let mut command = geneva(arguments);
+            command.envs(no_color.map(|value| ("NO_COLOR", value)));
+            let output = command.output().expect("the program runs");
+            let escapes = [&output.stdout, &output.stderr].into_iter().flatten().filter(|byte| **byte == 0x1b);
+            assert_eq!(escapes.count(), 0, "{arguments:?}");
+            assert_eq!(output.stderr.is_empty(), output.status.success(), "{arguments:?}");
+        }
+    }
+}
+
+#[test]
+fn colour_is_shown_when_asked_for_and_no_color_wins() {
+    let coloured = |variables: &[(&str, &str)]| {
+        let output = geneva(&["claims"]).envs(variables.iter().copied()).output().expect("the program runs");
+        output.stdout.contains(&0x1b)
+    };
+    assert!(coloured(&[("CLICOLOR_FORCE", "1")]));
+    assert!(!coloured(&[("CLICOLOR_FORCE", "1"), ("NO_COLOR", "1")]));
+}
+
+#[test]
+fn a_reader_that_has_seen_enough_is_no_error() {
+    for arguments in [&["claims"][..], &["claims", "--format", "json"], &["errata"], &["completions", "zsh"]] {
+        let mut child =
+            geneva(arguments).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program runs");
+        let mut line = String::new();
+        // The reader is dropped, and the pipe with it, after one line.
+        BufReader::new(child.stdout.take().expect("a pipe")).read_line(&mut line).expect("a line");
+        let output = child.wait_with_output().expect("it ends");
+        assert!(output.status.success() && output.stderr.is_empty(), "{arguments:?}: {output:?}");
+    }
+    // Closed before the first character.
+    let mut child =
+        geneva(&["claims"]).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program runs");
+    drop(child.stdout.take());
+    let output = child.wait_with_output().expect("it ends");
+    assert!(output.status.success() && output.stderr.is_empty(), "{output:?}");
+}
+
+#[test]
+fn every_shell_gets_completions() {
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let script = stdout(&["completions", shell], 0);
+        assert!(script.contains("geneva") && script.contains("claims"), "{shell}");
+    }
+}

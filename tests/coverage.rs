@@ -1,0 +1,89 @@
+//! Is everything in the sources a claim or an exception with a reason, and would a gap be noticed?
+
+use geneva_ledger::{Entry, Line, Work, claim, claims};
+use std::collections::HashMap;
+
+#[test]
+fn every_number_of_every_line_is_accounted_for() {
+    for work in Work::ALL {
+        for line in work.inventory() {
+            let numbers: Vec<_> = line.entries.iter().flat_map(Entry::numbers).collect();
+            assert!(line.is_accounted_for(), "{work}, line {}: the ledger's numbers are {numbers:?}", line.number);
+        }
+    }
+}
+
+#[test]
+fn lines_are_in_order_and_say_something() {
+    for work in Work::ALL {
+        let numbers: Vec<_> = work.inventory().iter().map(|line| line.number).collect();
+        assert!(numbers.is_sorted_by(|a, b| a < b), "{work}: {numbers:?}");
+        for line in work.inventory() {
+            assert!(!line.entries.is_empty(), "{work}, line {} has no entry", line.number);
+        }
+    }
+}
+
+#[test]
+fn every_claim_stands_in_its_source_once() {
+    let mut places: HashMap<&str, Vec<(Work, u32)>> = HashMap::new();
+    for work in Work::ALL {
+        for line in work.inventory() {
+            for entry in line.entries {
+                if let Entry::Claim(id) = entry {
+                    places.entry(id).or_default().push((*work, line.number));
+                }
+            }
+        }
+    }
+    for claim in claims() {
+        let at = places.remove(claim.id).unwrap_or_default();
+        assert!(matches!(at[..], [(work, _)] if work == claim.work), "{} stands at {at:?}", claim.id);
+    }
+    assert!(places.is_empty(), "listed, but no claims: {places:?}");
+}
+
+#[test]
+fn what_is_printed_again_was_a_claim_before() {
+    for work in Work::ALL {
+        for entry in work.inventory().iter().flat_map(|line| line.entries) {
+            if let Entry::Again(id) = entry {
+                assert!(claim(id).is_some_and(|claim| claim.work == *work), "{work}: no claim {id} to print again");
+            }
+        }
+    }
+}
+
+#[test]
+fn exceptions_have_reasons_and_expire() {
+    for work in Work::ALL {
+        let mut ids = Vec::new();
+        for entry in work.inventory().iter().flat_map(|line| line.entries) {
+            if let Entry::Exception { id, reason, .. } = entry {
+                assert!(id.starts_with(&format!("{work}.")), "{id}: the id starts with the source's name");
+                assert!(reason.len() > 20, "{id}: say why it is no claim");
+                assert!(claim(id).is_none(), "{id} is a claim now: the exception is no longer needed, remove it");
+                assert!(!ids.contains(id), "{id} stands twice");
+                ids.push(id);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_number_that_is_dropped_or_moved_is_noticed() {
+    let mut tried = 0;
+    for line in Work::ALL.iter().flat_map(|work| work.inventory()) {
+        for gone in 0..line.entries.len() {
+            if line.entries[gone].numbers().is_empty() {
+                continue;
+            }
+            let mut entries = line.entries.to_vec();
+            entries.remove(gone);
+            let shorter = Line { entries: entries.leak(), ..*line };
+            assert!(!shorter.is_accounted_for(), "line {} without its entry {gone} went unnoticed", line.number);
+            tried += 1;
+        }
+    }
+    assert!(tried > 20, "only {tried} entries were tried");
+}

@@ -1,0 +1,37 @@
+//! Truths between the rooms: one file, one question.
+
+mod book_pages;
+mod book_sources;
+mod coverage;
+mod pin_over_the_engagement;
+mod snapshots;
+mod tidy;
+mod verdicts;
+
+use std::path::{Path, PathBuf};
+
+/// A path inside the project.
+fn path(inside: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(inside)
+}
+
+/// All files below a folder of the project whose names end in one of `endings`, with their text.
+#[track_caller]
+fn files(folder: &str, endings: &[&str]) -> Vec<(PathBuf, String)> {
+    let mut found = Vec::new();
+    let mut folders = vec![path(folder)];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(&folder).expect("a folder") {
+            let entry = entry.expect("readable").path();
+            if entry.is_dir() {
+                folders.push(entry);
+            } else if endings.iter().any(|ending| entry.to_string_lossy().ends_with(ending)) {
+                let text = std::fs::read_to_string(&entry).expect("text");
+                found.push((entry, text));
+            }
+        }
+    }
+    found.sort();
+    assert!(!found.is_empty(), "no file in {folder} ends in {endings:?}");
+    found
+}

@@ -1,0 +1,55 @@
+//! What numbers stand behind the figures and the verdicts? Pinned as text, the drawings beside them.
+
+use geneva_ledger::verdicts;
+use geneva_press::drawings;
+use insta::{Settings, assert_snapshot};
+
+/// Binds snapshots to `snapshots/<area>`, named without a module.
+fn in_area(area: &str, pin: impl FnOnce()) {
+    let mut settings = Settings::clone_current();
+    settings.set_snapshot_path(crate::path("snapshots").join(area));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(pin);
+}
+
+#[test]
+fn the_numbers_behind_the_figures() {
+    for name in drawings::NAMES {
+        let figure = drawings::by_name(name).expect("a figure");
+        in_area("series", || assert_snapshot!(*name, figure.series.to_text()));
+    }
+}
+
+#[test]
+fn the_drawings() {
+    for name in drawings::NAMES {
+        let figure = drawings::by_name(name).expect("a figure");
+        in_area("drawings", || assert_snapshot!(*name, figure.svg));
+    }
+}
+
+#[test]
+fn the_verdicts() {
+    let mut text = format!("{:<36} {:<17} {:>18} {:>18}\n", "claim", "verdict", "computed", "from rounded");
+    for judged in verdicts() {
+        // Ten digits: what two routes agree on with room to spare.
+        let number = |number: Option<f64>| number.map_or_else(|| "-".to_owned(), |number| format!("{number:.9e}"));
+        let (computed, rounded) = (number(judged.computed), number(judged.from_rounded));
+        text.push_str(&format!("{:<36} {:<17} {computed:>18} {rounded:>18}\n", judged.claim.id, judged.verdict));
+    }
+    in_area("ledger", || assert_snapshot!("verdicts", text));
+}
+
+#[test]
+fn how_each_form_was_found() {
+    let mut text = String::new();
+    for judged in verdicts().iter().filter(|judged| !judged.findings.is_empty()) {
+        text.push_str(&format!("{}\n", judged.claim.id));
+        for (role, finding) in &judged.findings {
+            let says = if finding.holds { "holds" } else { "fails" };
+            text.push_str(&format!("    {role} {says}: {}\n", finding.how));
+        }
+    }
+    in_area("ledger", || assert_snapshot!("findings", text));
+}
