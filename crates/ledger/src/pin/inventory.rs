@@ -120,6 +120,11 @@ pub const INVENTORY: &[Line] = &[
             Claim("pin.sliding-equation"),
             Again("pin.pin-speed"),
             Again("pin.velocity-angle"),
+            Exception {
+                id: "pin.sliding-twice",
+                numbers: "",
+                reason: "the copy prints the left side of this equation twice; the repetition says nothing new",
+            },
             Claim("pin.sliding-speed"),
             Claim("pin.sliding-velocity-direction"),
         ],
@@ -131,6 +136,11 @@ pub const INVENTORY: &[Line] = &[
             Claim("pin.follower-speed-equation"),
             Again("pin.slot-point-speed"),
             Again("pin.radius"),
+            Exception {
+                id: "pin.follower-twice",
+                numbers: "",
+                reason: "the copy prints the left side of this equation twice; the repetition says nothing new",
+            },
             Claim("pin.follower-speed"),
             Claim("pin.follower-sense"),
         ],

@@ -7,7 +7,7 @@ pub const SYMBOLS: &[Symbol] = &[
     Symbol { printed: "f", ours: r"\varphi", meaning: "crank angle, from the direction OB" },
     Symbol { printed: "b", ours: r"\beta", meaning: "angle of the slot at O" },
     Symbol { printed: "g", ours: r"\gamma", meaning: "angle between the pin's velocity and the slot" },
-    Symbol { printed: "v", ours: r"\omega", meaning: "angular velocity" },
+    Symbol { printed: "v", ours: r"\omega", meaning: "angular velocity, printed V as well" },
     Symbol { printed: "v", ours: r"v", meaning: "speed" },
     Symbol { printed: "d", ours: r"\swarrow", meaning: "arrow of a direction, before its angle" },
     Symbol { printed: "f", ours: r"\searrow", meaning: "arrow of a direction, before its angle" },
