@@ -3,6 +3,8 @@
 //! Run as it is by a reader, with its output in a pipe. What a page looks like is pinned under
 //! `snapshots/command-line`; what must hold whatever it looks like is asserted.
 
+mod wheel_command;
+
 use geneva_ledger::{claims, verdicts};
 use insta_cmd::assert_cmd_snapshot;
 use serde_json::Value;
@@ -84,6 +86,7 @@ fn every_command_explains_itself_with_an_example() {
         ("help-claims", &["claims", "--help"]),
         ("help-errata", &["errata", "--help"]),
         ("help-coverage", &["coverage", "--help"]),
+        ("help-wheel", &["wheel", "--help"]),
         ("help-book", &["book", "--help"]),
         ("help-book-build", &["book", "build", "--help"]),
         ("help-book-test", &["book", "test", "--help"]),

@@ -30,7 +30,7 @@ fn every_claim_stands_in_its_source_once() {
     for work in Work::ALL {
         for line in work.inventory() {
             for entry in line.entries {
-                if let Entry::Claim(id) = entry {
+                if let Some(id) = entry.claimed() {
                     places.entry(id).or_default().push((*work, line.number));
                 }
             }
@@ -49,6 +49,20 @@ fn what_is_printed_again_was_a_claim_before() {
         for entry in work.inventory().iter().flat_map(|line| line.entries) {
             if let Entry::Again(id) = entry {
                 assert!(claim(id).is_some_and(|claim| claim.work == *work), "{work}: no claim {id} to print again");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_reference_leads_to_an_equation_or_figure_of_the_source() {
+    for work in Work::ALL {
+        for line in work.inventory() {
+            for entry in line.entries {
+                let Entry::Label(number) = entry else { continue };
+                let bears = |locator: &str| geneva_ledger::numeric_tokens(locator).iter().any(|token| token == number);
+                let found = claims().iter().any(|claim| claim.work == *work && bears(claim.locator));
+                assert!(found, "{work}, line {}: nothing is numbered {number}", line.number);
             }
         }
     }

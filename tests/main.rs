@@ -35,3 +35,9 @@ fn files(folder: &str, endings: &[&str]) -> Vec<(PathBuf, String)> {
     assert!(!found.is_empty(), "no file in {folder} ends in {endings:?}");
     found
 }
+
+/// Whether a number tells where it comes from: a decimal of three digits or more. A half or a zero is anybody's.
+fn is_telling(number: &str) -> bool {
+    let digits = number.trim_start_matches(['0', '.']).chars().filter(char::is_ascii_digit).count();
+    number.contains('.') && digits >= 3
+}

@@ -82,8 +82,9 @@ fn a_wrong_formula_is_noticed() {
     for claim in claims() {
         let (Check::Number { .. }, Ok(printed)) = (&claim.check, claim.printed.parse::<Decimal>()) else { continue };
         let computed = judge(claim).computed.expect("a number");
-        let unit = printed.unit_in_last_place();
-        let unit = 1.01 * geneva_kinematics::Field::approximate(&unit);
+        // A fraction has no last place: a billionth of it will do.
+        let unit = geneva_kinematics::Field::approximate(&printed.unit_in_last_place());
+        let unit = 1.01 * if unit > 0.0 { unit } else { 1e-9 * printed.to_f64() };
         for wrong in [computed + unit, computed - unit] {
             assert!(!printed.is_rounding_of(wrong) || claim.expected != Verdict::Reproduced, "{}: {wrong}", claim.id);
         }
@@ -95,8 +96,7 @@ fn a_removed_claim_is_noticed() {
     // The coverage test looks every claim of the inventory up; without this one it would find nothing.
     for work in Work::ALL {
         let listed = work.inventory().iter().flat_map(|line| line.entries);
-        let ids: Vec<_> =
-            listed.filter_map(|entry| if let Entry::Claim(id) = entry { Some(*id) } else { None }).collect();
+        let ids: Vec<_> = listed.filter_map(Entry::claimed).collect();
         assert_eq!(ids.len(), work.claims().len(), "{work}: a claim is listed and gone, or made and not listed");
     }
 }

@@ -22,7 +22,7 @@ pub struct Figure {
 
 /// The words of a figure, before it is drawn.
 pub(crate) struct Words {
-    pub id: &'static str,
+    pub id: String,
     pub title: String,
     pub description: String,
     pub caption: String,
@@ -31,8 +31,8 @@ pub(crate) struct Words {
 impl Words {
     /// The figure that these words, this canvas and these numbers make.
     pub fn figure(self, canvas: Canvas, kind: Kind, series: Series) -> Figure {
-        let svg = canvas.finish(kind, self.id, &self.title, &self.description);
+        let svg = canvas.finish(kind, &self.id, &self.title, &self.description);
         let Self { id, title, description, caption } = self;
-        Figure { id: id.to_owned(), title, description, caption, svg, series }
+        Figure { id, title, description, caption, svg, series }
     }
 }

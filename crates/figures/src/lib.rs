@@ -7,15 +7,18 @@
 //! Colours are `currentColor` and the custom properties `--fig-1` to `--fig-3`, `--fig-grid`, `--fig-fill` and
 //! `--fig-paper`, each with a fallback, so that a page may restyle a figure for a dark background.
 
+#[cfg(test)]
+mod checks;
 mod figure;
 mod number;
 mod plot;
 mod series;
+mod star;
 mod svg;
 mod theme;
-mod wheel;
 
 pub mod pin;
+pub mod stations;
 
 pub use figure::Figure;
 pub use series::{Column, Series};

@@ -4,7 +4,7 @@
 //! are replaced afterwards. Names of axes and curves have symbols and subscripts, which it does not set: the caller
 //! labels the finished plot.
 
-use crate::number::{fixed, with_minus_sign};
+use crate::number::{fixed, trimmed, with_minus_sign};
 use crate::svg::canvas::Canvas;
 use crate::svg::label::{TEXT_SIZE, escape};
 use crate::svg::view::Pixels;
@@ -25,6 +25,8 @@ const SIDE: u32 = 66;
 /// Room above and below the frame, in pixels: for the names of the axes.
 const ABOVE: u32 = 44;
 const BELOW: u32 = 70;
+/// From an upright axis to the marks' numbers, in pixels.
+const GAP: u32 = 12;
 /// The part of the room below that the marks' numbers take, in pixels.
 const LEVEL_MARKS: u32 = 40;
 
@@ -35,14 +37,29 @@ pub struct Axis {
     pub range: Range<f64>,
     /// Where the marks are.
     pub marks: Vec<f64>,
-    /// Digits after the point of the marks' numbers.
+    /// Digits after the point of the marks' numbers; at most so many where the scale is logarithmic.
     pub decimals: usize,
+    /// How its values are spaced.
+    pub scale: Scale,
+}
+
+/// How the values of an axis are spaced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scale {
+    /// Equal differences, equal lengths.
+    Even,
+    /// Equal ratios, equal lengths; only for values above zero.
+    Logarithmic,
 }
 
 impl Axis {
     /// How far along the axis a value lies: 0 at its start, 1 at its end.
     pub fn share(&self, value: f64) -> f64 {
-        (value - self.range.start) / (self.range.end - self.range.start)
+        let Range { start, end } = self.range;
+        match self.scale {
+            Scale::Even => (value - start) / (end - start),
+            Scale::Logarithmic => libm::log(value / start) / libm::log(end / start),
+        }
     }
 }
 
@@ -65,7 +82,10 @@ impl Ranged for Axis {
 
 impl ValueFormatter<f64> for Axis {
     fn format_ext(&self, value: &f64) -> String {
-        with_minus_sign(&fixed(*value, self.decimals))
+        match self.scale {
+            Scale::Even => with_minus_sign(&fixed(*value, self.decimals)),
+            Scale::Logarithmic => trimmed(*value, self.decimals),
+        }
     }
 }
 
@@ -180,8 +200,8 @@ impl Plot {
         for element in svg.split('<').skip(1).map(str::trim).filter(|element| !is_frame(element)) {
             // The end of a text stays on its line.
             let lead = if element.starts_with('/') { "<" } else { "\n<" };
-            elements +=
-                &format!("{lead}{}", element.replace(" opacity=\"1\"", "").replace(&font, "").replace('\n', ""));
+            let element = element.replace(" opacity=\"1\"", "").replace(&font, "").replace('\n', "");
+            elements += &format!("{lead}{}", self.beside_right_axis(element));
         }
         for curve in &self.curves {
             if let Some(dashes) = curve.dashes {
@@ -191,6 +211,20 @@ impl Plot {
             }
         }
         format!("{}\n</g>", resolve(&elements))
+    }
+
+    /// The same element; if it is a number beside the right axis that plotters has set flush right, by a guess at its
+    /// width that can lie outside the image, then flush left beside the axis.
+    fn beside_right_axis(&self, element: String) -> String {
+        let start = f64::from((self.size.0 - SIDE) * ENLARGED);
+        let written = element.strip_prefix("text x=\"").and_then(|rest| rest.split_once('"'));
+        match written.map(|(x, rest)| (x.parse::<f64>(), rest)) {
+            Some((Ok(x), rest)) if x > start && rest.contains("text-anchor=\"end\"") => {
+                let rest = rest.replace("text-anchor=\"end\"", "text-anchor=\"start\"");
+                format!("text x=\"{}\"{rest}", start + f64::from(GAP * ENLARGED))
+            }
+            _ => element,
+        }
     }
 }
 

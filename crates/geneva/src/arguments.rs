@@ -1,5 +1,6 @@
 //! What can be said to the program.
 
+use crate::wheel::WheelArguments;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use geneva_ledger::{Verdict, Work};
@@ -19,6 +20,7 @@ Examples:
   geneva claims --source pin --format json     the claims of one source as data
   geneva errata                                what is wrong in the sources
   geneva coverage --source pin                 which claim each line of a source belongs to
+  geneva wheel --stations 6 --rpm 360          sizes, times and peaks of a wheel of your own
   geneva book --open                           build the book and open it
   geneva completions bash                      completions for a shell
 
@@ -54,6 +56,13 @@ Examples:
 
 With --against, exit code 1 says that a line of the copy has other numbers than the ledger.")]
     Coverage(CoverageArguments),
+    /// Compute or draw a wheel: its sizes, its times, its greatest speed and acceleration
+    #[command(after_help = "\
+Examples:
+  geneva wheel --stations 6 --rpm 360 --crank-radius 50
+  geneva wheel --stations 4 --pins 2 --format json
+  geneva wheel --stations 6 --format svg > wheel.svg")]
+    Wheel(WheelArguments),
     /// Build the book, or test its chapters
     #[command(
         args_conflicts_with_subcommands = true,

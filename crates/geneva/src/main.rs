@@ -1,7 +1,8 @@
 //! The command line `geneva`: argument parsing and printing, nothing else.
 //!
-//! Every command turns its arguments into text; what the text says comes from the ledger, and the book from the
-//! press. Exit codes: 0 all is as recorded, 1 something differs, 2 bad usage, bad input or no access.
+//! Every command turns its arguments into text. What the text says comes from the ledger, of a wheel from the
+//! kinematics and the figures, and the book from the press. Exit codes: 0 all is as recorded, 1 something differs, 2 bad
+//! usage, bad input or no access.
 
 mod arguments;
 mod book;
@@ -14,6 +15,7 @@ mod preprocess;
 mod progress;
 mod record;
 mod summary;
+mod wheel;
 mod workspace;
 
 use arguments::{Arguments, Command};
@@ -47,6 +49,10 @@ fn run(arguments: Arguments) -> anyhow::Result<Outcome> {
             let (page, outcome) = coverage::page(&wanted)?;
             print(&page)?;
             Ok(outcome)
+        }
+        Some(Command::Wheel(wanted)) => {
+            print(&wheel::page(&wanted)?)?;
+            Ok(Outcome::AsRecorded)
         }
         Some(Command::Book(wanted)) => book::run(wanted),
         Some(Command::Completions { shell }) => {

@@ -14,10 +14,13 @@ pub mod pin_proofs;
 pub mod pin_slot;
 pub mod pin_triangle;
 pub mod pin_vectors;
+pub mod wheel;
+pub mod wheel_peak_proofs;
+pub mod wheel_proofs;
 
 pub use dashu_ratio::RBig as Rational;
 pub use proofs::degree::DegreeBound;
-pub use proofs::identity::{Identity, Proof, Refutation, prove};
+pub use proofs::identity::{Identity, IdentityWithRoot, Proof, Refutation, prove, prove_with_root};
 pub use scalars::field::{Field, rational};
 pub use scalars::jet::Jet;
 pub use scalars::surd::Surd;

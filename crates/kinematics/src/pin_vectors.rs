@@ -29,7 +29,7 @@ pub struct PinMotion<S> {
 pub fn solve<S: Field>(crank_radius: &S, centre_distance: &S, crank: &Turn<S>, driver: &S) -> Option<PinMotion<S>> {
     let moving = crank.moving::<2>(driver.clone()).direction() * Jet::constant(crank_radius.clone());
     let path = moving + Vector2::new(Jet::constant(centre_distance.clone()), Jet::constant(S::zero()));
-    let follower_speed = angular_velocity(&path)?;
+    let follower_speed = angular_velocity(&path)?.value();
     let position = path.map(|coordinate| coordinate.value());
     let pin_velocity = path.map(|coordinate| coordinate.rate());
     let slot_point_velocity = quarter_turn(&position) * follower_speed.clone();

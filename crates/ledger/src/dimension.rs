@@ -13,12 +13,16 @@ pub struct Dimension {
 }
 
 impl Dimension {
+    /// A pure number.
+    pub const NONE: Self = Self { length: 0, time: 0 };
     /// A length.
     pub const LENGTH: Self = Self { length: 1, time: 0 };
     /// A speed: length over time.
     pub const SPEED: Self = Self { length: 1, time: -1 };
     /// An angular speed: one over time.
     pub const ANGULAR_SPEED: Self = Self { length: 0, time: -1 };
+    /// An angular acceleration: one over the square of time.
+    pub const ANGULAR_ACCELERATION: Self = Self { length: 0, time: -2 };
 }
 
 impl Mul for Dimension {
@@ -37,7 +41,21 @@ impl Div for Dimension {
 
 impl fmt::Display for Dimension {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "L^{} T^{}", self.length, self.time)
+        let power = |name: &str, exponent: i32| match exponent.unsigned_abs() {
+            0 => None,
+            1 => Some(name.to_owned()),
+            n => Some(format!("{name}^{n}")),
+        };
+        let parts = [("length", self.length), ("time", self.time)];
+        let side = |above: bool| -> Vec<String> {
+            parts.iter().filter(|(_, e)| (*e > 0) == above).filter_map(|(name, e)| power(name, *e)).collect()
+        };
+        match (side(true).join(" "), side(false).join(" ")) {
+            (above, below) if above.is_empty() && below.is_empty() => f.write_str("a pure number"),
+            (above, below) if below.is_empty() => f.write_str(&above),
+            (above, below) if above.is_empty() => write!(f, "1/{below}"),
+            (above, below) => write!(f, "{above}/{below}"),
+        }
     }
 }
 
@@ -50,5 +68,11 @@ mod tests {
         assert_eq!(D::LENGTH * D::ANGULAR_SPEED, D::SPEED);
         assert_eq!(D::SPEED / D::LENGTH, D::ANGULAR_SPEED);
         assert_ne!(D::LENGTH * D::SPEED, D::SPEED);
+    }
+
+    #[test]
+    fn dimensions_are_written_as_they_are_said() {
+        let written = [D::NONE, D::SPEED, D::ANGULAR_ACCELERATION, D::LENGTH * D::SPEED].map(|d| d.to_string());
+        assert_eq!(written, ["a pure number", "length/time", "1/time^2", "length^2/time"]);
     }
 }

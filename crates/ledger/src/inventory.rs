@@ -25,6 +25,10 @@ pub enum Entry {
     Claim(&'static str),
     /// The number of the claim with this id is printed here once more.
     Again(&'static str),
+    /// The claim with this id is made here too, about numbers that another entry accounts for.
+    Reading(&'static str),
+    /// The number of an equation or figure, which names it or refers to it. Some claim's locator must bear it.
+    Label(&'static str),
     /// No claim: an id of its own, the numbers printed there, and why nothing is to be checked.
     ///
     /// It expires: as soon as a claim bears the id, the entry is no longer needed, and the coverage test says so.
@@ -50,6 +54,14 @@ pub struct Symbol {
 }
 
 impl Entry {
+    /// The id of the claim that is made here, if one is.
+    pub fn claimed(&self) -> Option<&'static str> {
+        match self {
+            Self::Claim(id) | Self::Reading(id) => Some(id),
+            Self::Again(_) | Self::Label(_) | Self::Exception { .. } => None,
+        }
+    }
+
     /// The numbers that the entry accounts for, in order.
     pub fn numbers(&self) -> Vec<String> {
         match self {
@@ -57,6 +69,8 @@ impl Entry {
                 numeric_tokens(claim.printed).into_iter().chain(numeric_tokens(claim.unit)).collect()
             }),
             Self::Again(id) => claim(id).map_or_else(Vec::new, |claim| numeric_tokens(claim.printed)),
+            Self::Reading(_) => Vec::new(),
+            Self::Label(number) => numeric_tokens(number),
             Self::Exception { numbers, .. } => numeric_tokens(numbers),
         }
     }

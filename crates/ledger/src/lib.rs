@@ -16,6 +16,7 @@ mod tolerance;
 mod verdict;
 mod work;
 
+pub mod jazar;
 pub mod pin;
 
 pub use claim::{Check, Claim, Erratum, Evidence, Finding, Kind, Route, Severity};

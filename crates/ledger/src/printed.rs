@@ -7,14 +7,17 @@ use geneva_kinematics::{Field, Rational, rational};
 use std::fmt;
 use std::str::FromStr;
 
-/// A decimal number as printed: its digits and how many of them stand behind the point.
+/// A number as printed: a decimal with its digits behind the point, or a fraction of whole numbers.
+///
+/// A sign `±` is read as plus: the claim is about the size.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Decimal {
-    digits: IBig,
-    places: u32,
+    exact: Rational,
+    /// Digits behind the point; a fraction has no last place and is exact.
+    places: Option<u32>,
 }
 
-/// Text that is not a printed decimal number.
+/// Text that is not a printed number.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unreadable(String);
 
@@ -22,7 +25,8 @@ impl fmt::Display for Unreadable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "`{}` is not a printed number: digits are expected, with an optional sign, thousands commas and one point",
+            "`{}` is not a printed number: digits are expected, with an optional sign, thousands commas and one point, or a \
+             fraction of two such whole numbers",
             self.0
         )
     }
@@ -49,21 +53,38 @@ impl FromStr for Decimal {
 
     fn from_str(text: &str) -> Result<Self, Unreadable> {
         let unreadable = || Unreadable(text.to_owned());
-        let unsigned = text.strip_prefix(['-', '−', '+']).unwrap_or(text);
-        let (whole, fraction) = unsigned.split_once('.').unwrap_or((unsigned, ""));
-        let grouped = whole.replace(',', "");
-        let point_without_digits = fraction.is_empty() && unsigned.contains('.');
-        if grouped.is_empty() || point_without_digits || !groups_of_three(whole) {
-            return Err(unreadable());
-        }
-        let all = format!("{grouped}{fraction}");
-        if !all.bytes().all(|b| b.is_ascii_digit()) {
-            return Err(unreadable());
-        }
-        let digits: IBig = all.parse().map_err(|_| unreadable())?;
+        let unsigned = text.strip_prefix(['-', '−', '+', '±']).unwrap_or(text);
+        let (size, places) = match unsigned.split_once('/') {
+            Some((above, below)) => {
+                let (above, below) = (digits(above).ok_or_else(unreadable)?, digits(below).ok_or_else(unreadable)?);
+                let ((above, 0), (below, 0)) = (above, below) else { return Err(unreadable()) };
+                let below = UBig::try_from(below).ok().filter(|below| *below != UBig::ZERO).ok_or_else(unreadable)?;
+                (Rational::from_parts(above, below), None)
+            }
+            None => {
+                let (all, places) = digits(unsigned).ok_or_else(unreadable)?;
+                (Rational::from_parts(all, power_of_ten(places)), Some(places))
+            }
+        };
         let negative = text.starts_with(['-', '−']);
-        Ok(Self { digits: if negative { -digits } else { digits }, places: fraction.len() as u32 })
+        Ok(Self { exact: if negative { -size } else { size }, places })
     }
+}
+
+/// All digits of a decimal without a sign as one whole number, and how many of them stand behind the point.
+fn digits(text: &str) -> Option<(IBig, u32)> {
+    let (whole, fraction) = text.split_once('.').unwrap_or((text, ""));
+    let grouped = whole.replace(',', "");
+    let point_without_digits = fraction.is_empty() && text.contains('.');
+    let all = format!("{grouped}{fraction}");
+    let well_formed = !grouped.is_empty()
+        && !point_without_digits
+        && groups_of_three(whole)
+        && all.bytes().all(|b| b.is_ascii_digit());
+    if !well_formed {
+        return None;
+    }
+    Some((all.parse().ok()?, fraction.len() as u32))
 }
 
 fn groups_of_three(whole: &str) -> bool {
@@ -74,24 +95,24 @@ fn groups_of_three(whole: &str) -> bool {
 }
 
 impl Decimal {
-    /// Digits behind the point.
+    /// Digits behind the point; none for a fraction.
     pub fn places(&self) -> u32 {
-        self.places
+        self.places.unwrap_or(0)
     }
 
     /// The number, exactly.
     pub fn exact(&self) -> Rational {
-        Rational::from_parts(self.digits.clone(), power_of_ten(self.places))
+        self.exact.clone()
     }
 
     /// The nearest `f64`.
     pub fn to_f64(&self) -> f64 {
-        self.exact().approximate()
+        self.exact.approximate()
     }
 
-    /// One unit of the last printed place.
+    /// One unit of the last printed place; zero for a fraction, which is exact.
     pub fn unit_in_last_place(&self) -> Rational {
-        Rational::from_parts(IBig::ONE, power_of_ten(self.places))
+        self.places.map_or(Rational::ZERO, |places| Rational::from_parts(IBig::ONE, power_of_ten(places)))
     }
 
     /// Whether `computed` rounds to the printed digits: it is within half a unit of the last printed place.
@@ -105,15 +126,19 @@ impl Decimal {
     pub fn is_truncation_of(&self, computed: f64) -> bool {
         let Ok(exact) = Rational::try_from(computed) else { return false };
         let (size, printed) = (exact.clone().abs(), self.exact().abs());
-        let same_side = exact.is_negative() == self.digits.is_negative() || self.digits.is_zero();
+        let same_side = exact.is_negative() == self.exact.is_negative() || self.exact.is_zero();
         let beyond = size - printed;
         same_side && beyond >= -slack(&exact) && beyond < self.unit_in_last_place()
     }
 
     /// Marks each character of `text`, as which this number was printed, against `computed`.
     pub fn marks(&self, text: &str, computed: f64) -> Marked {
-        let ours = format!("{computed:.*}", self.places as usize);
-        let plain: Vec<char> = text.chars().map(|c| if c == '−' { '-' } else { c }).filter(|c| *c != ',').collect();
+        let Some(places) = self.places else {
+            let mark = if self.is_rounding_of(computed) { Mark::Agree } else { Mark::Wrong };
+            return text.chars().map(|c| (c, if c.is_ascii_digit() { mark } else { Mark::Agree })).collect();
+        };
+        let ours = format!("{computed:.*}", places as usize);
+        let plain: Vec<char> = text.chars().map(|c| if c == '−' { '-' } else { c }).filter(|c| !skipped(*c)).collect();
         let ours: Vec<char> = ours.chars().collect();
         let differs = if self.is_rounding_of(computed) {
             None
@@ -126,7 +151,7 @@ impl Decimal {
         text.chars()
             .map(|c| {
                 let here = place;
-                place += usize::from(c != ',');
+                place += usize::from(!skipped(c));
                 let mark = match differs {
                     Some(first) if here == first && first + 1 == plain.len() => Mark::Last,
                     Some(first) if here >= first && c.is_ascii_digit() => Mark::Wrong,
@@ -136,6 +161,11 @@ impl Decimal {
             })
             .collect()
     }
+}
+
+/// What stands between digits, or before them, and is no place of the number.
+fn skipped(c: char) -> bool {
+    matches!(c, ',' | '±' | '+')
 }
 
 fn power_of_ten(exponent: u32) -> UBig {
@@ -160,7 +190,9 @@ mod tests {
         assert_eq!(decimal("0.050").places(), 3);
         assert_eq!(decimal("1,234").exact(), rational(1234, 1));
         assert_eq!(decimal("−0.25").exact(), rational(-1, 4));
-        for text in ["", ".", "1.2.3", "12,34", ",123", "1e3", "a", "--1", "1.", ".5"] {
+        assert_eq!(decimal("1/18").exact(), rational(1, 18));
+        assert_eq!(decimal("±1.5").exact(), rational(3, 2));
+        for text in ["1/0", "1/2.5", "/3", "1/2/3", "", ".", "1.2.3", "12,34", ",123", "1e3", "a", "--1", "1.", ".5"] {
             let read = text.parse::<Decimal>();
             assert!(read.is_err(), "{text}: {read:?}");
         }
@@ -172,6 +204,13 @@ mod tests {
         for (computed, rounds) in [(0.25, true), (0.3499, true), (0.2499, false), (0.3501, false), (f64::NAN, false)] {
             assert_eq!(printed.is_rounding_of(computed), rounds, "{computed}");
         }
+    }
+
+    #[test]
+    fn a_fraction_is_exact() {
+        assert!(decimal("1/3").is_rounding_of(1.0 / 3.0));
+        assert!(!decimal("1/3").is_rounding_of(0.3333333));
+        assert!(!decimal("1/3").is_truncation_of(0.34));
     }
 
     #[test]
@@ -200,5 +239,7 @@ mod tests {
         assert_eq!(marks("12.34", 12.21), "===##");
         assert_eq!(marks("1,234", 1334.0), "==###");
         assert_eq!(marks("9.9", 10.4), "#=#");
+        assert_eq!(marks("±1.3", 1.26), "====");
+        assert_eq!(marks("1/3", 0.5), "#=#");
     }
 }

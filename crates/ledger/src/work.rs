@@ -1,6 +1,6 @@
 //! The sources, as values that every claim must carry.
 
-use crate::{Claim, Line, Symbol, pin};
+use crate::{Claim, Line, Symbol, jazar, pin};
 use std::fmt;
 
 /// A source document.
@@ -8,16 +8,19 @@ use std::fmt;
 pub enum Work {
     /// A textbook problem: the velocity of a pin in a four-slot Geneva wheel.
     Pin,
+    /// A lecture handout of 2003: the N-station Geneva wheel.
+    Jazar2003,
 }
 
 impl Work {
     /// All sources, in the order of the book.
-    pub const ALL: &[Self] = &[Self::Pin];
+    pub const ALL: &[Self] = &[Self::Pin, Self::Jazar2003];
 
     /// Short name, as it starts the ids of its claims.
     pub fn slug(self) -> &'static str {
         match self {
             Self::Pin => "pin",
+            Self::Jazar2003 => "jazar",
         }
     }
 
@@ -28,6 +31,10 @@ impl Work {
                 "Sample problem of an engineering-dynamics textbook with its worked solution: angular velocity of a \
                  four-slot Geneva wheel and velocity of the pin in its slot. Copy without title, author or year."
             }
+            Self::Jazar2003 => {
+                "G. Nakhaie Jazar, lecture handout on the Geneva mechanism, ME341 Mechanics of Machinery, North Dakota \
+                 State University, Fargo, fall 2003. Equations (5.25) to (5.34), figures 5.28 to 5.31 (captions only)."
+            }
         }
     }
 
@@ -35,6 +42,7 @@ impl Work {
     pub fn claims(self) -> Vec<Claim> {
         match self {
             Self::Pin => pin::claims(),
+            Self::Jazar2003 => jazar::claims(),
         }
     }
 
@@ -42,6 +50,7 @@ impl Work {
     pub fn inventory(self) -> &'static [Line] {
         match self {
             Self::Pin => pin::INVENTORY,
+            Self::Jazar2003 => jazar::INVENTORY,
         }
     }
 
@@ -49,6 +58,7 @@ impl Work {
     pub fn symbols(self) -> &'static [Symbol] {
         match self {
             Self::Pin => pin::SYMBOLS,
+            Self::Jazar2003 => jazar::SYMBOLS,
         }
     }
 }

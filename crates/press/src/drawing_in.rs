@@ -4,7 +4,7 @@
 //! `{{#include}}`, are left alone.
 
 use crate::ledger_pages::{compare, coverage, errata, forms, inline, lists};
-use crate::{drawings, maths};
+use crate::{drawings, maths, wheels};
 use anyhow::{anyhow, bail};
 
 /// Every key, whether it needs an argument, and what it draws in.
@@ -25,6 +25,7 @@ pub const KEYS: &[(&str, bool, &str)] = &[
     ("tolerances", false, "the table of tolerances"),
     ("value", true, "a claim's computed number"),
     ("verdict", true, "a claim's verdict"),
+    ("wheels", true, "a table of wheels, from one number of stations to another"),
     ("verdicts", false, "the classes of verdict and how many claims have each"),
 ];
 
@@ -109,6 +110,7 @@ fn draw(key: &str, argument: Option<&str>, number: &str, figures: &[&str]) -> an
         "value" => inline::value(argument),
         "verdict" => inline::verdict(argument),
         "verdicts" => Ok(lists::verdicts()),
+        "wheels" => wheels::table(argument),
         _ => bail!("`{key}` is not drawn"),
     }
 }

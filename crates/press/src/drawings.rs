@@ -2,15 +2,30 @@
 
 use crate::html::escape;
 use anyhow::{Context, anyhow};
-use geneva_figures::Figure;
-use geneva_ledger::pin::Instant;
+use geneva_figures::{Figure, stations};
+use geneva_kinematics::wheel::Wheel;
+use geneva_ledger::{jazar, pin::Instant};
 
 /// The names of all figures, in the order of the book.
-pub const NAMES: &[&str] = &["pin-position", "pin-velocity", "pin-engagement"];
+pub const NAMES: &[&str] = &[
+    "pin-position",
+    "pin-velocity",
+    "pin-engagement",
+    "wheel-mechanism",
+    "wheel-model",
+    "wheel-critical",
+    "wheel-advance",
+    "wheel-motion",
+    "wheel-extremes",
+];
+
+/// Crank angle at which the model of a wheel is drawn: wide enough apart from the line of centres to see the angles.
+const MODEL_ANGLE: f64 = 0.5;
 
 /// The figure of this name, for the printed data of its source.
 pub fn by_name(name: &str) -> anyhow::Result<Figure> {
     let pin = || Instant::printed().context("the printed data make no mechanism");
+    let four = || jazar::four_stations().context("the source's wheel cannot be built");
     match name {
         "pin-position" => pin().map(|at| geneva_figures::pin::position_triangle(&at.mechanism, &at.crank)),
         "pin-velocity" => {
@@ -19,6 +34,15 @@ pub fn by_name(name: &str) -> anyhow::Result<Figure> {
         "pin-engagement" => {
             pin().map(|at| geneva_figures::pin::over_the_engagement(&at.mechanism, &at.crank, at.driver_speed, "mm"))
         }
+        "wheel-mechanism" => four().map(|wheel| stations::mechanism(&wheel)),
+        "wheel-model" => Ok(stations::model(&four()?, -MODEL_ANGLE)?),
+        "wheel-critical" => {
+            let wheel: Wheel = jazar::example().context("the example's wheel cannot be built")?;
+            Ok(stations::critical_geometry(&wheel))
+        }
+        "wheel-advance" => four().map(|wheel| stations::advance(&wheel)),
+        "wheel-motion" => four().map(|wheel| stations::motion(&wheel)),
+        "wheel-extremes" => Ok(stations::extremes(3..=18)),
         _ => Err(anyhow!("no figure `{name}`; there are: {}", NAMES.join(", "))),
     }
 }

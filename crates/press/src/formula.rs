@@ -1,125 +1,77 @@
-//! One formula, from TeX to markup, while the book is built.
+//! One formula, from TeX to MathML, while the book is built.
 //!
-//! A reader's browser receives KaTeX's HTML for the eye and MathML for the screen reader, and runs no script
-//! for them. The same TeX gives the same bytes on every run.
+//! A reader's browser sets MathML itself: no script, and no markup besides. The same TeX gives the same bytes
+//! on every run.
 
-use std::collections::BTreeSet;
+use std::sync::LazyLock;
 
 use anyhow::{Context, anyhow, ensure};
-use katex::types::{StrictMode, StrictSetting};
-use katex::{KatexContext, Settings};
+use math_core::{LatexError, LatexToMathML, MathCoreConfig, MathDisplay};
 
 /// The markup of one formula, on one line; it may stand in HTML and in Markdown alike, table cells included.
 ///
-/// A displayed formula comes in a `<span class="display">` that scrolls when it is wider than the page.
-/// What KaTeX accepts but LaTeX would not is an error, not a warning.
+/// A displayed formula comes in a `<span class="display">` that scrolls when it is wider than the page. What
+/// the book's font has no sign for is an error, and so is an equation that would be numbered without a `\tag`.
 pub fn formula(tex: &str, display: bool) -> anyhow::Result<String> {
-    thread_local!(static CONTEXT: KatexContext = KatexContext::default());
-    check_roots(tex)?;
-    let settings = Settings::builder().display_mode(display).strict(StrictSetting::Mode(StrictMode::Error)).build();
-    let markup = CONTEXT
-        .with(|context| katex::render_to_string(context, tex.trim(), &settings))
-        .map_err(|error| anyhow!("{error}"))
-        .with_context(|| format!("the formula `{}`", tex.trim()))?;
-    check_theme(&markup).with_context(|| format!("the formula `{}`", tex.trim()))?;
-    let markup = tidy(&shorter(&markup));
+    let tex = tex.trim();
+    let markup = markup(tex, display).with_context(|| format!("the formula `{tex}`"))?;
     Ok(if display { format!("<span class=\"display\">{markup}</span>") } else { markup })
 }
 
-/// An error for a root of something without braces, `\sqrt 2`, which katex-rs draws through its own root sign.
-fn check_roots(tex: &str) -> anyhow::Result<()> {
-    for behind in tex.split("\\sqrt").skip(1) {
-        let braced = behind.trim_start().starts_with(['{', '[']);
-        ensure!(braced, "the formula `{}`: what stands under a root needs braces, \\sqrt{{…}}", tex.trim());
+fn markup(tex: &str, display: bool) -> anyhow::Result<String> {
+    static CONVERTER: LazyLock<LatexToMathML> =
+        LazyLock::new(|| LatexToMathML::new(MathCoreConfig::default()).expect("no macros of our own"));
+    let style = if display { MathDisplay::Block } else { MathDisplay::Inline };
+    // The second formula is there to be counted: its number is 1 unless the first has taken that.
+    let both = [(tex, style), (r"\begin{equation}x\end{equation}", MathDisplay::Block)];
+    let mut converted = CONVERTER.convert_all(&both).into_iter();
+    let (Some(first), Some(counted)) = (converted.next(), converted.next()) else { unreachable!("two formulas") };
+    let math = first.map_err(|error| explained(&error, tex))?.mathml;
+    let numbered = !counted.is_ok_and(|equation| equation.mathml.contains("(1)"));
+    ensure!(!numbered, "an equation without a \\tag{{…}} or \\notag would get a number of its own");
+    shield(&math)
+}
+
+/// What is wrong, and where.
+fn explained(error: &LatexError, tex: &str) -> anyhow::Error {
+    let message = error.to_string();
+    let message = message.trim_end_matches('.');
+    match tex.get(error.0.start..).filter(|rest| !rest.is_empty() && error.0.start > 0) {
+        Some(rest) => anyhow!("{message}, at `{rest}`"),
+        None => anyhow!("{message}"),
     }
-    Ok(())
 }
 
-/// The classes of KaTeX whose letters the book's theme does not carry (`book/theme/katex.css`).
-const ABSENT: [&str; 12] = [
-    "mathfrak",
-    "textfrak",
-    "mathboldfrak",
-    "mathscr",
-    "textscr",
-    "mathcal",
-    "mathtt",
-    "texttt",
-    "mathsf",
-    "textsf",
-    "mathboldsf",
-    "boldsymbol",
-];
-
-/// An error for what the theme has no letters or no size for; otherwise it would look wrong and say nothing.
-fn check_theme(markup: &str) -> anyhow::Result<()> {
-    for classes in markup.split("class=\"").skip(1).filter_map(|rest| rest.split('"').next()) {
-        for class in classes.split(' ') {
-            ensure!(!ABSENT.contains(&class), "the theme has no letters for `{class}`");
-            let size = class.strip_prefix("reset-size").or_else(|| class.strip_prefix("size"));
-            let named = size.is_some_and(|size| !["1", "3", "6"].contains(&size));
-            ensure!(!named || classes.contains("delimsizing"), "the theme has no size commands such as \\large");
-        }
-    }
-    Ok(())
-}
-
-/// Drops from the MathML what HTML does not need: the name space, and the copy of the TeX source that no
-/// reader sees or hears.
-fn shorter(markup: &str) -> String {
-    let markup = match (markup.find("<annotation"), markup.find("</annotation>")) {
-        (Some(start), Some(end)) => format!("{}{}", &markup[..start], &markup[end + "</annotation>".len()..]),
-        _ => markup.to_owned(),
-    };
-    markup
-        .replace(" xmlns=\"http://www.w3.org/1998/Math/MathML\"", "")
-        .replace("<semantics>", "")
-        .replace("</semantics>", "")
-}
-
-/// Attributes in alphabetical order, since katex-rs writes some of them in an order that changes from run
-/// to run; and in the text between tags, whatever Markdown or mdBook would take for its own as an entity.
-fn tidy(markup: &str) -> String {
+/// The text between the tags, with whatever Markdown or mdBook would take for its own as an entity; an error
+/// for a sign that the book's font does not have.
+fn shield(markup: &str) -> anyhow::Result<String> {
     let mut out = String::with_capacity(markup.len());
-    let mut rest = markup;
-    while let Some(start) = rest.find('<') {
-        shield(&rest[..start], &mut out);
-        let end = rest[start..].find('>').map_or(rest.len(), |length| start + length + 1);
-        sort_attributes(&rest[start..end], &mut out);
-        rest = &rest[end..];
-    }
-    shield(rest, &mut out);
-    out
-}
-
-fn shield(text: &str, out: &mut String) {
-    for c in text.chars() {
+    let mut in_tag = false;
+    for c in markup.chars() {
         match c {
-            '\n' => out.push(' '),
+            '<' => in_tag = true,
+            '>' => in_tag = false,
+            _ if in_tag => {}
+            '\n' => {
+                out.push(' ');
+                continue;
+            }
             '\\' | '`' | '*' | '_' | '[' | ']' | '~' | '|' | '\'' | '"' | '-' | '.' | '^' | '$' | '{' => {
                 out.push_str(&format!("&#{};", u32::from(c)));
+                continue;
             }
-            _ => out.push(c),
+            _ => ensure!(has_sign(c), "the book's mathematical font has no `{c}` (U+{:04X})", u32::from(c)),
         }
+        out.push(c);
     }
+    Ok(out)
 }
 
-fn sort_attributes(tag: &str, out: &mut String) {
-    let closing = if tag.ends_with("/>") { "/>" } else { ">" };
-    let inside = tag.trim_end_matches(closing);
-    let Some((name, attributes)) = inside.split_once(' ') else { return out.push_str(tag) };
-    // `a="1" b="2"`: every second quotation mark ends an attribute.
-    let mut sorted = BTreeSet::new();
-    let mut quoted = attributes.split_inclusive('"');
-    while let (Some(key), Some(value)) = (quoted.next(), quoted.next()) {
-        sorted.insert(format!("{}{}", key.trim_start(), value.replace('\n', " ").replace('|', "&#124;")));
-    }
-    out.push_str(name);
-    for attribute in sorted {
-        out.push(' ');
-        out.push_str(&attribute);
-    }
-    out.push_str(closing);
+fn has_sign(c: char) -> bool {
+    const CHARACTERS: &str = include_str!("../../../book/theme/maths/characters.txt");
+    // Operators that are not drawn: an empty delimiter, the application of a function.
+    const INVISIBLE: std::ops::RangeInclusive<char> = '\u{2061}'..='\u{2064}';
+    CHARACTERS.contains(c) || INVISIBLE.contains(&c)
 }
 
 #[cfg(test)]
@@ -127,32 +79,47 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_latex_would_refuse_is_refused() {
-        assert!(formula("é", false).is_err());
-        assert!(formula("45°", false).is_ok());
+    fn mathml_and_nothing_else() {
+        assert_eq!(formula("a_1", false).unwrap(), "<math><msub><mi>a</mi><mn>1</mn></msub></math>");
+        let display = formula(" a ", true).unwrap();
+        assert_eq!(display, "<span class=\"display\"><math display=\"block\"><mi>a</mi></math></span>");
     }
 
     #[test]
-    fn a_root_needs_braces() {
-        let error = formula("\\sqrt 2", false).unwrap_err().to_string();
-        assert!(error.contains("needs braces"), "{error}");
-        assert!(formula("\\sqrt{2} + \\sqrt[3]{x}", false).is_ok());
-    }
-
-    #[test]
-    fn what_the_theme_cannot_show_is_refused() {
-        for tex in ["\\mathcal{L}", "\\mathsf{x}", "{\\large x}", "\\boldsymbol{\\omega}"] {
-            assert!(formula(tex, false).is_err(), "{tex}");
+    fn what_the_font_cannot_show_is_refused() {
+        for tex in ["é", "\\text{é}", "\\mathcal{L}", "\\mathsf{x}"] {
+            let error = format!("{:#}", formula(tex, false).unwrap_err());
+            assert!(error.contains("font has no"), "{error}");
         }
         for tex in [
+            "45°",
             "\\mathbf{x}^{y^z}",
+            "\\boldsymbol{\\omega} \\times \\vec{r}",
             "\\Bigl(x\\Bigr)",
-            "\\left(\\frac{\\frac ab}{\\frac cd}\\right)",
-            "\\sum_{i=1}^n",
-            "\\text{if } \\mathrm{d}x",
+            "\\left.\\frac{\\frac ab}{\\frac cd}\\right|_0",
+            "\\sum_{i=1}^n \\dddot{x} \\widehat{ABC}",
+            "\\text{if } \\mathrm{d}x \\iff 1",
         ] {
             assert!(formula(tex, true).is_ok(), "{tex}");
         }
+    }
+
+    #[test]
+    fn roots_are_right_without_braces() {
+        assert_eq!(formula("\\sqrt 2x", false).unwrap(), formula("\\sqrt{2}x", false).unwrap());
+    }
+
+    #[test]
+    fn an_error_says_where() {
+        let error = format!("{:#}", formula("a + \\nosuch + b", false).unwrap_err());
+        assert_eq!(error, "the formula `a + \\nosuch + b`: Unknown command \"\\nosuch\", at `\\nosuch + b`");
+    }
+
+    #[test]
+    fn an_equation_has_the_number_that_its_author_gives() {
+        assert!(formula("\\begin{align} a &= b \\tag{3.1} \\\\ &= c \\notag \\end{align}", true).is_ok());
+        let error = format!("{:#}", formula("\\begin{align} a &= b \\end{align}", true).unwrap_err());
+        assert!(error.contains("a number of its own"), "{error}");
     }
 
     #[test]

@@ -30,6 +30,8 @@ pub fn tex_or_text(text: &str) -> anyhow::Result<String> {
 pub enum Cells {
     /// Numbers: to the right, on one line.
     Numbers,
+    /// The same, with words at the head of each row.
+    NamedNumbers,
     /// Words: to the left, broken where need be.
     Words,
 }
@@ -40,6 +42,7 @@ pub enum Cells {
 pub fn table(name: &str, cells: Cells, head: &[&str], rows: &[Vec<String>]) -> String {
     let class = match cells {
         Cells::Numbers => "compare",
+        Cells::NamedNumbers => "compare named",
         Cells::Words => "listing",
     };
     let name = escape(name);

@@ -2,9 +2,10 @@
 
 use super::{over_the_engagement, position_triangle, velocity_triangle};
 use crate::Figure;
+use crate::checks::{named, number, only_numbers, start, well_formed};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::PinSlot;
-use roxmltree::{Document, Node};
+use roxmltree::Document;
 use std::f64::consts::{PI, SQRT_2};
 
 const RADIUS: f64 = 3.0;
@@ -41,57 +42,14 @@ fn every_figure() -> Vec<Figure> {
     figures
 }
 
-fn named<'a>(document: &'a Document<'a>, class: &str) -> Vec<Node<'a, 'a>> {
-    document.descendants().filter(|node| node.attribute("class") == Some(class)).collect()
-}
-
-fn number(node: &Node<'_, '_>, attribute: &str) -> f64 {
-    node.attribute(attribute).expect("there").parse().expect("a number")
-}
-
-/// The first point of a path: "M12.3 45.6 …".
-fn start(node: &Node<'_, '_>) -> [f64; 2] {
-    let data = node.attribute("d").expect("a path").trim_start_matches('M');
-    let mut values = data.split(' ').map(|value| value.parse().expect("a number"));
-    [values.next().expect("x"), values.next().expect("y")]
-}
-
 #[test]
 fn every_figure_is_well_formed_labelled_and_fit_for_markdown() {
-    for figure in every_figure() {
-        let document = Document::parse(&figure.svg).expect("well-formed");
-        let root = document.root_element();
-        let (title, description) = (format!("{}-title", figure.id), format!("{}-desc", figure.id));
-        assert_eq!(root.attribute("aria-labelledby"), Some(format!("{title} {description}").as_str()));
-        assert_eq!(root.attribute("role"), Some("img"));
-        for (id, text) in [(title, &figure.title), (description, &figure.description)] {
-            let node = document.descendants().find(|node| node.attribute("id") == Some(&id)).expect("named");
-            assert_eq!(node.text(), Some(text.as_str()));
-        }
-        assert!(figure.svg.lines().all(|line| line.starts_with('<') && line.ends_with('>')), "{}", figure.id);
-        for node in document.descendants().filter(Node::is_element) {
-            let name = node.tag_name().name();
-            assert!(name.bytes().all(|b| b.is_ascii_lowercase()) && name != "script", "{name}");
-            for attribute in ["fill", "stroke"] {
-                let colour = node.attribute(attribute).unwrap_or("none");
-                let known = colour == "none" || colour == "currentColor" || colour.starts_with("var(--fig-");
-                assert!(known, "{}: {attribute} {colour}", figure.id);
-            }
-        }
-        assert!(!figure.svg.contains("href"));
-    }
+    every_figure().iter().for_each(well_formed);
 }
 
 #[test]
 fn no_figure_shows_a_negative_zero_or_what_is_no_number() {
-    for figure in every_figure() {
-        let text = figure.svg.clone() + &figure.series.to_text();
-        for word in text.split(|c: char| c.is_whitespace() || "\"<>,()".contains(c)) {
-            let value = word.trim_start_matches(['M', 'L', 'A']);
-            let zero = value.strip_prefix(['-', '−']).is_some_and(|w| w.parse::<f64>() == Ok(0.0));
-            assert!(!zero && !["NaN", "inf", "-inf"].contains(&word), "{}: {word}", figure.id);
-        }
-    }
+    every_figure().iter().for_each(only_numbers);
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::instant::Instant;
 use crate::figure::{Figure, Words};
 use crate::number::{degrees, round_step, significant, trimmed, with_minus_sign, without_noise};
-use crate::plot::{Axis, Curve, Plot, Side};
+use crate::plot::{Axis, Curve, Plot, Scale, Side};
 use crate::series::Series;
 use crate::svg::canvas::{Canvas, Kind};
 use crate::svg::label::Label;
@@ -47,7 +47,7 @@ pub fn over_the_engagement(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed:
     let lowest = Instant::new(mechanism, &Turn::from_radians(PI), 1.0).speed_ratio;
     let lowest = with_minus_sign(&significant(lowest, 4));
     let words = Words {
-        id: "pin-engagement",
+        id: "pin-engagement".to_owned(),
         title: "Speeds of the follower and along the slot over the engagement".to_owned(),
         description: format!(
             "Two curves over the crank angle from {entry} to {exit}. The follower's angular velocity over the driver's \
@@ -82,6 +82,7 @@ fn plot(rows: &[[f64; 4]], half_degrees: f64) -> Plot {
         range: 180.0 - half_degrees..180.0 + half_degrees,
         marks: (-count..=count).map(|k| 180.0 + each * f64::from(k)).collect(),
         decimals: 0,
+        scale: Scale::Even,
     };
     let curve = |column: usize, side, shade, dashes| Curve {
         points: rows.iter().map(|row| (row[0], row[column])).collect(),
@@ -100,7 +101,12 @@ fn symmetric_axis(rows: &[[f64; 4]], column: usize) -> Axis {
     let end = step * f64::from(STEPS);
     let digits = trimmed(step, 6);
     let decimals = digits.split_once('.').map_or(0, |(_, after)| after.len());
-    Axis { range: -end..end, marks: (-STEPS..=STEPS).map(|k| step * f64::from(k)).collect(), decimals }
+    Axis {
+        range: -end..end,
+        marks: (-STEPS..=STEPS).map(|k| step * f64::from(k)).collect(),
+        decimals,
+        scale: Scale::Even,
+    }
 }
 
 /// The symbols of the two curves.

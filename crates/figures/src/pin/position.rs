@@ -4,6 +4,7 @@ use super::instant::Instant;
 use crate::figure::{Figure, Words};
 use crate::number::{degrees, significant, without_noise};
 use crate::series::Series;
+use crate::star::{SLOT_HALF_WIDTH, Star, rim_radius};
 use crate::svg::canvas::{Canvas, Kind};
 use crate::svg::label::Label;
 use crate::svg::marks::{arc, arc_arrow, dimension, fixed_pivot};
@@ -11,7 +12,6 @@ use crate::svg::path::Sense;
 use crate::svg::shape::{DASHED, Shape};
 use crate::svg::view::{Pixels, View, heading};
 use crate::theme::{DRIVER, FILL, FOLLOWER, INK, PAPER};
-use crate::wheel::{SLOT_HALF_WIDTH, outline, rim_radius};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::PinSlot;
 use nalgebra::Vector2;
@@ -79,7 +79,7 @@ pub fn position_triangle(mechanism: &PinSlot, crank: &Turn<f64>) -> Figure {
     let (phi, beta) = (degrees(instant.crank_angle), degrees(instant.slot_angle));
     let (l, r) = (significant(ratio, 4), significant(instant.radius_ratio, 4));
     let words = Words {
-        id: "pin-position",
+        id: "pin-position".to_owned(),
         title: format!("The triangle of the two axes and the pin at a crank angle of {phi}"),
         description: format!(
             "The follower's pivot O on the left, the driver's axis B on the right at a distance of {l} crank radii, and \
@@ -93,7 +93,7 @@ pub fn position_triangle(mechanism: &PinSlot, crank: &Turn<f64>) -> Figure {
 
 /// The follower with its slots and the pin's circle, in the background.
 fn bodies(canvas: &mut Canvas, at: &Layout, mechanism: &PinSlot, instant: &Instant) {
-    let follower = Shape::path(outline(mechanism, instant.slot_angle, &at.view)).fill(FILL);
+    let follower = Shape::path(Star::of_pin_slot(mechanism).outline(instant.slot_angle, &at.view)).fill(FILL);
     canvas.draw(follower.stroke(FOLLOWER, 1.5).with("stroke-opacity", "0.6").class("follower"));
     canvas.draw(Shape::circle(&at.axis, at.crank).stroke(DRIVER, 1.3).dashed("2 4").class("pin-circle"));
     let end = at.axis + Vector2::new(at.crank + 14.0, 0.0);

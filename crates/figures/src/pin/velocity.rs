@@ -89,7 +89,7 @@ pub fn velocity_triangle(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed: f
     let (phi, gamma) = (degrees(instant.crank_angle), degrees(instant.velocity_angle()));
     let [pin, across, along] = speeds.map(|speed| format!("{} {speed_unit}", significant(speed, 4)));
     let words = Words {
-        id: "pin-velocity",
+        id: "pin-velocity".to_owned(),
         title: format!("Velocity triangle of the pin at a crank angle of {phi}"),
         description: format!(
             "A right-angled triangle of arrows, to scale. The pin's velocity, {pin}, is the hypotenuse; it is the sum \

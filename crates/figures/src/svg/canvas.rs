@@ -41,6 +41,13 @@ impl Canvas {
         self.shapes.push(markup);
     }
 
+    /// Draws a group with these attributes over the earlier shapes; labels within it stay on top of all shapes.
+    pub fn group(&mut self, attributes: &str, draw: impl FnOnce(&mut Self)) {
+        self.shapes.push(format!("<g {attributes}>"));
+        draw(self);
+        self.shapes.push("</g>".to_owned());
+    }
+
     /// Writes a label over all shapes, so far from `point` in the direction of `towards`.
     pub fn label(&mut self, point: &Pixels, towards: &Pixels, distance: f64, label: &Label) {
         self.labels.push(label.beside(point, towards, distance));

@@ -26,6 +26,7 @@ pub struct Label {
     runs: Vec<(Style, String)>,
     shade: Shade,
     halo: Shade,
+    haloed: bool,
 }
 
 impl Label {
@@ -36,7 +37,7 @@ impl Label {
 
     /// A label that begins with upright text.
     pub fn words(text: &str) -> Self {
-        Self { runs: Vec::new(), shade: INK, halo: PAPER }.and(text)
+        Self { runs: Vec::new(), shade: INK, halo: PAPER, haloed: true }.and(text)
     }
 
     /// Adds upright text; hyphens become minus signs.
@@ -71,6 +72,12 @@ impl Label {
         self
     }
 
+    /// Leaves out the halo, for a label on a plain face.
+    pub fn bare(mut self) -> Self {
+        self.haloed = false;
+        self
+    }
+
     /// The label's markup, so far from `point` in the direction of `towards` (an offset of any length).
     ///
     /// Sideways the label begins or ends there; above and below it is centred.
@@ -101,13 +108,16 @@ impl Label {
             };
             spans += &format!("<tspan{shift}{look}>{}</tspan>", escape(text));
         }
+        let halo = if self.haloed {
+            format!(" stroke=\"{}\" stroke-width=\"5\" stroke-linejoin=\"round\" paint-order=\"stroke\"", self.halo.css)
+        } else {
+            String::new()
+        };
         format!(
-            "<text x=\"{}\" y=\"{}\" text-anchor=\"{anchor}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"5\" \
-             stroke-linejoin=\"round\" paint-order=\"stroke\">{spans}</text>",
+            "<text x=\"{}\" y=\"{}\" text-anchor=\"{anchor}\" fill=\"{}\"{halo}>{spans}</text>",
             trimmed(x, 2),
             trimmed(base, 2),
             self.shade.css,
-            self.halo.css,
         )
     }
 }

@@ -28,18 +28,26 @@ impl Sense {
 }
 
 /// The `d` attribute of a path, written as it goes.
-#[derive(Clone, Debug, Default)]
-pub struct Path(String);
+#[derive(Clone, Debug)]
+pub struct Path {
+    data: String,
+    decimals: usize,
+}
 
 impl Path {
     /// Begins at a point.
     pub fn start(at: &Pixels) -> Self {
-        Self(format!("M{}", pair(at)))
+        Self::start_rounded(at, 2)
+    }
+
+    /// Begins at a point; all coordinates are written to so many decimals.
+    pub fn start_rounded(at: &Pixels, decimals: usize) -> Self {
+        Self { data: format!("M{}", pair(at, decimals)), decimals }
     }
 
     /// Goes straight on to a point.
     pub fn line_to(mut self, to: &Pixels) -> Self {
-        self.0 += &format!(" L{}", pair(to));
+        self.data += &format!(" L{}", pair(to, self.decimals));
         self
     }
 
@@ -50,23 +58,23 @@ impl Path {
 
     /// Goes to a point along a circle of this radius, by more than half of it if `large`.
     pub fn arc(mut self, radius: f64, large: bool, sense: Sense, to: &Pixels) -> Self {
-        let (r, sweep) = (trimmed(radius, 2), u8::from(sense == Sense::Clockwise));
-        self.0 += &format!(" A{r} {r} 0 {} {sweep} {}", u8::from(large), pair(to));
+        let (r, sweep) = (trimmed(radius, self.decimals), u8::from(sense == Sense::Clockwise));
+        self.data += &format!(" A{r} {r} 0 {} {sweep} {}", u8::from(large), pair(to, self.decimals));
         self
     }
 
     /// Returns to the start.
     pub fn close(mut self) -> Self {
-        self.0 += " Z";
+        self.data += " Z";
         self
     }
 
     /// The finished data.
     pub fn data(self) -> String {
-        self.0
+        self.data
     }
 }
 
-fn pair(point: &Pixels) -> String {
-    format!("{} {}", trimmed(point.x, 2), trimmed(point.y, 2))
+fn pair(point: &Pixels, decimals: usize) -> String {
+    format!("{} {}", trimmed(point.x, decimals), trimmed(point.y, decimals))
 }

@@ -2,7 +2,9 @@
 
 use super::degree::DegreeBound;
 use crate::scalars::field::Field;
+use crate::scalars::surd::Surd;
 use dashu_ratio::{RBig, Relaxed};
+use num_traits::One;
 use std::array::from_fn;
 use std::fmt;
 
@@ -54,7 +56,34 @@ impl std::error::Error for Refutation {}
 /// by zero stops the proof with a panic, as any division by zero of a rational does).
 pub fn prove<const V: usize>(identity: &impl Identity<V>) -> Result<Proof, Refutation> {
     let bound = identity.difference(&from_fn(DegreeBound::<V>::variable));
-    let sides: [usize; V] = bound.numerator.map(|degree| degree as usize + 1);
+    on_a_grid(&bound, |at| identity.difference(at).canonicalize())
+}
+
+/// A statement "this expression is zero for all values of its variables" with a square root in it.
+pub trait IdentityWithRoot<const V: usize> {
+    /// Left side minus right side, over any field that has the root.
+    fn difference<S: Field>(&self, root: &S, variables: &[S; V]) -> S;
+}
+
+/// Proves or refutes an identity in which √D stands, as [`prove`] does, with the root kept exact.
+///
+/// A refutation tells the part of the difference without the root, or what stands before the root if that is zero.
+pub fn prove_with_root<const D: u32, const V: usize>(identity: &impl IdentityWithRoot<V>) -> Result<Proof, Refutation> {
+    let bound = identity.difference(&DegreeBound::one(), &from_fn(DegreeBound::<V>::variable));
+    on_a_grid(&bound, |at| {
+        let at = at.clone().map(Surd::<Relaxed, D>::from_plain);
+        let difference = identity.difference(&Surd::root(), &at);
+        let plain = difference.plain.canonicalize();
+        if plain.is_zero() { difference.rooted.canonicalize() } else { plain }
+    })
+}
+
+/// Looks for a point of the grid at which `difference` is not zero; there are none if the bound is a bound.
+fn on_a_grid<const V: usize>(
+    bound: &DegreeBound<V>,
+    difference: impl Fn(&[Relaxed; V]) -> RBig,
+) -> Result<Proof, Refutation> {
+    let sides: [usize; V] = bound.numerator().map(|degree| degree as usize + 1);
     let points: usize = sides.iter().product();
     for index in 0..points {
         let mut rest = index;
@@ -63,13 +92,12 @@ pub fn prove<const V: usize>(identity: &impl Identity<V>) -> Result<Proof, Refut
             rest /= sides[v];
             abscissa(k)
         });
-        let difference = identity.difference(&at);
+        let difference = difference(&at);
         if !difference.is_zero() {
-            let at = at.map(Relaxed::canonicalize).to_vec();
-            return Err(Refutation { at, difference: difference.canonicalize() });
+            return Err(Refutation { at: at.map(Relaxed::canonicalize).to_vec(), difference });
         }
     }
-    Ok(Proof { degrees: bound.numerator.to_vec(), points })
+    Ok(Proof { degrees: bound.numerator().to_vec(), points })
 }
 
 /// The k-th value: 2, 3, 4 … Whole numbers keep the fractions short; zero and one are where formulas have their poles.

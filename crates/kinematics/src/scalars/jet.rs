@@ -43,6 +43,17 @@ impl<S: Field, const N: usize> Jet<S, N> {
         Some((1..=order as i64).fold(coefficient.clone(), |product, k| product * S::integer(k)))
     }
 
+    /// The coefficient of a power; zero beyond those carried.
+    pub fn coefficient(&self, power: usize) -> S {
+        self.0.get(power).cloned().unwrap_or_else(S::zero)
+    }
+
+    /// The series of the derivative. Its highest coefficient would need one order more than is carried: zero stands
+    /// there, and means nothing.
+    pub fn differentiated(&self) -> Self {
+        Self(from_fn(|k| self.coefficient(k + 1) * S::integer(k as i64 + 1)))
+    }
+
     /// The first derivative; zero for a jet that carries none (`N` = 1).
     pub fn rate(&self) -> S {
         self.derivative(1).unwrap_or_else(S::zero)

@@ -51,14 +51,24 @@ impl<S: Field> Turn<S> {
     }
 
     /// The angle moving at `rate` (radians per unit of the jet's variable), as a power series from this instant on.
-    ///
-    /// From cos' = −rate sin and sin' = rate cos, coefficient by coefficient.
     pub fn moving<const N: usize>(&self, rate: S) -> Turn<Jet<S, N>> {
+        self.moving_by(&Jet::from_coefficients(from_fn(|k| if k == 1 { rate.clone() } else { S::zero() })))
+    }
+
+    /// The angle moving by `advance`, a power series in radians whose constant part counts for nothing.
+    ///
+    /// From cos' = −advance' sin and sin' = advance' cos, coefficient by coefficient.
+    pub fn moving_by<const N: usize>(&self, advance: &Jet<S, N>) -> Turn<Jet<S, N>> {
+        let rate = advance.differentiated();
         let mut pairs = vec![(self.cos.clone(), self.sin.clone())];
         for k in 1..N {
-            let (c, s) = pairs[k - 1].clone();
-            let step = rate.clone() / S::integer(k as i64);
-            pairs.push((-(step.clone() * s), step * c));
+            let (mut cos, mut sin) = (S::zero(), S::zero());
+            for (at, (c, s)) in pairs.iter().enumerate() {
+                cos -= rate.coefficient(k - 1 - at) * s.clone();
+                sin += rate.coefficient(k - 1 - at) * c.clone();
+            }
+            let order = S::integer(k as i64);
+            pairs.push((cos / order.clone(), sin / order));
         }
         Turn {
             cos: Jet::from_coefficients(from_fn(|k| pairs[k].0.clone())),
@@ -89,17 +99,18 @@ impl Turn<f64> {
     }
 }
 
-/// Angular velocity of the direction of `position`, in radians per unit of the jet's variable.
+/// Angular velocity of the direction of `position`, in radians per unit of the jet's variable, as a series.
 ///
 /// `None` where the position is the origin and has no direction. It is the derivative of the polar angle,
-/// (x y' − y x') / (x² + y²): rational, so no inverse tangent is differentiated.
-pub fn angular_velocity<S: Field, const N: usize>(position: &Vector2<Jet<S, N>>) -> Option<S> {
-    let (x, y) = (&position.x, &position.y);
-    let square = x.value() * x.value() + y.value() * y.value();
-    if square.is_zero() {
+/// (x y' − y x') / (x² + y²): rational, so no inverse tangent is differentiated. The series has one order less than
+/// the position: its highest coefficient means nothing.
+pub fn angular_velocity<S: Field, const N: usize>(position: &Vector2<Jet<S, N>>) -> Option<Jet<S, N>> {
+    let (x, y) = (position.x.clone(), position.y.clone());
+    let square = x.clone() * x.clone() + y.clone() * y.clone();
+    if square.value().is_zero() {
         return None;
     }
-    Some((x.value() * y.rate() - y.value() * x.rate()) / square)
+    Some((x.clone() * y.differentiated() - y * x.differentiated()) / square)
 }
 
 #[cfg(test)]
@@ -127,9 +138,21 @@ mod tests {
     #[test]
     fn a_direction_turns_at_its_own_rate_and_the_origin_has_none() {
         let position = Turn::from_half_tangent(&rational(1, 3)).moving::<2>(rational(5, 2)).direction();
-        assert_eq!(angular_velocity(&position), Some(rational(5, 2)));
+        let turning = angular_velocity(&position).expect("off the origin");
+        assert_eq!(turning.value(), rational(5, 2));
         let origin = Vector2::<Jet<Rational, 2>>::zeros();
         assert_eq!(angular_velocity(&origin), None);
+    }
+
+    #[test]
+    fn a_steady_motion_is_the_special_case_of_any() {
+        let start = Turn::<Rational>::from_half_tangent(&rational(1, 7));
+        let advance = Jet::from_coefficients([rational(9, 1), rational(2, 1), rational(3, 2), rational(0, 1)]);
+        let moving = start.moving_by(&advance);
+        // cos'' = −advance'' sin − advance'² cos.
+        let second = -(rational(3, 1) * start.sin.clone()) - rational(4, 1) * start.cos.clone();
+        assert_eq!(moving.cos.derivative(2), Some(second));
+        assert_eq!(start.moving::<3>(rational(2, 1)).sin.rate(), rational(2, 1) * start.cos);
     }
 
     #[test]

@@ -13,10 +13,11 @@ pub use inventory::INVENTORY;
 pub use symbols::SYMBOLS;
 
 use crate::{Claim, Evidence, Finding, printed_value};
+use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::PinSlot;
 use geneva_kinematics::pin_triangle::{self, TriangleSolution};
 use geneva_kinematics::pin_vectors::{self, PinMotion};
-use geneva_kinematics::{Turn, pin_slot::GeometryError};
+use geneva_kinematics::wheel::{Wheel, WheelError};
 
 /// The mechanism at the printed instant.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,11 +31,11 @@ pub struct Instant {
 }
 
 impl Instant {
-    /// The instant of the printed data; the centre distance is the corrected one, √2 R.
-    pub fn printed() -> Result<Self, GeometryError> {
-        let radius = printed("pin.crank-radius");
+    /// The instant of the printed data: the wheel of four stations, scaled to the printed crank radius.
+    pub fn printed() -> Result<Self, WheelError> {
+        let wheel = Wheel::new(4)?;
         Ok(Self {
-            mechanism: PinSlot::new(radius, radius * std::f64::consts::SQRT_2)?,
+            mechanism: wheel.pin_and_slot(printed("pin.crank-radius"))?,
             crank: Turn::from_degrees(printed("pin.crank-angle")),
             driver_speed: printed("pin.driver-speed"),
         })

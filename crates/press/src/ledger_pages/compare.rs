@@ -18,7 +18,7 @@ pub fn table(of: &str) -> anyhow::Result<String> {
     };
     let rows = listed.into_iter().map(row).collect::<anyhow::Result<Vec<_>>>()?;
     let head = ["Quantity", "Printed", "Computed", "From rounded steps", "Verdict"];
-    let table = html_table("Printed against computed", Cells::Numbers, &head, &rows);
+    let table = html_table("Printed against computed", Cells::NamedNumbers, &head, &rows);
     // The legend explains marks; a table without marks needs none.
     Ok(if table.contains("class=\"digit") { format!("{table}\n{LEGEND}") } else { table })
 }

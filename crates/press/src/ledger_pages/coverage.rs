@@ -32,10 +32,8 @@ fn row(line: &Line) -> Vec<String> {
     let claims: Vec<_> = line
         .entries
         .iter()
-        .filter_map(|entry| match entry {
-            Entry::Claim(id) => Some(format!("<a href=\"ledger.html#{id}\"><code>{id}</code></a>")),
-            Entry::Again(_) | Entry::Exception { .. } => None,
-        })
+        .filter_map(|entry| entry.claimed())
+        .map(|id| format!("<a href=\"ledger.html#{id}\"><code>{id}</code></a>"))
         .collect();
     let numbers: usize = line.entries.iter().map(|entry| entry.numbers().len()).sum();
     vec![
@@ -54,7 +52,7 @@ fn exceptions(lines: &[Line]) -> String {
             Entry::Exception { id, reason, .. } => {
                 Some(vec![format!("<code>{id}</code>"), number.to_string(), escape(reason)])
             }
-            Entry::Claim(_) | Entry::Again(_) => None,
+            _ => None,
         })
         .collect();
     table("Exceptions", Cells::Words, &["Exception", "Line", "Why there is nothing to check"], &rows)

@@ -57,8 +57,14 @@ pub fn computed(judged: &Judged) -> Option<String> {
 
 /// A number beside the printed one of a claim, with some places more.
 pub fn rounded(judged: &Judged, number: f64) -> String {
-    let places = judged.claim.printed.parse::<Decimal>().map_or(0, |decimal| decimal.places() as usize);
-    format!("{number:.*}", places + MORE_PLACES).replace('-', "−")
+    let printed: Option<Decimal> = judged.claim.printed.parse().ok();
+    let places = match printed {
+        // A fraction has no last place to go by.
+        Some(_) if judged.claim.printed.contains('/') => 2 * MORE_PLACES,
+        Some(decimal) => decimal.places() as usize + MORE_PLACES,
+        None => MORE_PLACES,
+    };
+    format!("{number:.*}", places).replace('-', "−")
 }
 
 /// A number, already HTML, with its unit behind.

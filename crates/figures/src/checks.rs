@@ -1,0 +1,129 @@
+//! What holds of every figure, and how tests read a drawing back.
+
+use crate::Figure;
+use nalgebra::Vector2;
+use roxmltree::{Document, Node};
+use std::f64::consts::PI;
+
+/// The elements of a class.
+pub fn named<'a>(document: &'a Document<'a>, class: &str) -> Vec<Node<'a, 'a>> {
+    document.descendants().filter(|node| node.attribute("class") == Some(class)).collect()
+}
+
+/// The value of an attribute.
+pub fn number(node: &Node<'_, '_>, attribute: &str) -> f64 {
+    node.attribute(attribute).expect("there").parse().expect("a number")
+}
+
+/// The first point of a path: "M12.3 45.6 …".
+pub fn start(node: &Node<'_, '_>) -> [f64; 2] {
+    let data = node.attribute("d").expect("a path").trim_start_matches('M');
+    let mut values = data.split(' ').map(|value| value.parse().expect("a number"));
+    [values.next().expect("x"), values.next().expect("y")]
+}
+
+/// The length of a line.
+pub fn length(node: &Node<'_, '_>) -> f64 {
+    (number(node, "x2") - number(node, "x1")).hypot(number(node, "y2") - number(node, "y1"))
+}
+
+/// Well-formed, named and described, in known colours, without scripts and links, fit to stand in Markdown.
+#[track_caller]
+pub fn well_formed(figure: &Figure) {
+    let document = Document::parse(&figure.svg).expect("well-formed");
+    let root = document.root_element();
+    let (title, description) = (format!("{}-title", figure.id), format!("{}-desc", figure.id));
+    assert_eq!(root.attribute("aria-labelledby"), Some(format!("{title} {description}").as_str()));
+    assert_eq!(root.attribute("role"), Some("img"));
+    for (id, text) in [(title, &figure.title), (description, &figure.description)] {
+        let node = document.descendants().find(|node| node.attribute("id") == Some(&id)).expect("named");
+        assert_eq!(node.text(), Some(text.as_str()));
+    }
+    assert!(figure.svg.lines().all(|line| line.starts_with('<') && line.ends_with('>')), "{}", figure.id);
+    for node in document.descendants().filter(Node::is_element) {
+        let name = node.tag_name().name();
+        assert!(name.bytes().all(|b| b.is_ascii_lowercase()) && name != "script", "{name}");
+        for attribute in ["fill", "stroke"] {
+            let colour = node.attribute(attribute).unwrap_or("none");
+            let known = colour == "none" || colour == "currentColor" || colour.starts_with("var(--fig-");
+            assert!(known, "{}: {attribute} {colour}", figure.id);
+        }
+    }
+    assert!(!figure.svg.contains("href"));
+}
+
+/// No negative zero and nothing that is no number, in the drawing and in the series.
+#[track_caller]
+pub fn only_numbers(figure: &Figure) {
+    let text = figure.svg.clone() + &figure.series.to_text();
+    for word in text.split(|c: char| c.is_whitespace() || "\"<>,():%".contains(c)) {
+        let value = word.trim_start_matches(['M', 'L', 'A']).trim_end_matches("deg");
+        let zero = value.strip_prefix(['-', '−']).is_some_and(|w| w.parse::<f64>() == Ok(0.0));
+        assert!(!zero && !["NaN", "inf", "-inf"].contains(&word), "{}: {word}", figure.id);
+    }
+}
+
+/// The corners of a path of lines and circular arcs; arcs are cut into steps of at most `step` radians.
+pub fn corners(data: &str, step: f64) -> Vec<Vector2<f64>> {
+    let mut points: Vec<Vector2<f64>> = Vec::new();
+    for part in data.split(" L") {
+        for (k, piece) in part.split(" A").enumerate() {
+            let piece = piece.trim_end_matches(" Z").trim_start_matches('M');
+            let values: Vec<f64> = piece.split(' ').map(|value| value.parse().expect("a number")).collect();
+            let to = Vector2::new(values[values.len() - 2], values[values.len() - 1]);
+            if k > 0 {
+                let from = *points.last().expect("a start");
+                arc(from, to, values[0], values[3] > 0.0, values[4] > 0.0, step, &mut points);
+            }
+            points.push(to);
+        }
+    }
+    points
+}
+
+/// Points of an arc between its ends, in the manner of SVG's path data.
+fn arc(
+    from: Vector2<f64>,
+    to: Vector2<f64>,
+    radius: f64,
+    large: bool,
+    sweep: bool,
+    step: f64,
+    points: &mut Vec<Vector2<f64>>,
+) {
+    let chord = to - from;
+    let height = (radius * radius - chord.norm_squared() / 4.0).max(0.0).sqrt();
+    let side = if large == sweep { -1.0 } else { 1.0 };
+    let centre = (from + to) / 2.0 + Vector2::new(-chord.y, chord.x).normalize() * height * side;
+    let angle = |point: Vector2<f64>| libm::atan2(point.y - centre.y, point.x - centre.x);
+    let turn = (angle(to) - angle(from)).rem_euclid(2.0 * PI);
+    let turn = if sweep { turn } else { turn - 2.0 * PI };
+    // A half circle may be written as either.
+    assert!((turn.abs() > PI) == large || (turn.abs() - PI).abs() < 0.1, "the large flag is that of the arc");
+    let count = (turn.abs() / step) as u32 + 1;
+    for k in 1..count {
+        let at = angle(from) + turn * f64::from(k) / f64::from(count);
+        points.push(centre + Vector2::new(libm::cos(at), libm::sin(at)) * (centre - from).norm());
+    }
+}
+
+/// How deep a point lies inside a closed outline: its distance from the outline, negative outside.
+pub fn depth(point: &Vector2<f64>, outline: &[Vector2<f64>]) -> f64 {
+    // Plain numbers: this runs millions of times in unoptimised tests.
+    let (mut inside, mut near) = (false, f64::INFINITY);
+    let (x, y) = (point.x, point.y);
+    let Some(last) = outline.last() else { return f64::NEG_INFINITY };
+    let (mut ax, mut ay) = (last.x, last.y);
+    for b in outline {
+        let (dx, dy) = (b.x - ax, b.y - ay);
+        let square = dx * dx + dy * dy;
+        let along = if square > 0.0 { (((x - ax) * dx + (y - ay) * dy) / square).clamp(0.0, 1.0) } else { 0.0 };
+        let (ox, oy) = (x - ax - along * dx, y - ay - along * dy);
+        near = near.min(ox * ox + oy * oy);
+        if (ay > y) != (b.y > y) && x < ax + dx * (y - ay) / dy {
+            inside = !inside;
+        }
+        (ax, ay) = (b.x, b.y);
+    }
+    if inside { near.sqrt() } else { -near.sqrt() }
+}

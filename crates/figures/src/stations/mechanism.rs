@@ -1,0 +1,159 @@
+//! The whole mechanism to scale, locked.
+
+use super::pose::{Bodies, Margins, counted, id};
+use crate::figure::{Figure, Words};
+use crate::number::significant;
+use crate::series::Series;
+use crate::svg::canvas::{Canvas, Kind};
+use crate::svg::label::Label;
+use crate::svg::marks::arc_arrow;
+use crate::svg::shape::Shape;
+use crate::svg::view::{Pixels, heading};
+use crate::theme::{DRIVER, FOLLOWER, INK};
+use geneva_kinematics::wheel::Wheel;
+use nalgebra::Vector2;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+const WIDTH: f64 = 640.0;
+const MARGINS: Margins = Margins { left: 50.0, right: 50.0, above: 44.0, below: 44.0 };
+/// From the outermost of a body to the arrow of its sense, in pixels.
+const TO_ARROW: f64 = 16.0;
+/// A crank of so few pixels has no room about it for names.
+const SMALL: f64 = 70.0;
+/// A face this far across (pixels) has room for its name.
+const WIDEST_NAME: f64 = 85.0;
+
+/// Wheel and driver at rest between two advances, to scale.
+///
+/// The driver turns clockwise, the wheel counter-clockwise. The crank angle is chosen so that the journal fills the
+/// wheel's locking arc, if the driver has a journal that long. The journal's radius is free: it is such that the wall
+/// between a slot and a locking arc is as thick as the slot is wide. Series: N, pins, and the sizes in crank radii:
+/// centre distance, wheel, least slot length, locking arcs; then α, θ and φ as drawn.
+pub fn mechanism(wheel: &Wheel) -> Figure {
+    let bodies = Bodies::new(wheel, WIDTH, MARGINS);
+    let (theta, phi) = (-locked_crank(&bodies), -wheel.half_station());
+    let mut canvas = Canvas::new(WIDTH, bodies.height);
+    circles(&mut canvas, &bodies);
+    bodies.draw(&mut canvas, theta, phi, 2.0);
+    senses(&mut canvas, &bodies);
+    names(&mut canvas, &bodies, wheel, theta);
+
+    let sizes = [bodies.star.centre, bodies.star.rim, wheel.slot_length_ratio(), bodies.driver.journal];
+    let angles = [wheel.half_station(), theta, phi].map(f64::to_degrees);
+    let [l, rim, slot, journal] = sizes;
+    let row = [f64::from(wheel.stations()), f64::from(wheel.pins()), l, rim, slot, journal];
+    let row = [row[0], row[1], row[2], row[3], row[4], row[5], angles[0], angles[1], angles[2]];
+    let columns = [
+        ("N", "1"),
+        ("pins", "1"),
+        ("l/r", "1"),
+        ("wheel/r", "1"),
+        ("slot/r", "1"),
+        ("journal/r", "1"),
+        ("alpha", "deg"),
+        ("theta", "deg"),
+        ("phi", "deg"),
+    ];
+    let locks = if locks_fully(&bodies) { "The journal fills the locking arc that faces it. " } else { "" };
+    let (stations, pins) = (wheel.stations(), counted(wheel.pins(), "pin"));
+    let words = Words {
+        id: id("mechanism", wheel),
+        title: format!("Geneva mechanism with {stations} stations and {pins}, locked"),
+        description: format!(
+            "At the left a star wheel with {stations} slots and a hollow locking arc between each two; at the right, at \
+             a distance of {} crank radii, the driver: a round journal with a cut-out before each pin, and {pins} on an \
+             arm that turns behind the wheel. {locks}The wheel's radius is {} \
+             crank radii, the journal's {}. The driver turns clockwise, the wheel counter-clockwise.",
+            significant(l, 4),
+            significant(rim, 4),
+            significant(journal, 4)
+        ),
+        caption: "The mechanism to scale while the wheel is locked: the journal fills a locking arc until the pin \
+                  comes round to the next slot."
+            .to_owned(),
+    };
+    words.figure(canvas, Kind::Mechanism, Series::new(columns, [row]))
+}
+
+/// How far before the line of centres the next pin is: half-way through the part of the dwell in which the journal
+/// fills the locking arc; in the middle of the dwell if it never does.
+fn locked_crank(bodies: &Bodies) -> f64 {
+    let middle = bodies.driver.pitch() / 2.0;
+    if locks_fully(bodies) {
+        (bodies.driver.half_angle + bodies.star.locking_half_angle() + middle) / 2.0
+    } else {
+        middle
+    }
+}
+
+/// Whether the journal ever fills a whole locking arc.
+fn locks_fully(bodies: &Bodies) -> bool {
+    bodies.driver.half_angle + bodies.star.locking_half_angle() < bodies.driver.pitch() / 2.0
+}
+
+/// The pin's circle, behind the bodies.
+fn circles(canvas: &mut Canvas, at: &Bodies) {
+    canvas.draw(Shape::circle(&at.axis, at.view.scale).stroke(DRIVER, 1.3).dashed("2 4").class("pin-circle"));
+}
+
+/// Which way the two turn: arrows outside both, and their angles.
+fn senses(canvas: &mut Canvas, at: &Bodies) {
+    let scale = at.view.scale;
+    // Clear of the name of a single pin at the lower right.
+    let raised = if at.driver.pins == 1 { 29.0 / scale } else { 0.0 };
+    for (centre, reach, middle, sense, letter, shade) in [
+        (&at.pivot, at.star.rim * scale, PI, 1.0, "φ", FOLLOWER),
+        (&at.axis, (1.0 + at.driver.arm) * scale, raised, -1.0, "θ", DRIVER),
+    ] {
+        let radius = reach + TO_ARROW;
+        let half = 34.0 / radius;
+        arc_arrow(canvas, centre, radius, middle - sense * half, middle + sense * half, shade, 2.5);
+        canvas.label(&(centre + heading(middle) * radius), &heading(middle), 7.0, &Label::symbol(letter).shade(shade));
+    }
+}
+
+/// Names of the parts, where there is room for them.
+fn names(canvas: &mut Canvas, at: &Bodies, wheel: &Wheel, theta: f64) {
+    let (star, driver, scale) = (&at.star, &at.driver, at.view.scale);
+    let (step, up) = (2.0 * wheel.half_station(), Vector2::new(0.0, -1.0));
+    // The slot and the locking arc nearest to where their names have room.
+    let slot = nearest(step / 2.0, step, 0.72 * PI);
+    let middle = at.on_wheel((star.bottom + star.rim) / 2.0, slot);
+    let level = libm::sin(slot).abs() < 0.3;
+    let end = if level { middle - up * 0.46 * scale } else { at.on_wheel(star.rim + 16.0 / scale, slot) };
+    leader(canvas, &middle, &end, &(end - middle), "slot");
+    let notch = nearest(0.0, step, FRAC_PI_2);
+    let locking = at.on_wheel(star.centre - driver.journal, notch);
+    leader(canvas, &locking, &at.on_wheel(star.rim + 2.0 / scale, notch), &up, "locking arc");
+
+    // Below the circle where it is too small to keep the name above it clear of the wheel and the arrow.
+    let outwards = if driver.pins == 1 && scale < SMALL { -up } else { up };
+    let edge = at.axis + outwards * (1.0 + driver.arm) * scale;
+    canvas.label(&edge, &outwards, 9.0, &Label::words("crank circle").shade(DRIVER));
+    // The pin nearest to the lower right, where nothing else is.
+    let crank = Bodies::crank_direction(theta);
+    let pin = nearest(crank, driver.pitch(), -1.05);
+    let below = at.axis + heading(pin) * scale - up * driver.arm * scale;
+    canvas.label(&below, &-up, 9.0, &Label::words("pin"));
+    if driver.pins == 1 && driver.journal * scale > WIDEST_NAME {
+        let face = at.axis - heading(crank) * (0.45 * driver.journal * scale);
+        canvas.label(&face, &Pixels::zeros(), 0.0, &Label::words("journal").bare());
+    }
+    if wheel.stations() > 3 {
+        let lobe = nearest(0.0, step, -FRAC_PI_2);
+        let face = at.on_wheel(0.6 * (star.centre - driver.journal), lobe);
+        canvas.label(&face, &Pixels::zeros(), 0.0, &Label::words("wheel").bare());
+    }
+}
+
+/// The angle nearest to `wanted` among `first` and those any number of `step` away.
+fn nearest(first: f64, step: f64, wanted: f64) -> f64 {
+    first + libm::round((wanted - first) / step) * step
+}
+
+/// A line from a part to its name, which stands beyond the line's end in the direction of `towards`.
+fn leader(canvas: &mut Canvas, part: &Pixels, end: &Pixels, towards: &Pixels, name: &str) {
+    canvas.draw(Shape::line(part, end).stroke(INK, 1.0));
+    canvas.draw(Shape::circle(part, 2.5).fill(INK));
+    canvas.label(end, towards, 8.0, &Label::words(name));
+}

@@ -1,0 +1,26 @@
+//! The Geneva wheel of any number of stations and pins: the mechanism, its angles, its motion.
+//!
+//! Frame and angles: the wheel's axis O lies at the left, the driver's axis B to its right. The crank angle θ is
+//! measured clockwise from B → O, the wheel's angle φ counter-clockwise from O → B: both are zero where a pin is on
+//! the line of centres, and both grow. Lengths are in crank radii.
+
+mod advance;
+#[cfg(test)]
+mod clearance;
+mod critical;
+mod cycle;
+#[cfg(test)]
+mod drawn;
+mod driver;
+mod extremes;
+mod mechanism;
+mod model;
+mod motion;
+mod pose;
+
+pub use advance::advance;
+pub use critical::critical_geometry;
+pub use extremes::extremes;
+pub use mechanism::mechanism;
+pub use model::model;
+pub use motion::motion;

@@ -1,0 +1,117 @@
+//! The triangle of the two axes and the pin, with the angles and their positive senses.
+
+use super::pose::{Bodies, Margins, id};
+use crate::figure::{Figure, Words};
+use crate::number::{degrees, significant, without_noise};
+use crate::series::Series;
+use crate::svg::canvas::{Canvas, Kind};
+use crate::svg::label::Label;
+use crate::svg::marks::{arc_arrow, dimension, fixed_pivot};
+use crate::svg::shape::{DASHED, Shape};
+use crate::svg::view::{Pixels, heading};
+use crate::theme::{DRIVER, FILL, FOLLOWER, INK, PAPER};
+use geneva_kinematics::Turn;
+use geneva_kinematics::pin_slot::{pin_from_pivot, slot_radius_squared};
+use geneva_kinematics::wheel::{Wheel, WheelError};
+use nalgebra::Vector2;
+use std::f64::consts::PI;
+
+const WIDTH: f64 = 640.0;
+const MARGINS: Margins = Margins { left: 26.0, right: 30.0, above: 26.0, below: 80.0 };
+/// From the lowest of the bodies to the dimension of the centre distance, in pixels.
+const DIMENSION: f64 = 46.0;
+/// Radii of the marks of the angles, over the crank radius and over the pin's distance from the wheel's axis.
+const MARK: f64 = 0.46;
+/// A label takes about so many pixels each way.
+const BEYOND: f64 = 26.0;
+/// An angle narrower than this (radians) has no room for its mark.
+const NARROWEST: f64 = 0.05;
+
+/// The triangle O P B at crank angle `crank` (θ, radians from the line of centres, within the engagement), to scale.
+///
+/// Sides: crank radius r, pin's distance x from the wheel's axis, centre distance r / sin α. θ is counted clockwise
+/// from B → O and φ counter-clockwise from O → B. Series: θ, φ, x/r, the centre distance over r.
+pub fn model(wheel: &Wheel, crank: f64) -> Result<Figure, WheelError> {
+    let phi = wheel.engaged(crank)?.angle;
+    let (ratio, turn) = (wheel.centre_distance_ratio(), Turn::from_radians(crank));
+    let pin = pin_from_pivot(&ratio, &turn);
+    let x = slot_radius_squared(&ratio, &turn).sqrt();
+    let bodies = Bodies::new(wheel, WIDTH, MARGINS);
+    let mut canvas = Canvas::new(WIDTH, bodies.height);
+    canvas.group("opacity=\"0.6\"", |canvas| bodies.draw_wheel(canvas, &bodies.pivot, phi, 1.3));
+    let scale = bodies.view.scale;
+    canvas.draw(Shape::circle(&bodies.axis, scale).stroke(DRIVER, 1.3).dashed("2 4").class("pin-circle"));
+    triangle(&mut canvas, &bodies, &bodies.view.place(&pin));
+    angles(&mut canvas, &bodies, crank, phi, x);
+    sides(&mut canvas, &bodies, crank, phi, &bodies.view.place(&pin));
+
+    let columns = [("theta", "deg"), ("phi", "deg"), ("x/r", "1"), ("l/r", "1")];
+    let row = [crank.to_degrees(), phi.to_degrees(), x, ratio];
+    let words = Words {
+        id: id("model", wheel),
+        title: format!("The triangle of the two axes and the pin for {} stations", wheel.stations()),
+        description: format!(
+            "The wheel's axis O at the left, the driver's axis B at the right, {} crank radii away, and the pin P in a \
+             slot of the wheel. BP is the crank r; OP is x, {} crank radii. The crank angle θ at B, {}, is counted \
+             clockwise from BO; the wheel's angle φ at O, {}, counter-clockwise from OB.",
+            significant(ratio, 4),
+            significant(x, 4),
+            degrees(crank),
+            degrees(without_noise(phi, 1.0))
+        ),
+        caption: format!(
+            "The model: crank r, distance x of the pin from the wheel's axis, angles θ and φ with opposite positive \
+             senses, drawn to scale at θ = {}.",
+            degrees(crank)
+        ),
+    };
+    Ok(words.figure(canvas, Kind::Mechanism, Series::new(columns, [row])))
+}
+
+fn triangle(canvas: &mut Canvas, at: &Bodies, pin: &Pixels) {
+    for (from, to, shade, name) in
+        [(&at.pivot, &at.axis, INK, "side-l"), (&at.axis, pin, DRIVER, "side-r"), (&at.pivot, pin, FOLLOWER, "side-x")]
+    {
+        canvas.draw(Shape::line(from, to).stroke(shade, 3.0).with("stroke-linecap", "round").class(name));
+    }
+    let end = at.axis + Vector2::new(at.view.scale + 14.0, 0.0);
+    canvas.draw(Shape::line(&at.axis, &end).stroke(INK, 1.2).dashed(DASHED));
+    fixed_pivot(canvas, &at.pivot, 1.0);
+    fixed_pivot(canvas, &at.axis, 1.0);
+    canvas.draw(Shape::circle(pin, at.driver.pin * at.view.scale).stroke(INK, 2.0).fill(PAPER).class("pin"));
+}
+
+fn angles(canvas: &mut Canvas, at: &Bodies, theta: f64, phi: f64, x: f64) {
+    for (centre, radius, from, turn, letter) in
+        [(&at.pivot, MARK * x * at.view.scale, 0.0, phi, "φ"), (&at.axis, MARK * at.view.scale, PI, -theta, "θ")]
+    {
+        if turn.abs() > NARROWEST {
+            arc_arrow(canvas, centre, radius, from, from + turn, INK, 1.6);
+        }
+        let middle = heading(from + turn / 2.0);
+        // Inside the arc, beyond it, or across the line of centres, as there is room.
+        let (point, towards, distance) = if turn.abs() * radius > 42.0 {
+            (centre + middle * radius, -middle, 12.0)
+        } else if turn.abs() * (radius + BEYOND) > BEYOND {
+            (centre + middle * radius, middle, 10.0)
+        } else {
+            (centre + heading(from) * radius.max(44.0), Vector2::new(0.0, if theta < 0.0 { -1.0 } else { 1.0 }), 18.0)
+        };
+        canvas.label(&point, &towards, distance, &Label::symbol(letter));
+    }
+}
+
+fn sides(canvas: &mut Canvas, at: &Bodies, theta: f64, phi: f64, pin: &Pixels) {
+    let down = Vector2::new(0.0, at.height - DIMENSION - at.pivot.y);
+    let middle = dimension(canvas, &at.pivot, &at.axis, &down);
+    let side = if theta < 0.0 { -1.0 } else { 1.0 };
+    let length = Label::symbol("r").and(" / sin ").and_symbol("α");
+    canvas.label(&middle, &Vector2::new(0.0, 1.0), 18.0, &length);
+    let across = heading(phi + side * PI / 2.0);
+    canvas.label(&at.pivot.lerp(pin, 0.55), &across, 14.0, &Label::symbol("x").shade(FOLLOWER).on(FILL));
+    let across = heading(PI - theta - side * PI / 2.0);
+    canvas.label(&at.axis.lerp(pin, 0.55), &across, 14.0, &Label::symbol("r").shade(DRIVER));
+    canvas.label(&at.pivot, &heading(2.6), 16.0, &Label::words("O").on(FILL));
+    canvas.label(&at.axis, &heading(0.6), 16.0, &Label::words("B"));
+    canvas.label(pin, &heading(side * PI / 2.0), 8.0 + at.driver.arm * at.view.scale, &Label::words("P"));
+}

@@ -1,0 +1,170 @@
+//! The mechanism in motion: one large drawing that moves, and the steps of a cycle side by side.
+
+use super::cycle::{Key, keys};
+use super::pose::{Bodies, Margins, counted, id};
+use crate::figure::{Figure, Words};
+use crate::number::{degrees, trimmed};
+use crate::series::Series;
+use crate::svg::canvas::{Canvas, Kind};
+use crate::svg::label::Label;
+use crate::svg::path::Path;
+use crate::svg::shape::Shape;
+use crate::svg::view::{Pixels, heading};
+use crate::theme::{DRIVER, FOLLOWER, GRID};
+use geneva_kinematics::wheel::Wheel;
+use nalgebra::Vector2;
+use std::f64::consts::PI;
+
+const WIDTH: f64 = 640.0;
+const LARGE: Margins = Margins { left: 70.0, right: 70.0, above: 10.0, below: 24.0 };
+/// Frames in a row, and the space about each.
+const COLUMNS: usize = 3;
+const SMALL: Margins = Margins { left: 10.0, right: 10.0, above: 58.0, below: 10.0 };
+/// Seconds that the driver takes for a turn.
+const TURN: f64 = 6.0;
+/// Where the large drawing stands when it does not move: this part of the way from the line of centres to entry.
+const AT_REST: f64 = 0.5;
+
+/// One frame: what it is called, and the angles in it.
+struct Frame {
+    name: &'static str,
+    theta: f64,
+    phi: f64,
+}
+
+/// The mechanism over one cycle: steps of the advance and the dwell, numbered, and above them one drawing that moves.
+///
+/// The motion is made of CSS key frames within the SVG, whose names begin with the figure's id; straight lines between
+/// them keep to 0.05° of the wheel's angle. It needs no script, rests while the pointer is on it, and stands still on
+/// paper and for readers who want less motion. Series: the key frames, as shares of the cycle from the middle of a
+/// dwell to the middle of the next, with θ and φ in degrees.
+pub fn motion(wheel: &Wheel) -> Figure {
+    let (name, keys) = (id("motion", wheel), keys(wheel));
+    let large = Bodies::new(wheel, WIDTH, LARGE);
+    let small = Bodies::new(wheel, WIDTH / COLUMNS as f64, SMALL);
+    let frames = frames(wheel);
+    let rows = frames.len().div_ceil(COLUMNS);
+    let mut canvas = Canvas::new(WIDTH, large.height + small.height * rows as f64);
+    canvas.draw_markup(style(&name, wheel, &keys));
+    moving(&mut canvas, &large, wheel, &name);
+    for (k, frame) in frames.iter().enumerate() {
+        let corner = Vector2::new((k % COLUMNS) as f64 / COLUMNS as f64 * WIDTH, (k / COLUMNS) as f64 * small.height);
+        still(&mut canvas, &small, &(corner + Vector2::new(0.0, large.height)), k + 1, frame);
+    }
+
+    let steps: Vec<String> =
+        frames.iter().enumerate().map(|(k, at)| format!("{} {}, at {}", k + 1, at.name, degrees(at.theta))).collect();
+    let words = Words {
+        title: format!("One cycle of a wheel with {} stations and {}", wheel.stations(), counted(wheel.pins(), "pin")),
+        description: format!(
+            "The mechanism as it turns, the driver clockwise and the wheel counter-clockwise, and its steps: {}. A dot \
+             marks the same arm of the wheel in each.",
+            steps.join("; ")
+        ),
+        caption: format!(
+            "The advance in {} steps, by crank angle θ. The upper drawing moves where the reader's settings allow it \
+             and rests under the pointer.",
+            frames.len()
+        ),
+        id: name,
+    };
+    let row = |key: &Key| [key.share, key.theta.to_degrees(), key.phi.to_degrees()];
+    let columns = [("cycle", "1"), ("theta", "deg"), ("phi", "deg")];
+    words.figure(canvas, Kind::Mechanism, Series::new(columns, keys.iter().map(row)))
+}
+
+/// Entry, line of centres, exit, the places half-way between them, and the middle of the dwell if there is one.
+fn frames(wheel: &Wheel) -> Vec<Frame> {
+    let half = wheel.engagement_half_angle();
+    let at = |name, theta| Frame { name, theta, phi: wheel.engaged(theta).map_or(0.0, |motion| motion.angle) };
+    let mut frames = vec![
+        at("entry", -half),
+        at("speeding up", -half / 2.0),
+        at("fastest", 0.0),
+        at("slowing down", half / 2.0),
+        at("exit", half),
+    ];
+    if wheel.dwell_fraction() > 1e-9 {
+        frames.push(Frame { name: "dwell", theta: PI / f64::from(wheel.pins()), phi: wheel.half_station() });
+    }
+    frames
+}
+
+/// The rules that move the large drawing, in one element: only on a screen, and only if motion is welcome.
+///
+/// The wheel advances within each cycle; about it, a second turn goes on by one station from cycle to cycle.
+fn style(name: &str, wheel: &Wheel, keys: &[Key]) -> String {
+    let cycle = TURN / f64::from(wheel.pins());
+    let key = |key: &Key| {
+        let (share, angle) = (trimmed(100.0 * key.share, 3), trimmed(-key.phi.to_degrees(), 2));
+        format!("{share}%{{transform:rotate({angle}deg)}}")
+    };
+    let advance: String = keys.iter().map(key).collect();
+    let start = trimmed(-180.0 / f64::from(wheel.pins()), 4);
+    let end = trimmed(360.0 - 180.0 / f64::from(wheel.pins()), 4);
+    let (cycle, turn) = (trimmed(cycle, 6), trimmed(TURN, 6));
+    let (stations, round) =
+        (wheel.stations(), trimmed(TURN / f64::from(wheel.pins()) * f64::from(wheel.stations()), 6));
+    format!(
+        "<style>@keyframes {name}-wheel{{{advance}}}\
+         @keyframes {name}-round{{to{{transform:rotate(-360deg)}}}}\
+         @keyframes {name}-driver{{from{{transform:rotate({start}deg)}}to{{transform:rotate({end}deg)}}}}\
+         @media screen and (prefers-reduced-motion:no-preference){{\
+         .{name}-wheel{{animation:{name}-wheel {cycle}s linear infinite}}\
+         .{name}-round{{animation:{name}-round {round}s steps({stations}) infinite}}\
+         .{name}-driver{{animation:{name}-driver {turn}s linear infinite}}\
+         .{name}:hover g{{animation-play-state:paused}}}}</style>"
+    )
+}
+
+/// The large drawing: each body about its own axis, turned by an attribute where the style does not move it.
+fn moving(canvas: &mut Canvas, at: &Bodies, wheel: &Wheel, name: &str) {
+    let theta = -AT_REST * wheel.engagement_half_angle();
+    let phi = wheel.engaged(theta).map_or(0.0, |motion| motion.angle);
+    let about = |point: &Pixels| format!("transform=\"translate({} {})\"", trimmed(point.x, 2), trimmed(point.y, 2));
+    let turned = |body: &str, angle: f64| {
+        format!("class=\"{name}-{body}\" transform=\"rotate({})\"", trimmed(angle.to_degrees(), 2))
+    };
+    let origin = Pixels::zeros();
+    canvas.group(&format!("class=\"{name}\" pointer-events=\"all\""), |canvas| {
+        let corner = |x: f64, y: f64| Vector2::new(x, y);
+        let field = Path::start(&corner(0.0, 0.0)).line_to(&corner(WIDTH, 0.0)).line_to(&corner(WIDTH, at.height));
+        canvas.draw(Shape::path(field.line_to(&corner(0.0, at.height)).close()));
+        canvas.draw(Shape::circle(&at.axis, at.view.scale).stroke(DRIVER, 1.3).dashed("2 4"));
+        canvas.group(&about(&at.axis), |canvas| {
+            canvas.group(&turned("driver", theta), |canvas| at.draw_arms(canvas, &origin, 0.0));
+        });
+        canvas.group(&about(&at.pivot), |canvas| {
+            canvas.group(&format!("class=\"{name}-round\""), |canvas| {
+                canvas.group(&turned("wheel", -phi), |canvas| {
+                    at.draw_wheel(canvas, &origin, 0.0, 2.0);
+                    dot(canvas, at, &origin, 0.0);
+                });
+            });
+        });
+        canvas.group(&about(&at.axis), |canvas| {
+            canvas.group(&turned("driver", theta), |canvas| at.draw_journal(canvas, &origin, 0.0, 2.0));
+        });
+    });
+}
+
+/// One step, with its number, its name and its crank angle.
+fn still(canvas: &mut Canvas, at: &Bodies, corner: &Pixels, number: usize, frame: &Frame) {
+    let at = at.moved(corner);
+    canvas.draw(Shape::circle(&at.axis, at.view.scale).stroke(GRID, 1.0));
+    at.draw(canvas, frame.theta, frame.phi, 1.3);
+    dot(canvas, &at, &at.pivot, frame.phi);
+    let middle = corner + Vector2::new(WIDTH / COLUMNS as f64 / 2.0, 14.0);
+    let name = Label::words(&format!("{number} {}", frame.name));
+    canvas.label(&middle, &Pixels::zeros(), 0.0, &name.bare());
+    let angle = Label::symbol("θ").and(&format!(" = {}", degrees(frame.theta)));
+    canvas.label(&(middle + Vector2::new(0.0, 24.0)), &Pixels::zeros(), 0.0, &angle.bare());
+}
+
+/// A dot on the arm of the wheel before the slot at `phi`, by which its turning can be followed.
+fn dot(canvas: &mut Canvas, at: &Bodies, pivot: &Pixels, phi: f64) {
+    let (star, arm) = (&at.star, phi + PI / f64::from(at.star.slots));
+    let radius = 0.72 * (star.centre - at.driver.journal);
+    let place = pivot + heading(arm) * (radius * at.view.scale);
+    canvas.draw(Shape::circle(&place, (0.06 * at.view.scale).max(2.0)).fill(FOLLOWER).class("dot"));
+}

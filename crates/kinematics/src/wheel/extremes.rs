@@ -1,0 +1,61 @@
+//! The greatest velocity and acceleration of the wheel, in closed form.
+
+use super::Wheel;
+
+/// Where the acceleration is greatest, and how great.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AccelerationPeak {
+    /// Crank angle of the peak of deceleration, in radians; that of acceleration is its negative.
+    pub angle: f64,
+    /// Size of the acceleration over the square of the driver's speed.
+    pub ratio: f64,
+}
+
+/// Peak of the velocity ratio, on the line of centres: sin α / (1 − sin α). Work::Jazar2003, example (d).
+pub fn peak_velocity(wheel: &Wheel) -> f64 {
+    wheel.constants.sine.over(wheel.constants.rest).hi
+}
+
+/// Size of the acceleration ratio as the pin enters and as it leaves, tan α: it jumps from and to zero.
+pub fn entry_acceleration(wheel: &Wheel) -> f64 {
+    wheel.constants.sine.over(wheel.constants.cosine).hi
+}
+
+/// γ = (1 + sin² α) / (2 sin α), never below 1. Work::Jazar2003, Eq. (5.33).
+pub fn gamma(wheel: &Wheel) -> f64 {
+    wheel.constants.gamma.hi
+}
+
+/// The peak of the acceleration: cos θ = (−γ + √(γ² + 8)) / 2. Work::Jazar2003, Eqs. (5.33), (5.34) and (5.32).
+///
+/// It lies inside the engagement for every N.
+pub fn acceleration_peak(wheel: &Wheel) -> AccelerationPeak {
+    let peak = wheel.constants.peak;
+    let (_, ratio, _) = wheel.constants.angle_acceleration_jerk(peak);
+    AccelerationPeak { angle: peak.hi, ratio }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Turn;
+    use crate::pin_slot::velocity_ratio;
+    use crate::wheel::{acceleration_ratio, jerk_ratio};
+
+    #[test]
+    fn the_closed_forms_are_the_formulas_at_their_places() {
+        for stations in 3..=60 {
+            let wheel = Wheel::new(stations).unwrap();
+            let ratio = wheel.centre_distance_ratio();
+            let at = |angle: f64| Turn::from_radians(angle);
+            approx::assert_relative_eq!(peak_velocity(&wheel), velocity_ratio(&ratio, &at(0.0)), max_relative = 1e-11);
+            let entry = acceleration_ratio(&ratio, &at(-wheel.engagement_half_angle()));
+            approx::assert_relative_eq!(entry_acceleration(&wheel), entry, max_relative = 1e-11);
+            let peak = acceleration_peak(&wheel);
+            approx::assert_relative_eq!(peak.ratio, -acceleration_ratio(&ratio, &at(peak.angle)), max_relative = 1e-11);
+            assert!(jerk_ratio(&ratio, &at(peak.angle)).abs() < 1e-9 * peak.ratio, "{stations}");
+            assert!(peak.angle > 0.0 && peak.angle < wheel.engagement_half_angle(), "{stations}");
+            assert!(peak.ratio > entry_acceleration(&wheel), "{stations}");
+        }
+    }
+}

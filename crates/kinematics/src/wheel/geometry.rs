@@ -1,0 +1,241 @@
+//! Sizes of a wheel and its driver, all from the number of stations.
+
+use super::accurate::{Constants, Double};
+use crate::pin_slot::PinSlot;
+use std::f64::consts::PI;
+use std::fmt;
+use std::ops::RangeInclusive;
+
+/// How many stations a wheel can have: three is the geometric least, and above a thousand no arc is left to lock it.
+pub const STATIONS: RangeInclusive<u32> = 3..=1000;
+
+/// A Geneva wheel with its driver; lengths are in crank radii.
+///
+/// α is π/N itself, not its rounding: what the methods return is within 2 units in the last place of the value for
+/// that α and for the crank angle as given.
+#[derive(Clone, Copy, Debug)]
+pub struct Wheel {
+    stations: u32,
+    pins: u32,
+    pub(super) constants: Constants,
+}
+
+/// The two numbers determine all the rest.
+impl PartialEq for Wheel {
+    fn eq(&self, other: &Self) -> bool {
+        (self.stations, self.pins) == (other.stations, other.pins)
+    }
+}
+
+impl Eq for Wheel {}
+
+/// A wheel that cannot be built, or an angle at which it has no motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum WheelError {
+    /// The number of stations is outside [`STATIONS`].
+    Stations(u32),
+    /// So many pins do not fit: one would enter before the one before it has left, or there is none at all.
+    Pins {
+        /// How many were asked for.
+        asked: u32,
+        /// The greatest number that fits.
+        most: u32,
+        /// The number of stations.
+        stations: u32,
+    },
+    /// A size that must be positive and finite is not.
+    Size {
+        /// What it is the size of.
+        name: &'static str,
+        /// What was asked for.
+        asked: f64,
+    },
+    /// A crank angle outside the engagement, or not finite.
+    Angle {
+        /// The angle asked for, in radians.
+        asked: f64,
+        /// The greatest angle allowed to either side, in radians.
+        most: f64,
+    },
+}
+
+impl fmt::Display for WheelError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Stations(asked) => write!(
+                f,
+                "{asked} stations: a wheel has {} to {}; give a number between them",
+                STATIONS.start(),
+                STATIONS.end()
+            ),
+            Self::Pins { asked, most, stations } => write!(
+                f,
+                "{asked} pins: a driver for {stations} stations carries 1 to {most}, or a pin would enter before the \
+                 one before it has left; give a number between them"
+            ),
+            Self::Size { name, asked } => {
+                write!(f, "{name} {asked}: it must be positive and finite; give a number above zero")
+            }
+            Self::Angle { asked, most } => write!(
+                f,
+                "crank angle {asked} rad: the pin is in the slot from {} to {most} rad from the line of centres; give an \
+                 angle between them",
+                -most
+            ),
+        }
+    }
+}
+
+impl std::error::Error for WheelError {}
+
+impl Wheel {
+    /// A wheel of so many stations with one pin on its driver.
+    pub fn new(stations: u32) -> Result<Self, WheelError> {
+        Self::with_pins(stations, 1)
+    }
+
+    /// A wheel of so many stations, and so many evenly spaced pins on its driver.
+    pub fn with_pins(stations: u32, pins: u32) -> Result<Self, WheelError> {
+        if !STATIONS.contains(&stations) {
+            return Err(WheelError::Stations(stations));
+        }
+        let most = most_pins(stations);
+        if !(1..=most).contains(&pins) {
+            return Err(WheelError::Pins { asked: pins, most, stations });
+        }
+        Ok(Self { stations, pins, constants: Constants::new(stations) })
+    }
+
+    /// Number of slots, N.
+    pub fn stations(&self) -> u32 {
+        self.stations
+    }
+
+    /// Number of pins on the driver.
+    pub fn pins(&self) -> u32 {
+        self.pins
+    }
+
+    /// α, half the angle between successive slots, in radians: π/N.
+    pub fn half_station(&self) -> f64 {
+        self.constants.half_station.hi
+    }
+
+    /// Crank angle at which the pin enters and leaves, in radians from the line of centres: π/2 − α.
+    pub fn engagement_half_angle(&self) -> f64 {
+        self.constants.entry.hi
+    }
+
+    /// Centre distance in crank radii, k = 1 / sin α: the slot is tangent to the pin's circle as the pin enters.
+    /// Work::Jazar2003, text before Eq. (5.30).
+    pub fn centre_distance_ratio(&self) -> f64 {
+        Double::ONE.over(self.constants.sine).hi
+    }
+
+    /// Outer radius of the wheel in crank radii, 1 / tan α: where the pin's centre enters.
+    /// Work::Jazar2003, text before Eq. (5.30).
+    pub fn wheel_radius_ratio(&self) -> f64 {
+        self.constants.cosine.over(self.constants.sine).hi
+    }
+
+    /// Least length of a slot, from the wheel's rim to the pin's deepest place, in crank radii.
+    ///
+    /// The rim is at 1/tan α, the deepest place at k − 1: (cos α − (1 − sin α)) / sin α.
+    pub fn slot_length_ratio(&self) -> f64 {
+        self.constants.cosine.minus(self.constants.rest).over(self.constants.sine).hi
+    }
+
+    /// Radius of the circle on which the centres of the wheel's locking arcs lie, in crank radii: the centre distance.
+    pub fn locking_centres_ratio(&self) -> f64 {
+        self.centre_distance_ratio()
+    }
+
+    /// The wheel as a pin in a slot, with a crank of this radius in any unit of length.
+    pub fn pin_and_slot(&self, crank_radius: f64) -> Result<PinSlot, WheelError> {
+        let radius = positive("crank radius", crank_radius)?;
+        let size = |_| WheelError::Size { name: "crank radius", asked: crank_radius };
+        PinSlot::new(radius, radius * self.centre_distance_ratio()).map_err(size)
+    }
+
+    /// Part of the driver's turn during which the wheel moves, all pins together: P (N − 2) / (2 N).
+    pub fn motion_fraction(&self) -> f64 {
+        let (stations, pins) = (f64::from(self.stations), f64::from(self.pins));
+        pins * (stations - 2.0) / (2.0 * stations)
+    }
+
+    /// Part of the driver's turn during which the wheel stands still.
+    pub fn dwell_fraction(&self) -> f64 {
+        let (stations, pins) = (f64::from(self.stations), f64::from(self.pins));
+        (2.0 * stations - pins * (stations - 2.0)) / (2.0 * stations)
+    }
+
+    /// Time of one advance in seconds, for a driver of this angular speed in rad/s.
+    pub fn advance_time(&self, driver_speed: f64) -> Result<f64, WheelError> {
+        Ok(2.0 * self.engagement_half_angle() / positive("driver speed", driver_speed)?)
+    }
+
+    /// Time of one dwell in seconds, for a driver of this angular speed in rad/s.
+    pub fn dwell_time(&self, driver_speed: f64) -> Result<f64, WheelError> {
+        let turn = 2.0 * PI / positive("driver speed", driver_speed)?;
+        Ok(turn * self.dwell_fraction() / f64::from(self.pins))
+    }
+}
+
+/// The greatest number of pins: each engages for π − 2α, and together they have one turn: 2 N / (N − 2), cut off.
+fn most_pins(stations: u32) -> u32 {
+    2 * stations / (stations - 2)
+}
+
+/// The size, if it is positive and finite.
+pub(super) fn positive(name: &'static str, asked: f64) -> Result<f64, WheelError> {
+    if asked > 0.0 && asked.is_finite() { Ok(asked) } else { Err(WheelError::Size { name, asked }) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_cannot_be_built_is_said_with_what_can() {
+        assert_eq!(Wheel::new(2), Err(WheelError::Stations(2)));
+        assert!(Wheel::new(1001).is_err());
+        for (stations, most) in [(3, 6), (4, 4), (5, 3), (6, 3), (7, 2), (1000, 2)] {
+            assert!(Wheel::with_pins(stations, most).is_ok(), "{stations}");
+            assert_eq!(Wheel::with_pins(stations, most + 1), Err(WheelError::Pins { asked: most + 1, most, stations }));
+            assert!(Wheel::with_pins(stations, 0).is_err());
+        }
+        let message = Wheel::with_pins(6, 4).unwrap_err().to_string();
+        assert!(message.contains("4 pins") && message.contains("1 to 3"), "{message}");
+        for speed in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert!(Wheel::new(4).unwrap().dwell_time(speed).is_err(), "{speed}");
+        }
+    }
+
+    #[test]
+    fn sizes_are_those_of_the_pin_in_a_slot() {
+        for stations in [3, 4, 7, 60] {
+            let wheel = Wheel::new(stations).unwrap();
+            let mechanism = PinSlot::new(1.0, wheel.centre_distance_ratio()).unwrap();
+            approx::assert_relative_eq!(
+                mechanism.engagement_half_angle(),
+                wheel.engagement_half_angle(),
+                max_relative = 1e-13
+            );
+            // Pythagoras in the triangle at entry: crank and wheel radius are its legs.
+            let hypotenuse = libm::hypot(1.0, wheel.wheel_radius_ratio());
+            approx::assert_relative_eq!(hypotenuse, wheel.centre_distance_ratio(), max_relative = 1e-14);
+            assert!(wheel.slot_length_ratio() > 0.0 && wheel.slot_length_ratio() < 1.0);
+        }
+    }
+
+    #[test]
+    fn motion_and_dwell_make_a_turn() {
+        for (stations, pins) in [(3, 1), (4, 4), (6, 2), (18, 2)] {
+            let wheel = Wheel::with_pins(stations, pins).unwrap();
+            approx::assert_relative_eq!(wheel.motion_fraction() + wheel.dwell_fraction(), 1.0, max_relative = 1e-15);
+            let cycle = wheel.advance_time(3.0).unwrap() + wheel.dwell_time(3.0).unwrap();
+            approx::assert_relative_eq!(cycle * f64::from(pins), 2.0 * PI / 3.0, max_relative = 1e-14);
+        }
+        assert_eq!(Wheel::with_pins(4, 4).unwrap().dwell_fraction(), 0.0);
+    }
+}

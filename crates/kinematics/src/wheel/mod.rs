@@ -1,0 +1,17 @@
+//! The external Geneva wheel: any number of stations, any number of evenly spaced pins that fit.
+//!
+//! Notation: `N` stations, α = π/N half the angle between slots, θ crank angle from the line of centres, φ wheel angle
+//! from the middle of the advance, k = 1 / sin α the centre distance in crank radii. θ and φ grow in opposite senses.
+//! A wheel is a pin in a slot ([`pin_slot`](crate::pin_slot)) whose ratio k is chosen so that it starts and stops at
+//! rest.
+
+mod accurate;
+mod cycle;
+mod extremes;
+mod geometry;
+mod motion;
+
+pub use cycle::{Motion, Phase};
+pub use extremes::{AccelerationPeak, acceleration_peak, entry_acceleration, gamma, peak_velocity};
+pub use geometry::{STATIONS, Wheel, WheelError};
+pub use motion::{acceleration_ratio, jerk_ratio, unsteady_acceleration};

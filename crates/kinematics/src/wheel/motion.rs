@@ -1,0 +1,52 @@
+//! Ratios of the wheel's motion to the driver's while the pin is in the slot, beyond the velocity ratio.
+//!
+//! Written with k = 1 / sin α: multiplying numerator and denominator by k² turns the sources' forms in sin α into these.
+
+use crate::pin_slot::{slot_radius_squared, velocity_ratio};
+use crate::{Field, Turn};
+
+/// Angular acceleration of the wheel over the square of the driver's constant angular velocity, dimensionless:
+/// −k (k² − 1) sin θ / (1 + k² − 2 k cos θ)².
+///
+/// Positive while the wheel speeds up (θ < 0). Work::Jazar2003, Eq. (5.32); Eq. (5.29) with its lost sign for N = 4.
+pub fn acceleration_ratio<S: Field>(ratio: &S, crank: &Turn<S>) -> S {
+    let square = slot_radius_squared(ratio, crank);
+    let shape = ratio.clone() * (ratio.clone() * ratio.clone() - S::one());
+    -(shape * crank.sin.clone()) / (square.clone() * square)
+}
+
+/// Rate of change of the wheel's angular acceleration over the cube of the driver's constant angular velocity:
+/// −k (k² − 1) {(1 + k² − 2 k cos θ) cos θ − 4 k sin² θ} / (1 + k² − 2 k cos θ)³.
+///
+/// Inside the engagement; at its ends the acceleration jumps and the jerk has no finite value.
+/// Work::Jazar2003, example (e), derivative of Eq. (5.32).
+pub fn jerk_ratio<S: Field>(ratio: &S, crank: &Turn<S>) -> S {
+    let square = slot_radius_squared(ratio, crank);
+    let shape = ratio.clone() * (ratio.clone() * ratio.clone() - S::one());
+    let sines = S::integer(4) * ratio.clone() * crank.sin.clone() * crank.sin.clone();
+    -(shape * (square.clone() * crank.cos.clone() - sines)) / (square.clone() * square.clone() * square)
+}
+
+/// Angular acceleration of the wheel for a driver that speeds up: θ'' times the velocity ratio, plus θ'² times the
+/// acceleration ratio. In the unit of the driver's acceleration.
+///
+/// Work::Jazar2003, display before Eq. (5.29), for any N.
+pub fn unsteady_acceleration<S: Field>(ratio: &S, crank: &Turn<S>, driver_speed: &S, driver_acceleration: &S) -> S {
+    driver_acceleration.clone() * velocity_ratio(ratio, crank)
+        + driver_speed.clone() * driver_speed.clone() * acceleration_ratio(ratio, crank)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Jet, Rational, rational};
+
+    #[test]
+    fn each_ratio_is_the_derivative_of_the_one_before() {
+        let (ratio, crank) = (rational(7, 4), Turn::<Rational>::from_half_tangent(&rational(1, 5)));
+        let moving = crank.moving::<3>(rational(1, 1));
+        let velocity = velocity_ratio(&Jet::constant(ratio.clone()), &moving);
+        assert_eq!(velocity.derivative(1), Some(acceleration_ratio(&ratio, &crank)));
+        assert_eq!(velocity.derivative(2), Some(jerk_ratio(&ratio, &crank)));
+    }
+}

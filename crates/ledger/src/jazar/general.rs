@@ -1,0 +1,331 @@
+//! The wheel of any number of stations: its geometry and the equations (5.30) to (5.32).
+
+use super::four::printed_5_32;
+use super::*;
+use crate::{Erratum, Severity, Verdict};
+use geneva_kinematics::prove;
+use geneva_kinematics::wheel::{acceleration_peak, entry_acceleration, peak_velocity};
+use geneva_kinematics::wheel_proofs::{Implemented, Printed, Quantity};
+
+const GEOMETRY: &str = "Paragraph on Fig. 5.31";
+const DURATION: &str = "2nd paragraph on Fig. 5.31";
+const RATIOS: &str = "Paragraph before Eq. (5.30)";
+
+pub fn claims() -> Vec<Claim> {
+    [geometry(), sizes(), equations()].concat()
+}
+
+fn geometry() -> Vec<Claim> {
+    vec![
+        statement(
+            "jazar.alpha",
+            GEOMETRY,
+            "α is the angle between slot and line of centres as the pin enters or leaves",
+            "at the moment of engagement or disengagement",
+            Check::form(
+                (Vectors, || {
+                    for_all_stations(
+                        |wheel| agrees(-entry_angle(wheel), wheel.half_station()),
+                        "the slot is at α as the pin enters",
+                    )
+                }),
+                (LimitCase, || {
+                    for_all_stations(
+                        |wheel| agrees(by_series(wheel, wheel.engagement_half_angle())[0], wheel.half_station()),
+                        "and as it leaves",
+                    )
+                }),
+            ),
+        ),
+        figure(
+            "jazar.fig-5.31",
+            "Fig. 5.31, caption",
+            "α is half the angle between successive slots",
+            "half the angle",
+            Check::form(
+                (ClosedForm, || {
+                    for_all_stations(
+                        |wheel| agrees(2.0 * wheel.half_station() * f64::from(wheel.stations()), 2.0 * PI),
+                        "N times 2α is a turn",
+                    )
+                }),
+                (Vectors, || {
+                    for_all_stations(
+                        |wheel| {
+                            agrees(
+                                by_series(wheel, wheel.engagement_half_angle())[0] - entry_angle(wheel),
+                                2.0 * PI / f64::from(wheel.stations()),
+                            )
+                        },
+                        "an advance is one station",
+                    )
+                }),
+            ),
+        ),
+        equation(
+            "jazar.alpha-degrees",
+            DURATION,
+            "α in degrees",
+            r"360^{\circ}/(2N)",
+            Check::form(
+                (ClosedForm, || {
+                    for_all_stations(
+                        |wheel| agrees(wheel.half_station().to_degrees(), 360.0 / (2.0 * f64::from(wheel.stations()))),
+                        "α is 360°/(2N)",
+                    )
+                }),
+                (Vectors, || {
+                    for_all_stations(
+                        |wheel| agrees(-entry_angle(wheel).to_degrees(), 360.0 / (2.0 * f64::from(wheel.stations()))),
+                        "the slot's angle at entry is 360°/(2N)",
+                    )
+                }),
+            ),
+        ),
+        equation(
+            "jazar.duration",
+            DURATION,
+            "crank angle of an advance",
+            r"\pi - 2\alpha",
+            Check::form(
+                (Series, || {
+                    for_all_stations(
+                        |wheel| by_series(wheel, PI / 2.0 - wheel.half_station())[1].abs() < 1e-12,
+                        "the wheel is at rest at ±(π/2 − α)",
+                    )
+                }),
+                (Vectors, || {
+                    for_all_stations(
+                        |wheel| {
+                            let end = Turn::from_radians(PI / 2.0 - wheel.half_station());
+                            let pin = pin_from_pivot(&wheel.centre_distance_ratio(), &end);
+                            pin.dot(&end.reversed().direction()).abs() < 1e-12
+                        },
+                        "slot and crank are at right angles there",
+                    )
+                }),
+            ),
+        ),
+        value(
+            "jazar.duration-limit",
+            DURATION,
+            "limit of the crank angle of an advance for very many stations",
+            ("180", "°"),
+            Check::number(
+                (LimitCase, || limit(|n| of(n, |wheel| 2.0 * wheel.engagement_half_angle()).to_degrees())),
+                (ClosedForm, || PI.to_degrees()),
+            ),
+        ),
+        statement(
+            "jazar.duration-grows",
+            DURATION,
+            "the duration of the advance increases with the number of stations",
+            "increases",
+            Check::form(
+                (ClosedForm, || {
+                    compare_neighbours(|a, b| a.motion_fraction() < b.motion_fraction(), "the moving part grows")
+                }),
+                (LimitCase, || {
+                    compare_neighbours(
+                        |a, b| a.engagement_half_angle() < b.engagement_half_angle(),
+                        "the engagement grows",
+                    )
+                }),
+            ),
+        ),
+        statement(
+            "jazar.gentler",
+            DURATION,
+            "more stations make the motion more gentle",
+            "more gentle",
+            Check::form(
+                (ClosedForm, || {
+                    compare_neighbours(
+                        |a, b| {
+                            peak_velocity(a) > peak_velocity(b)
+                                && entry_acceleration(a) > entry_acceleration(b)
+                                && acceleration_peak(a).ratio > acceleration_peak(b).ratio
+                        },
+                        "peak velocity, jump and peak of the acceleration all fall",
+                    )
+                }),
+                (Series, || {
+                    compare_neighbours(
+                        |a, b| peak_by_series(a).1 > peak_by_series(b).1,
+                        "the peak acceleration of the power series falls",
+                    )
+                }),
+            ),
+        ),
+        statement(
+            "jazar.dwell-shrinks",
+            DURATION,
+            "more stations shorten the time in which the output stands still",
+            "decreasing",
+            Check::form(
+                (ClosedForm, || {
+                    compare_neighbours(|a, b| a.dwell_fraction() > b.dwell_fraction(), "the dwell shrinks")
+                }),
+                (LimitCase, || same(limit(|n| of(n, Wheel::dwell_fraction)), 0.5)),
+            ),
+        ),
+    ]
+}
+
+fn sizes() -> Vec<Claim> {
+    vec![
+        equation(
+            "jazar.centre-distance-ratio",
+            RATIOS,
+            "centre distance over crank radius",
+            r"1/\sin \alpha",
+            Check::form(
+                (ClosedForm, || for_all_stations(|wheel| agrees(wheel.centre_distance_ratio(), 1.0 / libm::sin(wheel.half_station())), "1/sin α")),
+                (Vectors, || for_all_stations(|wheel| at_rest_on_entry(wheel, wheel.centre_distance_ratio()), "with it the pin enters along the slot")),
+            ),
+        ),
+        statement(
+            "jazar.wheel-radius-ratio",
+            RATIOS,
+            "1/tan α is the outside diameter of the wheel over the pin's radius",
+            r"\text{outside diameter: } 1/\tan \alpha",
+            Check::corrected_form(
+                (Vectors, || for_all_stations(|wheel| agrees(2.0 * entry_radius(wheel), 1.0 / libm::tan(wheel.half_station())), "the diameter is 1/tan α")),
+                || for_all_stations(|wheel| agrees(entry_radius(wheel), 1.0 / libm::tan(wheel.half_station())), "the radius is 1/tan α"),
+                // The paragraph on Fig. 5.28: four stations have the outer radius r, and 1/tan 45° = 1.
+                (OtherPlaceInSource, || same(1.0 / libm::tan(of(4, Wheel::half_station)), of(4, Wheel::wheel_radius_ratio))),
+            ),
+        )
+        .expecting(Verdict::Corrected)
+        .with_erratum(Erratum {
+            corrected: r"\text{outside radius: } 1/\tan \alpha",
+            reason: "The ratio is that of the wheel's outer radius to the radius of the pin's circle; the diameter is twice \
+                     as large. Read as centre distance over diameter it fails too: that is 1/(2 cos α).",
+            witness: "The source's own wheel of four has the outer radius r.",
+            severity: Severity::Conceptual,
+            inherited_by: &[],
+        }),
+        equation(
+            "jazar.alpha-radians",
+            "Sentence before Eq. (5.30)",
+            "α in radians",
+            r"\alpha = \pi/N",
+            Check::form(
+                (ClosedForm, || for_all_stations(|wheel| agrees(wheel.half_station(), PI / f64::from(wheel.stations())), "α is π/N")),
+                (Vectors, || for_all_stations(|wheel| agrees(-entry_angle(wheel), PI / f64::from(wheel.stations())), "the slot's angle at entry is π/N")),
+            ),
+        ),
+        statement(
+            "jazar.generalises",
+            "Sentence before Eq. (5.30)",
+            "Eqs. (5.27) to (5.29) are the case of four stations of Eqs. (5.30) to (5.32)",
+            "become",
+            Check::corrected_form(
+                (Series, || {
+                    let four = |t: f64| 2f64.sqrt() * libm::sin(t) / libm::pow(3.0 - 2.0 * 2f64.sqrt() * libm::cos(t), 2.0);
+                    same(of(4, |wheel| printed_5_32(wheel, 0.5)), four(0.5))
+                }),
+                || {
+                    let four = |t: f64| 2f64.sqrt() * libm::sin(t) / libm::pow(3.0 - 2.0 * 2f64.sqrt() * libm::cos(t), 2.0);
+                    same(of(4, |wheel| printed_5_32(wheel, 0.5)), -four(0.5))
+                },
+                (ExactIdentity, || prove(&Printed(Quantity::Acceleration)).into()),
+            ),
+        )
+        .expecting(Verdict::Corrected)
+        .with_erratum(Erratum {
+            corrected: "they do, with the sign of Eq. (5.29) restored",
+            reason: "For four stations Eq. (5.32) has the opposite sign of Eq. (5.29) as printed.",
+            witness: "Eq. (5.32) is proven against power series for every α.",
+            severity: Severity::Typographical,
+            inherited_by: &[],
+        }),
+    ]
+}
+
+fn equations() -> Vec<Claim> {
+    vec![
+        equation(
+            "jazar.eq-5.30",
+            "Eq. (5.30)",
+            "wheel angle, N stations",
+            r"\phi = \tan^{-1} \left(\frac{\sin \alpha \sin \theta}{1 - \sin \alpha \cos \theta} \right)",
+            Check::form(
+                (ExactIdentity, || prove(&Printed(Quantity::Tangent)).into()),
+                (Vectors, || {
+                    for_all_stations(
+                        |wheel| thirds(wheel).all(|t| agrees(printed_angle(wheel, t), by_series(wheel, t)[0])),
+                        "the formula is the direction of the pin",
+                    )
+                }),
+            ),
+        ),
+        equation(
+            "jazar.eq-5.31",
+            "Eq. (5.31)",
+            "angular velocity of the wheel, N stations",
+            r"\dot{\phi} = \dot{\theta} \sin \alpha \left(\frac{\cos \theta - \sin \alpha}{1 + \sin^2 \alpha - 2 \sin \alpha \cos \theta} \right)",
+            Check::form(
+                (ExactIdentity, || prove(&Printed(Quantity::Velocity)).into()),
+                (Series, || prove(&Implemented(Quantity::Velocity)).into()),
+            ),
+        ),
+        equation(
+            "jazar.eq-5.32",
+            "Eq. (5.32)",
+            "angular acceleration of the wheel, N stations",
+            r"\ddot{\phi} = -\dot{\theta}^2 \frac{\sin \alpha \cos^2 \alpha \sin \theta}{(1 + \sin^2 \alpha - 2 \sin \alpha \cos \theta)^2}",
+            Check::form(
+                (ExactIdentity, || prove(&Printed(Quantity::Acceleration)).into()),
+                (Series, || prove(&Implemented(Quantity::Acceleration)).into()),
+            ),
+        ),
+    ]
+}
+
+fn agrees(a: f64, b: f64) -> bool {
+    crate::tolerance::ROUTES.agrees(a, b)
+}
+
+/// Wheel angle as the pin enters.
+fn entry_angle(wheel: &Wheel) -> f64 {
+    by_series(wheel, -wheel.engagement_half_angle())[0]
+}
+
+/// Distance of the pin from the wheel's axis as it enters, in crank radii: the least outer radius.
+fn entry_radius(wheel: &Wheel) -> f64 {
+    pin_from_pivot(&wheel.centre_distance_ratio(), &Turn::from_radians(wheel.engagement_half_angle())).norm()
+}
+
+/// Whether crank and slot are at right angles where the slot is at α, for this centre distance.
+fn at_rest_on_entry(wheel: &Wheel, ratio: f64) -> bool {
+    let crank = Turn::from_radians(PI / 2.0 - wheel.half_station());
+    let pin = pin_from_pivot(&ratio, &crank);
+    agrees(libm::atan2(pin.y, pin.x), wheel.half_station()) && pin.dot(&crank.reversed().direction()).abs() < 1e-12
+}
+
+/// Some crank angles of the engagement, none of them zero.
+fn thirds(wheel: &Wheel) -> impl Iterator<Item = f64> {
+    let end = wheel.engagement_half_angle();
+    [-1.0, -2.0 / 3.0, -1.0 / 3.0, 1.0 / 3.0, 2.0 / 3.0, 1.0].into_iter().map(move |part| part * end)
+}
+
+fn printed_angle(wheel: &Wheel, theta: f64) -> f64 {
+    let sine = libm::sin(wheel.half_station());
+    libm::atan(sine * libm::sin(theta) / (1.0 - sine * libm::cos(theta)))
+}
+
+/// Whether something holds between each wheel and the one with a station more.
+fn compare_neighbours(holds: fn(&Wheel, &Wheel) -> bool, how: &str) -> Finding {
+    let failing: Vec<_> =
+        (3..60).filter(|n| !Wheel::new(*n).and_then(|a| Ok(holds(&a, &Wheel::new(n + 1)?))).unwrap_or(false)).collect();
+    Finding::new(
+        failing.is_empty(),
+        if failing.is_empty() { how.to_owned() } else { format!("fails from {failing:?}") },
+    )
+}
+
+/// Limit for N to infinity of a quantity that goes with 1/N: twice the value at 2 N less that at N.
+fn limit(quantity: fn(u32) -> f64) -> f64 {
+    2.0 * quantity(1000) - quantity(500)
+}

@@ -1,0 +1,116 @@
+//! The lecture handout: the N-station Geneva wheel, its kinematics and a worked example.
+//!
+//! The claims stand in the order of the source: the four-station wheel and its equations, the general wheel, the
+//! example. The wheel of the example is [`example`].
+
+mod example;
+mod four;
+mod general;
+mod inventory;
+mod peak;
+mod symbols;
+mod text;
+
+pub use inventory::INVENTORY;
+pub use symbols::SYMBOLS;
+
+use crate::{Check, Claim, Evidence, Finding, Kind, Work, printed_value};
+use geneva_kinematics::pin_slot::pin_from_pivot;
+use geneva_kinematics::wheel::{Wheel, WheelError};
+use geneva_kinematics::{Jet, Turn, angular_velocity};
+use std::f64::consts::PI;
+
+use Evidence::{ClosedForm, Dimension, ExactIdentity, Jet as Series, LimitCase, OtherPlaceInSource, Vectors};
+
+/// All claims of the handout, in the order of the source.
+pub fn claims() -> Vec<Claim> {
+    [text::claims(), four::claims(), general::claims(), example::claims(), peak::claims()].concat()
+}
+
+/// The wheel of the example, from the printed number of stations.
+pub fn example() -> Result<Wheel, WheelError> {
+    Wheel::new(printed("jazar.ex.stations") as u32)
+}
+
+/// The angular speed of the example's driver in rad/s, from the printed revolutions per minute.
+pub fn example_speed() -> f64 {
+    printed("jazar.ex.rpm") / 60.0 * 2.0 * PI
+}
+
+/// The wheel of the equations (5.25) to (5.29) and of the figures 5.28 to 5.30.
+pub fn four_stations() -> Result<Wheel, WheelError> {
+    Wheel::new(4)
+}
+
+/// A quantity of the example's wheel.
+fn six(quantity: fn(&Wheel) -> f64) -> f64 {
+    example().map_or(f64::NAN, |wheel| quantity(&wheel))
+}
+
+/// A quantity of a wheel of so many stations.
+fn of(stations: u32, quantity: fn(&Wheel) -> f64) -> f64 {
+    Wheel::new(stations).map_or(f64::NAN, |wheel| quantity(&wheel))
+}
+
+/// Whether a property holds for each number of stations from three to sixty.
+fn for_all_stations(holds: fn(&Wheel) -> bool, how: &str) -> Finding {
+    let failing: Vec<u32> = (3..=60).filter(|n| !Wheel::new(*n).is_ok_and(|wheel| holds(&wheel))).collect();
+    let how = match failing[..] {
+        [] => format!("{how}, 3 to 60 stations"),
+        [first] => format!("{how}: not for {first} stations"),
+        [first, .., last] => format!("{how}: not for {} numbers of stations from {first} to {last}", failing.len()),
+    };
+    Finding::new(failing.is_empty(), how)
+}
+
+/// Wheel angle and its first three derivatives by the crank angle, from the pin's place as a power series.
+fn by_series(wheel: &Wheel, crank: f64) -> [f64; 4] {
+    let turn = Turn::from_radians(crank).moving::<4>(1.0);
+    let place = pin_from_pivot(&Jet::constant(wheel.centre_distance_ratio()), &turn);
+    let angle = libm::atan2(place.y.value(), place.x.value());
+    let series = angular_velocity(&place);
+    let derivative = |order| series.as_ref().and_then(|series| series.derivative(order)).unwrap_or(f64::NAN);
+    [angle, derivative(0), derivative(1), derivative(2)]
+}
+
+/// Angle and size of the greatest acceleration, by halving the interval in which the third derivative changes sign.
+fn peak_by_series(wheel: &Wheel) -> (f64, f64) {
+    let (mut low, mut high) = (0.0, wheel.engagement_half_angle());
+    for _ in 0..80 {
+        let middle = (low + high) / 2.0;
+        if by_series(wheel, middle)[3] < 0.0 { low = middle } else { high = middle }
+    }
+    (low, by_series(wheel, low)[2].abs())
+}
+
+/// The number printed in the claim with this id; not a number if there is none, which no verdict survives.
+fn printed(id: &str) -> f64 {
+    printed_value(id).unwrap_or(f64::NAN)
+}
+
+/// Whether two numbers agree as two routes must; says both.
+fn same(a: f64, b: f64) -> Finding {
+    Finding::new(crate::tolerance::ROUTES.agrees(a, b), format!("{a} against {b}"))
+}
+
+fn value(
+    id: &'static str,
+    at: &'static str,
+    meaning: &'static str,
+    text: (&'static str, &'static str),
+    check: Check,
+) -> Claim {
+    Claim::new(id, Work::Jazar2003, at, (Kind::Value, meaning), text, check)
+}
+
+fn equation(id: &'static str, at: &'static str, meaning: &'static str, text: &'static str, check: Check) -> Claim {
+    Claim::new(id, Work::Jazar2003, at, (Kind::Equation, meaning), (text, ""), check)
+}
+
+fn statement(id: &'static str, at: &'static str, meaning: &'static str, text: &'static str, check: Check) -> Claim {
+    Claim::new(id, Work::Jazar2003, at, (Kind::Statement, meaning), (text, ""), check)
+}
+
+fn figure(id: &'static str, at: &'static str, meaning: &'static str, text: &'static str, check: Check) -> Claim {
+    Claim::new(id, Work::Jazar2003, at, (Kind::Figure, meaning), (text, ""), check)
+}

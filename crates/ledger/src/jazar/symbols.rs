@@ -1,0 +1,19 @@
+//! The letters of the handout and the book's.
+
+use crate::Symbol;
+
+/// Each letter and the book's symbol.
+pub const SYMBOLS: &[Symbol] = &[
+    Symbol { printed: "r", ours: "R", meaning: "crank radius: radius of the circle of the pin's centre" },
+    Symbol {
+        printed: "x",
+        ours: "r",
+        meaning: "distance of the pin from the wheel's axis; the source does not say so",
+    },
+    Symbol { printed: "θ", ours: r"\theta", meaning: "crank angle from the line of centres" },
+    Symbol { printed: "ϕ", ours: r"\varphi", meaning: "wheel angle from the line of centres, in the opposite sense" },
+    Symbol { printed: "α", ours: r"\alpha", meaning: "half the angle between successive slots" },
+    Symbol { printed: "γ", ours: r"\gamma", meaning: "coefficient of the quadratic for the peak" },
+    Symbol { printed: "λ", ours: r"\lambda", meaning: "part of the cycle" },
+    Symbol { printed: "τ", ours: r"\tau", meaning: "time of the dwell" },
+];

@@ -1,0 +1,181 @@
+//! What the text says of Geneva wheels before the first equation.
+
+use super::*;
+use geneva_kinematics::pin_proofs::{StandstillOfFourSlots, four_slot_entry_misfit};
+use geneva_kinematics::pin_slot::velocity_ratio;
+use geneva_kinematics::wheel::Phase;
+use geneva_kinematics::wheel_proofs::LoopClosure;
+use geneva_kinematics::{Field, Rational, Surd, prove};
+
+const INDEXING: &str = "1st paragraph";
+const VARIETIES: &str = "2nd paragraph";
+const SIMPLE: &str = "Paragraph on Fig. 5.28";
+const CAPTION: &str = "Fig. 5.28, caption";
+const MODEL: &str = "Paragraph below Fig. 5.28";
+
+pub fn claims() -> Vec<Claim> {
+    vec![
+        statement(
+            "jazar.one-direction",
+            INDEXING,
+            "the output always advances in the same direction",
+            "same direction",
+            Check::form(
+                (Series, || {
+                    for_all_stations(|wheel| engagement(wheel).all(|t| by_series(wheel, t)[1] >= 0.0), "φ̇ ≥ 0")
+                }),
+                (LimitCase, || for_all_stations(never_goes_back, "the wheel's angle never falls over two turns")),
+            ),
+        ),
+        statement(
+            "jazar.slider-crank",
+            VARIETIES,
+            "while advancing it is an inverted slider crank, while holding a journal bearing",
+            "inverted slider crank",
+            Check::form(
+                (ExactIdentity, || prove(&LoopClosure { along: true }).into()),
+                (ExactIdentity, || prove(&LoopClosure { along: false }).into()),
+            ),
+        ),
+        statement(
+            "jazar.quarter-turn",
+            SIMPLE,
+            "the wheel of four advances a quarter turn for every turn of the driver",
+            "one-quarter turn",
+            Check::form(
+                (Vectors, || same(of(4, |wheel| 2.0 * by_series(wheel, wheel.engagement_half_angle())[0]), PI / 2.0)),
+                (ClosedForm, || same(of(4, |wheel| 2.0 * wheel.half_station()), PI / 2.0)),
+            ),
+        ),
+        statement(
+            "jazar.tangent-entry",
+            SIMPLE,
+            "unless the slot is tangent to the pin's circle at entry and exit, the acceleration there is infinite",
+            "tangent",
+            Check::form(
+                (LimitCase, || {
+                    // A slot at 45° and a centre distance of 1.3 radii: the pin enters across, the wheel starts with a jump.
+                    let jump = start_of_a_quartered_wheel(1.3);
+                    Finding::new(
+                        jump.abs() > 0.1,
+                        format!("at l = 1.3 r the wheel starts with the speed {jump:.3} θ̇ at once"),
+                    )
+                }),
+                (ExactIdentity, || prove(&StandstillOfFourSlots).into()),
+            ),
+        ),
+        equation(
+            "jazar.centre-distance",
+            SIMPLE,
+            "centre distance of the wheel of four",
+            r"\sqrt{2}r",
+            Check::form(
+                (ExactIdentity, || {
+                    type WithTwo = Surd<Rational, 2>;
+                    let misfit = four_slot_entry_misfit(&WithTwo::root());
+                    Finding::new(
+                        misfit == WithTwo::integer(0),
+                        "with the root exact the pin enters at rest on its circle",
+                    )
+                }),
+                (ClosedForm, || same(of(4, Wheel::centre_distance_ratio), 2f64.sqrt())),
+            ),
+        ),
+        statement(
+            "jazar.wheel-radius",
+            SIMPLE,
+            "outer radius of the wheel of four: the crank radius",
+            "outer radius r",
+            Check::form(
+                (ClosedForm, || same(of(4, Wheel::wheel_radius_ratio), 1.0)),
+                (Vectors, || same(of(4, |wheel| entry(wheel).norm()), 1.0)),
+            ),
+        ),
+        equation(
+            "jazar.cutout-centres",
+            SIMPLE,
+            "radius of the circle of the locking arcs' centres, four stations",
+            r"\sqrt{2}r",
+            Check::form(
+                (ClosedForm, || same(of(4, Wheel::locking_centres_ratio), 2f64.sqrt())),
+                (Vectors, || {
+                    // In the dwell an arc is concentric with the driver, which is where the pin's circle has its centre.
+                    same(
+                        of(4, |wheel| {
+                            (entry(wheel) + Turn::from_radians(wheel.engagement_half_angle()).direction()).norm()
+                        }),
+                        2f64.sqrt(),
+                    )
+                }),
+            ),
+        ),
+        figure(
+            "jazar.fig-5.28",
+            CAPTION,
+            "a four-station wheel advances for a quarter of the cycle and is locked for three quarters",
+            "one-quarter, three-quarters",
+            Check::form(
+                (ClosedForm, || same(of(4, Wheel::motion_fraction), 0.25)),
+                (LimitCase, || same(of(4, locked_part), 0.75)),
+            ),
+        ),
+        statement(
+            "jazar.speeds-up-then-slows-down",
+            MODEL,
+            "the wheel accelerates and then decelerates",
+            "accelerates and then decelerates",
+            Check::form(
+                (Series, || {
+                    for_all_stations(
+                        |wheel| changes_sign_once(wheel, |w, t| by_series(w, t)[2]),
+                        "φ̈ changes sign once, at θ = 0",
+                    )
+                }),
+                (ClosedForm, || {
+                    for_all_stations(
+                        |wheel| changes_sign_once(wheel, |w, t| w.engaged(t).map_or(f64::NAN, |m| m.acceleration)),
+                        "the same by the formula",
+                    )
+                }),
+            ),
+        ),
+    ]
+}
+
+/// Crank angles over the engagement, the ends left out.
+fn engagement(wheel: &Wheel) -> impl Iterator<Item = f64> {
+    let end = wheel.engagement_half_angle();
+    (-40..=40).map(move |step| end * f64::from(step) / 41.0)
+}
+
+/// The pin's place as it enters, from the wheel's axis.
+fn entry(wheel: &Wheel) -> nalgebra::Vector2<f64> {
+    pin_from_pivot(&wheel.centre_distance_ratio(), &Turn::from_radians(-wheel.engagement_half_angle()))
+}
+
+fn never_goes_back(wheel: &Wheel) -> bool {
+    let angle = |turns: i64, crank: f64| {
+        wheel.at(turns, crank).map_or(f64::NAN, |m| m.stations as f64 * 2.0 * wheel.half_station() + m.angle)
+    };
+    let angles: Vec<_> = [0, 1].iter().flat_map(|n| (-50..50).map(move |k| (*n, PI * f64::from(k) / 50.0))).collect();
+    angles.windows(2).all(|pair| angle(pair[0].0, pair[0].1) <= angle(pair[1].0, pair[1].1) + 1e-12)
+}
+
+/// The wheel's speed over the driver's as a pin enters a slot at 45°, for another centre distance.
+fn start_of_a_quartered_wheel(ratio: f64) -> f64 {
+    // k − cos θ = sin θ on the side of the driver: cos θ = (k + √(2 − k²)) / 2.
+    let cos = (ratio + (2.0 - ratio * ratio).sqrt()) / 2.0;
+    velocity_ratio(&ratio, &Turn { cos, sin: cos - ratio })
+}
+
+/// Part of a turn of the driver in which the wheel is locked, by counting.
+fn locked_part(wheel: &Wheel) -> f64 {
+    let steps = 4000;
+    let middles = (0..steps).map(|k| PI * (2.0 * (f64::from(k) + 0.5) / f64::from(steps) - 1.0));
+    let locked = middles.filter(|t| wheel.at(0, *t).is_ok_and(|m| m.phase == Phase::Dwell)).count();
+    locked as f64 / f64::from(steps)
+}
+
+fn changes_sign_once(wheel: &Wheel, acceleration: fn(&Wheel, f64) -> f64) -> bool {
+    engagement(wheel).all(|t| acceleration(wheel, t) * t <= 0.0)
+}
