@@ -148,8 +148,8 @@ fn symbols() -> [Label; 3] {
     let shaded = |shade: Shade| Label::symbol("φ").shade(shade);
     [
         shaded(RELATIVE).and(" in rad"),
-        shaded(FOLLOWER).and("′ / ").and_symbol("θ").and("′"),
-        shaded(DRIVER).and("″ / ").and_symbol("θ").and("′²"),
+        shaded(FOLLOWER).and("′ / ").and_symbol("θ").and("\u{200a}′"),
+        shaded(DRIVER).and("″ / ").and_symbol("θ").and("\u{200a}′²"),
     ]
 }
 

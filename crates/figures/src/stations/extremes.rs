@@ -152,7 +152,7 @@ fn names(canvas: &mut Canvas, plot: &Plot, rows: &[[f64; 9]]) {
                 5 => ("greatest", "′ / "),
                 _ => ("at entry", "″ / "),
             };
-            let square = if column == 5 { "′" } else { "′²" };
+            let square = if column == 5 { "\u{200a}′" } else { "\u{200a}′²" };
             let symbol = Label::symbol("φ").and(symbol).and_symbol("θ").and(square).shade(shade);
             canvas.label(&(at - down * 12.0), &left, 14.0, &Label::words(words).shade(shade));
             canvas.label(&(at + down * 12.0), &left, 14.0, &symbol);

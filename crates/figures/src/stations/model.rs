@@ -29,8 +29,8 @@ const NARROWEST: f64 = 0.05;
 
 /// The triangle O P B at crank angle `crank` (θ, radians from the line of centres, within the engagement), to scale.
 ///
-/// Sides: crank radius r, pin's distance x from the wheel's axis, centre distance r / sin α. θ is counted clockwise
-/// from B → O and φ counter-clockwise from O → B. Series: θ, φ, x/r, the centre distance over r.
+/// Sides: crank radius R, pin's distance r from the wheel's axis, centre distance R / sin α. θ is counted clockwise
+/// from B → O and φ counter-clockwise from O → B. Series: θ, φ, r/R and l/R.
 pub fn model(wheel: &Wheel, crank: f64) -> Result<Figure, WheelError> {
     let phi = wheel.engaged(crank)?.angle;
     let (ratio, turn) = (wheel.centre_distance_ratio(), Turn::from_radians(crank));
@@ -45,14 +45,14 @@ pub fn model(wheel: &Wheel, crank: f64) -> Result<Figure, WheelError> {
     angles(&mut canvas, &bodies, crank, phi, x);
     sides(&mut canvas, &bodies, crank, phi, &bodies.view.place(&pin));
 
-    let columns = [("theta", "deg"), ("phi", "deg"), ("x/r", "1"), ("l/r", "1")];
+    let columns = [("theta", "deg"), ("phi", "deg"), ("r/R", "1"), ("l/R", "1")];
     let row = [crank.to_degrees(), phi.to_degrees(), x, ratio];
     let words = Words {
         id: id("model", wheel),
         title: format!("The triangle of the two axes and the pin for {} stations", wheel.stations()),
         description: format!(
             "The wheel's axis O at the left, the driver's axis B at the right, {} crank radii away, and the pin P in a \
-             slot of the wheel. BP is the crank r; OP is x, {} crank radii. The crank angle θ at B, {}, is counted \
+             slot of the wheel. BP is the crank R; OP is r, {} crank radii. The crank angle θ at B, {}, is counted \
              clockwise from BO; the wheel's angle φ at O, {}, counter-clockwise from OB.",
             significant(ratio, 4),
             significant(x, 4),
@@ -60,7 +60,7 @@ pub fn model(wheel: &Wheel, crank: f64) -> Result<Figure, WheelError> {
             degrees(without_noise(phi, 1.0))
         ),
         caption: format!(
-            "The model: crank r, distance x of the pin from the wheel's axis, angles θ and φ with opposite positive \
+            "The model: crank R, distance r of the pin from the wheel's axis, angles θ and φ with opposite positive \
              senses, drawn to scale at θ = {}.",
             degrees(crank)
         ),
@@ -105,12 +105,12 @@ fn sides(canvas: &mut Canvas, at: &Bodies, theta: f64, phi: f64, pin: &Pixels) {
     let down = Vector2::new(0.0, at.height - DIMENSION - at.pivot.y);
     let middle = dimension(canvas, &at.pivot, &at.axis, &down);
     let side = if theta < 0.0 { -1.0 } else { 1.0 };
-    let length = Label::symbol("r").and(" / sin ").and_symbol("α");
+    let length = Label::symbol("R").and(" / sin ").and_symbol("α");
     canvas.label(&middle, &Vector2::new(0.0, 1.0), 18.0, &length);
     let across = heading(phi + side * PI / 2.0);
-    canvas.label(&at.pivot.lerp(pin, 0.55), &across, 14.0, &Label::symbol("x").shade(FOLLOWER).on(FILL));
+    canvas.label(&at.pivot.lerp(pin, 0.55), &across, 14.0, &Label::symbol("r").shade(FOLLOWER).on(FILL));
     let across = heading(PI - theta - side * PI / 2.0);
-    canvas.label(&at.axis.lerp(pin, 0.55), &across, 14.0, &Label::symbol("r").shade(DRIVER));
+    canvas.label(&at.axis.lerp(pin, 0.55), &across, 14.0, &Label::symbol("R").shade(DRIVER));
     canvas.label(&at.pivot, &heading(2.6), 16.0, &Label::words("O").on(FILL));
     canvas.label(&at.axis, &heading(0.6), 16.0, &Label::words("B"));
     canvas.label(pin, &heading(side * PI / 2.0), 8.0 + at.driver.arm * at.view.scale, &Label::words("P"));
