@@ -1,6 +1,6 @@
 //! What the triangle and the velocity triangle of a pin in a slot say, as identities that can be proven exactly.
 //!
-//! Notation as in [`pin_slot`](crate::pin_slot) and [`pin_vectors`](crate::pin_vectors). Roots are avoided by
+//! Notation as in [`pin_slot`] and [`pin_vectors`]. Roots are avoided by
 //! multiplying out: a length that is a root of a rational function appears squared or against its own direction.
 //!
 //! Most identities have the variables p = R cos φ, q = R sin φ, l and the driver's angular velocity ω. The crank pair
@@ -115,7 +115,7 @@ impl Identity<4> for SlotPointOnTheFollower {
     }
 }
 
-/// The velocity ratio of [`pin_slot`](crate::pin_slot) is the one that differentiating the pin's place gives.
+/// The velocity ratio of [`pin_slot`] is the one that differentiating the pin's place gives.
 ///
 /// In crank radii, with a driver of speed one. Variables: k and the tangent of φ/2.
 pub struct VelocityRatio;
