@@ -7,6 +7,7 @@
 //!
 //! The ledger computes nothing itself: it calls the formula crates. A printed number stands here and nowhere else.
 
+mod checks;
 mod claim;
 mod dimension;
 mod inventory;

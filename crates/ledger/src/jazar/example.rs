@@ -244,7 +244,10 @@ fn velocity() -> Vec<Claim> {
             r"2\pi \times 6",
             Check::form(
                 (ClosedForm, || same(example_speed(), 2.0 * PI * printed("jazar.ex-a.advances"))),
-                (OtherPlaceInSource, || rounds("jazar.ex-d.driver-speed", 2.0 * PI * printed("jazar.ex-a.advances"))),
+                (OtherPlaceInSource, || {
+                    let speed = 2.0 * PI * printed("jazar.ex-a.advances");
+                    Finding::new(rounds("jazar.ex-d.driver-speed", speed), format!("{speed}"))
+                }),
             ),
         ),
         value(
@@ -368,10 +371,6 @@ fn zero_of_acceleration() -> f64 {
     if high.abs() < 1e-15 { 0.0 } else { high }
 }
 
-fn decimal(id: &str) -> Option<crate::Decimal> {
-    crate::claim(id)?.printed.parse().ok()
-}
-
 fn exactly(id: &str) -> Rational {
     decimal(id).map_or(Rational::ZERO, |decimal| decimal.exact())
 }
@@ -385,10 +384,4 @@ fn last_place(units: Rational) -> Finding {
     let off = exactly("jazar.ex-c.dwell") - exactly("jazar.ex-c.dwell-seconds") - units * unit_of_the_decimal();
     let half = unit_of_the_decimal() / rational(2, 1);
     Finding::new(-half.clone() <= off && off <= half, format!("the decimal is off by {off}"))
-}
-
-/// Whether the number printed in a claim is a rounding of this one.
-fn rounds(id: &str, number: f64) -> Finding {
-    let holds = decimal(id).is_some_and(|d| d.is_rounding_of(number));
-    Finding::new(holds, format!("{number}"))
 }

@@ -283,10 +283,6 @@ fn equations() -> Vec<Claim> {
     ]
 }
 
-fn agrees(a: f64, b: f64) -> bool {
-    crate::tolerance::ROUTES.agrees(a, b)
-}
-
 /// Wheel angle as the pin enters.
 fn entry_angle(wheel: &Wheel) -> f64 {
     by_series(wheel, -wheel.engagement_half_angle())[0]

@@ -14,7 +14,8 @@ mod text;
 pub use inventory::INVENTORY;
 pub use symbols::SYMBOLS;
 
-use crate::{Check, Claim, Evidence, Finding, Kind, Work, printed_value};
+use crate::checks::{agrees, decimal, printed, rounds, same};
+use crate::{Check, Claim, Evidence, Finding, Kind, Work};
 use geneva_kinematics::pin_slot::pin_from_pivot;
 use geneva_kinematics::wheel::{Wheel, WheelError};
 use geneva_kinematics::{Jet, Turn, angular_velocity};
@@ -81,16 +82,6 @@ fn peak_by_series(wheel: &Wheel) -> (f64, f64) {
         if by_series(wheel, middle)[3] < 0.0 { low = middle } else { high = middle }
     }
     (low, by_series(wheel, low)[2].abs())
-}
-
-/// The number printed in the claim with this id; not a number if there is none, which no verdict survives.
-fn printed(id: &str) -> f64 {
-    printed_value(id).unwrap_or(f64::NAN)
-}
-
-/// Whether two numbers agree as two routes must; says both.
-fn same(a: f64, b: f64) -> Finding {
-    Finding::new(crate::tolerance::ROUTES.agrees(a, b), format!("{a} against {b}"))
 }
 
 fn value(

@@ -321,10 +321,6 @@ fn numbers() -> Vec<Claim> {
 
 type S1 = DegreeBound<1>;
 
-fn agrees(a: f64, b: f64) -> bool {
-    crate::tolerance::ROUTES.agrees(a, b)
-}
-
 fn six_pair(pair: fn(&Wheel) -> (f64, f64)) -> (f64, f64) {
     example().map_or((f64::NAN, f64::NAN), |wheel| pair(&wheel))
 }

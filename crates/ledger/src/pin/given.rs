@@ -145,9 +145,8 @@ fn entry_of_a_wheel_in_quarters() -> Option<bool> {
 /// The interval of l/R that the printed digits of r² allow: k² − 2 k cos θ + 1 = r²/R² solved for the larger k.
 fn ratio_from_printed_radius() -> (f64, f64) {
     let cosine = Turn::from_degrees(printed("pin.angle-at-driver")).cos;
-    let half_unit = crate::claim("pin.radius-squared")
-        .and_then(|claim| claim.printed.parse::<crate::Decimal>().ok())
-        .map_or(f64::NAN, |decimal| decimal.unit_in_last_place().approximate() / 2.0);
+    let half_unit =
+        decimal("pin.radius-squared").map_or(f64::NAN, |decimal| decimal.unit_in_last_place().approximate() / 2.0);
     let ratio = |square: f64| cosine + (square - 1.0 + cosine * cosine).sqrt();
     let square = printed("pin.radius-squared");
     (ratio(square - half_unit), ratio(square + half_unit))

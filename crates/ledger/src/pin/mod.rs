@@ -12,7 +12,8 @@ mod velocity;
 pub use inventory::INVENTORY;
 pub use symbols::SYMBOLS;
 
-use crate::{Claim, Evidence, Finding, printed_value};
+use crate::checks::{decimal, printed, rounds, same};
+use crate::{Claim, Evidence, Finding};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::PinSlot;
 use geneva_kinematics::pin_triangle::{self, TriangleSolution};
@@ -60,11 +61,6 @@ pub fn claims() -> Vec<Claim> {
     [given::claims(), position::claims(), velocity::claims()].concat()
 }
 
-/// The number printed in the claim with this id; not a number if there is none, which no verdict survives.
-fn printed(id: &str) -> f64 {
-    printed_value(id).unwrap_or(f64::NAN)
-}
-
 /// A quantity of the triangle at the printed instant.
 fn triangle(quantity: fn(&TriangleSolution) -> f64) -> f64 {
     Instant::printed().map_or(f64::NAN, |instant| quantity(&instant.by_triangle()))
@@ -78,11 +74,6 @@ fn vectors(quantity: fn(&PinMotion<f64>) -> f64) -> f64 {
 /// The sine of an angle in degrees.
 fn sine(degrees: f64) -> f64 {
     Turn::from_degrees(degrees).sin
-}
-
-/// Whether two numbers agree as two routes must; says both.
-fn same(a: f64, b: f64) -> Finding {
-    Finding::new(crate::tolerance::ROUTES.agrees(a, b), format!("{a} against {b}"))
 }
 
 use Evidence::{ClosedForm, ExactIdentity, Jet, OtherPlaceInSource, Vectors};

@@ -136,8 +136,5 @@ pub fn claims() -> Vec<Claim> {
 /// Whether the printed r/R is a rounding of the denominator that makes sin β exact.
 fn makes_exact(sine_at_pivot: f64) -> Finding {
     let exact = sine(printed("pin.angle-at-driver")) / sine_at_pivot;
-    let holds = crate::claim("pin.radius-ratio")
-        .and_then(|claim| claim.printed.parse::<crate::Decimal>().ok())
-        .is_some_and(|printed| printed.is_rounding_of(exact));
-    Finding::new(holds, format!("exact with {exact} in the denominator"))
+    Finding::new(rounds("pin.radius-ratio", exact), format!("exact with {exact} in the denominator"))
 }

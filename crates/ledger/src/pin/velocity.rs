@@ -369,8 +369,6 @@ fn reads_as(angle: fn(&Vector2<f64>) -> f64, from: &str) -> Finding {
         return Finding::new(false, "no such position");
     };
     let measured = angle(&motion.slot_point_velocity);
-    let holds = crate::claim("pin.slot-point-velocity-direction")
-        .and_then(|claim| claim.printed.parse::<crate::Decimal>().ok())
-        .is_some_and(|printed| printed.is_rounding_of(measured));
+    let holds = rounds("pin.slot-point-velocity-direction", measured);
     Finding::new(holds, format!("{measured:.2}° from the {from}"))
 }
