@@ -44,15 +44,13 @@ fn every_block_of_code_names_its_language_and_runs_if_it_is_rust() {
 fn no_decimal_of_the_ledger_is_typed_in_a_chapter() {
     for (file, text) in chapters() {
         for (at, line) in text.lines().enumerate() {
-            for token in numeric_tokens(line).iter().filter(|token| crate::is_telling(token)) {
-                let typed: Decimal = match token.parse() {
-                    Ok(typed) => typed,
-                    Err(_) => continue,
+            for token in numeric_tokens(line) {
+                let computed = |typed: &Decimal| {
+                    verdicts().iter().find(|judged| judged.computed.is_some_and(|number| typed.is_rounding_of(number)))
                 };
-                let owner = verdicts().iter().find(|judged| {
-                    judged.claim.printed == token || judged.computed.is_some_and(|number| typed.is_rounding_of(number))
-                });
-                assert!(owner.is_none(), "{file}, line {}: {token} belongs to {}", at + 1, owner.unwrap().claim.id);
+                let typed = token.parse().ok().filter(|_| crate::is_telling(&token));
+                let owner = crate::owner(&token).or_else(|| typed.as_ref().and_then(computed).map(|j| j.claim.id));
+                assert!(owner.is_none(), "{file}, line {}: {token} belongs to {owner:?}", at + 1);
             }
         }
     }

@@ -67,9 +67,11 @@ fn json(arguments: &[&str]) -> Vec<Value> {
 /// A workspace with a book of one chapter.
 fn small_workspace() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    fs::create_dir_all(folder.path().join("book/src")).expect("writable");
+    for inside in ["book/src", "crates/ledger"] {
+        fs::create_dir_all(folder.path().join(inside)).expect("writable");
+    }
     for (file, text) in [
-        ("Cargo.toml", ""),
+        ("crates/ledger/Cargo.toml", ""),
         ("book/book.toml", "[book]\ntitle = \"Small\"\n[build]\ncreate-missing = false\n"),
         ("book/src/SUMMARY.md", "- [Only](only.md)\n"),
         ("book/src/only.md", "# Only\n\nA chapter.\n"),

@@ -8,6 +8,7 @@ mod snapshots;
 mod tidy;
 mod verdicts;
 
+use geneva_ledger::{Decimal, claims, numeric_tokens};
 use std::path::{Path, PathBuf};
 
 /// A path inside the project.
@@ -40,4 +41,17 @@ fn files(folder: &str, endings: &[&str]) -> Vec<(PathBuf, String)> {
 fn is_telling(number: &str) -> bool {
     let digits = number.trim_start_matches(['0', '.']).chars().filter(char::is_ascii_digit).count();
     number.contains('.') && digits >= 3
+}
+
+/// The claim that prints this number, or whose erratum corrects to it, if the number tells where it comes from.
+fn owner(number: &str) -> Option<&'static str> {
+    if !is_telling(number) {
+        return None;
+    }
+    let bears =
+        |text: &str| text.parse::<Decimal>().is_ok() && numeric_tokens(text).iter().any(|token| token == number);
+    let owner = claims()
+        .iter()
+        .find(|claim| bears(claim.printed) || claim.erratum.as_ref().is_some_and(|erratum| bears(erratum.corrected)));
+    owner.map(|claim| claim.id)
 }

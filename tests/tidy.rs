@@ -1,6 +1,6 @@
 //! Are the rules of the house kept?
 
-use geneva_ledger::{claims, numeric_tokens};
+use geneva_ledger::numeric_tokens;
 use std::collections::BTreeMap;
 use toml::Table;
 
@@ -78,8 +78,8 @@ fn no_printed_decimal_stands_outside_the_ledger() {
         for (path, text) in crate::files(room, &[".rs"]) {
             for (at, line) in text.lines().enumerate() {
                 for token in numeric_tokens(line) {
-                    let owner = claims().iter().find(|claim| claim.printed == token && crate::is_telling(&token));
-                    assert!(owner.is_none(), "{}:{}: {token} is printed in a source", path.display(), at + 1);
+                    let owner = crate::owner(&token);
+                    assert!(owner.is_none(), "{}:{}: {token} belongs to {owner:?}", path.display(), at + 1);
                 }
             }
         }
@@ -89,16 +89,25 @@ fn no_printed_decimal_stands_outside_the_ledger() {
 #[test]
 fn formulas_use_no_mathematics_of_the_platform() {
     // Methods of f64 that the platform's library computes, each a little differently.
-    let methods =
-        ["sin", "cos", "tan", "asin", "acos", "atan", "sin_cos", "exp", "ln", "powf", "powi", "cbrt", "hypot"];
+    let methods = [
+        "sin", "cos", "tan", "asin", "acos", "atan", "sin_cos", "exp", "ln", "powf", "powi", "cbrt", "hypot", "atan2",
+        "exp2", "log2", "log10", "sinh", "cosh", "tanh",
+    ];
+    // Modules of tests alone: what they compute is compared, not pinned.
+    let tests = ["judge_tests.rs", "drawn.rs", "clearance.rs", "figures/src/checks.rs"];
     for room in ["crates/kinematics/src", "crates/ledger/src", "crates/figures/src"] {
         for (path, text) in crate::files(room, &[".rs"]) {
+            if tests.iter().any(|name| path.ends_with(name)) {
+                continue;
+            }
             let code = text.split("#[cfg(test)]").next().unwrap_or_default();
             for method in methods {
-                let call = format!(".{method}()");
-                assert!(!code.contains(&call), "{} calls {call}; use libm's", path.display());
+                // `sin_cos` of dual numbers is not pinned: the ledger prints nothing of what it gives.
+                let calls = [format!(".{method}("), format!("f64::{method}")];
+                let excused = ["sin_cos", "atan"].contains(&method) && path.ends_with("ledger/src/jazar/mod.rs");
+                let called = calls.iter().find(|call| code.contains(*call));
+                assert!(called.is_none() || excused, "{} calls {called:?}; use libm's", path.display());
             }
-            assert!(!code.contains(".atan2("), "{} calls .atan2; use libm's", path.display());
         }
     }
 }

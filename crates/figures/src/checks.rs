@@ -24,7 +24,7 @@ pub fn start(node: &Node<'_, '_>) -> [f64; 2] {
 
 /// The length of a line.
 pub fn length(node: &Node<'_, '_>) -> f64 {
-    (number(node, "x2") - number(node, "x1")).hypot(number(node, "y2") - number(node, "y1"))
+    libm::hypot(number(node, "x2") - number(node, "x1"), number(node, "y2") - number(node, "y1"))
 }
 
 /// Well-formed, named and described, in known colours, without scripts and links, fit to stand in Markdown.

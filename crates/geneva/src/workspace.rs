@@ -9,7 +9,7 @@ pub fn root() -> anyhow::Result<PathBuf> {
     let compiled_in = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap_or(Path::new("/"));
     find(&here, compiled_in).with_context(|| {
         format!(
-            "no book found: neither {} nor a folder above it holds book/book.toml and Cargo.toml; \
+            "no book found: neither {} nor a folder above it holds book/book.toml and crates/ledger; \
              go to the workspace of the book",
             here.display()
         )
@@ -21,7 +21,7 @@ fn find(here: &Path, otherwise: &Path) -> Option<PathBuf> {
 }
 
 fn is_workspace(folder: &Path) -> bool {
-    folder.join("book/book.toml").is_file() && folder.join("Cargo.toml").is_file()
+    folder.join("book/book.toml").is_file() && folder.join("crates/ledger/Cargo.toml").is_file()
 }
 
 #[cfg(test)]
@@ -30,8 +30,10 @@ mod tests {
     use std::fs;
 
     fn workspace_in(folder: &Path) {
-        fs::create_dir_all(folder.join("book/src")).expect("a temporary folder can be written");
-        for file in ["book/book.toml", "Cargo.toml"] {
+        for inside in ["book/src", "crates/ledger"] {
+            fs::create_dir_all(folder.join(inside)).expect("a temporary folder can be written");
+        }
+        for file in ["book/book.toml", "crates/ledger/Cargo.toml"] {
             fs::write(folder.join(file), "").expect("a temporary folder can be written");
         }
     }

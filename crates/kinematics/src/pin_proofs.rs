@@ -50,12 +50,17 @@ impl Identity<4> for SlidesAlongTheSlot {
     }
 }
 
-/// The slot's point moves across the slot: v_P′ · OP = 0. Variables: p, q, l, ω.
+/// The slot's point has what the pin's velocity has across the slot: r² v_P′ = r² v_P − (v_P · OP) OP, first component.
+///
+/// Variables: p, q, l, ω.
 pub struct SlotPointMovesAcross;
 
 impl Identity<4> for SlotPointMovesAcross {
     fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
-        moving(variables, |motion, _| motion.slot_point_velocity.dot(&motion.position))
+        moving(variables, |motion, square| {
+            let along = motion.pin_velocity.dot(&motion.position) * motion.position.x.clone();
+            square.clone() * (motion.slot_point_velocity.x.clone() - motion.pin_velocity.x.clone()) + along
+        })
     }
 }
 
@@ -72,7 +77,7 @@ impl Identity<4> for PinSpeed {
     }
 }
 
-/// v_P′ = v_P sin γ with γ = 90° − β − θ, multiplied by r: the component of v_P across the slot, towards the driver.
+/// v_P′ = r ω_S = v_P sin γ with γ = 90° − β − θ, multiplied by r: the component of v_P across the slot, towards the driver.
 ///
 /// sin γ = cos β cos θ − sin β sin θ; r cos β and r sin β are the pin's coordinates, R cos θ = −p and R sin θ = q.
 /// Variables: p, q, l, ω.
@@ -99,18 +104,7 @@ impl Identity<4> for SlidingSpeed {
         let [p, q, _, driver] = variables.clone();
         moving(variables, |motion, _| {
             let cosine = motion.position.x.clone() * q - motion.position.y.clone() * p;
-            -motion.pin_velocity.dot(&motion.position) - driver * cosine
-        })
-    }
-}
-
-/// v_P′ = r ω_S, multiplied by r: OP × v_P′ = r² ω_S, the slot's point being across the slot. Variables: p, q, l, ω.
-pub struct SlotPointOnTheFollower;
-
-impl Identity<4> for SlotPointOnTheFollower {
-    fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
-        moving(variables, |motion, square| {
-            motion.position.perp(&motion.slot_point_velocity) - square * motion.follower_speed.clone()
+            -motion.sliding_velocity.dot(&motion.position) - driver * cosine
         })
     }
 }
@@ -125,7 +119,7 @@ impl Identity<2> for VelocityRatio {
         let crank = Turn::from_half_tangent(half);
         let formula = pin_slot::velocity_ratio(ratio, &crank.supplement());
         pin_vectors::solve(&S::one(), ratio, &crank, &S::one())
-            .map_or_else(S::zero, |motion| motion.follower_speed + formula)
+            .map_or_else(S::one, |motion| motion.follower_speed + formula)
     }
 }
 
@@ -157,13 +151,13 @@ fn pin_place<S: Field>(radius: &S, distance: &S, crank: &Turn<S>) -> Vector2<S> 
     crank.direction() * radius.clone() + Vector2::new(distance.clone(), S::zero())
 }
 
-/// Runs `difference` on the motion at p, q, l, ω and on r²; zero if the pin is on the pivot, where nothing is said.
+/// Runs `difference` on the motion at p, q, l, ω and on r²; one, which refutes, if the pin is on the pivot.
 fn moving<S: Field>(
     [p, q, distance, driver]: &[S; 4],
     difference: impl FnOnce(&pin_vectors::PinMotion<S>, S) -> S,
 ) -> S {
     let crank = Turn { cos: p.clone(), sin: q.clone() };
-    pin_vectors::solve(&S::one(), distance, &crank, driver).map_or_else(S::zero, |motion| {
+    pin_vectors::solve(&S::one(), distance, &crank, driver).map_or_else(S::one, |motion| {
         let square = motion.position.dot(&motion.position);
         difference(&motion, square)
     })
@@ -184,7 +178,6 @@ mod tests {
             prove(&PinSpeed),
             prove(&SlotPointSpeed),
             prove(&SlidingSpeed),
-            prove(&SlotPointOnTheFollower),
             prove(&VelocityRatio),
         ];
         for proof in proofs {

@@ -1,8 +1,7 @@
 //! Motion of a pin in a slot by the laws of sines and cosines: the route of a textbook.
 //!
 //! The triangle has the follower's pivot O, the driver's axis B and the pin P as corners. Notation as in
-//! [`pin_slot`](crate::pin_slot); β is the angle of the slot at O, γ the angle between the slot and the normal of
-//! the pin's velocity.
+//! [`pin_slot`](crate::pin_slot); β is the angle of the slot at O, γ the angle between the slot and the pin's velocity.
 
 use crate::Turn;
 use crate::pin_slot::{PinSlot, slot_radius_squared};

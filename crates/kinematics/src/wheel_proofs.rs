@@ -14,9 +14,9 @@ fn pin<S: Field, const N: usize>(ratio: &S, crank: &Turn<S>, advance: &Jet<S, N>
     pin_slot::pin_from_pivot(&Jet::constant(ratio.clone()), &crank.moving_by(advance))
 }
 
-/// Angular velocity of the wheel as a series; zero if the pin is on the wheel's axis, where it has none.
+/// Angular velocity of the wheel as a series. A proof stops with a panic, as at any pole, if the pin is on the axis.
 fn wheel_velocity<S: Field, const N: usize>(ratio: &S, crank: &Turn<S>, advance: &Jet<S, N>) -> Jet<S, N> {
-    angular_velocity(&pin(ratio, crank, advance)).unwrap_or_else(|| Jet::constant(S::zero()))
+    angular_velocity(&pin(ratio, crank, advance)).expect("the pin is off the wheel's axis")
 }
 
 /// A crank angle that grows at the speed one.
@@ -24,22 +24,22 @@ fn steady<S: Field, const N: usize>() -> Jet<S, N> {
     Jet::variable(S::zero())
 }
 
-/// Loop closure, Eq. (5.25), against vectors: the pin from the driver's axis is the pin from the wheel's axis.
+/// Loop closure, Eq. (5.25), against the pin's place: what the two equations give is where the pin is.
 ///
-/// First component by `along`, second otherwise. Variables: r, k and the tangent of θ/2.
+/// From the first, x = sin θ / sin φ in crank radii; from the second, k = cos θ + x cos φ. The pin at this k and θ must be
+/// at x (cos φ, sin φ). Variables: tangents of θ/2 and φ/2.
 pub struct LoopClosure {
     /// Whether to compare along the line of centres or across it.
     pub along: bool,
 }
 
-impl Identity<3> for LoopClosure {
-    fn difference<S: Field>(&self, [radius, ratio, half]: &[S; 3]) -> S {
-        let crank = Turn::from_half_tangent(half);
-        let axis = ratio.clone() * radius.clone();
-        // From the wheel's axis to the driver's and from there to the pin: (x cos φ, x sin φ).
-        let place = Vector2::new(axis.clone(), S::zero()) + crank.supplement().direction() * radius.clone();
-        let (x_cos, x_sin) = (place.x.clone(), place.y.clone());
-        if self.along { radius.clone() * crank.cos + x_cos - axis } else { radius.clone() * crank.sin - x_sin }
+impl Identity<2> for LoopClosure {
+    fn difference<S: Field>(&self, [half_theta, half_phi]: &[S; 2]) -> S {
+        let (theta, phi) = (Turn::from_half_tangent(half_theta), Turn::from_half_tangent(half_phi));
+        let x = theta.sin.clone() / phi.sin.clone();
+        let ratio = theta.cos.clone() + x.clone() * phi.cos.clone();
+        let place = pin_slot::pin_from_pivot(&ratio, &theta) - phi.direction() * x;
+        if self.along { place.x.clone() } else { place.y.clone() }
     }
 }
 
@@ -181,7 +181,7 @@ impl Identity<2> for Printed {
 
 /// The formulas of [`wheel`](crate::wheel) in k against the same power series. Variables: k, tangent of θ/2.
 pub struct Implemented(
-    /// The quantity; the tangent has no formula of its own.
+    /// The quantity.
     pub Quantity,
 );
 
@@ -189,7 +189,10 @@ impl Identity<2> for Implemented {
     fn difference<S: Field>(&self, [ratio, half]: &[S; 2]) -> S {
         let crank = Turn::from_half_tangent(half);
         match self.0 {
-            Quantity::Tangent => S::zero(),
+            Quantity::Tangent => {
+                let place = pin_slot::pin_from_pivot(ratio, &crank);
+                place.y.clone() / place.x.clone() - crank.sin / (ratio.clone() - crank.cos)
+            }
             Quantity::Velocity => {
                 wheel_velocity(ratio, &crank, &steady::<S, 2>()).value() - pin_slot::velocity_ratio(ratio, &crank)
             }
@@ -201,6 +204,16 @@ impl Identity<2> for Implemented {
                 series.derivative(2).unwrap_or_else(S::zero) - jerk_ratio(ratio, &crank)
             }
         }
+    }
+}
+
+/// The acceleration is an odd function of the crank angle: f(θ) + f(−θ) = 0. Variables: k, tangent of θ/2.
+pub struct OddAcceleration;
+
+impl Identity<2> for OddAcceleration {
+    fn difference<S: Field>(&self, [ratio, half]: &[S; 2]) -> S {
+        let crank = Turn::from_half_tangent(half);
+        acceleration_ratio(ratio, &crank) + acceleration_ratio(ratio, &crank.reversed())
     }
 }
 
@@ -231,6 +244,7 @@ mod tests {
             prove_with_root::<2, 3>(&UnsteadyAccelerationOfFour),
             prove_with_root::<2, 2>(&AccelerationOfFour { negative: true }),
             prove(&UnsteadyAcceleration),
+            prove(&OddAcceleration),
         ];
         for quantity in [Quantity::Tangent, Quantity::Velocity, Quantity::Acceleration, Quantity::Jerk] {
             proofs.extend([prove(&Printed(quantity)), prove(&Implemented(quantity))]);

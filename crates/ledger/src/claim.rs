@@ -90,6 +90,8 @@ pub enum Evidence {
     ExactIdentity,
     /// A derivative taken by truncated power series of where things are.
     Jet,
+    /// Derivatives by another library's automatic differentiation.
+    AutomaticDerivative,
     /// Vectors from coordinates.
     Vectors,
     /// A case in which the answer is known.
@@ -129,7 +131,7 @@ pub struct Erratum {
 pub enum Severity {
     /// The copy lost or changed a character; the original is not to blame.
     Transcription,
-    /// A misprint of the source.
+    /// A slip of the pen or a misprint of the source: a wrong or missing word, sign or symbol.
     Typographical,
     /// A wrong or carelessly rounded computation.
     Arithmetical,
@@ -256,11 +258,30 @@ slugs!(Evidence {
     ClosedForm = "closed-form",
     ExactIdentity = "exact-identity",
     Jet = "jet",
+    AutomaticDerivative = "automatic-derivative",
     Vectors = "vectors",
     LimitCase = "limit-case",
     Dimension = "dimension",
     OtherPlaceInSource = "other-place-in-source",
 });
+
+impl Evidence {
+    /// What the kind of evidence is, for readers.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Self::ClosedForm => "a formula evaluated",
+            Self::ExactIdentity => {
+                "an identity between rational functions, proven by exact evaluation on a large enough grid"
+            }
+            Self::Jet => "a derivative taken by power series of where things are",
+            Self::AutomaticDerivative => "the wheel's angle differentiated by another library's dual numbers",
+            Self::Vectors => "lengths and angles measured between points given by their coordinates",
+            Self::LimitCase => "cases in which the answer is known, or all cases of a list gone through",
+            Self::Dimension => "the dimensions of the quantities",
+            Self::OtherPlaceInSource => "what the same source says elsewhere",
+        }
+    }
+}
 
 slugs!(Severity {
     Transcription = "transcription",

@@ -27,8 +27,16 @@ pub const ROUTES: Tolerance = Tolerance {
              three decimal digits of the sixteen; a wrong formula differs in the first few digits",
 };
 
+/// For quantities that must vanish, in units of the mechanism's own size: what is left of rounding.
+pub const CLOSURE: Tolerance = Tolerance {
+    name: "closure",
+    relative: 1e-12,
+    reason: "a difference of numbers of the size of one, each wrong by some units in the last place, is not zero but \
+             some thousand times smaller than this; a wrong formula leaves a part of the whole",
+};
+
 /// All tolerances.
-pub const TOLERANCES: &[Tolerance] = &[ARITHMETIC, ROUTES];
+pub const TOLERANCES: &[Tolerance] = &[ARITHMETIC, ROUTES, CLOSURE];
 
 impl Tolerance {
     /// Whether two numbers agree, relative to the larger.

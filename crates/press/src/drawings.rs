@@ -35,7 +35,7 @@ pub fn by_name(name: &str) -> anyhow::Result<Figure> {
             pin().map(|at| geneva_figures::pin::over_the_engagement(&at.mechanism, &at.crank, at.driver_speed, "mm"))
         }
         "wheel-mechanism" => four().map(|wheel| stations::mechanism(&wheel)),
-        "wheel-model" => Ok(stations::model(&four()?, -MODEL_ANGLE)?),
+        "wheel-model" => Ok(stations::model(&four()?, MODEL_ANGLE)?),
         "wheel-critical" => {
             let wheel: Wheel = jazar::example().context("the example's wheel cannot be built")?;
             Ok(stations::critical_geometry(&wheel))

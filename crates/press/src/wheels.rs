@@ -19,8 +19,8 @@ pub fn table(range: &str) -> anyhow::Result<String> {
         "wheel radius".to_owned(),
         format!("peak {}", symbol(r"\dot\varphi/\dot\theta")?),
         format!("entry {}", symbol(r"\ddot\varphi/\dot\theta^2")?),
-        format!("peak {}", symbol(r"\ddot\varphi/\dot\theta^2")?),
-        "at".to_owned(),
+        format!("peak {}", symbol(r"\lvert\ddot\varphi\rvert/\dot\theta^2")?),
+        format!("at {}", symbol(r"\theta = \mp")?),
     ];
     let head: Vec<&str> = head.iter().map(String::as_str).collect();
     Ok(html_table("Wheels by number of stations", Cells::Numbers, &head, &rows))

@@ -56,7 +56,7 @@ pub fn over_the_engagement(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed:
         ),
         caption:
             "Over the engagement. The follower starts and stops at rest; the pin turns round in the slot where the \
-                  follower is fastest. Negative ratio: the two turn in opposite senses."
+                  follower is fastest. Negative ratio: the two turn in opposite senses. Sliding towards O is positive."
                 .to_owned(),
     };
     words.figure(canvas, Kind::Plot, Series::new(columns, rows))

@@ -58,8 +58,8 @@ pub fn extremes(stations: RangeInclusive<u32>) -> Figure {
              the three, least. {}",
             crossing(&rows)
         ),
-        caption: "More stations, gentler motion: peak acceleration, peak velocity and the acceleration at entry, over \
-                  the driver's speed and its square. The dashed lines only lead the eye."
+        caption: "More stations, gentler motion: peak velocity over the driver's speed; peak acceleration and \
+                  acceleration at entry over its square. The dashed lines only lead the eye."
             .to_owned(),
     };
     words.figure(canvas, Kind::Plot, Series::new(columns, rows))

@@ -29,7 +29,7 @@ const NARROWEST: f64 = 0.05;
 
 /// The triangle O P B at crank angle `crank` (θ, radians from the line of centres, within the engagement), to scale.
 ///
-/// Sides: crank radius R, pin's distance r from the wheel's axis, centre distance R / sin α. θ is counted clockwise
+/// Sides: crank radius R, pin's distance r from the wheel's axis, centre distance l. θ is counted clockwise
 /// from B → O and φ counter-clockwise from O → B. Series: θ, φ, r/R and l/R.
 pub fn model(wheel: &Wheel, crank: f64) -> Result<Figure, WheelError> {
     let phi = wheel.engaged(crank)?.angle;
@@ -105,7 +105,7 @@ fn sides(canvas: &mut Canvas, at: &Bodies, theta: f64, phi: f64, pin: &Pixels) {
     let down = Vector2::new(0.0, at.height - DIMENSION - at.pivot.y);
     let middle = dimension(canvas, &at.pivot, &at.axis, &down);
     let side = if theta < 0.0 { -1.0 } else { 1.0 };
-    let length = Label::symbol("R").and(" / sin ").and_symbol("α");
+    let length = Label::symbol("l");
     canvas.label(&middle, &Vector2::new(0.0, 1.0), 18.0, &length);
     let across = heading(phi + side * PI / 2.0);
     canvas.label(&at.pivot.lerp(pin, 0.55), &across, 14.0, &Label::symbol("r").shade(FOLLOWER).on(FILL));

@@ -62,7 +62,7 @@ pub fn motion(wheel: &Wheel) -> Figure {
             steps.join("; ")
         ),
         caption: format!(
-            "The advance in {} steps, by crank angle θ. The upper drawing moves where the reader's settings allow it \
+            "One cycle in {} positions, by crank angle θ: the advance, and the dwell. The upper drawing moves where the reader's settings allow it \
              and rests under the pointer.",
             frames.len()
         ),

@@ -29,6 +29,11 @@ impl<const V: usize> DegreeBound<V> {
         Self { expression: Expression::variable(index), numerator, divisors: BTreeMap::new() }
     }
 
+    /// The bound of a root that stands in an identity: a constant, but not one of the whole numbers.
+    pub fn root() -> Self {
+        Self { expression: Expression::root(), numerator: [0; V], divisors: BTreeMap::new() }
+    }
+
     /// Degree of the numerator in each variable, at most.
     pub fn numerator(&self) -> [u32; V] {
         self.numerator

@@ -1,9 +1,9 @@
 //! Expressions that know whether they were built alike.
 
-use std::cell::RefCell;
 use std::collections::HashMap;
+use std::sync::{LazyLock, Mutex, PoisonError};
 
-/// An arithmetic expression, by its place in a table of all expressions built on this thread.
+/// An arithmetic expression, by its place in a table of all expressions that were built.
 ///
 /// Two have the same place exactly if they were built by the same operations from the same parts, so equal means
 /// equal for all values of the variables. Nothing is simplified.
@@ -14,6 +14,7 @@ pub(crate) struct Expression(usize);
 enum Built {
     Variable(usize),
     Integer(i64),
+    Root,
     Sum(Expression, Expression),
     Product(Expression, Expression),
     Quotient(Expression, Expression),
@@ -22,16 +23,20 @@ enum Built {
 
 impl Expression {
     fn new(built: Built) -> Self {
-        thread_local!(static TABLE: RefCell<HashMap<Built, usize>> = RefCell::default());
-        TABLE.with_borrow_mut(|table| {
-            let next = table.len();
-            Self(*table.entry(built).or_insert(next))
-        })
+        static TABLE: LazyLock<Mutex<HashMap<Built, usize>>> = LazyLock::new(Mutex::default);
+        let mut table = TABLE.lock().unwrap_or_else(PoisonError::into_inner);
+        let next = table.len();
+        Self(*table.entry(built).or_insert(next))
     }
 
     /// The variable with this index.
     pub(crate) fn variable(index: usize) -> Self {
         Self::new(Built::Variable(index))
+    }
+
+    /// A root: a constant that is no whole number and equal to no other expression.
+    pub(crate) fn root() -> Self {
+        Self::new(Built::Root)
     }
 
     /// A whole number.

@@ -4,7 +4,6 @@ use super::degree::DegreeBound;
 use crate::scalars::field::Field;
 use crate::scalars::surd::Surd;
 use dashu_ratio::{RBig, Relaxed};
-use num_traits::One;
 use std::array::from_fn;
 use std::fmt;
 
@@ -35,7 +34,7 @@ pub struct Refutation {
 impl fmt::Display for Proof {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let degrees: Vec<_> = self.degrees.iter().map(u32::to_string).collect();
-        write!(f, "exact at {} points, degree at most {}", self.points, degrees.join(" × "))
+        write!(f, "exact at {} points, degree at most {}", self.points, degrees.join(", "))
     }
 }
 
@@ -69,7 +68,7 @@ pub trait IdentityWithRoot<const V: usize> {
 ///
 /// A refutation tells the part of the difference without the root, or what stands before the root if that is zero.
 pub fn prove_with_root<const D: u32, const V: usize>(identity: &impl IdentityWithRoot<V>) -> Result<Proof, Refutation> {
-    let bound = identity.difference(&DegreeBound::one(), &from_fn(DegreeBound::<V>::variable));
+    let bound = identity.difference(&DegreeBound::root(), &from_fn(DegreeBound::<V>::variable));
     on_a_grid(&bound, |at| {
         let at = at.clone().map(Surd::<Relaxed, D>::from_plain);
         let difference = identity.difference(&Surd::root(), &at);
@@ -132,5 +131,20 @@ mod tests {
     fn a_false_identity_is_refuted_with_a_point() {
         let refutation = prove(&Binomial { wrong: 1 }).expect_err("three is not two");
         assert_eq!(refutation.difference, RBig::from(-4));
+    }
+
+    /// Two fractions that would be one if the root were a whole number.
+    struct RootForOne;
+
+    impl IdentityWithRoot<1> for RootForOne {
+        fn difference<S: Field>(&self, root: &S, [x]: &[S; 1]) -> S {
+            let factor = (S::integer(2) + root.clone()) / S::integer(3);
+            factor / (x.clone() + root.clone()) - S::one() / (x.clone() + S::one())
+        }
+    }
+
+    #[test]
+    fn a_root_is_not_taken_for_a_whole_number() {
+        assert!(prove_with_root::<2, 1>(&RootForOne).is_err());
     }
 }

@@ -54,9 +54,10 @@ impl<S: Field, const N: usize> Jet<S, N> {
         Self(from_fn(|k| self.coefficient(k + 1) * S::integer(k as i64 + 1)))
     }
 
-    /// The first derivative; zero for a jet that carries none (`N` = 1).
+    /// The first derivative. A jet that carries none (`N` = 1) has no rate, and does not compile.
     pub fn rate(&self) -> S {
-        self.derivative(1).unwrap_or_else(S::zero)
+        const { assert!(N > 1, "a jet of one coefficient carries no derivative") }
+        self.coefficient(1)
     }
 }
 

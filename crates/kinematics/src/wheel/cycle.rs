@@ -76,11 +76,11 @@ impl Wheel {
     /// has no running error however many there are. At the very ends of an engagement the wheel is in it.
     pub fn at(&self, turns: i64, crank: f64) -> Result<Motion, WheelError> {
         if !(-PI..=PI).contains(&crank) {
-            return Err(WheelError::Angle { asked: crank, most: PI });
+            return Err(WheelError::Turn(crank));
         }
         let pitch = 2.0 * PI / f64::from(self.pins());
         let pin = libm::round(crank / pitch);
-        let advances = turns * i64::from(self.pins()) + pin as i64;
+        let advances = turns.saturating_mul(i64::from(self.pins())).saturating_add(pin as i64);
         let behind = fraction_of_pi(2 * libm::fabs(pin) as u32, self.pins());
         let from_pin = Double::from(crank).minus(if pin < 0.0 { behind.negated() } else { behind });
         match self.engaged_at(from_pin) {

@@ -50,6 +50,8 @@ pub enum WheelError {
         /// What was asked for.
         asked: f64,
     },
+    /// A crank angle beyond half a turn to either side, or not finite.
+    Turn(f64),
     /// A crank angle outside the engagement, or not finite.
     Angle {
         /// The angle asked for, in radians.
@@ -76,6 +78,10 @@ impl fmt::Display for WheelError {
             Self::Size { name, asked } => {
                 write!(f, "{name} {asked}: it must be positive and finite; give a number above zero")
             }
+            Self::Turn(asked) => write!(
+                f,
+                "crank angle {asked} rad: within a turn it goes from −π to π; give whole turns by their number"
+            ),
             Self::Angle { asked, most } => write!(
                 f,
                 "crank angle {asked} rad: the pin is in the slot from {} to {most} rad from the line of centres; give an \

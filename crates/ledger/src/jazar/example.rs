@@ -2,9 +2,10 @@
 
 use super::*;
 use crate::{Erratum, Severity, Verdict};
+use geneva_kinematics::pin_proofs::VelocityRatio;
 use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::wheel::{Phase, peak_velocity};
-use geneva_kinematics::wheel_proofs::{LoopClosure, Printed, Quantity};
+use geneva_kinematics::wheel_proofs::{Printed, Quantity};
 use geneva_kinematics::{Rational, prove, rational};
 
 const DATA: &str = "Example, data";
@@ -115,7 +116,7 @@ fn dwell() -> Vec<Claim> {
                 || same(fraction(1), locked_part()),
                 // The caption of Fig. 5.28: locked for three quarters of the cycle, with four stations.
                 (OtherPlaceInSource, || {
-                    let alpha = rational(45, 1);
+                    let alpha = rational(180, 4);
                     let locked = (rational(180, 1) + rational(2, 1) * alpha) / rational(360, 1);
                     Finding::new(locked == Rational::from_parts(3.into(), 4u8.into()), format!("{locked} for four stations"))
                 }),
@@ -135,7 +136,7 @@ fn dwell() -> Vec<Claim> {
             C,
             "dwelling part of the cycle",
             ("1/3", ""),
-            Check::number((ClosedForm, || six(Wheel::dwell_fraction)), (Vectors, || 1.0 - six(entry_crank) / (2.0 * PI))),
+            Check::number((ClosedForm, || six(Wheel::dwell_fraction)), (Series, || 1.0 - six(entry_crank) / (2.0 * PI))),
         )
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum { corrected: "2/3", ..inherits("One third of the cycle is the advance.") }),
@@ -172,23 +173,21 @@ fn dwell() -> Vec<Claim> {
             "jazar.ex-c.division",
             C,
             "the decimal is the fraction, rounded",
-            "=",
+            "1/18 = 0.0555",
             Check::corrected_form(
                 (ClosedForm, || last_place(rational(0, 1))),
                 || last_place(rational(1, 1)),
-                (ExactIdentity, || {
-                    let (fraction, decimal) = (exactly("jazar.ex-c.dwell"), exactly("jazar.ex-c.dwell-seconds"));
-                    let half_unit = unit_of_the_decimal() / rational(2, 1);
-                    let rest = fraction - decimal;
-                    Finding::new(rest > half_unit, format!("{rest} is cut off, and half a unit is {half_unit}"))
+                (ClosedForm, || {
+                    let next = next_digit();
+                    Finding::new(next >= 5, format!("the first digit cut off is {next}"))
                 }),
             ),
         )
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
-            corrected: "one unit more in the last place",
+            corrected: "1/18 = 0.0556",
             reason: "The decimal was cut off, not rounded.",
-            witness: "In exact fractions the rest is more than half a unit of the last place.",
+            witness: "Long division: the first digit that was cut off rounds up.",
             severity: Severity::Arithmetical,
             inherited_by: &["jazar.ex-c.dwell-seconds"],
         }),
@@ -220,7 +219,7 @@ fn velocity() -> Vec<Claim> {
             ("0.5", ""),
             Check::number(
                 (ClosedForm, || six(|w| libm::sin(w.half_station()))),
-                (Vectors, || 1.0 / six(Wheel::centre_distance_ratio)),
+                (Vectors, || six(|w| entry(w).normalize().y.abs())),
             ),
         ),
         equation(
@@ -273,7 +272,7 @@ fn velocity() -> Vec<Claim> {
             "positive φ̇ and θ̇ mean that wheel and driver turn in opposite senses",
             "opposite direction",
             Check::form(
-                (ExactIdentity, || prove(&LoopClosure { along: false }).into()),
+                (ExactIdentity, || prove(&VelocityRatio).into()),
                 (Vectors, || {
                     // Counter-clockwise is positive for both here: the wheel's speed for a driver of speed one.
                     let crank = Turn::from_degrees(170.0);
@@ -281,7 +280,7 @@ fn velocity() -> Vec<Claim> {
                         geneva_kinematics::pin_vectors::solve(&1.0, &2.0, &crank, &1.0).map(|m| m.follower_speed);
                     Finding::new(
                         wheel.is_some_and(|speed| speed < 0.0),
-                        format!("counter-clockwise driver, wheel at {wheel:?}"),
+                        format!("counter-clockwise driver of speed 1, wheel at {:.3}", wheel.unwrap_or(f64::NAN)),
                     )
                 }),
             ),
@@ -309,7 +308,7 @@ fn inherits(reason: &'static str) -> Erratum {
     Erratum {
         corrected: "",
         reason,
-        witness: "The wheel followed over a turn of its driver stands still for two thirds of it.",
+        witness: "Where the wheel of the power series comes to rest, or the state of the wheel changes: the rest of the turn is the dwell.",
         severity: Severity::Conceptual,
         inherited_by: &[],
     }
@@ -377,6 +376,16 @@ fn exactly(id: &str) -> Rational {
 
 fn unit_of_the_decimal() -> Rational {
     decimal("jazar.ex-c.dwell-seconds").map_or(Rational::ZERO, |decimal| decimal.unit_in_last_place())
+}
+
+/// The digit of the printed fraction behind those of the printed decimal, by long division.
+fn next_digit() -> i64 {
+    let places = decimal("jazar.ex-c.dwell-seconds").map_or(0, |decimal| decimal.places());
+    let shifted = exactly("jazar.ex-c.dwell") * Rational::from(10_i64.pow(places + 1));
+    let ten = rational(10, 1);
+    let whole = shifted.trunc();
+    let tens = (Rational::from(whole.clone()) / ten).trunc();
+    i64::try_from(whole - tens * 10).unwrap_or(0)
 }
 
 /// Whether the printed decimal and so many units of its last place are the printed fraction, rounded.

@@ -2,10 +2,9 @@
 
 use super::*;
 use crate::{Dimension as Exponents, Erratum, Severity, Verdict};
-use geneva_kinematics::pin_slot::velocity_ratio;
-use geneva_kinematics::wheel::{acceleration_ratio, entry_acceleration};
+use geneva_kinematics::wheel::{acceleration_ratio, entry_acceleration, unsteady_acceleration};
 use geneva_kinematics::wheel_proofs::{
-    AccelerationOfFour, LoopClosure, Printed, Quantity, SlotEliminated, TangentDifferentiated,
+    AccelerationOfFour, LoopClosure, Printed, Quantity, SlotEliminated, TangentDifferentiated, UnsteadyAcceleration,
     UnsteadyAccelerationOfFour, VelocityOfFour,
 };
 use geneva_kinematics::{prove, prove_with_root};
@@ -122,9 +121,9 @@ fn equations() -> Vec<Claim> {
             r"\dot{\phi} = \dot{\theta} \left(\frac{\sqrt{2} \cos \theta - 1}{3 - 2\sqrt{2} \cos \theta} \right)",
             Check::form(
                 (ExactIdentity, || prove_with_root::<2, 2>(&VelocityOfFour).into()),
-                (Series, || {
-                    at_instants(|wheel, t| {
-                        (by_series(wheel, t)[1], velocity_ratio(&2f64.sqrt(), &Turn::from_radians(t)))
+                (AutomaticDerivative, || {
+                    as_by_duals_of_four(1, |t| {
+                        (2f64.sqrt() * libm::cos(t) - 1.0) / (3.0 - 2.0 * 2f64.sqrt() * libm::cos(t))
                     })
                 }),
             ),
@@ -141,7 +140,20 @@ fn accelerations() -> Vec<Claim> {
             r"\ddot{\phi} = \ddot{\theta} \left(\frac{\sqrt{2} \cos \theta - 1}{3 - 2\sqrt{2} \cos \theta} \right) - \dot{\theta}^2 \frac{\sqrt{2} \sin \theta}{(3 - 2\sqrt{2} \cos \theta)^2}",
             Check::form(
                 (ExactIdentity, || prove_with_root::<2, 3>(&UnsteadyAccelerationOfFour).into()),
-                (OtherPlaceInSource, || prove(&Printed(Quantity::Acceleration)).into()),
+                (ExactIdentity, || prove(&UnsteadyAcceleration).into()),
+            ),
+        ),
+        statement(
+            "jazar.steady-driver",
+            "Sentence before Eq. (5.29)",
+            "with a steady driver the first term vanishes",
+            "first term disappears",
+            Check::form(
+                (ClosedForm, || at_instants(|wheel, t| {
+                    let (k, turn) = (wheel.centre_distance_ratio(), Turn::from_radians(t));
+                    (unsteady_acceleration(&k, &turn, &1.0, &0.0), acceleration_ratio(&k, &turn))
+                })),
+                (Series, || at_instants(|wheel, t| (by_series(wheel, t)[2], acceleration_ratio(&wheel.centre_distance_ratio(), &Turn::from_radians(t))))),
             ),
         ),
         equation(
@@ -168,7 +180,7 @@ fn accelerations() -> Vec<Claim> {
                      would first slow down and then speed up.",
             witness: "Eq. (5.32) of the same source has the sign, and gives the corrected form for four stations.",
             severity: Severity::Typographical,
-            inherited_by: &["jazar.generalises", "jazar.fig-5.30"],
+            inherited_by: &["jazar.generalises"],
         }),
     ]
 }
@@ -178,7 +190,7 @@ fn curves() -> Vec<Claim> {
         figure(
             "jazar.fig-5.30",
             PLOT,
-            "position, velocity and acceleration of the wheel of four over the advance",
+            "Eqs. (5.27) and (5.28) give the wheel's angle and velocity over the advance",
             "plotted",
             Check::form(
                 (Series, || at_instants(|wheel, t| (by_series(wheel, t)[0], wheel.engaged(t).map_or(f64::NAN, |m| m.angle)))),
@@ -213,8 +225,7 @@ fn curves() -> Vec<Claim> {
             Check::corrected_form(
                 (Dimension, || quotient(Exponents::ANGULAR_ACCELERATION, Exponents::ANGULAR_SPEED)),
                 || quotient(Exponents::ANGULAR_ACCELERATION, Exponents::ANGULAR_SPEED * Exponents::ANGULAR_SPEED),
-                // The caption of Fig. 5.30 normalises by the square of the speed; so does the worked example.
-                (OtherPlaceInSource, || prove_with_root::<2, 2>(&AccelerationOfFour { negative: true }).into()),
+                (ExactIdentity, || prove_with_root::<2, 2>(&AccelerationOfFour { negative: true }).into()),
             ),
         )
         .expecting(Verdict::Corrected)
@@ -236,14 +247,14 @@ fn curves() -> Vec<Claim> {
                     for_all_stations(|wheel| wheel.centre_distance_ratio() > 1.0, "the denominators are at least (k − 1)² > 0")
                 }),
                 (Series, || {
-                    for_all_stations(|wheel| by_series(wheel, wheel.engagement_half_angle()).iter().all(|d| d.is_finite()), "three derivatives are finite up to the ends")
+                    for_all_stations(|wheel| (-9..=9).all(|k| by_series(wheel, wheel.engagement_half_angle() * f64::from(k) / 9.0).iter().all(|d| d.is_finite())), "three derivatives are finite at 19 instants, the ends included")
                 }),
             ),
         ),
         statement(
             "jazar.infinite-jerk",
             STATIONS,
-            "the jerk is infinite at the beginning and end of the advance",
+            "the jerk is infinite where the advance begins and ends",
             "infinite",
             Check::form(
                 (ClosedForm, || for_all_stations(|wheel| entry_acceleration(wheel) > 0.0, "the acceleration jumps by tan α")),
@@ -305,6 +316,14 @@ pub(super) fn printed_5_32(wheel: &Wheel, theta: f64) -> f64 {
 /// The pin's distance from the wheel's axis in crank radii.
 fn slot_radius(wheel: &Wheel, theta: f64) -> f64 {
     pin_from_pivot(&wheel.centre_distance_ratio(), &Turn::from_radians(theta)).norm()
+}
+
+/// Whether a formula for four stations agrees with a derivative by dual numbers.
+fn as_by_duals_of_four(order: usize, formula: fn(f64) -> f64) -> Finding {
+    let Ok(wheel) = four_stations() else { return Finding::new(false, "no wheel of four") };
+    let instants = (-9..=9).map(|k| wheel.engagement_half_angle() * f64::from(k) / 9.0);
+    let holds = instants.map(|t| formula(t) - by_duals(&wheel, t)[order]).all(vanishes);
+    Finding::new(holds, if holds { "agrees at 19 instants" } else { "differs" })
 }
 
 /// Whether both sides of an equation for four stations agree at instants all over the advance.

@@ -5,7 +5,7 @@ use super::*;
 use crate::{Erratum, Severity, Verdict};
 use geneva_kinematics::prove;
 use geneva_kinematics::wheel::{acceleration_peak, entry_acceleration, peak_velocity};
-use geneva_kinematics::wheel_proofs::{Implemented, Printed, Quantity};
+use geneva_kinematics::wheel_proofs::{Printed, Quantity};
 
 const GEOMETRY: &str = "Paragraph on Fig. 5.31";
 const DURATION: &str = "2nd paragraph on Fig. 5.31";
@@ -21,7 +21,7 @@ fn geometry() -> Vec<Claim> {
             "jazar.alpha",
             GEOMETRY,
             "α is the angle between slot and line of centres as the pin enters or leaves",
-            "at the moment of engagement or disengagement",
+            "moment of engagement",
             Check::form(
                 (Vectors, || {
                     for_all_stations(
@@ -40,7 +40,7 @@ fn geometry() -> Vec<Claim> {
         figure(
             "jazar.fig-5.31",
             "Fig. 5.31, caption",
-            "α is half the angle between successive slots",
+            "neighbouring slots are 2α apart",
             "half the angle",
             Check::form(
                 (ClosedForm, || {
@@ -90,7 +90,7 @@ fn geometry() -> Vec<Claim> {
             Check::form(
                 (Series, || {
                     for_all_stations(
-                        |wheel| by_series(wheel, PI / 2.0 - wheel.half_station())[1].abs() < 1e-12,
+                        |wheel| vanishes(by_series(wheel, PI / 2.0 - wheel.half_station())[1]),
                         "the wheel is at rest at ±(π/2 − α)",
                     )
                 }),
@@ -99,7 +99,7 @@ fn geometry() -> Vec<Claim> {
                         |wheel| {
                             let end = Turn::from_radians(PI / 2.0 - wheel.half_station());
                             let pin = pin_from_pivot(&wheel.centre_distance_ratio(), &end);
-                            pin.dot(&end.reversed().direction()).abs() < 1e-12
+                            vanishes(pin.dot(&end.reversed().direction()))
                         },
                         "slot and crank are at right angles there",
                     )
@@ -119,7 +119,7 @@ fn geometry() -> Vec<Claim> {
         statement(
             "jazar.duration-grows",
             DURATION,
-            "the duration of the advance increases with the number of stations",
+            "with more stations the advance takes more of the driver's turn",
             "increases",
             Check::form(
                 (ClosedForm, || {
@@ -136,7 +136,7 @@ fn geometry() -> Vec<Claim> {
         statement(
             "jazar.gentler",
             DURATION,
-            "more stations make the motion more gentle",
+            "with more stations the peaks of velocity and acceleration fall",
             "more gentle",
             Check::form(
                 (ClosedForm, || {
@@ -160,7 +160,7 @@ fn geometry() -> Vec<Claim> {
         statement(
             "jazar.dwell-shrinks",
             DURATION,
-            "more stations shorten the time in which the output stands still",
+            "with more stations the wheel stands still for less of the turn",
             "decreasing",
             Check::form(
                 (ClosedForm, || {
@@ -188,21 +188,21 @@ fn sizes() -> Vec<Claim> {
             "jazar.wheel-radius-ratio",
             RATIOS,
             "1/tan α is the outside diameter of the wheel over the pin's radius",
-            r"\text{outside diameter: } 1/\tan \alpha",
+            "outside diameter: 1/tan α",
             Check::corrected_form(
                 (Vectors, || for_all_stations(|wheel| agrees(2.0 * entry_radius(wheel), 1.0 / libm::tan(wheel.half_station())), "the diameter is 1/tan α")),
                 || for_all_stations(|wheel| agrees(entry_radius(wheel), 1.0 / libm::tan(wheel.half_station())), "the radius is 1/tan α"),
                 // The paragraph on Fig. 5.28: four stations have the outer radius r, and 1/tan 45° = 1.
-                (OtherPlaceInSource, || same(1.0 / libm::tan(of(4, Wheel::half_station)), of(4, Wheel::wheel_radius_ratio))),
+                (OtherPlaceInSource, || same(1.0 / libm::tan(PI / 4.0), 1.0)),
             ),
         )
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
-            corrected: r"\text{outside radius: } 1/\tan \alpha",
+            corrected: "outside radius: 1/tan α",
             reason: "The ratio is that of the wheel's outer radius to the radius of the pin's circle; the diameter is twice \
                      as large. Read as centre distance over diameter it fails too: that is 1/(2 cos α).",
             witness: "The source's own wheel of four has the outer radius r.",
-            severity: Severity::Conceptual,
+            severity: Severity::Typographical,
             inherited_by: &[],
         }),
         equation(
@@ -221,20 +221,14 @@ fn sizes() -> Vec<Claim> {
             "Eqs. (5.27) to (5.29) are the case of four stations of Eqs. (5.30) to (5.32)",
             "become",
             Check::corrected_form(
-                (Series, || {
-                    let four = |t: f64| 2f64.sqrt() * libm::sin(t) / libm::pow(3.0 - 2.0 * 2f64.sqrt() * libm::cos(t), 2.0);
-                    same(of(4, |wheel| printed_5_32(wheel, 0.5)), four(0.5))
-                }),
-                || {
-                    let four = |t: f64| 2f64.sqrt() * libm::sin(t) / libm::pow(3.0 - 2.0 * 2f64.sqrt() * libm::cos(t), 2.0);
-                    same(of(4, |wheel| printed_5_32(wheel, 0.5)), -four(0.5))
-                },
+                (ClosedForm, || four_from_general(1.0)),
+                || four_from_general(-1.0),
                 (ExactIdentity, || prove(&Printed(Quantity::Acceleration)).into()),
             ),
         )
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
-            corrected: "they do, with the sign of Eq. (5.29) restored",
+            corrected: "become, once Eq. (5.29) has its minus sign",
             reason: "For four stations Eq. (5.32) has the opposite sign of Eq. (5.29) as printed.",
             witness: "Eq. (5.32) is proven against power series for every α.",
             severity: Severity::Typographical,
@@ -267,7 +261,7 @@ fn equations() -> Vec<Claim> {
             r"\dot{\phi} = \dot{\theta} \sin \alpha \left(\frac{\cos \theta - \sin \alpha}{1 + \sin^2 \alpha - 2 \sin \alpha \cos \theta} \right)",
             Check::form(
                 (ExactIdentity, || prove(&Printed(Quantity::Velocity)).into()),
-                (Series, || prove(&Implemented(Quantity::Velocity)).into()),
+                (AutomaticDerivative, || as_by_duals(1, printed_5_31)),
             ),
         ),
         equation(
@@ -277,10 +271,42 @@ fn equations() -> Vec<Claim> {
             r"\ddot{\phi} = -\dot{\theta}^2 \frac{\sin \alpha \cos^2 \alpha \sin \theta}{(1 + \sin^2 \alpha - 2 \sin \alpha \cos \theta)^2}",
             Check::form(
                 (ExactIdentity, || prove(&Printed(Quantity::Acceleration)).into()),
-                (Series, || prove(&Implemented(Quantity::Acceleration)).into()),
+                (AutomaticDerivative, || as_by_duals(2, printed_5_32)),
             ),
         ),
     ]
+}
+
+/// Whether Eqs. (5.30) to (5.32) with α = 45° are Eqs. (5.27) to (5.29), the last with this sign.
+fn four_from_general(sign: f64) -> Finding {
+    let Ok(wheel) = four_stations() else { return Finding::new(false, "no wheel of four") };
+    let (root, sine) = (2f64.sqrt(), libm::sin(wheel.half_station()));
+    let differing = |name: &str, general: fn(&Wheel, f64, f64) -> f64, four: fn(f64, f64, f64) -> f64| {
+        let same = thirds(&wheel).all(|t| vanishes(general(&wheel, sine, t) - four(root, sign, t)));
+        (!same).then(|| name.to_owned())
+    };
+    let differing: Vec<_> = [
+        differing("(5.30)", |w, _, t| printed_angle(w, t), |k, _, t| libm::atan(libm::sin(t) / (k - libm::cos(t)))),
+        differing(
+            "(5.31)",
+            |w, _, t| printed_5_31(w, t),
+            |k, _, t| (k * libm::cos(t) - 1.0) / (3.0 - 2.0 * k * libm::cos(t)),
+        ),
+        differing(
+            "(5.32)",
+            |w, _, t| printed_5_32(w, t),
+            |k, sign, t| {
+                let square = 3.0 - 2.0 * k * libm::cos(t);
+                sign * k * libm::sin(t) / (square * square)
+            },
+        ),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
+    let how =
+        if differing.is_empty() { "all three agree".to_owned() } else { format!("{} differs", differing.join(", ")) };
+    Finding::new(differing.is_empty(), how)
 }
 
 /// Wheel angle as the pin enters.
@@ -297,7 +323,7 @@ fn entry_radius(wheel: &Wheel) -> f64 {
 fn at_rest_on_entry(wheel: &Wheel, ratio: f64) -> bool {
     let crank = Turn::from_radians(PI / 2.0 - wheel.half_station());
     let pin = pin_from_pivot(&ratio, &crank);
-    agrees(libm::atan2(pin.y, pin.x), wheel.half_station()) && pin.dot(&crank.reversed().direction()).abs() < 1e-12
+    agrees(libm::atan2(pin.y, pin.x), wheel.half_station()) && vanishes(pin.dot(&crank.reversed().direction()))
 }
 
 /// Some crank angles of the engagement, none of them zero.
@@ -306,6 +332,13 @@ fn thirds(wheel: &Wheel) -> impl Iterator<Item = f64> {
     [-1.0, -2.0 / 3.0, -1.0 / 3.0, 1.0 / 3.0, 2.0 / 3.0, 1.0].into_iter().map(move |part| part * end)
 }
 
+/// Eq. (5.31) as it is printed, for a driver of speed one.
+fn printed_5_31(wheel: &Wheel, theta: f64) -> f64 {
+    let (sine, cosine) = (libm::sin(wheel.half_station()), libm::cos(theta));
+    sine * (cosine - sine) / (1.0 + sine * sine - 2.0 * sine * cosine)
+}
+
+/// Eq. (5.30) as it is printed.
 fn printed_angle(wheel: &Wheel, theta: f64) -> f64 {
     let sine = libm::sin(wheel.half_station());
     libm::atan(sine * libm::sin(theta) / (1.0 - sine * libm::cos(theta)))

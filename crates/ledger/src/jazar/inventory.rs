@@ -40,6 +40,7 @@ pub const INVENTORY: &[Line] = &[
         NONE,
         &[
             Claim("jazar.slider-crank"),
+            Claim("jazar.journal-bearing"),
             exception(
                 "jazar.varieties",
                 "",
@@ -58,6 +59,7 @@ pub const INVENTORY: &[Line] = &[
         &[
             Label("5.28"),
             Claim("jazar.quarter-turn"),
+            exception("jazar.locking", "", "says once more that the journal locks the wheel between advances"),
             Claim("jazar.tangent-entry"),
             Claim("jazar.centre-distance"),
             Claim("jazar.wheel-radius"),
@@ -107,6 +109,7 @@ pub const INVENTORY: &[Line] = &[
     line(48, 0x9100_ddd0_3285_7b6a, &[Label("5.26")]),
     line(50, 0xf91e_e81b_54dc_8e60, &[Claim("jazar.eq-5.28"), Label("5.28")]),
     line(54, 0xca5b_963b_09dc_87cc, &[Claim("jazar.unsteady-acceleration")]),
+    line(56, NONE, &[Claim("jazar.steady-driver")]),
     line(58, 0xfab6_a0e4_8d36_e832, &[Claim("jazar.eq-5.29"), Label("5.29")]),
     line(
         60,
@@ -136,11 +139,30 @@ pub const INVENTORY: &[Line] = &[
                 "",
                 "says that locking arcs become too short in practice above some number of stations, and names none",
             ),
+            exception(
+                "jazar.usual",
+                "",
+                "says that in principle any number of stations will do and that one pin is usual: a definition and experience",
+            ),
             Claim("jazar.more-pins"),
         ],
     ),
     line(64, 0x9104_5cd0_3288_890e, &[Label("5.31"), Claim("jazar.alpha")]),
-    line(67, 0xcfc1_7f5b_132a_0768, &[Claim("jazar.fig-5.30-caption"), Label("5.30"), Label("5.28"), Label("5.29")]),
+    line(
+        67,
+        0xcfc1_7f5b_132a_0768,
+        &[
+            Claim("jazar.fig-5.30-caption"),
+            exception(
+                "jazar.drawings",
+                "",
+                "the drawings of Figs. 5.29, 5.30 and 5.31 are not in the copy; the captions and what the text says of them are claimed",
+            ),
+            Label("5.30"),
+            Label("5.28"),
+            Label("5.29"),
+        ],
+    ),
     line(70, 0x9104_5cd0_3288_890e, &[Claim("jazar.fig-5.31"), Label("5.31")]),
     line(
         72,
@@ -186,6 +208,11 @@ pub const INVENTORY: &[Line] = &[
         &[
             Claim("jazar.ex.rpm"),
             exception(
+                "jazar.single-pin",
+                "",
+                "that the driver has one pin is a datum, which the number of advances uses",
+            ),
+            exception(
                 "jazar.synchronous",
                 "",
                 "says that a synchronous motor keeps to the mains, whose frequency is not given; the driver is taken to turn with it",
@@ -226,7 +253,19 @@ pub const INVENTORY: &[Line] = &[
     line(117, NONE, &[Claim("jazar.ex-d.peak-equation")]),
     line(121, 0x3870_34b4_4493_44e0, &[Claim("jazar.ex-d.driver-formula"), Claim("jazar.ex-d.driver-speed")]),
     line(125, 0x77ae_9fee_8a92_f474, &[Claim("jazar.ex-d.peak")]),
-    line(127, 0x9100_d0d0_3285_6553, &[Label("5.29"), Claim("jazar.ex-d.senses")]),
+    line(
+        127,
+        0x9100_d0d0_3285_6553,
+        &[
+            Label("5.29"),
+            Claim("jazar.ex-d.senses"),
+            exception(
+                "jazar.absolute-senses",
+                "",
+                "which of the two angles grows clockwise is a choice of the lost Fig. 5.29; only that they are opposite can be tested",
+            ),
+        ],
+    ),
     line(
         129,
         0x30f9_01c2_41cd_8b44,

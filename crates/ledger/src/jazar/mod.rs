@@ -14,14 +14,17 @@ mod text;
 pub use inventory::INVENTORY;
 pub use symbols::SYMBOLS;
 
-use crate::checks::{agrees, decimal, printed, rounds, same};
+use crate::checks::{agrees, decimal, printed, rounds, same, vanishes};
 use crate::{Check, Claim, Evidence, Finding, Kind, Work};
 use geneva_kinematics::pin_slot::pin_from_pivot;
 use geneva_kinematics::wheel::{Wheel, WheelError};
 use geneva_kinematics::{Jet, Turn, angular_velocity};
+use num_dual::DualNum;
 use std::f64::consts::PI;
 
-use Evidence::{ClosedForm, Dimension, ExactIdentity, Jet as Series, LimitCase, OtherPlaceInSource, Vectors};
+use Evidence::{
+    AutomaticDerivative, ClosedForm, Dimension, ExactIdentity, Jet as Series, LimitCase, OtherPlaceInSource, Vectors,
+};
 
 /// All claims of the handout, in the order of the source.
 pub fn claims() -> Vec<Claim> {
@@ -72,6 +75,42 @@ fn by_series(wheel: &Wheel, crank: f64) -> [f64; 4] {
     let series = angular_velocity(&place);
     let derivative = |order| series.as_ref().and_then(|series| series.derivative(order)).unwrap_or(f64::NAN);
     [angle, derivative(0), derivative(1), derivative(2)]
+}
+
+/// Wheel angle and its first three derivatives by the crank angle, by another library's dual numbers: it differentiates
+/// Eq. (5.30) and shares no code with [`by_series`]. Its sines are the platform's, so nothing of it is printed.
+fn by_duals(wheel: &Wheel, crank: f64) -> [f64; 4] {
+    let sine = libm::sin(wheel.half_station());
+    let (angle, first, second, third) = num_dual::third_derivative(
+        |theta| {
+            let (s, c) = theta.sin_cos();
+            (s * sine / (-c * sine + 1.0)).atan()
+        },
+        crank,
+    );
+    [angle, first, second, third]
+}
+
+/// Whether a formula agrees with a derivative by dual numbers, for all numbers of stations and instants all over the
+/// advance.
+fn as_by_duals(order: usize, formula: fn(&Wheel, f64) -> f64) -> Finding {
+    let worst = (3..=60)
+        .filter_map(|stations| Wheel::new(stations).ok())
+        .flat_map(|wheel| {
+            let end = wheel.engagement_half_angle();
+            (-9..=9).map(move |k| end * f64::from(k) / 9.0).map(move |t| {
+                let (a, b) = (formula(&wheel, t), by_duals(&wheel, t)[order]);
+                (a - b).abs() / a.abs().max(b.abs()).max(1.0)
+            })
+        })
+        .fold(0.0, f64::max);
+    let holds = worst <= crate::tolerance::ROUTES.relative;
+    Finding::new(holds, format!("{} at 19 instants, 3 to 60 stations", if holds { "agrees" } else { "differs" }))
+}
+
+/// The pin's place as it enters, from the wheel's axis.
+fn entry(wheel: &Wheel) -> nalgebra::Vector2<f64> {
+    pin_from_pivot(&wheel.centre_distance_ratio(), &Turn::from_radians(-wheel.engagement_half_angle()))
 }
 
 /// Angle and size of the greatest acceleration, by halving the interval in which the third derivative changes sign.

@@ -5,8 +5,8 @@ use super::*;
 use crate::{Dimension as Exponents, Erratum, Severity, Verdict};
 use geneva_kinematics::wheel::{acceleration_peak, gamma};
 use geneva_kinematics::wheel_peak_proofs::{BelowOne, Condition, InsideTheEngagement, Pythagoras, Quadratic, Roots};
-use geneva_kinematics::wheel_proofs::{Implemented, Printed, Quantity};
-use geneva_kinematics::{DegreeBound, Field, prove};
+use geneva_kinematics::wheel_proofs::{OddAcceleration, Printed, Quantity};
+use geneva_kinematics::{DegreeBound, Field, Rational, prove, rational};
 
 const E: &str = "Ex. (e)";
 
@@ -35,7 +35,7 @@ fn steps() -> Vec<Claim> {
             "Ex. (e), derivative of Eq. (5.32)",
             "rate of change of the wheel's acceleration",
             r"\frac{d\ddot{\phi}}{dt} = \frac{-\dot{\theta}^3 \sin \alpha \cos^2 \alpha}{(1 + \sin^2 \alpha - 2 \sin \alpha \cos \theta)^3} \{ (1 + \sin^2 \alpha - 2 \sin \alpha \cos \theta) \cos \theta - 4 \sin \alpha \sin^2 \theta \}",
-            Check::form((ExactIdentity, || prove(&Printed(Quantity::Jerk)).into()), (Series, || prove(&Implemented(Quantity::Jerk)).into())),
+            Check::form((ExactIdentity, || prove(&Printed(Quantity::Jerk)).into()), (AutomaticDerivative, || as_by_duals(3, printed_derivative))),
         ),
         equation(
             "jazar.ex-e.condition",
@@ -48,7 +48,7 @@ fn steps() -> Vec<Claim> {
             "jazar.ex-e.pythagoras",
             E,
             "replacement of the square of the sine",
-            r"\sin^2\theta \to 1 - \cos^2\theta",
+            r"\sin^2\theta = 1 - \cos^2\theta",
             Check::form((ExactIdentity, || prove(&Pythagoras).into()), (ClosedForm, || same(libm::sin(0.4) * libm::sin(0.4), 1.0 - libm::cos(0.4) * libm::cos(0.4)))),
         ),
         equation(
@@ -127,9 +127,9 @@ fn choice() -> Vec<Claim> {
             "the allowable range of α",
             r"0 < \alpha < 60^{\circ}",
             Check::corrected_form(
-                (LimitCase, || for_all_stations(|wheel| wheel.stations() > 3, "α is less than 60°")),
-                || for_all_stations(|wheel| wheel.stations() >= 3, "α is at most 60°"),
-                (OtherPlaceInSource, || same(of(3, Wheel::half_station).to_degrees(), 60.0)),
+                (LimitCase, || for_all_stations(|wheel| exact_alpha(wheel) < rational(60, 1), "α is less than 60°")),
+                || for_all_stations(|wheel| exact_alpha(wheel) <= rational(60, 1), "α is at most 60°"),
+                (Vectors, || same(of(3, |w| by_series(w, w.engagement_half_angle())[0]).to_degrees(), 60.0)),
             ),
         )
         .expecting(Verdict::Corrected)
@@ -137,7 +137,7 @@ fn choice() -> Vec<Claim> {
             corrected: r"0 < \alpha \le 60^{\circ}",
             reason: "Three stations have α = 60° exactly, and the text names three as the least number. The statement about \
                      the root holds there too, and in fact for all α below 90°.",
-            witness: "The source's own lower limit of three stations.",
+            witness: "With three stations the slot is at 60° from the line of centres as the pin leaves.",
             severity: Severity::Typographical,
             inherited_by: &[],
         }),
@@ -156,12 +156,16 @@ fn choice() -> Vec<Claim> {
                     for_all_stations(
                         |w| {
                             let (angle, size) = peak_by_series(w);
-                            agrees(by_series(w, -angle)[2], size) && agrees(by_series(w, angle)[2], -size)
+                            let nearby = |t: f64| by_series(w, t - 1e-4)[2].abs().max(by_series(w, t + 1e-4)[2].abs());
+                            agrees(by_series(w, -angle)[2], size)
+                                && agrees(by_series(w, angle)[2], -size)
+                                && nearby(angle) < size
+                                && nearby(-angle) < size
                         },
                         "a maximum at −θ, a minimum of the same size at +θ",
                     )
                 },
-                (ExactIdentity, || prove(&Printed(Quantity::Acceleration)).into()),
+                (ExactIdentity, || prove(&OddAcceleration).into()),
             ),
         )
         .expecting(Verdict::Corrected)
@@ -169,19 +173,19 @@ fn choice() -> Vec<Claim> {
             corrected: "its size is at a maximum",
             reason: "The acceleration is an odd function of θ: greatest at −θ, where the wheel speeds up, and least at +θ, \
                      where it slows down. Its size is greatest at both.",
-            witness: "Eq. (5.32), proven for every α, changes sign with θ.",
+            witness: "The acceleration is proven to be odd in θ for every wheel.",
             severity: Severity::Conceptual,
             inherited_by: &["jazar.ex-e.signs"],
         }),
         equation(
             "jazar.eq-5.34",
             "Eq. (5.34)",
-            "crank angle of the greatest acceleration",
+            "crank angles at which the acceleration is greatest in size",
             r"\theta = \pm \cos^{-1}\left(\frac{-\gamma + \sqrt{\gamma^2 + 8}}{2}\right)",
             Check::form(
                 (ExactIdentity, || prove(&Roots { plus: true }).into()),
                 (Series, || {
-                    for_all_stations(|w| (libm::cos(peak_by_series(w).0) - both_roots(w).0).abs() < 1e-12, "the power series has its extreme there")
+                    for_all_stations(|w| vanishes(libm::cos(peak_by_series(w).0) - both_roots(w).0), "the power series has its extreme there")
                 }),
             ),
         ),
@@ -224,7 +228,7 @@ fn numbers() -> Vec<Claim> {
         value(
             "jazar.ex-e.angle",
             "Ex. (e), from Eq. (5.34)",
-            "crank angle of the greatest acceleration",
+            "crank angles at which the acceleration is greatest in size",
             ("±22.90", "°"),
             Check::number(
                 (ClosedForm, || six(|w| acceleration_peak(w).angle).to_degrees()),
@@ -248,7 +252,7 @@ fn numbers() -> Vec<Claim> {
         value(
             "jazar.ex-e.ratio",
             "Ex. (e), from Eq. (5.32)",
-            "greatest acceleration of the wheel of six over the square of the driver's speed",
+            "greatest size of the acceleration of the wheel of six, over the square of the driver's speed",
             ("±1.372", ""),
             Check::number(
                 (ClosedForm, || six(|w| acceleration_peak(w).ratio)),
@@ -258,8 +262,8 @@ fn numbers() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: "±1.350",
-            reason: "A slip of arithmetic. No angle gives the printed number: it is larger than the largest value that \
-                     Eq. (5.32) takes for six stations.",
+            reason: "It does not follow from Eq. (5.32) at the printed angle, nor at any other: it is larger than the \
+                     largest value that the equation takes for six stations. Where it comes from is not known.",
             witness: "The pin's place as a power series, its third derivative brought to zero by halving intervals.",
             severity: Severity::Arithmetical,
             inherited_by: &["jazar.ex-e.peak"],
@@ -342,7 +346,20 @@ fn at_the_peak(equation: fn(f64, f64) -> f64) -> Finding {
         .filter_map(|n| Wheel::new(n).ok())
         .map(|wheel| equation(libm::sin(wheel.half_station()), libm::cos(peak_by_series(&wheel).0)).abs())
         .fold(0.0, f64::max);
-    Finding::new(worst < 1e-12, format!("at most {worst:.0e} at the peaks for 3 to 60 stations"))
+    Finding::new(vanishes(worst), format!("at most {worst:.0e} at the peaks for 3 to 60 stations"))
+}
+
+/// The derivative of Eq. (5.32) as it is printed, for a driver of speed one.
+fn printed_derivative(wheel: &Wheel, theta: f64) -> f64 {
+    let (sine, cosine) = (libm::sin(wheel.half_station()), libm::cos(wheel.half_station()));
+    let (s, c) = (libm::sin(theta), libm::cos(theta));
+    let square = 1.0 + sine * sine - 2.0 * sine * c;
+    -(sine * cosine * cosine) / (square * square * square) * (square * c - 4.0 * sine * s * s)
+}
+
+/// α in degrees, as an exact fraction.
+fn exact_alpha(wheel: &Wheel) -> Rational {
+    rational(180, i64::from(wheel.stations()))
 }
 
 fn both_roots(wheel: &Wheel) -> (f64, f64) {

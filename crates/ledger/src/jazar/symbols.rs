@@ -8,12 +8,14 @@ pub const SYMBOLS: &[Symbol] = &[
     Symbol {
         printed: "x",
         ours: "r",
-        meaning: "distance of the pin from the wheel's axis; the source does not say so",
+        meaning: "distance of the pin from the wheel's axis; the source does not explain it",
     },
     Symbol { printed: "θ", ours: r"\theta", meaning: "crank angle from the line of centres" },
     Symbol { printed: "ϕ", ours: r"\varphi", meaning: "wheel angle from the line of centres, in the opposite sense" },
-    Symbol { printed: "α", ours: r"\alpha", meaning: "half the angle between successive slots" },
+    Symbol { printed: "α", ours: r"\alpha", meaning: "half the angle between neighbouring slots" },
     Symbol { printed: "γ", ours: r"\gamma", meaning: "coefficient of the quadratic for the peak" },
-    Symbol { printed: "λ", ours: r"\lambda", meaning: "part of the cycle" },
+    Symbol { printed: "λ", ours: r"\lambda", meaning: "part of the cycle that is dwell" },
     Symbol { printed: "τ", ours: r"\tau", meaning: "time of the dwell" },
+    Symbol { printed: "T", ours: "T", meaning: "time of a cycle" },
+    Symbol { printed: "N", ours: "N", meaning: "number of stations" },
 ];

@@ -18,7 +18,7 @@ pub fn claims() -> Vec<Claim> {
         statement(
             "jazar.one-direction",
             INDEXING,
-            "the output always advances in the same direction",
+            "the wheel never turns back",
             "same direction",
             Check::form(
                 (Series, || {
@@ -30,11 +30,28 @@ pub fn claims() -> Vec<Claim> {
         statement(
             "jazar.slider-crank",
             VARIETIES,
-            "while advancing it is an inverted slider crank, while holding a journal bearing",
+            "while it advances it is an inverted slider crank: the pin is on a crank and in a slot through the wheel's axis",
             "inverted slider crank",
             Check::form(
                 (ExactIdentity, || prove(&LoopClosure { along: true }).into()),
-                (ExactIdentity, || prove(&LoopClosure { along: false }).into()),
+                (Vectors, || {
+                    for_all_stations(|w| engagement(w).all(|t| in_the_slot(w, t)), "the pin lies on the slot's line")
+                }),
+            ),
+        ),
+        statement(
+            "jazar.journal-bearing",
+            VARIETIES,
+            "while it holds, the wheel's arc and the driver's journal are a bearing: they have the same centre",
+            "journal bearing",
+            Check::form(
+                (Vectors, || for_all_stations(concentric, "an arc has its centre on the driver's axis in the dwell")),
+                (LimitCase, || {
+                    for_all_stations(
+                        |w| w.at(0, PI).is_ok_and(|m| m.phase == Phase::Dwell),
+                        "the wheel is locked when the pin points away",
+                    )
+                }),
             ),
         ),
         statement(
@@ -122,7 +139,7 @@ pub fn claims() -> Vec<Claim> {
         statement(
             "jazar.speeds-up-then-slows-down",
             MODEL,
-            "the wheel accelerates and then decelerates",
+            "the wheel accelerates and then decelerates; smoothly, but for the jumps at the ends",
             "accelerates and then decelerates",
             Check::form(
                 (Series, || {
@@ -148,9 +165,19 @@ fn engagement(wheel: &Wheel) -> impl Iterator<Item = f64> {
     (-40..=40).map(move |step| end * f64::from(step) / 41.0)
 }
 
-/// The pin's place as it enters, from the wheel's axis.
-fn entry(wheel: &Wheel) -> nalgebra::Vector2<f64> {
-    pin_from_pivot(&wheel.centre_distance_ratio(), &Turn::from_radians(-wheel.engagement_half_angle()))
+/// Whether the direction of the pin is that of a slot which turns with the wheel, by the formula's angle.
+fn in_the_slot(wheel: &Wheel, crank: f64) -> bool {
+    let pin = pin_from_pivot(&wheel.centre_distance_ratio(), &Turn::from_radians(crank));
+    let slot = wheel.engaged(crank).map_or(f64::NAN, |motion| motion.angle);
+    vanishes(pin.perp(&Turn::from_radians(slot).direction()))
+}
+
+/// Whether the centre of the arc between two slots lies on the driver's axis while the wheel is locked.
+fn concentric(wheel: &Wheel) -> bool {
+    // In the wheel the arc is half a station behind the slot that the pin has left.
+    let arc = wheel.at(0, PI).map_or(f64::NAN, |motion| motion.angle.abs()) - wheel.half_station();
+    let centre = Turn::from_radians(arc).direction() * wheel.locking_centres_ratio();
+    vanishes((centre - nalgebra::Vector2::new(wheel.centre_distance_ratio(), 0.0)).norm())
 }
 
 fn never_goes_back(wheel: &Wheel) -> bool {

@@ -26,7 +26,7 @@ pub fn claims() -> Vec<Claim> {
             "pin.standstill",
             Work::Pin,
             STATEMENT,
-            (Kind::Statement, "a four-slot wheel stands still as the pin enters and leaves a slot if l is √2 R, and only then"),
+            (Kind::Statement, "a four-slot wheel stands still as the pin enters and leaves a slot if l is √2 R"),
             ("four slots", ""),
             Check::form(
                 (ExactIdentity, only_the_root_of_two),

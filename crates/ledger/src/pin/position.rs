@@ -4,6 +4,7 @@ use super::*;
 use crate::{Check, Kind, Work};
 use geneva_kinematics::pin_proofs::{LawOfCosines, LawOfSines};
 use geneva_kinematics::prove;
+use nalgebra::Vector2;
 
 const COSINES: &str = "Solution, law of cosines";
 const SINES: &str = "Solution, law of sines";
@@ -18,11 +19,11 @@ pub fn claims() -> Vec<Claim> {
             ("OPB", ""),
             Check::form(
                 (Vectors, || {
-                    let motion = Instant::printed().ok().and_then(|instant| Some((instant.by_vectors()?, instant)));
-                    let Some((motion, instant)) = motion else { return Finding::new(false, "no such position") };
-                    let side =
-                        (motion.position - nalgebra::Vector2::new(instant.mechanism.centre_distance(), 0.0)).norm();
-                    same(side, instant.mechanism.crank_radius())
+                    // The corner P from the triangle's own side and angle at O, against the crank's end.
+                    let radius = triangle(|t| t.slot_radius);
+                    let corner = Turn::from_radians(triangle(|t| t.angle_at_pivot)).direction() * radius;
+                    let gap = (corner - Vector2::new(vectors(|m| m.position.x), vectors(|m| m.position.y))).norm();
+                    Finding::new(gap <= 1e-12 * radius, format!("the triangle closes to {gap:.0e} mm"))
                 }),
                 (ClosedForm, || same(vectors(|motion| motion.position.norm()), triangle(|t| t.slot_radius))),
             ),
@@ -32,7 +33,7 @@ pub fn claims() -> Vec<Claim> {
             Work::Pin,
             COSINES,
             (Kind::Equation, "law of cosines for the side OP"),
-            (r"r^{2}=R^{2}+l^{2}-2 R l \cos", ""),
+            (r"r^{2}=R^{2}+l^{2}-2 R l \cos \ldots", ""),
             Check::form(
                 (ExactIdentity, || prove(&LawOfCosines).into()),
                 (Vectors, || same(triangle(|t| t.slot_radius), vectors(|motion| motion.position.norm()))),
@@ -48,7 +49,7 @@ pub fn claims() -> Vec<Claim> {
                 (ClosedForm, || 180.0 - printed("pin.crank-angle")),
                 (Vectors, || {
                     Instant::printed().map_or(f64::NAN, |instant| {
-                        let (to_pin, to_pivot) = (instant.crank.direction(), nalgebra::Vector2::new(-1.0, 0.0));
+                        let (to_pin, to_pivot) = (instant.crank.direction(), Vector2::new(-1.0, 0.0));
                         Turn { cos: to_pin.dot(&to_pivot), sin: to_pin.perp(&to_pivot) }.degrees()
                     })
                 }),

@@ -9,9 +9,10 @@ pub const SYMBOLS: &[Symbol] = &[
     Symbol { printed: "g", ours: r"\gamma", meaning: "angle between the pin's velocity and the slot" },
     Symbol { printed: "v", ours: r"\omega", meaning: "angular velocity, printed V as well" },
     Symbol { printed: "v", ours: r"v", meaning: "speed" },
-    Symbol { printed: "d", ours: r"\swarrow", meaning: "arrow of a direction, before its angle" },
-    Symbol { printed: "f", ours: r"\searrow", meaning: "arrow of a direction, before its angle" },
-    Symbol { printed: "i", ours: r"\circlearrowright", meaning: "arrow of a sense of rotation" },
+    Symbol { printed: "v", ours: r"\vec{v}", meaning: "velocity, printed upright" },
+    Symbol { printed: "d", ours: r"\swarrow", meaning: "arrow of a direction, before its angle (inferred)" },
+    Symbol { printed: "f", ours: r"\searrow", meaning: "arrow of a direction, before its angle (inferred)" },
+    Symbol { printed: "i", ours: r"\circlearrowright", meaning: "arrow of a sense of rotation (inferred)" },
     Symbol { printed: r"1 \overline{2}", ours: r"\sqrt{2}", meaning: "a root" },
 ];
 

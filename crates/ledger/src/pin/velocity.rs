@@ -2,9 +2,7 @@
 
 use super::*;
 use crate::{Check, Dimension, Erratum, Kind, Severity, Verdict, Work};
-use geneva_kinematics::pin_proofs::{
-    PinSpeed, SlidesAlongTheSlot, SlidingSpeed, SlotPointMovesAcross, SlotPointOnTheFollower, SlotPointSpeed,
-};
+use geneva_kinematics::pin_proofs::{PinSpeed, SlidesAlongTheSlot, SlidingSpeed, SlotPointMovesAcross, SlotPointSpeed};
 use geneva_kinematics::prove;
 use nalgebra::Vector2;
 
@@ -29,7 +27,9 @@ fn pin_speed() -> Vec<Claim> {
             Check::corrected_form(
                 (Evidence::Dimension, || dimensions(Dimension::SPEED)),
                 || prove(&PinSpeed).into(),
-                (Evidence::Dimension, || dimensions(Dimension::ANGULAR_SPEED)),
+                (Jet, || {
+                    same(vectors(|m| m.pin_velocity.norm()), printed("pin.crank-radius") * printed("pin.driver-speed"))
+                }),
             ),
         )
         .expecting(Verdict::Corrected)
@@ -91,7 +91,7 @@ fn triangle_of_velocities() -> Vec<Claim> {
             Work::Pin,
             TRIANGLE,
             (Kind::Equation, "velocity of the pin: that of the slot's point and that along the slot"),
-            (r"v_{P}=v_{P'}+v_{P/S}", ""),
+            (r"\text{v}_{P}=\text{v}_{P'}+\text{v}_{P/S}", ""),
             Check::form(
                 (ExactIdentity, || prove(&SlidesAlongTheSlot).into()),
                 (ClosedForm, || {
@@ -135,7 +135,10 @@ fn triangle_of_velocities() -> Vec<Claim> {
             "pin.velocity-figure",
             Work::Pin,
             TRIANGLE,
-            (Kind::Figure, "the velocity triangle has its right angle between the slot's point and the sliding"),
+            (
+                Kind::Figure,
+                "the velocity triangle has its right angle between the velocity of the slot's point and the sliding velocity",
+            ),
             ("triangle", ""),
             Check::form(
                 (Jet, || {
@@ -294,8 +297,8 @@ fn wheel() -> Vec<Claim> {
             (r"v_{P'}=r \mathrm{v}_{S}", ""),
             Check::corrected_form(
                 (Evidence::Dimension, || dimensions(Dimension::SPEED)),
-                || prove(&SlotPointOnTheFollower).into(),
-                (Evidence::Dimension, || dimensions(Dimension::ANGULAR_SPEED)),
+                || prove(&SlotPointSpeed).into(),
+                (ClosedForm, || same(triangle(|t| t.slot_point_speed), triangle(|t| t.slot_radius * t.follower_speed))),
             ),
         )
         .expecting(Verdict::Corrected)
@@ -331,7 +334,7 @@ const LETTER_V: Erratum = Erratum {
     corrected: r"v_{P}=R \omega_{D}",
     reason: "The Greek letter of the angular velocity came out of the copy as v, which makes the sides of the equation \
              differ in dimension.",
-    witness: "With an angular velocity both sides are speeds.",
+    witness: "With an angular velocity the equation gives the computed speed.",
     severity: Severity::Transcription,
     inherited_by: &[],
 };

@@ -12,7 +12,8 @@ pub fn page() -> anyhow::Result<String> {
         let numbers: usize =
             lines.iter().map(|line| line.entries.iter().map(|entry| entry.numbers().len()).sum::<usize>()).sum();
         out.push_str(&format!(
-            "## Source `{work}`\n\n{} claims account for all {numbers} numbers in {} lines.\n\n",
+            "## Source `{work}`\n\n{} claims, with the labels of equations and figures and the exceptions below, account for \
+             all {numbers} numbers in {} lines.\n\n",
             lookup::of_work(*work).count(),
             lines.len()
         ));

@@ -1,7 +1,7 @@
 //! Errata: one in its chapter, and the page of all.
 
 use super::forms::how;
-use super::inline::{badge, computed, with_unit};
+use super::inline::{badge, rounded, with_unit};
 use super::lookup;
 use crate::html::{Cells, escape, table, tex_or_text};
 use anyhow::anyhow;
@@ -41,8 +41,14 @@ fn boxed(judged: &Judged, erratum: &Erratum) -> anyhow::Result<String> {
     let mut entry = |term: &str, text: String| out.push_str(&format!("<dt>{term}</dt><dd>{text}</dd>\n"));
     entry("Printed", with_unit(&tex_or_text(claim.printed)?, claim.unit)?);
     entry("Should be", with_unit(&tex_or_text(erratum.corrected)?, claim.unit)?);
-    if let Some(number) = computed(judged) {
-        entry("Computed", with_unit(&number, claim.unit)?);
+    let evidence = claim.check.evidence();
+    for (term, number, kind) in [
+        ("Computed", judged.computed, evidence.first()),
+        ("Second witness's number", judged.witnessed, evidence.last()),
+    ] {
+        if let (Some(number), Some(kind)) = (number, kind) {
+            entry(term, format!("{} ({kind})", with_unit(&rounded(judged, number), claim.unit)?));
+        }
     }
     entry("Why", escape(erratum.reason));
     entry("Second witness", escape(erratum.witness));
@@ -70,13 +76,15 @@ fn summary() -> String {
             vec![severity.to_string(), meaning(*severity).to_owned(), count.to_string()]
         })
         .collect();
-    table("Errata by severity", Cells::Words, &["Severity", "What it means", "Errata"], &rows)
+    table("Errata by kind of slip", Cells::Words, &["Kind of slip", "What it means", "Errata"], &rows)
 }
 
 fn meaning(severity: Severity) -> &'static str {
     match severity {
         Severity::Transcription => "the copy lost or changed a character; the original is not to blame",
-        Severity::Typographical => "a misprint of the source",
+        Severity::Typographical => {
+            "a slip of the pen or a misprint of the source: a wrong or missing word, sign or symbol"
+        }
         Severity::Arithmetical => "a wrong or carelessly rounded computation",
         Severity::Conceptual => "a wrong idea",
     }

@@ -34,8 +34,9 @@ pub fn how(judged: &Judged) -> String {
     }
     let evidence = judged.claim.check.evidence();
     let kind = |role: &str| match role {
+        "as printed" => evidence.first(),
         "witness" => evidence.last(),
-        _ => evidence.first(),
+        _ => None,
     };
     let parts: Vec<_> = judged
         .findings

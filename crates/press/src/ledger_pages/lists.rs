@@ -4,7 +4,7 @@ use super::inline::{badge, computed, with_unit};
 use super::lookup;
 use crate::html::{Cells, escape, table, tex_or_text};
 use crate::maths;
-use geneva_ledger::{Judged, TOLERANCES, Verdict, Work, verdicts as judged};
+use geneva_ledger::{Evidence, Judged, TOLERANCES, Verdict, Work, verdicts as judged};
 
 /// All claims, a table for each source; every row can be linked to by the claim's id.
 pub fn ledger() -> anyhow::Result<String> {
@@ -44,6 +44,18 @@ pub fn verdicts() -> String {
         })
         .collect();
     table("Classes of verdict", Cells::Words, &["Verdict", "What it means", "Claims"], &rows)
+}
+
+/// The kinds of evidence and how many claims use each.
+pub fn evidence() -> String {
+    let rows: Vec<_> = Evidence::ALL
+        .iter()
+        .map(|kind| {
+            let count = judged().iter().filter(|judged| judged.claim.check.evidence().contains(kind)).count();
+            vec![kind.to_string(), escape(kind.meaning()), count.to_string()]
+        })
+        .collect();
+    table("Kinds of evidence", Cells::Words, &["Evidence", "What it is", "Claims"], &rows)
 }
 
 /// The tolerances that are not printed digits.
