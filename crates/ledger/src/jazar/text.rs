@@ -162,7 +162,7 @@ pub fn claims() -> Vec<Claim> {
 /// Crank angles over the engagement, the ends left out.
 fn engagement(wheel: &Wheel) -> impl Iterator<Item = f64> {
     let end = wheel.engagement_half_angle();
-    (-40..=40).map(move |step| end * f64::from(step) / 41.0)
+    (-10..=10).map(move |step| end * f64::from(step) / 11.0)
 }
 
 /// Whether the direction of the pin is that of a slot which turns with the wheel, by the formula's angle.
@@ -184,8 +184,9 @@ fn never_goes_back(wheel: &Wheel) -> bool {
     let angle = |turns: i64, crank: f64| {
         wheel.at(turns, crank).map_or(f64::NAN, |m| m.stations as f64 * 2.0 * wheel.half_station() + m.angle)
     };
-    let angles: Vec<_> = [0, 1].iter().flat_map(|n| (-50..50).map(move |k| (*n, PI * f64::from(k) / 50.0))).collect();
-    angles.windows(2).all(|pair| angle(pair[0].0, pair[0].1) <= angle(pair[1].0, pair[1].1) + 1e-12)
+    let crank = |step: i32| PI * f64::from(step) / 25.0;
+    let angles: Vec<f64> = [0, 1].iter().flat_map(|n| (-25..25).map(move |k| angle(*n, crank(k)))).collect();
+    angles.windows(2).all(|pair| pair[0] <= pair[1] + crate::tolerance::CLOSURE.relative)
 }
 
 /// The wheel's speed over the driver's as a pin enters a slot at 45°, for another centre distance.
