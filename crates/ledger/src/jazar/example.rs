@@ -321,24 +321,14 @@ fn fraction(sign: i32) -> f64 {
 
 /// Crank angle between entry and exit, from where the wheel of the power series is at rest.
 fn entry_crank(wheel: &Wheel) -> f64 {
-    let (mut low, mut high) = (0.0, PI / 2.0);
-    for _ in 0..80 {
-        let middle = (low + high) / 2.0;
-        if by_series(wheel, middle)[1] > 0.0 { low = middle } else { high = middle }
-    }
-    2.0 * low
+    2.0 * halved(0.0, PI / 2.0, |t| by_series(wheel, t)[1] > 0.0).0
 }
 
 /// Part of a turn in which the wheel is locked, from where its motion ends and begins.
 fn locked_part() -> f64 {
     let Ok(wheel) = example() else { return f64::NAN };
-    let locked = |t: f64| wheel.at(0, t).is_ok_and(|m| m.phase == Phase::Dwell);
-    let (mut low, mut high) = (0.0, PI);
-    for _ in 0..80 {
-        let middle = (low + high) / 2.0;
-        if locked(middle) { high = middle } else { low = middle }
-    }
-    1.0 - low / PI
+    let moves = |t: f64| wheel.at(0, t).is_ok_and(|motion| motion.phase == Phase::Advance);
+    1.0 - halved(0.0, PI, moves).0 / PI
 }
 
 fn dwell_seconds() -> f64 {
@@ -362,11 +352,7 @@ fn fastest_of_a_grid(wheel: &Wheel) -> f64 {
 fn zero_of_acceleration() -> f64 {
     let Ok(wheel) = example() else { return f64::NAN };
     let end = wheel.engagement_half_angle();
-    let (mut low, mut high) = (-end, end);
-    for _ in 0..200 {
-        let middle = (low + high) / 2.0;
-        if by_series(&wheel, middle)[2] > 0.0 { low = middle } else { high = middle }
-    }
+    let (_, high) = halved(-end, end, |t| by_series(&wheel, t)[2] > 0.0);
     if high.abs() < 1e-15 { 0.0 } else { high }
 }
 

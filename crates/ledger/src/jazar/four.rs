@@ -121,11 +121,7 @@ fn equations() -> Vec<Claim> {
             r"\dot{\phi} = \dot{\theta} \left(\frac{\sqrt{2} \cos \theta - 1}{3 - 2\sqrt{2} \cos \theta} \right)",
             Check::form(
                 (ExactIdentity, || prove_with_root::<2, 2>(&VelocityOfFour).into()),
-                (AutomaticDerivative, || {
-                    as_by_duals_of_four(1, |t| {
-                        (2f64.sqrt() * libm::cos(t) - 1.0) / (3.0 - 2.0 * 2f64.sqrt() * libm::cos(t))
-                    })
-                }),
+                (AutomaticDerivative, || as_by_duals_of_four(1, printed_5_28)),
             ),
         ),
     ]
@@ -165,12 +161,7 @@ fn accelerations() -> Vec<Claim> {
                 (ExactIdentity, || prove_with_root::<2, 2>(&AccelerationOfFour { negative: false }).into()),
                 || prove_with_root::<2, 2>(&AccelerationOfFour { negative: true }).into(),
                 // (5.32), whose sign is right, for four stations.
-                (OtherPlaceInSource, || {
-                    at_instants(|wheel, t| {
-                        let square = 3.0 - 2.0 * 2f64.sqrt() * libm::cos(t);
-                        (printed_5_32(wheel, t), -(2f64.sqrt() * libm::sin(t)) / (square * square))
-                    })
-                }),
+                (OtherPlaceInSource, || at_instants(|wheel, t| (printed_5_32(wheel, t), -printed_5_29(t)))),
             ),
         )
         .expecting(Verdict::Corrected)
@@ -304,6 +295,18 @@ fn curves() -> Vec<Claim> {
             ),
         ),
     ]
+}
+
+/// Eq. (5.28) as it is printed, for a driver of speed one.
+pub(super) fn printed_5_28(theta: f64) -> f64 {
+    let product = 2f64.sqrt() * libm::cos(theta);
+    (product - 1.0) / (3.0 - 2.0 * product)
+}
+
+/// Eq. (5.29) as it is printed, without its minus sign, for a driver of speed one.
+pub(super) fn printed_5_29(theta: f64) -> f64 {
+    let square = 3.0 - 2.0 * 2f64.sqrt() * libm::cos(theta);
+    2f64.sqrt() * libm::sin(theta) / (square * square)
 }
 
 /// Eq. (5.32) as it is printed, for a driver of speed one.

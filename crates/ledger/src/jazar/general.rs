@@ -1,6 +1,6 @@
 //! The wheel of any number of stations: its geometry and the equations (5.30) to (5.32).
 
-use super::four::printed_5_32;
+use super::four::{printed_5_28, printed_5_29, printed_5_32};
 use super::*;
 use crate::{Erratum, Severity, Verdict};
 use geneva_kinematics::prove;
@@ -280,30 +280,16 @@ fn equations() -> Vec<Claim> {
 /// Whether Eqs. (5.30) to (5.32) with α = 45° are Eqs. (5.27) to (5.29), the last with this sign.
 fn four_from_general(sign: f64) -> Finding {
     let Ok(wheel) = four_stations() else { return Finding::new(false, "no wheel of four") };
-    let (root, sine) = (2f64.sqrt(), libm::sin(wheel.half_station()));
-    let differing = |name: &str, general: fn(&Wheel, f64, f64) -> f64, four: fn(f64, f64, f64) -> f64| {
-        let same = thirds(&wheel).all(|t| vanishes(general(&wheel, sine, t) - four(root, sign, t)));
-        (!same).then(|| name.to_owned())
+    let root = 2f64.sqrt();
+    let agree = |general: fn(&Wheel, f64) -> f64, four: &dyn Fn(f64) -> f64| {
+        thirds(&wheel).all(|t| vanishes(general(&wheel, t) - four(t)))
     };
-    let differing: Vec<_> = [
-        differing("(5.30)", |w, _, t| printed_angle(w, t), |k, _, t| libm::atan(libm::sin(t) / (k - libm::cos(t)))),
-        differing(
-            "(5.31)",
-            |w, _, t| printed_5_31(w, t),
-            |k, _, t| (k * libm::cos(t) - 1.0) / (3.0 - 2.0 * k * libm::cos(t)),
-        ),
-        differing(
-            "(5.32)",
-            |w, _, t| printed_5_32(w, t),
-            |k, sign, t| {
-                let square = 3.0 - 2.0 * k * libm::cos(t);
-                sign * k * libm::sin(t) / (square * square)
-            },
-        ),
-    ]
-    .into_iter()
-    .flatten()
-    .collect();
+    let pairs = [
+        ("(5.30)", agree(printed_angle, &|t| libm::atan(libm::sin(t) / (root - libm::cos(t))))),
+        ("(5.31)", agree(printed_5_31, &printed_5_28)),
+        ("(5.32)", agree(printed_5_32, &|t| sign * printed_5_29(t))),
+    ];
+    let differing: Vec<_> = pairs.iter().filter(|(_, agree)| !agree).map(|(name, _)| *name).collect();
     let how =
         if differing.is_empty() { "all three agree".to_owned() } else { format!("{} differs", differing.join(", ")) };
     Finding::new(differing.is_empty(), how)

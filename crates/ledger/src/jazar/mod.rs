@@ -113,14 +113,22 @@ fn entry(wheel: &Wheel) -> nalgebra::Vector2<f64> {
     pin_from_pivot(&wheel.centre_distance_ratio(), &Turn::from_radians(-wheel.engagement_half_angle()))
 }
 
+/// The interval in which a condition that holds at its lower end ceases to hold, halved until nothing is left of it.
+fn halved(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> (f64, f64) {
+    for _ in 0..HALVINGS {
+        let middle = (low + high) / 2.0;
+        if holds(middle) { low = middle } else { high = middle }
+    }
+    (low, high)
+}
+
+/// Enough to bring an interval around zero below what any comparison can see, and any other to neighbouring numbers.
+const HALVINGS: usize = 80;
+
 /// Angle and size of the greatest acceleration, by halving the interval in which the third derivative changes sign.
 fn peak_by_series(wheel: &Wheel) -> (f64, f64) {
-    let (mut low, mut high) = (0.0, wheel.engagement_half_angle());
-    for _ in 0..80 {
-        let middle = (low + high) / 2.0;
-        if by_series(wheel, middle)[3] < 0.0 { low = middle } else { high = middle }
-    }
-    (low, by_series(wheel, low)[2].abs())
+    let (angle, _) = halved(0.0, wheel.engagement_half_angle(), |t| by_series(wheel, t)[3] < 0.0);
+    (angle, by_series(wheel, angle)[2].abs())
 }
 
 fn value(

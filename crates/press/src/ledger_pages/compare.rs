@@ -1,6 +1,6 @@
 //! The table of printed against computed numbers, with the differing digits marked.
 
-use super::inline::{badge, computed, rounded, with_unit};
+use super::inline::{computed, linked_badge, rounded, with_unit};
 use super::lookup;
 use crate::html::{Cells, escape, table as html_table};
 use geneva_ledger::{Decimal, Judged, Kind, Mark, Marked};
@@ -36,7 +36,7 @@ fn row(judged: &Judged) -> anyhow::Result<Vec<String>> {
         if remark.is_empty() { printed } else { format!("{printed} <small>{remark}</small>") },
         computed(judged).unwrap_or_else(dash),
         judged.from_rounded.map_or_else(dash, |number| rounded(judged, number)),
-        format!("<a class=\"to-ledger\" href=\"ledger.html#{}\">{}</a>", claim.id, badge(judged.verdict)),
+        linked_badge(judged),
     ])
 }
 

@@ -1,5 +1,6 @@
 //! The sources line by line: which claims stand where, and what is no claim, with the reason.
 
+use super::inline::linked_id;
 use super::lookup;
 use crate::html::{Cells, escape, table};
 use geneva_ledger::{Entry, Line, Work};
@@ -30,12 +31,7 @@ pub fn page() -> anyhow::Result<String> {
 }
 
 fn row(line: &Line) -> Vec<String> {
-    let claims: Vec<_> = line
-        .entries
-        .iter()
-        .filter_map(|entry| entry.claimed())
-        .map(|id| format!("<a href=\"ledger.html#{id}\"><code>{id}</code></a>"))
-        .collect();
+    let claims: Vec<_> = line.entries.iter().filter_map(|entry| entry.claimed()).map(linked_id).collect();
     let numbers: usize = line.entries.iter().map(|entry| entry.numbers().len()).sum();
     vec![
         line.number.to_string(),

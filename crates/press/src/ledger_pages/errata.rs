@@ -1,7 +1,7 @@
 //! Errata: one in its chapter, and the page of all.
 
 use super::forms::how;
-use super::inline::{badge, rounded, with_unit};
+use super::inline::{badge, linked_id, rounded, with_unit};
 use super::lookup;
 use crate::html::{Cells, escape, table, tex_or_text};
 use anyhow::anyhow;
@@ -56,14 +56,10 @@ fn boxed(judged: &Judged, erratum: &Erratum) -> anyhow::Result<String> {
         entry("How it was found", how(judged));
     }
     if !erratum.inherited_by.is_empty() {
-        let links: Vec<_> = erratum
-            .inherited_by
-            .iter()
-            .map(|id| format!("<a href=\"ledger.html#{id}\"><code>{id}</code></a>"))
-            .collect();
+        let links: Vec<_> = erratum.inherited_by.iter().map(|id| linked_id(id)).collect();
         entry("Inherited by", links.join(", "));
     }
-    out.push_str(&format!("</dl>\n<p><a href=\"ledger.html#{0}\"><code>{0}</code></a></p>\n</aside>", claim.id));
+    out.push_str(&format!("</dl>\n<p>{}</p>\n</aside>", linked_id(claim.id)));
     Ok(out)
 }
 

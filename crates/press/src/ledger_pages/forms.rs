@@ -1,6 +1,6 @@
 //! The table of a source's equations, figures and statements, with what was found of each.
 
-use super::inline::badge;
+use super::inline::linked_badge;
 use super::lookup;
 use crate::html::{Cells, escape, table as html_table, tex_or_text};
 use geneva_ledger::{Check, Judged, Kind};
@@ -19,12 +19,7 @@ pub fn table(slug: &str) -> anyhow::Result<String> {
 
 fn row(judged: &Judged) -> anyhow::Result<Vec<String>> {
     let claim = judged.claim;
-    Ok(vec![
-        escape(claim.meaning),
-        tex_or_text(claim.printed)?,
-        format!("<a class=\"to-ledger\" href=\"ledger.html#{}\">{}</a>", claim.id, badge(judged.verdict)),
-        how(judged),
-    ])
+    Ok(vec![escape(claim.meaning), tex_or_text(claim.printed)?, linked_badge(judged), how(judged)])
 }
 
 /// How a form was found to hold or to fail; for a missing datum, what is missing.

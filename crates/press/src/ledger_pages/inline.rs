@@ -28,8 +28,7 @@ pub fn claim(id: &str) -> anyhow::Result<String> {
 
 /// The verdict, as a link to the claim's row in the ledger.
 pub fn verdict(id: &str) -> anyhow::Result<String> {
-    let judged = lookup::judged(id)?;
-    Ok(format!("<a class=\"to-ledger\" href=\"ledger.html#{id}\">{}</a>", badge(judged.verdict)))
+    Ok(linked_badge(lookup::judged(id)?))
 }
 
 /// The number of claims of a source, or of `all`.
@@ -43,6 +42,16 @@ pub fn count(of: &str) -> anyhow::Result<String> {
 /// What the source is.
 pub fn citation(slug: &str) -> anyhow::Result<String> {
     Ok(escape(lookup::work(slug)?.citation()))
+}
+
+/// The verdict of a claim as a badge that leads to the claim's row in the ledger.
+pub fn linked_badge(judged: &Judged) -> String {
+    format!("<a class=\"to-ledger\" href=\"ledger.html#{}\">{}</a>", judged.claim.id, badge(judged.verdict))
+}
+
+/// The id of a claim, leading to its row in the ledger.
+pub fn linked_id(id: &str) -> String {
+    format!("<a href=\"ledger.html#{id}\"><code>{id}</code></a>")
 }
 
 /// A verdict as a badge: the word, to which style only adds.
