@@ -71,13 +71,13 @@ fn differences(verdicts: &[Judged]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use geneva_ledger::{Check, Claim, Evidence, Kind, judge};
+    use geneva_ledger::{Check, Claim, Evidence, judge};
 
     /// A claim that no source makes, with these digits for seven thirds.
     fn judged(printed: &'static str) -> Judged {
         let check = Check::number((Evidence::ClosedForm, || 7.0 / 3.0), (Evidence::LimitCase, || 7.0 / 3.0));
-        let says = (Kind::Value, "seven thirds");
-        let claim = Claim::new("pin.made-up", Work::Pin, "Nowhere, line 1", says, (printed, "mm"), check);
+        let says = "seven thirds";
+        let claim = Claim::value(Work::Pin, "pin.made-up", "Nowhere, line 1", says, (printed, "mm"), check);
         judge(Box::leak(Box::new(claim)))
     }
 

@@ -140,16 +140,53 @@ pub enum Severity {
 }
 
 impl Claim {
-    /// A claim that is expected to be reproduced, without an erratum.
-    pub fn new(
-        id: &'static str,
+    /// A printed number with its unit. Like all claims, expected to be reproduced, and without an erratum.
+    pub fn value(
         work: Work,
+        id: &'static str,
         locator: &'static str,
-        (kind, meaning): (Kind, &'static str),
+        meaning: &'static str,
         (printed, unit): (&'static str, &'static str),
         check: Check,
     ) -> Self {
-        Self { id, work, locator, kind, meaning, printed, unit, check, expected: Verdict::Reproduced, erratum: None }
+        let (kind, expected, erratum) = (Kind::Value, Verdict::Reproduced, None);
+        Self { id, work, locator, kind, meaning, printed, unit, check, expected, erratum }
+    }
+
+    /// An equation or a formula.
+    pub fn equation(
+        work: Work,
+        id: &'static str,
+        locator: &'static str,
+        meaning: &'static str,
+        printed: &'static str,
+        check: Check,
+    ) -> Self {
+        Self { kind: Kind::Equation, ..Self::value(work, id, locator, meaning, (printed, ""), check) }
+    }
+
+    /// A figure, or what a text says of one.
+    pub fn figure(
+        work: Work,
+        id: &'static str,
+        locator: &'static str,
+        meaning: &'static str,
+        printed: &'static str,
+        check: Check,
+    ) -> Self {
+        Self { kind: Kind::Figure, ..Self::value(work, id, locator, meaning, (printed, ""), check) }
+    }
+
+    /// A sentence that can be checked.
+    pub fn statement(
+        work: Work,
+        id: &'static str,
+        locator: &'static str,
+        meaning: &'static str,
+        printed: &'static str,
+        check: Check,
+    ) -> Self {
+        Self { kind: Kind::Statement, ..Self::value(work, id, locator, meaning, (printed, ""), check) }
     }
 
     /// Records another verdict than `reproduced`.

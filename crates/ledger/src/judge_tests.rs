@@ -1,16 +1,16 @@
 //! Every class of verdict, and every way in which a record can be contradicted, on made-up claims.
 
 use super::*;
-use crate::{Kind, Severity, Work};
+use crate::{Severity, Work};
 
 const PLACE: &str = "nowhere";
 
 fn number_claim(printed: &'static str, check: Check) -> Claim {
-    Claim::new("made-up", Work::Pin, PLACE, (Kind::Value, "a number"), (printed, ""), check)
+    Claim::value(Work::Pin, "made-up", PLACE, "a number", (printed, ""), check)
 }
 
 fn form_claim(check: Check) -> Claim {
-    Claim::new("made-up", Work::Pin, PLACE, (Kind::Equation, "a form"), ("x = x", ""), check)
+    Claim::equation(Work::Pin, "made-up", PLACE, "a form", "x = x", check)
 }
 
 fn erratum(corrected: &'static str) -> Erratum {

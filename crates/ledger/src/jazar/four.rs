@@ -19,7 +19,8 @@ pub fn claims() -> Vec<Claim> {
 
 fn equations() -> Vec<Claim> {
     vec![
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.eq-5.25-across",
             LOOP,
             "loop closure across the line of centres",
@@ -31,7 +32,8 @@ fn equations() -> Vec<Claim> {
                 }),
             ),
         ),
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.eq-5.25-along",
             LOOP,
             "loop closure along the line of centres",
@@ -45,7 +47,8 @@ fn equations() -> Vec<Claim> {
                 }),
             ),
         ),
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.slot-eliminated",
             "Display after Eq. (5.25)",
             "the pin's distance eliminated",
@@ -59,7 +62,8 @@ fn equations() -> Vec<Claim> {
                 }),
             ),
         ),
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.eq-5.26",
             "Eq. (5.26)",
             "tangent of the wheel angle",
@@ -73,7 +77,8 @@ fn equations() -> Vec<Claim> {
                 }),
             ),
         ),
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.eq-5.27",
             "Eq. (5.27)",
             "wheel angle",
@@ -88,7 +93,8 @@ fn equations() -> Vec<Claim> {
                 (ExactIdentity, || prove(&Printed(Quantity::Tangent)).into()),
             ),
         ),
-        figure(
+        Claim::figure(
+            WORK,
             "jazar.fig-5.29",
             "Fig. 5.29, caption",
             "θ and φ are angles of rotation from the line of centres",
@@ -98,7 +104,8 @@ fn equations() -> Vec<Claim> {
                 (ExactIdentity, || prove(&LoopClosure { along: false }).into()),
             ),
         ),
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.tangent-differentiated",
             "Display before Eq. (5.28)",
             "Eq. (5.26) differentiated",
@@ -114,7 +121,8 @@ fn equations() -> Vec<Claim> {
                 }),
             ),
         ),
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.eq-5.28",
             "Eq. (5.28)",
             "angular velocity of the wheel of four",
@@ -129,7 +137,8 @@ fn equations() -> Vec<Claim> {
 
 fn accelerations() -> Vec<Claim> {
     vec![
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.unsteady-acceleration",
             "Display before Eq. (5.29)",
             "angular acceleration of the wheel of four, the driver speeding up",
@@ -139,7 +148,8 @@ fn accelerations() -> Vec<Claim> {
                 (ExactIdentity, || prove(&UnsteadyAcceleration).into()),
             ),
         ),
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.steady-driver",
             "Sentence before Eq. (5.29)",
             "with a steady driver the first term vanishes",
@@ -152,7 +162,8 @@ fn accelerations() -> Vec<Claim> {
                 (Series, || at_instants(|wheel, t| (by_series(wheel, t)[2], acceleration_ratio(&wheel.centre_distance_ratio(), &Turn::from_radians(t))))),
             ),
         ),
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.eq-5.29",
             "Eq. (5.29)",
             "angular acceleration of the wheel of four, the driver steady",
@@ -178,7 +189,8 @@ fn accelerations() -> Vec<Claim> {
 
 fn curves() -> Vec<Claim> {
     vec![
-        figure(
+        Claim::figure(
+            WORK,
             "jazar.fig-5.30",
             PLOT,
             "Eqs. (5.27) and (5.28) give the wheel's angle and velocity over the advance",
@@ -188,7 +200,8 @@ fn curves() -> Vec<Claim> {
                 (ExactIdentity, || prove_with_root::<2, 2>(&VelocityOfFour).into()),
             ),
         ),
-        value(
+        Claim::value(
+            WORK,
             "jazar.phi-range",
             PLOT,
             "wheel angle at entry and exit",
@@ -198,7 +211,8 @@ fn curves() -> Vec<Claim> {
                 (Vectors, || of(4, |wheel| by_series(wheel, -wheel.engagement_half_angle())[0]).to_degrees()),
             ),
         ),
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.velocity-normalisation",
             PLOT,
             "the velocity curve is a pure number",
@@ -208,7 +222,8 @@ fn curves() -> Vec<Claim> {
                 (ExactIdentity, || prove_with_root::<2, 2>(&VelocityOfFour).into()),
             ),
         ),
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.acceleration-normalisation",
             PLOT,
             "the acceleration curve is a pure number",
@@ -228,7 +243,8 @@ fn curves() -> Vec<Claim> {
             severity: Severity::Typographical,
             inherited_by: &[],
         }),
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.smooth-inside",
             STATIONS,
             "velocity and acceleration are smooth inside the advance",
@@ -242,7 +258,8 @@ fn curves() -> Vec<Claim> {
                 }),
             ),
         ),
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.infinite-jerk",
             STATIONS,
             "the jerk is infinite where the advance begins and ends",
@@ -254,7 +271,8 @@ fn curves() -> Vec<Claim> {
                 }),
             ),
         ),
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.least-stations",
             STATIONS,
             "three is the geometric lower limit of stations",
@@ -269,7 +287,8 @@ fn curves() -> Vec<Claim> {
                 (ClosedForm, || Finding::new(Wheel::new(2).is_err() && Wheel::new(3).is_ok(), "two cannot be built, three can")),
             ),
         ),
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.more-pins",
             STATIONS,
             "drivers with two or more pins are possible",
@@ -284,7 +303,8 @@ fn curves() -> Vec<Claim> {
                 }),
             ),
         ),
-        figure(
+        Claim::figure(
+            WORK,
             "jazar.fig-5.30-caption",
             "Fig. 5.30, caption",
             "the curves are normalised by the driver's speed and by its square",

@@ -17,7 +17,8 @@ pub fn claims() -> Vec<Claim> {
 
 fn geometry() -> Vec<Claim> {
     vec![
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.alpha",
             GEOMETRY,
             "α is the angle between slot and line of centres as the pin enters or leaves",
@@ -37,7 +38,8 @@ fn geometry() -> Vec<Claim> {
                 }),
             ),
         ),
-        figure(
+        Claim::figure(
+            WORK,
             "jazar.fig-5.31",
             "Fig. 5.31, caption",
             "neighbouring slots are 2α apart",
@@ -62,7 +64,8 @@ fn geometry() -> Vec<Claim> {
                 }),
             ),
         ),
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.alpha-degrees",
             DURATION,
             "α in degrees",
@@ -82,7 +85,8 @@ fn geometry() -> Vec<Claim> {
                 }),
             ),
         ),
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.duration",
             DURATION,
             "crank angle of an advance",
@@ -106,7 +110,8 @@ fn geometry() -> Vec<Claim> {
                 }),
             ),
         ),
-        value(
+        Claim::value(
+            WORK,
             "jazar.duration-limit",
             DURATION,
             "limit of the crank angle of an advance for very many stations",
@@ -116,7 +121,8 @@ fn geometry() -> Vec<Claim> {
                 (ClosedForm, || PI.to_degrees()),
             ),
         ),
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.duration-grows",
             DURATION,
             "with more stations the advance takes more of the driver's turn",
@@ -133,7 +139,8 @@ fn geometry() -> Vec<Claim> {
                 }),
             ),
         ),
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.gentler",
             DURATION,
             "with more stations the peaks of velocity and acceleration fall",
@@ -157,7 +164,8 @@ fn geometry() -> Vec<Claim> {
                 }),
             ),
         ),
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.dwell-shrinks",
             DURATION,
             "with more stations the wheel stands still for less of the turn",
@@ -174,7 +182,8 @@ fn geometry() -> Vec<Claim> {
 
 fn sizes() -> Vec<Claim> {
     vec![
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.centre-distance-ratio",
             RATIOS,
             "centre distance over crank radius",
@@ -184,7 +193,8 @@ fn sizes() -> Vec<Claim> {
                 (Vectors, || for_all_stations(|wheel| at_rest_on_entry(wheel, wheel.centre_distance_ratio()), "with it the pin enters along the slot")),
             ),
         ),
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.wheel-radius-ratio",
             RATIOS,
             "1/tan α is the outside diameter of the wheel over the pin's radius",
@@ -205,7 +215,8 @@ fn sizes() -> Vec<Claim> {
             severity: Severity::Typographical,
             inherited_by: &[],
         }),
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.alpha-radians",
             "Sentence before Eq. (5.30)",
             "α in radians",
@@ -215,7 +226,8 @@ fn sizes() -> Vec<Claim> {
                 (Vectors, || for_all_stations(|wheel| agrees(-entry_angle(wheel), PI / f64::from(wheel.stations())), "the slot's angle at entry is π/N")),
             ),
         ),
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.generalises",
             "Sentence before Eq. (5.30)",
             "Eqs. (5.27) to (5.29) are the case of four stations of Eqs. (5.30) to (5.32)",
@@ -239,7 +251,8 @@ fn sizes() -> Vec<Claim> {
 
 fn equations() -> Vec<Claim> {
     vec![
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.eq-5.30",
             "Eq. (5.30)",
             "wheel angle, N stations",
@@ -254,7 +267,8 @@ fn equations() -> Vec<Claim> {
                 }),
             ),
         ),
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.eq-5.31",
             "Eq. (5.31)",
             "angular velocity of the wheel, N stations",
@@ -264,7 +278,8 @@ fn equations() -> Vec<Claim> {
                 (AutomaticDerivative, || as_by_duals(1, printed_5_31)),
             ),
         ),
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.eq-5.32",
             "Eq. (5.32)",
             "angular acceleration of the wheel, N stations",

@@ -3,6 +3,7 @@
 //! The claims stand in the order of the source: the four-station wheel and its equations, the general wheel, the
 //! example. The wheel of the example is [`example`].
 
+mod dwell;
 mod example;
 mod four;
 mod general;
@@ -15,7 +16,7 @@ pub use inventory::INVENTORY;
 pub use symbols::SYMBOLS;
 
 use crate::checks::{agrees, decimal, printed, rounds, same, vanishes};
-use crate::{Check, Claim, Evidence, Finding, Kind, Work};
+use crate::{Check, Claim, Evidence, Finding, Work};
 use geneva_kinematics::pin_slot::pin_from_pivot;
 use geneva_kinematics::wheel::{Wheel, WheelError};
 use geneva_kinematics::{Jet, Turn, angular_velocity};
@@ -25,6 +26,8 @@ use std::f64::consts::PI;
 use Evidence::{
     AutomaticDerivative, ClosedForm, Dimension, ExactIdentity, Jet as Series, LimitCase, OtherPlaceInSource, Vectors,
 };
+
+const WORK: Work = Work::Jazar2003;
 
 /// All claims of the handout, in the order of the source.
 pub fn claims() -> Vec<Claim> {
@@ -129,26 +132,4 @@ const HALVINGS: usize = 80;
 fn peak_by_series(wheel: &Wheel) -> (f64, f64) {
     let (angle, _) = halved(0.0, wheel.engagement_half_angle(), |t| by_series(wheel, t)[3] < 0.0);
     (angle, by_series(wheel, angle)[2].abs())
-}
-
-fn value(
-    id: &'static str,
-    at: &'static str,
-    meaning: &'static str,
-    text: (&'static str, &'static str),
-    check: Check,
-) -> Claim {
-    Claim::new(id, Work::Jazar2003, at, (Kind::Value, meaning), text, check)
-}
-
-fn equation(id: &'static str, at: &'static str, meaning: &'static str, text: &'static str, check: Check) -> Claim {
-    Claim::new(id, Work::Jazar2003, at, (Kind::Equation, meaning), (text, ""), check)
-}
-
-fn statement(id: &'static str, at: &'static str, meaning: &'static str, text: &'static str, check: Check) -> Claim {
-    Claim::new(id, Work::Jazar2003, at, (Kind::Statement, meaning), (text, ""), check)
-}
-
-fn figure(id: &'static str, at: &'static str, meaning: &'static str, text: &'static str, check: Check) -> Claim {
-    Claim::new(id, Work::Jazar2003, at, (Kind::Figure, meaning), (text, ""), check)
 }

@@ -16,7 +16,8 @@ pub fn claims() -> Vec<Claim> {
 
 fn steps() -> Vec<Claim> {
     vec![
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.ex-e.plot",
             "Ex. (e), reference to Fig. 5.30",
             "the extreme and its angle can be read from a plot of Eq. (5.32)",
@@ -30,35 +31,40 @@ fn steps() -> Vec<Claim> {
                 (ExactIdentity, || prove(&Printed(Quantity::Acceleration)).into()),
             ),
         ),
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.ex-e.derivative",
             "Ex. (e), derivative of Eq. (5.32)",
             "rate of change of the wheel's acceleration",
             r"\frac{d\ddot{\phi}}{dt} = \frac{-\dot{\theta}^3 \sin \alpha \cos^2 \alpha}{(1 + \sin^2 \alpha - 2 \sin \alpha \cos \theta)^3} \{ (1 + \sin^2 \alpha - 2 \sin \alpha \cos \theta) \cos \theta - 4 \sin \alpha \sin^2 \theta \}",
             Check::form((ExactIdentity, || prove(&Printed(Quantity::Jerk)).into()), (AutomaticDerivative, || as_by_duals(3, printed_derivative))),
         ),
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.ex-e.condition",
             "Ex. (e), condition for an extreme",
             "where the derivative is zero",
             r"(1 + \sin^2 \alpha) \cos \theta - 2 \sin \alpha \cos^2 \theta - 4 \sin \alpha \sin^2 \theta = 0",
             Check::form((ExactIdentity, || prove(&Condition).into()), (Series, || at_the_peak(|sine, c| (1.0 + sine * sine) * c - 2.0 * sine * c * c - 4.0 * sine * (1.0 - c * c)))),
         ),
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.ex-e.pythagoras",
             E,
             "replacement of the square of the sine",
             r"\sin^2\theta = 1 - \cos^2\theta",
             Check::form((ExactIdentity, || prove(&Pythagoras).into()), (ClosedForm, || same(libm::sin(0.4) * libm::sin(0.4), 1.0 - libm::cos(0.4) * libm::cos(0.4)))),
         ),
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.ex-e.quadratic",
             "Ex. (e), quadratic",
             "the condition as a quadratic in cos θ",
             r"\cos^2\theta + \gamma\cos\theta - 2 = 0",
             Check::form((ExactIdentity, || prove(&Quadratic).into()), (Series, || at_the_peak(|sine, c| c * c + (1.0 + sine * sine) / (2.0 * sine) * c - 2.0))),
         ),
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.eq-5.33",
             "Eq. (5.33)",
             "coefficient of the quadratic",
@@ -72,7 +78,8 @@ fn steps() -> Vec<Claim> {
                 }),
             ),
         ),
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.ex-e.preceding",
             "Ex. (e), after Eq. (5.33)",
             "the preceding equation is a quadratic equation in cos θ",
@@ -91,7 +98,8 @@ fn steps() -> Vec<Claim> {
             severity: Severity::Typographical,
             inherited_by: &[],
         }),
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.ex-e.roots",
             "Ex. (e), roots",
             "roots of the quadratic",
@@ -103,7 +111,8 @@ fn steps() -> Vec<Claim> {
 
 fn choice() -> Vec<Claim> {
     vec![
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.ex-e.root-choice",
             "Ex. (e), choice of the root",
             "only the positive root gives a cosine of a size between zero and one",
@@ -121,7 +130,8 @@ fn choice() -> Vec<Claim> {
                 }),
             ),
         ),
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.ex-e.alpha-range",
             "Ex. (e), choice of the root",
             "the allowable range of α",
@@ -141,7 +151,8 @@ fn choice() -> Vec<Claim> {
             severity: Severity::Typographical,
             inherited_by: &[],
         }),
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.ex-e.maximum",
             "Ex. (e), before Eq. (5.34)",
             "the angular acceleration has a maximum at both angles ±θ of Eq. (5.34)",
@@ -177,7 +188,8 @@ fn choice() -> Vec<Claim> {
             severity: Severity::Conceptual,
             inherited_by: &["jazar.ex-e.signs"],
         }),
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.eq-5.34",
             "Eq. (5.34)",
             "crank angles at which the acceleration is greatest in size",
@@ -189,7 +201,8 @@ fn choice() -> Vec<Claim> {
                 }),
             ),
         ),
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.ex-e.general-validity",
             "Ex. (e), on Eqs. (5.33) and (5.34)",
             "Eqs. (5.33) and (5.34) hold for every number of stations",
@@ -212,7 +225,8 @@ fn choice() -> Vec<Claim> {
 
 fn numbers() -> Vec<Claim> {
     vec![
-        value(
+        Claim::value(
+            WORK,
             "jazar.ex-e.gamma",
             "Ex. (e), from Eq. (5.33)",
             "γ of the wheel of six",
@@ -225,7 +239,8 @@ fn numbers() -> Vec<Claim> {
                 }),
             ),
         ),
-        value(
+        Claim::value(
+            WORK,
             "jazar.ex-e.angle",
             "Ex. (e), from Eq. (5.34)",
             "crank angles at which the acceleration is greatest in size",
@@ -235,7 +250,8 @@ fn numbers() -> Vec<Claim> {
                 (Series, || six_pair(peak_by_series).0.to_degrees()),
             ),
         ),
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.ex-e.ratio-form",
             "Ex. (e), from Eq. (5.32)",
             "the acceleration over the square of the driver's speed is a pure number",
@@ -249,7 +265,8 @@ fn numbers() -> Vec<Claim> {
                 (ExactIdentity, || prove(&Printed(Quantity::Acceleration)).into()),
             ),
         ),
-        value(
+        Claim::value(
+            WORK,
             "jazar.ex-e.ratio",
             "Ex. (e), from Eq. (5.32)",
             "greatest size of the acceleration of the wheel of six, over the square of the driver's speed",
@@ -268,7 +285,8 @@ fn numbers() -> Vec<Claim> {
             severity: Severity::Arithmetical,
             inherited_by: &["jazar.ex-e.peak"],
         }),
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.ex-e.signs",
             "Ex. (e), from Eq. (5.32)",
             "the upper sign of the acceleration belongs to the upper sign of the angle",
@@ -292,7 +310,8 @@ fn numbers() -> Vec<Claim> {
             severity: Severity::Typographical,
             inherited_by: &[],
         }),
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.ex-e.driver-formula",
             E,
             "angular velocity of the driver once more",
@@ -302,7 +321,8 @@ fn numbers() -> Vec<Claim> {
                 (OtherPlaceInSource, || same(2.0 * PI / printed("jazar.ex-c.cycle"), example_speed())),
             ),
         ),
-        value(
+        Claim::value(
+            WORK,
             "jazar.ex-e.peak",
             E,
             "peak angular acceleration of the wheel",

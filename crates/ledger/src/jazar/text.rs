@@ -15,7 +15,8 @@ const MODEL: &str = "Paragraph below Fig. 5.28";
 
 pub fn claims() -> Vec<Claim> {
     vec![
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.one-direction",
             INDEXING,
             "the wheel never turns back",
@@ -27,7 +28,8 @@ pub fn claims() -> Vec<Claim> {
                 (LimitCase, || for_all_stations(never_goes_back, "the wheel's angle never falls over two turns")),
             ),
         ),
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.slider-crank",
             VARIETIES,
             "while it advances it is an inverted slider crank: the pin is on a crank and in a slot through the wheel's axis",
@@ -39,7 +41,8 @@ pub fn claims() -> Vec<Claim> {
                 }),
             ),
         ),
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.journal-bearing",
             VARIETIES,
             "while it holds, the wheel's arc and the driver's journal are a bearing: they have the same centre",
@@ -54,7 +57,8 @@ pub fn claims() -> Vec<Claim> {
                 }),
             ),
         ),
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.quarter-turn",
             SIMPLE,
             "the wheel of four advances a quarter turn for every turn of the driver",
@@ -64,7 +68,8 @@ pub fn claims() -> Vec<Claim> {
                 (ClosedForm, || same(of(4, |wheel| 2.0 * wheel.half_station()), PI / 2.0)),
             ),
         ),
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.tangent-entry",
             SIMPLE,
             "unless the slot is tangent to the pin's circle at entry and exit, the acceleration there is infinite",
@@ -81,7 +86,8 @@ pub fn claims() -> Vec<Claim> {
                 (ExactIdentity, || prove(&StandstillOfFourSlots).into()),
             ),
         ),
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.centre-distance",
             SIMPLE,
             "centre distance of the wheel of four",
@@ -98,7 +104,8 @@ pub fn claims() -> Vec<Claim> {
                 (ClosedForm, || same(of(4, Wheel::centre_distance_ratio), 2f64.sqrt())),
             ),
         ),
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.wheel-radius",
             SIMPLE,
             "outer radius of the wheel of four: the crank radius",
@@ -108,7 +115,8 @@ pub fn claims() -> Vec<Claim> {
                 (Vectors, || same(of(4, |wheel| entry(wheel).norm()), 1.0)),
             ),
         ),
-        equation(
+        Claim::equation(
+            WORK,
             "jazar.cutout-centres",
             SIMPLE,
             "radius of the circle of the locking arcs' centres, four stations",
@@ -126,7 +134,8 @@ pub fn claims() -> Vec<Claim> {
                 }),
             ),
         ),
-        figure(
+        Claim::figure(
+            WORK,
             "jazar.fig-5.28",
             CAPTION,
             "a four-station wheel advances for a quarter of the cycle and is locked for three quarters",
@@ -136,7 +145,8 @@ pub fn claims() -> Vec<Claim> {
                 (LimitCase, || same(of(4, locked_part), 0.75)),
             ),
         ),
-        statement(
+        Claim::statement(
+            WORK,
             "jazar.speeds-up-then-slows-down",
             MODEL,
             "the wheel accelerates and then decelerates; smoothly, but for the jumps at the ends",

@@ -1,7 +1,7 @@
 //! What the problem gives: the data, and how far apart the axes must be.
 
 use super::*;
-use crate::{Check, Erratum, Kind, Severity, Verdict, Work};
+use crate::{Check, Erratum, Severity, Verdict};
 use geneva_kinematics::pin_proofs::{StandstillOfFourSlots, four_slot_entry_misfit};
 use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::{Field, Rational, Surd, prove, rational};
@@ -11,23 +11,13 @@ const QUESTION: &str = "Problem, 2nd paragraph";
 
 pub fn claims() -> Vec<Claim> {
     vec![
-        Claim::new(
-            "pin.driver-speed",
-            Work::Pin,
-            STATEMENT,
-            (Kind::Value, "angular velocity of the driver, a datum; the printed speed and radius give it back"),
-            ("10", "rad/s"),
+        Claim::value(WORK, "pin.driver-speed", STATEMENT, "angular velocity of the driver, a datum; the printed speed and radius give it back", ("10", "rad/s"),
             Check::number(
                 (OtherPlaceInSource, || printed("pin.pin-speed") / printed("pin.crank-radius")),
                 (OtherPlaceInSource, || printed("pin.follower-speed") / ratio_at_the_instant()),
             ),
         ),
-        Claim::new(
-            "pin.standstill",
-            Work::Pin,
-            STATEMENT,
-            (Kind::Statement, "a four-slot wheel stands still as the pin enters and leaves a slot if l is √2 R"),
-            ("four slots", ""),
+        Claim::statement(WORK, "pin.standstill", STATEMENT, "a four-slot wheel stands still as the pin enters and leaves a slot if l is √2 R", "four slots",
             Check::form(
                 (ExactIdentity, only_the_root_of_two),
                 (Jet, || {
@@ -36,12 +26,7 @@ pub fn claims() -> Vec<Claim> {
                 }),
             ),
         ),
-        Claim::new(
-            "pin.centre-distance",
-            Work::Pin,
-            STATEMENT,
-            (Kind::Equation, "centre distance of a four-slot wheel that starts and stops from rest"),
-            (r"l=1 \overline{2} R", ""),
+        Claim::equation(WORK, "pin.centre-distance", STATEMENT, "centre distance of a four-slot wheel that starts and stops from rest", r"l=1 \overline{2} R",
             Check::corrected_form(
                 (ExactIdentity, || {
                     // Two readings of the characters: one times two, and 1.222…
@@ -67,23 +52,13 @@ pub fn claims() -> Vec<Claim> {
             severity: Severity::Transcription,
             inherited_by: &[],
         }),
-        Claim::new(
-            "pin.crank-angle",
-            Work::Pin,
-            QUESTION,
-            (Kind::Value, "crank angle φ from the direction OB, a datum; the angle at B and the direction of v_P give it back"),
-            ("150", "°"),
+        Claim::value(WORK, "pin.crank-angle", QUESTION, "crank angle φ from the direction OB, a datum; the angle at B and the direction of v_P give it back", ("150", "°"),
             Check::number(
                 (OtherPlaceInSource, || 180.0 - printed("pin.angle-at-driver")),
                 (OtherPlaceInSource, || 90.0 + printed("pin.pin-velocity-direction")),
             ),
         ),
-        Claim::new(
-            "pin.letter-f",
-            Work::Pin,
-            QUESTION,
-            (Kind::Statement, "the letter f names the crank angle"),
-            ("f", ""),
+        Claim::statement(WORK, "pin.letter-f", QUESTION, "the letter f names the crank angle", "f",
             Check::corrected_form(
                 (OtherPlaceInSource, || {
                     Finding::new(symbols::is_unambiguous("f"), "the letter f stands for the crank angle and for an arrow")

@@ -13,12 +13,14 @@ pub use inventory::INVENTORY;
 pub use symbols::SYMBOLS;
 
 use crate::checks::{decimal, printed, rounds, same};
-use crate::{Claim, Evidence, Finding};
+use crate::{Claim, Evidence, Finding, Work};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::PinSlot;
 use geneva_kinematics::pin_triangle::{self, TriangleSolution};
 use geneva_kinematics::pin_vectors::{self, PinMotion};
 use geneva_kinematics::wheel::{Wheel, WheelError};
+
+const WORK: Work = Work::Pin;
 
 /// The mechanism at the printed instant.
 #[derive(Clone, Debug, PartialEq)]

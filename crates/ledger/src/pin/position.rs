@@ -1,7 +1,7 @@
 //! The position triangle OPB: law of cosines, law of sines.
 
 use super::*;
-use crate::{Check, Kind, Work};
+use crate::Check;
 use geneva_kinematics::pin_proofs::{LawOfCosines, LawOfSines};
 use geneva_kinematics::prove;
 use nalgebra::Vector2;
@@ -11,12 +11,12 @@ const SINES: &str = "Solution, law of sines";
 
 pub fn claims() -> Vec<Claim> {
     vec![
-        Claim::new(
+        Claim::figure(
+            WORK,
             "pin.position-figure",
-            Work::Pin,
             "Solution, 1st sentence",
-            (Kind::Figure, "triangle OPB is the position at the given crank angle"),
-            ("OPB", ""),
+            "triangle OPB is the position at the given crank angle",
+            "OPB",
             Check::form(
                 (Vectors, || {
                     // The corner P from the triangle's own side and angle at O, against the crank's end.
@@ -28,22 +28,22 @@ pub fn claims() -> Vec<Claim> {
                 (ClosedForm, || same(vectors(|motion| motion.position.norm()), triangle(|t| t.slot_radius))),
             ),
         ),
-        Claim::new(
+        Claim::equation(
+            WORK,
             "pin.law-of-cosines",
-            Work::Pin,
             COSINES,
-            (Kind::Equation, "law of cosines for the side OP"),
-            (r"r^{2}=R^{2}+l^{2}-2 R l \cos \ldots", ""),
+            "law of cosines for the side OP",
+            r"r^{2}=R^{2}+l^{2}-2 R l \cos \ldots",
             Check::form(
                 (ExactIdentity, || prove(&LawOfCosines).into()),
                 (Vectors, || same(triangle(|t| t.slot_radius), vectors(|motion| motion.position.norm()))),
             ),
         ),
-        Claim::new(
+        Claim::value(
+            WORK,
             "pin.angle-at-driver",
-            Work::Pin,
             COSINES,
-            (Kind::Value, "angle of the triangle at B, 180° − φ"),
+            "angle of the triangle at B, 180° − φ",
             ("30", "°"),
             Check::number(
                 (ClosedForm, || 180.0 - printed("pin.crank-angle")),
@@ -55,11 +55,11 @@ pub fn claims() -> Vec<Claim> {
                 }),
             ),
         ),
-        Claim::new(
+        Claim::value(
+            WORK,
             "pin.radius-squared",
-            Work::Pin,
             COSINES,
-            (Kind::Value, "square of OP, in squared crank radii"),
+            "square of OP, in squared crank radii",
             ("0.551", "R^{2}"),
             Check::number(
                 (ClosedForm, || triangle(|t| t.radius_squared_ratio)),
@@ -69,11 +69,11 @@ pub fn claims() -> Vec<Claim> {
                 }),
             ),
         ),
-        Claim::new(
+        Claim::value(
+            WORK,
             "pin.radius-ratio",
-            Work::Pin,
             COSINES,
-            (Kind::Value, "OP in crank radii"),
+            "OP in crank radii",
             ("0.742", "R"),
             Check::number_from_rounded(
                 (ClosedForm, || triangle(|t| t.radius_ratio)),
@@ -81,11 +81,11 @@ pub fn claims() -> Vec<Claim> {
                 || printed("pin.radius-squared").sqrt(),
             ),
         ),
-        Claim::new(
+        Claim::value(
+            WORK,
             "pin.radius",
-            Work::Pin,
             COSINES,
-            (Kind::Value, "OP, distance of the pin from the follower's pivot"),
+            "OP, distance of the pin from the follower's pivot",
             ("37.1", "mm"),
             Check::number_from_rounded(
                 (ClosedForm, || triangle(|t| t.slot_radius)),
@@ -93,34 +93,34 @@ pub fn claims() -> Vec<Claim> {
                 || printed("pin.radius-ratio") * printed("pin.crank-radius"),
             ),
         ),
-        Claim::new(
+        Claim::equation(
+            WORK,
             "pin.law-of-sines",
-            Work::Pin,
             SINES,
-            (Kind::Equation, "law of sines for the angle at O"),
-            (r"\frac{\sin b}{R}=\frac{\sin 30^{\circ}}{r}", ""),
+            "law of sines for the angle at O",
+            r"\frac{\sin b}{R}=\frac{\sin 30^{\circ}}{r}",
             Check::form(
                 (ExactIdentity, || prove(&LawOfSines).into()),
                 (Vectors, || same(triangle(|t| t.sine_at_pivot), vectors(|motion| motion.position.normalize().y))),
             ),
         ),
-        Claim::new(
+        Claim::equation(
+            WORK,
             "pin.sine-at-pivot",
-            Work::Pin,
             SINES,
-            (Kind::Equation, "sine of the angle at O, from the rounded r/R"),
-            (r"\sin b=\frac{\sin 30^{\circ}}{0.742}", ""),
+            "sine of the angle at O, from the rounded r/R",
+            r"\sin b=\frac{\sin 30^{\circ}}{0.742}",
             // An equation with a rounded number in it holds if the number is a rounding of what would make it exact.
             Check::form(
                 (ClosedForm, || makes_exact(triangle(|t| t.sine_at_pivot))),
                 (Vectors, || makes_exact(vectors(|motion| motion.position.normalize().y))),
             ),
         ),
-        Claim::new(
+        Claim::value(
+            WORK,
             "pin.angle-at-pivot",
-            Work::Pin,
             SINES,
-            (Kind::Value, "β, angle of the slot at O from the line of centres"),
+            "β, angle of the slot at O from the line of centres",
             ("42.4", "°"),
             Check::number_from_rounded(
                 (ClosedForm, || triangle(|t| t.angle_at_pivot).to_degrees()),

@@ -1,7 +1,7 @@
 //! The velocity triangle: v_P = v_P′ + v_{P/S}.
 
 use super::*;
-use crate::{Check, Dimension, Erratum, Kind, Severity, Verdict, Work};
+use crate::{Check, Dimension, Erratum, Severity, Verdict};
 use geneva_kinematics::pin_proofs::{PinSpeed, SlidesAlongTheSlot, SlidingSpeed, SlotPointMovesAcross, SlotPointSpeed};
 use geneva_kinematics::prove;
 use nalgebra::Vector2;
@@ -18,12 +18,12 @@ pub fn claims() -> Vec<Claim> {
 
 fn pin_speed() -> Vec<Claim> {
     vec![
-        Claim::new(
+        Claim::equation(
+            WORK,
             "pin.pin-speed-equation",
-            Work::Pin,
             PIN,
-            (Kind::Equation, "speed of the pin on its circle"),
-            (r"v_{P}=R \mathrm{v}_{D}", ""),
+            "speed of the pin on its circle",
+            r"v_{P}=R \mathrm{v}_{D}",
             Check::corrected_form(
                 (Evidence::Dimension, || dimensions(Dimension::SPEED)),
                 || prove(&PinSpeed).into(),
@@ -34,45 +34,45 @@ fn pin_speed() -> Vec<Claim> {
         )
         .expecting(Verdict::Corrected)
         .with_erratum(LETTER_V),
-        Claim::new(
+        Claim::value(
+            WORK,
             "pin.crank-radius",
-            Work::Pin,
             PIN,
-            (Kind::Value, "crank radius R, a datum of the lost figure; the printed speeds and lengths give it back"),
+            "crank radius R, a datum of the lost figure; the printed speeds and lengths give it back",
             ("50", "mm"),
             Check::number(
                 (OtherPlaceInSource, || printed("pin.pin-speed") / printed("pin.driver-speed")),
                 (OtherPlaceInSource, || printed("pin.radius") / printed("pin.radius-ratio")),
             ),
         ),
-        Claim::new(
+        Claim::value(
+            WORK,
             "pin.pin-speed",
-            Work::Pin,
             PIN,
-            (Kind::Value, "speed of the pin"),
+            "speed of the pin",
             ("500", "mm/s"),
             Check::number(
                 (ClosedForm, || triangle(|t| t.pin_speed)),
                 (Jet, || vectors(|motion| motion.pin_velocity.norm())),
             ),
         ),
-        Claim::new(
+        Claim::value(
+            WORK,
             "pin.pin-velocity-direction",
-            Work::Pin,
             PIN,
-            (Kind::Value, "angle of the pin's velocity from the horizontal"),
+            "angle of the pin's velocity from the horizontal",
             ("60", "°"),
             Check::number(
                 (ClosedForm, || 90.0 - printed("pin.angle-at-driver")),
                 (Jet, || vectors(|motion| from_horizontal(&motion.pin_velocity))),
             ),
         ),
-        Claim::new(
+        Claim::statement(
+            WORK,
             "pin.mark-d",
-            Work::Pin,
             PIN,
-            (Kind::Statement, "the velocity of the pin and its sliding velocity bear the same arrow"),
-            ("d", ""),
+            "the velocity of the pin and its sliding velocity bear the same arrow",
+            "d",
             Check::form(
                 (Jet, same_quadrant),
                 (ClosedForm, || {
@@ -86,12 +86,12 @@ fn pin_speed() -> Vec<Claim> {
 
 fn triangle_of_velocities() -> Vec<Claim> {
     vec![
-        Claim::new(
+        Claim::equation(
+            WORK,
             "pin.velocity-equation",
-            Work::Pin,
             TRIANGLE,
-            (Kind::Equation, "velocity of the pin: that of the slot's point and that along the slot"),
-            (r"\text{v}_{P}=\text{v}_{P'}+\text{v}_{P/S}", ""),
+            "velocity of the pin: that of the slot's point and that along the slot",
+            r"\text{v}_{P}=\text{v}_{P'}+\text{v}_{P/S}",
             Check::form(
                 (ExactIdentity, || prove(&SlidesAlongTheSlot).into()),
                 (ClosedForm, || {
@@ -100,12 +100,12 @@ fn triangle_of_velocities() -> Vec<Claim> {
                 }),
             ),
         ),
-        Claim::new(
+        Claim::statement(
+            WORK,
             "pin.across-the-slot",
-            Work::Pin,
             TRIANGLE,
-            (Kind::Statement, "the slot's point under the pin moves across OP"),
-            ("perpendicular", ""),
+            "the slot's point under the pin moves across OP",
+            "perpendicular",
             Check::form(
                 (ExactIdentity, || prove(&SlotPointMovesAcross).into()),
                 (Jet, || {
@@ -115,12 +115,12 @@ fn triangle_of_velocities() -> Vec<Claim> {
                 }),
             ),
         ),
-        Claim::new(
+        Claim::statement(
+            WORK,
             "pin.along-the-slot",
-            Work::Pin,
             TRIANGLE,
-            (Kind::Statement, "the pin moves along the slot as seen from the wheel"),
-            ("along the slot", ""),
+            "the pin moves along the slot as seen from the wheel",
+            "along the slot",
             Check::form(
                 (ExactIdentity, || prove(&SlidesAlongTheSlot).into()),
                 (ClosedForm, || {
@@ -131,15 +131,12 @@ fn triangle_of_velocities() -> Vec<Claim> {
                 }),
             ),
         ),
-        Claim::new(
+        Claim::figure(
+            WORK,
             "pin.velocity-figure",
-            Work::Pin,
             TRIANGLE,
-            (
-                Kind::Figure,
-                "the velocity triangle has its right angle between the velocity of the slot's point and the sliding velocity",
-            ),
-            ("triangle", ""),
+            "the velocity triangle has its right angle between the velocity of the slot's point and the sliding velocity",
+            "triangle",
             Check::form(
                 (Jet, || {
                     let squares = vectors(|m| m.slot_point_velocity.norm_squared() + m.sliding_velocity.norm_squared());
@@ -151,12 +148,12 @@ fn triangle_of_velocities() -> Vec<Claim> {
                 }),
             ),
         ),
-        Claim::new(
+        Claim::equation(
+            WORK,
             "pin.velocity-angle-equation",
-            Work::Pin,
             ANGLE,
-            (Kind::Equation, "γ is what β and the angle at B leave of a right angle"),
-            (r"g=90^{\circ}-\ldots-\ldots", ""),
+            "γ is what β and the angle at B leave of a right angle",
+            r"g=90^{\circ}-\ldots-\ldots",
             Check::form(
                 (Vectors, || {
                     same(
@@ -167,11 +164,11 @@ fn triangle_of_velocities() -> Vec<Claim> {
                 (ExactIdentity, || prove(&SlotPointSpeed).into()),
             ),
         ),
-        Claim::new(
+        Claim::value(
+            WORK,
             "pin.velocity-angle",
-            Work::Pin,
             ANGLE,
-            (Kind::Value, "γ, angle between the pin's velocity and the slot"),
+            "γ, angle between the pin's velocity and the slot",
             ("17.6", "°"),
             Check::number_from_rounded(
                 (ClosedForm, || triangle(|t| t.velocity_angle).to_degrees()),
@@ -184,22 +181,22 @@ fn triangle_of_velocities() -> Vec<Claim> {
 
 fn components() -> Vec<Claim> {
     vec![
-        Claim::new(
+        Claim::equation(
+            WORK,
             "pin.slot-point-equation",
-            Work::Pin,
             COMPONENTS,
-            (Kind::Equation, "component of the pin's velocity across the slot"),
-            (r"v_{P'}=v_{P} \sin g", ""),
+            "component of the pin's velocity across the slot",
+            r"v_{P'}=v_{P} \sin g",
             Check::form(
                 (ExactIdentity, || prove(&SlotPointSpeed).into()),
                 (Jet, || same(triangle(|t| t.slot_point_speed), vectors(|motion| motion.slot_point_velocity.norm()))),
             ),
         ),
-        Claim::new(
+        Claim::value(
+            WORK,
             "pin.slot-point-speed",
-            Work::Pin,
             COMPONENTS,
-            (Kind::Value, "speed of the slot's point under the pin"),
+            "speed of the slot's point under the pin",
             ("151.2", "mm/s"),
             Check::number_from_rounded(
                 (ClosedForm, || triangle(|t| t.slot_point_speed)),
@@ -215,26 +212,23 @@ fn components() -> Vec<Claim> {
             severity: Severity::Arithmetical,
             inherited_by: &["pin.follower-speed"],
         }),
-        Claim::new(
+        Claim::value(
+            WORK,
             "pin.slot-point-velocity-direction",
-            Work::Pin,
             COMPONENTS,
-            (Kind::Value, "angle of the slot point's velocity, from the vertical"),
+            "angle of the slot point's velocity, from the vertical",
             ("42.4", "°"),
             Check::number(
                 (ClosedForm, || triangle(|t| t.angle_at_pivot).to_degrees()),
                 (Jet, || vectors(|motion| 90.0 - from_horizontal(&motion.slot_point_velocity))),
             ),
         ),
-        Claim::new(
+        Claim::statement(
+            WORK,
             "pin.mark-f",
-            Work::Pin,
             COMPONENTS,
-            (
-                Kind::Statement,
-                "the arrow before the angle of the slot point's velocity says what the angle is measured from",
-            ),
-            ("f", ""),
+            "the arrow before the angle of the slot point's velocity says what the angle is measured from",
+            "f",
             Check::corrected_form(
                 (Jet, || reads_as(from_horizontal, "horizontal")),
                 || reads_as(|velocity| 90.0 - from_horizontal(velocity), "vertical"),
@@ -250,22 +244,22 @@ fn components() -> Vec<Claim> {
             severity: Severity::Transcription,
             inherited_by: &[],
         }),
-        Claim::new(
+        Claim::equation(
+            WORK,
             "pin.sliding-equation",
-            Work::Pin,
             COMPONENTS,
-            (Kind::Equation, "component of the pin's velocity along the slot"),
-            (r"v_{P/S}=v_{P} \cos g", ""),
+            "component of the pin's velocity along the slot",
+            r"v_{P/S}=v_{P} \cos g",
             Check::form(
                 (ExactIdentity, || prove(&SlidingSpeed).into()),
                 (Jet, || same(triangle(|t| t.sliding_speed), vectors(|motion| motion.sliding_velocity.norm()))),
             ),
         ),
-        Claim::new(
+        Claim::value(
+            WORK,
             "pin.sliding-speed",
-            Work::Pin,
             COMPONENTS,
-            (Kind::Value, "speed of the pin along the slot"),
+            "speed of the pin along the slot",
             ("477", "mm/s"),
             Check::number_from_rounded(
                 (ClosedForm, || triangle(|t| t.sliding_speed)),
@@ -273,11 +267,11 @@ fn components() -> Vec<Claim> {
                 || printed("pin.pin-speed") * Turn::from_degrees(printed("pin.velocity-angle")).cos,
             ),
         ),
-        Claim::new(
+        Claim::value(
+            WORK,
             "pin.sliding-velocity-direction",
-            Work::Pin,
             COMPONENTS,
-            (Kind::Value, "angle of the sliding velocity from the horizontal"),
+            "angle of the sliding velocity from the horizontal",
             ("42.4", "°"),
             Check::number(
                 (ClosedForm, || triangle(|t| t.angle_at_pivot).to_degrees()),
@@ -289,12 +283,12 @@ fn components() -> Vec<Claim> {
 
 fn wheel() -> Vec<Claim> {
     vec![
-        Claim::new(
+        Claim::equation(
+            WORK,
             "pin.follower-speed-equation",
-            Work::Pin,
             WHEEL,
-            (Kind::Equation, "speed of the slot's point from the wheel's angular velocity"),
-            (r"v_{P'}=r \mathrm{v}_{S}", ""),
+            "speed of the slot's point from the wheel's angular velocity",
+            r"v_{P'}=r \mathrm{v}_{S}",
             Check::corrected_form(
                 (Evidence::Dimension, || dimensions(Dimension::SPEED)),
                 || prove(&SlotPointSpeed).into(),
@@ -303,11 +297,11 @@ fn wheel() -> Vec<Claim> {
         )
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum { corrected: r"v_{P'}=r \omega_{S}", ..LETTER_V }),
-        Claim::new(
+        Claim::value(
+            WORK,
             "pin.follower-speed",
-            Work::Pin,
             WHEEL,
-            (Kind::Value, "angular speed of the wheel"),
+            "angular speed of the wheel",
             ("4.08", "rad/s"),
             Check::number_from_rounded(
                 (ClosedForm, || triangle(|t| t.follower_speed)),
@@ -315,12 +309,12 @@ fn wheel() -> Vec<Claim> {
                 || printed("pin.slot-point-speed") / printed("pin.radius"),
             ),
         ),
-        Claim::new(
+        Claim::statement(
+            WORK,
             "pin.follower-sense",
-            Work::Pin,
             WHEEL,
-            (Kind::Statement, "sense in which the wheel turns, by an arrow"),
-            ("i", ""),
+            "sense in which the wheel turns, by an arrow",
+            "i",
             Check::Missing {
                 reason: "the arrow came out of the copy as the letter i, which does not say which way it pointed; the \
                          computation says clockwise, against the driver",
