@@ -10,10 +10,13 @@
 mod proofs;
 mod scalars;
 
+pub mod escapement;
 pub mod pin_proofs;
 pub mod pin_slot;
 pub mod pin_triangle;
 pub mod pin_vectors;
+pub mod quick_return;
+pub mod relative_motion;
 pub mod wheel;
 pub mod wheel_peak_proofs;
 pub mod wheel_proofs;

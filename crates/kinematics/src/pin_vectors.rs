@@ -22,6 +22,17 @@ pub struct PinMotion<S> {
     pub follower_speed: S,
 }
 
+impl<S: Field> PinMotion<S> {
+    /// The motion of a pin in the slot of a follower that turns at `follower_speed`, counter-clockwise positive.
+    ///
+    /// The slot's point is carried around the pivot; what the pin does beside that is sliding.
+    pub fn carried(position: Vector2<S>, pin_velocity: Vector2<S>, follower_speed: S) -> Self {
+        let slot_point_velocity = quarter_turn(&position) * follower_speed.clone();
+        let sliding_velocity = pin_velocity.clone() - slot_point_velocity.clone();
+        Self { position, pin_velocity, slot_point_velocity, sliding_velocity, follower_speed }
+    }
+}
+
 /// The pin's motion for a crank of radius R at centre distance l, angle φ and angular velocity (counter-clockwise).
 ///
 /// `None` if the pin is on the follower's pivot, where the slot has no direction. The pin's place as a power series
@@ -32,9 +43,7 @@ pub fn solve<S: Field>(crank_radius: &S, centre_distance: &S, crank: &Turn<S>, d
     let follower_speed = angular_velocity(&path)?.value();
     let position = path.map(|coordinate| coordinate.value());
     let pin_velocity = path.map(|coordinate| coordinate.rate());
-    let slot_point_velocity = quarter_turn(&position) * follower_speed.clone();
-    let sliding_velocity = pin_velocity.clone() - slot_point_velocity.clone();
-    Some(PinMotion { position, pin_velocity, slot_point_velocity, sliding_velocity, follower_speed })
+    Some(PinMotion::carried(position, pin_velocity, follower_speed))
 }
 
 /// The vector turned by a quarter, counter-clockwise: the direction of motion of a point that rotates so.

@@ -1,0 +1,148 @@
+//! From the general position, figure 5 of the source, to tan φ and sin φ, as identities.
+//!
+//! The pin is where two lines meet: the slot's from the follower's axis at the angle φ, and the crank's from the driver's
+//! axis at the angle θ. Crossing them gives r and R from c, θ and φ, without a law of sines or cosines; every line of the
+//! source is then compared with these lengths. Meyer 1973, from the display before Eq. (1-4) to Eq. (1-6), Eq. (1-11)
+//! and the displays of R after Eq. (1-12).
+
+use super::Form;
+use crate::{Field, Identity, Turn};
+use nalgebra::Vector2;
+
+/// One line of the derivation. Variables: c and the tangents of θ/2 and φ/2.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AngleStep {
+    /// r cos θ + R cos φ = c. Meyer 1973, first display before Eq. (1-4).
+    Projection,
+    /// cos φ = (c − r cos θ) / R. Meyer 1973, second display before Eq. (1-4).
+    Cosine,
+    /// cos φ = (a r − r cos θ) / R, with a = c / r. Meyer 1973, Eq. (1-4).
+    CosineByRatio,
+    /// R / sin θ = r / sin φ. Meyer 1973, display before Eq. (1-5).
+    LawOfSines,
+    /// R = r sin θ / sin φ. Meyer 1973, Eq. (1-5).
+    SlotRadius,
+    /// cos φ = (r sin φ / (r sin θ)) (a − cos θ). Meyer 1973, display after Eq. (1-5).
+    ///
+    /// Printed with r sin θ over itself, a fraction that is one: the angle above the line should be φ.
+    CosineSubstituted(Form),
+    /// cos φ / sin φ = (a − cos θ) / sin θ. Meyer 1973, display before Eq. (1-6), left equality.
+    Cotangent,
+    /// (a − cos θ) / sin θ = 1 / tan φ, tan φ being the pin's y over x. The same display, right equality.
+    InverseTangent,
+    /// tan φ = sin θ / (a − cos θ). Meyer 1973, Eq. (1-6).
+    Tangent,
+    /// sin φ = sin θ / √(1 + a² − 2 a cos θ), squared. Meyer 1973, Eq. (1-11).
+    ///
+    /// The signs agree because the pin, seen from either axis, is on the same side of the line of centres.
+    Sine,
+    /// R = r sin θ / (sin θ / √(1 + a² − 2 a cos θ)), squared. Meyer 1973, first display of R after Eq. (1-12).
+    SlotRadiusBySine,
+    /// R = r √(1 + a² − 2 a cos θ), squared. Meyer 1973, second display of R after Eq. (1-12).
+    SlotRadiusByRoot,
+}
+
+impl AngleStep {
+    /// All lines in the order of the source, the one with the slip in both forms.
+    pub const ALL: [Self; 13] = [
+        Self::Projection,
+        Self::Cosine,
+        Self::CosineByRatio,
+        Self::LawOfSines,
+        Self::SlotRadius,
+        Self::CosineSubstituted(Form::Printed),
+        Self::CosineSubstituted(Form::Corrected),
+        Self::Cotangent,
+        Self::InverseTangent,
+        Self::Tangent,
+        Self::Sine,
+        Self::SlotRadiusBySine,
+        Self::SlotRadiusByRoot,
+    ];
+}
+
+/// Where the crank's line and the slot's line meet; lengths over c.
+struct Crossing<S> {
+    /// r, from the driver's axis to the pin.
+    crank_radius: S,
+    /// R, from the follower's axis to the pin.
+    slot_radius: S,
+    /// The pin from the follower's axis, first coordinate along the line of centres.
+    pin: Vector2<S>,
+}
+
+impl<S: Field> Crossing<S> {
+    /// R u = e + r d with u along the slot, d along the crank, e along the line of centres; each length by crossing
+    /// the equation with the direction of the other.
+    fn new(crank: &Turn<S>, slot: &Turn<S>) -> Self {
+        let axis = Vector2::new(S::one(), S::zero());
+        let (along_slot, along_crank) = (slot.direction(), crank.supplement().direction());
+        let opening = along_slot.perp(&along_crank);
+        let slot_radius = axis.perp(&along_crank) / opening.clone();
+        let crank_radius = axis.perp(&along_slot) / opening;
+        Self { pin: along_slot * slot_radius.clone(), crank_radius, slot_radius }
+    }
+}
+
+impl Identity<3> for AngleStep {
+    fn difference<S: Field>(&self, [distance, half_theta, half_phi]: &[S; 3]) -> S {
+        let (theta, phi) = (Turn::from_half_tangent(half_theta), Turn::from_half_tangent(half_phi));
+        let Crossing { crank_radius, slot_radius, pin } = Crossing::new(&theta, &phi);
+        let (c, a) = (distance.clone(), S::one() / crank_radius.clone());
+        let (r, slot_radius) = (crank_radius * c.clone(), slot_radius * c.clone());
+        let square = |x: S| x.clone() * x;
+        let rest = || a.clone() - theta.cos.clone();
+        let under_root = || S::one() + square(a.clone()) - S::integer(2) * a.clone() * theta.cos.clone();
+        match self {
+            Self::Projection => r * theta.cos + slot_radius * phi.cos - c,
+            Self::Cosine => phi.cos - (c - r * theta.cos) / slot_radius,
+            Self::CosineByRatio => phi.cos - (a * r.clone() - r * theta.cos) / slot_radius,
+            Self::LawOfSines => slot_radius / theta.sin - r / phi.sin,
+            Self::SlotRadius => slot_radius - r * theta.sin / phi.sin,
+            Self::CosineSubstituted(form) => {
+                let above = if *form == Form::Printed { theta.sin.clone() } else { phi.sin.clone() };
+                phi.cos.clone() - r.clone() * above / (r * theta.sin.clone()) * rest()
+            }
+            Self::Cotangent => phi.cos.clone() / phi.sin.clone() - rest() / theta.sin.clone(),
+            Self::InverseTangent => rest() / theta.sin.clone() - S::one() / (pin.y.clone() / pin.x.clone()),
+            Self::Tangent => phi.sin.clone() / phi.cos.clone() - theta.sin.clone() / rest(),
+            Self::Sine => square(phi.sin.clone()) - square(theta.sin.clone()) / under_root(),
+            Self::SlotRadiusBySine => {
+                let sine_squared = square(theta.sin.clone()) / under_root();
+                square(slot_radius) - square(r * theta.sin.clone()) / sine_squared
+            }
+            Self::SlotRadiusByRoot => square(slot_radius) - square(r.clone()) * under_root(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Rational, pin_slot, prove, rational};
+
+    #[test]
+    fn every_line_is_proven_but_the_printed_slip() {
+        for step in AngleStep::ALL {
+            match prove(&step) {
+                Ok(proof) => println!("{step:?}: {proof}"),
+                Err(refutation) => {
+                    println!("{step:?}: {refutation}");
+                    assert_eq!(step, AngleStep::CosineSubstituted(Form::Printed));
+                }
+            }
+        }
+        assert!(prove(&AngleStep::CosineSubstituted(Form::Printed)).is_err());
+    }
+
+    #[test]
+    fn the_crossing_is_the_pin_of_the_other_formulas() {
+        let (theta, phi) = (Turn::from_half_tangent(&rational(1, 3)), Turn::from_half_tangent(&rational(1, 4)));
+        let crossing = Crossing::<Rational>::new(&theta, &phi);
+        let ratio = rational(1, 1) / crossing.crank_radius.clone();
+        assert_eq!(pin_slot::pin_from_pivot(&ratio, &theta) * crossing.crank_radius.clone(), crossing.pin);
+        let square = pin_slot::slot_radius_squared(&ratio, &theta);
+        let radius = crossing.crank_radius;
+        assert_eq!(square * radius.clone() * radius, crossing.slot_radius.clone() * crossing.slot_radius);
+    }
+}

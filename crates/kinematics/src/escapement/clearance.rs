@@ -1,0 +1,188 @@
+//! What stays clear of what: slots, rim, axes, and the pins that are in no slot.
+//!
+//! The follower is taken as a disc out to its rim, with slots cut in from there, and the pins as thin. Then nothing
+//! collides: a pin is inside the rim only while it is in its slot ([`RimExcess`]). A pin of some thickness needs its
+//! slot opened a little at the mouth ([`ApproachCoefficient`]).
+
+use super::{Escapement, EscapementError};
+use crate::pin_slot::pin_from_pivot;
+use crate::{Field, Identity, Jet, Turn};
+
+impl Escapement {
+    /// Least length of a slot, from the rim to the pin's place nearest to the follower's axis: cot(π/n) − (a − 1).
+    pub fn slot_length(&self) -> f64 {
+        self.wheel().slot_length_ratio()
+    }
+
+    /// Arc of the rim between the centre lines of two neighbouring mouths: (2π/n) cot(π/n). Slots of width w leave w
+    /// less.
+    pub fn rim_arc(&self) -> f64 {
+        self.follower_advance() * self.rim_radius()
+    }
+
+    /// Distance between the ends of two neighbouring slots, 2 (a − 1) sin(π/n) = 2 (1 − sin(π/n)): above zero, so the
+    /// slots do not run into each other.
+    pub fn web(&self) -> f64 {
+        2.0 - 2.0 / self.centre_distance_ratio()
+    }
+
+    /// Greatest radius of a driver's shaft in the plane of the follower, a − cot(π/n) = tan(π/(2n)): so near the rim
+    /// comes to the driver's axis.
+    pub fn shaft_limit(&self) -> f64 {
+        libm::tan(0.5 * self.follower_half_angle())
+    }
+
+    /// How far outside the rim the nearest pin is that is in no slot, while the first pin is at this driver angle in
+    /// radians.
+    ///
+    /// Never negative but for rounding; it goes to zero as the next pin comes to its slot.
+    ///
+    /// # Errors
+    ///
+    /// [`EscapementError::Wheel`] as for [`layout`](Self::layout).
+    pub fn idle_clearance(&self, crank: f64) -> Result<f64, EscapementError> {
+        let layout = self.layout(crank)?;
+        let idle = (0..layout.pins.len()).filter(|index| layout.engaged.iter().all(|(pin, _)| pin != index));
+        let distance = |pin: usize| (layout.pins[pin] - layout.follower_axis).norm();
+        Ok(idle.map(distance).fold(f64::INFINITY, f64::min) - self.rim_radius())
+    }
+}
+
+/// R² − cot²(π/n) = 2 (1 − a cos θ): a pin is outside the rim exactly where a cos θ is below one, that is, out of its
+/// engagement.
+///
+/// R² is the square of the pin's place. For any angle π/n, whole n or not. Variables: tangents of π/(2n) and θ/2.
+pub struct RimExcess;
+
+impl Identity<2> for RimExcess {
+    fn difference<S: Field>(&self, [half_slot, half_theta]: &[S; 2]) -> S {
+        let (slot, theta) = (Turn::from_half_tangent(half_slot), Turn::from_half_tangent(half_theta));
+        let (ratio, rim) = (S::one() / slot.sin.clone(), slot.cos / slot.sin);
+        let pin = pin_from_pivot(&ratio, &theta);
+        pin.dot(&pin) - rim.clone() * rim - S::integer(2) * (S::one() - ratio * theta.cos)
+    }
+}
+
+/// How a pin comes to its slot: at the driver angle δ before the hand-over it is beside the slot's centre line by
+/// r δ² + …, and outside the rim by r δ + ….
+///
+/// So the pin comes in from one side, and the edge of the mouth there must be cut back by about ρ²/r for a pin of radius
+/// ρ; on leaving, by symmetry, the other edge. Each coefficient is compared with the series of the pin's place seen from
+/// the slot, whose direction the leaving pin gives. Beside is told by the tangent of the angle between the two, times
+/// the radius of the rim. For any angle π/n with θ₀ = π/2 − π/n. Variable: tangent of π/(2n).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ApproachCoefficient {
+    /// Beside the centre line, the part without δ: 0.
+    BesideConstant,
+    /// Beside, the part in δ: 0.
+    BesideLinear,
+    /// Beside, the part in δ²: 1.
+    BesideQuadratic,
+    /// R², the part without δ: cot²(π/n), the rim.
+    OutsideConstant,
+    /// R², the part in δ: 2 cot(π/n), so that R grows with δ itself.
+    OutsideLinear,
+}
+
+impl ApproachCoefficient {
+    /// All of them.
+    pub const ALL: [Self; 5] =
+        [Self::BesideConstant, Self::BesideLinear, Self::BesideQuadratic, Self::OutsideConstant, Self::OutsideLinear];
+}
+
+impl Identity<1> for ApproachCoefficient {
+    fn difference<S: Field>(&self, [half]: &[S; 1]) -> S {
+        let slot = Turn::from_half_tangent(half);
+        let (ratio, rim) = (S::one() / slot.sin.clone(), slot.cos.clone() / slot.sin.clone());
+        let end = Turn { cos: slot.sin.clone(), sin: slot.cos.clone() };
+        // Both pins are δ before their places at the hand-over; seen from the follower, the slot of the entering one
+        // is 2π/n before the direction of the leaving one.
+        let before = |end: Turn<S>| pin_from_pivot(&Jet::constant(ratio.clone()), &end.moving::<3>(-S::one()));
+        let (leaving, entering) = (before(end.clone()), before(end.reversed()));
+        let back = slot.plus(&slot).reversed();
+        let (cos, sin) = (Jet::constant(back.cos), Jet::constant(back.sin));
+        let along_x = leaving.x.clone() * cos.clone() - leaving.y.clone() * sin.clone();
+        let along_y = leaving.x.clone() * sin + leaving.y.clone() * cos;
+        let beside = || {
+            let cross = along_x.clone() * entering.y.clone() - along_y.clone() * entering.x.clone();
+            let dot = along_x.clone() * entering.x.clone() + along_y.clone() * entering.y.clone();
+            cross / dot * Jet::constant(rim.clone())
+        };
+        let outside = || entering.x.clone() * entering.x.clone() + entering.y.clone() * entering.y.clone();
+        match self {
+            Self::BesideConstant => beside().value(),
+            Self::BesideLinear => beside().rate(),
+            Self::BesideQuadratic => beside().coefficient(2) - S::one(),
+            Self::OutsideConstant => outside().value() - rim.clone() * rim,
+            Self::OutsideLinear => outside().rate() - S::integer(2) * rim,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::prove;
+
+    #[test]
+    fn a_pin_is_outside_the_rim_exactly_while_it_is_in_no_slot() {
+        println!("{}", prove(&RimExcess).expect("an identity"));
+        for escapement in Escapement::all() {
+            let half = escapement.driver_half_angle();
+            for step in -999..=999 {
+                let clearance = escapement.idle_clearance(half * f64::from(step) / 1000.0).unwrap();
+                assert!(clearance > 0.0, "{step}");
+            }
+            // On the line of centres, and at the hand-over, where the two pins at the rim are in their slots.
+            for crank in [0.0, half, -half] {
+                println!("{} slots, {crank}: {}", escapement.slots(), escapement.idle_clearance(crank).unwrap());
+                assert!(escapement.idle_clearance(crank).unwrap() > 0.4);
+            }
+            assert!(escapement.idle_clearance(2.0 * half).is_err());
+        }
+    }
+
+    #[test]
+    fn a_pin_comes_in_from_the_side_with_the_square_of_the_angle() {
+        for coefficient in ApproachCoefficient::ALL {
+            println!("{coefficient:?}: {}", prove(&coefficient).expect("an identity"));
+        }
+        for escapement in Escapement::all() {
+            let (pin, slot) = escapement.behind();
+            for before in [1e-2, 1e-3] {
+                let layout = escapement.layout(escapement.driver_half_angle() - before).unwrap();
+                let meeting = layout.meeting(pin, slot).unwrap();
+                approx::assert_relative_eq!(meeting.beside.abs(), before * before, max_relative = 5.0 * before);
+                approx::assert_relative_eq!(meeting.out - escapement.rim_radius(), before, max_relative = 5.0 * before);
+            }
+        }
+    }
+
+    #[test]
+    fn there_is_room_between_slots_and_axes() {
+        for escapement in Escapement::all() {
+            let (a, rim) = (escapement.centre_distance_ratio(), escapement.rim_radius());
+            let alpha = escapement.follower_half_angle();
+            approx::assert_relative_eq!(escapement.shaft_limit(), a - rim, max_relative = 1e-14);
+            approx::assert_relative_eq!(escapement.slot_length(), rim - (a - 1.0), max_relative = 1e-14);
+            let layout = escapement.layout(0.0).unwrap();
+            let (one, next) = (&layout.slots[0], &layout.slots[1]);
+            approx::assert_relative_eq!(escapement.web(), (one.bottom - next.bottom).norm(), max_relative = 1e-14);
+            approx::assert_relative_eq!(
+                escapement.slot_length(),
+                (one.mouth - one.bottom).norm(),
+                max_relative = 1e-14
+            );
+            let chord = (one.mouth - next.mouth).norm();
+            approx::assert_relative_eq!(escapement.rim_arc(), chord * alpha / alpha.sin(), max_relative = 1e-14);
+            println!(
+                "{} slots: length {}, arc {}, web {}, shaft {}",
+                escapement.slots(),
+                escapement.slot_length(),
+                escapement.rim_arc(),
+                escapement.web(),
+                escapement.shaft_limit()
+            );
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! The geometry at the instant of hand-over, figure 4 of the source, as identities.
+//!
+//! The slot's centre line leaves the follower's axis at the angle φ₀ from the line of centres. A pin that moves along
+//! it stands at the foot of the perpendicular from the driver's axis: that is the large right triangle. The left sides
+//! come from this foot; angles enter by the tangent of their half, so all is rational. Lengths that are roots appear
+//! squared. Meyer 1973, from the display of φ₀ to Eq. (1-3), and appendix A.
+
+use super::Form;
+use crate::scalars::turn::angular_velocity;
+use crate::{Field, Identity, Jet, Turn, pin_slot};
+use nalgebra::Vector2;
+
+/// φ₀ = ½ (2π/n) = π/n, and θ₀ = ½ (2π/m) = π/m: 2n such angles make a whole turn of 2π.
+///
+/// Meyer 1973, the two displays before Eq. (1-1). Variables: π as a letter, and n (or m).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HalfAngle {
+    /// ½ (2π/n).
+    Halved,
+    /// π/n.
+    Simplified,
+}
+
+impl Identity<2> for HalfAngle {
+    fn difference<S: Field>(&self, [pi, count]: &[S; 2]) -> S {
+        let turn = S::integer(2) * pi.clone();
+        let half = match self {
+            Self::Halved => (turn.clone() / count.clone()) / S::integer(2),
+            Self::Simplified => pi.clone() / count.clone(),
+        };
+        S::integer(2) * count.clone() * half - turn
+    }
+}
+
+/// The large right triangle of figure 4. Variables: c and the tangent of φ₀/2.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EntryTriangle {
+    /// r = c sin φ₀, squared; with φ₀ = π/n also r = c sin(π/n). Meyer 1973, display before Eq. (1-1).
+    PinCircle,
+    /// c = a r with a = 1 / sin φ₀, squared. Meyer 1973, Eqs. (1-1) and (1-2).
+    CentreDistance,
+    /// With that a, and θ₀ = π/2 − φ₀, the follower stands still: its angular velocity from the pin's power series is
+    /// zero. Meyer 1973, Eq. (1-2) and the condition on the pin's velocity before figure 4.
+    Standstill,
+    /// θ₀ + φ₀ + π/2 = π. Meyer 1973, first line of Eq. (1-3).
+    ///
+    /// θ₀ is the direction of the pin from the driver's axis. The difference is the square of the distance between
+    /// the points of a circle of radius r at the two angles: zero only if cosine and sine agree.
+    HalfTurn,
+    /// θ₀ + φ₀ = π/2, in the same way. Meyer 1973, second line of Eq. (1-3).
+    QuarterTurn,
+    /// R = r sin θ₀ / sin φ₀ at the hand-over, squared. Meyer 1973, appendix A, three times.
+    SlotRadius,
+    /// R = r cot φ₀, squared: what that comes to.
+    RimRadius,
+    /// c = 1 / sin φ₀ in the unit that appendix A announces, squared.
+    ///
+    /// Printed "Let R = 1", where R is the pin's distance from the follower; all that follows has r = 1. For four slots
+    /// the two are the same.
+    AppendixUnit(Form),
+}
+
+/// The triangle for centre distance c and slot angle φ₀.
+struct Foot<S> {
+    /// The pin from the follower's axis; first coordinate along the line of centres.
+    from_follower: Vector2<S>,
+    /// The pin from the driver's axis, first coordinate towards the follower: r (cos θ₀, sin θ₀).
+    from_driver: Vector2<S>,
+}
+
+impl<S: Field> Foot<S> {
+    fn new(distance: &S, slot: &Turn<S>) -> Self {
+        let direction = slot.direction();
+        let axis = Vector2::new(distance.clone(), S::zero());
+        let from_follower = direction.clone() * axis.dot(&direction);
+        let from_driver = Vector2::new(distance.clone() - from_follower.x.clone(), from_follower.y.clone());
+        Self { from_follower, from_driver }
+    }
+}
+
+impl Identity<2> for EntryTriangle {
+    fn difference<S: Field>(&self, [distance, half]: &[S; 2]) -> S {
+        let slot = Turn::from_half_tangent(half);
+        let foot = Foot::new(distance, &slot);
+        let square = |x: S| x.clone() * x;
+        let norm = |vector: Vector2<S>| vector.dot(&vector);
+        let (pin_circle, rim) = (norm(foot.from_driver.clone()), norm(foot.from_follower.clone()));
+        let ratio = || S::one() / slot.sin.clone();
+        // r by the display, for the angles: its square is the foot's by `PinCircle`.
+        let radius = || distance.clone() * slot.sin.clone();
+        let driver = || Turn { cos: foot.from_driver.x.clone(), sin: foot.from_driver.y.clone() };
+        match self {
+            Self::PinCircle => pin_circle - square(radius()),
+            Self::CentreDistance => square(distance.clone()) - square(ratio()) * pin_circle,
+            Self::Standstill => {
+                let crank = Turn { cos: slot.sin.clone(), sin: slot.cos.clone() };
+                let pin = pin_slot::pin_from_pivot(&Jet::constant(ratio()), &crank.moving::<2>(S::one()));
+                angular_velocity(&pin).map_or_else(S::one, |speed| speed.value())
+            }
+            Self::HalfTurn => {
+                let quarter = Turn { cos: S::zero(), sin: S::one() };
+                let sum = driver().plus(&slot).plus(&quarter);
+                norm(sum.direction() - Vector2::new(-radius(), S::zero()))
+            }
+            Self::QuarterTurn => norm(driver().plus(&slot).direction() - Vector2::new(S::zero(), radius())),
+            Self::SlotRadius => rim - square(driver().sin / slot.sin.clone()),
+            Self::RimRadius => rim - square(radius() * slot.cos.clone() / slot.sin.clone()),
+            Self::AppendixUnit(form) => {
+                let unit = if *form == Form::Printed { rim } else { pin_circle };
+                square(distance.clone()) / unit - square(ratio())
+            }
+        }
+    }
+}
+
+/// Numbers of pins and slots. Variables: m − 2 and n − 2, because n = 2 is a pole.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PinsAndSlots {
+    /// π/m + π/n = π/2 over π, with m by the fourth line; m − 2 counts for nothing. Meyer 1973, third line of Eq. (1-3).
+    AngleSum,
+    /// m = 2n / (n − 2) is the third line multiplied out:
+    /// (1/m + 1/n − 1/2) 2mn / (n − 2) = −(m − 2n / (n − 2)). Meyer 1973, fourth line of Eq. (1-3).
+    Pins,
+    /// (m − 2)(n − 2) − 4 = 2mn (1/2 − 1/m − 1/n): the third line asks for two whole numbers whose product is 4.
+    Factors,
+    /// m − 2 = 4 / (n − 2), m by the fourth line: above zero for every n, and as small as one likes only as n grows
+    /// without end. Meyer 1973, remark after the table of Eq. (1-3).
+    NeverTwo,
+}
+
+impl Identity<2> for PinsAndSlots {
+    fn difference<S: Field>(&self, [pins_less_two, slots_less_two]: &[S; 2]) -> S {
+        let (one, two) = (S::one(), S::integer(2));
+        let (m, n) = (pins_less_two.clone() + two.clone(), slots_less_two.clone() + two.clone());
+        let by_formula = || two.clone() * n.clone() / slots_less_two.clone();
+        let sum = |m: S| one.clone() / m + one.clone() / n.clone() - one.clone() / two.clone();
+        let twice_product = || two.clone() * m.clone() * n.clone();
+        match self {
+            Self::AngleSum => sum(by_formula()),
+            Self::Pins => sum(m.clone()) * twice_product() / slots_less_two.clone() + m.clone() - by_formula(),
+            Self::Factors => {
+                pins_less_two.clone() * slots_less_two.clone() - S::integer(4) + twice_product() * sum(m.clone())
+            }
+            Self::NeverTwo => by_formula() - two.clone() - S::integer(4) / slots_less_two.clone(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::prove;
+
+    #[test]
+    fn every_line_of_the_hand_over_is_proven() {
+        for step in [HalfAngle::Halved, HalfAngle::Simplified] {
+            println!("{step:?}: {}", prove(&step).expect("an identity"));
+        }
+        use EntryTriangle::*;
+        for step in [PinCircle, CentreDistance, Standstill, HalfTurn, QuarterTurn, SlotRadius, RimRadius] {
+            println!("{step:?}: {}", prove(&step).expect("an identity"));
+        }
+        use PinsAndSlots::*;
+        for step in [AngleSum, Pins, Factors, NeverTwo] {
+            println!("{step:?}: {}", prove(&step).expect("an identity"));
+        }
+    }
+
+    #[test]
+    fn the_unit_of_the_appendix_is_the_other_radius() {
+        println!("{}", prove(&EntryTriangle::AppendixUnit(Form::Printed)).expect_err("R is not r"));
+        println!("{}", prove(&EntryTriangle::AppendixUnit(Form::Corrected)).expect("an identity"));
+    }
+
+    /// The sum of the angles with a wrong remainder: the proof must see it.
+    struct Perturbed;
+
+    impl Identity<2> for Perturbed {
+        fn difference<S: Field>(&self, variables: &[S; 2]) -> S {
+            PinsAndSlots::Factors.difference(variables) + S::one() / S::integer(1_000_000)
+        }
+    }
+
+    #[test]
+    fn a_millionth_is_noticed() {
+        assert!(prove(&Perturbed).is_err());
+    }
+}

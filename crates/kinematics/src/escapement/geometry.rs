@@ -1,0 +1,249 @@
+//! Numbers of slots and pins, and the sizes that follow from them.
+
+use crate::pin_slot::slot_radius_squared;
+use crate::wheel::{Wheel, WheelError};
+use crate::{Rational, Turn, rational};
+use std::f64::consts::PI;
+use std::fmt;
+
+/// An escapement of n slots and m = 2 n / (n − 2) pins; lengths are in radii of the pins' circle.
+///
+/// There are three: 3 slots with 6 pins, 4 with 4, 6 with 3. Meyer 1973, table after Eq. (1-3).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Escapement {
+    wheel: Wheel,
+}
+
+/// An escapement that does not exist, or an angle at which its first pin is in no slot.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum EscapementError {
+    /// For so many slots no whole number of pins keeps exactly one engaged.
+    Slots(u32),
+    /// What the wheel refuses.
+    Wheel(WheelError),
+}
+
+impl fmt::Display for EscapementError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Slots(asked) => {
+                write!(f, "{asked} slots: to have a pin always engaged, ")?;
+                match pins_needed(*asked) {
+                    Some(pins) => write!(f, "the driver needs 2n/(n − 2) = {pins} pins, which is no whole number")?,
+                    None => write!(f, "a follower needs more than two slots")?,
+                }
+                let slots: Vec<_> = possible().iter().map(|(slots, _)| slots.to_string()).collect();
+                write!(f, "; give one of {}", slots.join(", "))
+            }
+            Self::Wheel(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for EscapementError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::Slots(_) => None,
+            Self::Wheel(error) => Some(error),
+        }
+    }
+}
+
+impl From<WheelError> for EscapementError {
+    fn from(error: WheelError) -> Self {
+        Self::Wheel(error)
+    }
+}
+
+/// How many pins keep exactly one engaged in so many slots: m = 2 n / (n − 2). Meyer 1973, Eq. (1-3).
+///
+/// In general no whole number. `None` for two slots or fewer, which no number of pins serves.
+pub fn pins_needed(slots: u32) -> Option<Rational> {
+    (slots > 2).then(|| rational(2 * i64::from(slots), i64::from(slots) - 2))
+}
+
+/// All pairs (slots, pins) of positive whole numbers with 1/m + 1/n = 1/2, by rising slots.
+///
+/// The condition is (m − 2)(n − 2) = 4 ([`entry_proofs::PinsAndSlots`](super::entry_proofs::PinsAndSlots)), so n − 2 is
+/// a divisor of 4 and m − 2 the other one. Both divisors are positive: with negative ones m and n would be 1 and −2, or
+/// both 0, or −2 and 1. Meyer 1973, table after Eq. (1-3).
+pub fn possible() -> Vec<(u32, u32)> {
+    const PRODUCT: u32 = 4;
+    (1..=PRODUCT)
+        .filter(|divisor| PRODUCT.is_multiple_of(*divisor))
+        .map(|divisor| (2 + divisor, 2 + PRODUCT / divisor))
+        .collect()
+}
+
+impl Escapement {
+    /// The escapement of so many slots.
+    ///
+    /// # Errors
+    ///
+    /// [`EscapementError::Slots`] if Eq. (1-3) gives no whole number of pins.
+    pub fn new(slots: u32) -> Result<Self, EscapementError> {
+        let (slots, pins) = possible().into_iter().find(|pair| pair.0 == slots).ok_or(EscapementError::Slots(slots))?;
+        Ok(Self { wheel: Wheel::with_pins(slots, pins)? })
+    }
+
+    /// All of them, by rising number of slots.
+    pub fn all() -> Vec<Self> {
+        possible().into_iter().filter_map(|(slots, _)| Self::new(slots).ok()).collect()
+    }
+
+    /// The same as a wheel: it gives the motion, and has no dwell.
+    pub fn wheel(&self) -> &Wheel {
+        &self.wheel
+    }
+
+    /// Number of slots on the follower, n.
+    pub fn slots(&self) -> u32 {
+        self.wheel.stations()
+    }
+
+    /// Number of pins on the driver, m. Meyer 1973, Eq. (1-3).
+    pub fn pins(&self) -> u32 {
+        self.wheel.pins()
+    }
+
+    /// θ₀ = π/m, the driver angle in radians at which a pin leaves. Meyer 1973, display before Eq. (1-1).
+    pub fn driver_half_angle(&self) -> f64 {
+        self.wheel.engagement_half_angle()
+    }
+
+    /// φ₀ = π/n, the follower angle in radians at which a pin leaves. Meyer 1973, display before Eq. (1-1).
+    pub fn follower_half_angle(&self) -> f64 {
+        self.wheel.half_station()
+    }
+
+    /// Driver's turn from one hand-over to the next, 2π/m, in radians.
+    pub fn driver_advance(&self) -> f64 {
+        2.0 * PI / f64::from(self.pins())
+    }
+
+    /// Follower's turn from one hand-over to the next, 2π/n, in radians; against the driver's sense.
+    pub fn follower_advance(&self) -> f64 {
+        2.0 * PI / f64::from(self.slots())
+    }
+
+    /// Turns of the follower per turn of the driver, m/n: the mean of the velocity ratio over the driver's angle.
+    pub fn mean_ratio(&self) -> Rational {
+        rational(self.pins().into(), self.slots().into())
+    }
+
+    /// a = c/r = 1 / sin(π/n). Meyer 1973, Eq. (1-2).
+    pub fn centre_distance_ratio(&self) -> f64 {
+        self.wheel.centre_distance_ratio()
+    }
+
+    /// R at entry and exit, r cot(π/n): there the slots begin, so it is the radius of the follower's rim.
+    ///
+    /// The source writes it r sin θ₀ / sin φ₀. Meyer 1973, Eq. (1-5) and appendix A.
+    pub fn rim_radius(&self) -> f64 {
+        self.wheel.wheel_radius_ratio()
+    }
+
+    /// R = r √(1 + a² − 2 a cos θ) at any driver angle: distance of a pin from the follower's axis.
+    ///
+    /// Meyer 1973, display after Eq. (1-12).
+    pub fn pin_distance(&self, crank: &Turn<f64>) -> f64 {
+        slot_radius_squared(&self.centre_distance_ratio(), crank).sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::wheel::Phase;
+
+    #[test]
+    fn the_divisors_find_what_trying_all_finds() {
+        let mut found = Vec::new();
+        for slots in 1..=2000_u64 {
+            for pins in 1..=2000_u64 {
+                if 2 * (slots + pins) == slots * pins {
+                    found.push((slots as u32, pins as u32));
+                }
+            }
+        }
+        assert_eq!(found, possible());
+        assert_eq!(found, [(3, 6), (4, 4), (6, 3)]);
+    }
+
+    #[test]
+    fn the_formula_is_whole_for_these_only_and_never_comes_down_to_two() {
+        for slots in (3..=10_000).chain([1_000_000_007, u32::MAX]) {
+            let pins = pins_needed(slots).unwrap();
+            let whole = possible().iter().any(|&(n, m)| n == slots && rational(m.into(), 1) == pins);
+            assert_eq!(pins.denominator().is_one(), whole, "{slots}");
+            assert!(pins > rational(2, 1), "{slots}");
+            assert_eq!(Escapement::new(slots).is_ok(), whole, "{slots}");
+            assert!(slots <= 6 || pins < rational(3, 1), "{slots}");
+        }
+        assert_eq!((pins_needed(2), pins_needed(0)), (None, None));
+    }
+
+    #[test]
+    fn what_does_not_exist_is_said_with_what_does() {
+        let message = |slots| Escapement::new(slots).unwrap_err().to_string();
+        assert_eq!(
+            message(5),
+            "5 slots: to have a pin always engaged, the driver needs 2n/(n − 2) = 10/3 pins, which is no whole number; \
+             give one of 3, 4, 6"
+        );
+        for slots in [0, 1, 2] {
+            assert!(message(slots).contains("more than two slots"), "{slots}");
+        }
+        for slots in [7, 18, u32::MAX] {
+            assert_eq!(Escapement::new(slots), Err(EscapementError::Slots(slots)));
+        }
+    }
+
+    #[test]
+    fn sizes_are_those_of_a_wheel_without_dwell() {
+        for escapement in Escapement::all() {
+            let (n, m) = (f64::from(escapement.slots()), f64::from(escapement.pins()));
+            assert_eq!(escapement.wheel().dwell_fraction(), 0.0);
+            approx::assert_relative_eq!(escapement.driver_half_angle(), PI / m, max_relative = 1e-15);
+            approx::assert_relative_eq!(escapement.follower_half_angle(), PI / n, max_relative = 1e-15);
+            approx::assert_relative_eq!(escapement.driver_advance(), 2.0 * PI / m, max_relative = 1e-15);
+            approx::assert_relative_eq!(escapement.centre_distance_ratio(), 1.0 / (PI / n).sin(), max_relative = 1e-15);
+            // The form of appendix A, and the general distance at exit.
+            let entry = (PI / m).sin() / (PI / n).sin();
+            approx::assert_relative_eq!(escapement.rim_radius(), entry, max_relative = 1e-15);
+            let exit = Turn::from_radians(escapement.driver_half_angle());
+            approx::assert_relative_eq!(escapement.pin_distance(&exit), entry, max_relative = 1e-14);
+        }
+        let sizes: Vec<_> = Escapement::all().iter().map(Escapement::mean_ratio).collect();
+        assert_eq!(sizes, [rational(2, 1), rational(1, 1), rational(1, 2)]);
+    }
+
+    #[test]
+    fn the_follower_goes_on_at_its_mean_ratio_and_never_dwells() {
+        for escapement in Escapement::all() {
+            let (wheel, pitch) = (escapement.wheel(), escapement.driver_advance());
+            for pin in 0..escapement.pins() / 2 {
+                for step in 1..200 {
+                    let crank = pitch * (f64::from(pin) + f64::from(step) / 200.0 - 0.5);
+                    let motion = wheel.at(7, crank).unwrap();
+                    assert_eq!(motion.phase, Phase::Advance);
+                    assert!(motion.velocity > 0.0);
+                }
+            }
+            let half = escapement.driver_half_angle();
+            let (first, last) = (wheel.engaged(-half).unwrap(), wheel.engaged(half).unwrap());
+            approx::assert_relative_eq!(last.angle - first.angle, escapement.follower_advance(), max_relative = 1e-15);
+            // Simpson's rule over the velocity ratio gives its mean.
+            let steps = 400;
+            let sum: f64 = (0..=steps)
+                .map(|k| {
+                    let weight = if k == 0 || k == steps { 1.0 } else { f64::from(2 + 2 * (k % 2)) };
+                    weight * wheel.velocity_ratio(half * (2.0 * f64::from(k) / f64::from(steps) - 1.0)).unwrap()
+                })
+                .sum();
+            let mean = sum / (3.0 * f64::from(steps));
+            let ratio = escapement.mean_ratio().to_f64().value();
+            approx::assert_relative_eq!(mean, ratio, max_relative = 1e-6);
+        }
+    }
+}

@@ -1,0 +1,305 @@
+//! Where everything is: both axes, all pins, all slots, and the hand-over from one pin to the next without rounding.
+//!
+//! Frame: the driver's axis is the origin, the follower's axis lies at (a, 0), lengths are in radii of the pins' circle.
+//! The driver turns counter-clockwise, the follower clockwise; for the other senses, mirror all at the line of centres
+//! and reverse the velocities. Pin k stands at the driver angle θ + 2πk/m. Slot k leaves the follower's axis in the
+//! direction (−cos, sin) of φ + 2πk/n, so that pin k meets slot k, both counted round and round. Meyer 1973, figures 3,
+//! 4 and 12 to 14.
+
+use super::{Escapement, EscapementError};
+use crate::pin_slot::velocity_ratio;
+use crate::pin_vectors::quarter_turn;
+use crate::{Field, Rational, Surd, Turn};
+use nalgebra::Vector2;
+use num_traits::One;
+
+/// Rationals with √2 and √3: the cosines and sines of all angles at the hand-over are among them.
+pub type Roots = Surd<Surd<Rational, 2>, 3>;
+
+/// The mechanism at one driver angle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Layout<S> {
+    /// The follower's axis; the driver's is the origin.
+    pub follower_axis: Vector2<S>,
+    /// Centres of all m pins, counter-clockwise.
+    pub pins: Vec<Vector2<S>>,
+    /// Centre lines of all n slots, clockwise.
+    pub slots: Vec<Slot<S>>,
+    /// Which pins are in slots, as (pin, slot), the first pin first: one pair, or two at the hand-over.
+    ///
+    /// Never none: the pins stand 2π/m apart, and each is engaged over 2π/m.
+    pub engaged: Vec<(usize, usize)>,
+}
+
+/// The centre line of a slot.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Slot<S> {
+    /// Unit vector from the follower's axis outwards.
+    pub direction: Vector2<S>,
+    /// Where the pin's centre enters, on the follower's rim.
+    pub mouth: Vector2<S>,
+    /// The place of the pin's centre nearest to the follower's axis.
+    pub bottom: Vector2<S>,
+}
+
+/// A pin seen from a slot; the velocity is for a driver of angular velocity one, and not relative to the slot.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Meeting<S> {
+    /// How far out the pin is along the slot's centre line, from the follower's axis.
+    pub out: S,
+    /// How far beside the slot's centre line it is; positive is counter-clockwise from it.
+    pub beside: S,
+    /// Its velocity along the slot, outwards.
+    pub outward: S,
+    /// Its velocity across the slot, counter-clockwise.
+    pub across: S,
+}
+
+impl<S: Field> Layout<S> {
+    /// A pin, by its index, seen from a slot, by its index; `None` if there is no such pin or slot.
+    pub fn meeting(&self, pin: usize, slot: usize) -> Option<Meeting<S>> {
+        Some(Meeting::new(&self.follower_axis, self.pins.get(pin)?, self.slots.get(slot)?))
+    }
+}
+
+impl<S: Field> Meeting<S> {
+    fn new(follower_axis: &Vector2<S>, pin: &Vector2<S>, slot: &Slot<S>) -> Self {
+        let (along, from_follower, velocity) = (&slot.direction, pin - follower_axis, quarter_turn(pin));
+        Self {
+            out: from_follower.dot(along),
+            beside: along.perp(&from_follower),
+            outward: velocity.dot(along),
+            across: along.perp(&velocity),
+        }
+    }
+}
+
+/// The instant at which one pin leaves and the next enters, exactly. Meyer 1973, figure 4.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HandOver {
+    /// Where everything is; pin 0 leaves slot 0.
+    pub layout: Layout<Roots>,
+    /// The leaving pin in its slot: on the centre line, at the rim, moving straight out.
+    pub leaving: Meeting<Roots>,
+    /// The entering pin in its slot: on the centre line, at the rim, moving straight in.
+    pub entering: Meeting<Roots>,
+    /// The follower's angular velocity over the driver's by the leaving pin and by the entering one: both zero.
+    pub follower_speeds: [Roots; 2],
+    /// What is missing for the follower's angle by the leaving pin to agree, one slot on, with the angle by the entering
+    /// pin: the pins' places from the follower's axis, one turned by 2π/n, less the other. Zero.
+    pub gap: Vector2<Roots>,
+}
+
+/// The sizes that the places follow from.
+struct Frame<S> {
+    /// a.
+    ratio: S,
+    /// Greatest and least distance of a pin in a slot from the follower's axis.
+    rim: S,
+    deepest: S,
+}
+
+impl<S: Field> Frame<S> {
+    fn axis(&self) -> Vector2<S> {
+        Vector2::new(self.ratio.clone(), S::zero())
+    }
+
+    /// The slot at the follower angle φ.
+    fn slot(&self, angle: &Turn<S>) -> Slot<S> {
+        let direction = angle.supplement().direction();
+        let at = |radius: &S| self.axis() + &direction * radius.clone();
+        Slot { mouth: at(&self.rim), bottom: at(&self.deepest), direction }
+    }
+
+    /// All pins and slots for θ, φ and the two pitches.
+    fn layout(&self, escapement: &Escapement, angles: [Turn<S>; 2], pitches: [Turn<S>; 2]) -> Layout<S> {
+        let ([crank, slot], [pin_pitch, slot_pitch]) = (angles, pitches);
+        Layout {
+            follower_axis: self.axis(),
+            pins: turned(crank, &pin_pitch, escapement.pins()).iter().map(Turn::direction).collect(),
+            slots: turned(slot, &slot_pitch, escapement.slots()).iter().map(|angle| self.slot(angle)).collect(),
+            engaged: vec![(0, 0)],
+        }
+    }
+}
+
+impl Escapement {
+    /// The mechanism while its first pin is at this driver angle, in radians from the line of centres.
+    ///
+    /// # Errors
+    ///
+    /// [`EscapementError::Wheel`] if the angle is beyond ±π/m, where another pin has taken over, or not finite.
+    pub fn layout(&self, crank: f64) -> Result<Layout<f64>, EscapementError> {
+        let slot = self.wheel().engaged(crank)?.angle;
+        let ratio = self.centre_distance_ratio();
+        let frame = Frame { ratio, rim: self.rim_radius(), deepest: ratio - 1.0 };
+        let pitches = [self.driver_advance(), self.follower_advance()].map(Turn::from_radians);
+        let mut layout = frame.layout(self, [crank, slot].map(Turn::from_radians), pitches);
+        let end = self.driver_half_angle();
+        if crank == end {
+            layout.engaged.push(self.behind());
+        } else if crank == -end {
+            layout.engaged.push((1, 1));
+        }
+        Ok(layout)
+    }
+
+    /// The hand-over, without rounding.
+    pub fn hand_over(&self) -> HandOver {
+        let (crank, slot) = (exact_part_of_half_turn(self.pins()), exact_part_of_half_turn(self.slots()));
+        let ratio = Roots::one() / slot.sin.clone();
+        let rim = slot.cos.clone() / slot.sin.clone();
+        let frame = Frame { deepest: ratio.clone() - Roots::one(), ratio, rim };
+        let pitches = [crank.plus(&crank), slot.plus(&slot)];
+        let mut layout = frame.layout(self, [crank.clone(), slot.clone()], pitches.clone());
+        layout.engaged.push(self.behind());
+        // The entering pin and its slot are the mirror images of the leaving ones.
+        let (before, slot_before) = (crank.reversed(), slot.reversed());
+        let (leaving, entering) = (crank.direction() - frame.axis(), before.direction() - frame.axis());
+        let one_slot_on = &leaving * pitches[1].cos.clone() + quarter_turn(&leaving) * pitches[1].sin.clone();
+        HandOver {
+            layout,
+            leaving: Meeting::new(&frame.axis(), &crank.direction(), &frame.slot(&slot)),
+            entering: Meeting::new(&frame.axis(), &before.direction(), &frame.slot(&slot_before)),
+            follower_speeds: [&crank, &before].map(|angle| velocity_ratio(&frame.ratio, angle)),
+            gap: one_slot_on - entering,
+        }
+    }
+
+    /// Pin and slot that come after the first: the last ones, counted round.
+    pub(super) fn behind(&self) -> (usize, usize) {
+        (self.pins() as usize - 1, self.slots() as usize - 1)
+    }
+}
+
+/// So many angles, each one pitch further than the one before.
+fn turned<S: Field>(first: Turn<S>, pitch: &Turn<S>, count: u32) -> Vec<Turn<S>> {
+    std::iter::successors(Some(first), |angle| Some(angle.plus(pitch))).take(count as usize).collect()
+}
+
+/// π over 3, 4 or 6, the only numbers of slots and of pins there are.
+fn exact_part_of_half_turn(count: u32) -> Turn<Roots> {
+    let half = Roots::one() / Roots::integer(2);
+    let half_root_of_three = half.clone() * Roots::root();
+    match count {
+        3 => Turn { cos: half, sin: half_root_of_three },
+        4 => {
+            let half_root_of_two = half * Roots::from_plain(Surd::root());
+            Turn { cos: half_root_of_two.clone(), sin: half_root_of_two }
+        }
+        _ => Turn { cos: half_root_of_three, sin: half },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pin_vectors;
+    use num_traits::Zero;
+
+    #[test]
+    fn at_the_hand_over_both_pins_move_along_their_slots_exactly() {
+        let (zero, one) = (Roots::zero(), Roots::one());
+        for escapement in Escapement::all() {
+            let HandOver { layout, leaving, entering, follower_speeds, gap } = escapement.hand_over();
+            let (half, ratio) = (exact_part_of_half_turn(escapement.slots()), layout.follower_axis.x.clone());
+            let rim = half.cos / half.sin;
+            let straight = |outward| Meeting { out: rim.clone(), beside: zero.clone(), outward, across: zero.clone() };
+            assert_eq!(leaving, straight(one.clone()));
+            assert_eq!(entering, straight(-one.clone()));
+            assert_eq!(follower_speeds, [zero.clone(), zero.clone()]);
+            assert_eq!(gap, Vector2::new(zero.clone(), zero.clone()));
+            // The two are the pins and slots of the whole drawing, and no other pin is on or inside the rim.
+            let (pin, slot) = escapement.behind();
+            assert_eq!(layout.engaged, [(0, 0), (pin, slot)]);
+            assert_eq!((layout.meeting(0, 0), layout.meeting(pin, slot)), (Some(leaving), Some(entering)));
+            for (index, place) in layout.pins.iter().enumerate() {
+                let from_follower = place - &layout.follower_axis;
+                let beyond = from_follower.dot(&from_follower) - rim.clone() * rim.clone();
+                assert_eq!(beyond.is_zero(), index == 0 || index == pin, "{index}");
+                assert!(beyond.approximate() > -1e-15);
+            }
+            // By the other route: what carries the follower's point under the pin is nothing.
+            for angle in
+                [exact_part_of_half_turn(escapement.pins()), exact_part_of_half_turn(escapement.pins()).reversed()]
+            {
+                let motion = pin_vectors::solve(&one, &ratio, &angle.supplement(), &one).unwrap();
+                assert_eq!(motion.follower_speed, zero);
+                assert_eq!(motion.sliding_velocity, motion.pin_velocity);
+            }
+        }
+    }
+
+    #[test]
+    fn pitches_make_a_turn_and_the_half_angles_a_quarter_exactly() {
+        for escapement in Escapement::all() {
+            let halves = [escapement.pins(), escapement.slots()].map(exact_part_of_half_turn);
+            assert_eq!(halves[0].plus(&halves[1]), Turn { cos: Roots::zero(), sin: Roots::one() });
+            for (half, count) in halves.iter().zip([escapement.pins(), escapement.slots()]) {
+                let around = turned(half.clone(), &half.plus(half), count + 1);
+                assert_eq!(around.first(), around.last());
+            }
+        }
+    }
+
+    #[test]
+    fn the_exact_drawing_is_where_the_rounded_one_ends() {
+        for escapement in Escapement::all() {
+            let exact = escapement.hand_over().layout;
+            let rounded = escapement.layout(escapement.driver_half_angle()).unwrap();
+            assert_eq!(exact.engaged, rounded.engaged);
+            let close = |exact: &Vector2<Roots>, rounded: &Vector2<f64>| {
+                approx::assert_abs_diff_eq!(exact.map(|x| x.approximate()), *rounded, epsilon = 1e-14);
+            };
+            close(&exact.follower_axis, &rounded.follower_axis);
+            exact.pins.iter().zip(&rounded.pins).for_each(|(exact, rounded)| close(exact, rounded));
+            for (exact, rounded) in exact.slots.iter().zip(&rounded.slots) {
+                close(&exact.mouth, &rounded.mouth);
+                close(&exact.bottom, &rounded.bottom);
+            }
+            let early = escapement.layout(-escapement.driver_half_angle()).unwrap();
+            assert_eq!(early.engaged, [(0, 0), (1, 1)]);
+        }
+    }
+
+    #[test]
+    fn engaged_pins_stay_in_their_slots_and_the_other_sense_is_the_mirror_image() {
+        for escapement in Escapement::all() {
+            let half = escapement.driver_half_angle();
+            for step in -40_i32..=40 {
+                let crank = half * f64::from(step) / 40.0;
+                let layout = escapement.layout(crank).unwrap();
+                assert_eq!(layout.engaged.len(), if step.abs() == 40 { 2 } else { 1 });
+                for &(pin, slot) in &layout.engaged {
+                    let meeting = layout.meeting(pin, slot).unwrap();
+                    approx::assert_abs_diff_eq!(meeting.beside, 0.0, epsilon = 1e-14);
+                    let (least, most) = (escapement.centre_distance_ratio() - 1.0, escapement.rim_radius());
+                    assert!(meeting.out > least - 1e-14 && meeting.out < most + 1e-14, "{step}");
+                    // Across the slot the pin carries the follower: R φ̇, clockwise.
+                    let speed = escapement.wheel().velocity_ratio(crank).unwrap();
+                    approx::assert_abs_diff_eq!(meeting.across, -meeting.out * speed, epsilon = 1e-14);
+                }
+                let mirrored = escapement.layout(-crank).unwrap();
+                for pin in 0..layout.pins.len() {
+                    let (one, other) = (layout.pins[pin], mirrored.pins[(layout.pins.len() - pin) % layout.pins.len()]);
+                    approx::assert_abs_diff_eq!(one, Vector2::new(other.x, -other.y), epsilon = 1e-14);
+                }
+            }
+            let beyond = [half.next_up(), -half.next_up(), f64::NAN, f64::INFINITY];
+            assert!(beyond.iter().all(|&crank| escapement.layout(crank).is_err()));
+            assert_eq!(escapement.layout(0.1).unwrap().meeting(99, 0), None);
+        }
+    }
+
+    #[test]
+    fn with_other_numbers_the_pin_does_not_come_in_along_the_slot() {
+        for (slots, pins) in (3..=12).flat_map(|slots| (2..=12).map(move |pins| (slots, pins))) {
+            let half = |count: i32| Turn::from_radians(std::f64::consts::PI / f64::from(count));
+            let (crank, slot) = (half(pins), half(slots));
+            let frame = Frame { ratio: 1.0 / slot.sin, rim: slot.cos / slot.sin, deepest: 1.0 / slot.sin - 1.0 };
+            let meeting = Meeting::new(&frame.axis(), &crank.direction(), &frame.slot(&slot));
+            let straight = meeting.beside.abs() + meeting.across.abs() < 1e-12;
+            assert_eq!(straight, (slots - 2) * (pins - 2) == 4, "{slots} slots, {pins} pins");
+        }
+    }
+}

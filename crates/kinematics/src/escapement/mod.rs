@@ -1,0 +1,32 @@
+//! The Geneva escapement: a Geneva wheel with so many pins that one is always in a slot.
+//!
+//! Notation: n slots on the follower, m pins on the driver, r radius of the pins' circle, c = a r centre distance, θ
+//! driver angle from the line of centres, φ follower angle from there, R distance of the pin from the follower's axis.
+//! θ and φ grow in opposite senses. At θ₀ = π/m and φ₀ = π/n one pin leaves its slot while the next enters one; both
+//! then move along their slots and the follower stands still for that instant. Source: Meyer 1973, chapter I.
+//!
+//! The mechanism is a [`Wheel`](crate::wheel::Wheel) without dwell, so sizes and motion are the wheel's. Here is what
+//! is the escapement's own: which numbers of slots and pins are possible ([`Escapement`]), where everything
+//! is ([`Layout`], [`HandOver`]), what stays clear of what, and each line of the source's derivation as an identity
+//! ([`entry_proofs`], [`angle_proofs`], [`rate_proofs`]).
+
+mod clearance;
+mod geometry;
+mod layout;
+
+pub mod angle_proofs;
+pub mod entry_proofs;
+pub mod rate_proofs;
+
+pub use clearance::{ApproachCoefficient, RimExcess};
+pub use geometry::{Escapement, EscapementError, pins_needed, possible};
+pub use layout::{HandOver, Layout, Meeting, Roots, Slot};
+
+/// A line of a source that has a slip: as it is printed, or as it should read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// With the slip. No identity, or the slip would be none.
+    Printed,
+    /// Without it.
+    Corrected,
+}

@@ -1,0 +1,320 @@
+//! Which lengths and angles a slotted lever can have, how far it swings and how its two strokes share a turn.
+
+use crate::Turn;
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::fmt;
+
+/// A distance from the pivot, in crank radii, that is zero but for rounding: angles of a half or a quarter turn are
+/// not exact in floating point, and their sine or cosine is some units in the sixteenth place.
+const ON_PIVOT: f64 = 4.0 * f64::EPSILON;
+
+/// A crank and a slotted lever on a common ground.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct QuickReturn {
+    ground: f64,
+    crank: f64,
+}
+
+/// Which of the two points where the lever's ray meets the crank's circle the pin is at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Branch {
+    /// The one nearer to the lever's pivot: the lever is on its fast stroke.
+    Near,
+    /// The one farther from it: the lever is on its slow stroke.
+    Far,
+}
+
+/// Where the parts are.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Position {
+    /// Crank angle φ.
+    pub crank: Turn<f64>,
+    /// Lever angle ψ: the direction from the lever's pivot to the pin.
+    pub lever: Turn<f64>,
+    /// r, distance of the pin from the lever's pivot.
+    pub pin_distance: f64,
+}
+
+/// How the lever moves while the crank turns once.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Strokes {
+    /// Greatest lever angle in radians if the lever swings to and fro; `None` if it turns round and round.
+    pub swing_limit: Option<f64>,
+    /// Crank angle of the slow stroke, in radians.
+    pub slow: f64,
+    /// Crank angle of the fast stroke, in radians.
+    pub fast: f64,
+}
+
+/// A linkage or a position that cannot be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum LinkageError {
+    /// A length that is not positive and finite.
+    Length {
+        /// Which length.
+        name: &'static str,
+        /// The length that was asked for.
+        asked: f64,
+    },
+    /// Lengths so different that their ratio is not a number a machine can hold.
+    Ratio {
+        /// The ground distance.
+        ground: f64,
+        /// The crank's length.
+        crank: f64,
+    },
+    /// An angle that is not finite.
+    Angle {
+        /// Which angle.
+        name: &'static str,
+        /// The angle that was asked for, in degrees.
+        asked: f64,
+    },
+    /// The lever's ray does not meet the crank's circle.
+    BeyondTheSwing {
+        /// The lever angle that was asked for, in degrees.
+        asked: f64,
+        /// The greatest possible, in degrees; it is excluded if `open`.
+        limit: f64,
+        /// Whether the limit itself is impossible.
+        open: bool,
+    },
+    /// The lever's pivot is inside the crank's circle or on it: its ray leaves the circle once.
+    OnlyFar {
+        /// The lever angle that was asked for, in degrees.
+        asked: f64,
+    },
+    /// The pin is on the lever's pivot, where the lever has no direction.
+    PinOnPivot,
+}
+
+impl fmt::Display for LinkageError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Length { name, asked } => {
+                write!(f, "{name} {asked}: it must be positive and finite; give a length above zero")
+            }
+            Self::Ratio { ground, crank } => write!(
+                f,
+                "ground distance {ground} and crank {crank}: their ratio is beyond what can be computed; give lengths \
+                 of one mechanism"
+            ),
+            Self::Angle { name, asked } => write!(f, "{name} {asked}: it must be finite; give an angle in degrees"),
+            Self::BeyondTheSwing { asked, limit, open } => write!(
+                f,
+                "lever angle {asked}°: the lever does not reach it; it swings {} −{limit}° and {limit}° from the \
+                 direction to the crank's axis; give an angle there, or a crank angle (all are possible)",
+                if *open { "between, but not to," } else { "between" },
+            ),
+            Self::OnlyFar { asked } => write!(
+                f,
+                "lever angle {asked}°, near branch: with the crank at least as long as the ground distance the lever \
+                 meets the crank's circle in one point only; take the far branch"
+            ),
+            Self::PinOnPivot => f.write_str(
+                "crank angle 180° with a crank as long as the ground distance: the pin is on the lever's pivot, and \
+                 the lever has no direction; any other crank angle is possible",
+            ),
+        }
+    }
+}
+
+impl std::error::Error for LinkageError {}
+
+impl QuickReturn {
+    /// A mechanism from the distance of its two axes and the radius of its crank, in one unit of length.
+    pub fn new(ground: f64, crank: f64) -> Result<Self, LinkageError> {
+        for (name, asked) in [("ground distance", ground), ("crank", crank)] {
+            if !(asked > 0.0 && asked.is_finite()) {
+                return Err(LinkageError::Length { name, asked });
+            }
+        }
+        let ratio = ground / crank;
+        if !(ratio.is_normal() && (ratio * ratio).is_normal()) {
+            return Err(LinkageError::Ratio { ground, crank });
+        }
+        Ok(Self { ground, crank })
+    }
+
+    /// l, distance of the two axes.
+    pub fn ground(&self) -> f64 {
+        self.ground
+    }
+
+    /// R, radius of the crank.
+    pub fn crank(&self) -> f64 {
+        self.crank
+    }
+
+    /// l / R, dimensionless. Above one the lever swings, below one it turns.
+    pub fn ratio(&self) -> f64 {
+        self.ground / self.crank
+    }
+
+    /// The swing of the lever and the crank angles of its two strokes.
+    ///
+    /// A lever that swings reverses where the crank is at right angles to it, R = l cos of the crank's angle from the
+    /// line of centres. A lever that turns is cut into half turns by the perpendicular to the line of centres.
+    pub fn strokes(&self) -> Strokes {
+        let ratio = self.ratio();
+        let (swing_limit, cosine) =
+            if ratio >= 1.0 { (Some(libm::asin(1.0 / ratio)), 1.0 / ratio) } else { (None, ratio) };
+        let fast = 2.0 * libm::acos(cosine);
+        Strokes { swing_limit, slow: 2.0 * PI - fast, fast }
+    }
+
+    /// Where the lever is at a crank angle. Fails only if the pin is on the lever's pivot.
+    pub fn at_crank(&self, crank: &Turn<f64>) -> Result<Position, LinkageError> {
+        let ratio = self.ratio();
+        let (x, y) = (ratio + crank.cos, crank.sin);
+        // Without the platform's hypotenuse: lengths in crank radii are of the order of the ratio.
+        let distance = libm::hypot(x, y);
+        if distance <= ON_PIVOT {
+            return Err(LinkageError::PinOnPivot);
+        }
+        let lever = Turn { cos: x / distance, sin: y / distance };
+        Ok(Position { crank: crank.clone(), lever, pin_distance: distance * self.crank })
+    }
+
+    /// The same at a crank angle in degrees, of any size and sign.
+    pub fn at_crank_degrees(&self, degrees: f64) -> Result<Position, LinkageError> {
+        if !degrees.is_finite() {
+            return Err(LinkageError::Angle { name: "crank angle", asked: degrees });
+        }
+        self.at_crank(&Turn::from_degrees(degrees % 360.0))
+    }
+
+    /// Where the crank is at a lever angle in degrees, on one of the two branches.
+    ///
+    /// By the law of sines R sin β = l sin ψ, with β the angle at the pin between lever and crank: acute on the far
+    /// branch, obtuse on the near one.
+    pub fn at_lever_degrees(&self, degrees: f64, branch: Branch) -> Result<Position, LinkageError> {
+        if !degrees.is_finite() {
+            return Err(LinkageError::Angle { name: "lever angle", asked: degrees });
+        }
+        let lever = Turn::from_degrees(degrees % 360.0);
+        let ratio = self.ratio();
+        let height = ratio * lever.sin;
+        let half_chord_squared = (1.0 - height) * (1.0 + height);
+        let limit = self.strokes().swing_limit.unwrap_or(FRAC_PI_2).to_degrees();
+        let beyond = LinkageError::BeyondTheSwing { asked: degrees, limit, open: ratio <= 1.0 };
+        if ratio >= 1.0 && (lever.cos <= 0.0 || half_chord_squared < 0.0) {
+            return Err(beyond);
+        }
+        let half_chord = half_chord_squared.sqrt();
+        let middle = ratio * lever.cos;
+        // The two distances multiply to k² − 1; the one that would be a difference is taken from that product.
+        let product = (ratio - 1.0) * (ratio + 1.0);
+        let far = if middle >= 0.0 { middle + half_chord } else { product / (middle - half_chord) };
+        let distance = match branch {
+            Branch::Far => far,
+            Branch::Near if ratio > 1.0 => product / far,
+            Branch::Near => return Err(LinkageError::OnlyFar { asked: degrees }),
+        };
+        if distance <= ON_PIVOT {
+            return Err(beyond);
+        }
+        let crank = Turn { cos: distance * lever.cos - ratio, sin: distance * lever.sin };
+        Ok(Position { crank, lever, pin_distance: distance * self.crank })
+    }
+}
+
+impl Strokes {
+    /// Time of the slow stroke over that of the fast one, at constant crank speed.
+    pub fn time_ratio(&self) -> f64 {
+        self.slow / self.fast
+    }
+}
+
+impl Position {
+    /// On which branch the pin is: the far one if the angle at the pin between lever and crank is acute.
+    pub fn branch(&self) -> Branch {
+        let cosine = self.crank.cos * self.lever.cos + self.crank.sin * self.lever.sin;
+        if cosine < 0.0 { Branch::Near } else { Branch::Far }
+    }
+
+    /// β, the angle at the pin between lever and crank, in radians.
+    pub fn angle_at_pin(&self) -> f64 {
+        self.lever.reversed().plus(&self.crank).radians().abs()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn linkage(ground: f64, crank: f64) -> QuickReturn {
+        QuickReturn::new(ground, crank).expect("possible")
+    }
+
+    #[test]
+    fn both_ways_of_driving_agree_on_both_branches_and_for_both_kinds_of_lever() {
+        for (ground, crank) in [(3.0, 1.0), (1.1, 1.0), (1.0, 1.0), (0.7, 1.0), (0.1, 2.0)] {
+            let linkage = linkage(ground, crank);
+            for step in -17..18 {
+                let by_crank = linkage.at_crank_degrees(f64::from(step) * 10.0).expect("off the pivot");
+                let degrees = by_crank.lever.degrees();
+                let by_lever = linkage.at_lever_degrees(degrees, by_crank.branch());
+                let by_lever = if ground > crank || by_crank.branch() == Branch::Far {
+                    by_lever.expect("reached")
+                } else {
+                    // The lever's pivot is inside the circle: whatever the angle at the pin, there is one position.
+                    linkage.at_lever_degrees(degrees, Branch::Far).expect("reached")
+                };
+                approx::assert_abs_diff_eq!(by_lever.crank.cos, by_crank.crank.cos, epsilon = 1e-11);
+                approx::assert_abs_diff_eq!(by_lever.crank.sin, by_crank.crank.sin, epsilon = 1e-11);
+                approx::assert_relative_eq!(by_lever.pin_distance, by_crank.pin_distance, max_relative = 1e-11);
+            }
+        }
+    }
+
+    #[test]
+    fn the_lever_reverses_where_it_is_at_right_angles_to_the_crank() {
+        let linkage = linkage(3.0, 1.0);
+        let strokes = linkage.strokes();
+        let limit = strokes.swing_limit.expect("it swings");
+        let end = linkage.at_crank(&Turn::from_radians(PI - strokes.fast / 2.0)).expect("off the pivot");
+        approx::assert_relative_eq!(end.lever.radians(), limit, max_relative = 1e-14);
+        approx::assert_relative_eq!(end.angle_at_pin(), FRAC_PI_2, max_relative = 1e-14);
+        approx::assert_relative_eq!(strokes.slow + strokes.fast, 2.0 * PI);
+        assert!(strokes.time_ratio() > 1.0);
+    }
+
+    #[test]
+    fn a_lever_that_turns_has_half_turns_instead_of_a_swing() {
+        let linkage = linkage(1.0, 2.0);
+        let strokes = linkage.strokes();
+        assert_eq!(strokes.swing_limit, None);
+        let half = linkage.at_crank(&Turn::from_radians(PI - strokes.fast / 2.0)).expect("off the pivot");
+        approx::assert_abs_diff_eq!(half.lever.radians(), FRAC_PI_2, epsilon = 1e-14);
+        approx::assert_relative_eq!(strokes.time_ratio(), 2.0, max_relative = 1e-14);
+    }
+
+    #[test]
+    fn impossible_assemblies_say_what_is_possible() {
+        let message = linkage(2.0, 1.0).at_lever_degrees(31.0, Branch::Far).expect_err("beyond").to_string();
+        assert!(message.contains("31°") && message.contains("30.0") && message.contains("−30.0"), "{message}");
+        assert!(linkage(2.0, 1.0).at_lever_degrees(180.0, Branch::Far).is_err(), "the ray points away");
+        let message = linkage(1.0, 2.0).at_lever_degrees(90.0, Branch::Near).expect_err("one point").to_string();
+        assert!(message.contains("far branch"), "{message}");
+        assert_eq!(linkage(1.0, 1.0).at_crank_degrees(180.0), Err(LinkageError::PinOnPivot));
+        let open = linkage(1.0, 1.0).at_lever_degrees(90.0, Branch::Far).expect_err("the pin would be on the pivot");
+        assert!(open.to_string().contains("not to"), "{open}");
+        for (ground, crank) in [(0.0, 1.0), (1.0, -1.0), (f64::NAN, 1.0), (1.0, f64::INFINITY), (1e300, 1e-300)] {
+            let message = QuickReturn::new(ground, crank).expect_err("impossible").to_string();
+            assert!(message.contains("give"), "{message}");
+        }
+        assert!(linkage(2.0, 1.0).at_crank_degrees(f64::NAN).is_err());
+        assert!(linkage(2.0, 1.0).at_lever_degrees(f64::INFINITY, Branch::Far).is_err());
+    }
+
+    #[test]
+    fn the_branches_meet_at_the_end_of_the_swing() {
+        let linkage = linkage(5.0, 3.0);
+        let limit = linkage.strokes().swing_limit.expect("it swings").to_degrees() * (1.0 - 1e-12);
+        let [near, far] =
+            [Branch::Near, Branch::Far].map(|branch| linkage.at_lever_degrees(limit, branch).expect("reached"));
+        approx::assert_relative_eq!(near.pin_distance, far.pin_distance, max_relative = 1e-5);
+        approx::assert_relative_eq!(near.pin_distance, 4.0, max_relative = 1e-5);
+    }
+}

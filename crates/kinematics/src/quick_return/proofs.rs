@@ -1,0 +1,226 @@
+//! What the scalar equations of a textbook say of a slotted lever, as identities that can be proven exactly.
+//!
+//! Frame and letters as in the [module](super); p = R cos φ and q = R sin φ are the crank's components, so that the
+//! crank carries its own length. β is the angle at the pin between lever and crank. Roots are avoided by multiplying
+//! with r or by squaring. Left sides come from power series, right sides from the diagram's geometry, or the reverse.
+
+use super::motion::{Drive, Motion};
+use super::series::{PolarRates, polar_rates};
+use crate::pin_vectors::quarter_turn;
+use crate::{Field, Identity, Jet, Turn};
+use nalgebra::Vector2;
+
+/// Law of sines at the lever's pivot and at the pin: l sin ψ = R sin β, multiplied by r.
+///
+/// r sin ψ is the pin's height; R r sin β the area of lever and crank, a cross product. Variables: p, q, l.
+pub struct LawOfSinesAtThePin;
+
+impl Identity<3> for LawOfSinesAtThePin {
+    fn difference<S: Field>(&self, [p, q, ground]: &[S; 3]) -> S {
+        let crank = Vector2::new(p.clone(), q.clone());
+        let lever = crank.clone() + Vector2::new(ground.clone(), S::zero());
+        ground.clone() * lever.y.clone() - lever.perp(&crank)
+    }
+}
+
+/// The lever's length as the sum of two projections: r = l cos ψ + R cos β, multiplied by r.
+///
+/// Variables: p, q, l.
+pub struct LeverAsProjections;
+
+impl Identity<3> for LeverAsProjections {
+    fn difference<S: Field>(&self, [p, q, ground]: &[S; 3]) -> S {
+        let crank = Vector2::new(p.clone(), q.clone());
+        let lever = crank.clone() + Vector2::new(ground.clone(), S::zero());
+        lever.dot(&lever) - ground.clone() * lever.x.clone() - lever.dot(&crank)
+    }
+}
+
+/// Which angle a speed is resolved by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ResolvedBy {
+    /// β, at the pin between lever and crank.
+    AngleAtPin,
+    /// φ, at the crank's axis between the crank and the line of centres.
+    AngleAtAxis,
+}
+
+/// Which part of the crank pin's velocity is meant.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// Across the lever: that of the lever's point, v cos of the angle.
+    Across,
+    /// Along the lever: the sliding velocity, v sin of the angle.
+    Along,
+}
+
+/// A part of the pin's velocity as v cos or v sin of an angle, squared; the part itself from power series.
+///
+/// True for the angle at the pin, false for the angle at the crank's axis. Variables: p, q, l, ω.
+pub struct ResolvedSpeed {
+    /// The angle.
+    pub by: ResolvedBy,
+    /// The part.
+    pub part: Part,
+}
+
+impl Identity<4> for ResolvedSpeed {
+    fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
+        let [p, q, _, driver] = variables.clone();
+        let crank = Vector2::new(p, q);
+        let rates = steady(variables);
+        let square = rates.position.dot(&rates.position);
+        let pin_speed_squared = crank.dot(&crank) * driver.clone() * driver;
+        // cos² and sin² of either angle, from scalar and cross products of its two sides.
+        let (other, other_square) = match self.by {
+            ResolvedBy::AngleAtPin => (rates.position.clone(), square.clone()),
+            ResolvedBy::AngleAtAxis => (Vector2::new(S::one(), S::zero()), S::one()),
+        };
+        let scale = crank.dot(&crank) * other_square;
+        let (found, product) = match self.part {
+            Part::Across => (rates.turning, crank.dot(&other)),
+            Part::Along => (rates.sliding, crank.perp(&other)),
+        };
+        found.clone() * found * square - pin_speed_squared * product.clone() * product / scale
+    }
+}
+
+/// Along the lever, towards its pivot: sliding acceleration = R ω² cos β − r ψ̇², multiplied by r.
+///
+/// Variables: p, q, l, ω.
+pub struct AlongTheLever;
+
+impl Identity<4> for AlongTheLever {
+    fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
+        let [p, q, _, driver] = variables.clone();
+        let rates = steady(variables);
+        let square = rates.position.dot(&rates.position);
+        let inwards = driver.clone() * driver * rates.position.dot(&Vector2::new(p, q));
+        let centripetal = rates.turning.clone() * rates.turning * square.clone();
+        -(rates.sliding_rate * square) - (inwards - centripetal)
+    }
+}
+
+/// Across the lever, clockwise: tangential acceleration = R ω² sin β − 2 ψ̇ v, multiplied by r; v towards the pivot.
+///
+/// Variables: p, q, l, ω.
+pub struct AcrossTheLever;
+
+impl Identity<4> for AcrossTheLever {
+    fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
+        let [p, q, _, driver] = variables.clone();
+        let rates = steady(variables);
+        let square = rates.position.dot(&rates.position);
+        let across = driver.clone() * driver * rates.position.perp(&Vector2::new(p, q));
+        let coriolis = S::integer(2) * rates.turning * -(rates.sliding * square.clone());
+        -(rates.turning_rate * square) - (across - coriolis)
+    }
+}
+
+/// The pin's acceleration is the sum of its terms, with so many times ψ̇ × v between them. Two makes it true.
+///
+/// The left side is the second derivative of R e(φ), first component. Variables: p, q, l, ω, ω̇.
+pub struct TermsOfTheAcceleration {
+    /// How many times ψ̇ × v is counted.
+    pub coriolis: i64,
+}
+
+impl Identity<5> for TermsOfTheAcceleration {
+    fn difference<S: Field>(&self, variables: &[S; 5]) -> S {
+        let [p, q, ground, speed, acceleration] = variables.clone();
+        let drive = Drive { speed: speed.clone(), acceleration: acceleration.clone() };
+        let crank = Turn { cos: p, sin: q };
+        let half = acceleration / S::integer(2);
+        let path = crank.moving_by(&Jet::<S, 3>::from_coefficients([S::zero(), speed, half]));
+        let pin = path.cos.coefficient(2) * S::integer(2);
+        let rates = polar_rates(&ground, &S::one(), &crank, &drive).expect("the pin is off the pivot");
+        let across = quarter_turn(&rates.position);
+        let normal = rates.position.x.clone() * rates.turning.clone() * rates.turning.clone();
+        let tangential = across.x.clone() * rates.turning_rate;
+        let relative = rates.position.x.clone() * rates.sliding_rate;
+        let coriolis = S::integer(self.coriolis) * across.x.clone() * rates.turning * rates.sliding;
+        pin - (tangential - normal + relative + coriolis)
+    }
+}
+
+/// What of the motion is compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Compared {
+    /// ψ̇.
+    LeverSpeed,
+    /// ψ̈.
+    LeverAcceleration,
+    /// ṙ, multiplied by r.
+    Sliding,
+    /// r̈, multiplied by r.
+    SlidingAcceleration,
+    /// The Coriolis term's first component.
+    Coriolis,
+}
+
+/// The closed diagrams and the differentiated loop closure give one motion. Variables: p, q, l, ω, ω̇.
+pub struct DiagramAgainstSeries(
+    /// What is compared.
+    pub Compared,
+);
+
+impl Identity<5> for DiagramAgainstSeries {
+    fn difference<S: Field>(&self, variables: &[S; 5]) -> S {
+        let [p, q, ground, speed, acceleration] = variables.clone();
+        let (drive, crank) = (Drive { speed, acceleration }, Turn { cos: p, sin: q });
+        let rates = polar_rates(&ground, &S::one(), &crank, &drive).expect("the pin is off the pivot");
+        let Motion { velocities, accelerations, .. } =
+            Motion::at(&ground, &S::one(), &crank, &drive).expect("the pin is off the pivot");
+        let square = rates.position.dot(&rates.position);
+        match self.0 {
+            Compared::LeverSpeed => velocities.follower_speed - rates.turning,
+            Compared::LeverAcceleration => accelerations.follower_acceleration - rates.turning_rate,
+            Compared::Sliding => velocities.sliding_velocity.dot(&rates.position) - rates.sliding * square,
+            Compared::SlidingAcceleration => {
+                accelerations.sliding_tangential.dot(&rates.position) - rates.sliding_rate * square
+            }
+            Compared::Coriolis => {
+                let across = quarter_turn(&rates.position).x.clone();
+                accelerations.coriolis.x.clone() - S::integer(2) * rates.turning * rates.sliding * across
+            }
+        }
+    }
+}
+
+/// The rates at constant crank speed, for the variables p, q, l, ω.
+fn steady<S: Field>([p, q, ground, driver]: &[S; 4]) -> PolarRates<S> {
+    let crank = Turn { cos: p.clone(), sin: q.clone() };
+    polar_rates(ground, &S::one(), &crank, &Drive::steady(driver.clone())).expect("the pin is off the pivot")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::prove;
+
+    #[test]
+    fn the_scalar_equations_hold() {
+        assert!(prove(&LawOfSinesAtThePin).is_ok() && prove(&LeverAsProjections).is_ok());
+        assert!(prove(&AlongTheLever).is_ok() && prove(&AcrossTheLever).is_ok());
+        for part in [Part::Across, Part::Along] {
+            assert!(prove(&ResolvedSpeed { by: ResolvedBy::AngleAtPin, part }).is_ok(), "{part:?}");
+            assert!(prove(&ResolvedSpeed { by: ResolvedBy::AngleAtAxis, part }).is_err(), "{part:?}");
+        }
+    }
+
+    #[test]
+    fn coriolis_counts_twice_and_nothing_else_will_do() {
+        for coriolis in -2..5 {
+            assert_eq!(prove(&TermsOfTheAcceleration { coriolis }).is_ok(), coriolis == 2, "{coriolis}");
+        }
+    }
+
+    #[test]
+    fn diagrams_and_series_give_one_motion() {
+        use Compared::*;
+        for compared in [LeverSpeed, LeverAcceleration, Sliding, SlidingAcceleration, Coriolis] {
+            let proof = prove(&DiagramAgainstSeries(compared));
+            assert!(proof.is_ok(), "{compared:?}: {proof:?}");
+        }
+    }
+}

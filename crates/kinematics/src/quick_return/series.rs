@@ -1,0 +1,74 @@
+//! The same motion by differentiating the loop closure twice: no vector diagram, no relative velocity.
+//!
+//! Around the loop, l + R e(φ) = r e(ψ) with e a unit vector in that direction. The left side is known as a power
+//! series in time; so is the polar angle's rate of the right side, and r² = |l + R e(φ)|². In polar coordinates the
+//! acceleration is (r̈ − r ψ̇²) e(ψ) + (r ψ̈ + 2 ṙ ψ̇) e(ψ + 90°), and that is where the four terms come from.
+
+use super::motion::Drive;
+use crate::scalars::turn::angular_velocity;
+use crate::{Field, Jet, Turn};
+use nalgebra::Vector2;
+
+/// Rates of the lever's polar coordinates at an instant. All are rational; lengths are divided by r, which has a root.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PolarRates<S> {
+    /// From the lever's pivot to the pin: r e(ψ).
+    pub position: Vector2<S>,
+    /// ψ̇, counter-clockwise positive.
+    pub turning: S,
+    /// ψ̈.
+    pub turning_rate: S,
+    /// ṙ / r, outwards positive.
+    pub sliding: S,
+    /// r̈ / r.
+    pub sliding_rate: S,
+}
+
+/// Differentiates the loop closure at crank angle φ. `None` if the pin is on the lever's pivot.
+pub fn polar_rates<S: Field>(ground: &S, radius: &S, crank: &Turn<S>, drive: &Drive<S>) -> Option<PolarRates<S>> {
+    let half = drive.acceleration.clone() / S::integer(2);
+    let advance = Jet::<S, 3>::from_coefficients([S::zero(), drive.speed.clone(), half]);
+    let arm = crank.moving_by(&advance).direction() * Jet::constant(radius.clone());
+    let path = arm + Vector2::new(Jet::constant(ground.clone()), Jet::constant(S::zero()));
+    let turning = angular_velocity(&path)?;
+    // From r² = s: ṙ/r = ṡ / 2s, and r̈/r = (s̈/2 − ṙ²) / s = s̈ / 2s − (ṙ/r)².
+    let square = path.x.clone() * path.x.clone() + path.y.clone() * path.y.clone();
+    let twice = S::integer(2) * square.value();
+    let sliding = square.rate() / twice.clone();
+    let second = S::integer(2) * square.coefficient(2);
+    let sliding_rate = second / twice - sliding.clone() * sliding.clone();
+    Some(PolarRates {
+        position: path.map(|coordinate| coordinate.value()),
+        turning: turning.value(),
+        turning_rate: turning.rate(),
+        sliding,
+        sliding_rate,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quick_return::Motion;
+    use crate::rational;
+
+    #[test]
+    fn the_series_says_what_the_diagrams_say_exactly() {
+        let crank = Turn::from_half_tangent(&rational(2, 3));
+        let (ground, radius) = (rational(9, 4), rational(1, 1));
+        let drive = Drive { speed: rational(5, 1), acceleration: rational(-7, 2) };
+        let rates = polar_rates(&ground, &radius, &crank, &drive).expect("off the pivot");
+        let motion = Motion::at(&ground, &radius, &crank, &drive).expect("off the pivot");
+        assert_eq!(rates.turning, motion.velocities.follower_speed);
+        assert_eq!(rates.turning_rate, motion.accelerations.follower_acceleration);
+        assert_eq!(rates.position.clone() * rates.sliding, motion.velocities.sliding_velocity);
+        assert_eq!(rates.position * rates.sliding_rate, motion.accelerations.sliding_tangential);
+    }
+
+    #[test]
+    fn there_are_no_rates_on_the_pivot() {
+        let half_turn = Turn { cos: rational(-1, 1), sin: rational(0, 1) };
+        let drive = Drive::steady(rational(1, 1));
+        assert_eq!(polar_rates(&rational(1, 1), &rational(1, 1), &half_turn, &drive), None);
+    }
+}
