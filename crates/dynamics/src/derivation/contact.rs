@@ -1,0 +1,176 @@
+//! The equation solved for θ'', and the acceleration at the start: Appendices B and D.
+//!
+//! The letters A to E, R and V are free variables here, and F = C θ'² + D θ'' has a sign S.
+
+use super::Form;
+use crate::{Coefficients, Pose, Sign, equation};
+use geneva_kinematics::{Field, Identity};
+
+/// Eq. (1-19) as Appendix B repeats it: A θ'' + B θ'² + C θ² + D θ' = E, with a dot of θ'² and of θ'' and both bars
+/// lost.
+///
+/// Against Eq. (1-19). Variables: A, B, C, D, θ, θ', θ''.
+pub struct BarsReprinted {
+    /// The dots in the last two terms.
+    pub dots: Form,
+    /// The bars.
+    pub bars: Form,
+    /// The sign that opens the bars.
+    pub contact: Sign,
+}
+
+impl Identity<7> for BarsReprinted {
+    fn difference<S: Field>(&self, [a, b, c, d, angle, speed, gain]: &[S; 7]) -> S {
+        let truth = Coefficients { a: a.clone(), b: b.clone(), c: c.clone(), d: d.clone(), e: S::zero() };
+        let (squared, last) = self.dots.pick((angle, speed), (speed, gain));
+        let between = c.clone() * squared.clone() * squared.clone() + d.clone() * last.clone();
+        let display = a.clone() * gain.clone()
+            + b.clone() * speed.clone() * speed.clone()
+            + self.bars.pick(Sign::Plus, self.contact).of(between);
+        truth.residual(speed, gain, self.contact) - display
+    }
+}
+
+/// A line of Appendix B from F to the acceleration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Opening {
+    /// A θ'' + B θ'² + S (C θ'² + D θ'') = E.
+    WithSign,
+    /// A θ'' + B θ'² + S C θ'² + S D θ'' = E.
+    Expanded,
+    /// θ'' (A + S D) + θ'² (B + S C) = E.
+    Collected,
+    /// θ'' = (E − (B + S C) θ'²)/(A + S D), times A + S D.
+    Solved,
+}
+
+impl Opening {
+    /// All lines.
+    pub const ALL: [Self; 4] = [Self::WithSign, Self::Expanded, Self::Collected, Self::Solved];
+}
+
+/// The lines of Appendix B against Eq. (1-19) with |F| = S F, where S is the sign of F.
+///
+/// Variables: A + S D, B, C, D, E, θ', θ''.
+pub struct BarsOpened {
+    /// Which line.
+    pub line: Opening,
+    /// S.
+    pub sign: Sign,
+}
+
+impl Identity<7> for BarsOpened {
+    fn difference<S: Field>(&self, [slope, b, c, d, e, speed, gain]: &[S; 7]) -> S {
+        let signed = |value: &S| self.sign.of(value.clone());
+        let a = slope.clone() - signed(d);
+        let square = speed.clone() * speed.clone();
+        // |F| is the one of F and −F that is not negative.
+        let size = self.sign.of(c.clone() * square.clone() + d.clone() * gain.clone());
+        let truth = a.clone() * gain.clone() + b.clone() * square.clone() + size - e.clone();
+        let display = match self.line {
+            Opening::WithSign => {
+                let sign = signed(&S::one());
+                let between = c.clone() * square.clone() + d.clone() * gain.clone();
+                a * gain.clone() + b.clone() * square + sign * between - e.clone()
+            }
+            Opening::Expanded => {
+                a * gain.clone() + b.clone() * square.clone() + signed(c) * square + signed(d) * gain.clone()
+                    - e.clone()
+            }
+            Opening::Collected => gain.clone() * (a + signed(d)) + square * (b.clone() + signed(c)) - e.clone(),
+            Opening::Solved => {
+                let solved = (e.clone() - (b.clone() + signed(c)) * square) / slope.clone();
+                (gain.clone() - solved) * slope.clone()
+            }
+        };
+        truth - display
+    }
+}
+
+/// A line of Appendix D.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StartingLine {
+    /// A θ'' + |D θ''| = E.
+    Bars,
+    /// R θ'' + |V θ''| = E, the same with the letters of the start.
+    StartingLetters,
+    /// R θ'' + |V| θ'' = E.
+    Outside,
+}
+
+impl StartingLine {
+    /// All lines.
+    pub const ALL: [Self; 3] = [Self::Bars, Self::StartingLetters, Self::Outside];
+}
+
+/// The lines of Appendix D against Eq. (1-19) at θ' = 0, for θ'' > 0. Printed with one dot on the last θ''.
+///
+/// Variables: A, B, C, D, θ'', and a θ' that is not zero, for the term that the print makes of it.
+pub struct StartingEquation {
+    /// Which line.
+    pub line: StartingLine,
+    /// One dot as printed, or two.
+    pub dots: Form,
+    /// Sign of D, which is that of D θ''.
+    pub sign: Sign,
+}
+
+impl Identity<6> for StartingEquation {
+    fn difference<S: Field>(&self, [a, b, c, d, gain, speed]: &[S; 6]) -> S {
+        let truth = Coefficients { a: a.clone(), b: b.clone(), c: c.clone(), d: d.clone(), e: S::zero() };
+        let last = self.dots.pick(speed, gain);
+        let size = match self.line {
+            StartingLine::Bars | StartingLine::StartingLetters => self.sign.of(d.clone() * last.clone()),
+            StartingLine::Outside => self.sign.of(d.clone()) * last.clone(),
+        };
+        truth.residual(&S::zero(), gain, self.sign) - (a.clone() * gain.clone() + size)
+    }
+}
+
+/// θ₀'' = E/(R + |V|) solves Eq. (1-19) at rest. Variables: A, B, C, |D|, E.
+pub struct StartingAcceleration {
+    /// Sign of V = D.
+    pub sign: Sign,
+}
+
+impl Identity<5> for StartingAcceleration {
+    fn difference<S: Field>(&self, [a, b, c, size, e]: &[S; 5]) -> S {
+        let d = self.sign.of(size.clone());
+        let truth = Coefficients { a: a.clone(), b: b.clone(), c: c.clone(), d, e: e.clone() };
+        let start = e.clone() / (a.clone() + size.clone());
+        truth.residual(&S::zero(), &start, self.sign)
+    }
+}
+
+/// The start is at entry, where a cos θ = 1: there V = 0 and R = I_D/I_f, so that θ₀'' = K/I_D whatever the friction.
+///
+/// Multiplied out. Variables: a sin θ, I_D, I_f, μ, K.
+pub struct StartAtEntry;
+
+impl Identity<5> for StartAtEntry {
+    fn difference<S: Field>(&self, [cross, driver, follower, friction, torque]: &[S; 5]) -> S {
+        // R² = h² + g² with h = 0.
+        let pose = Pose::from_square(&(cross.clone() * cross.clone()), &S::zero(), cross);
+        let inertia = driver.clone() / follower.clone();
+        let a = equation::coefficient_a(&pose, &inertia);
+        let d = equation::coefficient_d(&pose, friction);
+        torque.clone() / follower.clone() / (a + d) - torque.clone() / driver.clone()
+    }
+}
+
+/// The demonstration of Appendix B: m x'' + c x' + k x = 0. Printed with one dot on its first term.
+///
+/// Against x'' = −(c x' + k x)/m, which the lines of program beside it compute. The second display, printed as
+/// x' = −(c x' + k x)/m, has the same slip. Variables: m, c, k, x, x'.
+pub struct Demonstration(
+    /// As printed or put right.
+    pub Form,
+);
+
+impl Identity<5> for Demonstration {
+    fn difference<S: Field>(&self, [mass, damping, stiffness, place, speed]: &[S; 5]) -> S {
+        let rest = damping.clone() * speed.clone() + stiffness.clone() * place.clone();
+        let gain = -rest.clone() / mass.clone();
+        mass.clone() * self.0.pick(speed.clone(), gain) + rest
+    }
+}

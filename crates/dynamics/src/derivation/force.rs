@@ -1,0 +1,143 @@
+//! The normal force and the torque of friction that it makes: from the moments on the follower to Eq. (1-14).
+//!
+//! Half powers of 1 + a² − 2 a cos θ = R² are powers of R, so every exponent is counted in halves. Forces are over
+//! I_f/r.
+
+use super::{Form, follower_gain, friction_torque, over, power};
+use crate::{Pose, Sign};
+use geneva_kinematics::{Field, Identity};
+
+fn pose<S: Field>(radius: &S, lead: &S, cross: &S) -> Pose<S> {
+    Pose::from_square(&(radius.clone() * radius.clone()), lead, cross)
+}
+
+/// a sin θ (1 − a²)/R^speed θ'² + (a cos θ − 1)/R^gain θ'', the brackets of these displays; θ' = 1.
+fn brackets<S: Field>(pose: &Pose<S>, radius: &S, gain: &S, powers: [u32; 2]) -> S {
+    let [of_speed, of_gain] = powers;
+    over(pose.cross.clone() * pose.shape.clone(), radius, of_speed)
+        + over(pose.lead.clone(), radius, of_gain) * gain.clone()
+}
+
+/// N R = I_f φ'', moments about o. The print has I_P θ'': another letter's inertia, and the driver's acceleration.
+///
+/// Both sides are moments; the left is the rate of I_f φ'. Variables: R², h, g, θ'', I_P.
+pub struct MomentEquation(
+    /// As printed or put right.
+    pub Form,
+);
+
+impl Identity<5> for MomentEquation {
+    fn difference<S: Field>(&self, [square, lead, cross, gain, odd]: &[S; 5]) -> S {
+        let pose = Pose::from_square(square, lead, cross);
+        let corrected = pose.follower_acceleration(&S::one(), gain);
+        follower_gain(&pose, gain) - self.0.pick(odd.clone() * gain.clone(), corrected)
+    }
+}
+
+/// N = I_f φ''/R. The print has I_P θ''/R. Variables: R, h, g, θ'', I_P.
+pub struct ForceFromMoment(
+    /// As printed or put right.
+    pub Form,
+);
+
+impl Identity<5> for ForceFromMoment {
+    fn difference<S: Field>(&self, [radius, lead, cross, gain, odd]: &[S; 5]) -> S {
+        let pose = pose(radius, lead, cross);
+        let corrected = pose.follower_acceleration(&S::one(), gain);
+        let force = self.0.pick(odd.clone() * gain.clone(), corrected) / radius.clone();
+        follower_gain(&pose, gain) / radius.clone() - force
+    }
+}
+
+/// N = I_f [Eq. (1-8)] / (r R^outer), the display before (1-13): printed with three half powers outside, which are one.
+///
+/// Variables: R, h, g, θ''.
+pub struct ForceSubstituted {
+    /// Half powers outside the brackets.
+    pub outer: u32,
+}
+
+impl ForceSubstituted {
+    /// The display as printed or put right.
+    pub fn of(form: Form) -> Self {
+        Self { outer: form.pick(3, 1) }
+    }
+}
+
+impl Identity<4> for ForceSubstituted {
+    fn difference<S: Field>(&self, [radius, lead, cross, gain]: &[S; 4]) -> S {
+        let pose = pose(radius, lead, cross);
+        follower_gain(&pose, gain) / radius.clone() - over(brackets(&pose, radius, gain, [4, 2]), radius, self.outer)
+    }
+}
+
+/// Eq. (1-13): half powers three and three are printed under θ'² and θ''; the first must be five.
+///
+/// Variables: R, h, g, θ''.
+pub struct NormalForce {
+    /// Half powers under θ'² and under θ''.
+    pub powers: [u32; 2],
+}
+
+impl NormalForce {
+    /// The display as printed or put right.
+    pub fn of(form: Form) -> Self {
+        Self { powers: form.pick([3, 3], [5, 3]) }
+    }
+}
+
+impl Identity<4> for NormalForce {
+    fn difference<S: Field>(&self, [radius, lead, cross, gain]: &[S; 4]) -> S {
+        let pose = pose(radius, lead, cross);
+        follower_gain(&pose, gain) / radius.clone() - brackets(&pose, radius, gain, self.powers)
+    }
+}
+
+/// The display after (1-13): τ₂ = −a r μ |sin θ/R^sine I_f/r [Eq. (1-13)]|. Half powers three, three, three are
+/// printed; one, five, three are right.
+///
+/// Variables: R, h, g, θ'', μ.
+pub struct FrictionSubstituted {
+    /// Half powers under sin θ, under θ'² and under θ''.
+    pub powers: [u32; 3],
+    /// The sign that opens the bars.
+    pub contact: Sign,
+}
+
+impl FrictionSubstituted {
+    /// The display as printed or put right.
+    pub fn of(form: Form, contact: Sign) -> Self {
+        Self { powers: form.pick([3, 3, 3], [1, 5, 3]), contact }
+    }
+}
+
+impl Identity<5> for FrictionSubstituted {
+    fn difference<S: Field>(&self, [radius, lead, cross, gain, friction]: &[S; 5]) -> S {
+        let pose = pose(radius, lead, cross);
+        let [sine, speed, driver] = self.powers;
+        let between = over(pose.cross.clone(), radius, sine) * brackets(&pose, radius, gain, [speed, driver]);
+        self.contact.of(friction_torque(&pose, gain, friction)) - friction.clone() * self.contact.of(between)
+    }
+}
+
+/// Eq. (1-14): τ₂ = −a μ I_f |a sin² θ (1 − a²)/R⁶ θ'² + sin θ (a cos θ − 1)/R⁴ θ''|. Variables: R², h, g, θ'', μ.
+pub struct FrictionOfMotion {
+    /// The sign that opens the bars.
+    pub contact: Sign,
+}
+
+impl Identity<5> for FrictionOfMotion {
+    fn difference<S: Field>(&self, [square, lead, cross, gain, friction]: &[S; 5]) -> S {
+        let pose = Pose::from_square(square, lead, cross);
+        let between = printed_friction(&pose, gain, friction);
+        self.contact.of(friction_torque(&pose, gain, friction)) - self.contact.of(between)
+    }
+}
+
+/// a μ times what stands between the bars of Eq. (1-14), with θ' = 1: a² sin² θ and a sin θ are g² and g.
+pub(super) fn printed_friction<S: Field>(pose: &Pose<S>, gain: &S, friction: &S) -> S {
+    let (square, cross) = (&pose.square, &pose.cross);
+    let of_speed = over(power(cross, 2) * pose.shape.clone(), square, 3);
+    let of_gain = over(cross.clone() * pose.lead.clone(), square, 2);
+    friction.clone() * (of_speed + of_gain * gain.clone())
+}

@@ -1,0 +1,149 @@
+//! The parts put together: Eqs. (1-17) and (1-18), the five coefficients, and (1-19).
+
+use super::force::printed_friction;
+use super::momentum::speed_term;
+use super::{Form, friction_torque, growth, momentum_rate, over, position_rate, power, two};
+use crate::{Coefficients, Pose, Sign};
+use geneva_kinematics::{Field, Identity};
+
+/// [I_D + (a cos θ − 1)^exponent I_f/R⁴] θ''.
+fn inertia_term<S: Field>(pose: &Pose<S>, gain: &S, inertia: &S, exponent: u32) -> S {
+    (inertia.clone() + over(power(&pose.lead, exponent), &pose.square, 2)) * gain.clone()
+}
+
+/// Lagrange's left side from the kinetic energy.
+fn left_side<S: Field>(pose: &Pose<S>, gain: &S, inertia: &S) -> S {
+    momentum_rate(pose, gain, inertia) - position_rate(pose, inertia)
+}
+
+/// A line of Lagrange's left side.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LeftSideLine {
+    /// One derivative minus the other, the first of the two lines of (1-17).
+    Minus,
+    /// Eq. (1-17). Printed with (a cos θ − 1) for its square.
+    Closed(Form),
+}
+
+/// The lines of Eq. (1-17) against the derivatives of the kinetic energy. Variables: R², h, g, θ'', I_D.
+pub struct LeftSide(
+    /// Which line.
+    pub LeftSideLine,
+);
+
+impl Identity<5> for LeftSide {
+    fn difference<S: Field>(&self, [square, lead, cross, gain, inertia]: &[S; 5]) -> S {
+        let pose = Pose::from_square(square, lead, cross);
+        let display = match self.0 {
+            LeftSideLine::Minus => {
+                inertia_term(&pose, gain, inertia, 2) - two::<S>() * speed_term(&pose) - -speed_term(&pose)
+            }
+            LeftSideLine::Closed(form) => inertia_term(&pose, gain, inertia, form.pick(1, 2)) - speed_term(&pose),
+        };
+        left_side(&pose, gain, inertia) - display
+    }
+}
+
+/// A display of the whole equation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MotionLine {
+    /// After (1-17): the parts put in. Printed with (a cos θ − 1) for its square, and with brackets for bars.
+    Substituted {
+        /// The square.
+        square: Form,
+        /// The bars.
+        bars: Form,
+    },
+    /// Eq. (1-18), over I_f. Printed with brackets for bars.
+    Divided {
+        /// The bars.
+        bars: Form,
+    },
+    /// Eq. (1-19) with A to E as [`Coefficients`] has them.
+    Short,
+}
+
+/// The displays of the equation of motion against the balance of power: growth of the kinetic energy and friction, at
+/// θ' = 1.
+///
+/// The driving torque stands alone on both sides and is left out; everything else is brought to the left. Where the
+/// print has brackets for bars, it is right for the plus sign only. Variables: R², h, g, θ'', I_D, μ.
+pub struct EquationOfMotion {
+    /// Which display.
+    pub line: MotionLine,
+    /// The sign that opens the bars.
+    pub contact: Sign,
+}
+
+impl Identity<6> for EquationOfMotion {
+    fn difference<S: Field>(&self, [square, lead, cross, gain, inertia, friction]: &[S; 6]) -> S {
+        let pose = Pose::from_square(square, lead, cross);
+        let truth = growth(&pose, gain, inertia) + self.contact.of(friction_torque(&pose, gain, friction));
+        let between = printed_friction(&pose, gain, friction);
+        let bars = |form: Form| form.pick(Sign::Plus, self.contact).of(between.clone());
+        let display = match self.line {
+            MotionLine::Substituted { square, bars: form } => {
+                inertia_term(&pose, gain, inertia, square.pick(1, 2)) - speed_term(&pose) + bars(form)
+            }
+            MotionLine::Divided { bars: form } => {
+                let of_speed = over(pose.cross.clone() * pose.shape.clone() * pose.lead.clone(), &pose.square, 3);
+                inertia_term(&pose, gain, inertia, 2) + of_speed + bars(form)
+            }
+            MotionLine::Short => {
+                let coefficients = Coefficients::of_pose(&pose, inertia, friction, &S::zero());
+                coefficients.residual(&S::one(), gain, self.contact)
+            }
+        };
+        truth - display
+    }
+}
+
+/// One of the five abbreviations after (1-18).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Coefficient {
+    /// A. Printed with I_f/I_f for I_D/I_f.
+    A(Form),
+    /// B.
+    B,
+    /// C.
+    C,
+    /// D.
+    D,
+    /// E = K/I_f.
+    E,
+}
+
+/// The abbreviations as they stand, against what multiplies θ'', θ'², both between the bars, and 1 in the balance.
+///
+/// A and B: growth of the kinetic energy at θ'' = 1 less that at 0, and at 0. C and D: the friction's torque, at 0, and
+/// at 1 less that at 0. E is a definition: K = E I_f. Variables: R², h, g, I_D, I_f, μ, K.
+pub struct CoefficientPrinted(
+    /// Which abbreviation.
+    pub Coefficient,
+);
+
+impl Identity<7> for CoefficientPrinted {
+    fn difference<S: Field>(&self, [square, lead, cross, driver, follower, friction, torque]: &[S; 7]) -> S {
+        let pose = Pose::from_square(square, lead, cross);
+        let (h, g, shape) = (lead.clone(), cross.clone(), pose.shape.clone());
+        let inertia = driver.clone() / follower.clone();
+        let left = |gain: S| growth(&pose, &gain, &inertia);
+        let lost = |gain: S| friction_torque(&pose, &gain, friction);
+        let mu = friction.clone();
+        match self.0 {
+            Coefficient::A(form) => {
+                let first = form.pick(follower.clone(), driver.clone()) / follower.clone();
+                left(S::one()) - left(S::zero()) - (first + over(power(&h, 2), square, 2))
+            }
+            Coefficient::B => left(S::zero()) - over(g * shape * h, square, 3),
+            Coefficient::C => lost(S::zero()) - over(mu * power(&g, 2) * shape, square, 3),
+            Coefficient::D => lost(S::one()) - lost(S::zero()) - over(mu * g * h, square, 2),
+            Coefficient::E => {
+                // K on I_f alone gives the acceleration E.
+                let abbreviated =
+                    Coefficients::of_pose(&pose, &inertia, friction, &(torque.clone() / follower.clone()));
+                abbreviated.e * follower.clone() - torque.clone()
+            }
+        }
+    }
+}

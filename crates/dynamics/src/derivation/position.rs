@@ -1,0 +1,97 @@
+//! ∂T/∂θ, line by line.
+
+use super::kinetic_energy::effective_inertia;
+use super::momentum::speed_term;
+use super::{Form, over, position_rate, power, turning, two};
+use crate::Pose;
+use geneva_kinematics::{Field, Identity, Jet};
+
+/// A line of ∂T/∂θ, in the order of the print.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PositionLine {
+    /// ∂/∂θ [½ {I_D + (a cos θ − 1)²/R⁴ I_f} θ'²], after (1-16), not yet differentiated.
+    Undone,
+    /// The same again, where this derivative is taken up. Printed with I_b for I_D, which does not matter to a
+    /// derivative with θ: the statement holds all the same.
+    UndoneAgain,
+    /// 0 + ½ I_f θ'² ∂/∂θ [(a cos θ − 1)²/R⁴].
+    Outside,
+    /// By the rule of quotients.
+    Quotient,
+    /// R² cancelled.
+    Cancelled,
+    /// −I_f θ'² before the brackets.
+    Factored,
+    /// 1 + 2 (a cos θ − 1)/R² put as (a² − 1)/R².
+    Closed,
+}
+
+impl PositionLine {
+    /// All lines.
+    pub const ALL: [Self; 7] =
+        [Self::Undone, Self::UndoneAgain, Self::Outside, Self::Quotient, Self::Cancelled, Self::Factored, Self::Closed];
+}
+
+/// The lines of ∂T/∂θ against the series of the kinetic energy in θ.
+///
+/// The letter I_b can be told from I_D only in T itself: with `energy`, the line that has it is compared before it is
+/// differentiated. Variables: R², h, g, I_D, I_b.
+pub struct PositionRate {
+    /// Which line.
+    pub line: PositionLine,
+    /// The letter in [`PositionLine::UndoneAgain`]: I_b as printed, or I_D.
+    pub letter: Form,
+    /// Whether to compare the energy in the brackets instead of its derivative, for the two lines that show it.
+    pub energy: bool,
+}
+
+impl PositionRate {
+    /// The derivative that a line gives, in the letter of the print.
+    pub fn of(line: PositionLine) -> Self {
+        Self { line, letter: Form::Printed, energy: false }
+    }
+
+    /// The energy that the line with the odd letter is the derivative of.
+    pub fn energy(letter: Form) -> Self {
+        Self { line: PositionLine::UndoneAgain, letter, energy: true }
+    }
+}
+
+impl Identity<5> for PositionRate {
+    fn difference<S: Field>(&self, [square, lead, cross, inertia, odd]: &[S; 5]) -> S {
+        let pose = Pose::from_square(square, lead, cross);
+        let (h, g) = (lead.clone(), cross.clone());
+        let moving = turning(&pose);
+        let letter = match self.line {
+            PositionLine::UndoneAgain => self.letter.pick(odd, inertia),
+            _ => inertia,
+        };
+        let braces = effective_inertia(&moving, &Jet::constant(letter.clone())) / Jet::integer(2);
+        if self.energy {
+            return crate::energy::kinetic_energy(&pose.velocity_ratio(), &S::one(), inertia) - braces.value();
+        }
+        let display = match self.line {
+            PositionLine::Undone | PositionLine::UndoneAgain => braces.rate(),
+            PositionLine::Outside => {
+                let quotient = over(power(&moving.lead, 2), &moving.square, 2);
+                quotient.rate() / two::<S>()
+            }
+            PositionLine::Quotient => {
+                let first = over(power(square, 2) * two() * h.clone() * -g.clone(), square, 4);
+                let second = over(power(&h, 2) * two() * square.clone() * (two::<S>() * g), square, 4);
+                (first - second) / two::<S>()
+            }
+            PositionLine::Cancelled => {
+                let first = over(-(two::<S>() * h.clone() * g.clone()), square, 2);
+                let second = over(-(two::<S>() * power(&h, 2) * (two::<S>() * g)), square, 3);
+                (first + second) / two::<S>()
+            }
+            PositionLine::Factored => {
+                let braces = S::one() + h.clone() * two() / square.clone();
+                -(over(h * g, square, 2) * braces)
+            }
+            PositionLine::Closed => -speed_term(&pose),
+        };
+        position_rate(&pose, inertia) - display
+    }
+}

@@ -1,0 +1,91 @@
+//! Why the equation of motion has one solution, and why its sign can be told beforehand, as identities.
+//!
+//! Notation as in [`equation`](crate::equation); A to E and θ' are free variables, so nothing depends on what they
+//! stand for. Where the slopes A + D and A − D are divided by, they are the variables instead of A and D.
+
+use crate::{Coefficients, Sign};
+use geneva_kinematics::{Field, Identity};
+
+/// Coefficients with A and D from the two slopes A + D and A − D.
+fn of_slopes<S: Field>([plus, minus, b, c, e]: [&S; 5]) -> Coefficients<S> {
+    let a = (plus.clone() + minus.clone()) / S::integer(2);
+    let d = (plus.clone() - minus.clone()) / S::integer(2);
+    coefficients([&a, b, c, &d, e])
+}
+
+fn coefficients<S: Field>([a, b, c, d, e]: [&S; 5]) -> Coefficients<S> {
+    Coefficients { a: a.clone(), b: b.clone(), c: c.clone(), d: d.clone(), e: e.clone() }
+}
+
+/// The solution of one sign obeys the equation with that sign. Variables: A + D, A − D, B, C, E, θ'.
+pub struct SolutionOfOneSign(
+    /// The sign of the bars.
+    pub Sign,
+);
+
+impl Identity<6> for SolutionOfOneSign {
+    fn difference<S: Field>(&self, [plus, minus, b, c, e, speed]: &[S; 6]) -> S {
+        let coefficients = of_slopes([plus, minus, b, c, e]);
+        coefficients.residual(speed, &coefficients.acceleration_with(speed, self.0), self.0)
+    }
+}
+
+/// (A + S D) (C θ'² + D θ'') = A C θ'² + D (E − B θ'²) for the solution of either sign. Variables: A + D, A − D, B, C,
+/// E, θ'.
+pub struct SignDecider(
+    /// The sign of the bars.
+    pub Sign,
+);
+
+impl Identity<6> for SignDecider {
+    fn difference<S: Field>(&self, [plus, minus, b, c, e, speed]: &[S; 6]) -> S {
+        let coefficients = of_slopes([plus, minus, b, c, e]);
+        let gain = coefficients.acceleration_with(speed, self.0);
+        let slope = if self.0 == Sign::Plus { plus } else { minus }.clone();
+        slope * coefficients.between_the_bars(speed, &gain) - coefficients.sign_decider(speed)
+    }
+}
+
+/// On one piece the left side grows by A + S D per unit of θ''. Variables: A, B, C, D, E, θ', θ'' and its growth.
+pub struct Slope(
+    /// The sign of the bars.
+    pub Sign,
+);
+
+impl Identity<8> for Slope {
+    fn difference<S: Field>(&self, [a, b, c, d, e, speed, gain, growth]: &[S; 8]) -> S {
+        let coefficients = coefficients([a, b, c, d, e]);
+        let after = coefficients.residual(speed, &(gain.clone() + growth.clone()), self.0);
+        let slope = a.clone() + self.0.of(d.clone());
+        after - coefficients.residual(speed, gain, self.0) - slope * growth.clone()
+    }
+}
+
+/// The two solutions are −2 (A C θ'² + D (E − B θ'²)) / (A² − D²) apart: one and the same where the friction changes
+/// sign, so that the acceleration is continuous there. Variables: A + D, A − D, B, C, E, θ'.
+pub struct SolutionsMeet;
+
+impl Identity<6> for SolutionsMeet {
+    fn difference<S: Field>(&self, [plus, minus, b, c, e, speed]: &[S; 6]) -> S {
+        let coefficients = of_slopes([plus, minus, b, c, e]);
+        let [first, second] = Sign::BOTH.map(|sign| coefficients.acceleration_with(speed, sign));
+        let product = plus.clone() * minus.clone();
+        first - second + S::integer(2) * coefficients.sign_decider(speed) / product
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::proving::holds;
+
+    #[test]
+    fn the_sign_and_the_single_solution_are_proven() {
+        holds("solutions meet", &SolutionsMeet);
+        for sign in Sign::BOTH {
+            holds("solution", &SolutionOfOneSign(sign));
+            holds("sign", &SignDecider(sign));
+            holds("slope", &Slope(sign));
+        }
+    }
+}

@@ -1,0 +1,229 @@
+//! Where the equation of motion has one solution: how much friction a given pair of inertias can bear.
+//!
+//! One solution means A > |D| ([`equation`]). The geometry is even in θ, so one half of the engagement
+//! is enough; instead of θ we use h = a cos θ − 1, from 0 where the pin leaves to a − 1 on the line of centres.
+//! With b = a² − 1 and i = I_D / I_f: R² = b − 2 h, a sin θ = g = √(a² − (1 + h)²) in crank radii, and
+//!
+//! A − |D| = i − h (μ g − h) / R⁴.
+//!
+//! **Critical friction.** A = |D| at μ(h) = (i R⁴ + h²) / (h g) = N(h) / g with N = α/h − β + γ h, where α = i b², β =
+//! 4 i b, γ = 4 i + 1. It has one minimum. Where N grows, it grows (1/g does too). Where N falls, it is strictly
+//! convex, because (N/g)'' g / N ≥ N''/N + 2 (N'/N) m + 3 m² with m = (1 + h)/g², a quadratic in m whose discriminant
+//! has the sign of N'² − 3 N N''. With h in units of √(α/γ), h = u √(α/γ), that is u⁴ − 8 u² + 6 κ u − 5 up to a
+//! positive factor, where κ = 4 √(i / (4 i + 1)) < 2, so it is below u⁴ − 8 u² + 12 u − 5 = (u − 1)² (u² + 2 u − 5) ≤ 0
+//! for 0 < u ≤ 1, which is where N falls. So the derivative changes its sign once, and bisection finds the place.
+//!
+//! **Least margin.** h (μ g − h) / R⁴ > w means μ > μ(h) for i = w, an interval of h: so W(h) = h (μ g − h)/R⁴ rises to
+//! one maximum and falls again, wherever it is positive, and bisection finds that too. Its places do not depend on i.
+//!
+//! The algebra is proven in [`existence_proofs`](crate::existence_proofs).
+
+use crate::parameters::{not_negative, positive};
+use crate::{ParameterError, Pose, Slots, equation};
+
+/// The least friction at which the equation of motion fails to have one solution, and where that happens.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CriticalFriction {
+    /// Coefficient of friction; infinite if it is too great for a number.
+    pub friction: f64,
+    /// Crank angle in radians to either side of the line of centres.
+    pub angle: f64,
+}
+
+/// The least excess of A over |D| while a pin is in its slot, and where it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LeastMargin {
+    /// A − |D| there; one solution everywhere if and only if it is positive.
+    pub margin: f64,
+    /// Crank angle in radians to either side of the line of centres.
+    pub angle: f64,
+}
+
+/// A − |D| at a pose, for I_D / I_f and μ.
+pub fn margin(pose: &Pose<f64>, inertia_ratio: f64, friction: f64) -> f64 {
+    equation::coefficient_a(pose, &inertia_ratio) - equation::coefficient_d(pose, &friction).abs()
+}
+
+/// The friction from which on A > |D| fails somewhere in the engagement, for I_D / I_f (positive and finite).
+pub fn critical_friction(slots: Slots, inertia_ratio: f64) -> Result<CriticalFriction, ParameterError> {
+    let inertia = positive("driver inertia over follower inertia", inertia_ratio)?;
+    let half = Half::new(slots);
+    // All over 1 + i, so that no inertia ratio is too great.
+    let (part, rest) = (inertia / (1.0 + inertia), 1.0 / (1.0 + inertia));
+    let falling = |h: f64| {
+        let square = half.radius_squared(h);
+        let numerator = part * square * square + rest * h * h;
+        let change = h * (rest * 2.0 * h - part * 4.0 * square) - numerator;
+        // The derivative of (i R⁴ + h²) / (h g), times h² g³ / (1 + i).
+        change * half.cross_squared(h) + numerator * h * (1.0 + h) < 0.0
+    };
+    let h = bisect(0.0, half.ratio - 1.0, falling);
+    let square = half.radius_squared(h);
+    let friction = (inertia * (square * (square / h)) + h) / half.cross_squared(h).sqrt();
+    Ok(CriticalFriction { friction, angle: half.angle(h) })
+}
+
+/// The least A − |D| in the engagement, for I_D / I_f (positive and finite) and μ (finite, not negative).
+///
+/// Without friction it is I_D / I_f, where the pin enters and leaves; with friction it is less.
+pub fn least_margin(slots: Slots, inertia_ratio: f64, friction: f64) -> Result<LeastMargin, ParameterError> {
+    let inertia = positive("driver inertia over follower inertia", inertia_ratio)?;
+    let (worst, angle) = worst(slots, not_negative(friction)?);
+    Ok(LeastMargin { margin: inertia - worst, angle })
+}
+
+/// The ratio I_D / I_f that must be exceeded for one solution everywhere with this friction: zero without friction.
+pub fn critical_inertia_ratio(slots: Slots, friction: f64) -> Result<f64, ParameterError> {
+    Ok(worst(slots, not_negative(friction)?).0)
+}
+
+/// The greatest h (μ g − h) / R⁴ and its crank angle.
+fn worst(slots: Slots, friction: f64) -> (f64, f64) {
+    let half = Half::new(slots);
+    if friction == 0.0 {
+        return (0.0, half.angle(0.0));
+    }
+    // Sine and cosine of the angle of friction, so that no friction is too great: W = h (sin λ g − cos λ h)/(cos λ R⁴).
+    let scale = libm::hypot(1.0, friction);
+    let (sin, cos) = (friction / scale, 1.0 / scale);
+    // Above this h, where the friction's line leaves the slot, W is negative: μ g = h.
+    let end = sin * ((sin * sin + half.shape).sqrt() - sin);
+    let rising = |h: f64| {
+        let (g2, square) = (half.cross_squared(h), half.radius_squared(h));
+        let g = g2.sqrt();
+        // −dW/dθ times R⁶ cos λ, which has the sign of dW/dh: h falls as θ grows.
+        let from_friction = (g2 - h * h - h) * square + 4.0 * g2 * h;
+        sin * from_friction - cos * 2.0 * h * g * (square + 2.0 * h) > 0.0
+    };
+    let h = bisect(0.0, end, rising);
+    let square = half.radius_squared(h);
+    (h * (friction * half.cross_squared(h).sqrt() - h) / (square * square), half.angle(h))
+}
+
+/// One half of the engagement, by h = a cos θ − 1.
+struct Half {
+    /// a.
+    ratio: f64,
+    /// b = a² − 1.
+    shape: f64,
+}
+
+impl Half {
+    fn new(slots: Slots) -> Self {
+        Self { ratio: slots.ratio(), shape: slots.ratio_squared() - 1.0 }
+    }
+
+    /// R² / r² = b − 2 h.
+    fn radius_squared(&self, h: f64) -> f64 {
+        self.shape - 2.0 * h
+    }
+
+    /// a² sin² θ = a² − (1 + h)², as a product that loses no digits near the line of centres.
+    fn cross_squared(&self, h: f64) -> f64 {
+        (self.ratio - 1.0 - h) * (self.ratio + 1.0 + h)
+    }
+
+    fn angle(&self, h: f64) -> f64 {
+        libm::atan2(self.cross_squared(h).max(0.0).sqrt(), 1.0 + h)
+    }
+}
+
+/// Where `before` turns from true to false between `low` and `high`, to the last places.
+fn bisect(mut low: f64, mut high: f64, before: impl Fn(f64) -> bool) -> f64 {
+    loop {
+        let middle = low + (high - low) / 2.0;
+        if middle <= low || middle >= high {
+            return high;
+        }
+        if before(middle) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use geneva_kinematics::Turn;
+
+    const RATIOS: [(f64, f64); 5] = [(1.0, 20.0), (3.0, 40.0), (3.0, 50.0), (3.0, 5.0), (5.0, 3.0)];
+
+    fn brute_force(slots: Slots, inertia: f64, friction: f64) -> (f64, f64) {
+        let steps = 4_000;
+        (0..=steps)
+            .map(|step| {
+                let angle = slots.engagement_half_angle() * f64::from(step) / f64::from(steps);
+                (margin(&Pose::new(&slots.ratio(), &Turn::from_radians(angle)), inertia, friction), angle)
+            })
+            .fold((f64::INFINITY, 0.0), |least, next| if next.0 < least.0 { next } else { least })
+    }
+
+    #[test]
+    fn the_least_margin_is_the_least_of_many() {
+        for slots in Slots::ALL {
+            for (driver, follower) in RATIOS {
+                for part in 0..=10 {
+                    let (inertia, friction) = (driver / follower, f64::from(part) / 20.0);
+                    let found = least_margin(slots, inertia, friction).expect("sound");
+                    let (least, angle) = brute_force(slots, inertia, friction);
+                    assert!(found.margin <= least + 1e-15 && found.margin > least - 1e-6, "{slots:?} {inertia} {part}");
+                    assert!((found.angle - angle).abs() < 1e-3, "{slots:?} {inertia} {part}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn at_the_critical_friction_the_least_margin_is_zero() {
+        for slots in Slots::ALL {
+            for (driver, follower) in RATIOS.into_iter().chain([(1.0, 1e6), (1e6, 1.0)]) {
+                let inertia = driver / follower;
+                let critical = critical_friction(slots, inertia).expect("sound");
+                println!("{slots:?} {inertia}: {} at {}°", critical.friction, critical.angle.to_degrees());
+                let there = least_margin(slots, inertia, critical.friction).expect("sound");
+                assert!(there.margin.abs() < 1e-13 * (1.0 + inertia), "{slots:?} {inertia} {}", there.margin);
+                assert!((there.angle - critical.angle).abs() < 1e-6, "{slots:?} {inertia}");
+                let back = critical_inertia_ratio(slots, critical.friction).expect("sound");
+                approx::assert_relative_eq!(back, inertia, max_relative = 1e-12);
+                for (factor, holds) in [(1.0 - 1e-9, true), (1.0 + 1e-9, false)] {
+                    let near = least_margin(slots, inertia, critical.friction * factor).expect("sound");
+                    assert_eq!(near.margin > 0.0, holds, "{slots:?} {inertia}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn more_inertia_of_the_driver_bears_more_friction() {
+        for slots in Slots::ALL {
+            let limits = (-300..=300)
+                .step_by(10)
+                .map(|power| critical_friction(slots, libm::exp2(f64::from(power))).expect("sound").friction);
+            let limits: Vec<_> = limits.collect();
+            assert!(limits.windows(2).all(|pair| pair[0] < pair[1]), "{limits:?}");
+        }
+    }
+
+    #[test]
+    fn extreme_values_give_numbers_and_bad_ones_are_named() {
+        for slots in Slots::ALL {
+            for inertia in [5e-324, f64::MIN_POSITIVE, 1e-200, 1e200, f64::MAX] {
+                let critical = critical_friction(slots, inertia).expect("positive and finite");
+                assert!(critical.friction > 0.0, "{slots:?} {inertia}");
+                assert!((0.0..=slots.engagement_half_angle() + 1e-12).contains(&critical.angle), "{inertia}");
+            }
+            for friction in [5e-324, 1e-200, 1e200, f64::MAX] {
+                let least = least_margin(slots, 1.0, friction).expect("finite");
+                assert!(!least.margin.is_nan() && !least.angle.is_nan(), "{slots:?} {friction}");
+            }
+            for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+                assert!(critical_friction(slots, bad).is_err() && least_margin(slots, bad, 0.0).is_err(), "{bad}");
+            }
+            for bad in [-1.0, f64::NAN, f64::INFINITY] {
+                assert!(least_margin(slots, 1.0, bad).is_err() && critical_inertia_ratio(slots, bad).is_err(), "{bad}");
+            }
+        }
+    }
+}

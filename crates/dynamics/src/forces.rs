@@ -1,0 +1,111 @@
+//! Forces between pin and slot, and what friction takes from the driver.
+//!
+//! The follower is moved by the normal force alone: N R = I_f φ''. A positive N drives the follower on, so the pin
+//! bears on the flank ahead of it; a negative one holds it back, so the pin bears on the flank behind it. Friction acts
+//! along the slot, against the sliding, with the moment arm c |sin φ| = |dR/dθ| about the driver's axis.
+
+use crate::{EquationError, Parameters};
+
+/// The flank of the slot that the pin bears on; ahead and behind as the follower turns.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Flank {
+    /// The flank ahead of the pin: the pin drives the follower.
+    Leading,
+    /// The flank behind the pin: the follower, running ahead, drives the pin.
+    Trailing,
+    /// Neither presses: the follower keeps its speed by itself.
+    Neither,
+}
+
+/// What acts between pin and slot at one instant. Multiples of the crank radius: lengths have not been chosen yet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ContactForces {
+    /// Angular acceleration of the follower, φ''.
+    pub follower_acceleration: f64,
+    /// N r, normal force times crank radius, in units of torque; positive on the leading flank.
+    pub normal_moment: f64,
+    /// Torque of friction about the driver's axis, never negative; it acts against the driver's motion.
+    pub friction_torque: f64,
+    /// Where the pin bears.
+    pub flank: Flank,
+}
+
+impl ContactForces {
+    /// The normal force for a crank of this radius (in the unit of length of torque and inertia).
+    pub fn normal_force(&self, crank_radius: f64) -> f64 {
+        self.normal_moment / crank_radius
+    }
+}
+
+impl Parameters {
+    /// Forces at a crank angle (radians from the line of centres) and a speed of the driver (≥ 0).
+    ///
+    /// Meyer 1973, Eqs. (1-13), with its first exponent put right, and (1-14).
+    pub fn contact_forces(&self, angle: f64, speed: f64) -> Result<ContactForces, EquationError> {
+        let gain = self.acceleration(angle, speed)?.value;
+        let pose = self.pose(angle);
+        let follower_acceleration = pose.follower_acceleration(&speed, &gain);
+        let normal_moment = self.inertias().follower() * follower_acceleration / pose.square.sqrt();
+        let friction_torque = self.friction() * normal_moment.abs() * moment_arm_ratio(pose.cross, pose.square);
+        let flank = match normal_moment {
+            moment if moment > 0.0 => Flank::Leading,
+            moment if moment < 0.0 => Flank::Trailing,
+            _ => Flank::Neither,
+        };
+        Ok(ContactForces { follower_acceleration, normal_moment, friction_torque, flank })
+    }
+}
+
+/// Moment arm of the friction about the driver's axis over the crank radius, a |sin θ| / R: also |dR/dθ|.
+fn moment_arm_ratio(cross: f64, square: f64) -> f64 {
+    cross.abs() / square.sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Inertias, Slots};
+
+    fn escapement(friction: f64) -> Parameters {
+        Parameters::new(Slots::Four, Inertias::new(1.0, 12.0).expect("sound"), 5.0, friction).expect("sound")
+    }
+
+    #[test]
+    fn the_driver_balances_torque_inertia_and_friction() {
+        for slots in Slots::ALL {
+            let inertias = Inertias::new(3.0, 4.0).expect("sound");
+            let escapement = Parameters::new(slots, inertias, 2.0, 1.0 / 3.0).expect("sound");
+            for step in -50..=50 {
+                let angle = slots.engagement_half_angle() * f64::from(step) / 50.0;
+                for speed in [0.0, 1.0, 9.0] {
+                    let forces = escapement.contact_forces(angle, speed).expect("one acceleration");
+                    let gain = escapement.acceleration(angle, speed).expect("one acceleration").value;
+                    // Moments about the driver's axis: the normal force has the arm R φ'/θ'.
+                    let pose = escapement.pose(angle);
+                    let reaction = forces.normal_moment * pose.square.sqrt() * pose.velocity_ratio();
+                    let balance = 2.0 - reaction - forces.friction_torque - 3.0 * gain;
+                    assert!(balance.abs() < 1e-12 * (1.0 + speed * speed), "{slots:?} {angle} {speed} {balance}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_fast_driver_is_driven_back_by_the_follower_past_the_line_of_centres() {
+        let escapement = escapement(0.0);
+        let flank = |angle: f64, speed: f64| escapement.contact_forces(angle, speed).expect("sound").flank;
+        assert_eq!(flank(-1.0 / 3.0, 100.0), Flank::Leading);
+        assert_eq!(flank(1.0 / 3.0, 100.0), Flank::Trailing);
+        assert_eq!(flank(1.0 / 3.0, 0.0), Flank::Leading);
+    }
+
+    #[test]
+    fn there_is_no_friction_where_the_pin_does_not_slide_and_force_follows_length() {
+        let escapement = escapement(1.0 / 4.0);
+        let middle = escapement.contact_forces(0.0, 3.0).expect("sound");
+        assert_eq!(middle.friction_torque, 0.0);
+        assert!(middle.normal_moment > 0.0);
+        assert_eq!(middle.normal_force(2.0), middle.normal_moment / 2.0);
+        assert!(escapement.contact_forces(1.0 / 3.0, f64::NAN).is_err());
+    }
+}

@@ -1,0 +1,30 @@
+//! Equation of motion of the Geneva escapement: a driver with pins all round, a slotted follower, a constant torque.
+//!
+//! The formulas are generic over a [`Field`](geneva_kinematics::Field), so that they run on `f64`, on power series
+//! and on exact rationals. The equation is derived twice: by Lagrange's equation, display by display, in
+//! [`derivation`], and from the balance of energy in [`energy`].
+//!
+//! Notation: `r` crank radius, `c = a r` centre distance, θ crank angle from the line of centres, φ follower angle,
+//! `R` distance of the pin from the follower's pivot, μ friction between pin and slot, `K` torque on the driver, `I_D`
+//! and `I_f` moments of inertia of driver and follower. θ and φ grow in opposite senses of rotation.
+//!
+//! This crate holds no number that a source prints, does no input or output, and knows nothing of claims or books.
+
+pub mod derivation;
+pub mod energy;
+pub mod equation;
+pub mod equation_proofs;
+pub mod existence;
+pub mod existence_proofs;
+pub mod forces;
+mod parameters;
+pub mod pose;
+#[cfg(test)]
+mod proving;
+mod sign;
+pub mod similarity;
+
+pub use equation::{Acceleration, Coefficients, EquationError};
+pub use parameters::{Inertias, ParameterError, Parameters, Slots};
+pub use pose::Pose;
+pub use sign::Sign;

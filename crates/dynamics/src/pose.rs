@@ -1,0 +1,113 @@
+//! The four numbers of the mechanism's pose from which every coefficient of the equation of motion is made.
+
+use geneva_kinematics::{Field, Jet, Turn, pin_slot};
+
+/// Where the mechanism stands, in crank radii: all that the equation of motion asks of the geometry.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pose<S> {
+    /// a cos θ − 1: zero as the pin enters and leaves, positive between.
+    pub lead: S,
+    /// a sin θ: half the rate of change of the square below with θ.
+    pub cross: S,
+    /// 1 + a² − 2 a cos θ, the square of the pin's distance from the follower's pivot.
+    pub square: S,
+    /// 1 − a², negative for centres farther apart than a crank radius.
+    pub shape: S,
+}
+
+impl<S: Field> Pose<S> {
+    /// The pose at centre distance over crank radius `ratio` and a crank angle from the line of centres.
+    pub fn new(ratio: &S, crank: &Turn<S>) -> Self {
+        Self {
+            lead: ratio.clone() * crank.cos.clone() - S::one(),
+            cross: ratio.clone() * crank.sin.clone(),
+            square: pin_slot::slot_radius_squared(ratio, crank),
+            shape: S::one() - ratio.clone() * ratio.clone(),
+        }
+    }
+
+    /// The pose from R² / r², a cos θ − 1 and a sin θ; the law of cosines gives the fourth, 1 − a² = −(R²/r² + 2 lead).
+    ///
+    /// For exact proofs: with the square as a variable of its own, degrees stay low. The three are bound by
+    /// square = lead² + cross²; what is proven without using that holds all the more with it.
+    pub fn from_square(square: &S, lead: &S, cross: &S) -> Self {
+        Self {
+            lead: lead.clone(),
+            cross: cross.clone(),
+            square: square.clone(),
+            shape: -(square.clone() + S::integer(2) * lead.clone()),
+        }
+    }
+
+    /// Angular velocity of the follower over that of the driver. Meyer 1973, Eq. (1-7).
+    pub fn velocity_ratio(&self) -> S {
+        self.lead.clone() / self.square.clone()
+    }
+
+    /// Angular acceleration of the follower over the square of a constant speed of the driver. Meyer 1973, Eq. (1-8).
+    pub fn acceleration_ratio(&self) -> S {
+        self.cross.clone() * self.shape.clone() / self.square.clone() / self.square.clone()
+    }
+
+    /// Angular acceleration of the follower for a driver of this speed and acceleration. Meyer 1973, Eq. (1-8).
+    pub fn follower_acceleration(&self, speed: &S, gain: &S) -> S {
+        self.acceleration_ratio() * speed.clone() * speed.clone() + self.velocity_ratio() * gain.clone()
+    }
+
+    /// The pose as a power series while θ advances by `advance` (radians; its constant part counts for nothing).
+    ///
+    /// (a cos θ, a sin θ) turns like any direction, and R² changes as −2 a cos θ does.
+    pub fn moving_by<const N: usize>(&self, advance: &Jet<S, N>) -> Pose<Jet<S, N>> {
+        let pair = Turn { cos: self.lead.clone() + S::one(), sin: self.cross.clone() }.moving_by(advance);
+        let from = |start: &S, factor: i64, series: &Jet<S, N>| {
+            Jet::from_coefficients(std::array::from_fn(|k| match k {
+                0 => start.clone(),
+                _ => S::integer(factor) * series.coefficient(k),
+            }))
+        };
+        Pose {
+            lead: from(&self.lead, 1, &pair.cos),
+            cross: pair.sin.clone(),
+            square: from(&self.square, -2, &pair.cos),
+            shape: Jet::constant(self.shape.clone()),
+        }
+    }
+
+    /// The pose with every number taken through `f`.
+    pub fn map<T>(self, f: impl Fn(S) -> T) -> Pose<T> {
+        Pose { lead: f(self.lead), cross: f(self.cross), square: f(self.square), shape: f(self.shape) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use geneva_kinematics::{Rational, rational, wheel};
+
+    #[test]
+    fn the_rates_are_those_of_the_pin_in_a_slot() {
+        let (ratio, crank) = (rational(7, 4), Turn::<Rational>::from_half_tangent(&rational(-1, 5)));
+        let pose = Pose::new(&ratio, &crank);
+        assert_eq!(pose.velocity_ratio(), pin_slot::velocity_ratio(&ratio, &crank));
+        assert_eq!(pose.acceleration_ratio(), wheel::acceleration_ratio(&ratio, &crank));
+        let (speed, gain) = (rational(3, 2), rational(-5, 7));
+        let both = wheel::unsteady_acceleration(&ratio, &crank, &speed, &gain);
+        assert_eq!(pose.follower_acceleration(&speed, &gain), both);
+    }
+
+    #[test]
+    fn a_pose_moves_as_its_angle_does() {
+        let (ratio, crank) = (rational(9, 5), Turn::<Rational>::from_half_tangent(&rational(2, 7)));
+        let advance = Jet::<Rational, 4>::from_coefficients([0, 3, -2, 5].map(|n| rational(n, 1)));
+        let moving = Pose::new(&Jet::constant(ratio.clone()), &crank.moving_by(&advance));
+        assert_eq!(Pose::new(&ratio, &crank).moving_by(&advance), moving);
+    }
+
+    #[test]
+    fn three_numbers_of_a_pose_give_the_fourth() {
+        let pose = Pose::new(&rational(9, 5), &Turn::from_half_tangent(&rational(2, 7)));
+        assert_eq!(Pose::from_square(&pose.square, &pose.lead, &pose.cross), pose);
+        let sum = pose.lead.clone() * pose.lead + pose.cross.clone() * pose.cross;
+        assert_eq!(sum, pose.square);
+    }
+}

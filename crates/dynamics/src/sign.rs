@@ -1,0 +1,49 @@
+//! A sign that stands for an absolute value: |x| is x with the plus sign or x with the minus sign.
+
+use geneva_kinematics::Field;
+
+/// Plus or minus one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Sign {
+    /// +1.
+    Plus,
+    /// −1.
+    Minus,
+}
+
+impl Sign {
+    /// Both signs.
+    pub const BOTH: [Self; 2] = [Self::Plus, Self::Minus];
+
+    /// `value` with this sign before it.
+    pub fn of<S: Field>(self, value: S) -> S {
+        match self {
+            Self::Plus => value,
+            Self::Minus => -value,
+        }
+    }
+
+    /// The sign of a number; plus for zero and for what is not a number.
+    pub fn from_number(number: f64) -> Self {
+        if number < 0.0 { Self::Minus } else { Self::Plus }
+    }
+
+    /// Product of two signs.
+    pub fn times(self, other: Self) -> Self {
+        if self == other { Self::Plus } else { Self::Minus }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sign_and_its_number_agree() {
+        for number in [-3.0, 2.0, 0.0, -0.0] {
+            assert_eq!(Sign::from_number(number).of(number), f64::abs(number));
+        }
+        assert_eq!(Sign::Minus.times(Sign::Minus), Sign::Plus);
+        assert_eq!(Sign::Minus.times(Sign::Plus), Sign::Minus);
+    }
+}

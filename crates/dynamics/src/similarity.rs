@@ -1,0 +1,93 @@
+//! The law of similarity: how speed and time scale with the torque.
+//!
+//! Eq. (1-19) is linear in θ'', θ'² and E. If θ' grows by a factor κ while θ'' and E = K/I_f grow by κ², it holds as
+//! before, with the same sign of the friction. So with the inertias and the friction kept, speeds go as √(K/I_f) and
+//! times as its inverse; only the number of slots, μ and I_D/I_f shape the motion.
+
+use crate::{Coefficients, Sign};
+use geneva_kinematics::{Field, Identity};
+
+/// The factors of speed, acceleration and time when E = K/I_f grows by a factor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scaling {
+    /// Factor of all angular speeds.
+    pub speed: f64,
+    /// Factor of all angular accelerations.
+    pub acceleration: f64,
+    /// Factor of all times.
+    pub time: f64,
+}
+
+impl Scaling {
+    /// From the old and the new K/I_f; `None` unless their quotient is positive and finite.
+    pub fn of_drive(old: f64, new: f64) -> Option<Self> {
+        let acceleration = new / old;
+        let speed = acceleration.sqrt();
+        (acceleration > 0.0 && acceleration.is_finite()).then_some(Self { speed, acceleration, time: 1.0 / speed })
+    }
+}
+
+/// The equation with θ', θ'', E scaled by κ, κ², κ² is κ² times the equation. Variables: A to E, θ', θ'', κ.
+pub struct Similarity(
+    /// The sign of the bars.
+    pub Sign,
+);
+
+impl Identity<8> for Similarity {
+    fn difference<S: Field>(&self, [a, b, c, d, e, speed, gain, kappa]: &[S; 8]) -> S {
+        let square = kappa.clone() * kappa.clone();
+        let with = |drive: S| Coefficients { a: a.clone(), b: b.clone(), c: c.clone(), d: d.clone(), e: drive };
+        let scaled = with(square.clone() * e.clone()).residual(
+            &(kappa.clone() * speed.clone()),
+            &(square.clone() * gain.clone()),
+            self.0,
+        );
+        scaled - square * with(e.clone()).residual(speed, gain, self.0)
+    }
+}
+
+/// What decides the sign of the friction scales by κ² too, so the sign stays. Variables: A to E, θ', κ.
+pub struct SimilarityOfTheSign;
+
+impl Identity<7> for SimilarityOfTheSign {
+    fn difference<S: Field>(&self, [a, b, c, d, e, speed, kappa]: &[S; 7]) -> S {
+        let square = kappa.clone() * kappa.clone();
+        let with = |drive: S| Coefficients { a: a.clone(), b: b.clone(), c: c.clone(), d: d.clone(), e: drive };
+        let scaled = with(square.clone() * e.clone()).sign_decider(&(kappa.clone() * speed.clone()));
+        scaled - square * with(e.clone()).sign_decider(speed)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::proving::holds;
+    use crate::{Inertias, Parameters, Slots};
+
+    #[test]
+    fn the_equation_scales_with_the_drive() {
+        for sign in Sign::BOTH {
+            holds("similarity", &Similarity(sign));
+        }
+        holds("similarity of the sign", &SimilarityOfTheSign);
+    }
+
+    #[test]
+    fn a_stronger_spring_drives_the_same_motion_faster() {
+        let inertias = Inertias::new(3.0, 50.0).expect("sound");
+        let weak = Parameters::new(Slots::Four, inertias, 2.0, 1.0 / 3.0).expect("sound");
+        let strong = Parameters::new(Slots::Four, inertias, 14.0, 1.0 / 3.0).expect("sound");
+        let scaling = Scaling::of_drive(weak.drive(), strong.drive()).expect("both positive");
+        for step in -20..=20 {
+            let angle = Slots::Four.engagement_half_angle() * f64::from(step) / 20.0;
+            for speed in [0.0, 1.0, 4.0] {
+                let slow = weak.acceleration(angle, speed).expect("one acceleration");
+                let fast = strong.acceleration(angle, speed * scaling.speed).expect("one acceleration");
+                approx::assert_relative_eq!(fast.value, slow.value * scaling.acceleration, max_relative = 1e-12);
+            }
+        }
+        assert_eq!(Scaling::of_drive(0.0, 1.0), None);
+        assert_eq!(Scaling::of_drive(1.0, -1.0), None);
+        assert_eq!(Scaling::of_drive(f64::NAN, 1.0), None);
+    }
+}
