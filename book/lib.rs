@@ -12,6 +12,7 @@ macro_rules! chapters {
 chapters! {
     preface = "src/preface.md",
     pin = "src/pin.md",
+    quick_return = "src/quick-return.md",
     jazar = "src/jazar.md",
     errata = "src/errata.md",
     ledger = "src/ledger.md",

@@ -3,9 +3,10 @@
 //! Run as it is by a reader, with its output in a pipe. What a page looks like is pinned under
 //! `snapshots/command-line`; what must hold whatever it looks like is asserted.
 
+mod quick_return_command;
 mod wheel_command;
 
-use geneva_ledger::{claims, verdicts};
+use geneva_ledger::{claims, in_full, verdicts};
 use insta_cmd::assert_cmd_snapshot;
 use serde_json::Value;
 use std::fs;
@@ -89,6 +90,7 @@ fn every_command_explains_itself_with_an_example() {
         ("help-errata", &["errata", "--help"]),
         ("help-coverage", &["coverage", "--help"]),
         ("help-wheel", &["wheel", "--help"]),
+        ("help-quick-return", &["quick-return", "--help"]),
         ("help-book", &["book", "--help"]),
         ("help-book-build", &["book", "build", "--help"]),
         ("help-book-test", &["book", "test", "--help"]),
@@ -131,14 +133,14 @@ fn json_says_what_the_ledger_says() {
     let rows = json(&["claims", "--format", "json"]);
     assert_eq!(rows.len(), claims().len());
     for (row, judged) in rows.iter().zip(verdicts()) {
-        let claim = judged.claim;
+        let (claim, printed) = (judged.claim, in_full(judged.claim));
         for (key, value) in [
             ("id", claim.id),
             ("source", claim.work.slug()),
             ("locator", claim.locator),
             ("kind", claim.kind.slug()),
             ("meaning", claim.meaning),
-            ("printed", claim.printed),
+            ("printed", printed.as_str()),
             ("unit", claim.unit),
             ("verdict", judged.verdict.slug()),
             ("expected", claim.expected.slug()),
@@ -157,7 +159,7 @@ fn json_says_what_the_ledger_says() {
             None => assert_eq!(row["erratum"], Value::Null, "{}", claim.id),
             Some(erratum) => {
                 for (key, value) in [
-                    ("printed", claim.printed),
+                    ("printed", printed.as_str()),
                     ("corrected", erratum.corrected),
                     ("reason", erratum.reason),
                     ("witness", erratum.witness),
@@ -192,7 +194,7 @@ fn csv_has_a_row_for_each_claim_and_all_digits() {
     assert_eq!(rows.len(), claims().len());
     for (row, judged) in rows.iter().zip(verdicts()) {
         assert_eq!(&row[column("id")], judged.claim.id);
-        assert_eq!(&row[column("printed")], judged.claim.printed);
+        assert_eq!(&row[column("printed")], in_full(judged.claim));
         assert_eq!(row[column("computed")].parse().ok(), judged.computed);
         assert_eq!(&row[column("verdict")], judged.verdict.slug());
         let corrected = judged.claim.erratum.as_ref().map_or("", |erratum| erratum.corrected);

@@ -37,9 +37,10 @@ fn files(folder: &str, endings: &[&str]) -> Vec<(PathBuf, String)> {
     found
 }
 
-/// Whether a number tells where it comes from: a decimal of three digits or more. A half or a zero is anybody's.
+/// Whether a number tells where it comes from: a decimal of three digits or more that are no outer zeros. A half, a zero
+/// or a one with its zeros is anybody's.
 fn is_telling(number: &str) -> bool {
-    let digits = number.trim_start_matches(['0', '.']).chars().filter(char::is_ascii_digit).count();
+    let digits = number.trim_matches(['0', '.']).chars().filter(char::is_ascii_digit).count();
     number.contains('.') && digits >= 3
 }
 

@@ -23,6 +23,7 @@ pub mod pose;
 mod proving;
 mod sign;
 pub mod similarity;
+pub mod steady;
 
 pub use equation::{Acceleration, Coefficients, EquationError};
 pub use parameters::{Inertias, ParameterError, Parameters, Slots};

@@ -127,3 +127,62 @@ pub fn depth(point: &Vector2<f64>, outline: &[Vector2<f64>]) -> f64 {
     }
     if inside { near.sqrt() } else { -near.sqrt() }
 }
+
+/// The room that a text of ours takes, by a guess at its letters: its least and its greatest corner.
+///
+/// `None` for a text within a group: the numbers of a plot's axes, which plotters sets.
+pub fn text_area(node: &Node<'_, '_>) -> Option<[Vector2<f64>; 2]> {
+    if !node.has_tag_name(("http://www.w3.org/2000/svg", "text")) || node.parent()? != node.document().root_element() {
+        return None;
+    }
+    let (mut width, mut x) = (0.0_f64, 0.0_f64);
+    for span in node.children().filter(Node::is_element) {
+        let size = span.attribute("font-size").map_or(21.0, |size| size.parse().expect("a number"));
+        x += span.attribute("dx").map_or(0.0, |dx| dx.parse().expect("a number"));
+        x += span.text().unwrap_or_default().chars().count() as f64 * 0.54 * size;
+        width = width.max(x);
+    }
+    let left = match node.attribute("text-anchor") {
+        Some("start") => number(node, "x"),
+        Some("end") => number(node, "x") - width,
+        _ => number(node, "x") - width / 2.0,
+    };
+    let base = number(node, "y");
+    Some([Vector2::new(left, base - 15.0), Vector2::new(left + width, base + 4.0)])
+}
+
+/// Every label lies within the image, but for some pixels of the guess at its letters.
+#[track_caller]
+pub fn labels_inside(figure: &Figure) {
+    let document = Document::parse(&figure.svg).expect("well-formed");
+    let view = document.root_element().attribute("viewBox").expect("there").to_owned();
+    let size: Vec<f64> = view.split(' ').map(|value| value.parse().expect("a number")).collect();
+    for node in document.descendants() {
+        if let Some([least, greatest]) = text_area(&node) {
+            let inside = least.x > -3.0 && least.y > -3.0 && greatest.x < size[2] + 3.0 && greatest.y < size[3] + 3.0;
+            assert!(inside, "{}: {} at {least:?} to {greatest:?}", figure.id, words(&node));
+        }
+    }
+}
+
+/// The pairs of labels that overlap.
+pub fn overlapping_labels(figure: &Figure) -> Vec<(String, String)> {
+    let document = Document::parse(&figure.svg).expect("well-formed");
+    let labels: Vec<_> =
+        document.descendants().filter_map(|node| text_area(&node).map(|area| (words(&node), area))).collect();
+    let mut pairs = Vec::new();
+    for (k, (one, a)) in labels.iter().enumerate() {
+        for (other, b) in labels.iter().skip(k + 1) {
+            let common = a[1].inf(&b[1]) - a[0].sup(&b[0]);
+            if common.x > 0.0 && common.y > 0.0 {
+                pairs.push((one.clone(), other.clone()));
+            }
+        }
+    }
+    pairs
+}
+
+/// The text of a node and of all within it.
+pub fn words(node: &Node<'_, '_>) -> String {
+    node.descendants().filter(Node::is_text).filter_map(|text| text.text()).collect()
+}

@@ -4,7 +4,7 @@
 //! drawn is computed by `geneva-kinematics` from the arguments: this crate holds no number that a source prints,
 //! knows nothing of claims or books, and does no input or output. The same arguments give the same bytes.
 //!
-//! Colours are `currentColor` and the custom properties `--fig-1` to `--fig-3`, `--fig-grid`, `--fig-fill` and
+//! Colours are `currentColor` and the custom properties `--fig-1` to `--fig-4`, `--fig-grid`, `--fig-fill` and
 //! `--fig-paper`, each with a fallback, so that a page may restyle a figure for a dark background.
 
 #[cfg(test)]
@@ -18,6 +18,7 @@ mod svg;
 mod theme;
 
 pub mod pin;
+pub mod quick_return;
 pub mod stations;
 
 pub use figure::Figure;

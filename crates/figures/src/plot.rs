@@ -147,6 +147,19 @@ impl Plot {
         canvas
     }
 
+    /// Draws frame, grid and curves on a larger canvas, this far from its corner; with or without the level axis's
+    /// numbers, which a plot under this one may have for both.
+    pub fn draw_on(&self, canvas: &mut Canvas, corner: &Pixels, numbered: bool) {
+        let is_level_number = |line: &&str| line.starts_with("<text") && line.contains("text-anchor=\"middle\"");
+        let markup = match self.draw() {
+            Ok(markup) if numbered => markup,
+            Ok(markup) => markup.lines().filter(|line| !is_level_number(line)).collect::<Vec<_>>().join("\n"),
+            Err(error) => format!("<desc>plot failed: {}</desc>", escape(&error.to_string())),
+        };
+        let place = format!("transform=\"translate({} {})\"", trimmed(corner.x, 2), trimmed(corner.y, 2));
+        canvas.group(&place, |canvas| canvas.draw_markup(markup));
+    }
+
     /// plotters' elements, one to a line, in a group that scales them down.
     fn draw(&self) -> Result<String, Box<dyn std::error::Error>> {
         let k = ENLARGED;

@@ -24,6 +24,8 @@ pub const FOLLOWER: Shade = Shade { css: "var(--fig-1, #0b62a4)", stand_in: RGBC
 pub const DRIVER: Shade = Shade { css: "var(--fig-2, #b3400e)", stand_in: RGBColor(1, 1, 4) };
 /// Motion of one relative to the other.
 pub const RELATIVE: Shade = Shade { css: "var(--fig-3, #2a7a3b)", stand_in: RGBColor(1, 1, 5) };
+/// What comes of both motions together: the Coriolis acceleration.
+pub const CORIOLIS: Shade = Shade { css: "var(--fig-4, #8f3b7a)", stand_in: RGBColor(1, 1, 8) };
 /// Faces of bodies.
 pub const FILL: Shade = Shade { css: "var(--fig-fill, #e9eff6)", stand_in: RGBColor(1, 1, 6) };
 /// The ground the figure stands on; halos of labels.
@@ -39,6 +41,6 @@ impl Shade {
 
 /// Replaces every stand-in in plotters' output by its custom property.
 pub fn resolve(svg: &str) -> String {
-    let all = [INK, GRID, FOLLOWER, DRIVER, RELATIVE, FILL, PAPER];
+    let all = [INK, GRID, FOLLOWER, DRIVER, RELATIVE, CORIOLIS, FILL, PAPER];
     all.iter().fold(svg.to_owned(), |text, shade| text.replace(&shade.stand_in_hex(), shade.css))
 }

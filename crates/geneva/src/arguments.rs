@@ -1,5 +1,6 @@
 //! What can be said to the program.
 
+use crate::quick_return::QuickReturnArguments;
 use crate::wheel::WheelArguments;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -21,6 +22,8 @@ Examples:
   geneva errata                                what is wrong in the sources
   geneva coverage --source pin                 which claim each line of a source belongs to
   geneva wheel --stations 6 --rpm 360          sizes, times and peaks of a wheel of your own
+  geneva quick-return --ground 0.3 --crank 0.1 --crank-angle 75 --rpm 60
+                                               a quick-return mechanism of your own, at an instant
   geneva book --open                           build the book and open it
   geneva completions bash                      completions for a shell
 
@@ -63,6 +66,16 @@ Examples:
   geneva wheel --stations 4 --pins 2 --format json
   geneva wheel --stations 6 --format svg > wheel.svg")]
     Wheel(WheelArguments),
+    /// Compute or draw a quick-return mechanism: velocities and accelerations at an instant
+    #[command(after_help = "\
+Examples:
+  geneva quick-return --ground 0.3 --crank 0.1 --crank-angle 75 --rpm 60
+  geneva quick-return --ground 0.3 --crank 0.1 --lever-angle -10 --branch near --rpm 60
+  geneva quick-return --ground 0.1 --crank 0.3 --crank-angle 75 --rpm -60 --format json
+  geneva quick-return --ground 0.3 --crank 0.1 --crank-angle 75 --rpm 60 --format svg > drawing.svg
+
+The pin on the crank slides in the slot of the lever, which turns about its pivot.")]
+    QuickReturn(QuickReturnArguments),
     /// Build the book, or test its chapters
     #[command(
         args_conflicts_with_subcommands = true,

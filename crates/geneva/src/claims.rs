@@ -3,7 +3,7 @@
 use crate::arguments::{ClaimsArguments, ClaimsFormat};
 use crate::output::{WIDTH, count, cut, heading, style};
 use crate::record::ClaimRecord;
-use geneva_ledger::{Decimal, Judged, Verdict};
+use geneva_ledger::{Decimal, Judged, Verdict, in_full};
 
 /// The claims that are wanted, as they are wanted.
 pub fn page(wanted: &ClaimsArguments) -> anyhow::Result<String> {
@@ -48,9 +48,9 @@ fn table(rows: &[&Judged]) -> String {
             page += &format!("{}, {}\n", claim.work, claim.locator);
         }
         let what = match self::computed(judged) {
-            Some(number) => format!("{}  {number:>computed$}", cut(&with_unit(claim.printed, claim.unit), printed)),
+            Some(number) => format!("{}  {number:>computed$}", cut(&with_unit(&in_full(claim), claim.unit), printed)),
             // A form has nothing to set beside it.
-            None => cut(&with_unit(claim.printed, claim.unit), middle),
+            None => cut(&with_unit(&in_full(claim), claim.unit), middle),
         };
         page += &format!("  {:<id$}  {what}  {colour}{}{colour:#}\n", claim.id, judged.verdict);
     }

@@ -4,7 +4,7 @@ use crate::arguments::ErrataFormat;
 use crate::claims::with_unit;
 use crate::output::{count, field, heading};
 use crate::record::ErratumRow;
-use geneva_ledger::{Erratum, Judged, Work};
+use geneva_ledger::{Erratum, Judged, Work, in_full};
 
 /// All errata, as they are wanted.
 pub fn page(format: ErrataFormat) -> anyhow::Result<String> {
@@ -30,7 +30,7 @@ fn text(verdicts: &[Judged]) -> String {
     for (judged, erratum) in errata(verdicts) {
         let claim = judged.claim;
         page += &format!("{bold}{}{bold:#}  {}\n", claim.id, claim.locator);
-        page += &field("printed", &with_unit(claim.printed, claim.unit));
+        page += &field("printed", &with_unit(&in_full(claim), claim.unit));
         page += &field("corrected", &with_unit(erratum.corrected, claim.unit));
         page += &field("severity", erratum.severity.slug());
         page += &field("reason", erratum.reason);
@@ -57,7 +57,7 @@ fn markdown(verdicts: &[Judged]) -> String {
             page += &format!("- **{}** ({}, {}). ", claim.locator, code(claim.id), erratum.severity);
             page += &format!(
                 "For {} read {}. ",
-                code(&with_unit(claim.printed, claim.unit)),
+                code(&with_unit(&in_full(claim), claim.unit)),
                 code(&with_unit(erratum.corrected, claim.unit))
             );
             page += &format!("{} *Witness:* {}", erratum.reason, erratum.witness);

@@ -1,8 +1,8 @@
 //! The command line `geneva`: argument parsing and printing, nothing else.
 //!
-//! Every command turns its arguments into text. What the text says comes from the ledger, of a wheel from the
-//! kinematics and the figures, and the book from the press. Exit codes: 0 all is as recorded, 1 something differs, 2 bad
-//! usage, bad input or no access.
+//! Every command turns its arguments into text. What the text says comes from the ledger, of a wheel or a quick-return
+//! mechanism from the kinematics and the figures, and the book from the press. Exit codes: 0 all is as recorded, 1
+//! something differs, 2 bad usage, bad input or no access.
 
 mod arguments;
 mod book;
@@ -13,7 +13,9 @@ mod errata;
 mod output;
 mod preprocess;
 mod progress;
+mod quick_return;
 mod record;
+mod sheet;
 mod summary;
 mod wheel;
 mod workspace;
@@ -52,6 +54,10 @@ fn run(arguments: Arguments) -> anyhow::Result<Outcome> {
         }
         Some(Command::Wheel(wanted)) => {
             print(&wheel::page(&wanted)?)?;
+            Ok(Outcome::AsRecorded)
+        }
+        Some(Command::QuickReturn(wanted)) => {
+            print(&quick_return::page(&wanted)?)?;
             Ok(Outcome::AsRecorded)
         }
         Some(Command::Book(wanted)) => book::run(wanted),

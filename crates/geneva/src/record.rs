@@ -1,6 +1,6 @@
 //! Claims and errata as data, for JSON and CSV.
 
-use geneva_ledger::{Check, Claim, Judged};
+use geneva_ledger::{Check, Claim, Judged, in_full};
 use serde::Serialize;
 
 /// All that is known of a claim.
@@ -11,7 +11,7 @@ pub struct ClaimRecord {
     locator: &'static str,
     kind: &'static str,
     meaning: &'static str,
-    printed: &'static str,
+    printed: String,
     unit: &'static str,
     /// With all its digits; `None` if the claim is no number.
     computed: Option<f64>,
@@ -39,7 +39,7 @@ pub struct FindingRecord {
 /// For `printed` read `corrected`.
 #[derive(Debug, Serialize)]
 pub struct ErratumRecord {
-    printed: &'static str,
+    printed: String,
     corrected: &'static str,
     reason: &'static str,
     witness: &'static str,
@@ -100,7 +100,7 @@ impl ClaimRecord {
             self.locator.into(),
             self.kind.into(),
             self.meaning.into(),
-            self.printed.into(),
+            self.printed.clone().into(),
             self.unit.into(),
             digits(self.computed),
             digits(self.witnessed),
@@ -112,7 +112,7 @@ impl ClaimRecord {
             self.evidence.join("; "),
             findings.join("; "),
             self.missing.unwrap_or_default().into(),
-            erratum(|erratum| erratum.printed.into()),
+            erratum(|erratum| erratum.printed.clone()),
             erratum(|erratum| erratum.corrected.into()),
             erratum(|erratum| erratum.reason.into()),
             erratum(|erratum| erratum.witness.into()),
@@ -132,7 +132,7 @@ impl From<&Judged> for ClaimRecord {
             locator: claim.locator,
             kind: claim.kind.slug(),
             meaning: claim.meaning,
-            printed: claim.printed,
+            printed: in_full(claim),
             unit: claim.unit,
             computed: judged.computed,
             witnessed: judged.witnessed,
@@ -163,7 +163,7 @@ impl FindingRecord {
 impl ErratumRecord {
     fn of(claim: &Claim) -> Option<Self> {
         claim.erratum.as_ref().map(|erratum| Self {
-            printed: claim.printed,
+            printed: in_full(claim),
             corrected: erratum.corrected,
             reason: erratum.reason,
             witness: erratum.witness,

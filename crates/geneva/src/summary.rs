@@ -2,7 +2,7 @@
 
 use crate::claims::with_unit;
 use crate::output::{count, field, heading, style, wrapped};
-use geneva_ledger::{Judged, Verdict, Work};
+use geneva_ledger::{Judged, Verdict, Work, in_full};
 
 /// Verdicts by source, and each claim that does not stand as recorded.
 pub fn page(verdicts: &[Judged]) -> String {
@@ -51,7 +51,7 @@ fn differences(verdicts: &[Judged]) -> String {
     for judged in differing {
         let claim = judged.claim;
         page += &format!("\n{bold}{}{bold:#}  {}\n", claim.id, claim.locator);
-        page += &field("printed", &with_unit(claim.printed, claim.unit));
+        page += &field("printed", &with_unit(&in_full(claim), claim.unit));
         if let Some(computed) = judged.computed {
             page += &field("computed", &computed.to_string());
         }

@@ -5,7 +5,7 @@
 //! of those claims, strung together, must give the fingerprint. A digit that no claim accounts for, a claim with a
 //! wrong digit and a claim that was dropped all change it.
 
-use crate::claim;
+use crate::{Claim, claim};
 
 /// One line of the source's text.
 #[derive(Clone, Copy, Debug)]
@@ -21,8 +21,11 @@ pub struct Line {
 /// What stands in one place of a line.
 #[derive(Clone, Copy, Debug)]
 pub enum Entry {
-    /// The claim with this id is made here.
+    /// The claim with this id is made here. If its printed characters have dots (`\ldots`), as much as stands before.
     Claim(&'static str),
+    /// What stands behind the n-th dots of the claim with this id, in the same line or in a later one; what the dots
+    /// stand for are entries in between.
+    Rest(&'static str, usize),
     /// The number of the claim with this id is printed here once more.
     Again(&'static str),
     /// The claim with this id is made here too, about numbers that another entry accounts for.
@@ -58,7 +61,7 @@ impl Entry {
     pub fn claimed(&self) -> Option<&'static str> {
         match self {
             Self::Claim(id) | Self::Reading(id) => Some(id),
-            Self::Again(_) | Self::Label(_) | Self::Exception { .. } => None,
+            Self::Rest(..) | Self::Again(_) | Self::Label(_) | Self::Exception { .. } => None,
         }
     }
 
@@ -66,14 +69,43 @@ impl Entry {
     pub fn numbers(&self) -> Vec<String> {
         match self {
             Self::Claim(id) => claim(id).map_or_else(Vec::new, |claim| {
-                numeric_tokens(claim.printed).into_iter().chain(numeric_tokens(claim.unit)).collect()
+                numeric_tokens(piece(claim.printed, 0)).into_iter().chain(numeric_tokens(claim.unit)).collect()
             }),
+            Self::Rest(id, dots) => {
+                claim(id).map_or_else(Vec::new, |claim| numeric_tokens(piece(claim.printed, *dots)))
+            }
             Self::Again(id) => claim(id).map_or_else(Vec::new, |claim| numeric_tokens(claim.printed)),
             Self::Reading(_) => Vec::new(),
             Self::Label(number) => numeric_tokens(number),
             Self::Exception { numbers, .. } => numeric_tokens(numbers),
         }
     }
+}
+
+/// What stands in a claim's printed characters for the number of another claim.
+const DOTS: &str = r"\ldots";
+
+/// What stands behind the n-th dots of a claim's printed characters; before the first ones for n = 0.
+fn piece(printed: &str, dots: usize) -> &str {
+    printed.split(DOTS).nth(dots).unwrap_or_default()
+}
+
+/// The printed characters of a claim, with the numbers of other claims in place of its dots, as the line has them.
+pub fn in_full(of: &Claim) -> String {
+    let mut full = of.printed.to_owned();
+    let is_made = |entry: &&Entry| entry.claimed() == Some(of.id);
+    let Some(line) = of.work.inventory().iter().find(|line| line.entries.iter().any(|entry| is_made(&entry))) else {
+        return full;
+    };
+    let behind = line.entries.iter().skip_while(|entry| !is_made(entry)).skip(1);
+    let mut filling = String::new();
+    for entry in behind {
+        match entry {
+            Entry::Rest(id, _) if *id == of.id => full = full.replacen(DOTS, &std::mem::take(&mut filling), 1),
+            entry => filling += &entry.numbers().join(" "),
+        }
+    }
+    full
 }
 
 impl Line {
@@ -113,6 +145,15 @@ mod tests {
     fn numbers_are_found_with_their_points_and_commas() {
         assert_eq!(numeric_tokens("x^{2} = 1,950 rad/s^2, or 0.5."), ["2", "1,950", "2", "0.5"]);
         assert!(numeric_tokens("no number, none.").is_empty());
+    }
+
+    #[test]
+    fn dots_are_filled_with_the_numbers_between() {
+        let of = claim("quick-return.projections").expect("a claim with dots");
+        let full = in_full(of);
+        assert!(!full.contains(DOTS) && numeric_tokens(&full).len() == 3, "{full}");
+        let plain = claim("pin.pin-speed-equation").expect("a claim without dots");
+        assert_eq!(in_full(plain), plain.printed);
     }
 
     #[test]

@@ -18,11 +18,13 @@ mod verdict;
 mod work;
 
 pub mod jazar;
+pub mod meyer;
 pub mod pin;
+pub mod quick_return;
 
 pub use claim::{Check, Claim, Erratum, Evidence, Finding, Kind, Route, Severity};
 pub use dimension::Dimension;
-pub use inventory::{Entry, Line, Symbol, fingerprint, numeric_tokens};
+pub use inventory::{Entry, Line, Symbol, fingerprint, in_full, numeric_tokens};
 pub use judge::{Judged, judge};
 pub use printed::{Decimal, Mark, Marked, Unreadable};
 pub use tolerance::{TOLERANCES, Tolerance};

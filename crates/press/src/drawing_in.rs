@@ -4,7 +4,7 @@
 //! `{{#include}}`, are left alone.
 
 use crate::ledger_pages::{compare, coverage, errata, forms, inline, lists};
-use crate::{drawings, maths, wheels};
+use crate::{drawings, maths, tables};
 use anyhow::{anyhow, bail};
 
 /// Every key, whether it needs an argument, and what it draws in.
@@ -23,6 +23,7 @@ pub const KEYS: &[(&str, bool, &str)] = &[
     ("printed", true, "a claim's printed characters"),
     ("ref", true, "the number of a figure in this chapter, as a link"),
     ("symbols", true, "a source's letters and the book's"),
+    ("table", true, "a chapter's table of computed numbers, by name"),
     ("tolerances", false, "the table of tolerances"),
     ("value", true, "a claim's computed number"),
     ("verdict", true, "a claim's verdict"),
@@ -108,11 +109,12 @@ fn draw(key: &str, argument: Option<&str>, number: &str, figures: &[&str]) -> an
             None => bail!("no figure `{argument}` in this chapter; it shows: {}", figures.join(", ")),
         },
         "symbols" => lists::symbols(argument),
+        "table" => tables::by_name(argument),
         "tolerances" => Ok(lists::tolerances()),
         "value" => inline::value(argument),
         "verdict" => inline::verdict(argument),
         "verdicts" => Ok(lists::verdicts()),
-        "wheels" => wheels::table(argument),
+        "wheels" => tables::wheels::table(argument),
         _ => bail!("`{key}` is not drawn"),
     }
 }

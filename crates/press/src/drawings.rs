@@ -2,15 +2,20 @@
 
 use crate::html::escape;
 use anyhow::{Context, anyhow};
-use geneva_figures::{Figure, stations};
+use geneva_figures::{Figure, quick_return, stations};
+use geneva_kinematics::quick_return::{Drive, Position, QuickReturn};
 use geneva_kinematics::wheel::Wheel;
-use geneva_ledger::{jazar, pin::Instant};
+use geneva_ledger::{jazar, pin::Instant, quick_return::Instant as Lever};
 
 /// The names of all figures, in the order of the book.
 pub const NAMES: &[&str] = &[
     "pin-position",
     "pin-velocity",
     "pin-engagement",
+    "quick-return-mechanism",
+    "quick-return-velocity",
+    "quick-return-acceleration",
+    "quick-return-turn",
     "wheel-mechanism",
     "wheel-model",
     "wheel-critical",
@@ -34,6 +39,10 @@ pub fn by_name(name: &str) -> anyhow::Result<Figure> {
         "pin-engagement" => {
             pin().map(|at| geneva_figures::pin::over_the_engagement(&at.mechanism, &at.crank, at.driver_speed, "mm"))
         }
+        "quick-return-mechanism" => lever(quick_return::mechanism),
+        "quick-return-velocity" => lever(quick_return::velocity_diagram),
+        "quick-return-acceleration" => lever(quick_return::acceleration_diagram),
+        "quick-return-turn" => lever(|linkage, position, drive, _| quick_return::over_a_turn(linkage, position, drive)),
         "wheel-mechanism" => four().map(|wheel| stations::mechanism(&wheel)),
         "wheel-model" => Ok(stations::model(&four()?, MODEL_ANGLE)?),
         "wheel-critical" => {
@@ -45,6 +54,12 @@ pub fn by_name(name: &str) -> anyhow::Result<Figure> {
         "wheel-extremes" => Ok(stations::extremes(3..=18)),
         _ => Err(anyhow!("no figure `{name}`; there are: {}", NAMES.join(", "))),
     }
+}
+
+/// A drawing of the quick-return mechanism at the printed instant, in metres.
+fn lever(draw: fn(&QuickReturn, &Position, &Drive<f64>, &str) -> Figure) -> anyhow::Result<Figure> {
+    let at = Lever::printed().context("the printed data make no quick-return mechanism")?;
+    Ok(draw(&at.linkage, &at.position, &at.drive, "m"))
 }
 
 /// The figure as HTML, with its number and caption.

@@ -13,7 +13,7 @@ mod html;
 mod ledger_pages;
 pub mod maths;
 mod preprocessor;
-mod wheels;
+mod tables;
 
 pub use preprocessor::Geneva;
 

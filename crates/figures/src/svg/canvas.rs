@@ -14,6 +14,10 @@ pub enum Kind {
     Diagram,
     /// Curves over axes.
     Plot,
+    /// Diagrams in numbered steps, on more height than width.
+    Steps,
+    /// Curves over axes one under another, on more height than width.
+    Panels,
 }
 
 /// A drawing in the making.
@@ -59,6 +63,8 @@ impl Canvas {
             Kind::Mechanism => "mechanism",
             Kind::Diagram => "diagram",
             Kind::Plot => "plot",
+            Kind::Steps => "diagram tall",
+            Kind::Panels => "plot tall",
         };
         let opening = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" class=\"{class}\" role=\"img\" \

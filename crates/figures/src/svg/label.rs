@@ -10,14 +10,20 @@ pub const TEXT_SIZE: f64 = 21.0;
 const SUBSCRIPT: f64 = 0.74;
 /// How far a subscript stands below the line.
 const DROP: f64 = 6.0;
+/// How far a superscript stands above the line.
+const RISE: f64 = 8.0;
 /// Half the height of a digit: from the middle of a label to its base line.
 const HALF_HEIGHT: f64 = 0.36 * TEXT_SIZE;
+/// Heights above and below the base line that letters reach at most, over the text's size.
+const ASCENT: f64 = 0.76;
+const DESCENT: f64 = 0.22;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Style {
     Upright,
     Italic,
     Subscript,
+    Superscript,
 }
 
 /// A line of text made of symbols, subscripts and words.
@@ -60,6 +66,18 @@ impl Label {
         self
     }
 
+    /// Adds a superscript; a subscript that follows stands under it.
+    pub fn sup(mut self, index: &str) -> Self {
+        self.runs.push((Style::Superscript, index.to_owned()));
+        self
+    }
+
+    /// Adds another label's text, in this one's colours.
+    pub fn and_label(mut self, other: &Self) -> Self {
+        self.runs.extend(other.runs.iter().cloned());
+        self
+    }
+
     /// Sets the colour of the letters.
     pub fn shade(mut self, shade: Shade) -> Self {
         self.shade = shade;
@@ -82,29 +100,56 @@ impl Label {
     ///
     /// Sideways the label begins or ends there; above and below it is centred.
     pub fn beside(&self, point: &Pixels, towards: &Pixels, distance: f64) -> String {
-        let direction = towards.try_normalize(1e-12).unwrap_or_default();
-        let at = point + direction * distance;
-        let anchor = match direction.x {
-            x if x > 0.35 => "start",
-            x if x < -0.35 => "end",
-            _ => "middle",
+        let (x, base, anchor) = anchored(point, towards, distance);
+        self.markup(x, base, anchor)
+    }
+
+    /// The least and the greatest corner of the room that the same label takes; `width` is its [width](Self::width).
+    pub fn extent(&self, width: f64, point: &Pixels, towards: &Pixels, distance: f64) -> [Pixels; 2] {
+        let (x, base, anchor) = anchored(point, towards, distance);
+        let left = match anchor {
+            "start" => x,
+            "end" => x - width,
+            _ => x - width / 2.0,
         };
-        let base = at.y + HALF_HEIGHT * (1.0 + 0.8 * direction.y);
-        self.markup(at.x, base, anchor)
+        let lowered = self.runs.iter().any(|(style, _)| *style == Style::Subscript);
+        let below = DESCENT * TEXT_SIZE + if lowered { DROP - 2.0 } else { 0.0 };
+        [Pixels::new(left, base - ASCENT * TEXT_SIZE), Pixels::new(left + width, base + below)]
+    }
+
+    /// A generous guess at the label's width, in pixels: fonts differ.
+    pub fn width(&self) -> f64 {
+        let back = self.runs.windows(2).map(|pair| set_back(&pair[0], pair[1].0));
+        let letters = self.runs.iter().map(|(style, text)| {
+            let size = if matches!(style, Style::Subscript | Style::Superscript) { SUBSCRIPT } else { 1.0 };
+            text.chars().map(letter_width).sum::<f64>() * size * TEXT_SIZE
+        });
+        letters.sum::<f64>() - back.sum::<f64>()
     }
 
     fn markup(&self, x: f64, base: f64, anchor: &str) -> String {
         let mut spans = String::new();
         let mut lowered = 0.0;
-        for (style, text) in &self.runs {
-            let wanted = if *style == Style::Subscript { DROP } else { 0.0 };
-            let shift =
+        for (k, (style, text)) in self.runs.iter().enumerate() {
+            let wanted = match style {
+                Style::Subscript => DROP,
+                Style::Superscript => -RISE,
+                Style::Upright | Style::Italic => 0.0,
+            };
+            let mut shift =
                 if wanted == lowered { String::new() } else { format!(" dy=\"{}\"", trimmed(wanted - lowered, 2)) };
             lowered = wanted;
+            let back =
+                k.checked_sub(1).and_then(|before| self.runs.get(before)).map_or(0.0, |over| set_back(over, *style));
+            if back > 0.0 {
+                shift = format!(" dx=\"{}\"{shift}", trimmed(-back, 2));
+            }
             let look = match style {
                 Style::Upright => String::new(),
                 Style::Italic => " font-style=\"italic\"".to_owned(),
-                Style::Subscript => format!(" font-size=\"{}\"", trimmed(SUBSCRIPT * TEXT_SIZE, 2)),
+                Style::Subscript | Style::Superscript => {
+                    format!(" font-size=\"{}\"", trimmed(SUBSCRIPT * TEXT_SIZE, 2))
+                }
             };
             spans += &format!("<tspan{shift}{look}>{}</tspan>", escape(text));
         }
@@ -119,6 +164,36 @@ impl Label {
             trimmed(base, 2),
             self.shade.css,
         )
+    }
+}
+
+/// Where a label so far from `point` in the direction of `towards` has its x and its base line, and its anchor there.
+fn anchored(point: &Pixels, towards: &Pixels, distance: f64) -> (f64, f64, &'static str) {
+    let direction = towards.try_normalize(1e-12).unwrap_or_default();
+    let at = point + direction * distance;
+    let anchor = match direction.x {
+        x if x > 0.35 => "start",
+        x if x < -0.35 => "end",
+        _ => "middle",
+    };
+    (at.x, at.y + HALF_HEIGHT * (1.0 + 0.8 * direction.y), anchor)
+}
+
+/// How far a run goes back to stand under the one before it, in pixels: a subscript under a superscript.
+fn set_back((before, text): &(Style, String), style: Style) -> f64 {
+    let stacked = *before == Style::Superscript && style == Style::Subscript;
+    // Less than in the widest fonts: the two stand apart in height.
+    if stacked { text.chars().map(letter_width).sum::<f64>() * SUBSCRIPT * TEXT_SIZE * 0.9 } else { 0.0 }
+}
+
+/// Width of a letter over the text's size: that of a wide font.
+fn letter_width(letter: char) -> f64 {
+    match letter {
+        'i' | 'j' | 'l' | '.' | ',' | ':' | ';' | '\'' | ' ' | '|' | '²' => 0.34,
+        't' | 'f' | 'r' | '(' | ')' | '/' | '-' => 0.4,
+        'm' | 'w' | 'M' | 'W' | 'ω' | '−' | '=' | '+' | '×' | '⊥' => 0.84,
+        letter if letter.is_uppercase() => 0.7,
+        _ => 0.62,
     }
 }
 

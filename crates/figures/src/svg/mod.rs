@@ -6,5 +6,6 @@ pub mod canvas;
 pub mod label;
 pub mod marks;
 pub mod path;
+pub mod placing;
 pub mod shape;
 pub mod view;

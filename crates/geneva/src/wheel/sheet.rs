@@ -2,9 +2,7 @@
 
 use super::record::WheelRecord;
 use crate::output::{count, heading, wrapped};
-
-/// Digits of a number on the sheet.
-const DIGITS: usize = 4;
+use crate::sheet::{longest, number, split};
 
 /// A line of the sheet: a number under its name, and what is said of it.
 struct Line {
@@ -155,36 +153,4 @@ fn missing(record: &WheelRecord) -> String {
 
 fn line(name: &'static str, value: f64, unit: &'static str, meaning: &str) -> Line {
     Line { name, number: number(value), unit, meaning: meaning.to_owned() }
-}
-
-/// `value` with [`DIGITS`] significant digits: trailing zeros kept, and no more zeros than a reader counts.
-fn number(value: f64) -> String {
-    let scientific = format!("{value:.*e}", DIGITS - 1);
-    let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok()).unwrap_or(0);
-    match usize::try_from(DIGITS as i32 - 1 - exponent) {
-        _ if value == 0.0 => "0".to_owned(),
-        Ok(decimals) if decimals < 2 * DIGITS => format!("{value:.decimals$}"),
-        Err(_) if exponent < 2 * DIGITS as i32 => format!("{value:.0}"),
-        _ => scientific,
-    }
-}
-
-/// What stands before the point, and the rest with it.
-fn split(number: &str) -> (&str, &str) {
-    number.split_at(number.find('.').unwrap_or(number.len()))
-}
-
-fn longest<'a>(texts: impl Iterator<Item = &'a str>) -> usize {
-    texts.map(|text| text.chars().count()).max().unwrap_or(0)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::number;
-
-    #[test]
-    fn numbers_have_a_few_digits_and_no_long_rows_of_zeros() {
-        let written = [0.0, 2.0, 1.0 / 3.0, 99.999, 12_345.6, 1e9, 1e-9].map(number);
-        assert_eq!(written, ["0", "2.000", "0.3333", "100.0", "12346", "1.000e9", "1.000e-9"]);
-    }
 }

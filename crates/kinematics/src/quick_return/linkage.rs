@@ -8,6 +8,9 @@ use std::fmt;
 /// not exact in floating point, and their sine or cosine is some units in the sixteenth place.
 const ON_PIVOT: f64 = 4.0 * f64::EPSILON;
 
+/// A part of one that rounding may take from it when an angle goes from radians to degrees and back.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
 /// A crank and a slotted lever on a common ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct QuickReturn {
@@ -195,7 +198,11 @@ impl QuickReturn {
         let lever = Turn::from_degrees(degrees % 360.0);
         let ratio = self.ratio();
         let height = ratio * lever.sin;
-        let half_chord_squared = (1.0 - height) * (1.0 + height);
+        let half_chord_squared = match (1.0 - height) * (1.0 + height) {
+            // The end of the swing, as printed in degrees, is some units in the sixteenth place off.
+            beyond if (-ROUNDING..0.0).contains(&beyond) => 0.0,
+            square => square,
+        };
         let limit = self.strokes().swing_limit.unwrap_or(FRAC_PI_2).to_degrees();
         let beyond = LinkageError::BeyondTheSwing { asked: degrees, limit, open: ratio <= 1.0 };
         if ratio >= 1.0 && (lever.cos <= 0.0 || half_chord_squared < 0.0) {
@@ -306,6 +313,18 @@ mod tests {
         }
         assert!(linkage(2.0, 1.0).at_crank_degrees(f64::NAN).is_err());
         assert!(linkage(2.0, 1.0).at_lever_degrees(f64::INFINITY, Branch::Far).is_err());
+    }
+
+    #[test]
+    fn the_end_of_the_swing_as_printed_is_possible() {
+        for k in 2..2000 {
+            let linkage = linkage(f64::from(k) / 100.0 + 1.0, 1.0);
+            let limit = linkage.strokes().swing_limit.expect("it swings").to_degrees();
+            for angle in [limit, -limit] {
+                assert!(linkage.at_lever_degrees(angle, Branch::Far).is_ok(), "{angle} with {}", linkage.ratio());
+            }
+            assert!(linkage.at_lever_degrees(limit * (1.0 + 1e-12), Branch::Far).is_err());
+        }
     }
 
     #[test]

@@ -3,6 +3,10 @@
 //! Frame and letters as in the [module](super); p = R cos φ and q = R sin φ are the crank's components, so that the
 //! crank carries its own length. β is the angle at the pin between lever and crank. Roots are avoided by multiplying
 //! with r or by squaring. Left sides come from power series, right sides from the diagram's geometry, or the reverse.
+//!
+//! Where motions are compared, the unit of length is the pin's height over the line of centres, so q is 1, and x is
+//! the pin's other coordinate, so l = x − p. That leaves out only positions on the line of centres, and an equation
+//! between rational functions that holds everywhere else holds there too. Few variables make short proofs.
 
 use super::motion::{Drive, Motion};
 use super::series::{PolarRates, polar_rates};
@@ -56,7 +60,7 @@ pub enum Part {
 
 /// A part of the pin's velocity as v cos or v sin of an angle, squared; the part itself from power series.
 ///
-/// True for the angle at the pin, false for the angle at the crank's axis. Variables: p, q, l, ω.
+/// True for the angle at the pin, false for the angle at the crank's axis. Variables: p, x, ω.
 pub struct ResolvedSpeed {
     /// The angle.
     pub by: ResolvedBy,
@@ -64,10 +68,10 @@ pub struct ResolvedSpeed {
     pub part: Part,
 }
 
-impl Identity<4> for ResolvedSpeed {
-    fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
-        let [p, q, _, driver] = variables.clone();
-        let crank = Vector2::new(p, q);
+impl Identity<3> for ResolvedSpeed {
+    fn difference<S: Field>(&self, variables: &[S; 3]) -> S {
+        let [p, _, driver] = variables.clone();
+        let crank = Vector2::new(p, S::one());
         let rates = steady(variables);
         let square = rates.position.dot(&rates.position);
         let pin_speed_squared = crank.dot(&crank) * driver.clone() * driver;
@@ -87,15 +91,15 @@ impl Identity<4> for ResolvedSpeed {
 
 /// Along the lever, towards its pivot: sliding acceleration = R ω² cos β − r ψ̇², multiplied by r.
 ///
-/// Variables: p, q, l, ω.
+/// Variables: p, x, ω.
 pub struct AlongTheLever;
 
-impl Identity<4> for AlongTheLever {
-    fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
-        let [p, q, _, driver] = variables.clone();
+impl Identity<3> for AlongTheLever {
+    fn difference<S: Field>(&self, variables: &[S; 3]) -> S {
+        let [p, _, driver] = variables.clone();
         let rates = steady(variables);
         let square = rates.position.dot(&rates.position);
-        let inwards = driver.clone() * driver * rates.position.dot(&Vector2::new(p, q));
+        let inwards = driver.clone() * driver * rates.position.dot(&Vector2::new(p, S::one()));
         let centripetal = rates.turning.clone() * rates.turning * square.clone();
         -(rates.sliding_rate * square) - (inwards - centripetal)
     }
@@ -103,15 +107,15 @@ impl Identity<4> for AlongTheLever {
 
 /// Across the lever, clockwise: tangential acceleration = R ω² sin β − 2 ψ̇ v, multiplied by r; v towards the pivot.
 ///
-/// Variables: p, q, l, ω.
+/// Variables: p, x, ω.
 pub struct AcrossTheLever;
 
-impl Identity<4> for AcrossTheLever {
-    fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
-        let [p, q, _, driver] = variables.clone();
+impl Identity<3> for AcrossTheLever {
+    fn difference<S: Field>(&self, variables: &[S; 3]) -> S {
+        let [p, _, driver] = variables.clone();
         let rates = steady(variables);
         let square = rates.position.dot(&rates.position);
-        let across = driver.clone() * driver * rates.position.perp(&Vector2::new(p, q));
+        let across = driver.clone() * driver * rates.position.perp(&Vector2::new(p, S::one()));
         let coriolis = S::integer(2) * rates.turning * -(rates.sliding * square.clone());
         -(rates.turning_rate * square) - (across - coriolis)
     }
@@ -119,17 +123,17 @@ impl Identity<4> for AcrossTheLever {
 
 /// The pin's acceleration is the sum of its terms, with so many times ψ̇ × v between them. Two makes it true.
 ///
-/// The left side is the second derivative of R e(φ), first component. Variables: p, q, l, ω, ω̇.
+/// The left side is the second derivative of R e(φ), first component. Variables: p, x, ω, ω̇.
 pub struct TermsOfTheAcceleration {
     /// How many times ψ̇ × v is counted.
     pub coriolis: i64,
 }
 
-impl Identity<5> for TermsOfTheAcceleration {
-    fn difference<S: Field>(&self, variables: &[S; 5]) -> S {
-        let [p, q, ground, speed, acceleration] = variables.clone();
+impl Identity<4> for TermsOfTheAcceleration {
+    fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
+        let [p, x, speed, acceleration] = variables.clone();
         let drive = Drive { speed: speed.clone(), acceleration: acceleration.clone() };
-        let crank = Turn { cos: p, sin: q };
+        let (ground, crank) = placed(&p, &x);
         let half = acceleration / S::integer(2);
         let path = crank.moving_by(&Jet::<S, 3>::from_coefficients([S::zero(), speed, half]));
         let pin = path.cos.coefficient(2) * S::integer(2);
@@ -158,16 +162,17 @@ pub enum Compared {
     Coriolis,
 }
 
-/// The closed diagrams and the differentiated loop closure give one motion. Variables: p, q, l, ω, ω̇.
+/// The closed diagrams and the differentiated loop closure give one motion. Variables: p, x, ω, ω̇.
 pub struct DiagramAgainstSeries(
     /// What is compared.
     pub Compared,
 );
 
-impl Identity<5> for DiagramAgainstSeries {
-    fn difference<S: Field>(&self, variables: &[S; 5]) -> S {
-        let [p, q, ground, speed, acceleration] = variables.clone();
-        let (drive, crank) = (Drive { speed, acceleration }, Turn { cos: p, sin: q });
+impl Identity<4> for DiagramAgainstSeries {
+    fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
+        let [p, x, speed, acceleration] = variables.clone();
+        let drive = Drive { speed, acceleration };
+        let (ground, crank) = placed(&p, &x);
         let rates = polar_rates(&ground, &S::one(), &crank, &drive).expect("the pin is off the pivot");
         let Motion { velocities, accelerations, .. } =
             Motion::at(&ground, &S::one(), &crank, &drive).expect("the pin is off the pivot");
@@ -187,10 +192,15 @@ impl Identity<5> for DiagramAgainstSeries {
     }
 }
 
-/// The rates at constant crank speed, for the variables p, q, l, ω.
-fn steady<S: Field>([p, q, ground, driver]: &[S; 4]) -> PolarRates<S> {
-    let crank = Turn { cos: p.clone(), sin: q.clone() };
-    polar_rates(ground, &S::one(), &crank, &Drive::steady(driver.clone())).expect("the pin is off the pivot")
+/// The ground distance and the crank, of length one times its own, for a pin at (x, 1) and a crank (p, 1).
+fn placed<S: Field>(p: &S, x: &S) -> (S, Turn<S>) {
+    (x.clone() - p.clone(), Turn { cos: p.clone(), sin: S::one() })
+}
+
+/// The rates at constant crank speed, for the variables p, x, ω.
+fn steady<S: Field>([p, x, driver]: &[S; 3]) -> PolarRates<S> {
+    let (ground, crank) = placed(p, x);
+    polar_rates(&ground, &S::one(), &crank, &Drive::steady(driver.clone())).expect("the pin is off the pivot")
 }
 
 #[cfg(test)]

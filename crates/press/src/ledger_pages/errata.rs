@@ -5,7 +5,7 @@ use super::inline::{badge, linked_id, rounded, with_unit};
 use super::lookup;
 use crate::html::{Cells, escape, table, tex_or_text};
 use anyhow::anyhow;
-use geneva_ledger::{Erratum, Judged, Severity, Work, verdicts};
+use geneva_ledger::{Erratum, Judged, Severity, Work, in_full, verdicts};
 
 /// One erratum, as a box.
 pub fn one(id: &str) -> anyhow::Result<String> {
@@ -39,7 +39,7 @@ fn boxed(judged: &Judged, erratum: &Erratum) -> anyhow::Result<String> {
         badge(judged.verdict),
     );
     let mut entry = |term: &str, text: String| out.push_str(&format!("<dt>{term}</dt><dd>{text}</dd>\n"));
-    entry("Printed", with_unit(&tex_or_text(claim.printed)?, claim.unit)?);
+    entry("Printed", with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?);
     entry("Should be", with_unit(&tex_or_text(erratum.corrected)?, claim.unit)?);
     let evidence = claim.check.evidence();
     for (term, number, kind) in [

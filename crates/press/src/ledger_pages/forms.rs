@@ -3,7 +3,7 @@
 use super::inline::linked_badge;
 use super::lookup;
 use crate::html::{Cells, escape, table as html_table, tex_or_text};
-use geneva_ledger::{Check, Judged, Kind};
+use geneva_ledger::{Check, Judged, Kind, in_full};
 
 /// The table for a source.
 pub fn table(slug: &str) -> anyhow::Result<String> {
@@ -19,7 +19,7 @@ pub fn table(slug: &str) -> anyhow::Result<String> {
 
 fn row(judged: &Judged) -> anyhow::Result<Vec<String>> {
     let claim = judged.claim;
-    Ok(vec![escape(claim.meaning), tex_or_text(claim.printed)?, linked_badge(judged), how(judged)])
+    Ok(vec![escape(claim.meaning), tex_or_text(&in_full(claim))?, linked_badge(judged), how(judged)])
 }
 
 /// How a form was found to hold or to fail; for a missing datum, what is missing.

@@ -3,7 +3,7 @@
 use super::lookup;
 use crate::html::{escape, tex_or_text};
 use anyhow::anyhow;
-use geneva_ledger::{Decimal, Judged, Verdict, claims};
+use geneva_ledger::{Decimal, Judged, Verdict, claims, in_full};
 
 /// How many places more than the printed number a computed one is shown with.
 const MORE_PLACES: usize = 3;
@@ -11,7 +11,7 @@ const MORE_PLACES: usize = 3;
 /// The printed characters with their unit.
 pub fn printed(id: &str) -> anyhow::Result<String> {
     let claim = lookup::judged(id)?.claim;
-    Ok(format!("<span class=\"claim\">{}</span>", with_unit(&tex_or_text(claim.printed)?, claim.unit)?))
+    Ok(format!("<span class=\"claim\">{}</span>", with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?))
 }
 
 /// The computed number with its unit.
@@ -81,6 +81,7 @@ pub fn with_unit(number: &str, unit: &str) -> anyhow::Result<String> {
     Ok(match unit {
         "" => number.to_owned(),
         "°" => format!("{number}°"),
+        _ if unit.ends_with("^2") => format!("{number}&nbsp;{}²", escape(unit.trim_end_matches("^2"))),
         // Lengths in crank radii have a letter for a unit.
         "R" => format!("{number}&nbsp;{}", crate::maths::formula("R", false)?),
         _ => format!("{number}&nbsp;{}", tex_or_text(unit)?),

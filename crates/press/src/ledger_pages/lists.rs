@@ -4,7 +4,7 @@ use super::inline::{badge, computed, with_unit};
 use super::lookup;
 use crate::html::{Cells, escape, table, tex_or_text};
 use crate::maths;
-use geneva_ledger::{Evidence, Judged, TOLERANCES, Verdict, Work, verdicts as judged};
+use geneva_ledger::{Evidence, Judged, TOLERANCES, Verdict, Work, in_full, verdicts as judged};
 
 /// All claims, a table for each source; every row can be linked to by the claim's id.
 pub fn ledger() -> anyhow::Result<String> {
@@ -27,7 +27,7 @@ fn row(judged: &Judged) -> anyhow::Result<Vec<String>> {
         format!("<code id=\"{0}\">{0}</code>", claim.id),
         escape(claim.locator),
         format!("{}: {}", claim.kind, escape(claim.meaning)),
-        with_unit(&tex_or_text(claim.printed)?, claim.unit)?,
+        with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?,
         computed(judged).unwrap_or_else(|| "–".to_owned()),
         if evidence.is_empty() { "–".to_owned() } else { evidence.join(", ") },
         badge(judged.verdict),

@@ -1,0 +1,180 @@
+//! The acceleration diagram, step by step.
+
+use super::instant::{Instant, turning, turning_label, written};
+use super::order::{Laid, Order};
+use super::steps::{Arrow, Diagram, Step};
+use super::symbols::{a, alpha, coriolis, omega, row};
+use crate::figure::{Figure, Words};
+use crate::number::degrees;
+use crate::series::Series;
+use crate::svg::canvas::Kind;
+use crate::svg::label::Label;
+use crate::theme::{CORIOLIS, DRIVER, FOLLOWER, RELATIVE};
+use geneva_kinematics::quick_return::{Drive, Motion, Position, QuickReturn};
+use nalgebra::Vector2;
+
+/// The acceleration diagram in five numbered steps, to one scale.
+///
+/// aⁿ_P2 + aᵗ_P2 = aⁿ_P4 + aᵗ_P4 + aᵗ_P2P4 + 2 ω₄ × v_P2P4; aⁿ_P2P4 is zero, for the slot is straight. `drive` is in
+/// radians per second and its square; `length_unit` the unit of the linkage's lengths. An acceleration of fewer than
+/// one pixel is not drawn but named. Series, a row for each term in the order that the first column's name gives: its
+/// components, along O4 → O2 and across it, its magnitude and its direction, which is zero for a vector of no length;
+/// the last row is the gap by which the two sides of the equation miss each other.
+pub fn acceleration_diagram(
+    linkage: &QuickReturn,
+    position: &Position,
+    drive: &Drive<f64>,
+    length_unit: &str,
+) -> Figure {
+    let instant = Instant::new(linkage, position, drive);
+    let (unit, ascii) = (format!("{length_unit}/s²"), format!("{length_unit}/s^2"));
+    let alpha_4 = instant.lever_acceleration(drive);
+    let laid = Laid::new(&instant.motion);
+    let directions = laid.directions(&instant.motion, instant.along);
+    let arrows = arrows(&instant.motion, &laid);
+    let mut diagram = Diagram { arrows, directions, steps: Vec::new(), closing: closing(alpha_4), unit };
+    diagram.steps = steps(&diagram, laid.order, drive.acceleration == 0.0);
+
+    let terms = &instant.motion.accelerations;
+    let (normal, tangential) = (instant.motion.pin_normal, instant.motion.pin_tangential);
+    let vectors = [
+        normal,
+        tangential,
+        terms.follower_normal,
+        terms.follower_tangential,
+        terms.sliding_normal,
+        terms.sliding_tangential,
+        terms.coriolis,
+        instant.motion.acceleration_gap(),
+    ];
+    let scale = vectors.iter().map(|vector| vector.norm()).fold(0.0, f64::max);
+    let rows = vectors.iter().enumerate().map(|(k, vector)| row(k + 1, vector, scale));
+    let columns = [
+        ("1 an_P2, 2 at_P2, 3 an_P4, 4 at_P4, 5 an_P2P4, 6 at_P2P4, 7 Coriolis, 8 gap", "1"),
+        ("x", ascii.as_str()),
+        ("y", ascii.as_str()),
+        ("magnitude", ascii.as_str()),
+        ("direction", "deg"),
+    ];
+    let value = |name: &str| diagram.value_of(name);
+    let words = Words {
+        id: "quick-return-acceleration".to_owned(),
+        title: format!(
+            "Acceleration diagram of the quick-return mechanism at a lever angle of {}",
+            degrees(instant.lever_angle)
+        ),
+        description: format!(
+            "Five steps to one scale. 1: from the pole, the pin's normal acceleration, {}, and its tangential one, {}. 2 \
+             and 3: the normal acceleration of the lever's point P4, {}, and the Coriolis acceleration, {}. 4: two \
+             dashed lines of known direction, one across the lever, one along it. 5: they meet and close the polygon \
+             with the tangential acceleration of P4, {}, and that of P2 relative to P4, {}; the normal one of P2 \
+             relative to P4 is zero. The lever's angular acceleration is {}{}.",
+            value("a-pin-normal"),
+            value("a-pin-tangential"),
+            value("a-lever-normal"),
+            value("a-coriolis"),
+            value("a-lever-tangential"),
+            value("a-sliding"),
+            written(alpha_4.abs(), "rad/s²"),
+            turning(alpha_4)
+        ),
+        caption:
+            "The acceleration diagram in five steps. Normal and Coriolis terms follow from the velocities; of the \
+                  two terms that are left the directions are known, and they close the polygon. The pole is o."
+                .to_owned(),
+    };
+    words.figure(diagram.draw(), Kind::Steps, Series::new(columns, rows))
+}
+
+/// The vectors: from the pole the pin's, then the lever's side in its order; what is known comes first.
+fn arrows(motion: &Motion<f64>, laid: &Laid) -> Vec<Arrow> {
+    let (terms, zero) = (&motion.accelerations, Vector2::zeros());
+    let arrow = |name, symbol, tail, vector, shade, if_zero| Arrow { name, symbol, tail, vector, shade, if_zero };
+    let normal = arrow(
+        "a-lever-normal",
+        a("n", "P4"),
+        laid.lever_normal,
+        terms.follower_normal,
+        FOLLOWER,
+        "the lever stands still",
+    );
+    let turned = arrow("a-coriolis", coriolis(), laid.coriolis, terms.coriolis, CORIOLIS, "no turning or no sliding");
+    let known = if laid.order == Order::First { [turned, normal] } else { [normal, turned] };
+    let pin = [
+        arrow("a-pin-normal", a("n", "P2"), zero, motion.pin_normal, DRIVER, "the crank stands still"),
+        arrow(
+            "a-pin-tangential",
+            a("t", "P2"),
+            motion.pin_normal,
+            motion.pin_tangential,
+            DRIVER,
+            "the crank turns steadily",
+        ),
+    ];
+    let found = [
+        arrow(
+            "a-lever-tangential",
+            a("t", "P4"),
+            laid.lever_tangential,
+            terms.follower_tangential,
+            FOLLOWER,
+            "the lever turns steadily",
+        ),
+        arrow("a-sliding", a("t", "P2P4"), laid.sliding, terms.sliding_tangential, RELATIVE, "the pin slides steadily"),
+    ];
+    pin.into_iter().chain(known).chain(found).collect()
+}
+
+/// What is said and drawn in the four small steps.
+fn steps(diagram: &Diagram, order: Order, steady: bool) -> Vec<Step> {
+    let line = Label::words;
+    let value = |name: &str| line(&format!(" = {}", diagram.value_of(name)));
+    let pivot = |link: &str| line("O").sub(link);
+    let square = |link: &str, length: &str| line(" = ").and_label(&omega(link)).and("²\u{2009}").and_symbol(length);
+    let tangential = if steady { line(" = 0: steady") } else { value("a-pin-tangential") };
+    let pin = vec![
+        line("Known: the pin. From ").and_symbol("o"),
+        a("n", "P2").and_label(&square("2", "R")),
+        value("a-pin-normal").and(" to ").and_label(&pivot("2")),
+        a("t", "P2").and_label(&tangential),
+    ];
+    let lever = |begin: Label| {
+        vec![
+            begin.and("the lever:"),
+            a("n", "P4").and_label(&square("4", "r")),
+            value("a-lever-normal").and(" to ").and_label(&pivot("4")),
+        ]
+    };
+    let turned = |first: Label| vec![first, coriolis(), line("").and_label(&value("a-coriolis")).and(", ⊥ lever")];
+    let (from_pole, then) = (line("From ").and_symbol("o").and(", "), line("Then "));
+    let (second, third) = match order {
+        Order::Last => (lever(from_pole), turned(line("Coriolis, up to the tip:"))),
+        Order::First => (turned(from_pole.and("Coriolis:")), lever(then)),
+        Order::Second => (lever(from_pole), turned(then.and("Coriolis:"))),
+    };
+    let (goes_on, comes_in) = match order {
+        Order::Second => (a("t", "P2P4").and(" lies along,"), a("t", "P4").and(" across the lever;")),
+        _ => (a("t", "P4").and(" lies across,"), a("t", "P2P4").and(" along the lever;")),
+    };
+    let end = if order == Order::Last { "then comes Coriolis" } else { "it ends at the tip" };
+    let unknown = vec![goes_on, comes_in, line(end)];
+    vec![
+        Step { words: pin, arrows: 2, directions: false },
+        Step { words: second, arrows: 3, directions: false },
+        Step { words: third, arrows: 4, directions: false },
+        Step { words: unknown, arrows: 4, directions: true },
+    ]
+}
+
+/// The words of the last step.
+fn closing(alpha_4: f64) -> Vec<Label> {
+    vec![
+        Label::words("Where they meet the polygon closes."),
+        alpha("4").and(" = ").and_label(&a("t", "P4")).and(" / ").and_symbol("r").and(&format!(
+            " = {}{}",
+            written(alpha_4.abs(), "rad/s²"),
+            turning_label(alpha_4)
+        )),
+        a("n", "P2P4").and(" = 0: the slot is straight"),
+    ]
+}

@@ -1,0 +1,220 @@
+//! What must hold of the drawings as they are written, read back from the SVG.
+
+use super::{acceleration_diagram, mechanism, over_a_turn, velocity_diagram};
+use crate::Figure;
+use crate::checks::{
+    labels_inside, length, named, number, only_numbers, overlapping_labels, start, well_formed, words,
+};
+use geneva_kinematics::Turn;
+use geneva_kinematics::quick_return::{Branch, Drive, Position, QuickReturn};
+use nalgebra::Vector2;
+use roxmltree::Document;
+use std::f64::consts::PI;
+
+/// Half a unit of the last written digit of a coordinate, in each of a length's four coordinates, with room to spare.
+const PIXELS: f64 = 0.02;
+const STEADY: Drive<f64> = Drive { speed: 4.0, acceleration: 0.0 };
+
+fn linkage(ground: f64, crank: f64) -> QuickReturn {
+    QuickReturn::new(ground, crank).expect("possible")
+}
+
+fn all_four(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>) -> [Figure; 4] {
+    [
+        mechanism(linkage, position, drive, "m"),
+        velocity_diagram(linkage, position, drive, "m"),
+        acceleration_diagram(linkage, position, drive, "m"),
+        over_a_turn(linkage, position, drive),
+    ]
+}
+
+/// A position in general, as a reader is shown it.
+fn usual() -> [Figure; 4] {
+    let linkage = linkage(0.5, 0.24);
+    all_four(&linkage, &linkage.at_lever_degrees(21.0, Branch::Far).expect("reached"), &STEADY)
+}
+
+/// Levers that swing and turn, all around and at the ends of the swing, the crank steady or not, turning either way.
+fn each_case(mut check: impl FnMut(&QuickReturn, &Position, &Drive<f64>)) {
+    for (ground, crank) in [(5.0, 0.5), (0.5, 0.22), (1.01, 1.0), (1.0, 1.0), (0.3, 0.7)] {
+        let linkage = linkage(ground, crank);
+        let end = 180.0 - linkage.strokes().fast.to_degrees() / 2.0;
+        let drives = [Drive { speed: 3.0, acceleration: 0.0 }, Drive { speed: -3.0, acceleration: 4.0 }];
+        for (k, degrees) in [0.0, 71.0, end, 151.0, 180.0, 200.0, 264.0, -end, 333.0].into_iter().enumerate() {
+            // With equal lengths the pin would be on the lever's pivot at a half turn.
+            if let Ok(position) = linkage.at_crank_degrees(degrees) {
+                check(&linkage, &position, &drives[k % 2]);
+            }
+        }
+    }
+}
+
+#[test]
+fn every_figure_is_well_formed_labelled_and_fit_for_markdown() {
+    each_case(|linkage, position, drive| {
+        let mut figures = vec![
+            mechanism(linkage, position, drive, "m"),
+            velocity_diagram(linkage, position, drive, "m"),
+            acceleration_diagram(linkage, position, drive, "m"),
+        ];
+        // The curves of a linkage are the same but for the marked instant.
+        if position.crank.sin >= 0.0 && drive.speed > 0.0 {
+            figures.push(over_a_turn(linkage, position, drive));
+        }
+        for figure in figures {
+            well_formed(&figure);
+            only_numbers(&figure);
+            labels_inside(&figure);
+        }
+    });
+}
+
+#[test]
+fn a_crank_at_rest_and_sizes_far_apart_are_drawn_too() {
+    let rest = Drive { speed: 0.0, acceleration: 0.0 };
+    for (ground, crank) in [(0.5, 0.22), (1e-9, 1e3), (1e6, 1e-3), (3e-160, 1e-160)] {
+        let linkage = linkage(ground, crank);
+        for drive in [rest.clone(), STEADY] {
+            for figure in all_four(&linkage, &linkage.at_crank_degrees(100.0).expect("off the pivot"), &drive) {
+                well_formed(&figure);
+                only_numbers(&figure);
+            }
+        }
+    }
+}
+
+#[test]
+fn labels_of_a_usual_position_do_not_overlap() {
+    for figure in usual() {
+        assert_eq!(overlapping_labels(&figure), [], "{}", figure.id);
+    }
+}
+
+#[test]
+fn drawing_twice_gives_the_same_bytes_and_not_too_many() {
+    assert_eq!(usual(), usual());
+    let sizes = usual().map(|figure| figure.svg.len());
+    assert!(sizes[..3].iter().all(|size| *size < 25_000) && sizes[3] < 30_000, "{sizes:?}");
+}
+
+#[test]
+fn both_sides_of_both_equations_meet() {
+    each_case(|linkage, position, drive| {
+        let velocity = velocity_diagram(linkage, position, drive, "m");
+        let acceleration = acceleration_diagram(linkage, position, drive, "m");
+        for (figure, ours) in [(velocity, 1), (acceleration, 2)] {
+            let rows = &figure.series.rows;
+            let sum = |rows: &[Vec<f64>]| rows.iter().map(|row| Vector2::new(row[1], row[2])).sum::<Vector2<f64>>();
+            let greatest = rows.iter().map(|row| row[3]).fold(0.0, f64::max);
+            let gap = sum(&rows[..ours]) - sum(&rows[ours..rows.len() - 1]);
+            assert!(gap.norm() < 1e-12 * greatest, "{}: {gap}", figure.id);
+            assert!(rows[rows.len() - 1][3] < 1e-12 * greatest, "{}", figure.id);
+            for row in rows {
+                let back = Turn::from_degrees(row[4]).direction() * row[3];
+                assert!((back - Vector2::new(row[1], row[2])).norm() < 1e-6 * greatest, "{}", figure.id);
+            }
+        }
+    });
+}
+
+/// The tail and the tip of an arrow in the last step.
+fn ends(document: &Document<'_>, name: &str) -> [Vector2<f64>; 2] {
+    let parts = named(document, name);
+    [Vector2::from(start(&parts[0])), Vector2::from(start(&parts[1]))]
+}
+
+#[test]
+fn the_arrows_close_and_are_to_scale() {
+    let [_, velocity, acceleration, _] = usual();
+    let row = |figure: &Figure, k: usize| Vector2::new(figure.series.rows[k][1], -figure.series.rows[k][2]);
+    let names: [&[(&str, usize)]; 2] = [
+        &[("v-pin", 0), ("v-lever", 1), ("v-sliding", 2)],
+        &[("a-pin-normal", 0), ("a-lever-normal", 2), ("a-lever-tangential", 3), ("a-sliding", 5), ("a-coriolis", 6)],
+    ];
+    for (figure, names) in [velocity, acceleration].iter().zip(names) {
+        let document = Document::parse(&figure.svg).expect("well-formed");
+        let [tail, tip] = ends(&document, names[0].0);
+        let scale = (tip - tail).norm() / row(figure, 0).norm();
+        let mut tips = vec![tip];
+        let mut tails = vec![tail];
+        for (name, k) in &names[1..] {
+            let [tail, tip] = ends(&document, name);
+            assert!((tip - tail - row(figure, *k) * scale).norm() < PIXELS, "{name}");
+            tails.push(tail);
+            tips.push(tip);
+        }
+        // Every arrow but those at the pole begins where another ends, to the digit.
+        let loose = tails.iter().filter(|at| !tips.contains(at)).count();
+        assert_eq!(loose, 2, "{}: two begin at the pole", figure.id);
+        let bars = named(&document, "scale-bar");
+        let value = length(&bars[0]) / scale;
+        let texts = document.descendants().filter(|node| node.tag_name().name() == "text");
+        let said = texts.map(|node| words(&node)).find(|text| text.contains("in every step"));
+        let said: f64 = said.expect("said").split(' ').next().expect("a number").parse().expect("a number");
+        assert!(bars.len() == 1 && (value - said).abs() * scale < PIXELS, "{value} for {said}");
+    }
+}
+
+#[test]
+fn the_steps_are_numbered() {
+    for (figure, count) in usual()[1..3].iter().zip([3, 5]) {
+        let document = Document::parse(&figure.svg).expect("well-formed");
+        let texts: Vec<String> =
+            document.descendants().filter(|n| n.tag_name().name() == "text").map(|n| words(&n)).collect();
+        for number in 1..=count {
+            assert!(texts.contains(&number.to_string()), "{}: {number}", figure.id);
+        }
+    }
+}
+
+#[test]
+fn the_mechanism_is_to_scale_and_shows_the_other_branch_only_where_there_is_one() {
+    each_case(|linkage, position, drive| {
+        let figure = mechanism(linkage, position, drive, "m");
+        let document = Document::parse(&figure.svg).expect("well-formed");
+        let circle = &named(&document, "pin-circle")[0];
+        let pin = &named(&document, "pin")[0];
+        let at = |node, x, y| Vector2::new(number(node, x), number(node, y));
+        let (radius, from_axis) = (number(circle, "r"), at(pin, "cx", "cy") - at(circle, "cx", "cy"));
+        assert!((from_axis.norm() - radius).abs() < PIXELS);
+        let direction = Vector2::new(position.crank.cos, -position.crank.sin);
+        assert!((from_axis - direction * radius).norm() < PIXELS);
+        let ends = named(&document, "swing-end").len();
+        assert_eq!(ends, if linkage.strokes().swing_limit.is_some() { 2 } else { 0 });
+        let other = named(&document, "other-branch").len();
+        assert!(other == 0 || linkage.ratio() > 1.0);
+    });
+    let document = usual().map(|figure| figure.svg).concat();
+    assert_eq!(document.matches("other branch").count(), 1);
+}
+
+#[test]
+fn the_curves_go_all_around_and_reverse_with_the_lever() {
+    for (ground, crank) in [(0.5, 0.22), (0.5, 0.8)] {
+        let linkage = linkage(ground, crank);
+        let position = linkage.at_crank_degrees(64.0).expect("off the pivot");
+        let figure = over_a_turn(&linkage, &position, &STEADY);
+        let (rows, strokes) = (&figure.series.rows, linkage.strokes());
+        assert_eq!(rows.len(), 361);
+        assert!(rows.windows(2).all(|pair| (pair[1][1] - pair[0][1]).abs() < 15.0), "ψ goes on without a jump");
+        assert_eq!(rows[360][1] - rows[0][1], if strokes.swing_limit.is_some() { 0.0 } else { 360.0 });
+        // Differences of the angle are the angular velocity, differences of that the angular acceleration.
+        for triple in rows.windows(3) {
+            let step = (1.0_f64 / STEADY.speed).to_radians();
+            let speed = (triple[2][1] - triple[0][1]).to_radians() / (2.0 * step);
+            assert!((speed - triple[1][2]).abs() < 1e-2 * STEADY.speed, "at {}", triple[1][0]);
+            let rate = (triple[2][2] - triple[0][2]) / (2.0 * step);
+            assert!((rate - triple[1][3]).abs() < 1e-2 * STEADY.speed * STEADY.speed, "at {}", triple[1][0]);
+        }
+        if strokes.swing_limit.is_some() {
+            let end = (PI - strokes.fast / 2.0).to_degrees();
+            let before = rows.iter().filter(|row| row[0] < end).all(|row| row[2] > 0.0);
+            let after = rows.iter().filter(|row| row[0] > end && row[0] < 360.0 - end).all(|row| row[2] < 0.0);
+            assert!(before && after);
+        }
+        let document = Document::parse(&figure.svg).expect("well-formed");
+        for (class, count) in [("fast", 3), ("reversal", 6), ("instant", 3), ("now", 3)] {
+            assert_eq!(named(&document, class).len(), count, "{class}");
+        }
+    }
+}

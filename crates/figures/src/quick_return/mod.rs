@@ -1,0 +1,26 @@
+//! The slotted-lever quick-return mechanism: where it stands, its vector diagrams, its motion over a turn.
+//!
+//! Link 2 is the crank about O2, link 4 the slotted lever about O4; the ground is link 1. P2 is the pin on the crank,
+//! P4 the point of the lever under it. O4 lies at the left, O2 to its right: the crank angle φ and the lever angle ψ
+//! are both counted counter-clockwise from that direction. β is the angle at the pin between lever and crank, r the
+//! pin's distance from O4.
+
+mod acceleration;
+mod bodies;
+#[cfg(test)]
+mod drawn;
+mod instant;
+mod links;
+mod mechanism;
+mod names;
+mod order;
+mod panels;
+mod steps;
+mod symbols;
+mod turn;
+mod velocity;
+
+pub use acceleration::acceleration_diagram;
+pub use mechanism::mechanism;
+pub use turn::over_a_turn;
+pub use velocity::velocity_diagram;

@@ -1,0 +1,266 @@
+//! A vector diagram in numbered steps, all to one scale: how the steps lie on the page.
+
+use super::instant::{cleared, written};
+use crate::number::{round_step, trimmed};
+use crate::svg::canvas::Canvas;
+use crate::svg::label::Label;
+use crate::svg::marks::arrow;
+use crate::svg::placing::{Placing, around, beside_line, leader};
+use crate::svg::shape::{DASHED, Shape};
+use crate::svg::view::{Pixels, View};
+use crate::theme::{INK, PAPER, Shade};
+use nalgebra::Vector2;
+
+const WIDTH: f64 = 640.0;
+/// The largest that the vectors may be: width and height in pixels.
+const ROOM: (f64, f64) = (208.0, 214.0);
+/// Free space above and below the vectors, in pixels: in the small steps and in the last one.
+const MARGIN: f64 = 42.0;
+const LAST_MARGIN: f64 = 52.0;
+/// From line to line of a step's words, and from their first line to the top of the step.
+const LINE: f64 = 27.0;
+const FIRST_LINE: f64 = 22.0;
+/// Left of a step's number, and of its words.
+const NUMBER: f64 = 20.0;
+const WORDS: f64 = 40.0;
+/// How far a line of known direction goes beyond its ends, in pixels.
+const BEYOND: f64 = 36.0;
+/// A vector of fewer pixels is not drawn.
+const SHORTEST: f64 = 1.0;
+const SCALE_BAR: f64 = 48.0;
+/// How far the vectors of the last step may stand from the middle, in pixels.
+const SHIFTS: [f64; 5] = [0.0, -40.0, 40.0, -80.0, 80.0];
+/// How far labels may stand from their vectors, in pixels.
+const NEAR: [f64; 7] = [10.0, 16.0, 24.0, 36.0, 52.0, 72.0, 96.0];
+
+/// One vector of a diagram.
+#[derive(Clone, Debug)]
+pub struct Arrow {
+    /// Its class in the drawing.
+    pub name: &'static str,
+    /// Its symbol.
+    pub symbol: Label,
+    /// Where it begins, from the pole.
+    pub tail: Vector2<f64>,
+    /// The vector.
+    pub vector: Vector2<f64>,
+    /// Its colour.
+    pub shade: Shade,
+    /// Why it is zero, where it is.
+    pub if_zero: &'static str,
+}
+
+/// A line of known direction on which a vector of unknown length ends.
+#[derive(Clone, Debug)]
+pub struct Direction {
+    /// Its class in the drawing.
+    pub name: &'static str,
+    /// A few words beside it.
+    pub words: &'static str,
+    /// Where it begins.
+    pub from: Vector2<f64>,
+    /// Unit vector along it.
+    pub along: Vector2<f64>,
+    /// Where it meets the other one.
+    pub meeting: Vector2<f64>,
+    /// Its colour.
+    pub shade: Shade,
+}
+
+/// One step: its words, and how much of the diagram has been drawn by then.
+#[derive(Clone, Debug)]
+pub struct Step {
+    /// Lines of words.
+    pub words: Vec<Label>,
+    /// So many of the vectors.
+    pub arrows: usize,
+    /// Whether the two directions are drawn.
+    pub directions: bool,
+}
+
+/// A diagram with its steps. The last one has the whole width, and the values.
+#[derive(Clone, Debug)]
+pub struct Diagram {
+    /// The vectors, in the order of drawing.
+    pub arrows: Vec<Arrow>,
+    /// The two directions that close the diagram.
+    pub directions: [Direction; 2],
+    /// The steps but for the last, in pairs.
+    pub steps: Vec<Step>,
+    /// Words of the last step.
+    pub closing: Vec<Label>,
+    /// Unit of the vectors.
+    pub unit: String,
+}
+
+impl Diagram {
+    /// The steps in two columns, the last one across both, and the scale bar.
+    pub fn draw(&self) -> Canvas {
+        let (least, greatest) = self.bounds();
+        let size = greatest - least;
+        let fit = |room: f64, size: f64| if size > 0.0 { room / size } else { f64::INFINITY };
+        let scale = fit(ROOM.0, size.x).min(fit(ROOM.1, size.y));
+        let scale = if scale.is_finite() && scale > 0.0 { scale } else { 1.0 };
+        let drawn = (size.y * scale).max(40.0);
+        let middle = (least + greatest) / 2.0 * scale;
+        let view = |x: f64, y: f64| View { origin: Vector2::new(x - middle.x, y + middle.y), scale };
+
+        let closing = self.closing_step(scale);
+        let rows: Vec<f64> = self.steps.chunks(2).map(|row| head(row) + drawn + 2.0 * MARGIN).collect();
+        let top: f64 = rows.iter().sum();
+        let last = head(std::slice::from_ref(&closing));
+        let height = top + last + drawn + 2.0 * LAST_MARGIN + SCALE_BAR;
+        let mut canvas = Canvas::new(WIDTH, height);
+        let mut above = 0.0;
+        for (row, steps) in self.steps.chunks(2).enumerate() {
+            let bottom = above + rows.get(row).copied().unwrap_or_default();
+            for (column, step) in steps.iter().enumerate() {
+                let left = WIDTH / 2.0 * column as f64;
+                let centre = (left + WIDTH / 4.0, bottom - MARGIN - drawn / 2.0);
+                let number = 2 * row + column + 1;
+                let corners = [Vector2::new(left, above), Vector2::new(left + WIDTH / 2.0, bottom)];
+                self.step(&mut canvas, step, number, corners, &view(centre.0, centre.1), false);
+            }
+            above = bottom;
+        }
+        let bottom = height - SCALE_BAR;
+        let corners = [Vector2::new(0.0, above), Vector2::new(WIDTH, bottom)];
+        let at = |shift: f64| view(WIDTH / 2.0 + shift, bottom - LAST_MARGIN - drawn / 2.0);
+        let draw = |canvas: &mut Canvas, shift: f64| {
+            self.step(canvas, &closing, self.steps.len() + 1, corners, &at(shift), true)
+        };
+        // Where the labels, which are long here, have most room.
+        let cost = |shift: f64| draw(&mut Canvas::new(WIDTH, height), shift);
+        let shifts = SHIFTS.map(|shift| (cost(shift), shift));
+        let (_, shift) = shifts.into_iter().fold(shifts[0], |best, at| if at.0 < best.0 - 1e-6 { at } else { best });
+        draw(&mut canvas, shift);
+        self.scale_bar(&mut canvas, scale, height);
+        canvas
+    }
+
+    /// The magnitude of the vector of this name, with its unit; zero needs none.
+    pub fn value_of(&self, name: &str) -> String {
+        let arrow = self.arrows.iter().find(|arrow| arrow.name == name);
+        arrow.map_or(String::new(), |arrow| self.written(arrow))
+    }
+
+    fn written(&self, arrow: &Arrow) -> String {
+        let value = self.value(arrow);
+        if value == 0.0 { "0".to_owned() } else { written(value, &self.unit) }
+    }
+
+    fn bounds(&self) -> (Vector2<f64>, Vector2<f64>) {
+        let ends = self.arrows.iter().flat_map(|at| [at.tail, at.tail + at.vector]);
+        ends.fold((Vector2::zeros(), Vector2::zeros()), |(a, b), at| (a.inf(&at), b.sup(&at)))
+    }
+
+    /// The last step: its words, then what is zero and therefore not drawn.
+    fn closing_step(&self, scale: f64) -> Step {
+        let mut words = self.closing.clone();
+        for arrow in self.arrows.iter().filter(|arrow| arrow.vector.norm() * scale < SHORTEST) {
+            let value = self.value(arrow);
+            let why = if value == 0.0 { arrow.if_zero } else { "too short to be seen" };
+            words.push(arrow.symbol.clone().shade(INK).and(&format!(" = {}: {why}", self.written(arrow))));
+        }
+        Step { words, arrows: self.arrows.len(), directions: true }
+    }
+
+    /// The magnitude of a vector, as it is written.
+    fn value(&self, arrow: &Arrow) -> f64 {
+        let greatest = self.arrows.iter().map(|arrow| arrow.vector.norm()).fold(0.0, f64::max);
+        cleared(arrow.vector.norm(), greatest)
+    }
+
+    /// Draws one step between two corners of the page; tells how well its labels are placed, the less the better.
+    fn step(
+        &self,
+        canvas: &mut Canvas,
+        step: &Step,
+        number: usize,
+        corners: [Pixels; 2],
+        at: &View,
+        last: bool,
+    ) -> f64 {
+        let [corner, end] = corners;
+        let line = |x: f64, k: usize| corner + Vector2::new(x, FIRST_LINE + LINE * k as f64);
+        canvas.draw(Shape::circle(&line(NUMBER, 0), 14.0).stroke(INK, 1.5));
+        canvas.label(&line(NUMBER, 0), &Pixels::zeros(), 0.0, &Label::words(&number.to_string()).bare());
+        for (k, words) in step.words.iter().enumerate() {
+            canvas.label(&line(WORDS, k), &Vector2::new(1.0, 0.0), 0.0, &words.clone().bare());
+        }
+        let below = corner.y + head(std::slice::from_ref(step));
+        let mut placing = Placing::within(Vector2::new(corner.x + 6.0, below), end - Vector2::new(6.0, 0.0));
+        let arrows: Vec<&Arrow> = self.arrows.iter().take(step.arrows).collect();
+        let long = |arrow: &&&Arrow| arrow.vector.norm() * at.scale >= SHORTEST;
+        if step.directions {
+            for direction in &self.directions {
+                let (from, to) = direction.ends(at);
+                let line = Shape::line(&from, &to).stroke(direction.shade, 1.3).dashed(DASHED);
+                canvas.draw(if last { line.with("stroke-opacity", "0.6") } else { line.class(direction.name) });
+                placing.avoid(&from, &to, 0.5);
+            }
+        }
+        for (k, drawn) in arrows.iter().enumerate().filter(|(_, arrow)| long(arrow)) {
+            let (from, to) = (at.place(&drawn.tail), at.place(&(drawn.tail + drawn.vector)));
+            // The first one is the widest: where all lie in one line it is seen behind the others.
+            let width = if k == 0 { 4.5 } else { 3.0 };
+            arrow(canvas, &from, &to, drawn.shade, width, if last { drawn.name } else { "step" });
+            placing.avoid(&from, &to, 1.5);
+        }
+        let pole = at.place(&Vector2::zeros());
+        canvas.draw(Shape::circle(&pole, 4.0).fill(INK).class("pole"));
+        placing.take([pole - Vector2::new(5.0, 5.0), pole + Vector2::new(5.0, 5.0)]);
+        if step.directions && !last {
+            let meeting = at.place(&self.directions[0].meeting);
+            canvas.draw(Shape::circle(&meeting, 5.0).stroke(INK, 1.5).fill(PAPER).class("meeting"));
+            placing.take([meeting - Vector2::new(5.0, 5.0), meeting + Vector2::new(5.0, 5.0)]);
+        }
+        for drawn in arrows.iter().filter(long) {
+            let (from, to) = (at.place(&drawn.tail), at.place(&(drawn.tail + drawn.vector)));
+            let label = drawn.symbol.clone().shade(drawn.shade);
+            let value = if last { format!(" = {}", self.written(drawn)) } else { String::new() };
+            let elsewhere = around(&from.lerp(&to, 0.5), 0.0, &NEAR);
+            let places = beside_line(&from, &to, &NEAR).into_iter().chain(elsewhere);
+            if let Some(place) = placing.put(canvas, &label.and(&value), places) {
+                leader(canvas, &place);
+            }
+        }
+        if step.directions && !last {
+            for direction in &self.directions {
+                let (from, to) = direction.ends(at);
+                let places = beside_line(&from, &to, &[10.0, 16.0, 24.0, 36.0]);
+                placing.put(canvas, &Label::words(direction.words).shade(direction.shade), places);
+            }
+        }
+        placing.put(canvas, &Label::symbol("o"), around(&pole, 0.0, &[8.0, 12.0, 18.0, 26.0]));
+        placing.spent()
+    }
+
+    fn scale_bar(&self, canvas: &mut Canvas, scale: f64, height: f64) {
+        let value = round_step(60.0 / scale);
+        let start = Vector2::new(NUMBER, height - SCALE_BAR / 2.0);
+        let end = start + Vector2::new(value * scale, 0.0);
+        canvas.draw(Shape::line(&start, &end).stroke(INK, 2.0).class("scale-bar"));
+        for at in [start, end] {
+            let tick = Vector2::new(0.0, 6.0);
+            canvas.draw(Shape::line(&(at - tick), &(at + tick)).stroke(INK, 2.0));
+        }
+        let label = Label::words(&format!("{} {}, in every step", trimmed(value, 6), self.unit));
+        canvas.label(&end, &Vector2::new(1.0, 0.0), 14.0, &label);
+    }
+}
+
+impl Direction {
+    /// The ends of the line as it is drawn: beyond where it begins and where it meets the other.
+    fn ends(&self, at: &View) -> (Pixels, Pixels) {
+        let along = Vector2::new(self.along.x, -self.along.y) * BEYOND;
+        let along = if (self.meeting - self.from).dot(&self.along) < 0.0 { -along } else { along };
+        (at.place(&self.from) - along, at.place(&self.meeting) + along)
+    }
+}
+
+/// Height of the words of a row of steps.
+fn head(row: &[Step]) -> f64 {
+    let lines = row.iter().map(|step| step.words.len()).max().unwrap_or_default();
+    FIRST_LINE + LINE * lines as f64 - 10.0
+}

@@ -1,0 +1,105 @@
+//! The velocity diagram, step by step.
+
+use super::instant::{Instant, turning, turning_label, written};
+use super::steps::{Arrow, Diagram, Direction, Step};
+use super::symbols::{omega, row, v};
+use crate::figure::{Figure, Words};
+use crate::number::degrees;
+use crate::series::Series;
+use crate::svg::canvas::Kind;
+use crate::svg::label::Label;
+use crate::theme::{DRIVER, FOLLOWER, RELATIVE};
+use geneva_kinematics::pin_vectors::quarter_turn;
+use geneva_kinematics::quick_return::{Drive, Position, QuickReturn};
+use nalgebra::Vector2;
+
+/// The velocity diagram in three numbered steps, to one scale: v_P2 = v_P4 + v_P2P4.
+///
+/// `drive` is in radians per second and its square; `length_unit` the unit of the linkage's lengths. A velocity of
+/// fewer than one pixel is not drawn but named. Series, a row for each vector in the order that the first column's
+/// name gives: its components, along O4 → O2 and across it, its magnitude and its direction, which is zero for a
+/// vector of no length; the last row is the gap by which the drawn vectors miss each other.
+pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>, length_unit: &str) -> Figure {
+    let instant = Instant::new(linkage, position, drive);
+    let unit = format!("{length_unit}/s");
+    let velocities = &instant.motion.velocities;
+    let (pin, slot, sliding) = (velocities.pin_velocity, velocities.slot_point_velocity, velocities.sliding_velocity);
+    let arrow =
+        |name, point, tail, vector, shade, if_zero| Arrow { name, symbol: v(point), tail, vector, shade, if_zero };
+    let zero = Vector2::zeros();
+    let arrows = vec![
+        arrow("v-pin", "P2", zero, pin, DRIVER, "the crank stands still"),
+        arrow("v-lever", "P4", zero, slot, FOLLOWER, "the lever stands still"),
+        arrow("v-sliding", "P2P4", slot, sliding, RELATIVE, "the pin does not slide"),
+    ];
+    let across = quarter_turn(&instant.along);
+    let direction = |name, words, from, along, shade| Direction { name, words, from, along, meeting: slot, shade };
+    let directions = [
+        direction("across", "⊥ lever", zero, across, FOLLOWER),
+        direction("along", "∥ lever", pin, instant.along, RELATIVE),
+    ];
+    let omega_4 = instant.lever_speed(drive);
+    let line = Label::words;
+    let known = vec![
+        line("Known: the pin. From ").and_symbol("o"),
+        v("P2").and(" = ").and_label(&omega("2")).and("\u{2009}").and_symbol("R"),
+        line(&format!("= {}, ⊥ crank", written(pin.norm(), &unit))),
+    ];
+    let unknown = vec![
+        v("P4").and(" is across the lever"),
+        line("from ").and_symbol("o").and("; ").and_label(&v("P2P4")).and(" is along"),
+        line("it and ends at the tip"),
+    ];
+    let closing = vec![
+        line("Where they meet the triangle closes: ").and_label(&sum()),
+        omega("4").and(" = ").and_label(&v("P4")).and(" / ").and_symbol("r").and(&format!(
+            " = {}{}",
+            written(omega_4.abs(), "rad/s"),
+            turning_label(omega_4)
+        )),
+    ];
+    let diagram = Diagram {
+        arrows,
+        directions,
+        steps: vec![
+            Step { words: known, arrows: 1, directions: false },
+            Step { words: unknown, arrows: 1, directions: true },
+        ],
+        closing,
+        unit: unit.clone(),
+    };
+
+    let scale = pin.norm();
+    let gap = pin - slot - sliding;
+    let rows = [pin, slot, sliding, gap].into_iter().enumerate().map(|(k, vector)| row(k + 1, &vector, scale));
+    let columns = [
+        ("1 v_P2, 2 v_P4, 3 v_P2P4, 4 gap", "1"),
+        ("x", unit.as_str()),
+        ("y", unit.as_str()),
+        ("magnitude", unit.as_str()),
+        ("direction", "deg"),
+    ];
+    let [pin, slot, sliding] = ["v-pin", "v-lever", "v-sliding"].map(|name| diagram.value_of(name));
+    let psi = degrees(instant.lever_angle);
+    let words = Words {
+        id: "quick-return-velocity".to_owned(),
+        title: format!("Velocity diagram of the quick-return mechanism at a lever angle of {psi}"),
+        description: format!(
+            "Three steps to one scale. 1: from the pole, the velocity of the pin P2, {pin}. 2: two dashed lines of known \
+             direction, across the lever from the pole and along the lever through the tip. 3: they meet and close a \
+             right-angled triangle: the velocity of the lever's point P4, {slot}, and the velocity of P2 relative to \
+             P4, {sliding}, add up to that of P2. The lever's angular velocity is {}{}.",
+            written(omega_4.abs(), "rad/s"),
+            turning(omega_4)
+        ),
+        caption: "The velocity diagram in three steps. One vector is known; of the other two the directions are, and \
+                  two directions close a triangle. The pole is o."
+            .to_owned(),
+    };
+    words.figure(diagram.draw(), Kind::Steps, Series::new(columns, rows))
+}
+
+/// v_P2 = v_P4 + v_P2P4.
+fn sum() -> Label {
+    v("P2").and(" = ").and_label(&v("P4")).and(" + ").and_label(&v("P2P4"))
+}

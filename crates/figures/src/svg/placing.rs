@@ -1,0 +1,200 @@
+//! Where a label has room: of several places the one that hides least.
+
+use super::canvas::Canvas;
+use super::label::Label;
+use super::shape::Shape;
+use super::view::{Pixels, heading};
+use crate::theme::INK;
+use std::f64::consts::PI;
+
+/// Cost of a pixel of distance, of a pixel outside the bounds, and of touching another label.
+const DISTANCE: f64 = 0.12;
+const OUTSIDE: f64 = 100.0;
+const TOUCHING: f64 = 2000.0;
+/// A label farther from what it names than this has a line that leads to it, in pixels.
+const LEADER: f64 = 24.0;
+/// A place of no higher cost hides hardly anything.
+const ROOMY: f64 = 14.0;
+/// Free space about a label, in pixels.
+const AIR: f64 = 3.0;
+
+/// A place for a label: so far from a point, in a direction.
+#[derive(Clone, Copy, Debug)]
+pub struct Place {
+    /// What the label belongs to.
+    pub point: Pixels,
+    /// Which way from there, of any length.
+    pub towards: Pixels,
+    /// How far from there, in pixels.
+    pub distance: f64,
+}
+
+/// What labels must keep clear of within a part of the page.
+#[derive(Clone, Debug)]
+pub struct Placing {
+    bounds: [Pixels; 2],
+    taken: Vec<[Pixels; 2]>,
+    lines: Vec<(Pixels, Pixels, f64)>,
+    spent: f64,
+}
+
+impl Placing {
+    /// An empty part of the page, between its least and its greatest corner.
+    pub fn within(least: Pixels, greatest: Pixels) -> Self {
+        Self { bounds: [least, greatest], taken: Vec::new(), lines: Vec::new(), spent: 0.0 }
+    }
+
+    /// Keeps labels off a line; a pixel of it under a label costs `weight`.
+    pub fn avoid(&mut self, from: &Pixels, to: &Pixels, weight: f64) {
+        self.lines.push((*from, *to, weight));
+    }
+
+    /// Keeps labels off a line through several points.
+    pub fn avoid_all(&mut self, points: &[Pixels], weight: f64) {
+        for pair in points.windows(2) {
+            if let [from, to] = pair {
+                self.avoid(from, to, weight);
+            }
+        }
+    }
+
+    /// Keeps labels off an arc about a centre, from one angle to another.
+    pub fn avoid_arc(&mut self, centre: &Pixels, radius: f64, from: f64, to: f64, weight: f64) {
+        let steps = (8.0 * (to - from).abs()) as u32 + 2;
+        let at = |k: u32| centre + heading(from + (to - from) * f64::from(k) / f64::from(steps)) * radius;
+        self.avoid_all(&(0..=steps).map(at).collect::<Vec<_>>(), weight);
+    }
+
+    /// Keeps labels off an area, given by its least and its greatest corner.
+    pub fn take(&mut self, area: [Pixels; 2]) {
+        self.taken.push(area);
+    }
+
+    /// Writes the label at the place where it hides least, the earlier of equals, and keeps later ones off it.
+    pub fn put(
+        &mut self,
+        canvas: &mut Canvas,
+        label: &Label,
+        places: impl IntoIterator<Item = Place>,
+    ) -> Option<Place> {
+        let (cost, place) = self.best(label, places)?;
+        self.spent += cost;
+        self.take(label.extent(label.width(), &place.point, &place.towards, place.distance));
+        canvas.label(&place.point, &place.towards, place.distance, label);
+        Some(place)
+    }
+
+    /// What all labels so far have cost: the less, the more readable.
+    pub fn spent(&self) -> f64 {
+        self.spent
+    }
+
+    /// Whether the label has a place that hides hardly anything.
+    pub fn has_room(&self, label: &Label, places: impl IntoIterator<Item = Place>) -> bool {
+        self.best(label, places).is_some_and(|(cost, _)| cost < ROOMY)
+    }
+
+    fn best(&self, label: &Label, places: impl IntoIterator<Item = Place>) -> Option<(f64, Place)> {
+        let mut best: Option<(f64, Place)> = None;
+        let width = label.width();
+        for place in places {
+            let extent = label.extent(width, &place.point, &place.towards, place.distance);
+            let cost = self.cost(&extent) + DISTANCE * place.distance;
+            if best.is_none_or(|(least, _)| cost < least - 1e-6) {
+                best = Some((cost, place));
+            }
+        }
+        best
+    }
+
+    fn cost(&self, [least, greatest]: &[Pixels; 2]) -> f64 {
+        let beyond = (self.bounds[0] - least).sup(&(greatest - self.bounds[1])).sup(&Pixels::zeros());
+        let air = Pixels::new(AIR, AIR);
+        let area = [least - air, greatest + air];
+        let touched = self.taken.iter().map(|other| {
+            let common = area[1].inf(&other[1]) - area[0].sup(&other[0]);
+            if common.x > 0.0 && common.y > 0.0 { TOUCHING + common.x * common.y } else { 0.0 }
+        });
+        let hidden = self.lines.iter().map(|(from, to, weight)| weight * length_within(from, to, &area));
+        OUTSIDE * (beyond.x + beyond.y) + touched.sum::<f64>() + hidden.sum::<f64>()
+    }
+}
+
+/// Places on both sides of a line, its middle first, at each of the distances.
+pub fn beside_line(from: &Pixels, to: &Pixels, distances: &[f64]) -> Vec<Place> {
+    let along = to - from;
+    let across = Pixels::new(-along.y, along.x);
+    let shares = [0.5, 0.38, 0.62, 0.25, 0.75];
+    let places = |share: f64| {
+        let point = from.lerp(to, share);
+        [across, -across].into_iter().flat_map(move |towards| {
+            distances.iter().map(move |distance| Place { point, towards, distance: *distance })
+        })
+    };
+    shares.into_iter().flat_map(places).collect()
+}
+
+/// Places all around a point, beginning at an angle, at each of the distances.
+pub fn around(point: &Pixels, first: f64, distances: &[f64]) -> Vec<Place> {
+    let turns = (0..16).map(|k| if k % 2 == 0 { k / 2 } else { -(k + 1) / 2 });
+    let places = |turn: i32| {
+        let towards = heading(first + f64::from(turn) * PI / 8.0);
+        distances.iter().map(move |distance| Place { point: *point, towards, distance: *distance })
+    };
+    turns.flat_map(places).collect()
+}
+
+/// A thin line to a label that stands far from what it names.
+pub fn leader(canvas: &mut Canvas, place: &Place) {
+    let Place { point, towards, distance } = place;
+    if let (true, Some(direction)) = (*distance > LEADER, towards.try_normalize(1e-12)) {
+        let (from, to) = (point + direction * 4.0, point + direction * (distance - 3.0));
+        canvas.draw(Shape::line(&from, &to).stroke(INK, 1.0).with("stroke-opacity", "0.5").class("leader"));
+    }
+}
+
+/// How much of a line lies within an area.
+fn length_within(from: &Pixels, to: &Pixels, [least, greatest]: &[Pixels; 2]) -> f64 {
+    let along = to - from;
+    let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
+    for axis in 0..2 {
+        let (start, step) = (from[axis], along[axis]);
+        if step.abs() < 1e-9 {
+            if start < least[axis] || start > greatest[axis] {
+                return 0.0;
+            }
+            continue;
+        }
+        let (a, b) = ((least[axis] - start) / step, (greatest[axis] - start) / step);
+        (enter, leave) = (enter.max(a.min(b)), leave.min(a.max(b)));
+    }
+    (leave - enter).max(0.0) * along.norm()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_what_lies_within_counts() {
+        let area = [Pixels::new(0.0, 0.0), Pixels::new(4.0, 2.0)];
+        let length = |a: [f64; 2], b: [f64; 2]| length_within(&Pixels::from(a), &Pixels::from(b), &area);
+        approx::assert_relative_eq!(length([-1.0, 1.0], [9.0, 1.0]), 4.0, max_relative = 1e-12);
+        approx::assert_relative_eq!(length([1.0, -5.0], [1.0, 1.0]), 1.0, max_relative = 1e-12);
+        assert_eq!(length([-1.0, 3.0], [9.0, 3.0]), 0.0);
+        assert_eq!(length([1.0, 1.0], [1.0, 1.0]), 0.0);
+    }
+
+    #[test]
+    fn a_label_keeps_off_lines_and_other_labels() {
+        let mut placing = Placing::within(Pixels::new(0.0, 0.0), Pixels::new(200.0, 200.0));
+        let (from, to) = (Pixels::new(0.0, 100.0), Pixels::new(200.0, 100.0));
+        placing.avoid(&from, &to, 1.0);
+        let mut canvas = Canvas::new(200.0, 200.0);
+        let places = || beside_line(&from, &to, &[14.0]);
+        let first = placing.put(&mut canvas, &Label::words("first"), places()).expect("a place");
+        let second = placing.put(&mut canvas, &Label::words("second"), places()).expect("a place");
+        assert!(first.towards.y > 0.0 && second.towards.y < 0.0);
+        assert!(placing.put(&mut canvas, &Label::words("nowhere"), []).is_none());
+    }
+}

@@ -1,0 +1,245 @@
+//! Appendix A: the sizes of the three escapements for their drawings, figures 12 to 14.
+
+use super::*;
+use geneva_kinematics::escapement::Form;
+use geneva_kinematics::escapement::entry_proofs::EntryTriangle;
+
+/// What the appendix prints for one mechanism; each with its id.
+struct Printed {
+    /// Where the first of the four lines stands.
+    locator: &'static str,
+    theta: [&'static str; 2],
+    phi: [&'static str; 2],
+    centre_equation: [&'static str; 2],
+    centre: [&'static str; 2],
+    radius_equation: [&'static str; 2],
+    radius: [&'static str; 2],
+}
+
+pub fn claims() -> Vec<Claim> {
+    let [theta, phi, centre_equation, centre, radius_equation, radius] = three_slots();
+    let three_slots =
+        [theta, phi, centre_equation, corrected_centre(centre), radius_equation, corrected_radius(radius)];
+    [vec![unit()], four_slots().into(), three_slots.into(), six_slots().into(), drawings()].concat()
+}
+
+fn unit() -> Claim {
+    Claim::equation(
+        WORK,
+        "meyer.app-a.unit",
+        "Appendix A, 2nd sentence",
+        "unit of length for the drawings",
+        "R = 1.000",
+        Check::corrected_form(
+            (ExactIdentity, || prove(&EntryTriangle::AppendixUnit(Form::Printed)).into()),
+            || prove(&EntryTriangle::AppendixUnit(Form::Corrected)).into(),
+            (OtherPlaceInSource, || {
+                let ids =
+                    ["meyer.app-a.four-slots.radius", "meyer.app-a.three-slots.radius", "meyer.app-a.six-slots.radius"];
+                let radii = ids.map(printed);
+                Finding::new(
+                    radii.iter().any(|radius| *radius != radii[0]),
+                    format!("R is computed below, as {}, {} and {}", radii[0], radii[1], radii[2]),
+                )
+            }),
+        ),
+    )
+    .expecting(Verdict::Corrected)
+    .with_erratum(Erratum {
+        corrected: "r = 1.000",
+        reason: "R is the distance of the pin from the follower's axis, which differs \
+                from mechanism to mechanism; all that follows is computed with the \
+                radius r of the pins' circle as one. With four slots the two are equal. \
+                Whether the copy or the original has the wrong letter cannot be told.",
+        witness: "The appendix computes R three times, with different results.",
+        severity: Severity::Typographical,
+        inherited_by: &[],
+    })
+}
+
+fn four_slots() -> [Claim; 6] {
+    mechanism::<4>(Printed {
+        locator: "Appendix A, four pins and four slots",
+        theta: ["meyer.app-a.four-slots.theta", "45"],
+        phi: ["meyer.app-a.four-slots.phi", "45"],
+        centre_equation: [
+            "meyer.app-a.four-slots.centre-equation",
+            r"c = \frac{r}{\sin(\pi/n)} = \frac{1.}{\sin(\pi/4)}",
+        ],
+        centre: ["meyer.app-a.four-slots.centre", "1.414"],
+        radius_equation: [
+            "meyer.app-a.four-slots.radius-equation",
+            r"R = \frac{r \sin \theta_o}{\sin \phi_o} = \frac{1 \sin 45^\circ}{\sin 45^\circ}",
+        ],
+        radius: ["meyer.app-a.four-slots.radius", "1.000"],
+    })
+}
+
+fn three_slots() -> [Claim; 6] {
+    mechanism::<3>(Printed {
+        locator: "Appendix A, six pins and three slots",
+        theta: ["meyer.app-a.three-slots.theta", "30"],
+        phi: ["meyer.app-a.three-slots.phi", "60"],
+        centre_equation: [
+            "meyer.app-a.three-slots.centre-equation",
+            r"c = \frac{r}{\sin(\pi/n)} = \frac{1.}{\sin(\pi/3)}",
+        ],
+        centre: ["meyer.app-a.three-slots.centre", "1.156"],
+        radius_equation: [
+            "meyer.app-a.three-slots.radius-equation",
+            r"R = \frac{r \sin \theta_o}{\sin \phi_o} = \frac{1 \sin 30^\circ}{\sin 60^\circ}",
+        ],
+        radius: ["meyer.app-a.three-slots.radius", "0.557"],
+    })
+}
+
+fn six_slots() -> [Claim; 6] {
+    mechanism::<6>(Printed {
+        locator: "Appendix A, three pins and six slots",
+        theta: ["meyer.app-a.six-slots.theta", "60"],
+        phi: ["meyer.app-a.six-slots.phi", "30"],
+        centre_equation: [
+            "meyer.app-a.six-slots.centre-equation",
+            r"c = \frac{r}{\sin(\pi/n)} = \frac{1.}{\sin(\pi/6)}",
+        ],
+        centre: ["meyer.app-a.six-slots.centre", "2.000"],
+        radius_equation: [
+            "meyer.app-a.six-slots.radius-equation",
+            r"R = \frac{r \sin \theta_o}{\sin \phi_o} = \frac{1 \sin 60^\circ}{\sin 30^\circ}",
+        ],
+        radius: ["meyer.app-a.six-slots.radius", "1.732"],
+    })
+}
+
+/// The six claims of one mechanism, in the order of its four lines.
+fn mechanism<const SLOTS: u32>(is: Printed) -> [Claim; 6] {
+    let value = |[id, printed]: [&'static str; 2], meaning, unit, computed: fn() -> f64, witness: fn() -> f64| {
+        let check = Check::number((ClosedForm, computed), (Vectors, witness));
+        Claim::value(WORK, id, is.locator, meaning, (printed, unit), check)
+    };
+    let equation = |[id, printed]: [&'static str; 2], meaning, proof: fn() -> Finding, witness: fn() -> Finding| {
+        Claim::equation(WORK, id, is.locator, meaning, printed, Check::form((ExactIdentity, proof), (Vectors, witness)))
+    };
+    [
+        value(
+            is.theta,
+            "driver's angle at the hand-over",
+            "°",
+            || of::<SLOTS>(|at| at.driver_half_angle().to_degrees()),
+            || drawn::<SLOTS>(|pin, _| degrees(pin)),
+        ),
+        value(
+            is.phi,
+            "follower's angle at the hand-over",
+            "°",
+            || of::<SLOTS>(|at| at.follower_half_angle().to_degrees()),
+            || drawn::<SLOTS>(|pin, axis| degrees(&seen_from(axis, pin))),
+        ),
+        equation(
+            is.centre_equation,
+            "centre distance in the unit of the drawings, from Eqs. (1-1) and (1-2)",
+            || prove(&EntryTriangle::AppendixUnit(Form::Corrected)).into(),
+            || same(drawn::<SLOTS>(|pin, axis| axis.norm() / pin.norm()), 1.0 / libm::sin(PI / f64::from(SLOTS))),
+        ),
+        value(
+            is.centre,
+            "centre distance",
+            "",
+            || of::<SLOTS>(Escapement::centre_distance_ratio),
+            || drawn::<SLOTS>(|_, axis| axis.norm()),
+        ),
+        equation(
+            is.radius_equation,
+            "distance of the pin from the follower's axis at the hand-over, from Eq. (1-5)",
+            || prove(&EntryTriangle::SlotRadius).into(),
+            || {
+                let sine = |angle: fn(&Escapement) -> f64| libm::sin(of::<SLOTS>(angle));
+                let by_sines = sine(Escapement::driver_half_angle) / sine(Escapement::follower_half_angle);
+                same(drawn::<SLOTS>(|pin, axis| (pin - axis).norm()), by_sines)
+            },
+        ),
+        value(
+            is.radius,
+            "distance of the pin from the follower's axis at the hand-over",
+            "",
+            || of::<SLOTS>(Escapement::rim_radius),
+            || drawn::<SLOTS>(|pin, axis| (pin - axis).norm()),
+        ),
+    ]
+}
+
+fn corrected_centre(claim: Claim) -> Claim {
+    claim.expecting(Verdict::Corrected).with_erratum(Erratum {
+        corrected: "1.155",
+        reason: "One over the sine of 60° is 1.1547. With .865 for the sine, a figure \
+                too low, it would be 1.156; or one digit was misread.",
+        witness: "The hand-over drawn with the roots exact.",
+        severity: Severity::Arithmetical,
+        inherited_by: &[],
+    })
+}
+
+fn corrected_radius(claim: Claim) -> Claim {
+    claim.expecting(Verdict::Corrected).with_erratum(Erratum {
+        corrected: "0.577",
+        reason: "The ratio of the two printed sines is one over the root of three. No \
+                rounding leads to the printed digits, not even from the wrong centre \
+                distance above: one digit is another. Whether the copy or the original \
+                has it cannot be told.",
+        witness: "The hand-over drawn with the roots exact.",
+        severity: Severity::Typographical,
+        inherited_by: &[],
+    })
+}
+
+fn drawings() -> Vec<Claim> {
+    let drawing = |id, locator, meaning, printed| {
+        let reason = "The drawing is not in the copy, so that there is no length to hold a rule against";
+        Claim::figure(WORK, id, locator, meaning, printed, Check::Missing { reason })
+            .expecting(Verdict::NotReproducible)
+    };
+    vec![
+        drawing(
+            "meyer.fig-12",
+            "Fig. 12",
+            "scale of the drawing of four pins and four slots",
+            r"\text{SCALE: } 2\frac{1}{2} \text{ to } 1",
+        ),
+        drawing(
+            "meyer.fig-13",
+            "Fig. 13",
+            "scale of the drawing of six pins and three slots",
+            r"\text{SCALE: } 2\frac{1}{2} \text{ to } 1",
+        ),
+        drawing(
+            "meyer.fig-14",
+            "Fig. 14",
+            "scale of the drawing of three pins and six slots",
+            r"\text{SCALE: } 1\frac{1}{2} \text{ to } 1",
+        ),
+    ]
+}
+
+/// A quantity of the escapement of so many slots.
+fn of<const SLOTS: u32>(quantity: fn(&Escapement) -> f64) -> f64 {
+    Escapement::new(SLOTS).map_or(f64::NAN, |at| quantity(&at))
+}
+
+/// A length or angle in the drawing of the hand-over: from the places of the pin that leaves and of the follower's
+/// axis, both from the driver's axis, with their roots exact until then.
+fn drawn<const SLOTS: u32>(quantity: fn(&Vector2<f64>, &Vector2<f64>) -> f64) -> f64 {
+    Escapement::new(SLOTS).map_or(f64::NAN, |at| {
+        let layout = at.hand_over().layout;
+        let [pin, axis] = [&layout.pins[0], &layout.follower_axis].map(|place| place.map(|x| x.approximate()));
+        quantity(&pin, &axis)
+    })
+}
+
+/// A place from the follower's axis, first coordinate towards the driver.
+fn seen_from(axis: &Vector2<f64>, place: &Vector2<f64>) -> Vector2<f64> {
+    Vector2::new(axis.x - place.x, place.y)
+}
+
+fn degrees(direction: &Vector2<f64>) -> f64 {
+    libm::atan2(direction.y, direction.x).to_degrees()
+}

@@ -1,0 +1,156 @@
+//! The master's project: the Geneva mechanism with a pin always engaged, as a timing device.
+//!
+//! The claims stand in the order of the source: tables of contents and figures, the geometry of the escapement, the
+//! rates of the follower, the sizes of appendix A, the spring of appendix C. The pin by coordinates is [`Seen`].
+
+mod angles;
+mod appendix_a;
+mod appendix_c;
+mod combinations;
+mod front;
+mod geometry;
+mod inventory;
+mod rates;
+mod symbols;
+
+pub use inventory::inventory;
+pub use symbols::SYMBOLS;
+
+use crate::checks::{agrees, printed, same, vanishes};
+use crate::{Check, Claim, Erratum, Evidence, Finding, Severity, Verdict, Work, claim, numeric_tokens};
+use geneva_kinematics::escapement::{Escapement, HandOver, Roots};
+use geneva_kinematics::pin_vectors::quarter_turn;
+use geneva_kinematics::wheel::Wheel;
+use geneva_kinematics::{Field, Identity, Turn, prove};
+use nalgebra::Vector2;
+use std::f64::consts::PI;
+
+const WORK: Work = Work::Meyer1973;
+
+/// All claims of the project, in the order of the source.
+pub fn claims() -> Vec<Claim> {
+    [
+        front::claims(),
+        geometry::claims(),
+        combinations::claims(),
+        angles::claims(),
+        rates::claims(),
+        appendix_a::claims(),
+        appendix_c::claims(),
+    ]
+    .concat()
+}
+
+/// A driver's speed and acceleration for the checks of rates: any will do, if neither is zero.
+const DRIVER: (f64, f64) = (1.75, -2.5);
+
+/// The pin of an escapement by coordinates; the follower's angle grows with the second coordinate.
+///
+/// Lengths in radii of the pins' circle. Nothing here is a formula of the source.
+struct Seen {
+    /// Centre distance over the radius of the pins' circle.
+    ratio: f64,
+    /// The driver's angle from the line of centres.
+    crank: Turn<f64>,
+    /// The pin from the follower's axis, first coordinate towards the driver.
+    place: Vector2<f64>,
+    /// Velocity of the pin at the driver's speed.
+    velocity: Vector2<f64>,
+    /// Its acceleration.
+    acceleration: Vector2<f64>,
+}
+
+impl Seen {
+    fn new(escapement: &Escapement, angle: f64) -> Self {
+        let (ratio, crank) = (escapement.centre_distance_ratio(), Turn::from_radians(angle));
+        let ((speed, gain), from_driver) = (DRIVER, crank.direction());
+        let across = quarter_turn(&from_driver);
+        let mirrored = |vector: Vector2<f64>| Vector2::new(-vector.x, vector.y);
+        Self {
+            ratio,
+            place: mirrored(from_driver - Vector2::new(ratio, 0.0)),
+            velocity: mirrored(across * speed),
+            acceleration: mirrored(across * gain - from_driver * (speed * speed)),
+            crank,
+        }
+    }
+
+    /// Distance of the pin from the follower's axis.
+    fn radius(&self) -> f64 {
+        self.place.norm()
+    }
+
+    /// The follower's angle.
+    fn angle(&self) -> f64 {
+        libm::atan2(self.place.y, self.place.x)
+    }
+
+    /// The follower's angular velocity: what carries the pin across the slot.
+    fn turning(&self) -> f64 {
+        self.place.perp(&self.velocity) / self.place.norm_squared()
+    }
+
+    /// The follower's angular acceleration: what is left of the acceleration across the slot without Coriolis's part.
+    fn turning_rate(&self) -> f64 {
+        let along = self.place.normalize();
+        let sliding = along.dot(&self.velocity);
+        (along.perp(&self.acceleration) - 2.0 * sliding * self.turning()) / self.radius()
+    }
+}
+
+/// Whether two numbers agree for the three escapements at twenty instants each, none of them on the line of centres.
+fn at_instants(both: fn(&Seen) -> (f64, f64)) -> Finding {
+    let worst = Escapement::all()
+        .iter()
+        .flat_map(|escapement| (-10..10).map(|k| Seen::new(escapement, instant(escapement, k))))
+        .map(|seen| {
+            let (a, b) = both(&seen);
+            (a - b).abs() / a.abs().max(b.abs()).max(1.0)
+        })
+        .fold(0.0, f64::max);
+    let holds = worst <= crate::tolerance::ROUTES.relative;
+    Finding::new(holds, format!("{} at 20 instants of each escapement", if holds { "agrees" } else { "differs" }))
+}
+
+/// The k-th of the instants between −10 and 9.
+fn instant(escapement: &Escapement, k: i32) -> f64 {
+    escapement.driver_half_angle() * f64::from(2 * k + 1) / 20.0
+}
+
+/// Whether a property holds for each of the three escapements.
+fn for_each(holds: fn(&Escapement) -> bool, how: &str) -> Finding {
+    let failing = Escapement::all().into_iter().find(|escapement| !holds(escapement));
+    match failing {
+        None => Finding::new(true, format!("{how}, for each of the three")),
+        Some(escapement) => Finding::new(false, format!("{how}: not for {} slots", escapement.slots())),
+    }
+}
+
+/// Whether a property of the hand-over without rounding holds for each of the three escapements.
+fn exactly(holds: fn(&HandOver) -> bool, how: &str) -> Finding {
+    let failing = Escapement::all().into_iter().find(|escapement| !holds(&escapement.hand_over()));
+    match failing {
+        None => Finding::new(true, format!("{how}, with the roots exact, for each of the three")),
+        Some(escapement) => Finding::new(false, format!("{how}: not for {} slots", escapement.slots())),
+    }
+}
+
+/// Whether a number is zero, with its roots exact.
+fn is_zero(number: &Roots) -> bool {
+    *number == Roots::integer(0)
+}
+
+/// Whether all of the identities hold; what was found of each.
+fn all_proven<const V: usize>(identities: &[impl Identity<V>]) -> Finding {
+    let findings: Vec<Finding> = identities.iter().map(|identity| prove(identity).into()).collect();
+    let how: Vec<_> = findings.iter().map(|finding| finding.how.as_str()).collect();
+    Finding::new(findings.iter().all(|finding| finding.holds), how.join("; "))
+}
+
+/// The numbers in the printed characters of the claim with this id.
+fn numbers(id: &str) -> Vec<u32> {
+    let tokens = claim(id).map_or_else(Vec::new, |claim| numeric_tokens(claim.printed));
+    tokens.iter().filter_map(|token| token.parse().ok()).collect()
+}
+
+use Evidence::{ClosedForm, ExactIdentity, Jet as Series, LimitCase, OtherPlaceInSource, Vectors};

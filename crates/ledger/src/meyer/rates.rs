@@ -1,0 +1,181 @@
+//! From tan φ to velocity and acceleration of the follower: the displays of Eqs. (1-7) and (1-8).
+//!
+//! The second route knows no derivative: it reads the follower's rates off the pin's velocity and acceleration across
+//! the slot, which are those of a point on a circle.
+
+use super::*;
+use geneva_kinematics::escapement::Form;
+use geneva_kinematics::escapement::rate_proofs::{AccelerationStep, VelocityStep};
+
+// Displays too long for a line.
+const QUOTIENT_RULE: &str = r"\frac{d}{dt}(\tan \phi) = \frac{(a - \cos \theta) \frac{d}{dt}(\sin \theta) - \sin \theta \frac{d}{dt}(a - \cos \theta)}{(a - \cos \theta)^2}";
+const SECANT_SQUARED: &str = r"(\sec^2 \phi) \dot{\phi} = \frac{(a - \cos \theta)(\cos \theta) \dot{\theta} - \sin \theta (\sin \theta) \dot{\theta}}{(a - \cos \theta)^2}";
+const TANGENT_SUBSTITUTED: &str = r"\left(1 + \frac{\sin^2 \theta}{(a - \cos \theta)^2}\right) \dot{\phi} = \frac{a \cos \theta - 1}{(a - \cos \theta)^2} \dot{\theta}";
+const ACCELERATION_BY_QUOTIENT: &str = r"\ddot{\phi} = \left[\frac{(1 + a^2 - 2a \cos \theta) \frac{d}{dt}(a \cos \theta - 1) - (a \cos \theta - 1) \frac{d}{dt}(1 + a^2 - 2a \cos \theta)}{(1 + a^2 - 2a \cos \theta)^2} \right] \dot{\theta} \ldots + \left(\frac{a \cos \theta - 1}{1 + a^2 - 2a \cos \theta}\right) \ddot{\theta}";
+const DIFFERENTIATED: &str = r"\ddot{\theta} = \left[\frac{(1+a^2 - 2a\cos\theta)(-a\sin\theta)\dot{\theta} - (a\cos\theta - 1)(2a\sin\theta)\dot{\theta}}{(1+a^2 - 2a\cos\theta)^2} \right] \dot{\theta} + \frac{a\cos\theta - 1}{(1+a^2 - 2a\cos\theta)} \ddot{\theta}";
+const DIFFERENTIATED_CORRECTED: &str = r"\ddot{\phi} = \left[\frac{(1+a^2 - 2a\cos\theta)(-a\sin\theta)\dot{\theta} - (a\cos\theta - 1)(2a\sin\theta)\dot{\theta}}{(1+a^2 - 2a\cos\theta)^2} \right] \dot{\theta} + \frac{a\cos\theta - 1}{(1+a^2 - 2a\cos\theta)} \ddot{\theta}";
+const ACCELERATION: &str = r"\ddot{\theta} = \frac{a\sin\theta(1-a^2)}{(1+a^2 - 2a\cos\theta)^2} \dot{\theta}^2 + \frac{a\cos\theta - 1}{(1+a^2 - 2a\cos\theta)} \ddot{\theta}";
+const ACCELERATION_CORRECTED: &str = r"\ddot{\phi} = \frac{a\sin\theta(1-a^2)}{(1+a^2 - 2a\cos\theta)^2} \dot{\theta}^2 + \frac{a\cos\theta - 1}{(1+a^2 - 2a\cos\theta)} \ddot{\theta}";
+
+pub fn claims() -> Vec<Claim> {
+    [velocity(), acceleration()].concat()
+}
+
+fn velocity() -> Vec<Claim> {
+    let step = |id, locator, meaning, printed, proof: fn() -> Finding, witness: fn() -> Finding| {
+        Claim::equation(WORK, id, locator, meaning, printed, Check::form((ExactIdentity, proof), (Vectors, witness)))
+    };
+    vec![
+        step(
+            "meyer.quotient-rule",
+            "1st display after Eq. (1-6)",
+            "Eq. (1-6) differentiated by the rule for quotients",
+            QUOTIENT_RULE,
+            || prove(&VelocityStep::QuotientRule).into(),
+            || at_instants(|at| (tangent_rate(at), tangent_rate_by_quotient(at))),
+        ),
+        step(
+            "meyer.secant-squared",
+            "2nd display after Eq. (1-6)",
+            "both sides differentiated",
+            SECANT_SQUARED,
+            || prove(&VelocityStep::SecantSquared).into(),
+            || at_instants(|at| (tangent_rate(at), tangent_rate_by_quotient(at))),
+        ),
+        step(
+            "meyer.one-and-tangent-squared",
+            "3rd display after Eq. (1-6)",
+            "the same with the square of the tangent",
+            r"(1 + \tan^2 \phi) \dot{\phi} = \frac{a \cos \theta - 1}{(a - \cos \theta)^2} \dot{\theta}",
+            || prove(&VelocityStep::OneAndTangentSquared).into(),
+            || {
+                at_instants(|at| {
+                    let tangent = libm::tan(at.angle());
+                    ((1.0 + tangent * tangent) * at.turning(), lead(at) / square(rest(at)) * DRIVER.0)
+                })
+            },
+        ),
+        step(
+            "meyer.tangent-substituted",
+            "4th display after Eq. (1-6)",
+            "the same with the tangent of Eq. (1-6)",
+            TANGENT_SUBSTITUTED,
+            || prove(&VelocityStep::TangentSubstituted).into(),
+            || {
+                at_instants(|at| {
+                    let tangent_squared = square(at.crank.sin) / square(rest(at));
+                    ((1.0 + tangent_squared) * at.turning(), lead(at) / square(rest(at)) * DRIVER.0)
+                })
+            },
+        ),
+        step(
+            "meyer.eq-1-7",
+            "Eq. (1-7)",
+            "angular velocity of the follower",
+            r"\dot{\phi} = \left(\frac{a \cos \theta - 1}{1 + a^2 - 2a \cos \theta}\right) \dot{\theta}",
+            || prove(&VelocityStep::Velocity).into(),
+            || at_instants(|at| (at.turning(), lead(at) / under(at) * DRIVER.0)),
+        ),
+    ]
+}
+
+fn acceleration() -> Vec<Claim> {
+    vec![
+        Claim::equation(
+            WORK,
+            "meyer.acceleration-by-quotient",
+            "1st display after Eq. (1-7)",
+            "Eq. (1-7) differentiated by the rule for quotients; the dots are the break between two lines",
+            ACCELERATION_BY_QUOTIENT,
+            Check::form(
+                (ExactIdentity, || prove(&AccelerationStep::QuotientRule).into()),
+                (Vectors, || at_instants(|at| (at.turning_rate(), acceleration_by_quotient(at)))),
+            ),
+        ),
+        Claim::equation(
+            WORK,
+            "meyer.acceleration-differentiated",
+            "2nd display after Eq. (1-7)",
+            "the derivatives carried out",
+            DIFFERENTIATED,
+            Check::corrected_form(
+                (ExactIdentity, || prove(&AccelerationStep::Differentiated(Form::Printed)).into()),
+                || prove(&AccelerationStep::Differentiated(Form::Corrected)).into(),
+                (Vectors, || at_instants(|at| (at.turning_rate(), acceleration_by_quotient(at)))),
+            ),
+        )
+        .expecting(Verdict::Corrected)
+        .with_erratum(Erratum {
+            corrected: DIFFERENTIATED_CORRECTED,
+            reason: "The left side is the follower's acceleration, with φ as in the display \
+                    before; the driver's stands on the right. The right side is correct as \
+                    printed.",
+            witness: "The pin's acceleration across the slot, at instants of all three escapements.",
+            severity: Severity::Transcription,
+            inherited_by: &["meyer.eq-1-8"],
+        }),
+        Claim::equation(
+            WORK,
+            "meyer.eq-1-8",
+            "Eq. (1-8)",
+            "angular acceleration of the follower",
+            ACCELERATION,
+            Check::corrected_form(
+                (ExactIdentity, || prove(&AccelerationStep::Acceleration(Form::Printed)).into()),
+                || prove(&AccelerationStep::Acceleration(Form::Corrected)).into(),
+                (Vectors, || {
+                    at_instants(|at| {
+                        let shape = at.ratio * at.crank.sin * (1.0 - square(at.ratio)) / square(under(at));
+                        (at.turning_rate(), shape * square(DRIVER.0) + lead(at) / under(at) * DRIVER.1)
+                    })
+                }),
+            ),
+        )
+        .expecting(Verdict::Corrected)
+        .with_erratum(Erratum {
+            corrected: ACCELERATION_CORRECTED,
+            reason: "The same letter on the left as in the line before. The right side is \
+                    correct as printed.",
+            witness: "The pin's acceleration across the slot, at instants of all three escapements.",
+            severity: Severity::Transcription,
+            inherited_by: &[],
+        }),
+    ]
+}
+
+fn square(x: f64) -> f64 {
+    x * x
+}
+
+/// a − cos θ.
+fn rest(at: &Seen) -> f64 {
+    at.ratio - at.crank.cos
+}
+
+/// a cos θ − 1.
+fn lead(at: &Seen) -> f64 {
+    at.ratio * at.crank.cos - 1.0
+}
+
+/// 1 + a² − 2 a cos θ.
+fn under(at: &Seen) -> f64 {
+    1.0 + square(at.ratio) - 2.0 * at.ratio * at.crank.cos
+}
+
+/// The rate of tan φ from the follower's measured angle and rate.
+fn tangent_rate(at: &Seen) -> f64 {
+    at.turning() / square(libm::cos(at.angle()))
+}
+
+/// The rate of tan φ as printed, with the derivatives of sine and cosine put in.
+fn tangent_rate_by_quotient(at: &Seen) -> f64 {
+    let above = rest(at) * at.crank.cos * DRIVER.0 - at.crank.sin * at.crank.sin * DRIVER.0;
+    above / square(rest(at))
+}
+
+/// φ̈ as printed, with the derivatives of the cosine put in.
+fn acceleration_by_quotient(at: &Seen) -> f64 {
+    let product = at.ratio * at.crank.sin * DRIVER.0;
+    let above = under(at) * -product - lead(at) * 2.0 * product;
+    above / square(under(at)) * DRIVER.0 + lead(at) / under(at) * DRIVER.1
+}

@@ -1,0 +1,65 @@
+//! The letters of the source.
+
+use crate::Symbol;
+
+/// Each printed letter and the book's symbol. A letter that stands twice has two meanings in the source.
+pub const SYMBOLS: &[Symbol] = &[
+    Symbol { printed: "r", ours: "R", meaning: "radius of the circle of the pins" },
+    Symbol { printed: "c", ours: "l", meaning: "distance of the two axes" },
+    Symbol { printed: "a", ours: "k", meaning: "centre distance over the radius of the pins' circle" },
+    Symbol { printed: "R", ours: "r", meaning: "distance of the pin from the follower's axis" },
+    Symbol { printed: "n, N", ours: "N", meaning: "number of slots; N in the program" },
+    Symbol { printed: "m", ours: "m", meaning: "number of pins" },
+    Symbol { printed: "θ", ours: r"\theta", meaning: "driver's angle from the line of centres" },
+    Symbol {
+        printed: "φ",
+        ours: r"\varphi",
+        meaning: "follower's angle from the line of centres, in the opposite sense",
+    },
+    Symbol {
+        printed: "θ_0",
+        ours: r"\theta_0",
+        meaning: "driver's angle at the hand-over; with its size in chapter I",
+    },
+    Symbol { printed: "φ_0", ours: r"\varphi_0", meaning: "follower's angle at the hand-over" },
+    Symbol {
+        printed: "θ_∞", ours: r"\theta_\infty", meaning: "driver's angle at which a denominator would be zero"
+    },
+    Symbol { printed: "I_D, I_d, I_b", ours: r"I_\mathrm{D}", meaning: "moment of inertia of the driver" },
+    Symbol { printed: "I_f, I_P", ours: r"I_\mathrm{F}", meaning: "moment of inertia of the follower" },
+    Symbol { printed: "μ", ours: r"\mu", meaning: "coefficient of friction between pin and slot" },
+    Symbol { printed: "N", ours: r"F_\mathrm{n}", meaning: "normal force between pin and slot" },
+    Symbol { printed: "h", ours: "h", meaning: "moment arm of the friction about the driver's axis" },
+    Symbol { printed: "τ, Q_θ", ours: r"\tau", meaning: "torque on the driver, the generalised force" },
+    Symbol { printed: "τ_1, K", ours: "K", meaning: "torque of the spring" },
+    Symbol { printed: "τ_2", ours: r"\tau_2", meaning: "torque of the friction on the driver" },
+    Symbol { printed: "T", ours: "T", meaning: "kinetic energy" },
+    Symbol { printed: "A, B, C, D, E", ours: "A, B, C, D, E", meaning: "factors of the equation of motion" },
+    Symbol { printed: "F", ours: "F", meaning: "what stands between the bars" },
+    Symbol { printed: "S", ours: "S", meaning: "sign of what stands between the bars" },
+    Symbol { printed: "A, B", ours: r"\dot{x}_0, x_0", meaning: "initial values in the example of the program" },
+    Symbol { printed: "R", ours: "A_0", meaning: "factor A at the start" },
+    Symbol { printed: "V", ours: "|D_0|", meaning: "factor D at the start; its size in the program" },
+    Symbol { printed: "m", ours: r"\rho", meaning: "mass density" },
+    Symbol { printed: "m", ours: "M", meaning: "mass in the example of the program" },
+    Symbol { printed: "c", ours: r"\delta", meaning: "damping in the example of the program" },
+    Symbol { printed: "k", ours: r"\kappa", meaning: "stiffness in the example of the program" },
+    Symbol { printed: "r", ours: r"r_\mathrm{d}", meaning: "radius of a disc" },
+    Symbol { printed: "t", ours: "b", meaning: "thickness of a disc" },
+    Symbol { printed: "t", ours: "t", meaning: "time" },
+    Symbol { printed: "h", ours: r"\Delta t", meaning: "step of the integration" },
+    Symbol { printed: "I", ours: r"k\sin\theta", meaning: "a letter of the program, not an inertia" },
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_symbol_of_ours_stands_for_one_thing() {
+        for symbol in SYMBOLS {
+            let alike = SYMBOLS.iter().filter(|other| other.ours == symbol.ours).count();
+            assert_eq!(alike, 1, "{}", symbol.ours);
+        }
+    }
+}

@@ -1,0 +1,199 @@
+//! The velocities: a triangle with its right angle between lever and slot.
+
+use super::*;
+use geneva_kinematics::prove;
+use geneva_kinematics::quick_return::proofs::{Part, ResolvedBy, ResolvedSpeed};
+
+const PIN: &str = "Solution, velocity, part (a)";
+const ACROSS: &str = "Solution, velocity, 4th line";
+const LEVER: &str = "Solution, velocity, 5th line";
+const ALONG: &str = "Solution, velocity, 6th line";
+
+pub fn claims() -> Vec<Claim> {
+    [pin(), across(), along()].concat()
+}
+
+fn pin() -> Vec<Claim> {
+    vec![
+        Claim::equation(
+            WORK,
+            "quick-return.pin-speed-equation",
+            PIN,
+            "speed of the pin on its circle",
+            r"v_{P2} = \omega_2 l_2",
+            Check::form(
+                (Vectors, || {
+                    same(
+                        diagram(|motion| motion.velocities.pin_velocity.norm()),
+                        Instant::printed().map_or(f64::NAN, |at| at.drive.speed * at.linkage.crank()),
+                    )
+                }),
+                (Series, || {
+                    let polar = series(|rates| libm::hypot(rates.sliding, rates.turning) * radius(rates));
+                    same(polar, diagram(|motion| motion.velocities.pin_velocity.norm()))
+                }),
+            ),
+        ),
+        Claim::value(
+            WORK,
+            "quick-return.pin-speed",
+            PIN,
+            "speed of the pin",
+            ("1.048", "m/s"),
+            Check::number_from_rounded(
+                (Vectors, || diagram(|motion| motion.velocities.pin_velocity.norm())),
+                (Series, || series(|rates| libm::hypot(rates.sliding, rates.turning) * radius(rates))),
+                || printed("quick-return.driver-rate") * printed("quick-return.crank"),
+            ),
+        )
+        .expecting(Verdict::FromRounded)
+        .with_erratum(rounded(
+            "1.047",
+            "The rate of the crank is used with the three digits it was printed with.",
+            &["quick-return.pin-normal"],
+        )),
+    ]
+}
+
+fn across() -> Vec<Claim> {
+    vec![
+        Claim::equation(
+            WORK,
+            "quick-return.lever-point-speed-equation",
+            ACROSS,
+            "the pin's velocity across the lever, by an angle between crank and lever",
+            r"v_{P4} = v_{P2} \cos(\ldots^\circ)",
+            Check::corrected_form(
+                (ExactIdentity, || resolved(ResolvedBy::AngleAtAxis, Part::Across)),
+                || resolved(ResolvedBy::AngleAtPin, Part::Across),
+                (OtherPlaceInSource, || printed_speeds_point_to("quick-return.lever-point-speed", arccosine)),
+            ),
+        )
+        .expecting(Verdict::Corrected)
+        .with_erratum(Erratum {
+            corrected: r"v_{P4} = v_{P2} \cos\beta",
+            reason: "The angle between v(P2), which is at right angles to the crank, and \
+                    v(P4), which is at right angles to the lever, is that between crank and \
+                    lever: β, at the pin. The printed angle is that between the crank and \
+                    the line of centres. The printed speed was computed with β.",
+            witness: "The two printed speeds alone: the angle with that cosine is β within their digits.",
+            severity: Severity::Typographical,
+            inherited_by: &["quick-return.sliding-speed-equation"],
+        }),
+        Claim::value(
+            WORK,
+            "quick-return.lever-point-speed",
+            ACROSS,
+            "speed of the lever's point under the pin",
+            ("0.669", "m/s"),
+            Check::number_from_rounded(
+                (Vectors, || diagram(|motion| motion.velocities.slot_point_velocity.norm())),
+                (Series, || series(|rates| rates.turning * radius(rates))),
+                || printed("quick-return.pin-speed") * cosine(printed("quick-return.angle-at-pin")),
+            ),
+        ),
+        Claim::equation(
+            WORK,
+            "quick-return.lever-speed-equation",
+            LEVER,
+            "angular velocity of the lever",
+            r"\omega_4 = v_{P4} / l_4",
+            Check::form(
+                (Vectors, || {
+                    same(
+                        diagram(|motion| motion.velocities.follower_speed),
+                        diagram(|motion| {
+                            motion.velocities.slot_point_velocity.norm() / motion.velocities.position.norm()
+                        }),
+                    )
+                }),
+                (Series, || {
+                    same(
+                        series(|rates| rates.turning),
+                        diagram(|motion| {
+                            motion.velocities.slot_point_velocity.norm() / motion.velocities.position.norm()
+                        }),
+                    )
+                }),
+            ),
+        ),
+        Claim::value(
+            WORK,
+            "quick-return.lever-speed",
+            LEVER,
+            "angular velocity of the lever",
+            ("1.216", "rad/s"),
+            Check::number_from_rounded(
+                (Vectors, || diagram(|motion| motion.velocities.follower_speed)),
+                (Series, || series(|rates| rates.turning)),
+                || printed("quick-return.lever-point-speed") / printed("quick-return.lever-length"),
+            ),
+        )
+        .expecting(Verdict::FromRounded)
+        .with_erratum(rounded(
+            "1.215",
+            "The length of the lever is used with the two digits it was printed with.",
+            &["quick-return.lever-normal", "quick-return.coriolis"],
+        )),
+    ]
+}
+
+fn along() -> Vec<Claim> {
+    vec![
+        Claim::equation(
+            WORK,
+            "quick-return.sliding-speed-equation",
+            ALONG,
+            "the pin's velocity along the lever, by an angle between crank and lever",
+            r"v_{P2/P4} = v_{P2} \sin(\ldots^\circ)",
+            Check::corrected_form(
+                (ExactIdentity, || resolved(ResolvedBy::AngleAtAxis, Part::Along)),
+                || resolved(ResolvedBy::AngleAtPin, Part::Along),
+                (OtherPlaceInSource, || printed_speeds_point_to("quick-return.sliding-speed", arcsine)),
+            ),
+        )
+        .expecting(Verdict::Corrected)
+        .with_erratum(Erratum {
+            corrected: r"v_{P2/P4} = v_{P2} \sin\beta",
+            reason: "The same angle for another as two lines before; the printed speed was computed with β.",
+            witness: "The two printed speeds alone: the angle with that sine is β within their digits.",
+            severity: Severity::Typographical,
+            inherited_by: &[],
+        }),
+        Claim::value(
+            WORK,
+            "quick-return.sliding-speed",
+            ALONG,
+            "speed of the pin along the slot",
+            ("0.806", "m/s"),
+            Check::number_from_rounded(
+                (Vectors, || diagram(|motion| motion.velocities.sliding_velocity.norm())),
+                (Series, || series(|rates| rates.sliding.abs() * radius(rates))),
+                || printed("quick-return.pin-speed") * sine(printed("quick-return.angle-at-pin")),
+            ),
+        ),
+    ]
+}
+
+fn resolved(by: ResolvedBy, part: Part) -> Finding {
+    prove(&ResolvedSpeed { by, part }).into()
+}
+
+/// Whether the ratio of a printed speed to the printed speed of the pin has β for its angle and not the printed one.
+fn printed_speeds_point_to(part: &str, angle_of: fn(f64) -> f64) -> Finding {
+    let half = |id: &str| {
+        decimal(id)
+            .map_or(f64::NAN, |decimal| geneva_kinematics::Field::approximate(&decimal.unit_in_last_place()) / 2.0)
+    };
+    let whole = "quick-return.pin-speed";
+    let lowest = (printed(part) - half(part)) / (printed(whole) + half(whole));
+    let highest = (printed(part) + half(part)) / (printed(whole) - half(whole));
+    let [a, b] = [angle_of(lowest), angle_of(highest)];
+    let allowed = a.min(b)..a.max(b);
+    let (beta, other) = (printed("quick-return.angle-at-pin"), printed("quick-return.crank-angle"));
+    let holds = allowed.contains(&beta) && !allowed.contains(&other);
+    Finding::new(
+        holds,
+        format!("the printed speeds want an angle between {:.2}° and {:.2}°", allowed.start, allowed.end),
+    )
+}

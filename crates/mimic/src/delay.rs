@@ -1,0 +1,201 @@
+//! A value of a moment before: MIMIC's time delay `TDL`.
+
+use core::error::Error;
+use core::fmt;
+
+/// What a delay line says of a time between two of its entries.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Between {
+    /// The straight line between the two.
+    Linear,
+    /// The earlier of the two.
+    Hold,
+}
+
+/// What a delay line says of a time after its latest entry: it is asked for one if a step is longer than the delay.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Ahead {
+    /// The latest entry. Nothing is made up, but the delay is then longer than was asked for, up to a whole step.
+    Hold,
+    /// The straight line through the latest two entries.
+    Line,
+}
+
+/// The past of one quantity, as far back as its delay.
+///
+/// Entries come from [`record`](Self::record), at rising times of any spacing: the steps that were kept. Reading changes
+/// nothing. The memory is an array of `CAPACITY` entries, at least 2; what no later reading can need makes room.
+///
+/// A run's error test does not see how well the past is read: the whole step and the two halves read the same entries.
+/// [`Parameters::largest_step`](crate::Parameters::largest_step) keeps the entries close.
+///
+/// The thesis has one such line, the crank's angular acceleration a tenth of the print interval before; how MIMIC read
+/// between its entries is not said, nor what the third argument of `TDL`, 100, is: perhaps this capacity.
+/// Work::Meyer1973, Appendix B.
+#[derive(Clone, Debug)]
+pub struct DelayLine<const CAPACITY: usize> {
+    delay: f64,
+    initial: f64,
+    between: Between,
+    ahead: Ahead,
+    entries: [Entry; CAPACITY],
+    /// Place of the oldest entry.
+    first: usize,
+    length: usize,
+    /// Whether an entry has made room: before the oldest is then not before the beginning.
+    forgotten: bool,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Entry {
+    time: f64,
+    value: f64,
+}
+
+/// What a delay line cannot do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum DelayError {
+    /// A capacity below two: between which entries should it read?
+    Capacity(usize),
+    /// A delay that is not positive and finite.
+    Delay(f64),
+    /// A value that is not finite, as the initial one or at the time given.
+    Value {
+        /// The value.
+        asked: f64,
+        /// When, if it is not the initial one.
+        time: Option<f64>,
+    },
+    /// A time that is not finite or, for an entry, not after that of the latest one.
+    Time {
+        /// The time.
+        asked: f64,
+        /// The time of the latest entry, if there is one.
+        latest: Option<f64>,
+    },
+    /// All entries are within the delay and there is no room for another.
+    Full {
+        /// The time of the entry that does not fit.
+        time: f64,
+        /// The time of the oldest entry.
+        oldest: f64,
+        /// The delay.
+        delay: f64,
+        /// The capacity.
+        capacity: usize,
+    },
+    /// A time so long ago that its entries have made room.
+    Forgotten {
+        /// The time that was asked for, less the delay.
+        asked: f64,
+        /// The time of the oldest entry.
+        oldest: f64,
+    },
+}
+
+impl fmt::Display for DelayError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Capacity(asked) => write!(f, "capacity {asked}: a delay line needs at least 2 entries; give it more"),
+            Self::Delay(asked) => {
+                write!(f, "delay {asked:?}: it must be positive and finite; give a number above zero")
+            }
+            Self::Value { asked, time: None } => write!(f, "initial value {asked:?}: it must be finite"),
+            Self::Value { asked, time: Some(time) } => {
+                write!(f, "value {asked:?} at time {time:?}: it must be finite; look for where it comes from")
+            }
+            Self::Time { asked, latest: None } => write!(f, "time {asked:?}: it must be finite"),
+            Self::Time { asked, latest: Some(latest) } => write!(
+                f,
+                "time {asked:?}: it must be finite and, to be recorded, after the latest entry's {latest:?}; record kept steps \
+                 only, each once"
+            ),
+            Self::Full { time, oldest, delay, capacity } => write!(
+                f,
+                "no room for an entry at time {time:?}: all {capacity} entries, from time {oldest:?} on, are within the delay \
+                 {delay:?}; give the line a larger capacity, or the run longer steps"
+            ),
+            Self::Forgotten { asked, oldest } => {
+                write!(
+                    f,
+                    "time {asked:?}: the line remembers from {oldest:?} on; ask at times not before the latest entry"
+                )
+            }
+        }
+    }
+}
+
+impl Error for DelayError {}
+
+impl<const CAPACITY: usize> DelayLine<CAPACITY> {
+    /// A line without entries. `delay` is positive, in the unit of time; `initial` is the value before the first entry.
+    pub fn new(delay: f64, initial: f64, between: Between, ahead: Ahead) -> Result<Self, DelayError> {
+        if CAPACITY < 2 {
+            return Err(DelayError::Capacity(CAPACITY));
+        }
+        if !(delay > 0.0 && delay.is_finite()) {
+            return Err(DelayError::Delay(delay));
+        }
+        if !initial.is_finite() {
+            return Err(DelayError::Value { asked: initial, time: None });
+        }
+        let entries = [Entry { time: 0.0, value: 0.0 }; CAPACITY];
+        Ok(Self { delay, initial, between, ahead, entries, first: 0, length: 0, forgotten: false })
+    }
+
+    /// Enters the value at a time later than that of all entries. On an error nothing is entered.
+    pub fn record(&mut self, time: f64, value: f64) -> Result<(), DelayError> {
+        let latest = self.length.checked_sub(1).map(|latest| self.entry(latest).time);
+        if !time.is_finite() || latest.is_some_and(|latest| time <= latest) {
+            return Err(DelayError::Time { asked: time, latest });
+        }
+        if !value.is_finite() {
+            return Err(DelayError::Value { asked: value, time: Some(time) });
+        }
+        // From now on nobody asks for a time before this; the entry at it or next before it must stay.
+        let needed = time - self.delay;
+        while self.length >= 2 && self.entry(1).time <= needed {
+            self.first = (self.first + 1) % CAPACITY;
+            self.length -= 1;
+            self.forgotten = true;
+        }
+        if self.length == CAPACITY {
+            let oldest = self.entry(0).time;
+            return Err(DelayError::Full { time, oldest, delay: self.delay, capacity: CAPACITY });
+        }
+        self.entries[(self.first + self.length) % CAPACITY] = Entry { time, value };
+        self.length += 1;
+        Ok(())
+    }
+
+    /// The value at `time` less the delay, for a `time` not before that of the latest entry.
+    ///
+    /// Before the first entry of all it is the initial value; at the time of an entry, the entry's.
+    pub fn value(&self, time: f64) -> Result<f64, DelayError> {
+        let asked = time - self.delay;
+        if !asked.is_finite() {
+            return Err(DelayError::Time { asked: time, latest: None });
+        }
+        let later = (0..self.length).find(|&index| self.entry(index).time > asked).unwrap_or(self.length);
+        let Some(before) = later.checked_sub(1) else {
+            let forgotten = self.forgotten.then(|| self.entry(0).time);
+            return forgotten.map_or(Ok(self.initial), |oldest| Err(DelayError::Forgotten { asked, oldest }));
+        };
+        let (before, is_latest) = (self.entry(before), later == self.length);
+        Ok(match (is_latest, self.between, self.ahead) {
+            (false, Between::Linear, _) => line(before, self.entry(later), asked),
+            (true, _, Ahead::Line) if self.length >= 2 => line(before, self.entry(self.length - 2), asked),
+            _ => before.value,
+        })
+    }
+
+    /// The entry of this number, the oldest being number 0.
+    fn entry(&self, index: usize) -> Entry {
+        self.entries[(self.first + index) % CAPACITY]
+    }
+}
+
+/// The straight line through two entries, at a time; at the first entry its value to the bit.
+fn line(one: Entry, other: Entry, time: f64) -> f64 {
+    one.value + (other.value - one.value) * ((time - one.time) / (other.time - one.time))
+}

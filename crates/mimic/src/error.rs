@@ -1,0 +1,202 @@
+//! Why a run was not begun, or not ended.
+
+use crate::{MOST_STEPS, Work};
+use core::error::Error;
+use core::fmt;
+use nalgebra::SVector;
+
+/// The numbers that a parameter can take. All are finite.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Allowed {
+    /// Above zero.
+    Positive,
+    /// From the first to the second, both included.
+    FromTo(f64, f64),
+    /// Between the two, neither included.
+    Between(f64, f64),
+}
+
+impl Allowed {
+    /// Whether the number is one of them.
+    pub fn includes(&self, number: f64) -> bool {
+        let inside = match *self {
+            Self::Positive => number > 0.0,
+            Self::FromTo(least, most) => least <= number && number <= most,
+            Self::Between(low, high) => low < number && number < high,
+        };
+        inside && number.is_finite()
+    }
+}
+
+impl fmt::Display for Allowed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Positive => f.write_str("positive and finite"),
+            Self::FromTo(least, most) if *most == f64::MAX => write!(f, "at least {least:?} and finite"),
+            Self::FromTo(least, most) => write!(f, "from {least:?} to {most:?}"),
+            Self::Between(low, high) => write!(f, "above {low:?} and below {high:?}"),
+        }
+    }
+}
+
+/// A parameter with which no run can be made.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ParameterError {
+    /// A number outside its range.
+    Range {
+        /// The field of [`Parameters`](crate::Parameters).
+        name: &'static str,
+        /// What was asked for.
+        asked: f64,
+        /// What it can be.
+        allowed: Allowed,
+    },
+    /// A bound on the number of steps that is zero or above [`MOST_STEPS`].
+    MostSteps(u64),
+    /// There are more points to print than steps to reach them with.
+    PrintedPoints {
+        /// The run length over the print interval.
+        points: f64,
+        /// The bound on the number of steps.
+        most_steps: u64,
+    },
+}
+
+impl fmt::Display for ParameterError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Range { name, asked, allowed } => {
+                write!(f, "{name} {asked:?}: it must be {allowed}; give such a number")
+            }
+            Self::MostSteps(asked) => {
+                write!(f, "most_steps {asked}: it must be from 1 to {MOST_STEPS}; give a number between them")
+            }
+            Self::PrintedPoints { points, most_steps } => write!(
+                f,
+                "{points:?} printed points: most_steps allows {most_steps} steps, and each point takes at least one; \
+                 print at a longer interval, run for a shorter time or allow more steps"
+            ),
+        }
+    }
+}
+
+impl Error for ParameterError {}
+
+/// What was found not to be finite.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Quantity {
+    /// The state that the run was to start from.
+    Start,
+    /// The state at the end of a step, however small.
+    State,
+    /// The derivative at the point that was reached.
+    Derivative,
+}
+
+/// What stopped a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Cause<F> {
+    /// The error is too large and the step cannot be made smaller.
+    StepUnderflow {
+        /// The step that was refused or is too short for time to be told apart.
+        step: f64,
+        /// The smallest step allowed.
+        smallest_step: f64,
+        /// The error of the last attempt over what is allowed.
+        excess: f64,
+    },
+    /// A number is infinite or not a number.
+    NonFinite {
+        /// What it belongs to.
+        quantity: Quantity,
+        /// Its place in the state, counted from 0.
+        component: usize,
+        /// Its value.
+        value: f64,
+    },
+    /// The bound on the number of steps is reached.
+    TooManySteps {
+        /// The bound.
+        most_steps: u64,
+    },
+    /// The system itself gave up.
+    System(F),
+}
+
+/// Where a run was stopped, and by what.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stopped<const D: usize, F> {
+    /// Time of the last point that was kept.
+    pub time: f64,
+    /// State at that time.
+    pub state: SVector<f64, D>,
+    /// The work up to there.
+    pub work: Work,
+    /// What stopped it.
+    pub cause: Cause<F>,
+}
+
+impl<const D: usize, F: fmt::Display> fmt::Display for Stopped<D, F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "stopped at time {:?} in state {:?}: ", self.time, self.state.as_slice())?;
+        match &self.cause {
+            Cause::StepUnderflow { step, smallest_step, excess } => write!(
+                f,
+                "with a step of {step:?} the error is {excess:?} times what is allowed, and a step must be at least \
+                 {smallest_step:?} and move the time; look for a singularity there, or allow a smaller step or a larger \
+                 error"
+            ),
+            Cause::NonFinite { quantity, component, value } => {
+                let what = match quantity {
+                    Quantity::Start => "of the start",
+                    Quantity::State => "of the state after the smallest step from there",
+                    Quantity::Derivative => "of the derivative there",
+                };
+                write!(
+                    f,
+                    "component {component} {what} is {value:?}; it must be finite: look for a division by zero, a root of a \
+                     negative number or a growth without bound"
+                )
+            }
+            Cause::TooManySteps { most_steps } => write!(
+                f,
+                "{most_steps} steps, refused ones included, are made; allow more, a larger error or a shorter run"
+            ),
+            Cause::System(fault) => write!(f, "{fault}"),
+        }
+    }
+}
+
+impl<const D: usize, F: Error> Error for Stopped<D, F> {}
+
+/// Why a run has no end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum IntegrationError<const D: usize, F> {
+    /// It was not begun.
+    Parameter(ParameterError),
+    /// It was stopped on the way.
+    Stopped(Stopped<D, F>),
+}
+
+impl<const D: usize, F: fmt::Display> fmt::Display for IntegrationError<D, F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Parameter(error) => write!(f, "{error}"),
+            Self::Stopped(stopped) => write!(f, "{stopped}"),
+        }
+    }
+}
+
+impl<const D: usize, F: Error> Error for IntegrationError<D, F> {}
+
+impl<const D: usize, F> From<ParameterError> for IntegrationError<D, F> {
+    fn from(error: ParameterError) -> Self {
+        Self::Parameter(error)
+    }
+}
+
+impl<const D: usize, F> From<Stopped<D, F>> for IntegrationError<D, F> {
+    fn from(stopped: Stopped<D, F>) -> Self {
+        Self::Stopped(stopped)
+    }
+}

@@ -1,0 +1,46 @@
+//! A variable-step Runge-Kutta run in the manner of MIMIC, the simulation language of the 1973 computations.
+//!
+//! What is known of it is in Work::Meyer1973, Appendix B: the classical method of order four; the error of a step
+//! judged by taking it once whole and once in two halves; a relative error below 5·10⁻⁶; results printed every `DT`
+//! until the run ends; a time delay `TDL` for a value of a moment before. What is not known is a parameter here, with
+//! a default and the reason for it: see [`Parameters`].
+//!
+//! ```
+//! use geneva_mimic::{Parameters, integrate};
+//! use nalgebra::Vector2;
+//!
+//! // x'' = -x from x = 1 at rest, printed every half unit of time until 3.
+//! let mut spring = |_: f64, state: &Vector2<f64>| Vector2::new(state[1], -state[0]);
+//! let mut printed = 0;
+//! let parameters = Parameters::new(0.5, 3.0);
+//! let end = integrate(&mut spring, Vector2::new(1.0, 0.0), &parameters, |point| {
+//!     assert_eq!(point.time, point.index as f64 * 0.5);
+//!     printed += 1;
+//! })?;
+//! assert_eq!((printed, end.last.time), (7, 3.0));
+//! assert!((end.last.state[0] - 3_f64.cos()).abs() < 1e-4);
+//! # Ok::<(), geneva_mimic::IntegrationError<2, std::convert::Infallible>>(())
+//! ```
+//!
+//! The library is built on `core` alone: with states of fixed size, results handed to a closure and a delay line that
+//! is an array, there is nothing it could allocate with, and no function of the platform's mathematics to call. Its
+//! results are the same bits everywhere, as long as the right-hand side's are.
+//!
+//! This crate knows nothing of mechanisms, claims or books.
+
+#![cfg_attr(not(test), no_std)]
+
+mod delay;
+mod error;
+mod grid;
+mod parameters;
+mod run;
+mod step;
+mod system;
+
+pub use delay::{Ahead, Between, DelayError, DelayLine};
+pub use error::{Allowed, Cause, IntegrationError, ParameterError, Quantity, Stopped};
+pub use parameters::{AtSmallestStep, Kept, MOST_STEPS, Parameters};
+pub use run::{Outcome, Point, Work, integrate};
+pub use step::runge_kutta_step;
+pub use system::System;

@@ -1,0 +1,185 @@
+//! A run: which steps are tried, which are kept, and what is printed.
+
+use crate::grid::{Grid, SLIVER};
+use crate::step::{Attempt, non_finite};
+use crate::{AtSmallestStep, Cause, IntegrationError, Parameters, Quantity, Stopped, System};
+use nalgebra::SVector;
+
+/// A printed point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Point<const D: usize> {
+    /// Its number; the start is number 0.
+    pub index: u64,
+    /// Its time: the number times the print interval, rounded once, or the run length.
+    pub time: f64,
+    /// The state there.
+    pub state: SVector<f64, D>,
+    /// The derivative there.
+    pub derivative: SVector<f64, D>,
+}
+
+/// The work of a run.
+///
+/// An attempt takes ten evaluations, three for the whole step and seven for its halves. All of them use one more, at
+/// the point they start from: it is made once per kept point, the start included, whatever is refused there. So a run
+/// that reaches its end has `evaluations == 10 * (accepted + rejected) + accepted + 1`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Steps that were kept.
+    pub accepted: u64,
+    /// Steps that were tried and refused.
+    pub rejected: u64,
+    /// Those of the accepted steps whose error is too large: see [`AtSmallestStep::Continue`].
+    pub forced: u64,
+    /// Evaluations of the right-hand side.
+    pub evaluations: u64,
+}
+
+/// The end of a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Outcome<const D: usize> {
+    /// The last printed point.
+    pub last: Point<D>,
+    /// The work of the whole run.
+    pub work: Work,
+}
+
+/// Integrates the system from `start` at time 0 and hands each printed point to `print`, the start included.
+///
+/// A step is refused if the whole step and two half steps differ by more than the tolerance in any component, or if
+/// either is not finite; it is then tried shorter. The way from point to point of the print grid does not change the
+/// times of the points. Work::Meyer1973, Appendix B, and [`Parameters`] for what is not said there.
+///
+/// Errors: a parameter outside its range; a start, or a derivative at a kept point, that is not finite; a step that
+/// would have to be smaller than allowed; too many steps; a fault of the system.
+pub fn integrate<S, const D: usize>(
+    system: &mut S,
+    start: SVector<f64, D>,
+    parameters: &Parameters,
+    mut print: impl FnMut(&Point<D>),
+) -> Result<Outcome<D>, IntegrationError<D, S::Fault>>
+where
+    S: System<D>,
+{
+    parameters.check()?;
+    let grid = Grid::new(parameters.print_interval, parameters.run_length);
+    let mut run = Run {
+        system,
+        parameters,
+        time: 0.0,
+        state: start,
+        derivative: SVector::zeros(),
+        step: parameters.initial_step,
+        work: Work::default(),
+    };
+    run.finite(Quantity::Start, &start)?;
+    run.keep(0.0, start)?;
+    let mut last = run.point(0);
+    print(&last);
+    for index in 1..=grid.last {
+        run.reach(grid.time(index))?;
+        last = run.point(index);
+        print(&last);
+    }
+    Ok(Outcome { last, work: run.work })
+}
+
+/// A run at the last point that it has kept.
+struct Run<'a, S, const D: usize> {
+    system: &'a mut S,
+    parameters: &'a Parameters,
+    time: f64,
+    state: SVector<f64, D>,
+    derivative: SVector<f64, D>,
+    /// What would be tried next if no printed point were in the way.
+    step: f64,
+    work: Work,
+}
+
+impl<S: System<D>, const D: usize> Run<'_, S, D> {
+    /// Steps to a printed point.
+    fn reach(&mut self, target: f64) -> Result<(), Stopped<D, S::Fault>> {
+        let parameters = self.parameters;
+        // Error of the attempt before, for the case that no other can be made.
+        let mut excess = 0.0;
+        while self.time < target {
+            if self.work.accepted + self.work.rejected >= parameters.most_steps {
+                return Err(self.stopped(Cause::TooManySteps { most_steps: parameters.most_steps }));
+            }
+            let rest = target - self.time;
+            let lands = rest <= self.step * (1.0 + SLIVER);
+            let cut = rest < self.step * (1.0 - SLIVER);
+            let end = if lands { target } else { self.time + self.step };
+            let step = end - self.time;
+            let smallest_step = parameters.smallest_step;
+            if !lands && self.time + step / 4.0 <= self.time {
+                return Err(self.stopped(Cause::StepUnderflow { step: self.step, smallest_step, excess }));
+            }
+            let attempt = self.attempt(end)?;
+            let infinite = attempt.non_finite();
+            excess = match infinite {
+                Some(_) => f64::INFINITY,
+                None => attempt.excess(parameters.relative_tolerance, parameters.absolute_floor),
+            };
+            let smallest = step <= smallest_step * (1.0 + SLIVER);
+            let forced = smallest && infinite.is_none() && parameters.at_smallest_step == AtSmallestStep::Continue;
+            if excess <= 1.0 || forced {
+                self.work.accepted += 1;
+                self.work.forced += u64::from(excess > 1.0);
+                self.keep(end, attempt.kept(parameters.kept))?;
+                // A step cut short by a printed point says nothing of a longer one.
+                if excess <= parameters.growth_below && !cut {
+                    self.step = (self.step * parameters.growth_factor).min(parameters.largest_step);
+                }
+                continue;
+            }
+            self.work.rejected += 1;
+            if smallest {
+                return Err(self.stopped(match infinite {
+                    Some((component, value)) => Cause::NonFinite { quantity: Quantity::State, component, value },
+                    None => Cause::StepUnderflow { step, smallest_step, excess },
+                }));
+            }
+            self.step = (step * parameters.shrink_factor).max(smallest_step);
+        }
+        Ok(())
+    }
+
+    /// Both results of a step to this time.
+    fn attempt(&mut self, end: f64) -> Result<Attempt<D>, Stopped<D, S::Fault>> {
+        let Self { system, work, time, state, derivative, .. } = self;
+        let rate = |time: f64, state: &SVector<f64, D>| {
+            work.evaluations += 1;
+            system.derivative(time, state)
+        };
+        let attempt = Attempt::new(rate, *time, end, state, derivative);
+        attempt.map_err(|fault| self.stopped(Cause::System(fault)))
+    }
+
+    /// Goes on from this point: its derivative is the first of the steps that start here.
+    fn keep(&mut self, time: f64, state: SVector<f64, D>) -> Result<(), Stopped<D, S::Fault>> {
+        self.finite(Quantity::State, &state)?;
+        (self.time, self.state) = (time, state);
+        self.work.evaluations += 1;
+        let derivative = self.system.derivative(time, &state);
+        self.derivative = derivative.map_err(|fault| self.stopped(Cause::System(fault)))?;
+        self.finite(Quantity::Derivative, &self.derivative)?;
+        let accepted = self.system.accepted(time, &state, &self.derivative);
+        accepted.map_err(|fault| self.stopped(Cause::System(fault)))
+    }
+
+    fn finite(&self, quantity: Quantity, vector: &SVector<f64, D>) -> Result<(), Stopped<D, S::Fault>> {
+        match non_finite(vector) {
+            Some((component, value)) => Err(self.stopped(Cause::NonFinite { quantity, component, value })),
+            None => Ok(()),
+        }
+    }
+
+    fn stopped(&self, cause: Cause<S::Fault>) -> Stopped<D, S::Fault> {
+        Stopped { time: self.time, state: self.state, work: self.work, cause }
+    }
+
+    fn point(&self, index: u64) -> Point<D> {
+        Point { index, time: self.time, state: self.state, derivative: self.derivative }
+    }
+}

@@ -1,0 +1,141 @@
+//! One step: once whole, once in two halves, and what the difference says.
+
+use crate::Kept;
+use nalgebra::SVector;
+
+/// The state at `to` from that at `from` by one step of the classical Runge-Kutta method.
+///
+/// With h = `to` − `from`: x + h/6 (f₁ + 2 f₂ + 2 f₃ + f₄), where f₁ = `first` is the derivative at the start, f₂ and f₃
+/// are two at the middle and f₄ is one at the end. Three evaluations of `rate`; its error is handed on. The error of
+/// one step is of order h⁵. Work::Meyer1973, Appendix B.
+pub fn runge_kutta_step<F, const D: usize>(
+    mut rate: impl FnMut(f64, &SVector<f64, D>) -> Result<SVector<f64, D>, F>,
+    from: f64,
+    to: f64,
+    state: &SVector<f64, D>,
+    first: &SVector<f64, D>,
+) -> Result<SVector<f64, D>, F> {
+    let h = to - from;
+    let middle = from + h / 2.0;
+    let second = rate(middle, &(state + first * (h / 2.0)))?;
+    let third = rate(middle, &(state + second * (h / 2.0)))?;
+    let fourth = rate(to, &(state + third * h))?;
+    Ok(state + (first + second * 2.0 + third * 2.0 + fourth) * (h / 6.0))
+}
+
+/// The two results of one attempt.
+pub(crate) struct Attempt<const D: usize> {
+    full: SVector<f64, D>,
+    halves: SVector<f64, D>,
+}
+
+impl<const D: usize> Attempt<D> {
+    /// Ten evaluations of `rate`: three for the whole step, three for the first half, four for the second.
+    pub(crate) fn new<F>(
+        mut rate: impl FnMut(f64, &SVector<f64, D>) -> Result<SVector<f64, D>, F>,
+        from: f64,
+        to: f64,
+        state: &SVector<f64, D>,
+        first: &SVector<f64, D>,
+    ) -> Result<Self, F> {
+        let full = runge_kutta_step(&mut rate, from, to, state, first)?;
+        let middle = from + (to - from) / 2.0;
+        let half = runge_kutta_step(&mut rate, from, middle, state, first)?;
+        let again = rate(middle, &half)?;
+        let halves = runge_kutta_step(&mut rate, middle, to, &half, &again)?;
+        Ok(Self { full, halves })
+    }
+
+    /// The first component that is not finite, with its value.
+    pub(crate) fn non_finite(&self) -> Option<(usize, f64)> {
+        non_finite(&self.full).or_else(|| non_finite(&self.halves))
+    }
+
+    /// The largest difference of a component between the two results, over what is allowed for it.
+    ///
+    /// Allowed is the tolerance times the component's size by two half steps, or times the floor if that is larger.
+    pub(crate) fn excess(&self, relative_tolerance: f64, absolute_floor: f64) -> f64 {
+        let excess = |(halves, full): (&f64, &f64)| {
+            let difference = (halves - full).abs();
+            // Nothing over nothing is no excess.
+            if difference > 0.0 { difference / (relative_tolerance * halves.abs().max(absolute_floor)) } else { 0.0 }
+        };
+        self.halves.iter().zip(self.full.iter()).map(excess).fold(0.0, f64::max)
+    }
+
+    /// The state that the run goes on with.
+    pub(crate) fn kept(&self, kept: Kept) -> SVector<f64, D> {
+        match kept {
+            Kept::FullStep => self.full,
+            Kept::TwoHalfSteps => self.halves,
+            // Of the error of the whole step, 1/16 is left in two half steps: their difference is 15 times that.
+            Kept::Extrapolated => self.halves + (self.halves - self.full) / 15.0,
+        }
+    }
+}
+
+/// The first component that is not finite, with its value.
+pub(crate) fn non_finite<const D: usize>(vector: &SVector<f64, D>) -> Option<(usize, f64)> {
+    vector.iter().copied().enumerate().find(|(_, value)| !value.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::{Vector1, Vector2};
+    use std::convert::Infallible;
+
+    type Rate<const D: usize> = Result<SVector<f64, D>, Infallible>;
+
+    #[test]
+    fn a_step_over_a_cubic_in_time_is_exact_and_over_a_quartic_is_not() {
+        let cubic = |t: f64, _: &Vector1<f64>| -> Rate<1> { Ok(Vector1::new(4.0 * t * t * t - 6.0 * t)) };
+        let end = runge_kutta_step(cubic, 1.0, 3.0, &Vector1::new(-2.0), &Vector1::new(-2.0)).unwrap();
+        assert_eq!(end[0], 54.0);
+        // Simpson's rule: 2/6 (1 + 4 * 16 + 81) for 1/5 (243 - 1).
+        let quartic = |t: f64, _: &Vector1<f64>| -> Rate<1> { Ok(Vector1::new(t * t * t * t)) };
+        let end = runge_kutta_step(quartic, 1.0, 3.0, &Vector1::zeros(), &Vector1::new(1.0)).unwrap();
+        assert!((end[0] - 146.0 / 3.0).abs() < 1e-13);
+    }
+
+    #[test]
+    fn a_step_of_growth_is_the_exponential_series_to_the_fourth_power() {
+        let growth = |_: f64, x: &Vector1<f64>| -> Rate<1> { Ok(*x) };
+        let end = runge_kutta_step(growth, 0.0, 0.5, &Vector1::new(1.0), &Vector1::new(1.0)).unwrap();
+        let series = 1.0 + 1.0 / 2.0 + 1.0 / 8.0 + 1.0 / 48.0 + 1.0 / 384.0;
+        assert!((end[0] - series).abs() < 1e-15, "{end}");
+    }
+
+    #[test]
+    fn an_attempt_asks_at_the_quarters_and_hands_on_a_fault() {
+        let mut times = Vec::new();
+        let rate = |t: f64, x: &Vector2<f64>| -> Rate<2> {
+            times.push(t);
+            Ok(Vector2::new(x[1], -x[0]))
+        };
+        Attempt::new(rate, 4.0, 8.0, &Vector2::new(1.0, 0.0), &Vector2::new(0.0, -1.0)).unwrap();
+        assert_eq!(times, [6.0, 6.0, 8.0, 5.0, 5.0, 6.0, 6.0, 7.0, 7.0, 8.0]);
+        let faulty = |t: f64, x: &Vector1<f64>| if t > 1.7 { Err(t) } else { Ok(*x) };
+        let fault = Attempt::new(faulty, 1.0, 2.0, &Vector1::new(1.0), &Vector1::new(1.0)).err();
+        assert_eq!(fault, Some(2.0));
+    }
+
+    #[test]
+    fn the_excess_is_relative_above_the_floor_and_absolute_below() {
+        let attempt = Attempt { full: Vector2::new(8.5, 0.0), halves: Vector2::new(8.0, 0.25) };
+        assert_eq!(attempt.excess(0.125, 0.0), 8.0, "the second component: all of it");
+        assert_eq!(attempt.excess(0.125, 4.0), 0.5, "a quarter over an eighth of four, a half over an eighth of eight");
+        assert_eq!(attempt.excess(0.125, 16.0), 0.25);
+        let nothing = Attempt { full: Vector1::zeros(), halves: Vector1::zeros() };
+        assert_eq!(nothing.excess(1e-300, 0.0), 0.0);
+        let split = Attempt { full: Vector1::new(-f64::MAX), halves: Vector1::new(f64::MAX) };
+        assert_eq!(split.excess(0.5, 1.0), f64::INFINITY);
+    }
+
+    #[test]
+    fn each_state_that_can_be_kept_is_its_own() {
+        let attempt = Attempt { full: Vector1::new(1.0), halves: Vector1::new(16.0) };
+        let kept = [Kept::FullStep, Kept::TwoHalfSteps, Kept::Extrapolated].map(|kept| attempt.kept(kept)[0]);
+        assert_eq!(kept, [1.0, 16.0, 17.0]);
+    }
+}

@@ -1,0 +1,138 @@
+//! Is the step halved and doubled by the rule, and is what is kept what the rule says? A whole run, done again by hand.
+
+use crate::problems::{DRIVEN, LOGISTIC, Problem, SMOOTH};
+use geneva_mimic::{Kept, Parameters, System, integrate, runge_kutta_step};
+use nalgebra::Vector2;
+use std::convert::Infallible;
+
+/// A problem that keeps every point of the run.
+struct Recorded {
+    problem: Problem,
+    kept: Vec<(f64, Vector2<f64>)>,
+}
+
+impl System<2> for Recorded {
+    type Fault = Infallible;
+
+    fn derivative(&mut self, time: f64, state: &Vector2<f64>) -> Result<Vector2<f64>, Infallible> {
+        Ok((self.problem.rate)(time, state))
+    }
+
+    fn accepted(&mut self, time: f64, state: &Vector2<f64>, rate: &Vector2<f64>) -> Result<(), Infallible> {
+        assert_eq!(*rate, (self.problem.rate)(time, state));
+        self.kept.push((time, *state));
+        Ok(())
+    }
+}
+
+/// The whole step and two half steps from a time to another.
+fn both(problem: &Problem, from: f64, to: f64, state: &Vector2<f64>) -> (Vector2<f64>, Vector2<f64>) {
+    let rate = |time: f64, state: &Vector2<f64>| Ok::<_, Infallible>((problem.rate)(time, state));
+    let step = |from: f64, to: f64, state: &Vector2<f64>| {
+        runge_kutta_step(rate, from, to, state, &(problem.rate)(from, state)).unwrap()
+    };
+    let middle = from + (to - from) / 2.0;
+    (step(from, to, state), step(middle, to, &step(from, middle, state)))
+}
+
+/// Difference of the two over the tolerance, by the parameters' own words.
+fn excess(full: &Vector2<f64>, halves: &Vector2<f64>, parameters: &Parameters) -> f64 {
+    let allowed = |size: f64| parameters.relative_tolerance * size.abs().max(parameters.absolute_floor);
+    (0..2).map(|i| (full[i] - halves[i]).abs() / allowed(halves[i])).fold(0.0, f64::max)
+}
+
+/// The kept points and the number of refused steps, from the first step on.
+fn by_hand(problem: &Problem, parameters: &Parameters) -> (Vec<(f64, Vector2<f64>)>, u64) {
+    let (mut time, mut state, mut step) = (0.0, (problem.exact)(0.0), parameters.initial_step);
+    let (mut kept, mut refused) = (vec![(time, state)], 0);
+    let points = (parameters.run_length / parameters.print_interval).round() as u32;
+    for point in 1..=points {
+        let target = f64::from(point) * parameters.print_interval;
+        while time < target {
+            let cut = target - time < step * 0.999_999;
+            let end = if target - time < step * 1.000_000_001 { target } else { time + step };
+            let (full, halves) = both(problem, time, end, &state);
+            let excess = excess(&full, &halves, parameters);
+            if excess > 1.0 {
+                refused += 1;
+                step = (end - time) / 2.0;
+                continue;
+            }
+            if !cut && 64.0 * excess <= 1.0 {
+                step = (2.0 * step).min(parameters.print_interval);
+            }
+            (time, state) = (end, if parameters.kept == Kept::FullStep { full } else { halves });
+            kept.push((time, state));
+        }
+    }
+    (kept, refused)
+}
+
+#[test]
+fn a_run_is_its_rule_step_by_step_to_the_bit() {
+    let (mut refused_in_all, mut doubled_in_all) = (0, 0);
+    for problem in SMOOTH {
+        for kept in [Kept::FullStep, Kept::TwoHalfSteps] {
+            for (relative_tolerance, parts) in [(5e-6, 1.0), (5e-6, 7.0), (1e-9, 10.0)] {
+                let whole = Parameters::new(problem.run_length / parts, problem.run_length);
+                let parameters = Parameters { kept, relative_tolerance, ..whole };
+                let mut system = Recorded { problem, kept: Vec::new() };
+                let end = integrate(&mut system, (problem.exact)(0.0), &parameters, |_| ()).unwrap();
+                let (expected, refused) = by_hand(&problem, &parameters);
+                assert_eq!(end.work.rejected, refused, "{}", problem.name);
+                assert_eq!(end.work.accepted + 1, expected.len() as u64, "{}", problem.name);
+                assert!(system.kept == expected, "{}: another way", problem.name);
+                let steps: Vec<f64> = expected.windows(2).map(|pair| pair[1].0 - pair[0].0).collect();
+                doubled_in_all += steps.windows(2).filter(|pair| pair[1] > 1.9 * pair[0]).count();
+                refused_in_all += refused;
+            }
+        }
+    }
+    println!("{refused_in_all} refused, {doubled_in_all} doubled");
+    assert!(refused_in_all > 100 && doubled_in_all > 20, "{refused_in_all} refused, {doubled_in_all} doubled");
+}
+
+#[test]
+fn no_kept_step_is_above_the_tolerance() {
+    let parameters = Parameters::new(0.2, 2.0);
+    let mut system = Recorded { problem: DRIVEN, kept: Vec::new() };
+    integrate(&mut system, (DRIVEN.exact)(0.0), &parameters, |_| ()).unwrap();
+    for pair in system.kept.windows(2) {
+        let (full, halves) = both(&DRIVEN, pair[0].0, pair[1].0, &pair[0].1);
+        assert!(excess(&full, &halves, &parameters) <= 1.0, "from {}", pair[0].0);
+    }
+}
+
+#[test]
+fn a_step_is_refused_as_soon_as_it_is_above_the_tolerance() {
+    for problem in SMOOTH {
+        let start = (problem.exact)(0.0);
+        let (full, halves) = both(&problem, 0.0, 0.25, &start);
+        let limit = excess(&full, &halves, &Parameters { relative_tolerance: 1.0, ..Parameters::new(0.25, 0.25) });
+        for (part, steps) in [(1.0 + 1e-12, 1), (1.0 - 1e-12, 2)] {
+            let parameters = Parameters { relative_tolerance: part * limit, ..Parameters::new(0.25, 0.25) };
+            let mut system = Recorded { problem, kept: Vec::new() };
+            let work = integrate(&mut system, start, &parameters, |_| ()).unwrap().work;
+            assert_eq!((work.accepted, work.rejected), (steps, steps - 1), "{}", problem.name);
+        }
+    }
+}
+
+#[test]
+fn each_named_parameter_is_heeded() {
+    let steps = |change: fn(&mut Parameters)| {
+        let mut parameters = Parameters { relative_tolerance: 1e-8, ..Parameters::new(0.5, 4.0) };
+        change(&mut parameters);
+        let mut system = Recorded { problem: LOGISTIC, kept: Vec::new() };
+        integrate(&mut system, (LOGISTIC.exact)(0.0), &parameters, |_| ()).unwrap();
+        system.kept
+    };
+    let usual = steps(|_| ());
+    assert_eq!(steps(|p| p.initial_step = 0.015_625)[1].0, 0.015_625);
+    assert_eq!(steps(|p| (p.largest_step, p.initial_step) = (0.015_625, 0.015_625)).len(), 257);
+    assert_eq!(steps(|p| (p.growth_factor, p.initial_step) = (1.0, 0.015_625)).len(), 257, "never longer");
+    assert!(steps(|p| p.growth_below = 0.0).len() > usual.len());
+    assert!(steps(|p| p.shrink_factor = 0.125).len() > usual.len());
+    assert!(steps(|p| p.absolute_floor = 10.0).len() < usual.len());
+    assert_ne!(steps(|p| p.kept = Kept::Extrapolated).last(), usual.last());
+}

@@ -1,0 +1,181 @@
+//! What cannot be integrated: is it said, with the place, and never with a panic?
+
+use geneva_mimic::{
+    Allowed, AtSmallestStep, Cause, IntegrationError, MOST_STEPS, Outcome, ParameterError, Parameters, Quantity,
+    Stopped, integrate,
+};
+use nalgebra::{Vector1, Vector2};
+use std::convert::Infallible;
+
+type Ended = Result<Outcome<1>, IntegrationError<1, Infallible>>;
+
+fn run(mut rate: impl FnMut(f64, f64) -> f64, start: f64, parameters: &Parameters) -> Ended {
+    let mut rate = |time: f64, state: &Vector1<f64>| Vector1::new(rate(time, state[0]));
+    integrate(&mut rate, Vector1::new(start), parameters, |_| ())
+}
+
+#[track_caller]
+fn stopped(ended: Ended) -> Stopped<1, Infallible> {
+    match ended {
+        Err(IntegrationError::Stopped(stopped)) => stopped,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn a_solution_that_blows_up_is_followed_to_its_pole() {
+    for start in [1.0, 0.5, 8.0] {
+        let parameters = Parameters::new(0.125, 3.0);
+        let stopped = stopped(run(|_, x| x * x, start, &parameters));
+        let pole = 1.0 / start;
+        println!("{stopped}\n{:?}", stopped.work);
+        assert!((stopped.time / pole - 1.0).abs() < 5e-6, "from {start}: {stopped}");
+        assert!(stopped.state[0] > 1e6 && stopped.state[0].is_finite(), "from {start}: {stopped}");
+        let Cause::StepUnderflow { step, smallest_step, excess } = stopped.cause else { panic!("{stopped}") };
+        assert!(excess > 1.0 && step <= smallest_step * 1.000_001 && smallest_step == parameters.smallest_step);
+        let work = stopped.work;
+        assert_eq!(work.evaluations, 10 * (work.accepted + work.rejected) + work.accepted + 1);
+        let message = stopped.to_string();
+        for part in [format!("{:?}", stopped.time).as_str(), "in state [", "must be at least", "look for a singularity"]
+        {
+            assert!(message.contains(part), "{part} is not in: {message}");
+        }
+    }
+}
+
+#[test]
+fn a_derivative_that_is_no_number_is_named_where_it_is() {
+    let stop = stopped(run(|_, _| f64::NAN, 2.0, &Parameters::new(1.0, 1.0)));
+    let Cause::NonFinite { quantity: Quantity::Derivative, component: 0, value } = stop.cause else { panic!("{stop}") };
+    assert!(value.is_nan() && (stop.time, stop.state[0]) == (0.0, 2.0));
+    assert!(stop.to_string().contains("component 0 of the derivative there is NaN"), "{stop}");
+    // From time 1 on there is no root.
+    let stop = stopped(run(|time, _| (1.0 - time).sqrt(), 0.0, &Parameters::new(0.3, 2.0)));
+    assert!((stop.time - 1.0).abs() < 1e-8, "{stop}");
+    assert!((stop.state[0] - 2.0 / 3.0).abs() < 1e-4, "{stop}");
+    assert!(matches!(stop.cause, Cause::NonFinite { quantity: Quantity::State, .. }), "{stop}");
+    // To go on all the same is no help against what is no number.
+    let forced = Parameters { at_smallest_step: AtSmallestStep::Continue, ..Parameters::new(0.3, 2.0) };
+    let stop = stopped(run(|time, _| (1.0 - time).sqrt(), 0.0, &forced));
+    assert!(matches!(stop.cause, Cause::NonFinite { quantity: Quantity::State, .. }), "{stop}");
+}
+
+#[test]
+fn a_start_that_is_no_number_is_named_with_its_place() {
+    let mut rate = |_: f64, state: &Vector2<f64>| *state;
+    let ended = integrate(&mut rate, Vector2::new(0.0, f64::INFINITY), &Parameters::new(1.0, 1.0), |_| ());
+    let Err(IntegrationError::Stopped(stop)) = ended else { panic!("{ended:?}") };
+    let infinite = f64::INFINITY;
+    assert_eq!(stop.cause, Cause::NonFinite { quantity: Quantity::Start, component: 1, value: infinite });
+    assert_eq!(stop.work.evaluations, 0);
+    assert!(stop.to_string().contains("component 1 of the start is inf"), "{stop}");
+}
+
+#[test]
+fn growth_without_bound_ends_where_numbers_end() {
+    let parameters = Parameters { relative_tolerance: 0.5, ..Parameters::new(1.0, 1e4) };
+    let stop = stopped(run(|_, x| 1e3 * x, 1.0, &parameters));
+    assert!((stop.time - 0.7097).abs() < 0.01, "{stop}");
+    assert!(stop.state[0] > 1e300, "{stop}");
+}
+
+#[test]
+fn the_number_of_steps_is_bounded() {
+    let parameters = Parameters { most_steps: 100, ..Parameters::with_fixed_step(0.001, 1.0, 1.0) };
+    let stop = stopped(run(|_, _| 1.0, 0.0, &parameters));
+    assert_eq!(stop.cause, Cause::TooManySteps { most_steps: 100 });
+    assert_eq!(stop.work.accepted, 100);
+    assert!((stop.time - 0.1).abs() < 1e-12 && stop.to_string().contains("100 steps"), "{stop}");
+    let points = run(|_, _| 1.0, 0.0, &Parameters::new(1e-9, 1.0));
+    let Err(IntegrationError::Parameter(ParameterError::PrintedPoints { points, .. })) = points else {
+        panic!("{points:?}")
+    };
+    assert!((points / 1e9 - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn steps_that_do_not_move_the_time_are_an_underflow() {
+    let tiny = Parameters { smallest_step: 1e-300, initial_step: 1e-300, ..Parameters::new(1.0, 1.0) };
+    let jump = |time: f64, _| if time < 0.3 { 0.0 } else { 1e300 };
+    let stop = stopped(run(jump, 0.0, &Parameters { initial_step: 1.0, ..tiny }));
+    assert!(matches!(stop.cause, Cause::StepUnderflow { smallest_step: 1e-300, .. }), "{stop}");
+    assert!((stop.time - 0.3).abs() < 1e-15, "{stop}");
+    // From time 0 the smallest of steps can be made, and grow.
+    assert!(run(|_, x| -x, 1.0, &tiny).is_ok());
+}
+
+#[test]
+fn each_parameter_outside_its_range_is_named_with_the_range() {
+    type Set = fn(&mut Parameters, f64);
+    let parameters: [(&str, Set, &[f64], &str); 10] = [
+        ("print_interval", |p, x| p.print_interval = x, &[0.0, -1.0], "positive and finite"),
+        ("run_length", |p, x| p.run_length = x, &[0.0, -1.0], "positive and finite"),
+        ("relative_tolerance", |p, x| p.relative_tolerance = x, &[0.0, -1.0, 1.0], "above 0.0 and below 1.0"),
+        ("absolute_floor", |p, x| p.absolute_floor = x, &[-1.0], "at least 0.0 and finite"),
+        ("growth_below", |p, x| p.growth_below = x, &[-0.5, 1.5], "from 0.0 to 1.0"),
+        ("growth_factor", |p, x| p.growth_factor = x, &[0.0, 0.5], "at least 1.0 and finite"),
+        ("shrink_factor", |p, x| p.shrink_factor = x, &[0.0, 1.0, -0.5], "above 0.0 and below 1.0"),
+        ("smallest_step", |p, x| p.smallest_step = x, &[0.0, -1.0], "positive and finite"),
+        ("largest_step", |p, x| p.largest_step = x, &[0.0, 1e-12], "at least 2.3283064365386963e-10 and finite"),
+        ("initial_step", |p, x| p.initial_step = x, &[0.0, 1e-12, 0.5], "to 0.25"),
+    ];
+    for (name, set, values, range) in parameters {
+        for &value in values.iter().chain(&[f64::NAN, f64::INFINITY, f64::NEG_INFINITY]) {
+            let mut parameters = Parameters::new(0.25, 1.0);
+            set(&mut parameters, value);
+            let mut calls = 0;
+            let ended = run(
+                |_, x| {
+                    calls += 1;
+                    x
+                },
+                1.0,
+                &parameters,
+            );
+            let Err(IntegrationError::Parameter(error)) = ended else { panic!("{name} {value}: {ended:?}") };
+            assert_eq!(calls, 0);
+            let message = error.to_string();
+            assert!(message.starts_with(&format!("{name} {value:?}: ")), "{message}");
+            assert!(message.contains(range), "{message}");
+        }
+    }
+    for most_steps in [0, MOST_STEPS + 1] {
+        let error = Parameters { most_steps, ..Parameters::new(0.25, 1.0) }.check();
+        assert_eq!(error, Err(ParameterError::MostSteps(most_steps)));
+    }
+    assert!(Parameters { most_steps: MOST_STEPS, ..Parameters::new(0.25, 1.0) }.check().is_ok());
+    assert!(!Allowed::Positive.includes(f64::INFINITY));
+}
+
+#[test]
+fn no_input_makes_it_panic_or_go_on_for_ever() {
+    let sizes = [f64::NAN, 0.0, -1.0, 5e-324, 1e-300, 1e-9, 0.3, 1.0, 1e9, 1e300, f64::MAX, f64::INFINITY];
+    let rates: [fn(f64, f64) -> f64; 4] = [|_, x| x * x, |t, _| 1.0 / (t - 0.3), |_, x| -1e300 * x, |_, x| (-x).sqrt()];
+    let (mut ended, mut runs) = (0, 0);
+    for rate in rates {
+        for print_interval in sizes {
+            for run_length in sizes {
+                for other in sizes {
+                    let usual = Parameters { most_steps: 60, ..Parameters::new(print_interval, run_length) };
+                    let variants = [
+                        Parameters { relative_tolerance: other, ..usual },
+                        Parameters { absolute_floor: other, relative_tolerance: 1e-300, ..usual },
+                        Parameters { smallest_step: other, largest_step: f64::MAX, initial_step: f64::MAX, ..usual },
+                        Parameters { growth_factor: other, shrink_factor: f64::MIN_POSITIVE, ..usual },
+                        Parameters { most_steps: 60, ..Parameters::with_fixed_step(other, print_interval, run_length) },
+                    ];
+                    for parameters in variants {
+                        let result = run(rate, other, &parameters);
+                        runs += 1;
+                        match result {
+                            Ok(_) => ended += 1,
+                            Err(error) => assert!(!error.to_string().is_empty()),
+                        }
+                    }
+                }
+            }
+        }
+    }
+    println!("{ended} of {runs} runs ended");
+    assert!(ended > 1000 && ended < runs / 2, "{ended} of {runs}");
+}

@@ -1,0 +1,85 @@
+//! Are results printed at the times that were asked for, to the bit?
+
+use crate::problems::{LOGISTIC, SPRING, run};
+use geneva_mimic::{Kept, Parameters, integrate};
+use nalgebra::Vector2;
+
+/// Times of the printed points of the spring.
+#[track_caller]
+fn times(parameters: &Parameters) -> Vec<f64> {
+    run(&SPRING, parameters).0.into_iter().map(|(time, _)| time).collect()
+}
+
+#[test]
+fn every_time_is_a_product_to_the_bit_whatever_the_tolerance() {
+    for (print_interval, points) in [(0.1_f64, 40_u32), (5e-4, 400), (1.0 / 3.0, 30), (0.07, 100), (0.7, 11)] {
+        let run_length = f64::from(points) * print_interval;
+        let expected: Vec<u64> = (0..=points).map(|index| (f64::from(index) * print_interval).to_bits()).collect();
+        for relative_tolerance in [1e-3, 5e-6, 1e-10] {
+            for kept in [Kept::FullStep, Kept::Extrapolated] {
+                let asked = Parameters { relative_tolerance, kept, ..Parameters::new(print_interval, run_length) };
+                let printed: Vec<u64> = times(&asked).into_iter().map(f64::to_bits).collect();
+                assert_eq!(printed, expected, "every {print_interval} at {relative_tolerance}");
+            }
+        }
+    }
+}
+
+#[test]
+fn steps_that_do_not_divide_the_interval_do_not_move_the_points() {
+    let expected: Vec<f64> = (0..=20).map(|index| f64::from(index) * 0.1).collect();
+    for step in [0.03, 0.1 / 3.0, 0.099_999, 0.1, 0.25] {
+        assert_eq!(times(&Parameters::with_fixed_step(step, 0.1, 2.0)), expected, "steps of {step}");
+    }
+    let odd = Parameters { growth_factor: 1.7, shrink_factor: 0.3, ..Parameters::new(0.1, 2.0) };
+    assert_eq!(times(&odd), expected);
+}
+
+#[test]
+fn a_long_step_after_a_short_one_lands_on_the_point() {
+    let mut still = |_: f64, _: &Vector2<f64>| Vector2::zeros();
+    for part in 1..200 {
+        let initial_step = 0.1 * f64::from(part) / 401.0;
+        let parameters = Parameters { initial_step, growth_factor: 1e3, ..Parameters::new(0.1, 0.1) };
+        let end = integrate(&mut still, Vector2::zeros(), &parameters, |_| ()).unwrap();
+        assert_eq!((end.last.time, end.work.accepted), (0.1, 2), "first step {initial_step}");
+    }
+}
+
+#[test]
+fn a_run_that_is_no_multiple_of_the_interval_ends_with_a_shorter_one() {
+    assert_eq!(times(&Parameters::new(0.25, 1.125)), [0.0, 0.25, 0.5, 0.75, 1.0, 1.125]);
+    assert_eq!(times(&Parameters::new(2.0, 0.5)), [0.0, 0.5]);
+    // Three tenths are not three times a tenth in f64, but are meant to be.
+    assert_eq!(times(&Parameters::new(0.1, 0.3)), [0.0, 0.1, 0.2, 3.0 * 0.1]);
+    let (points, end) = run(&SPRING, &Parameters::new(0.25, 1.125));
+    assert_eq!((end.last.time, end.last.index), (1.125, 5));
+    assert_eq!(end.last.state, points[5].1);
+}
+
+#[test]
+fn a_point_has_its_number_and_the_derivative_at_its_state() {
+    let mut rate = LOGISTIC.rate;
+    let start = Vector2::new(0.25, 1.0);
+    let mut next = 0;
+    let end = integrate(&mut rate, start, &Parameters::new(0.5, 4.0), |point| {
+        assert_eq!(point.index, next);
+        assert_eq!(point.derivative, (LOGISTIC.rate)(point.time, &point.state));
+        if point.index == 0 {
+            assert_eq!(point.state, start);
+        }
+        next += 1;
+    });
+    assert_eq!((end.unwrap().last.index, next), (8, 9));
+}
+
+#[test]
+fn the_right_hand_side_is_never_asked_beyond_the_next_printed_point() {
+    let mut latest: f64 = 0.0;
+    let mut rate = |time: f64, state: &Vector2<f64>| {
+        latest = latest.max(time);
+        Vector2::new(state[1], -state[0])
+    };
+    integrate(&mut rate, Vector2::new(1.0, 0.0), &Parameters::new(0.3, 2.1), |_| ()).unwrap();
+    assert_eq!(latest, 7.0 * 0.3);
+}

@@ -1,0 +1,37 @@
+//! Tables of computed numbers, beside those of the ledger: by name, or for a range of wheels.
+
+mod quick_return;
+pub mod wheels;
+
+use anyhow::anyhow;
+
+/// A table as HTML.
+type Draw = fn() -> anyhow::Result<String>;
+
+/// All tables, in the order of the book.
+const TABLES: &[(&str, Draw)] =
+    &[("quick-return-terms", quick_return::terms), ("quick-return-branches", quick_return::branches)];
+
+/// The table of this name.
+pub fn by_name(name: &str) -> anyhow::Result<String> {
+    let names = || TABLES.iter().map(|(name, _)| *name).collect::<Vec<_>>().join(", ");
+    let (_, draw) = TABLES
+        .iter()
+        .find(|(known, _)| *known == name)
+        .ok_or_else(|| anyhow!("no table `{name}`; there are: {}", names()))?;
+    draw()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_table_is_drawn_and_others_are_refused() {
+        for (name, _) in TABLES {
+            let html = by_name(name).expect("drawn");
+            assert!(html.contains("<table>") && !html.contains("NaN"), "{name}");
+        }
+        assert!(by_name("terms").expect_err("unknown").to_string().contains("quick-return-terms"));
+    }
+}

@@ -1,0 +1,138 @@
+//! The quick-return mechanism's vectors with their directions and senses, and what another reading would give.
+
+use crate::html::{Cells, table};
+use crate::maths::formula;
+use anyhow::Context;
+use geneva_kinematics::Turn;
+use geneva_kinematics::pin_vectors::quarter_turn;
+use geneva_kinematics::quick_return::{Branch, Motion};
+use geneva_ledger::quick_return::{Instant, had_been};
+use nalgebra::Vector2;
+
+/// A part of a vector that is zero but for rounding, relative to the vector.
+const NOTHING: f64 = 1e-9;
+
+/// Every velocity and acceleration of the printed instant: magnitude, direction, sense; and the mirror image's sense.
+pub fn terms() -> anyhow::Result<String> {
+    let [ours, mirrored] = [Instant::printed()?, Instant::mirrored()?].map(|instant| instant.by_diagrams());
+    let (ours, mirrored) = (ours.context("the pin is on the pivot")?, mirrored.context("the pin is on the pivot")?);
+    let mut rows = Vec::new();
+    for ((symbol, unit, vector), (_, _, mirror)) in vectors(&ours).into_iter().zip(vectors(&mirrored)) {
+        let symbol = formula(symbol, false)?;
+        rows.push(if vector.norm() == 0.0 {
+            vec![symbol, "0".to_owned(), "–".to_owned(), "none".to_owned(), "none".to_owned()]
+        } else {
+            vec![
+                symbol,
+                format!("{:.4}&nbsp;{unit}", vector.norm()),
+                format!("{:.2}°", direction(&vector)).replace('-', "−"),
+                words(&vector, &ours),
+                words(&mirror, &mirrored),
+            ]
+        });
+    }
+    let head = ["Vector", "Magnitude", "Direction", "Sense", "Sense in the mirror image"];
+    Ok(table("Vectors of the quick-return mechanism", Cells::Words, &head, &rows))
+}
+
+/// The printed data on the branch of the source, on the other one, and with the angle printed for the velocities.
+pub fn branches() -> anyhow::Result<String> {
+    let [far, near] = [Branch::Far, Branch::Near].map(Instant::on);
+    let (far, near) = (far?, near?);
+    let had_been = had_been();
+    let columns = [&far, &near].map(|instant| -> anyhow::Result<[f64; 10]> {
+        let motion = instant.by_diagrams().context("the pin is on the pivot")?;
+        let along = motion.velocities.position.normalize();
+        let across = quarter_turn(&along);
+        let terms = &motion.accelerations;
+        Ok([
+            instant.position.pin_distance,
+            instant.position.angle_at_pin().to_degrees(),
+            motion.velocities.slot_point_velocity.dot(&across),
+            motion.velocities.sliding_velocity.dot(&along),
+            motion.velocities.follower_speed,
+            terms.follower_normal.dot(&along),
+            terms.coriolis.dot(&across),
+            terms.sliding_tangential.dot(&along),
+            terms.follower_tangential.dot(&across),
+            terms.follower_acceleration,
+        ])
+    });
+    let [far_column, near_column] = columns;
+    let (far_column, near_column) = (far_column?, near_column?);
+    let with_printed_angle = [
+        far.position.pin_distance,
+        far.position.crank.degrees(),
+        had_been.lever_point_speed,
+        -had_been.sliding_speed,
+        had_been.lever_speed,
+        -had_been.lever_normal,
+        -had_been.coriolis,
+        -had_been.sliding_acceleration,
+        -had_been.lever_tangential,
+        -had_been.lever_acceleration,
+    ];
+    let names = [
+        ("r", "in m"),
+        (r"\beta", "in degrees"),
+        ("v_4", "in m/s, across"),
+        (r"v_\mathrm{rel}", "in m/s, along"),
+        (r"\omega_4", "in rad/s"),
+        (r"a_4^\mathrm{n}", "in m/s², along"),
+        (r"a_\mathrm{Cor}", "in m/s², across"),
+        (r"a_\mathrm{rel}^\mathrm{t}", "in m/s², along"),
+        (r"a_4^\mathrm{t}", "in m/s², across"),
+        (r"\alpha_4", "in rad/s²"),
+    ];
+    let mut rows = Vec::new();
+    for (at, (symbol, unit)) in names.into_iter().enumerate() {
+        let number = |value: f64| format!("{value:.4}").replace('-', "−");
+        let mut row = vec![format!("{} {unit}", formula(symbol, false)?)];
+        row.extend([far_column[at], near_column[at], with_printed_angle[at]].map(number));
+        rows.push(row);
+    }
+    let head = ["Quantity", "This branch", "The other branch", "Had the printed angle been right"];
+    Ok(table("Other readings of the quick-return problem", Cells::NamedNumbers, &head, &rows))
+}
+
+/// Symbol, unit and vector: three velocities, then the seven terms of the acceleration.
+fn vectors(motion: &Motion<f64>) -> [(&'static str, &'static str, Vector2<f64>); 10] {
+    let (velocities, terms) = (&motion.velocities, &motion.accelerations);
+    let (speed, acceleration) = ("m/s", "m/s²");
+    [
+        (r"\vec{v}_2", speed, velocities.pin_velocity),
+        (r"\vec{v}_4", speed, velocities.slot_point_velocity),
+        (r"\vec{v}_\mathrm{rel}", speed, velocities.sliding_velocity),
+        (r"\vec{a}_2^\mathrm{n}", acceleration, motion.pin_normal),
+        (r"\vec{a}_2^\mathrm{t}", acceleration, motion.pin_tangential),
+        (r"\vec{a}_4^\mathrm{n}", acceleration, terms.follower_normal),
+        (r"\vec{a}_4^\mathrm{t}", acceleration, terms.follower_tangential),
+        (r"\vec{a}_\mathrm{rel}^\mathrm{n}", acceleration, terms.sliding_normal),
+        (r"\vec{a}_\mathrm{rel}^\mathrm{t}", acceleration, terms.sliding_tangential),
+        (r"\vec{a}_\mathrm{Cor}", acceleration, terms.coriolis),
+    ]
+}
+
+/// Degrees counter-clockwise from the direction lever pivot → crank axis, in (−180°, 180°].
+fn direction(vector: &Vector2<f64>) -> f64 {
+    Turn { cos: vector.x, sin: vector.y }.degrees()
+}
+
+/// The sense of a vector that is along the lever or the crank, or across one of them.
+fn words(vector: &Vector2<f64>, motion: &Motion<f64>) -> String {
+    let is_zero = |part: f64, other: &Vector2<f64>| part.abs() <= NOTHING * vector.norm() * other.norm();
+    for (name, place, centre) in
+        [("lever", &motion.velocities.position, "the lever’s pivot"), ("crank", &motion.crank, "the crank’s axis")]
+    {
+        let (along, across) = (vector.dot(place), vector.dot(&quarter_turn(place)));
+        if is_zero(across, place) {
+            let to = if along < 0.0 { "towards" } else { "away from" };
+            return format!("along the {name}, {to} {centre}");
+        }
+        if is_zero(along, place) {
+            let sense = if across > 0.0 { "counter-clockwise" } else { "clockwise" };
+            return format!("across the {name}, {sense}");
+        }
+    }
+    "neither along nor across".to_owned()
+}
