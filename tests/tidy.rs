@@ -7,7 +7,7 @@ use toml::Table;
 /// Which rooms of the workspace each room may use.
 const MAY_USE: &[(&str, &[&str])] = &[
     ("kinematics", &[]),
-    ("dynamics", &["kinematics"]),
+    ("dynamics", &["kinematics", "mimic"]),
     ("mimic", &[]),
     ("ledger", &["kinematics", "dynamics", "mimic"]),
     ("figures", &["kinematics", "dynamics", "mimic"]),

@@ -19,6 +19,7 @@ pub mod existence_proofs;
 pub mod forces;
 mod parameters;
 pub mod pose;
+pub mod program;
 #[cfg(test)]
 mod proving;
 mod sign;

@@ -39,6 +39,15 @@ pub fn degrees(radians: f64) -> String {
     with_minus_sign(&format!("{}°", trimmed(radians.to_degrees(), 1)))
 }
 
+/// The power of ten not above a positive value: 10⁻³.
+pub fn power_of_ten(value: f64) -> String {
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let scientific = format!("{value:e}");
+    let exponent = scientific.split_once('e').map_or("0", |(_, exponent)| exponent);
+    let raised = |c: char| c.to_digit(10).and_then(|digit| DIGITS.get(digit as usize)).copied().unwrap_or('⁻');
+    format!("10{}", exponent.chars().map(raised).collect::<String>())
+}
+
 /// The smallest of 1, 2, 2.5 and 5 times a power of ten that is not below `least`; 1 if `least` is no positive number.
 pub fn round_step(least: f64) -> f64 {
     if !(least > 0.0 && least.is_finite()) {
@@ -75,6 +84,11 @@ mod tests {
     #[test]
     fn only_what_is_lost_in_rounding_counts_as_noise() {
         assert_eq!([without_noise(-3e-13, 2.0), without_noise(-3e-11, 2.0)], [0.0, -3e-11]);
+    }
+
+    #[test]
+    fn powers_of_ten_are_raised() {
+        assert_eq!([1.0, 1e-12, 2e15].map(power_of_ten), ["10⁰", "10⁻¹²", "10¹⁵"]);
     }
 
     #[test]

@@ -4,7 +4,7 @@
 //! are replaced afterwards. Names of axes and curves have symbols and subscripts, which it does not set: the caller
 //! labels the finished plot.
 
-use crate::number::{fixed, trimmed, with_minus_sign};
+use crate::number::{fixed, power_of_ten, trimmed, with_minus_sign};
 use crate::svg::canvas::Canvas;
 use crate::svg::label::{TEXT_SIZE, escape};
 use crate::svg::view::Pixels;
@@ -50,6 +50,8 @@ pub enum Scale {
     Even,
     /// Equal ratios, equal lengths; only for values above zero.
     Logarithmic,
+    /// The same, with marks at powers of ten that are written as such.
+    Decades,
 }
 
 impl Axis {
@@ -58,7 +60,7 @@ impl Axis {
         let Range { start, end } = self.range;
         match self.scale {
             Scale::Even => (value - start) / (end - start),
-            Scale::Logarithmic => libm::log(value / start) / libm::log(end / start),
+            Scale::Logarithmic | Scale::Decades => libm::log(value / start) / libm::log(end / start),
         }
     }
 }
@@ -85,6 +87,7 @@ impl ValueFormatter<f64> for Axis {
         match self.scale {
             Scale::Even => with_minus_sign(&fixed(*value, self.decimals)),
             Scale::Logarithmic => trimmed(*value, self.decimals),
+            Scale::Decades => power_of_ten(*value),
         }
     }
 }

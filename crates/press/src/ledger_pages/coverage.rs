@@ -3,19 +3,20 @@
 use super::inline::linked_id;
 use super::lookup;
 use crate::html::{Cells, escape, table};
-use geneva_ledger::{Entry, Line, Work};
+use geneva_ledger::{Entry, Line};
 
-/// The tables of all sources.
-pub fn page() -> anyhow::Result<String> {
+/// The tables of the sources with these slugs, with spaces between.
+pub fn page(slugs: &str) -> anyhow::Result<String> {
     let mut out = String::new();
-    for work in Work::ALL {
+    for slug in slugs.split_whitespace() {
+        let work = lookup::work(slug)?;
         let lines = work.inventory();
         let numbers: usize =
             lines.iter().map(|line| line.entries.iter().map(|entry| entry.numbers().len()).sum::<usize>()).sum();
         out.push_str(&format!(
-            "## Source `{work}`\n\n{} claims, with the labels of equations and figures and the exceptions below, account for \
+            "## Source {work}\n\n{} claims, with the labels of equations and figures and the exceptions below, account for \
              all {numbers} numbers in {} lines.\n\n",
-            lookup::of_work(*work).count(),
+            lookup::of_work(work).count(),
             lines.len()
         ));
         let rows: Vec<_> = lines.iter().map(row).collect();
@@ -25,7 +26,7 @@ pub fn page() -> anyhow::Result<String> {
             &["Line", "Claims", "Numbers", "Accounted for"],
             &rows,
         ));
-        out.push_str(&format!("\n\n### No claims: `{work}`\n\n{}\n\n", exceptions(lines)));
+        out.push_str(&format!("\n\n### No claims: {work}\n\n{}\n\n", exceptions(lines)));
     }
     Ok(out)
 }

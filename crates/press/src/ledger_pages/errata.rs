@@ -5,7 +5,7 @@ use super::inline::{badge, linked_id, rounded, with_unit};
 use super::lookup;
 use crate::html::{Cells, escape, table, tex_or_text};
 use anyhow::anyhow;
-use geneva_ledger::{Erratum, Judged, Severity, Work, in_full, verdicts};
+use geneva_ledger::{Erratum, Judged, Severity, in_full, verdicts};
 
 /// One erratum, as a box.
 pub fn one(id: &str) -> anyhow::Result<String> {
@@ -14,12 +14,13 @@ pub fn one(id: &str) -> anyhow::Result<String> {
     boxed(judged, erratum)
 }
 
-/// All errata, by source, after a table of how many there are of each severity.
-pub fn page() -> anyhow::Result<String> {
-    let mut out = summary();
-    for work in Work::ALL {
-        out.push_str(&format!("\n\n## Source `{work}`\n\n{}\n", escape(work.citation())));
-        for judged in lookup::of_work(*work) {
+/// All errata of the sources with these slugs, with spaces between.
+pub fn page(slugs: &str) -> anyhow::Result<String> {
+    let mut out = String::new();
+    for slug in slugs.split_whitespace() {
+        let work = lookup::work(slug)?;
+        out.push_str(&format!("\n\n## Source {work}\n\n{}\n", escape(work.citation())));
+        for judged in lookup::of_work(work) {
             if let Some(erratum) = &judged.claim.erratum {
                 out.push_str(&format!("\n{}\n", boxed(judged, erratum)?));
             }
@@ -63,7 +64,8 @@ fn boxed(judged: &Judged, erratum: &Erratum) -> anyhow::Result<String> {
     Ok(out)
 }
 
-fn summary() -> String {
+/// How many errata there are of each severity.
+pub fn summary() -> String {
     let rows: Vec<_> = Severity::ALL
         .iter()
         .map(|severity| {

@@ -1,6 +1,7 @@
 //! Pieces of the ledger inside a sentence.
 
 use super::lookup;
+use super::pages::page_of;
 use crate::html::{escape, tex_or_text};
 use anyhow::anyhow;
 use geneva_ledger::{Decimal, Judged, Verdict, claims, in_full};
@@ -46,12 +47,13 @@ pub fn citation(slug: &str) -> anyhow::Result<String> {
 
 /// The verdict of a claim as a badge that leads to the claim's row in the ledger.
 pub fn linked_badge(judged: &Judged) -> String {
-    format!("<a class=\"to-ledger\" href=\"ledger.html#{}\">{}</a>", judged.claim.id, badge(judged.verdict))
+    let (id, page) = (judged.claim.id, page_of(judged.claim.id));
+    format!("<a class=\"to-ledger\" href=\"{page}.html#{id}\">{}</a>", badge(judged.verdict))
 }
 
 /// The id of a claim, leading to its row in the ledger.
 pub fn linked_id(id: &str) -> String {
-    format!("<a href=\"ledger.html#{id}\"><code>{id}</code></a>")
+    format!("<a href=\"{}.html#{id}\"><code>{id}</code></a>", page_of(id))
 }
 
 /// A verdict as a badge: the word, to which style only adds.

@@ -1,22 +1,23 @@
 //! Lists: all claims, the classes of verdict, the tolerances, the letters of a source.
 
+use super::forms::how;
 use super::inline::{badge, computed, with_unit};
-use super::lookup;
+use super::{lookup, pages};
 use crate::html::{Cells, escape, table, tex_or_text};
 use crate::maths;
-use geneva_ledger::{Evidence, Judged, TOLERANCES, Verdict, Work, in_full, verdicts as judged};
+use anyhow::ensure;
+use geneva_ledger::{Evidence, Judged, TOLERANCES, Verdict, in_full, verdicts as judged};
 
-/// All claims, a table for each source; every row can be linked to by the claim's id.
-pub fn ledger() -> anyhow::Result<String> {
+/// The claims of a page of the ledger, a table for each stretch; every row can be linked to by the claim's id.
+pub fn ledger(page: &str) -> anyhow::Result<String> {
     let mut out = String::new();
-    for work in Work::ALL {
-        let rows = lookup::of_work(*work).map(row).collect::<anyhow::Result<Vec<_>>>()?;
+    for stretch in pages::of_page(page) {
+        let rows = stretch.ids().map(|id| row(lookup::judged(id)?)).collect::<anyhow::Result<Vec<_>>>()?;
         let head = ["Claim", "Where", "What", "Printed", "Computed", "Evidence", "Verdict"];
-        out.push_str(&format!(
-            "## Source `{work}`\n\n{}\n\n",
-            table(&format!("Claims of {work}"), Cells::Words, &head, &rows)
-        ));
+        let title = format!("Source {}: {}", stretch.work, stretch.title);
+        out.push_str(&format!("## {title}\n\n{}\n\n", table(&title, Cells::Words, &head, &rows)));
     }
+    ensure!(!out.is_empty(), "no page `{page}` of the ledger");
     Ok(out)
 }
 
@@ -29,7 +30,7 @@ fn row(judged: &Judged) -> anyhow::Result<Vec<String>> {
         format!("{}: {}", claim.kind, escape(claim.meaning)),
         with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?,
         computed(judged).unwrap_or_else(|| "–".to_owned()),
-        if evidence.is_empty() { "–".to_owned() } else { evidence.join(", ") },
+        if judged.computed.is_some() { evidence.join(", ") } else { how(judged) },
         badge(judged.verdict),
     ])
 }

@@ -7,3 +7,4 @@ pub mod forms;
 pub mod inline;
 pub mod lists;
 pub mod lookup;
+mod pages;

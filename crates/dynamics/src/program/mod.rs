@@ -1,0 +1,196 @@
+//! The program of 1973: the equation of motion on a variable-step integrator, with the driver's angle folded.
+//!
+//! It is what the thesis describes, not what a mechanism does. The driver's angle is folded back to the start of an
+//! engagement after a *fold*, whatever the number of pins. The sign of the friction term is chosen by the acceleration
+//! of a moment before. Both are fields here, beside the choices that describe the mechanism: a fold of 2π/m and the
+//! exact sign. For the motion itself there is a faster and sharper way, [`steady`](crate::steady).
+//! Work::Meyer1973, Appendix B.
+
+mod contact;
+mod printout;
+
+pub use contact::Contact;
+pub use printout::{Line, Printout};
+
+use crate::{Coefficients, EquationError, Inertias, ParameterError, Parameters, Pose, Sign, Slots};
+use contact::Memory;
+use geneva_kinematics::Turn;
+use geneva_mimic::{DelayError, IntegrationError, System, integrate};
+use nalgebra::Vector2;
+use std::fmt;
+
+/// One run's data cards, and what the program makes of them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Program {
+    /// Slots of the follower.
+    pub slots: Slots,
+    /// The two moments of inertia.
+    pub inertias: Inertias,
+    /// Torque on the driver.
+    pub torque: f64,
+    /// Friction between pin and slot.
+    pub friction: f64,
+    /// Centre distance over crank radius.
+    pub ratio: f64,
+    /// Crank angle at the start of an engagement, in radians from the line of centres.
+    pub start: f64,
+    /// Angle in radians after which the driver is put back to the start.
+    pub fold: f64,
+    /// How the sign of the friction term is chosen.
+    pub contact: Contact,
+}
+
+/// Why a run does not end well.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ProgramError {
+    /// The fold is not positive and finite.
+    Fold(f64),
+    /// The start or the ratio of the lengths is not finite.
+    NotFinite(f64),
+    /// A mechanism that cannot be.
+    Parameter(ParameterError),
+    /// The integrator stopped, in its own words.
+    Stopped(String),
+}
+
+impl fmt::Display for ProgramError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Fold(asked) => {
+                write!(f, "fold {asked} rad: it must be positive and finite; give an angle above zero")
+            }
+            Self::NotFinite(asked) => write!(f, "{asked}: a start and a ratio must be finite; give a number"),
+            Self::Parameter(error) => write!(f, "{error}"),
+            Self::Stopped(words) => f.write_str(words),
+        }
+    }
+}
+
+impl std::error::Error for ProgramError {}
+
+/// What can go wrong at an instant of a run.
+#[derive(Clone, Debug, PartialEq)]
+enum Fault {
+    NoSolution { angle: f64, error: EquationError },
+    Delay(DelayError),
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoSolution { angle, error } => write!(f, "at the crank angle {angle} rad: {error}"),
+            Self::Delay(error) => write!(f, "{error}"),
+        }
+    }
+}
+
+impl std::error::Error for Fault {}
+
+impl Program {
+    /// The program for a mechanism as it is: folded after one engagement, the sign exact.
+    pub fn of(parameters: &Parameters) -> Self {
+        let slots = parameters.slots();
+        let half = slots.engagement_half_angle();
+        Self {
+            slots,
+            inertias: parameters.inertias(),
+            torque: parameters.torque(),
+            friction: parameters.friction(),
+            ratio: slots.ratio(),
+            start: -half,
+            fold: 2.0 * half,
+            contact: Contact::Exact,
+        }
+    }
+
+    /// Runs it from rest, and gives the printed lines.
+    ///
+    /// # Errors
+    ///
+    /// A fold that is not positive, or whatever stops the integrator: a bad parameter of its own, a step that becomes
+    /// too small, an angle at which the equation has no single solution.
+    pub fn run(&self, integrator: &geneva_mimic::Parameters) -> Result<Printout, ProgramError> {
+        if !(self.fold > 0.0 && self.fold.is_finite()) {
+            return Err(ProgramError::Fold(self.fold));
+        }
+        for asked in [self.start, self.ratio] {
+            if !asked.is_finite() {
+                return Err(ProgramError::NotFinite(asked));
+            }
+        }
+        // Checks the ranges of torque and friction; the friction's limit is that of the mechanism as it is.
+        Parameters::new(self.slots, self.inertias, self.torque, self.friction).map_err(ProgramError::Parameter)?;
+        let memory = Memory::new(&self.contact).map_err(|error| ProgramError::Stopped(error.to_string()))?;
+        let mut motion = Motion { program: *self, memory, acceleration: 0.0 };
+        let mut lines = Vec::new();
+        let outcome = integrate(&mut motion, Vector2::zeros(), integrator, |point| {
+            let (angle, pose) = self.pose(point.state[0]);
+            lines.push(Line {
+                time: point.time,
+                turned: point.state[0],
+                angle,
+                speed: point.state[1],
+                acceleration: point.derivative[1],
+                follower_speed: pose.velocity_ratio() * point.state[1],
+            });
+        });
+        match outcome {
+            Ok(outcome) => Ok(Printout { lines, work: outcome.work }),
+            Err(error) => Err(ProgramError::Stopped(words(&error))),
+        }
+    }
+
+    /// The folded crank angle, and the pose there.
+    fn pose(&self, turned: f64) -> (f64, Pose<f64>) {
+        let angle = libm::fmod(turned, self.fold) + self.start;
+        (angle, Pose::new(&self.ratio, &Turn::from_radians(angle)))
+    }
+}
+
+fn words(error: &IntegrationError<2, Fault>) -> String {
+    error.to_string()
+}
+
+/// The motion as the integrator sees it: θ and θ'.
+struct Motion {
+    program: Program,
+    memory: Memory,
+    /// θ'' at the point that was asked for last.
+    acceleration: f64,
+}
+
+impl System<2> for Motion {
+    type Fault = Fault;
+
+    fn derivative(&mut self, time: f64, state: &Vector2<f64>) -> Result<Vector2<f64>, Fault> {
+        let (angle, pose) = self.program.pose(state[0]);
+        let drive = self.program.torque / self.program.inertias.follower();
+        let coefficients = Coefficients::of_pose(&pose, &self.program.inertias.ratio(), &self.program.friction, &drive);
+        let (a, d) = (coefficients.a, coefficients.d.abs());
+        if a.partial_cmp(&d) != Some(std::cmp::Ordering::Greater) {
+            return Err(Fault::NoSolution { angle, error: EquationError::NotUnique { a, d } });
+        }
+        let speed = state[1];
+        let sign = match &self.memory {
+            Memory::None => Sign::from_number(coefficients.sign_decider(&speed)),
+            // At rest the friction opposes the driver, whatever was before.
+            Memory::Line(_) if time <= 0.0 => Sign::from_number(coefficients.d),
+            Memory::Line(line) => {
+                let before = line.value(time).map_err(Fault::Delay)?;
+                Sign::from_number(coefficients.between_the_bars(&speed, &before))
+            }
+        };
+        self.acceleration = coefficients.acceleration_with(&speed, sign);
+        Ok(Vector2::new(speed, self.acceleration))
+    }
+
+    fn accepted(&mut self, time: f64, _: &Vector2<f64>, derivative: &Vector2<f64>) -> Result<(), Fault> {
+        match &mut self.memory {
+            Memory::None => Ok(()),
+            Memory::Line(line) => line.record(time, derivative[1]).map_err(Fault::Delay),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,110 @@
+//! The angle in which the coefficients of the equation of motion are as simple as they can be.
+//!
+//! Let ρ = φ'/θ' be the velocity ratio and k = a sin θ / R², the pin's sliding per radian over its distance from the
+//! pivot, both as the driver turns at a radian per unit of time. The point (ρ, k) runs on a circle: with ψ = θ + 2 φ
+//! and c = 1/(a² − 1),
+//!
+//! ρ = c (1 + a cos ψ), k = c a sin ψ, dψ/dθ = 1 + 2 ρ, dρ/dψ = −k, dk/dψ = ρ − c.
+//!
+//! The four coefficients over I_f become A = i + ρ², B = ρ ρ', C = μ k ρ', D = μ k ρ with ρ' = −k (1 + 2 ρ): Meyer
+//! 1973, after Eq. (1-18). The pin enters and leaves where ρ = 0, at ψ = ∓(π/2 + π/n).
+//!
+//! As a variable to compute with, w = tan(ψ/4) needs no sine: all the above are rational in it. It runs from 0 on the
+//! line of centres to 1 where the crank points away from the follower. The motion before the line of centres is
+//! the mirror image, ρ the same and k with the other sign; so w ≥ 0 is enough.
+
+use crate::Slots;
+use std::f64::consts::PI;
+
+/// The circle of one mechanism.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Circle {
+    /// a.
+    pub ratio: f64,
+    /// c = 1/(a² − 1), the circle's centre on the axis of ρ.
+    pub centre: f64,
+    /// c a, its radius.
+    pub radius: f64,
+    /// w where the pin leaves.
+    pub exit: f64,
+    /// Real and imaginary part of the w where 1 + 2 ρ = 0.
+    pub far: (f64, f64),
+}
+
+/// One place on the circle.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Place {
+    /// ρ, follower's speed over driver's.
+    pub lead: f64,
+    /// k, positive past the line of centres.
+    pub slide: f64,
+    /// dψ/dw.
+    pub stretch: f64,
+}
+
+impl Place {
+    /// dψ/dθ.
+    #[inline]
+    pub fn turning(&self) -> f64 {
+        1.0 + 2.0 * self.lead
+    }
+}
+
+impl Circle {
+    pub fn new(slots: Slots) -> Self {
+        let (ratio, centre) = (slots.ratio(), 1.0 / (slots.ratio_squared() - 1.0));
+        let exit = libm::tan(PI / 8.0 + PI / (4.0 * f64::from(slots.count())));
+        let imaginary = 1.0 / (centre * (ratio + 1.0) * (ratio + 1.0));
+        let far = ((1.0 - imaginary * imaginary).sqrt(), imaginary);
+        Self { ratio, centre, radius: centre * ratio, exit, far }
+    }
+
+    /// The place at w.
+    #[inline]
+    pub fn place(&self, w: f64) -> Place {
+        let scale = 1.0 / (1.0 + w * w);
+        let (sin, cos) = (2.0 * w * scale, (1.0 - w * w) * scale);
+        let lead = self.centre + self.radius * ((cos - sin) * (cos + sin));
+        Place { lead, slide: self.radius * (2.0 * sin * cos), stretch: 4.0 * scale }
+    }
+
+    /// θ at w, in radians; not negative.
+    pub fn angle(&self, w: f64) -> f64 {
+        // a − 1, without the loss of digits.
+        let less = 1.0 / (self.centre * (self.ratio + 1.0));
+        2.0 * libm::atan2(2.0 * w * less, (1.0 - w * w) * (self.ratio + 1.0))
+    }
+
+    /// w at θ, for θ from 0 to π.
+    pub fn at_angle(&self, angle: f64) -> f64 {
+        let less = 1.0 / (self.centre * (self.ratio + 1.0));
+        let (sin, cos) = (libm::sin(angle / 2.0) * (self.ratio + 1.0), libm::cos(angle / 2.0) * less);
+        sin / (cos + libm::hypot(sin, cos))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Pose;
+    use geneva_kinematics::Turn;
+
+    #[test]
+    fn the_circle_has_the_pose_of_the_mechanism() {
+        for slots in Slots::ALL {
+            let circle = Circle::new(slots);
+            for step in 0..=300 {
+                let angle = PI * f64::from(step) / 300.0;
+                let (w, pose) = (circle.at_angle(angle), Pose::new(&slots.ratio(), &Turn::from_radians(angle)));
+                let place = circle.place(w);
+                assert!((circle.angle(w) - angle).abs() < 2e-15 * (1.0 + angle), "{slots:?} {angle}");
+                assert!((place.lead - pose.velocity_ratio()).abs() < 2e-13 * circle.radius, "{slots:?} {angle}");
+                assert!((place.slide - pose.cross / pose.square).abs() < 2e-13 * circle.radius, "{slots:?} {angle}");
+                let rate = -place.slide * place.turning();
+                assert!((rate - pose.acceleration_ratio()).abs() < 2e-12 * circle.radius, "{slots:?} {angle}");
+            }
+            assert!((circle.angle(circle.exit) - slots.engagement_half_angle()).abs() < 1e-15);
+            assert!(circle.place(circle.exit).lead.abs() < 1e-15 * circle.radius);
+        }
+    }
+}

@@ -1,0 +1,275 @@
+//! One engagement: the solution of the equation of motion between two hand-overs, for all entry speeds at once.
+
+use super::arc::{Circle, Place};
+use super::error::SteadyError;
+use super::rule::{POINTS, Rule, rule};
+use super::stretch::{Branch, Points, Spread};
+use crate::Parameters;
+use std::f64::consts::PI;
+use std::ops::RangeInclusive;
+
+/// The tolerances that an [`Engagement`] can be asked for.
+pub const TOLERANCES: RangeInclusive<f64> = 1e-13..=1e-6;
+
+/// Most stretches, of sixteen points each, into which half an engagement is divided.
+pub const MOST_STRETCHES: usize = 4096;
+
+/// The motion over one engagement of an escapement, worked out but for the speed at entry.
+///
+/// It starts at the crank angle −π/m and lasts for a turn of the driver that is called the fold: 2π/m in a mechanism,
+/// where the next pin then takes over.
+#[derive(Clone, Debug)]
+pub struct Engagement {
+    parameters: Parameters,
+    fold: f64,
+    /// w at the end, negative before the line of centres.
+    end: f64,
+    tolerance: f64,
+    pub(super) rule: &'static Rule,
+    pub(super) circle: Circle,
+    /// I_D/I_f.
+    pub(super) inertia: f64,
+    /// μ.
+    pub(super) friction: f64,
+    /// √E: θ' over √u.
+    pub(super) unit: f64,
+    /// By rising w, from the line of centres to the exit or to the end, whichever is farther.
+    pub(super) panels: Vec<Panel>,
+    /// How many of them lie within the mechanism's engagement.
+    pub(super) to_exit: usize,
+    /// How many of them lie nearer to the line of centres than the end.
+    pub(super) to_end: usize,
+    /// Whether the end comes before the line of centres.
+    pub(super) ends_before_centres: bool,
+}
+
+/// One stretch, with both signs.
+#[derive(Clone, Debug)]
+pub(super) struct Panel {
+    pub points: Points,
+    /// Friction with the plus sign past the line of centres; mirrored, with the minus sign before it.
+    pub plus: Branch,
+    /// Friction with the minus sign past the line of centres.
+    pub minus: Branch,
+    /// ln of plus's growth less ln of minus's, without cancellation.
+    pub gap: f64,
+}
+
+impl Engagement {
+    /// The engagement of an escapement, from entry to exit, to a relative 10⁻¹².
+    ///
+    /// # Errors
+    ///
+    /// [`SteadyError::TooSharp`] if the friction is within rounding of the critical one, or the inertias differ too much.
+    pub fn new(parameters: &Parameters) -> Result<Self, SteadyError> {
+        Self::with_tolerance(parameters, 1e-12)
+    }
+
+    /// The same to another relative tolerance, of [`TOLERANCES`]. A greater one takes less time.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Engagement::new`], and [`SteadyError::Tolerance`].
+    pub fn with_tolerance(parameters: &Parameters, tolerance: f64) -> Result<Self, SteadyError> {
+        let exit = Circle::new(parameters.slots()).exit;
+        Self::to(parameters, 2.0 * parameters.slots().engagement_half_angle(), exit, tolerance)
+    }
+
+    /// The motion of a calculation that goes back to −π/m after a turn of `fold` radians, whether or not a pin leaves
+    /// there.
+    ///
+    /// The equation is evaluated beyond the exit if the fold is more than 2π/m, and short of it if less. The fold must
+    /// be positive and less than π + π/m. Meyer 1973, Appendix B, does so with one fold for all mechanisms.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Engagement::with_tolerance`], and [`SteadyError::Fold`].
+    ///
+    /// Beyond the exit the equation has one solution if it has within: with |ρ| = x there, k² = c² a² − (c + x)², and
+    /// at the place within where ρ = x it is c² a² − (c − x)², which is more; so |D| − ρ² = x (μ k − x) is less.
+    pub fn folded(parameters: &Parameters, fold: f64, tolerance: f64) -> Result<Self, SteadyError> {
+        let half = parameters.slots().engagement_half_angle();
+        if fold == 2.0 * half {
+            return Self::with_tolerance(parameters, tolerance);
+        }
+        let (limit, end) = (PI + half, fold - half);
+        if !(fold > 0.0 && end < PI) {
+            return Err(SteadyError::Fold { asked: fold, limit });
+        }
+        let circle = Circle::new(parameters.slots());
+        Self::to(parameters, fold, circle.at_angle(end.abs()).copysign(end), tolerance)
+    }
+
+    /// `end` is w at the end, negative before the line of centres.
+    fn to(parameters: &Parameters, fold: f64, end: f64, tolerance: f64) -> Result<Self, SteadyError> {
+        if !TOLERANCES.contains(&tolerance) {
+            return Err(SteadyError::Tolerance(tolerance));
+        }
+        Self::divided(parameters, fold, end, tolerance, &Scales::of_integrals(tolerance))
+    }
+
+    fn divided(
+        parameters: &Parameters,
+        fold: f64,
+        end: f64,
+        tolerance: f64,
+        scales: &Scales,
+    ) -> Result<Self, SteadyError> {
+        let mut engagement = Self {
+            parameters: *parameters,
+            fold,
+            tolerance,
+            rule: rule(),
+            circle: Circle::new(parameters.slots()),
+            inertia: parameters.inertias().ratio(),
+            friction: parameters.friction(),
+            unit: parameters.drive().sqrt(),
+            panels: Vec::with_capacity(8),
+            to_exit: 0,
+            to_end: 0,
+            ends_before_centres: end < 0.0,
+            end,
+        };
+        let (exit, reach) = (engagement.circle.exit, end.abs());
+        // At the exit A falls to i within √i: places, which are known to some units of 2⁻⁵³, must be finer than that.
+        if engagement.inertia.sqrt() * tolerance < 4.0 * f64::EPSILON {
+            return Err(SteadyError::TooSharp { angle: engagement.circle.angle(exit), margin: engagement.inertia });
+        }
+        engagement.divide(0.0, exit.min(reach), scales)?;
+        let nearer = engagement.panels.len();
+        engagement.divide(exit.min(reach), exit.max(reach), scales)?;
+        let farther = engagement.panels.len();
+        (engagement.to_exit, engagement.to_end) = if end > exit { (nearer, farther) } else { (farther, nearer) };
+        Ok(engagement)
+    }
+
+    /// Adds stretches from `low` to `high`, each short enough for its points to resolve.
+    fn divide(&mut self, low: f64, high: f64, scales: &Scales) -> Result<(), SteadyError> {
+        let mut rest = Vec::with_capacity(8);
+        if high > low {
+            rest.push((low, high));
+        }
+        while let Some((low, high)) = rest.pop() {
+            let middle = low + (high - low) / 2.0;
+            if self.resolves(low, middle, high, scales) {
+                let points = Points::new(&self.circle, self.rule, low, high, Spread::Even);
+                let plus = points.branch(self.rule, self.inertia, self.friction);
+                let minus = points.branch(self.rule, self.inertia, -self.friction);
+                let gap = self.rule.integral(&points.gap(self.inertia, self.friction));
+                self.panels.push(Panel { points, plus, minus, gap });
+            } else if self.panels.len() + rest.len() < MOST_STRETCHES && low < middle && middle < high {
+                rest.push((middle, high));
+                rest.push((low, middle));
+            } else {
+                let sigma = if middle < self.circle.exit { -self.friction } else { self.friction };
+                let margin = self.inert(&self.circle.place(middle), sigma).value;
+                return Err(SteadyError::TooSharp { angle: self.circle.angle(middle), margin });
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether no pole of the equation is too near, and its solution does not grow too much, from low to high.
+    fn resolves(&self, low: f64, middle: f64, high: f64, scales: &Scales) -> bool {
+        let near = scales.distance * (high - low) / 2.0;
+        // Poles that do not depend on the friction: w = ±i, where ψ is infinite, and where 1 + 2 ρ = 0. That is at
+        // ψ = π ± i ln a, where w is on the unit circle and its imaginary part tanh(ln a / 2) = (a − 1)/(a + 1).
+        let along = high - self.circle.far.0;
+        let far = (1.0 + low * low).min(along * along + self.circle.far.1 * self.circle.far.1) >= near * near;
+        far && [low, middle, high].into_iter().all(|w| {
+            let place = self.circle.place(w);
+            let near = near * place.stretch;
+            [self.friction, -self.friction].into_iter().all(|sigma| {
+                let inert = self.inert(&place, sigma);
+                let growth = 2.0 * (place.lead + sigma * place.slide) * place.slide;
+                inert.has_no_root_within(near)
+                    && libm::fabs(growth) * place.stretch * (high - low) <= scales.growth * inert.value
+            })
+        })
+    }
+
+    /// A + S D past the line of centres, with the first two derivatives by ψ, for σ = S μ.
+    fn inert(&self, place: &Place, sigma: f64) -> Parabola {
+        let centre = self.circle.centre;
+        let (lead, slide, across) = (place.lead, place.slide, place.lead - centre);
+        Parabola {
+            value: self.inertia + lead * (lead + sigma * slide),
+            slope: -2.0 * lead * slide + sigma * (lead * across - slide * slide),
+            bend: 2.0 * slide * slide - 2.0 * lead * across - sigma * slide * (4.0 * lead - 3.0 * centre),
+        }
+    }
+
+    /// The same, with stretches so short that what lies between their points is as good as the integrals.
+    pub(super) fn refined(&self) -> Result<Self, SteadyError> {
+        Self::divided(&self.parameters, self.fold, self.end, self.tolerance, &Scales::between(self.tolerance))
+    }
+
+    /// The escapement.
+    pub fn parameters(&self) -> &Parameters {
+        &self.parameters
+    }
+
+    /// Turn of the driver from the start of this engagement to that of the next, in radians.
+    pub fn fold(&self) -> f64 {
+        self.fold
+    }
+
+    /// The relative tolerance that was asked for.
+    pub fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    /// Into how many stretches, of sixteen points each, half the engagement was divided.
+    pub fn stretches(&self) -> usize {
+        self.panels.len()
+    }
+}
+
+/// A function of ψ about one place, by its first three derivatives.
+struct Parabola {
+    value: f64,
+    slope: f64,
+    bend: f64,
+}
+
+impl Parabola {
+    /// Whether the nearer root, real or complex, is at least so far away; `value` > 0.
+    fn has_no_root_within(&self, distance: f64) -> bool {
+        let discriminant = self.slope * self.slope - 2.0 * self.value * self.bend;
+        if discriminant < 0.0 {
+            2.0 * self.value >= distance * distance * self.bend
+        } else {
+            2.0 * self.value >= distance * (libm::fabs(self.slope) + discriminant.sqrt())
+        }
+    }
+}
+
+/// What is asked of a stretch is this much less than what is asked of the whole. Measured: see the tests.
+const SAFETY: f64 = 1.0 / 1024.0;
+
+/// What a stretch with [`POINTS`] points resolves.
+struct Scales {
+    /// Least distance of a pole, in half lengths.
+    distance: f64,
+    /// Most change of the logarithm of the solution.
+    growth: f64,
+}
+
+impl Scales {
+    /// For integrals over a stretch, whose error is the square of that between its points.
+    fn of_integrals(tolerance: f64) -> Self {
+        Self::between((SAFETY * tolerance).sqrt())
+    }
+
+    /// For values between the points.
+    ///
+    /// A polynomial through n points errs as e⁻ⁿ, where e is the sum of the half axes of the ellipse through the pole;
+    /// for an exponential function of range x, as (x/2)ⁿ/(2ⁿ⁻¹ n!).
+    fn between(tolerance: f64) -> Self {
+        let points = POINTS as f64;
+        let sum = libm::pow(tolerance, -1.0 / points);
+        let factorial: f64 = (1..=POINTS).map(|n| n as f64).product();
+        let growth = 2.0 * libm::pow(tolerance * factorial * libm::exp2(points - 1.0), 1.0 / points);
+        Self { distance: (sum - 1.0 / sum) / 2.0, growth }
+    }
+}

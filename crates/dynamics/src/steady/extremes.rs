@@ -1,0 +1,153 @@
+//! Where the driver is fastest and slowest.
+//!
+//! u is level where p u + f = 0, that is where 1 + N (1 + 2 ρ) u = 0, with N = (ρ + σ k) k and its sign turned round before
+//! the line of centres.
+
+use super::passage::{Passage, Phase, Piece};
+use super::rule::{POINTS, dot};
+use super::switch::{COARSE, FINE, STEPS};
+
+/// A greatest or least speed of the driver, and where it has it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Extreme {
+    /// θ', in radians per unit of time.
+    pub speed: f64,
+    /// θ, in radians from the line of centres.
+    pub angle: f64,
+    /// Units of time from the entry.
+    pub time: f64,
+}
+
+/// A place in a passage.
+#[derive(Clone, Copy, Debug)]
+struct Spot {
+    piece: usize,
+    at: f64,
+    square: f64,
+    /// From the start of the piece, in units of 1/√E.
+    time: f64,
+}
+
+impl Passage<'_> {
+    /// The greatest speed of the driver in this passage, its ends included.
+    pub fn fastest(&self) -> Extreme {
+        self.extreme(&self.spots(), |new, old| new > old)
+    }
+
+    /// The least speed of the driver in this passage, its ends included.
+    pub fn slowest(&self) -> Extreme {
+        self.extreme(&self.spots(), |new, old| new < old)
+    }
+
+    /// Both, for the price of one.
+    pub fn extremes(&self) -> [Extreme; 2] {
+        let spots = self.spots();
+        [self.extreme(&spots, |new, old| new > old), self.extreme(&spots, |new, old| new < old)]
+    }
+
+    fn extreme(&self, spots: &[Spot], better: impl Fn(f64, f64) -> bool) -> Extreme {
+        let mut best: Option<Spot> = None;
+        for spot in spots {
+            if best.is_none_or(|best| better(spot.square, best.square)) {
+                best = Some(*spot);
+            }
+        }
+        // A passage has a piece, and with it its two ends.
+        let Some(spot) = best else { return Extreme { speed: f64::NAN, angle: f64::NAN, time: f64::NAN } };
+        let angle = self.engagement.circle.angle(spot.at);
+        let angle = if self.pieces[spot.piece].phase == Phase::Approach { -angle } else { angle };
+        let before: f64 = self.pieces[..spot.piece].iter().map(|piece| piece.duration).sum();
+        Extreme { speed: self.speed(spot.square), angle, time: (before + spot.time) / self.engagement.unit }
+    }
+
+    /// The ends, and where u is level.
+    fn spots(&self) -> Vec<Spot> {
+        let mut spots = Vec::with_capacity(4);
+        for (number, piece) in self.pieces.iter().enumerate() {
+            if number == 0 {
+                spots.push(Spot { piece: number, at: piece.start(), square: piece.ends[0], time: 0.0 });
+            }
+            if number + 1 == self.pieces.len() {
+                spots.push(Spot { piece: number, at: piece.end(), square: piece.ends[1], time: piece.duration });
+            }
+            self.level_spots(number, piece, &mut spots);
+        }
+        spots
+    }
+
+    /// 1 + N (1 + 2 ρ) u at a place, in the mirror image that w ≥ 0 is.
+    fn slope(&self, phase: Phase, lead: f64, slide: f64, square: f64) -> f64 {
+        let both = (lead + self.engagement.sigma(phase) * slide) * slide;
+        let loss = both * (1.0 + 2.0 * lead) * square;
+        if phase == Phase::Approach { 1.0 - loss } else { 1.0 + loss }
+    }
+
+    fn level_spots(&self, number: usize, piece: &Piece<'_>, spots: &mut Vec<Spot>) {
+        let (points, phase, circle) = (&piece.points, piece.phase, &self.engagement.circle);
+        let [low, high] = if phase == Phase::Approach { [piece.ends[1], piece.ends[0]] } else { piece.ends };
+        let slope_at = |w: f64, square: f64| {
+            let place = circle.place(w);
+            self.slope(phase, place.lead, place.slide, square)
+        };
+        let mut before = (points.low, slope_at(points.low, low));
+        for index in 0..POINTS {
+            let slope = self.slope(phase, points.lead[index], points.slide[index], piece.squares[index]);
+            let here = (points.at(self.engagement.rule.points[index]), slope);
+            if (before.1 > 0.0) != (slope > 0.0) {
+                spots.push(self.level(number, piece, before, here));
+            }
+            before = here;
+        }
+        let here = (points.high, slope_at(points.high, high));
+        if (before.1 > 0.0) != (here.1 > 0.0) {
+            spots.push(self.level(number, piece, before, here));
+        }
+    }
+
+    /// The place between two, each with the slope there, at which u is level.
+    fn level(&self, number: usize, piece: &Piece<'_>, low: (f64, f64), high: (f64, f64)) -> Spot {
+        let rising = low.1 > 0.0;
+        let (first, last, width) = (low.0, high.0, piece.points.high - piece.points.low);
+        // Where the straight line is level.
+        let start = first + (last - first) * (low.1 / (low.1 - high.1));
+        let (mut low, mut high) = (first, last);
+        let (mut w, mut refining) = (start.clamp(first, last), false);
+        let part = |w: f64| {
+            let part = self.part(number, w);
+            (part.ends[1], part.duration)
+        };
+        for _ in 0..STEPS {
+            let (square, time) = if refining {
+                part(w)
+            } else {
+                (dot(&piece.points.shares(self.engagement.rule, w), &piece.squares), 0.0)
+            };
+            let place = self.engagement.circle.place(w);
+            let (lead, slide, turning) = (place.lead, place.slide, place.turning());
+            let sigma = self.engagement.sigma(piece.phase);
+            let value = self.slope(piece.phase, lead, slide, square);
+            // Its rate by w where u is level.
+            let both = (lead + sigma * slide) * slide;
+            let across = lead - self.engagement.circle.centre;
+            let change = -slide * slide + lead * across + 2.0 * sigma * slide * across;
+            let rate = (change * turning - 2.0 * slide * both) * place.stretch;
+            let rate = if piece.phase == Phase::Approach { -square * rate } else { square * rate };
+            let next = w - value / rate;
+            let moved = next - w;
+            if refining && libm::fabs(moved) <= FINE * width {
+                let pace = place.stretch / turning / square.sqrt();
+                let late = if piece.phase == Phase::Approach { -moved } else { moved };
+                // u is level to the second order of the step.
+                return Spot { piece: number, at: next, square, time: time + late * pace };
+            }
+            if !refining {
+                *(if (value > 0.0) == rising { &mut low } else { &mut high }) = w;
+            }
+            let inside = next >= low && next <= high;
+            refining |= inside && libm::fabs(moved) <= COARSE * width;
+            w = if inside || refining { next.clamp(first, last) } else { low + (high - low) / 2.0 };
+        }
+        let (square, time) = part(w);
+        Spot { piece: number, at: w, square, time }
+    }
+}

@@ -1,0 +1,139 @@
+//! The start from rest, engagement by engagement.
+//!
+//! "Rise time to 99 %" needs a definition: of what, and counted to when. Each that is offered here has its own name.
+
+use super::engagement::Engagement;
+use super::error::SteadyError;
+use super::extremes::Extreme;
+use super::terminal::SteadyState;
+
+/// One engagement of a start from rest. Times are from the start, speeds the driver's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cycle {
+    /// When it starts.
+    pub start: f64,
+    /// When it ends.
+    pub end: f64,
+    /// Speed at its start.
+    pub entry_speed: f64,
+    /// Speed at its end.
+    pub end_speed: f64,
+    /// Greatest speed, with the time from the start of the run.
+    pub peak: Extreme,
+    /// Least speed, with the time from the start of the run.
+    pub minimum: Extreme,
+    /// Fold over duration.
+    pub mean_speed: f64,
+}
+
+/// A start from rest until nothing changes by more than the tolerance any more.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Rise {
+    /// The steady state that is approached.
+    pub steady: SteadyState,
+    /// The engagements, in order, until the speed at the end is within `settled` of the steady one.
+    pub cycles: Vec<Cycle>,
+}
+
+/// Most engagements of a [`Rise`].
+pub const MOST_CYCLES: usize = 100_000;
+
+impl Engagement {
+    /// The start from rest, at entry, until the speed at an end is within a relative `settled` (between 0 and 1) of the
+    /// steady state's entry speed.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Engagement::steady_state`]; [`SteadyError::Tolerance`] if `settled` is not between 0 and 1;
+    /// [`SteadyError::TooMany`] if [`MOST_CYCLES`] are not enough.
+    pub fn rise(&self, settled: f64) -> Result<Rise, SteadyError> {
+        if !(settled > 0.0 && settled < 1.0) {
+            return Err(SteadyError::Tolerance(settled));
+        }
+        let steady = self.steady_state()?;
+        let (mut cycles, mut time, mut square) = (Vec::new(), 0.0, 0.0);
+        while cycles.len() < MOST_CYCLES {
+            let passage = self.pass(square);
+            let duration = passage.duration();
+            let [peak, minimum] = passage.extremes().map(|extreme| Extreme { time: time + extreme.time, ..extreme });
+            cycles.push(Cycle {
+                start: time,
+                end: time + duration,
+                entry_speed: passage.entry_speed(),
+                end_speed: passage.end_speed(),
+                peak,
+                minimum,
+                mean_speed: self.fold() / duration,
+            });
+            square = passage.end;
+            time += duration;
+            if near(passage.end_speed(), steady.entry_speed, settled) {
+                return Ok(Rise { steady, cycles });
+            }
+        }
+        Err(SteadyError::TooMany { name: "engagements", limit: MOST_CYCLES })
+    }
+
+    /// Engagements from rest until the speed at the end is within a relative `settled` of the steady one, and the time.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Engagement::rise`].
+    pub fn engagements_to_settle(&self, settled: f64) -> Result<(usize, f64), SteadyError> {
+        let rise = self.rise(settled)?;
+        Ok((rise.cycles.len(), rise.cycles.last().map_or(0.0, |cycle| cycle.end)))
+    }
+}
+
+/// Whether a speed is within a relative part of another.
+fn near(speed: f64, steady: f64, part: f64) -> bool {
+    (speed - steady).abs() <= part * steady
+}
+
+impl Rise {
+    /// When the first engagement starts at a speed within `part` of the steady entry speed.
+    pub fn until_entry_speed(&self, part: f64) -> Option<f64> {
+        let start = |cycle: &Cycle| near(cycle.entry_speed, self.steady.entry_speed, part).then_some(cycle.start);
+        let last = self.cycles.last().filter(|cycle| near(cycle.end_speed, self.steady.entry_speed, part));
+        self.cycles.iter().find_map(start).or(last.map(|cycle| cycle.end))
+    }
+
+    /// When the first engagement ends whose mean speed is within `part` of the steady one.
+    pub fn until_mean_speed(&self, part: f64) -> Option<f64> {
+        self.cycles.iter().find(|cycle| near(cycle.mean_speed, self.steady.mean_speed, part)).map(|cycle| cycle.end)
+    }
+
+    /// When the first engagement starts whose mean speed is within `part` of the steady one.
+    pub fn until_mean_speed_begins(&self, part: f64) -> Option<f64> {
+        self.cycles.iter().find(|cycle| near(cycle.mean_speed, self.steady.mean_speed, part)).map(|cycle| cycle.start)
+    }
+
+    /// When the driver is first at a greatest speed of an engagement that is within `part` of the steady one.
+    pub fn until_peak(&self, part: f64) -> Option<f64> {
+        self.cycles
+            .iter()
+            .find(|cycle| near(cycle.peak.speed, self.steady.peak.speed, part))
+            .map(|cycle| cycle.peak.time)
+    }
+
+    /// When the driver is first, not counting the start, at a least speed of an engagement within `part` of the steady
+    /// one.
+    pub fn until_minimum(&self, part: f64) -> Option<f64> {
+        let near = |cycle: &&Cycle| near(cycle.minimum.speed, self.steady.minimum.speed, part);
+        self.cycles.iter().find(near).map(|cycle| cycle.minimum.time)
+    }
+
+    /// When the driver is first, after its first engagement, slowest: by the first minimum, says the source, the
+    /// velocity profile is the steady one. Meyer 1973, chapter II.
+    pub fn until_first_minimum(&self) -> Option<f64> {
+        self.cycles.get(1).map(|cycle| cycle.minimum.time)
+    }
+
+    /// When the mean of an engagement's greatest and least speed is first within `part` of the steady one: the end of
+    /// that engagement.
+    pub fn until_mean_of_extremes(&self, part: f64) -> Option<f64> {
+        let mean = |cycle: &Cycle| f64::midpoint(cycle.peak.speed, cycle.minimum.speed);
+        let steady = self.steady.mean_of_extremes();
+        self.cycles.iter().find(|cycle| near(mean(cycle), steady, part)).map(|cycle| cycle.end)
+    }
+}

@@ -1,0 +1,44 @@
+//! Whether the tolerance that is asked for is met, from one end of the parameters to the other.
+
+use super::escapement;
+use crate::steady::Engagement;
+use crate::{Slots, existence};
+
+/// The finest, for comparison: ten times finer than what is tested against it.
+const REFERENCE: f64 = 1e-13;
+
+#[test]
+fn the_tolerance_is_met() {
+    for tolerance in [1e-6, 1e-8, 1e-10, 1e-12] {
+        let (mut worst, mut stretches, mut count) = (0.0_f64, 0, 0);
+        for slots in Slots::ALL {
+            for quarter in -12..=12 {
+                let inertia = libm::exp10(f64::from(quarter) / 4.0);
+                let limit = existence::critical_friction(slots, inertia).expect("sound").friction.min(3.0);
+                for part in [1e-6, 0.03, 0.1, 0.3, 0.5, 0.7, 0.9, 0.97, 0.997] {
+                    let escapement = escapement(slots, inertia, limit * part);
+                    let [one, finest] = [tolerance, REFERENCE].map(|tolerance| {
+                        let engagement = Engagement::with_tolerance(&escapement, tolerance).expect("an engagement");
+                        (engagement.stretches(), engagement.steady_state().expect("a terminal speed"))
+                    });
+                    (stretches, count) = (stretches + one.0, count + 1);
+                    let (one, finest) = (one.1, finest.1);
+                    let [switch, same] = [one, finest].map(|steady| steady.switch_angle.expect("a switch"));
+                    for (name, a, b) in [
+                        ("entry", one.entry_speed, finest.entry_speed),
+                        ("peak", one.peak.speed, finest.peak.speed),
+                        ("minimum", one.minimum.speed, finest.minimum.speed),
+                        ("period", one.period, finest.period),
+                        ("switch", switch, same),
+                        ("contraction", libm::log(one.contraction), libm::log(finest.contraction)),
+                    ] {
+                        let error = (a / b - 1.0).abs();
+                        worst = worst.max(error);
+                        assert!(error <= tolerance, "{slots:?} {inertia} {part} {name}: {error:e} of {tolerance:e}");
+                    }
+                }
+            }
+        }
+        println!("{tolerance:e}: {worst:e} with {:.1} stretches", f64::from(stretches as u32) / f64::from(count));
+    }
+}
