@@ -3,7 +3,9 @@
 //! Run as it is by a reader, with its output in a pipe. What a page looks like is pinned under
 //! `snapshots/command-line`; what must hold whatever it looks like is asserted.
 
+mod escapement_command;
 mod quick_return_command;
+mod sweep_command;
 mod wheel_command;
 
 use geneva_ledger::{claims, in_full, verdicts};
@@ -91,6 +93,8 @@ fn every_command_explains_itself_with_an_example() {
         ("help-coverage", &["coverage", "--help"]),
         ("help-wheel", &["wheel", "--help"]),
         ("help-quick-return", &["quick-return", "--help"]),
+        ("help-escapement", &["escapement", "--help"]),
+        ("help-sweep", &["sweep", "--help"]),
         ("help-book", &["book", "--help"]),
         ("help-book-build", &["book", "build", "--help"]),
         ("help-book-test", &["book", "test", "--help"]),

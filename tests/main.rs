@@ -3,6 +3,7 @@
 mod book_pages;
 mod book_sources;
 mod coverage;
+mod displays;
 mod pin_over_the_engagement;
 mod snapshots;
 mod tidy;

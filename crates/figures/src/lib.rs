@@ -17,6 +17,7 @@ mod star;
 mod svg;
 mod theme;
 
+pub mod escapement;
 pub mod pin;
 pub mod quick_return;
 pub mod stations;

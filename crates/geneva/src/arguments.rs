@@ -1,6 +1,8 @@
 //! What can be said to the program.
 
+use crate::escapement::EscapementArguments;
 use crate::quick_return::QuickReturnArguments;
+use crate::sweep::SweepArguments;
 use crate::wheel::WheelArguments;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -24,6 +26,10 @@ Examples:
   geneva wheel --stations 6 --rpm 360          sizes, times and peaks of a wheel of your own
   geneva quick-return --ground 0.3 --crank 0.1 --crank-angle 75 --rpm 60
                                                a quick-return mechanism of your own, at an instant
+  geneva escapement --slots 4 --friction 0.3 --torque 2 --driver-inertia 1 --follower-inertia 15
+                                               a Geneva escapement of your own: how fast it runs
+  geneva sweep --slots 4 --friction 0.1:0.4:7 --inertia-ratio 0.1:1:10 --output sweep.csv
+                                               many escapements, a row for each
   geneva book --open                           build the book and open it
   geneva completions bash                      completions for a shell
 
@@ -76,6 +82,40 @@ Examples:
 
 The pin on the crank slides in the slot of the lever, which turns about its pivot.")]
     QuickReturn(QuickReturnArguments),
+    /// Compute or draw a Geneva escapement: its terminal speed, period and rise from rest
+    #[command(after_help = "\
+Examples:
+  geneva escapement --slots 4 --friction 0.3 --torque 2 --driver-inertia 1 --follower-inertia 15
+  geneva escapement --slots 6 --friction 0.2 --torque 1 --driver-inertia 1 --follower-inertia 5 \\
+                    --format json
+  geneva escapement --slots 4 --friction 0 --torque 1 --driver-inertia 1 --follower-inertia 5 \\
+                    --duration 20 --interval 0.1 --format csv > run.csv
+  geneva escapement --slots 6 --friction 0.2 --torque 1 --driver-inertia 1 --follower-inertia 5 \\
+                    --modulus-deg 90
+
+A spring turns the driver. Its pins, all round, push the slotted follower on from stop to stop: one pin enters as the \
+one before it leaves. Any coherent units will do: a torque in lb·in with inertias in lb·in·s², or in N·m \
+with kg·m². Times are then in s, and speeds in rad/s.")]
+    Escapement(EscapementArguments),
+    /// Compute many escapements: ranges of friction, inertia ratio and torque, as CSV
+    #[command(after_help = "\
+Examples:
+  geneva sweep --slots 4 --friction 0.1:0.4:7 --inertia-ratio 0.1 --output -
+  geneva sweep --slots 3,4,6 --friction 0.05:0.4:50 --inertia-ratio 0.01:1:50:log --output sweep.csv
+  geneva sweep --slots 6 --friction 0.3 --inertia-ratio 0.6 --torque 1:100:5:log \\
+               --follower-inertia 1e-5 --threads 2 --output sweep.csv
+
+A range has its two ends, how many values there are with them, and how they are spaced. Rows go through the torques \
+first, then through the inertia ratios, the frictions and the slots; there may be ten million. Units are those of \
+geneva escapement, and so is every number.
+
+The status in the last column is ok; jams where the friction is the critical one or more; no-terminal-speed where there \
+is no friction; too-sharp where the motion changes too quickly to be computed; long-rise where only the rise takes too \
+many engagements to be followed. What there is no number for is empty.
+
+Interrupted, it leaves FILE as it was, or not there. An end by force in the moment when complete rows are put in place \
+may leave FILE.unfinished- with some letters behind it, which can be deleted.")]
+    Sweep(SweepArguments),
     /// Build the book, or test its chapters
     #[command(
         args_conflicts_with_subcommands = true,

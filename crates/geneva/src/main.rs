@@ -1,8 +1,8 @@
 //! The command line `geneva`: argument parsing and printing, nothing else.
 //!
 //! Every command turns its arguments into text. What the text says comes from the ledger, of a wheel or a quick-return
-//! mechanism from the kinematics and the figures, and the book from the press. Exit codes: 0 all is as recorded, 1
-//! something differs, 2 bad usage, bad input or no access.
+//! mechanism from the kinematics and the figures, of an escapement from the dynamics, and the book from the press. Exit
+//! codes: 0 all is as recorded, 1 something differs, 2 bad usage, bad input or no access.
 
 mod arguments;
 mod book;
@@ -10,6 +10,7 @@ mod claims;
 mod completions;
 mod coverage;
 mod errata;
+mod escapement;
 mod output;
 mod preprocess;
 mod progress;
@@ -17,6 +18,7 @@ mod quick_return;
 mod record;
 mod sheet;
 mod summary;
+mod sweep;
 mod wheel;
 mod workspace;
 
@@ -58,6 +60,14 @@ fn run(arguments: Arguments) -> anyhow::Result<Outcome> {
         }
         Some(Command::QuickReturn(wanted)) => {
             print(&quick_return::page(&wanted)?)?;
+            Ok(Outcome::AsRecorded)
+        }
+        Some(Command::Escapement(wanted)) => {
+            print(&escapement::page(&wanted)?)?;
+            Ok(Outcome::AsRecorded)
+        }
+        Some(Command::Sweep(wanted)) => {
+            sweep::run(&wanted)?;
             Ok(Outcome::AsRecorded)
         }
         Some(Command::Book(wanted)) => book::run(wanted),

@@ -100,6 +100,10 @@ pub enum Evidence {
     Dimension,
     /// What the same source says elsewhere.
     OtherPlaceInSource,
+    /// The equation of motion solved over the driver's angle.
+    Integration,
+    /// The equation of motion solved step by step.
+    Steps,
 }
 
 /// Whether a form holds, and how that was found.
@@ -300,6 +304,8 @@ slugs!(Evidence {
     LimitCase = "limit-case",
     Dimension = "dimension",
     OtherPlaceInSource = "other-place-in-source",
+    Integration = "integration",
+    Steps = "steps",
 });
 
 impl Evidence {
@@ -316,6 +322,8 @@ impl Evidence {
             Self::LimitCase => "cases in which the answer is known, or all cases of a list gone through",
             Self::Dimension => "the dimensions of the quantities",
             Self::OtherPlaceInSource => "what the same source says elsewhere",
+            Self::Integration => "the equation of motion solved over the driver's angle, by integrals",
+            Self::Steps => "the equation of motion solved in steps of time or angle",
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The verdict on a claim, derived.
 
-use crate::tolerance::ROUTES;
+use crate::tolerance::{ROUTES, STEPS};
 use crate::{Check, Claim, Decimal, Erratum, Evidence, Finding, Route, Verdict};
 
 /// A claim with its derived verdict and what was found on the way.
@@ -81,7 +81,7 @@ fn number(judged: &mut Judged, computed: &Route<f64>, witness: &Route<f64>, reso
     let correction = claim.erratum.as_ref().map(|erratum| correction_passes(erratum, value));
     judged.verdict = if printed.is_rounding_of(value) {
         Verdict::Reproduced
-    } else if printed.is_truncation_of(value) {
+    } else if resolution.is_none() && printed.is_truncation_of(value) {
         Verdict::Truncated
     } else if judged.from_rounded.is_some_and(|rounded| printed.is_rounding_of(rounded)) {
         Verdict::FromRounded
@@ -99,6 +99,8 @@ fn number(judged: &mut Judged, computed: &Route<f64>, witness: &Route<f64>, reso
     let agrees = if witness.evidence == Evidence::OtherPlaceInSource {
         let right = claim.erratum.as_ref().and_then(|erratum| erratum.corrected.parse().ok()).unwrap_or(printed);
         right.is_rounding_of(witnessed)
+    } else if witness.evidence == Evidence::Steps {
+        STEPS.agrees(value, witnessed)
     } else {
         ROUTES.agrees(value, witnessed)
     };

@@ -77,10 +77,8 @@ fn digits(text: &str) -> Option<(IBig, u32)> {
     let grouped = whole.replace(',', "");
     let point_without_digits = fraction.is_empty() && text.contains('.');
     let all = format!("{grouped}{fraction}");
-    let well_formed = !grouped.is_empty()
-        && !point_without_digits
-        && groups_of_three(whole)
-        && all.bytes().all(|b| b.is_ascii_digit());
+    let well_formed =
+        !all.is_empty() && !point_without_digits && groups_of_three(whole) && all.bytes().all(|b| b.is_ascii_digit());
     if !well_formed {
         return None;
     }
@@ -192,7 +190,7 @@ mod tests {
         assert_eq!(decimal("−0.25").exact(), rational(-1, 4));
         assert_eq!(decimal("1/18").exact(), rational(1, 18));
         assert_eq!(decimal("±1.5").exact(), rational(3, 2));
-        for text in ["1/0", "1/2.5", "/3", "1/2/3", "", ".", "1.2.3", "12,34", ",123", "1e3", "a", "--1", "1.", ".5"] {
+        for text in ["1/0", "1/2.5", "/3", "1/2/3", "", ".", "1.2.3", "12,34", ",123", "1e3", "a", "--1", "1."] {
             let read = text.parse::<Decimal>();
             assert!(read.is_err(), "{text}: {read:?}");
         }

@@ -18,7 +18,7 @@ pub enum Work {
 
 impl Work {
     /// All sources, in the order of the book.
-    pub const ALL: &[Self] = &[Self::Pin, Self::QuickReturn, Self::Jazar2003];
+    pub const ALL: &[Self] = &[Self::Pin, Self::QuickReturn, Self::Jazar2003, Self::Meyer1973];
 
     /// Short name, as it starts the ids of its claims.
     pub fn slug(self) -> &'static str {

@@ -14,7 +14,10 @@ use math_core::{LatexError, LatexToMathML, MathCoreConfig, MathDisplay};
 /// the book's font has no sign for is an error, and so is an equation that would be numbered without a `\tag`.
 pub fn formula(tex: &str, display: bool) -> anyhow::Result<String> {
     let tex = tex.trim();
-    let markup = markup(tex, display).with_context(|| format!("the formula `{tex}`"))?;
+    // A display with a number of its own is an equation, whether it says so or not.
+    let wrapped = (display && tex.contains(r"\tag{") && !tex.contains(r"\begin{"))
+        .then(|| format!(r"\begin{{equation}}{tex}\end{{equation}}"));
+    let markup = markup(wrapped.as_deref().unwrap_or(tex), display).with_context(|| format!("the formula `{tex}`"))?;
     Ok(if display { format!("<span class=\"display\">{markup}</span>") } else { markup })
 }
 
@@ -77,6 +80,13 @@ fn has_sign(c: char) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_display_may_bear_the_number_of_its_source() {
+        let markup = formula(r"a = b \tag{1-7}", true).expect("an equation");
+        assert!(markup.contains("1") && !markup.contains("tag"), "{markup}");
+        assert!(formula(r"a = b \tag{1-7}", false).is_err(), "a formula in a line has no number");
+    }
 
     #[test]
     fn mathml_and_nothing_else() {

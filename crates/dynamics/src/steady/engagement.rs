@@ -39,7 +39,7 @@ pub struct Engagement {
     pub(super) to_exit: usize,
     /// How many of them lie nearer to the line of centres than the end.
     pub(super) to_end: usize,
-    /// Whether the end comes before the line of centres.
+    /// Whether the end comes before the line of centres, or on it.
     pub(super) ends_before_centres: bool,
 }
 
@@ -127,7 +127,7 @@ impl Engagement {
             panels: Vec::with_capacity(8),
             to_exit: 0,
             to_end: 0,
-            ends_before_centres: end < 0.0,
+            ends_before_centres: end <= 0.0,
             end,
         };
         let (exit, reach) = (engagement.circle.exit, end.abs());
@@ -155,7 +155,13 @@ impl Engagement {
                 let points = Points::new(&self.circle, self.rule, low, high, Spread::Even);
                 let plus = points.branch(self.rule, self.inertia, self.friction);
                 let minus = points.branch(self.rule, self.inertia, -self.friction);
-                let gap = self.rule.integral(&points.gap(self.inertia, self.friction));
+                let difference = plus.exponent - minus.exponent;
+                // Where the difference has lost digits it is found by itself.
+                let gap = if difference > 0.01 * libm::fabs(plus.exponent) {
+                    difference
+                } else {
+                    self.rule.integral(&points.gap(self.inertia, self.friction))
+                };
                 self.panels.push(Panel { points, plus, minus, gap });
             } else if self.panels.len() + rest.len() < MOST_STRETCHES && low < middle && middle < high {
                 rest.push((middle, high));
@@ -176,15 +182,17 @@ impl Engagement {
         // ψ = π ± i ln a, where w is on the unit circle and its imaginary part tanh(ln a / 2) = (a − 1)/(a + 1).
         let along = high - self.circle.far.0;
         let far = (1.0 + low * low).min(along * along + self.circle.far.1 * self.circle.far.1) >= near * near;
+        // Of the two signs this one has the nearer poles: at ρ > 0 where ρ > 0, at ρ < 0 where ρ < 0.
+        let sigma = if middle < self.circle.exit { -self.friction } else { self.friction };
         far && [low, middle, high].into_iter().all(|w| {
             let place = self.circle.place(w);
-            let near = near * place.stretch;
-            [self.friction, -self.friction].into_iter().all(|sigma| {
-                let inert = self.inert(&place, sigma);
-                let growth = 2.0 * (place.lead + sigma * place.slide) * place.slide;
-                inert.has_no_root_within(near)
-                    && libm::fabs(growth) * place.stretch * (high - low) <= scales.growth * inert.value
-            })
+            let inert = self.inert(&place, sigma);
+            let other = inert.value - 2.0 * sigma * place.slide * place.lead;
+            let (part, rest) = (place.lead + sigma * place.slide, place.lead - sigma * place.slide);
+            let scale = 2.0 * place.slide * place.stretch * (high - low);
+            inert.has_no_root_within(near * place.stretch)
+                && libm::fabs(part) * scale <= scales.growth * inert.value
+                && libm::fabs(rest) * scale <= scales.growth * other
         })
     }
 

@@ -122,7 +122,8 @@ impl Rule {
             sum += *share;
         }
         if sum.is_finite() {
-            return shares.map(|share| share / sum);
+            let scale = 1.0 / sum;
+            return shares.map(|share| share * scale);
         }
         // At a point, or within rounding of it.
         let at = |point: &f64| if (x - point).abs() < 1e-300 { 1.0 } else { 0.0 };

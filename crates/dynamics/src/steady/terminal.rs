@@ -1,6 +1,6 @@
 //! The steady state: the motion that repeats itself from engagement to engagement.
 //!
-//! For a switch at ψ the speed is known there (u = Q). Backward from there to entry u is a₁ u + −b₁, forward to the end
+//! For a switch at ψ the speed is known there (u = Q). Backward from there to entry it is a₁ u − b₁, forward to the end
 //! a₂ u + b₂, all four positive. Repetition means u = (b₁ + b₂)/(a₁ − a₂), and a₂/a₁ is the contraction κ, so that
 //! a₁ − a₂ = a₁ (1 − κ) is found without cancellation. The switch is where the two agree: there is one, because
 //! u_end(u_entry) rises everywhere by less than the difference at entry.
@@ -91,10 +91,9 @@ impl Engagement {
 
     /// u at entry in the steady state, and the switch.
     pub(super) fn repeated_entry(&self) -> Result<(f64, Option<Switch>), SteadyError> {
-        if self.ends_before_centres || self.to_end < self.to_exit {
-            if let Some(entry) = self.repeated_without_switch() {
-                return Ok((entry, None));
-            }
+        let short = self.ends_before_centres || self.to_end < self.to_exit;
+        if let Some(entry) = short.then(|| self.repeated_without_switch()).flatten() {
+            return Ok((entry, None));
         }
         let sums = self.sums();
         let loss = -libm::expm1(sums.log[0]);

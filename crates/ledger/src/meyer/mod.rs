@@ -5,19 +5,30 @@
 
 mod angles;
 mod appendix_a;
+mod appendix_b;
 mod appendix_c;
+mod appendix_d;
 mod combinations;
+mod energy;
+mod friction;
 mod front;
 mod geometry;
+mod inertia;
+mod instants;
 mod inventory;
+mod lagrange;
+mod motion;
 mod rates;
+mod reading;
+pub mod runs;
+mod singularity;
 mod symbols;
 
 pub use inventory::inventory;
 pub use symbols::SYMBOLS;
 
 use crate::checks::{agrees, printed, same, vanishes};
-use crate::{Check, Claim, Erratum, Evidence, Finding, Severity, Verdict, Work, claim, numeric_tokens};
+use crate::{Check, Claim, Erratum, Evidence, Finding, Kind, Severity, Verdict, Work, claim, numeric_tokens};
 use geneva_kinematics::escapement::{Escapement, HandOver, Roots};
 use geneva_kinematics::pin_vectors::quarter_turn;
 use geneva_kinematics::wheel::Wheel;
@@ -35,8 +46,18 @@ pub fn claims() -> Vec<Claim> {
         combinations::claims(),
         angles::claims(),
         rates::claims(),
+        lagrange::claims(),
+        friction::claims(),
+        energy::claims(),
+        motion::claims(),
+        singularity::claims(),
+        inertia::claims(),
+        runs::of_figures(),
         appendix_a::claims(),
+        appendix_b::claims(),
         appendix_c::claims(),
+        appendix_d::claims(),
+        runs::claims(),
     ]
     .concat()
 }
@@ -153,4 +174,4 @@ fn numbers(id: &str) -> Vec<u32> {
     tokens.iter().filter_map(|token| token.parse().ok()).collect()
 }
 
-use Evidence::{ClosedForm, ExactIdentity, Jet as Series, LimitCase, OtherPlaceInSource, Vectors};
+use Evidence::{ClosedForm, Dimension, ExactIdentity, Jet as Series, LimitCase, OtherPlaceInSource, Vectors};

@@ -86,6 +86,6 @@ pub fn with_unit(number: &str, unit: &str) -> anyhow::Result<String> {
         _ if unit.ends_with("^2") => format!("{number}&nbsp;{}²", escape(unit.trim_end_matches("^2"))),
         // Lengths in crank radii have a letter for a unit.
         "R" => format!("{number}&nbsp;{}", crate::maths::formula("R", false)?),
-        _ => format!("{number}&nbsp;{}", tex_or_text(unit)?),
+        _ => format!("{number}&nbsp;{}", tex_or_text(unit)?.replace("10&#94;-6", "10<sup>−6</sup>")),
     })
 }

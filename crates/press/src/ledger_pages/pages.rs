@@ -24,6 +24,12 @@ pub const STRETCHES: &[Stretch] = &[
     Stretch { page: "ledger", work: Work::Pin, lines: ALL_LINES, title: "the pin in the slot" },
     Stretch { page: "ledger", work: Work::QuickReturn, lines: ALL_LINES, title: "the quick-return mechanism" },
     Stretch { page: "ledger", work: Work::Jazar2003, lines: ALL_LINES, title: "the wheel of N stations" },
+    Stretch { page: "ledger-meyer", work: Work::Meyer1973, lines: 0..=262, title: "front matter and geometry" },
+    Stretch { page: "ledger-meyer-friction", work: Work::Meyer1973, lines: 263..=336, title: "friction and energy" },
+    Stretch { page: "ledger-meyer-motion", work: Work::Meyer1973, lines: 337..=425, title: "Lagrange’s equation" },
+    Stretch { page: "ledger-meyer-study", work: Work::Meyer1973, lines: 426..=592, title: "chapter II, appendix A" },
+    Stretch { page: "ledger-meyer-program", work: Work::Meyer1973, lines: 593..=775, title: "appendices B, C and D" },
+    Stretch { page: "ledger-meyer-runs", work: Work::Meyer1973, lines: 776..=u32::MAX, title: "appendix E" },
 ];
 
 /// The stretches of a page.

@@ -1,5 +1,6 @@
 //! Tables of computed numbers, beside those of the ledger: by name, or for a range of wheels.
 
+mod escapement;
 mod quick_return;
 pub mod wheels;
 
@@ -9,8 +10,15 @@ use anyhow::anyhow;
 type Draw = fn() -> anyhow::Result<String>;
 
 /// All tables, in the order of the book.
-const TABLES: &[(&str, Draw)] =
-    &[("quick-return-terms", quick_return::terms), ("quick-return-branches", quick_return::branches)];
+const TABLES: &[(&str, Draw)] = &[
+    ("quick-return-terms", quick_return::terms),
+    ("quick-return-branches", quick_return::branches),
+    ("runs-hypotheses", escapement::hypotheses),
+    ("runs-six-pin", escapement::six_pin),
+    ("runs-six-pin-as-headed", escapement::six_pin_as_headed),
+    ("runs-four-pin", escapement::four_pin),
+    ("runs-three-pin", escapement::three_pin),
+];
 
 /// The table of this name.
 pub fn by_name(name: &str) -> anyhow::Result<String> {

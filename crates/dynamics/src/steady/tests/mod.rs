@@ -22,7 +22,7 @@ pub fn samples() -> Vec<Engagement> {
             let escapement = escapement(slots, inertia, friction);
             let natural = 2.0 * slots.engagement_half_angle();
             samples.push(Engagement::new(&escapement).expect("an engagement"));
-            for part in [0.3, 0.6, 0.8, 1.1, 1.3] {
+            for part in [0.3, 0.5, 0.6, 0.8, 1.1, 1.3] {
                 let fold = Engagement::folded(&escapement, natural * part, 1e-12);
                 samples.push(fold.expect("a fold in range"));
             }

@@ -1,8 +1,12 @@
 //! The project line by line.
 
 mod appendices;
+mod appendix_b;
+mod appendix_d;
+mod derivation;
 mod front;
 mod geometry;
+mod program;
 
 use crate::{Entry, Line};
 use std::sync::LazyLock;
@@ -10,7 +14,23 @@ use std::sync::LazyLock;
 /// All lines of the source's text that say something, in order; headings alone are left out.
 pub fn inventory() -> &'static [Line] {
     static LINES: LazyLock<Vec<Line>> = LazyLock::new(|| {
-        [front::LINES, geometry::LINES, appendices::APPENDIX_A, appendices::APPENDIX_C, appendices::END].concat()
+        let mut lines = [
+            front::LINES,
+            geometry::LINES,
+            derivation::LINES,
+            derivation::INERTIA,
+            appendices::APPENDIX_A,
+            appendix_b::TEXT,
+            program::LINES,
+            appendix_b::AFTER,
+            appendices::APPENDIX_C,
+            appendix_d::LINES,
+            appendices::END,
+        ]
+        .concat();
+        lines.extend(super::runs::lines());
+        lines.sort_by_key(|line| line.number);
+        lines
     });
     &LINES
 }

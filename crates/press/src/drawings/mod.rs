@@ -1,5 +1,7 @@
 //! The figures of the book by name: the ledger says for which mechanism, the figures draw it.
 
+mod escapement;
+
 use crate::html::escape;
 use anyhow::{Context, anyhow};
 use geneva_figures::{Figure, quick_return, stations};
@@ -22,6 +24,16 @@ pub const NAMES: &[&str] = &[
     "wheel-advance",
     "wheel-motion",
     "wheel-extremes",
+    "escapement-mechanism-4",
+    "escapement-hand-over-4",
+    "escapement-mechanism-3",
+    "escapement-mechanism-6",
+    "escapement-angles-4",
+    "escapement-ratios",
+    "escapement-forces",
+    "escapement-normal-force",
+    "escapement-existence",
+    "integrator-order",
 ];
 
 /// Crank angle at which the model of a wheel is drawn: wide enough apart from the line of centres to see the angles.
@@ -52,7 +64,8 @@ pub fn by_name(name: &str) -> anyhow::Result<Figure> {
         "wheel-advance" => four().map(|wheel| stations::advance(&wheel)),
         "wheel-motion" => four().map(|wheel| stations::motion(&wheel)),
         "wheel-extremes" => Ok(stations::extremes(3..=18)),
-        _ => Err(anyhow!("no figure `{name}`; there are: {}", NAMES.join(", "))),
+        _ => escapement::by_name(name)
+            .unwrap_or_else(|| Err(anyhow!("no figure `{name}`; there are: {}", NAMES.join(", ")))),
     }
 }
 

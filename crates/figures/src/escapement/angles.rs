@@ -1,0 +1,105 @@
+//! The general position: the triangle of the two axes and the pin.
+
+use super::pose::{Bodies, Margins, NEAR, WIDTH, angle, id, side};
+use crate::figure::{Figure, Words};
+use crate::number::{degrees, significant, without_noise};
+use crate::series::Series;
+use crate::svg::canvas::{Canvas, Kind};
+use crate::svg::label::Label;
+use crate::svg::marks::right_angle;
+use crate::svg::placing::{Placing, around, beside_line};
+use crate::svg::shape::{DASHED, Shape};
+use crate::svg::view::Pixels;
+use crate::theme::{DRIVER, FOLLOWER, INK};
+use geneva_kinematics::escapement::{Escapement, EscapementError};
+use nalgebra::Vector2;
+use std::f64::consts::PI;
+
+const MARGINS: Margins = Margins { side: 46.0, above: 26.0, below: 26.0 };
+/// Radii of the marks of the angles, over the sides there.
+const MARK: f64 = 0.4;
+/// A pin so many pixels from the line of centres has room for the height of the triangle.
+const TALL: f64 = 34.0;
+
+/// The triangle B P O at a driver angle (θ in radians, within ±π/m), to scale, with its height r sin θ = R sin φ.
+///
+/// Series: θ, φ, c/r, R/r, and the pin's coordinates in crank radii: along B → O and across it.
+///
+/// # Errors
+///
+/// [`EscapementError::Wheel`] if the angle is beyond ±π/m or not finite.
+pub fn angles(escapement: &Escapement, crank: f64) -> Result<Figure, EscapementError> {
+    let bodies = Bodies::at(escapement, crank, MARGINS)?;
+    let mut canvas = Canvas::new(WIDTH, bodies.height);
+    let mut placing = bodies.placing();
+    canvas.group("opacity=\"0.55\"", |canvas| {
+        bodies.draw_driver(canvas, 1.3);
+        bodies.draw_follower(canvas, 1.3);
+    });
+    let pin = bodies.pin();
+    triangle(&mut canvas, &mut placing, &bodies, &pin);
+    names(&mut canvas, &mut placing, &bodies, &pin);
+    bodies.draw_senses(&mut canvas);
+
+    let ratio = escapement.centre_distance_ratio();
+    let place = bodies.layout.pins[0];
+    let distance = (place - bodies.layout.follower_axis).norm();
+    let columns = [("theta", "deg"), ("phi", "deg"), ("c/r", "1"), ("R/r", "1"), ("x_P/r", "1"), ("y_P/r", "1")];
+    let row = [crank.to_degrees(), bodies.phi.to_degrees(), ratio, distance, place.x, place.y];
+    let (theta, phi) = (degrees(crank), degrees(without_noise(bodies.phi, 1.0)));
+    let words = Words {
+        id: id("angles", escapement),
+        title: format!(
+            "The angles of the escapement with {} slots and {} pins at θ = {theta}",
+            escapement.slots(),
+            escapement.pins()
+        ),
+        description: format!(
+            "The driver's axis B at the left, the follower's axis O at the right, {} crank radii away, and the pin P in \
+             a slot of the follower. BP is r; OP is R, {} r; BO is c. The driver angle θ at B is {theta}, the follower \
+             angle φ at O {phi}. The distance of P from the line of centres is both r sin θ and R sin φ.",
+            significant(ratio, 4),
+            significant(distance, 4)
+        ),
+        caption: format!(
+            "A general position, to scale at θ = {theta}. The pin's distance from the line of centres belongs to both \
+             angles: r sin θ = R sin φ; its foot divides c into r cos θ and R cos φ."
+        ),
+    };
+    Ok(words.figure(canvas, Kind::Mechanism, Series::new(columns, [row])))
+}
+
+/// Sides, height, pins and axes.
+fn triangle(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, pin: &Pixels) {
+    let foot = Vector2::new(pin.x, at.axis.y);
+    let height = (pin - foot).norm();
+    if height > TALL {
+        canvas.draw(Shape::line(&foot, pin).stroke(INK, 1.5).dashed(DASHED).class("height"));
+        right_angle(canvas, &foot, &(pin - foot), &(at.axis - foot), 11.0);
+        placing.avoid(&foot, pin, 1.5);
+    }
+    side(canvas, placing, &at.axis, &at.pivot, INK, "side-c");
+    side(canvas, placing, &at.axis, pin, DRIVER, "side-r");
+    side(canvas, placing, &at.pivot, pin, FOLLOWER, "side-R");
+    at.draw_pins(canvas);
+    at.draw_axes(canvas);
+}
+
+/// Angles, sides and corners.
+fn names(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, pin: &Pixels) {
+    let reach = (pin - at.pivot).norm();
+    angle(canvas, placing, &at.axis, MARK * at.view.scale, (0.0, at.theta), &Label::symbol("θ"));
+    let mark = (MARK * reach).max(22.0);
+    angle(canvas, placing, &at.pivot, mark, (PI, PI - at.phi), &Label::symbol("φ"));
+    let sides = [
+        (&at.axis, pin, Label::symbol("r").shade(DRIVER)),
+        (&at.pivot, pin, Label::symbol("R").shade(FOLLOWER)),
+        (&at.axis, &at.pivot, Label::symbol("c")),
+    ];
+    for (from, to, label) in sides {
+        placing.put(canvas, &label, beside_line(from, to, &NEAR));
+    }
+    placing.put(canvas, &Label::words("B"), around(&at.axis, PI, &NEAR));
+    placing.put(canvas, &Label::words("O"), around(&at.pivot, 0.0, &NEAR));
+    placing.put(canvas, &Label::words("P"), around(pin, at.theta, &at.near_pin()));
+}

@@ -1,0 +1,273 @@
+//! What must hold of the drawings as they are written, read back from the SVG.
+
+use super::{DrawingError, angles, existence, forces, hand_over, mechanism, normal_force, order, ratios};
+use crate::Figure;
+use crate::checks::{corners, labels_inside, named, number, only_numbers, overlapping_labels, start, well_formed};
+use geneva_dynamics::{EquationError, Inertias, Parameters, Slots};
+use geneva_kinematics::escapement::{Escapement, EscapementError};
+use nalgebra::Vector2;
+use roxmltree::Document;
+
+/// Half a unit of the last written digit of a coordinate, in each of a length's four coordinates, with room to spare.
+const PIXELS: f64 = 0.02;
+
+fn parameters(slots: Slots, friction: f64) -> Parameters {
+    Parameters::new(slots, Inertias::new(3.0, 40.0).expect("sound"), 7.0, friction).expect("sound")
+}
+
+fn escapement(slots: Slots) -> Escapement {
+    Escapement::new(slots.count()).expect("possible")
+}
+
+/// The figures as a reader is shown them.
+fn usual() -> Vec<Figure> {
+    let mut figures = vec![ratios(&Escapement::all()), existence(&existence::tests::designs()), order()];
+    for slots in Slots::ALL {
+        let (one, sound, half) = (escapement(slots), parameters(slots, 0.125), slots.engagement_half_angle());
+        figures.push(mechanism(&one, -0.4 * half).expect("engaged"));
+        figures.push(hand_over(&one));
+        for share in [-0.6, 0.6] {
+            figures.push(angles(&one, share * half).expect("engaged"));
+            figures.push(forces(&sound, share * half, 0.5).expect("engaged"));
+        }
+        figures.push(normal_force(&sound, 0.5).expect("followed"));
+    }
+    figures
+}
+
+#[test]
+fn labels_of_the_usual_figures_do_not_overlap() {
+    for figure in usual() {
+        assert_eq!(overlapping_labels(&figure), [], "{}", figure.id);
+        labels_inside(&figure);
+        well_formed(&figure);
+        only_numbers(&figure);
+    }
+}
+
+#[test]
+fn drawing_twice_gives_the_same_bytes_and_not_too_many() {
+    let figures = usual();
+    assert_eq!(figures, usual());
+    for figure in figures {
+        let bodies = ["mechanism", "hand-over", "angles", "forces"].iter().any(|name| figure.id.contains(name));
+        let most = if bodies { 15_000 } else { 25_000 };
+        assert!(figure.svg.len() < most, "{}: {} bytes", figure.id, figure.svg.len());
+    }
+}
+
+#[test]
+fn every_position_and_state_is_drawn_in_true_numbers() {
+    for slots in Slots::ALL {
+        let (one, half) = (escapement(slots), slots.engagement_half_angle());
+        for share in [-1.0, -0.97, -0.5, -1e-3, -1e-14, 0.0, 0.3, 1.0] {
+            let mut figures = vec![mechanism(&one, share * half).expect("engaged")];
+            figures.push(angles(&one, share * half).expect("engaged"));
+            for (friction, speed) in [(0.0, 0.0), (0.125, 0.0), (0.125, 2.0), (0.0, 90.0)] {
+                figures.push(forces(&parameters(slots, friction), share * half, speed).expect("engaged"));
+            }
+            for figure in figures {
+                well_formed(&figure);
+                only_numbers(&figure);
+                labels_inside(&figure);
+            }
+        }
+    }
+}
+
+#[test]
+fn what_cannot_be_drawn_is_an_error() {
+    let (one, sound) = (escapement(Slots::Four), parameters(Slots::Four, 0.0));
+    for angle in [0.8, f64::NAN, f64::NEG_INFINITY] {
+        assert!(matches!(mechanism(&one, angle), Err(EscapementError::Wheel(_))));
+        assert!(matches!(angles(&one, angle), Err(EscapementError::Wheel(_))));
+        assert!(matches!(forces(&sound, angle, 1.0), Err(DrawingError::Escapement(_))));
+    }
+    for speed in [-1.0, f64::NAN, f64::INFINITY] {
+        assert!(matches!(forces(&sound, 0.0, speed), Err(DrawingError::Equation(EquationError::Speed(_)))));
+        assert!(matches!(normal_force(&sound, speed), Err(DrawingError::Equation(EquationError::Speed(_)))));
+    }
+    assert!(matches!(normal_force(&sound, 1e200), Err(DrawingError::Integration(_) | DrawingError::Equation(_))));
+}
+
+/// The ends of a side of a triangle.
+fn side(document: &Document<'_>, name: &str) -> [Vector2<f64>; 2] {
+    let ends = corners(named(document, name)[0].attribute("d").expect("a path"), 1.0);
+    [ends[0], ends[1]]
+}
+
+#[test]
+fn the_triangles_close_to_nine_places() {
+    for slots in Slots::ALL {
+        let (one, half) = (escapement(slots), slots.engagement_half_angle());
+        let mut drawn: Vec<(Figure, f64)> = vec![(hand_over(&one), half)];
+        for share in [-1.0, -0.7, -0.1, 0.4, 1.0] {
+            drawn.push((angles(&one, share * half).expect("engaged"), share * half));
+        }
+        for (figure, theta) in drawn {
+            let document = Document::parse(&figure.svg).expect("well-formed");
+            let [c, r, distance] = ["side-c", "side-r", "side-R"].map(|name| side(&document, name));
+            assert_eq!([c[0], c[1], r[1]], [r[0], distance[0], distance[1]], "{}", figure.id);
+            let vector = |ends: [Vector2<f64>; 2]| ends[1] - ends[0];
+            let [c, r, distance] = [c, r, distance].map(vector);
+            let ratio = one.centre_distance_ratio();
+            assert!((c.norm() / r.norm() - ratio).abs() < 1e-9);
+            // The page's y points down: the angle as seen.
+            let seen = libm::atan2(c.y * r.x - c.x * r.y, c.dot(&r));
+            assert!((seen - theta).abs() < 1e-9, "{}: {seen} for {theta}", figure.id);
+            let phi = libm::atan2(distance.perp(&c), -c.dot(&distance));
+            let expected = one.wheel().engaged(theta).expect("engaged").angle;
+            assert!((phi.abs() - expected.abs()).abs() < 1e-9, "{}: {phi} for {expected}", figure.id);
+            // Law of sines; at the hand-over a right angle.
+            let sines = distance.norm() * libm::sin(expected) - r.norm() * libm::sin(theta);
+            assert!(sines.abs() < 1e-9 * c.norm(), "{}: {sines}", figure.id);
+            let at_pin = r.dot(&distance) / (r.norm() * distance.norm());
+            assert!(theta.abs() < half * (1.0 - 1e-12) || at_pin.abs() < 1e-9, "{}: {at_pin}", figure.id);
+        }
+    }
+}
+
+#[test]
+fn the_follower_and_the_pins_are_to_scale() {
+    for slots in Slots::ALL {
+        let one = escapement(slots);
+        for share in [-1.0, 0.0, 0.7] {
+            let figure = mechanism(&one, share * slots.engagement_half_angle()).expect("engaged");
+            let document = Document::parse(&figure.svg).expect("well-formed");
+            let circle = named(&document, "pin-circle")[0];
+            let [x, y, crank] = ["cx", "cy", "r"].map(|name| number(&circle, name));
+            let pins = named(&document, "pin");
+            assert_eq!(pins.len() as u32, slots.pins());
+            for pin in &pins {
+                let distance = (number(pin, "cx") - x).hypot(number(pin, "cy") - y);
+                assert!((distance - crank).abs() < PIXELS);
+            }
+            let pivot = Vector2::new(x + one.centre_distance_ratio() * crank, y);
+            let outline = corners(named(&document, "follower")[0].attribute("d").expect("a path"), 0.1);
+            let reach = outline.iter().map(|at| (at - pivot).norm()).fold(0.0, f64::max);
+            assert!((reach - one.rim_radius() * crank).abs() < 0.1, "{reach}");
+            let half_angles = named(&document, "half-angle").len();
+            assert_eq!(half_angles, 4);
+        }
+    }
+}
+
+/// Tail and tip of an arrow.
+fn ends(document: &Document<'_>, name: &str) -> Option<[Vector2<f64>; 2]> {
+    let parts = named(document, name);
+    (parts.len() == 2).then(|| [Vector2::from(start(&parts[0])), Vector2::from(start(&parts[1]))])
+}
+
+#[test]
+fn at_the_hand_over_both_pins_move_along_their_slots() {
+    for one in Escapement::all() {
+        let figure = hand_over(&one);
+        let document = Document::parse(&figure.svg).expect("well-formed");
+        let [axis, leaving] = side(&document, "side-r");
+        let [pivot, _] = side(&document, "side-R");
+        for (name, outward) in [("v-leaving", 1.0), ("v-entering", -1.0)] {
+            let [tail, tip] = ends(&document, name).expect("an arrow");
+            let (v, arm) = (tip - tail, tail - axis);
+            assert!(v.dot(&arm).abs() < 0.01 * v.norm() * arm.norm(), "at right angles to the crank");
+            // Counter-clockwise as seen, with y downwards.
+            assert!(arm.perp(&v) < 0.0);
+            let along = v.dot(&(tail - pivot).normalize());
+            assert!((along * outward - v.norm()).abs() < 0.01 * v.norm(), "{name}");
+        }
+        assert!((ends(&document, "v-leaving").expect("an arrow")[0] - leaving).norm() < PIXELS);
+        let row = &figure.series.rows[0];
+        assert_eq!(row[8..], [1.0, 0.0, -1.0, 0.0]);
+    }
+}
+
+#[test]
+fn forces_point_as_the_equation_of_motion_says() {
+    for slots in Slots::ALL {
+        let (one, sound, half) = (escapement(slots), parameters(slots, 0.125), slots.engagement_half_angle());
+        let mut seen = [0; 2];
+        for share in [-0.9, -0.5, -0.2, 0.2, 0.5, 0.9] {
+            for speed in [0.0, 0.5, 5.0] {
+                let figure = forces(&sound, share * half, speed).expect("engaged");
+                let document = Document::parse(&figure.svg).expect("well-formed");
+                let circle = named(&document, "pin-circle")[0];
+                let [x, y, crank] = ["cx", "cy", "r"].map(|name| number(&circle, name));
+                let axis = Vector2::new(x, y);
+                let pivot = Vector2::new(x + one.centre_distance_ratio() * crank, y);
+                // Counter-clockwise as seen is positive, in pixels.
+                let moment = |about: Vector2<f64>, [tail, tip]: [Vector2<f64>; 2]| -(tail - about).perp(&(tip - tail));
+                let row = &figure.series.rows[0];
+                let normal = row[3];
+                seen[usize::from(normal > 0.0)] += 1;
+                let reaction = moment(axis, ends(&document, "normal-on-pin").expect("an arrow"));
+                assert!(reaction * normal < 0.0, "{}", figure.id);
+                let [tail, tip] = ends(&document, "friction-on-pin").expect("an arrow");
+                let friction = moment(axis, [tail, tip]);
+                assert!(friction < 0.0, "against the driver");
+                let arm = -friction / (tip - tail).norm();
+                assert!((arm - row[6] * crank).abs() < 0.1, "{arm} for {}", row[6] * crank);
+                assert!(moment(pivot, [tail, tip]).abs() < 0.1 * (tip - tail).norm(), "along the slot");
+                // The follower turns clockwise for a positive force.
+                let [tail, tip] = ends(&document, "normal-on-follower").expect("an arrow");
+                let at = named(&document, "arm-R")[0];
+                let free = Vector2::new(number(&at, "x1"), number(&at, "y1"));
+                assert!(moment(free, [tail, tip]) * row[8] < 0.0 && normal * row[8] > 0.0);
+                assert_eq!(figure.id.ends_with("-leading"), normal > 0.0);
+                assert_eq!(named(&document, "bearing-flank").len(), 1);
+                // N R = I_f φ'' and the torque of friction is μ |N| c |sin φ|.
+                assert!((normal * row[7] - row[8]).abs() < 1e-12 * (1.0 + normal.abs()));
+                assert!((row[5] - row[4] * normal.abs() * row[6]).abs() < 1e-12 * (1.0 + normal.abs()));
+            }
+        }
+        assert!(seen[0] > 0 && seen[1] > 0, "{seen:?}");
+    }
+}
+
+#[test]
+fn over_an_engagement_the_torque_goes_into_motion_and_friction() {
+    for slots in Slots::ALL {
+        for (friction, speed) in [(0.0, 0.0), (0.125, 0.0), (0.125, 0.75)] {
+            let sound = parameters(slots, friction);
+            let figure = normal_force(&sound, speed).expect("followed");
+            let rows = &figure.series.rows;
+            let (first, last) = (&rows[0], &rows[rows.len() - 1]);
+            assert_eq!((first[1], first[0]), (speed, -last[0]));
+            let width = (rows[1][0] - first[0]).to_radians();
+            let lost: f64 = rows.windows(2).map(|pair| width * (pair[0][3] + pair[1][3]) / 2.0).sum();
+            // As the pin enters and leaves, the follower stands still.
+            let gained = 0.5 * sound.inertias().driver() * (last[1] * last[1] - speed * speed) / sound.torque();
+            let work = 2.0 * slots.engagement_half_angle();
+            assert!((gained + lost - work).abs() < 1e-3 * work, "{slots:?}: {gained} and {lost} for {work}");
+            assert!((friction > 0.0) == (lost > 0.0));
+            for row in rows {
+                assert!((row[3] - row[4].abs()).abs() < 1e-12 * (1.0 + row[3]), "the torque of friction is |F|");
+                assert!(friction == 0.0 || row[2] * row[0] * row[4] >= 0.0, "F has the sign of N sin θ");
+            }
+            let document = Document::parse(&figure.svg).expect("well-formed");
+            let strips = ["switch", "positive", "negative"].map(|class| named(&document, class).len());
+            assert_eq!(strips, if friction > 0.0 { [1, 2, 3] } else { [1, 1, 1] }, "{}", figure.id);
+        }
+    }
+}
+
+#[test]
+fn the_curves_of_the_ratios_have_their_means() {
+    let figure = ratios(&Escapement::all());
+    let rows = &figure.series.rows;
+    let steps = (rows.len() - 1) as f64;
+    for (k, one) in Escapement::all().iter().enumerate() {
+        let column = 1 + 2 * k;
+        let mean = rows.iter().map(|row| row[column]).sum::<f64>() / steps;
+        let expected = f64::from(one.pins()) / f64::from(one.slots());
+        assert!((mean - expected).abs() < 1e-3 * expected, "{mean} for {expected}");
+        for (row, mirror) in rows.iter().zip(rows.iter().rev()) {
+            assert_eq!((row[column], row[0]), (mirror[column], -mirror[0]));
+            assert_eq!(row[column] * row[column], row[column + 1]);
+        }
+    }
+    // Nothing, one and one twice are drawn too.
+    let four = escapement(Slots::Four);
+    for some in [vec![], vec![four], vec![four, four]] {
+        well_formed(&ratios(&some));
+        only_numbers(&ratios(&some));
+    }
+}

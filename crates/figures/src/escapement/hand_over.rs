@@ -1,0 +1,165 @@
+//! The instant at which one pin leaves its slot and the next enters one.
+
+use super::pose::{Bodies, Margins, NEAR, WIDTH, angle, half_angle, id, side};
+use crate::figure::{Figure, Words};
+use crate::number::{degrees, significant};
+use crate::series::Series;
+use crate::svg::canvas::{Canvas, Kind};
+use crate::svg::label::Label;
+use crate::svg::marks::{arrow, right_angle};
+use crate::svg::placing::{Placing, around, beside_line};
+use crate::svg::shape::{DASHED, Shape};
+use crate::svg::view::Pixels;
+use crate::theme::{DRIVER, FOLLOWER, INK, RELATIVE};
+use geneva_kinematics::Field;
+use geneva_kinematics::escapement::{Escapement, Layout, Roots, Slot};
+use nalgebra::Vector2;
+use std::f64::consts::PI;
+
+const MARGINS: Margins = Margins { side: 30.0, above: 50.0, below: 40.0 };
+/// Lengths in pixels: of the velocities, of the right angle's mark, of the slot's line beyond the pin.
+const VELOCITY: f64 = 78.0;
+const CORNER: f64 = 20.0;
+const BEYOND: f64 = 100.0;
+/// Radii of the marks of the angles, over the sides there.
+const MARK: f64 = 0.36;
+
+/// The hand-over to scale: the right-angled triangle of the leaving pin, its mirror image for the entering one, and the
+/// velocity of both along the centre lines of their slots.
+///
+/// The places are those of the exact hand-over, rounded once. Series: n, m, θ₀, φ₀, their sum, r/r, R/r, c/r, and each
+/// pin's velocity, outwards along its slot and across it, over that of the pins.
+pub fn hand_over(escapement: &Escapement) -> Figure {
+    let exact = escapement.hand_over();
+    let angles = [escapement.driver_half_angle(), escapement.follower_half_angle()];
+    let bodies = Bodies::new(escapement, rounded(&exact.layout), angles, MARGINS);
+    let mut canvas = Canvas::new(WIDTH, bodies.height);
+    let mut placing = bodies.placing();
+    canvas.group("opacity=\"0.55\"", |canvas| {
+        bodies.draw_driver(canvas, 1.3);
+        bodies.draw_follower(canvas, 1.3);
+    });
+    let [leaving, entering] = [1.0, -1.0].map(|sense| bodies.on_driver(1.0, sense * bodies.theta));
+    triangle(&mut canvas, &mut placing, &bodies, &leaving, &entering);
+    let directions = [(leaving, 1.0, "leaves"), (entering, -1.0, "enters")];
+    for (pin, outward, name) in directions {
+        velocity(&mut canvas, &mut placing, &bodies, &pin, outward, name);
+    }
+    names(&mut canvas, &mut placing, &bodies, &leaving, escapement);
+
+    let speeds = [&exact.leaving, &exact.entering].map(|pin| [pin.outward.approximate(), pin.across.approximate()]);
+    let [theta, phi] = angles.map(f64::to_degrees);
+    let (n, m) = (escapement.slots(), escapement.pins());
+    let (rim, ratio) = (escapement.rim_radius(), escapement.centre_distance_ratio());
+    let row = [f64::from(n), f64::from(m), theta, phi, theta + phi, 1.0, rim, ratio];
+    let [a, b, c, d, e, f, g, h] = row;
+    let row = [a, b, c, d, e, f, g, h, speeds[0][0], speeds[0][1], speeds[1][0], speeds[1][1]];
+    let columns = [
+        ("n", "1"),
+        ("m", "1"),
+        ("theta_0", "deg"),
+        ("phi_0", "deg"),
+        ("sum", "deg"),
+        ("r/r", "1"),
+        ("R/r", "1"),
+        ("c/r", "1"),
+        ("leaving, along", "1"),
+        ("across", "1"),
+        ("entering, along", "1"),
+        ("across", "1"),
+    ];
+    let words = Words {
+        id: id("hand-over", escapement),
+        title: format!("The hand-over of the escapement with {n} slots and {m} pins"),
+        description: format!(
+            "A right-angled triangle: the driver's axis B, the follower's axis O and the leaving pin P, with the right \
+             angle at P. The angle at B is θ₀ = π/{m}, {}; that at O is φ₀ = π/{n}, {}. BP is r, OP is {} r, BO is c, {} \
+             r. The triangle of the entering pin is its mirror image below the line of centres. \
+             The leaving pin moves straight out along its slot, the entering pin straight in along its own.",
+            degrees(angles[0]),
+            degrees(angles[1]),
+            significant(rim, 4),
+            significant(ratio, 4)
+        ),
+        caption:
+            "The hand-over. Each crank is at right angles to its slot, so both pins move along their slots' centre \
+                  lines and the follower stands still for this instant: θ₀ + φ₀ is a quarter turn."
+                .to_owned(),
+    };
+    words.figure(canvas, Kind::Mechanism, Series::new(columns, [row]))
+}
+
+/// Exact places as floating-point numbers.
+fn rounded(exact: &Layout<Roots>) -> Layout<f64> {
+    let point = |at: &Vector2<Roots>| at.map(|x| x.approximate());
+    let slot = |slot: &Slot<Roots>| Slot {
+        direction: point(&slot.direction),
+        mouth: point(&slot.mouth),
+        bottom: point(&slot.bottom),
+    };
+    Layout {
+        follower_axis: point(&exact.follower_axis),
+        pins: exact.pins.iter().map(point).collect(),
+        slots: exact.slots.iter().map(slot).collect(),
+        engaged: exact.engaged.clone(),
+    }
+}
+
+/// The triangle of the leaving pin, and thinly that of the entering one; pins and axes.
+fn triangle(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, leaving: &Pixels, entering: &Pixels) {
+    for (centre, shade) in [(&at.axis, DRIVER), (&at.pivot, FOLLOWER)] {
+        canvas.draw(Shape::line(centre, entering).stroke(shade, 1.6).dashed("10 4").class("mirror"));
+        placing.avoid(centre, entering, 1.0);
+    }
+    side(canvas, placing, &at.axis, &at.pivot, INK, "side-c");
+    side(canvas, placing, &at.axis, leaving, DRIVER, "side-r");
+    side(canvas, placing, &at.pivot, leaving, FOLLOWER, "side-R");
+    for pin in [leaving, entering] {
+        right_angle(canvas, pin, &(at.axis - pin), &(at.pivot - pin), CORNER);
+        let corner = pin + ((at.axis - pin).normalize() + (at.pivot - pin).normalize()) * CORNER;
+        let (middle, room) = (pin.lerp(&corner, 0.6), Vector2::new(1.0, 1.0) * (0.6 * CORNER));
+        placing.take([middle - room, middle + room]);
+    }
+    at.draw_pins(canvas);
+    at.draw_axes(canvas);
+}
+
+/// A slot's centre line beyond the rim, and the velocity of the pin along it.
+fn velocity(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, pin: &Pixels, outward: f64, name: &str) {
+    let out = (pin - at.pivot).normalize();
+    // The line is long enough for an arrow from the pin outwards; that of the entering pin ends at the pin's side of it.
+    canvas.draw(Shape::line(pin, &(pin + out * BEYOND)).stroke(FOLLOWER, 1.2).dashed(DASHED).class("slot-line"));
+    let tip = pin + out * (outward * VELOCITY);
+    let class = if outward > 0.0 { "v-leaving" } else { "v-entering" };
+    arrow(canvas, pin, &tip, RELATIVE, 3.0, class);
+    placing.avoid(pin, &(pin + out * BEYOND), 1.0);
+    placing.avoid(pin, &tip, 2.0);
+    let label = Label::symbol("v").and(&format!(": {name}")).shade(RELATIVE);
+    placing.put(canvas, &label, beside_line(pin, &tip, &NEAR));
+}
+
+/// Angles, sides and corners.
+fn names(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, leaving: &Pixels, escapement: &Escapement) {
+    let (n, m) = (escapement.slots(), escapement.pins());
+    let symbol = |letter: &str| Label::symbol(letter).sub("0");
+    let value = |letter: &str, count| symbol(letter).and(&format!(" = {}", half_angle(count)));
+    // The values in the corners: the angles have no room for them.
+    let (row, right) = (20.0, Vector2::new(1.0, 0.0));
+    canvas.label(&Vector2::new(0.0, row), &right, 14.0, &value("θ", m).shade(DRIVER));
+    canvas.label(&Vector2::new(WIDTH, row), &-right, 14.0, &value("φ", n).shade(FOLLOWER));
+    let rim = (leaving - at.pivot).norm();
+    angle(canvas, placing, &at.axis, MARK * at.view.scale, (0.0, at.theta), &symbol("θ"));
+    let mark = (MARK * rim).max(34.0);
+    angle(canvas, placing, &at.pivot, mark, (PI, PI - at.phi), &symbol("φ"));
+    let sides = [
+        (&at.axis, leaving, Label::symbol("r").shade(DRIVER)),
+        (&at.pivot, leaving, Label::symbol("R").shade(FOLLOWER)),
+        (&at.axis, &at.pivot, Label::symbol("c")),
+    ];
+    for (from, to, label) in sides {
+        placing.put(canvas, &label, beside_line(from, to, &NEAR));
+    }
+    placing.put(canvas, &Label::words("B"), around(&at.axis, PI, &NEAR));
+    placing.put(canvas, &Label::words("O"), around(&at.pivot, 0.0, &NEAR));
+    placing.put(canvas, &Label::words("P"), around(leaving, at.theta, &at.near_pin()));
+}

@@ -1,0 +1,107 @@
+//! The whole mechanism to scale.
+
+use super::pose::{Bodies, Margins, NEAR, angle, half_angle, id};
+use crate::figure::{Figure, Words};
+use crate::number::{degrees, significant, without_noise};
+use crate::series::Series;
+use crate::svg::canvas::{Canvas, Kind};
+use crate::svg::label::Label;
+use crate::svg::placing::{Placing, around};
+use crate::svg::shape::Shape;
+use crate::theme::{DRIVER, FOLLOWER};
+use geneva_kinematics::escapement::{Escapement, EscapementError};
+use nalgebra::Vector2;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+const MARGINS: Margins = Margins { side: 46.0, above: 44.0, below: 24.0 };
+/// Radii of the marks of the half angles, in pixels: at the driver's axis and at the follower's.
+const MARKS: [f64; 2] = [62.0, 46.0];
+
+/// Driver with all pins and follower with all slots at a driver angle (θ in radians, within ±π/m), to scale.
+///
+/// Thin lines lead from both axes to where a pin leaves and where it enters; they make the half angles π/m and π/n with
+/// the line of centres. The widths of slots, pins and the hollows between the slots are free. Series: n, m, c/r, rim/r,
+/// π/m, π/n, θ, φ, R/r.
+///
+/// # Errors
+///
+/// [`EscapementError::Wheel`] if the angle is beyond ±π/m or not finite.
+pub fn mechanism(escapement: &Escapement, crank: f64) -> Result<Figure, EscapementError> {
+    let bodies = Bodies::at(escapement, crank, MARGINS)?;
+    let mut canvas = Canvas::new(super::pose::WIDTH, bodies.height);
+    let mut placing = bodies.placing();
+    bodies.draw_driver(&mut canvas, 1.8);
+    bodies.draw_follower(&mut canvas, 2.0);
+    bodies.draw_line_of_centres(&mut canvas);
+    half_angles(&mut canvas, &mut placing, &bodies, escapement);
+    bodies.draw_pins(&mut canvas);
+    bodies.draw_axes(&mut canvas);
+    bodies.draw_senses(&mut canvas);
+    names(&mut canvas, &mut placing, &bodies, escapement);
+
+    let (n, m) = (escapement.slots(), escapement.pins());
+    let distance = (bodies.layout.pins[0] - bodies.layout.follower_axis).norm();
+    let [first, second, third, fourth] =
+        [escapement.driver_half_angle(), escapement.follower_half_angle(), crank, bodies.phi].map(f64::to_degrees);
+    let sizes = [escapement.centre_distance_ratio(), escapement.rim_radius()];
+    let row = [f64::from(n), f64::from(m), sizes[0], sizes[1], first, second, third, fourth, distance];
+    let columns = [
+        ("n", "1"),
+        ("m", "1"),
+        ("c/r", "1"),
+        ("rim/r", "1"),
+        ("theta_0", "deg"),
+        ("phi_0", "deg"),
+        ("theta", "deg"),
+        ("phi", "deg"),
+        ("R/r", "1"),
+    ];
+    let words = Words {
+        id: id("mechanism", escapement),
+        title: format!("Geneva escapement with {n} slots and {m} pins"),
+        description: format!(
+            "At the left the driver, a disc with {m} pins all round, turning counter-clockwise about B. At the right \
+             the follower, a star with {n} slots, turning clockwise about O, {} crank radii from B; its rim has a \
+             radius of {}. Lines from B and O to the places where a pin enters and leaves make angles of {} \
+             and {} with the line of centres. The engaged pin stands at θ = {}, its slot at φ = {}.",
+            significant(sizes[0], 4),
+            significant(sizes[1], 4),
+            degrees(escapement.driver_half_angle()),
+            degrees(escapement.follower_half_angle()),
+            degrees(crank),
+            degrees(without_noise(bodies.phi, 1.0))
+        ),
+        caption: format!(
+            "The escapement with {n} slots and {m} pins, to scale. A pin enters at the lower crossing of the thin \
+             lines and leaves at the upper one, π/{m} before and after the line of centres."
+        ),
+    };
+    Ok(words.figure(canvas, Kind::Mechanism, Series::new(columns, [row])))
+}
+
+/// Lines to the places of entry and exit, and their angles with the line of centres.
+fn half_angles(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, escapement: &Escapement) {
+    let (theta, phi) = (escapement.driver_half_angle(), escapement.follower_half_angle());
+    for sense in [1.0, -1.0] {
+        let place = at.on_driver(1.0, sense * theta);
+        for (centre, shade) in [(&at.axis, DRIVER), (&at.pivot, FOLLOWER)] {
+            canvas.draw(Shape::line(centre, &place).stroke(shade, 1.3).dashed("10 4").class("half-angle"));
+            placing.avoid(centre, &place, 1.0);
+        }
+    }
+    let [driver, follower] = MARKS;
+    let label = |count| Label::words(&half_angle(count));
+    angle(canvas, placing, &at.axis, driver, (0.0, theta), &label(escapement.pins()));
+    angle(canvas, placing, &at.pivot, follower, (PI, PI - phi), &label(escapement.slots()));
+}
+
+/// Names of the bodies above them, and of the axes.
+fn names(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, escapement: &Escapement) {
+    let (row, right) = (20.0, Vector2::new(1.0, 0.0));
+    let driver = Label::words(&format!("driver, {} pins", escapement.pins())).shade(DRIVER);
+    canvas.label(&Vector2::new(0.0, row), &right, 14.0, &driver);
+    let follower = Label::words(&format!("follower, {} slots", escapement.slots())).shade(FOLLOWER);
+    canvas.label(&Vector2::new(super::pose::WIDTH, row), &-right, 14.0, &follower);
+    placing.put(canvas, &Label::words("B"), around(&at.axis, -FRAC_PI_2 - 0.4, &NEAR));
+    placing.put(canvas, &Label::words("O"), around(&at.pivot, -FRAC_PI_2 + 0.4, &NEAR));
+}

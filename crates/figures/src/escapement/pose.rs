@@ -1,0 +1,215 @@
+//! Driver and follower in one position, and where they lie on the page.
+
+use crate::star::Star;
+use crate::svg::canvas::Canvas;
+use crate::svg::label::Label;
+use crate::svg::marks::{arc, arc_arrow};
+use crate::svg::path::Path;
+use crate::svg::placing::{Place, Placing, around};
+use crate::svg::shape::{DASHED, Shape};
+use crate::svg::view::{Pixels, View, heading};
+use crate::theme::{DRIVER, FILL, FOLLOWER, INK, PAPER, Shade};
+use geneva_kinematics::escapement::{Escapement, EscapementError, Layout};
+use nalgebra::Vector2;
+use std::f64::consts::PI;
+
+/// Width of every drawing of the mechanism, in pixels.
+pub const WIDTH: f64 = 640.0;
+/// Radius of the driver's disc, in crank radii: it lies behind the follower and carries the pins.
+const DISC: f64 = 1.1;
+/// Radius of a pin over half the width of its slot: some play, so that both can be seen.
+const PIN_IN_SLOT: f64 = 0.86;
+/// Digits to which the sides of a triangle are written: enough to check the triangle from the file.
+const SIDE_DECIMALS: usize = 10;
+/// From a body to the arrow of its sense, in pixels.
+const TO_ARROW: f64 = 14.0;
+/// How far labels may stand from what they name, in pixels.
+pub const NEAR: [f64; 6] = [8.0, 13.0, 20.0, 30.0, 44.0, 62.0];
+
+/// Free space around the mechanism, in pixels.
+#[derive(Clone, Copy, Debug)]
+pub struct Margins {
+    pub side: f64,
+    pub above: f64,
+    pub below: f64,
+}
+
+/// The two bodies, and where they lie.
+#[derive(Clone, Debug)]
+pub struct Bodies {
+    /// The follower; lengths in crank radii.
+    pub star: Star,
+    /// Places of pins and slots.
+    pub layout: Layout<f64>,
+    /// θ and φ of the first pin and its slot, in radians.
+    pub theta: f64,
+    pub phi: f64,
+    /// The plane about the driver's axis, in crank radii.
+    pub view: View,
+    /// The driver's axis B and the follower's axis O on the page.
+    pub axis: Pixels,
+    pub pivot: Pixels,
+    /// Height that the mechanism and its margins take, in pixels.
+    pub height: f64,
+}
+
+impl Bodies {
+    /// The mechanism at a driver angle within ±π/m, as large as it can be.
+    pub fn at(escapement: &Escapement, theta: f64, margins: Margins) -> Result<Self, EscapementError> {
+        let layout = escapement.layout(theta)?;
+        let phi = escapement.wheel().engaged(theta)?.angle;
+        Ok(Self::new(escapement, layout, [theta, phi], margins))
+    }
+
+    /// The mechanism with its parts in these places.
+    pub fn new(escapement: &Escapement, layout: Layout<f64>, [theta, phi]: [f64; 2], margins: Margins) -> Self {
+        let star = Star::of_wheel(escapement.wheel());
+        let scale = (WIDTH - 2.0 * margins.side) / (DISC + star.centre + star.rim);
+        let half = DISC.max(star.rim) * scale;
+        let view = View { origin: Vector2::new(margins.side + DISC * scale, margins.above + half), scale };
+        let pivot = view.place(&layout.follower_axis);
+        let height = margins.above + margins.below + 2.0 * half;
+        Self { star, layout, theta, phi, view, axis: view.origin, pivot, height }
+    }
+
+    /// Where the first pin lies on the page.
+    pub fn pin(&self) -> Pixels {
+        self.on_driver(1.0, self.theta)
+    }
+
+    /// A place so many crank radii from the driver's axis, at an angle as θ is counted.
+    pub fn on_driver(&self, radius: f64, theta: f64) -> Pixels {
+        self.axis + heading(theta) * (radius * self.view.scale)
+    }
+
+    /// A place so many crank radii from the follower's axis, at an angle as φ is counted.
+    pub fn on_follower(&self, radius: f64, phi: f64) -> Pixels {
+        self.pivot + heading(PI - phi) * (radius * self.view.scale)
+    }
+
+    /// Radius of a pin in pixels.
+    pub fn pin_radius(&self) -> f64 {
+        PIN_IN_SLOT * self.star.half_width * self.view.scale
+    }
+
+    /// How far a label may stand from the middle of a pin, in pixels.
+    pub fn near_pin(&self) -> [f64; 5] {
+        [5.0, 8.0, 13.0, 20.0, 30.0].map(|beyond| self.pin_radius() + beyond)
+    }
+
+    /// Radius of the driver's disc in pixels.
+    pub fn disc(&self) -> f64 {
+        DISC * self.view.scale
+    }
+
+    /// The follower about its axis.
+    pub fn draw_follower(&self, canvas: &mut Canvas, width: f64) {
+        let view = View { origin: self.pivot, ..self.view };
+        let star = Shape::path(self.star.outline(PI - self.phi, &view)).fill(FILL).stroke(FOLLOWER, width);
+        canvas.draw(star.with("stroke-linejoin", "round").class("follower"));
+    }
+
+    /// The driver's disc and the pins' circle.
+    pub fn draw_driver(&self, canvas: &mut Canvas, width: f64) {
+        let disc = Shape::circle(&self.axis, self.disc()).stroke(DRIVER, width).with("fill-opacity", "0.12");
+        canvas.draw(disc.fill(DRIVER).class("driver"));
+        let circle = Shape::circle(&self.axis, self.view.scale).stroke(DRIVER, 1.3).dashed("2 4");
+        canvas.draw(circle.class("pin-circle"));
+    }
+
+    /// All pins.
+    pub fn draw_pins(&self, canvas: &mut Canvas) {
+        for pin in &self.layout.pins {
+            let circle = Shape::circle(&self.view.place(pin), self.pin_radius()).fill(PAPER).stroke(INK, 2.0);
+            canvas.draw(circle.class("pin"));
+        }
+    }
+
+    /// The marks of both axes.
+    pub fn draw_axes(&self, canvas: &mut Canvas) {
+        for (at, shade) in [(&self.axis, DRIVER), (&self.pivot, FOLLOWER)] {
+            canvas.draw(Shape::circle(at, 5.0).fill(PAPER).stroke(shade, 2.0));
+            canvas.draw(Shape::circle(at, 1.5).fill(shade));
+        }
+    }
+
+    /// The line of centres, somewhat longer than it is.
+    pub fn draw_line_of_centres(&self, canvas: &mut Canvas) {
+        let beyond = Vector2::new(26.0, 0.0);
+        let line = Shape::line(&(self.axis - beyond), &(self.pivot + beyond)).stroke(INK, 1.2).dashed(DASHED);
+        canvas.draw(line.class("line-of-centres"));
+    }
+
+    /// The sense of each body, as an arrow outside it with the symbol of its angle.
+    pub fn draw_senses(&self, canvas: &mut Canvas) {
+        let follower = (&self.pivot, self.star.rim * self.view.scale, 0.0, -1.0, "φ", FOLLOWER);
+        for (centre, reach, middle, sense, letter, shade) in [(&self.axis, self.disc(), PI, 1.0, "θ", DRIVER), follower]
+        {
+            let radius = reach + TO_ARROW;
+            let half = sense * 34.0 / radius;
+            arc_arrow(canvas, centre, radius, middle - half, middle + half, shade, 2.5);
+            let label = Label::symbol(letter).shade(shade);
+            canvas.label(&(centre + heading(middle) * radius), &heading(middle), 7.0, &label);
+        }
+    }
+
+    /// What labels on the mechanism keep clear of: lines of it, pins and axes.
+    pub fn placing(&self) -> Placing {
+        let mut placing = Placing::within(Vector2::new(6.0, 6.0), Vector2::new(WIDTH - 6.0, self.height - 6.0));
+        placing.avoid(&self.axis, &self.pivot, 0.7);
+        for pin in &self.layout.pins {
+            let (at, room) = (self.view.place(pin), Vector2::new(1.0, 1.0) * (self.pin_radius() + 1.0));
+            placing.take([at - room, at + room]);
+        }
+        for axis in [self.axis, self.pivot] {
+            placing.take([axis - Vector2::new(6.0, 6.0), axis + Vector2::new(6.0, 6.0)]);
+        }
+        for slot in &self.layout.slots {
+            placing.avoid(&self.view.place(&slot.mouth), &self.view.place(&slot.bottom), 0.8);
+        }
+        placing.avoid_arc(&self.axis, self.view.scale, 0.0, 2.0 * PI, 0.3);
+        placing.avoid_arc(&self.axis, self.disc(), 0.0, 2.0 * PI, 0.6);
+        placing
+    }
+}
+
+/// A side of a triangle, written to more digits than the rest so that the triangle can be checked from the file.
+pub fn side(canvas: &mut Canvas, placing: &mut Placing, from: &Pixels, to: &Pixels, shade: Shade, name: &str) {
+    let path = Path::start_rounded(from, SIDE_DECIMALS).line_to(to);
+    canvas.draw(Shape::path(path).stroke(shade, 3.0).with("stroke-linecap", "round").class(name));
+    placing.avoid(from, to, 2.0);
+}
+
+/// The mark of an angle at a corner, with its label within or beyond; nothing if it is too narrow.
+pub fn angle(
+    canvas: &mut Canvas,
+    placing: &mut Placing,
+    corner: &Pixels,
+    radius: f64,
+    (from, to): (f64, f64),
+    label: &Label,
+) {
+    if (to - from).abs() * radius < 3.0 {
+        return;
+    }
+    arc(canvas, corner, radius, from, to, INK, 1.6);
+    placing.avoid_arc(corner, radius, from, to, 1.5);
+    let at = |share: f64, distance: f64| {
+        let towards = heading(from + share * (to - from));
+        Place { point: corner + towards * radius, towards, distance }
+    };
+    let shares = [0.5, 0.35, 0.65, 0.2, 0.8];
+    let within = shares.into_iter().flat_map(|share| NEAR.map(|distance| at(share, distance)));
+    let middle = (from + to) / 2.0;
+    placing.put(canvas, label, within.chain(around(&(corner + heading(middle) * radius), middle, &NEAR)));
+}
+
+/// The id of a figure of this escapement: the name and the slots.
+pub fn id(name: &str, escapement: &Escapement) -> String {
+    format!("escapement-{name}-{}", escapement.slots())
+}
+
+/// π over a whole number, as text.
+pub fn half_angle(count: u32) -> String {
+    format!("π/{count}")
+}

@@ -1,0 +1,113 @@
+//! Where the rows go: to standard output as they come, or to a file that is complete or not there.
+//!
+//! Rows for a file are collected in a file without a name, which the system takes away with the program, however that
+//! ends. When they are complete they are copied beside the file, and the copy takes its place. Only a program that is
+//! ended while it copies leaves something behind: the copy, named as the file with `.unfinished-` and some letters.
+
+use anyhow::{Context, bail};
+use std::fs::{self, File};
+use std::io::{self, ErrorKind, Seek, Write};
+use std::path::{Path, PathBuf};
+
+/// Where rows are written.
+pub enum Destination {
+    /// Standard output.
+    Output,
+    /// A file, and what has been collected for it.
+    File { target: PathBuf, collected: File },
+}
+
+impl Destination {
+    /// What was asked for: a path, or `-`.
+    pub fn new(asked: &str) -> anyhow::Result<Self> {
+        if asked == "-" {
+            return Ok(Self::Output);
+        }
+        // A link stays a link; what it leads to is replaced.
+        let target = fs::canonicalize(asked).unwrap_or_else(|_| PathBuf::from(asked));
+        match fs::metadata(&target) {
+            Ok(there) if there.is_file() => {}
+            Ok(there) if there.is_dir() => {
+                bail!("--output {asked}: a folder; give a file in it, or - for standard output")
+            }
+            Ok(_) => bail!("--output {asked}: not a file that can be replaced; give another, or - for standard output"),
+            Err(_) if target.file_name().is_none() => {
+                bail!("--output '{asked}': no file; give one, or - for standard output")
+            }
+            Err(_) => {}
+        }
+        let collected = tempfile::tempfile_in(folder(&target)).with_context(|| unwritable(asked))?;
+        Ok(Self::File { target, collected })
+    }
+
+    /// Adds rows. Whether any more are wanted: a reader that has seen enough closes the pipe.
+    pub fn add(&mut self, rows: &[u8]) -> anyhow::Result<bool> {
+        match self {
+            Self::Output => match io::stdout().lock().write_all(rows) {
+                Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(false),
+                result => result.map(|()| true).context("cannot write to standard output"),
+            },
+            Self::File { target, collected } => {
+                collected.write_all(rows).map(|()| true).with_context(|| unwritable(&target.to_string_lossy()))
+            }
+        }
+    }
+
+    /// Puts the file in its place, if there is one: says which.
+    pub fn finish(self) -> anyhow::Result<Option<PathBuf>> {
+        match self {
+            Self::Output => match io::stdout().lock().flush() {
+                Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+                    Err(error).context("cannot write to standard output")
+                }
+                _ => Ok(None),
+            },
+            Self::File { target, collected } => {
+                let named = unwritable(&target.to_string_lossy());
+                replace(&target, collected).context(named)?;
+                Ok(Some(target))
+            }
+        }
+    }
+}
+
+/// Copies what was collected beside the target, and renames the copy.
+fn replace(target: &Path, mut collected: File) -> io::Result<()> {
+    let name = target.file_name().unwrap_or_default().to_string_lossy();
+    let prefix = format!("{name}.unfinished-");
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(&prefix);
+    let permissions = fs::metadata(target).ok().map(|there| there.permissions());
+    if let Some(permissions) = permissions.clone().or_else(usual) {
+        builder.permissions(permissions);
+    }
+    let mut copy = builder.tempfile_in(folder(target))?;
+    collected.rewind()?;
+    io::copy(&mut collected, copy.as_file_mut())?;
+    if let Some(permissions) = permissions {
+        copy.as_file().set_permissions(permissions)?;
+    }
+    copy.persist(target).map_err(|error| error.error)?;
+    Ok(())
+}
+
+/// Those of any new file; the system takes away what the user's mask does.
+#[cfg(unix)]
+fn usual() -> Option<fs::Permissions> {
+    use std::os::unix::fs::PermissionsExt;
+    Some(fs::Permissions::from_mode(0o666))
+}
+
+/// Those that the system gives.
+#[cfg(not(unix))]
+fn usual() -> Option<fs::Permissions> {
+    None
+}
+
+fn folder(target: &Path) -> &Path {
+    target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+fn unwritable(target: &str) -> String {
+    format!("cannot write {target}; give another --output, in a folder that is there, or - for standard output")
+}

@@ -1,0 +1,83 @@
+//! The fold of the driver's angle: with every pin the engagement begins again.
+
+use super::*;
+
+/// The fold of the driver's angle. A quarter of a turn is right for four pins only.
+pub fn fold(
+    id: &'static str,
+    locator: &'static str,
+    meaning: &'static str,
+    said: &'static str,
+    corrected: &'static str,
+    inherited_by: &'static [&'static str],
+) -> Claim {
+    Claim::statement(
+        WORK,
+        id,
+        locator,
+        meaning,
+        said,
+        Check::corrected_form(
+            (ClosedForm, || folds(|_| printed("meyer.listing.quarter-turn"))),
+            || folds(Escapement::driver_advance),
+            (Vectors, || {
+                let agree = |at: &Escapement, modulus: f64| {
+                    (0..100).all(|k| {
+                        let angle = (f64::from(k) + 0.5) * 0.0625;
+                        let crank = Turn::from_radians(angle % modulus - at.driver_half_angle());
+                        (at.pin_distance(&crank) - nearest_pin(at, angle)).abs() < 1e-9
+                    })
+                };
+                let own = Escapement::all().iter().all(|at| agree(at, at.driver_advance()));
+                let quarter: Vec<u32> =
+                    Escapement::all().iter().filter(|at| agree(at, PI / 2.0)).map(Escapement::pins).collect();
+                Finding::new(
+                    own && quarter == [4],
+                    "the pin next to the follower's axis, of all pins by coordinates, is \
+                            where 2π/m puts it; a quarter of a turn puts it there for four pins \
+                            only",
+                )
+            }),
+        ),
+    )
+    .expecting(Verdict::Corrected)
+    .with_erratum(Erratum {
+        corrected,
+        reason: "The next pin takes over after 2π/m of the driver: 90° for four pins, \
+                but 60° for six and 120° for three. With 90° the pin of six is followed \
+                to 60°, 30° beyond the end of its slot, and that of three is dropped at \
+                30° while the follower turns.",
+        witness: "Of all pins by their coordinates, the one next to the follower's axis \
+                is where the corrected angle says.",
+        severity: Severity::Conceptual,
+        inherited_by,
+    })
+}
+
+/// Whether the folded angle runs from entry to exit and no farther, for each escapement with its modulus.
+fn folds(modulus: fn(&Escapement) -> f64) -> Finding {
+    let ends: Vec<String> = Escapement::all()
+        .iter()
+        .filter(|at| {
+            let end = modulus(at) - at.driver_half_angle();
+            // The modulus is printed to four places.
+            (end - at.driver_half_angle()).abs() > 1e-4
+        })
+        .map(|at| {
+            let [from, to] = [-at.driver_half_angle(), modulus(at) - at.driver_half_angle()].map(f64::to_degrees);
+            format!("from {from:.0}° to {to:.0}° for {} pins", at.pins())
+        })
+        .collect();
+    let how = if ends.is_empty() { "from entry to exit for each of the three".to_owned() } else { ends.join(", ") };
+    Finding::new(ends.is_empty(), how)
+}
+
+/// Distance of the pin nearest to the follower's axis, of all pins by coordinates, when the driver has turned so far
+/// from the entry of one of them.
+fn nearest_pin(at: &Escapement, turned: f64) -> f64 {
+    let axis = Vector2::new(at.centre_distance_ratio(), 0.0);
+    let place = |pin: u32| {
+        Turn::from_radians(turned - at.driver_half_angle() + at.driver_advance() * f64::from(pin)).direction()
+    };
+    (0..at.pins()).map(|pin| (place(pin) - axis).norm()).fold(f64::INFINITY, f64::min)
+}

@@ -1,0 +1,268 @@
+//! The motion of a row, by the solution over the angle and by the program of the thesis on its integrator.
+
+use super::*;
+use geneva_dynamics::program::{Contact, Program};
+use geneva_dynamics::steady::{Engagement, Rise, SteadyState};
+use geneva_mimic::AtSmallestStep;
+use std::collections::HashMap;
+use std::sync::{Mutex, OnceLock};
+
+/// After which angle the driver is put back to the start of an engagement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Fold {
+    /// After the angle between two pins.
+    OfTheMechanism,
+    /// After the angle that the program prints, for all three mechanisms.
+    OneForAll,
+}
+
+/// Which of the two pairs of inertias the runs with six pins had.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum SixPin {
+    /// Those in the heading of the table.
+    AsHeaded,
+    /// Those on the axes of Fig. 11.
+    AsDrawn,
+}
+
+/// Which speed is the greatest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Reading {
+    /// The greatest in the steady cycle.
+    True,
+    /// The greatest of the printed ones.
+    OnTheGrid,
+}
+
+/// What the runs might have been.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hypothesis {
+    /// The fold.
+    pub fold: Fold,
+    /// The inertias of the six-pin runs.
+    pub six_pin: SixPin,
+    /// The reading of the peaks.
+    pub reading: Reading,
+    /// Delay of the acceleration that chooses the sign of friction, in s; none if the sign is exact.
+    pub delay: Option<f64>,
+}
+
+/// What a run gives: speeds in rad/s, times in s.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Run {
+    /// Greatest speed of the driver.
+    pub peak: f64,
+    /// Least speed of the driver in the steady cycle.
+    pub minimum: f64,
+    /// Time from one engagement to the next in the steady cycle.
+    pub period: f64,
+}
+
+impl Hypothesis {
+    /// The one that explains the tables: one fold for all, the inertias of Fig. 11, peaks as printed, the sign exact.
+    pub const BEST: Self =
+        Self { fold: Fold::OneForAll, six_pin: SixPin::AsDrawn, reading: Reading::OnTheGrid, delay: None };
+
+    /// The mechanism as it is.
+    pub const TRUE: Self =
+        Self { fold: Fold::OfTheMechanism, six_pin: SixPin::AsDrawn, reading: Reading::True, delay: None };
+
+    /// The parameters of a row.
+    pub fn parameters(&self, row: &Row) -> Option<Parameters> {
+        let slots = Slots::new(slots(row.mechanism)).ok()?;
+        let [driver, follower] = self.inertias(row.mechanism);
+        Parameters::new(slots, Inertias::new(driver, follower).ok()?, row.torque(), row.friction()).ok()
+    }
+
+    /// Inertias of driver and follower, in in lb s².
+    pub fn inertias(&self, mechanism: Mechanism) -> [f64; 2] {
+        let six_drawn = mechanism == Mechanism::SixPin && self.six_pin == SixPin::AsDrawn;
+        ["driver", "follower"].map(|member| {
+            let id = if six_drawn { format!("meyer.fig-11.{member}") } else { heading(mechanism, member) };
+            printed(&id) * MILLIONTH
+        })
+    }
+
+    /// The fold in radians.
+    pub fn angle(&self, mechanism: Mechanism) -> f64 {
+        match self.fold {
+            Fold::OfTheMechanism => 2.0 * PI / f64::from(mechanism.pins()),
+            Fold::OneForAll => printed("meyer.listing.quarter-turn"),
+        }
+    }
+
+    /// The steady motion of a row with another pair of inertias, in in lb s².
+    pub fn steady_with(&self, row: &Row, [driver, follower]: [f64; 2]) -> Option<SteadyState> {
+        let slots = Slots::new(slots(row.mechanism)).ok()?;
+        let inertias = Inertias::new(driver, follower).ok()?;
+        let parameters = Parameters::new(slots, inertias, row.torque(), row.friction()).ok()?;
+        Engagement::folded(&parameters, self.angle(row.mechanism), 1e-6).ok()?.steady_state().ok()
+    }
+
+    /// The engagement of a row, solved over the angle.
+    pub fn engagement(&self, row: &Row) -> Option<Engagement> {
+        Engagement::folded(&self.parameters(row)?, self.angle(row.mechanism), 1e-10).ok()
+    }
+
+    /// What the run of a row gives.
+    pub fn run(&self, row: &Row) -> Option<Run> {
+        let engagement = self.engagement(row)?;
+        let steady = engagement.steady_state().ok()?;
+        let peak = match (self.reading, self.delay) {
+            (Reading::True, _) => steady.peak.speed,
+            (Reading::OnTheGrid, None) => {
+                let lines = engagement.run(interval(), duration()).ok()?;
+                lines.iter().map(|line| line.speed).fold(0.0, f64::max)
+            }
+            (Reading::OnTheGrid, Some(delay)) => {
+                let program = Program { contact: Contact::Delayed(delay), ..self.program(row)? };
+                program.run(&usual()).ok()?.largest()
+            }
+        };
+        Some(Run { peak, minimum: steady.minimum.speed, period: steady.period })
+    }
+
+    /// The start of a row's run from rest.
+    pub fn rise(&self, row: &Row) -> Option<Rise> {
+        self.engagement(row)?.rise(1e-3).ok()
+    }
+
+    /// The program of the thesis with a row's cards, the sign exact.
+    fn program(&self, row: &Row) -> Option<Program> {
+        Some(Program { fold: self.angle(row.mechanism), ..Program::of(&self.parameters(row)?) })
+    }
+
+    /// The largest printed speed by the second route: the program on its integrator, with small errors.
+    pub fn peak_by_steps(&self, row: &Row) -> Option<f64> {
+        let integrator = geneva_mimic::Parameters { relative_tolerance: 1e-9, ..usual() };
+        Some(self.program(row)?.run(&integrator).ok()?.largest())
+    }
+
+    /// The least speed and the period by the second route, for a torque and a follower of one: by equal steps of θ.
+    ///
+    /// u = θ'² as a function of the angle, engagement after engagement until it repeats itself.
+    pub fn cycle_by_steps(&self, row: &Row) -> Option<[f64; 2]> {
+        type Known = Mutex<HashMap<(Mechanism, String, Fold, SixPin), Option<[f64; 2]>>>;
+        static KNOWN: OnceLock<Known> = OnceLock::new();
+        let key = (row.mechanism, row.printed(Column::Friction).to_owned(), self.fold, self.six_pin);
+        let known = KNOWN.get_or_init(Known::default);
+        if let Some(found) = known.lock().ok()?.get(&key) {
+            return *found;
+        }
+        let found = self.steps(row);
+        known.lock().ok()?.insert(key, found);
+        found
+    }
+
+    fn steps(&self, row: &Row) -> Option<[f64; 2]> {
+        let parameters = self.parameters(row)?;
+        let unit = Parameters::new(
+            parameters.slots(),
+            Inertias::new(parameters.inertias().ratio(), 1.0).ok()?,
+            1.0,
+            parameters.friction(),
+        )
+        .ok()?;
+        let (start, step) = (-parameters.slots().engagement_half_angle(), self.angle(row.mechanism) / f64::from(STEPS));
+        let rate = |angle: f64, square: f64| {
+            let terms = unit.coefficients(angle);
+            let speed = square.max(0.0).sqrt();
+            2.0 * terms.acceleration_with(&speed, geneva_dynamics::Sign::from_number(terms.sign_decider(&speed)))
+        };
+        let mut square = 1.0;
+        for cycle in 0..CYCLES {
+            let (first, mut least, mut time, mut before) = (square, square, 0.0, square);
+            for k in 0..STEPS {
+                let at = start + step * f64::from(k);
+                let slopes = |u: f64| rate(at + step / 2.0, u);
+                let f1 = rate(at, square);
+                let f2 = slopes(square + step / 2.0 * f1);
+                let f3 = slopes(square + step / 2.0 * f2);
+                let f4 = rate(at + step, square + step * f3);
+                let next = square + step / 6.0 * (f1 + 2.0 * f2 + 2.0 * f3 + f4);
+                // Speeds at both ends and in the middle; there by the cubic through values and slopes.
+                let middle = (square + next) / 2.0 + step / 8.0 * (f1 - rate(at + step, next));
+                time += step / 6.0 * (1.0 / square.sqrt() + 4.0 / middle.sqrt() + 1.0 / next.sqrt());
+                least = least.min(next).min(lowest(before, square, next));
+                (before, square) = (square, next);
+            }
+            if cycle > 0 && (square - first).abs() <= 1e-12 * square {
+                return Some([least.sqrt(), time]);
+            }
+        }
+        None
+    }
+}
+
+/// The lowest value of the parabola through three neighbours; the middle one if it is not the lowest of the three.
+fn lowest(before: f64, middle: f64, next: f64) -> f64 {
+    let bend = before - 2.0 * middle + next;
+    if middle < before && middle < next { middle - (next - before) * (next - before) / (8.0 * bend) } else { middle }
+}
+
+/// Steps of an engagement, and engagements at most.
+const STEPS: u32 = 1500;
+const CYCLES: u32 = 200;
+
+/// The unit of the printed inertias.
+pub const MILLIONTH: f64 = 1e-6;
+
+/// The id of an inertia in the heading of a table.
+pub fn heading(mechanism: Mechanism, member: &str) -> String {
+    format!("meyer.app-e.{}.{member}", mechanism.slug())
+}
+
+/// The number of slots that belongs to a number of pins.
+pub fn slots(mechanism: Mechanism) -> u32 {
+    Escapement::all().iter().find(|at| at.pins() == mechanism.pins()).map_or(0, Escapement::slots)
+}
+
+/// The interval of the printed lines, in s.
+pub fn interval() -> f64 {
+    printed("meyer.listing.print-interval")
+}
+
+/// Of half the printed interval, itself and twice as much, the one with which a table's peaks come out best.
+///
+/// For six pins the motion is solved over the angle, for the others the program takes its steps.
+pub fn fitting_interval(mechanism: Mechanism) -> f64 {
+    let misfit = |interval: f64| {
+        let of = |row: &Row| {
+            let largest = if mechanism == Mechanism::SixPin {
+                let lines = Hypothesis::BEST.engagement(row)?.run(interval, duration()).ok()?;
+                lines.iter().map(|line| line.speed).fold(0.0, f64::max)
+            } else {
+                let integrator = geneva_mimic::Parameters {
+                    print_interval: interval,
+                    largest_step: interval,
+                    initial_step: interval,
+                    ..usual()
+                };
+                Hypothesis::BEST.program(row)?.run(&integrator).ok()?.largest()
+            };
+            Some((largest / row.number(Column::Peak) - 1.0).abs())
+        };
+        let own = rows().iter().filter(|row| row.mechanism == mechanism);
+        own.map(|row| of(row).unwrap_or(f64::INFINITY)).sum::<f64>()
+    };
+    let candidates = [interval() / 2.0, interval(), 2.0 * interval()];
+    candidates.into_iter().min_by(|a, b| misfit(*a).total_cmp(&misfit(*b))).unwrap_or(f64::NAN)
+}
+
+/// The length of a run, in s.
+pub fn duration() -> f64 {
+    printed("meyer.listing.run-length")
+}
+
+/// The integrator as far as the thesis tells, its steps no longer than the delay; the rest as it is by default.
+fn usual() -> geneva_mimic::Parameters {
+    geneva_mimic::Parameters {
+        at_smallest_step: AtSmallestStep::Continue,
+        ..geneva_mimic::Parameters::new(interval(), duration())
+    }
+}
+
+/// The scale of speeds of a row: √(K / I_f), in rad/s.
+pub fn unit_of_speed(hypothesis: &Hypothesis, row: &Row) -> f64 {
+    hypothesis.parameters(row).map_or(f64::NAN, |parameters| parameters.drive().sqrt())
+}

@@ -1,0 +1,174 @@
+//! The printed tables of Appendix E: one string for each, a line for each run.
+
+use std::sync::OnceLock;
+
+/// One of the three mechanisms, as the thesis names them: by the pins.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Mechanism {
+    /// Six pins, three slots.
+    SixPin,
+    /// Four pins, four slots.
+    FourPin,
+    /// Three pins, six slots.
+    ThreePin,
+}
+
+impl Mechanism {
+    /// In the order of the tables.
+    pub const ALL: [Self; 3] = [Self::SixPin, Self::FourPin, Self::ThreePin];
+
+    /// Pins of the driver.
+    pub fn pins(self) -> u32 {
+        match self {
+            Self::SixPin => 6,
+            Self::FourPin => 4,
+            Self::ThreePin => 3,
+        }
+    }
+
+    /// As it stands in ids.
+    pub fn slug(self) -> &'static str {
+        match self {
+            Self::SixPin => "6-pin",
+            Self::FourPin => "4-pin",
+            Self::ThreePin => "3-pin",
+        }
+    }
+}
+
+/// The columns of a table, in their order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Column {
+    /// Coefficient of friction.
+    Friction,
+    /// Torque of the spring, in in lb.
+    Torque,
+    /// Greatest speed of the driver, in rad/s.
+    Peak,
+    /// Least speed of the driver, in rad/s.
+    Minimum,
+    /// Rise time, in s.
+    Rise,
+    /// Period, in s.
+    Period,
+}
+
+/// One printed row.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Row {
+    /// The table it stands in.
+    pub mechanism: Mechanism,
+    /// The line of the source's text.
+    pub line: u32,
+    /// The printed characters, in the order of the columns.
+    cells: [&'static str; 6],
+}
+
+impl Row {
+    /// The printed characters of a column.
+    pub fn printed(&self, column: Column) -> &'static str {
+        self.cells[column as usize]
+    }
+
+    /// The printed number of a column; not a number if it cannot be read.
+    pub fn number(&self, column: Column) -> f64 {
+        self.printed(column).parse().unwrap_or(f64::NAN)
+    }
+
+    /// The friction.
+    pub fn friction(&self) -> f64 {
+        self.number(Column::Friction)
+    }
+
+    /// The torque, in in lb.
+    pub fn torque(&self) -> f64 {
+        self.number(Column::Torque)
+    }
+
+    /// The row's name in ids: mechanism, friction and torque.
+    pub fn slug(&self) -> String {
+        let [friction, torque, ..] = self.cells;
+        format!("{}.mu-0{friction}.k-0{torque}", self.mechanism.slug())
+    }
+}
+
+/// All rows, in the order of the source.
+pub fn rows() -> &'static [Row] {
+    static ROWS: OnceLock<Vec<Row>> = OnceLock::new();
+    ROWS.get_or_init(|| TABLES.iter().flat_map(|(mechanism, first, table)| read(*mechanism, *first, table)).collect())
+}
+
+fn read(mechanism: Mechanism, first: u32, table: &'static str) -> impl Iterator<Item = Row> {
+    (first..).zip(table.lines()).map(move |(line, text)| {
+        let mut words = text.split_whitespace();
+        Row { mechanism, line, cells: std::array::from_fn(|_| words.next().unwrap_or_default()) }
+    })
+}
+
+/// Mechanism, line of the first row, and the rows: friction, torque, peak, minimum, rise time, period.
+const TABLES: [(Mechanism, u32, &str); 3] = [
+    (
+        Mechanism::SixPin,
+        784,
+        "\
+.20 .03 83 10 .101 .046
+.20 .05 107 13 .078 .036
+.20 .07 127 15 .074 .030
+.20 .09 144 17 .051 .027
+.25 .03 76 9 .092 .050
+.25 .05 98 12 .084 .039
+.25 .07 116 14 .061 .033
+.25 .09 130 16 .047 .029
+.30 .03 71 8 .073 .054
+.30 .05 91 11 .057 .043
+.30 .07 108 13 .036 .036
+.30 .09 123 14 .034 .031
+.35 .03 67 8 .070 .058
+.35 .05 86 10 .046 .046
+.35 .07 102 12 .047 .039
+.35 .09 116 14 .044 .034",
+    ),
+    (
+        Mechanism::FourPin,
+        806,
+        "\
+.20 .08 155 19 .056 .040
+.20 .10 174 21 .050 .035
+.20 .12 191 23 .046 .032
+.20 .14 206 25 .034 .030
+.25 .08 134 17 .037 .043
+.25 .10 150 19 .033 .039
+.25 .12 164 21 .030 .035
+.25 .14 178 23 .027 .033
+.30 .08 118 17 .037 .047
+.30 .10 128 18 .030 .042
+.30 .12 144 20 .029 .038
+.30 .14 154 22 .027 .035
+.35 .09 111 17 .028 .046
+.35 .10 117 18 .026 .044
+.35 .11 123 19 .024 .042
+.35 .12 129 20 .023 .040
+.35 .20 163 25 .028 .031",
+    ),
+    (
+        Mechanism::ThreePin,
+        828,
+        "\
+.20 .08 144 61 .044 .018
+.20 .10 161 68 .039 .017
+.20 .12 176 74 .036 .015
+.20 .14 191 80 .030 .014
+.25 .08 140 58 .036 .020
+.25 .10 156 65 .036 .018
+.25 .12 171 71 .029 .015
+.25 .14 184 77 .028 .015
+.30 .08 136 56 .037 .020
+.30 .10 152 63 .033 .018
+.30 .12 167 69 .030 .016
+.30 .14 180 74 .028 .015
+.35 .08 133 54 .038 .021
+.35 .10 148 61 .038 .018
+.35 .12 163 67 .031 .017
+.35 .14 176 72 .028 .015",
+    ),
+];

@@ -1,0 +1,109 @@
+//! The runs of the thesis: what explains the printed tables, and what the tables should have been.
+
+use crate::html::{Cells, table};
+use anyhow::Context;
+use geneva_ledger::meyer::runs::{Column, Fold, Hypothesis, Mechanism, Reading, Row, SixPin, rows, scores};
+
+/// The hypotheses and how many cells each explains.
+pub fn hypotheses() -> anyhow::Result<String> {
+    let scores = scores();
+    let rows: Vec<Vec<String>> = scores
+        .chunks(3)
+        .map(|columns| {
+            let mut row = vec![words(&columns[0].hypothesis)];
+            for score in columns {
+                row.push(format!("{} / {}", score.exact, score.within_one));
+                row.push(signed(100.0 * score.worst, 1));
+                row.push(signed(score.likelihood, 2));
+            }
+            row
+        })
+        .collect();
+    let head = ["Hypothesis", "Peak", "worst %", "fit", "Minimum", "worst %", "fit", "Period", "worst %", "fit"];
+    Ok(table("Hypotheses about the runs", Cells::NamedNumbers, &head, &rows))
+}
+
+fn words(hypothesis: &Hypothesis) -> String {
+    let fold = match hypothesis.fold {
+        Fold::OfTheMechanism => "angle put back after 360°/m",
+        Fold::OneForAll => "after 90° for all",
+    };
+    let inertias = match hypothesis.six_pin {
+        SixPin::AsHeaded => "six-pin inertias as headed",
+        SixPin::AsDrawn => "as in Fig. 11",
+    };
+    let reading = match hypothesis.reading {
+        Reading::True => "true peaks",
+        Reading::OnTheGrid => "largest printed speed",
+    };
+    let sign = if hypothesis.delay.is_some() { "; sign by the old acceleration" } else { "" };
+    format!("{fold}; {inertias}; {reading}{sign}")
+}
+
+/// The tables of six and three pins, printed and as they should have been.
+pub fn six_pin() -> anyhow::Result<String> {
+    corrected(Mechanism::SixPin)
+}
+
+/// The same of four pins.
+pub fn four_pin() -> anyhow::Result<String> {
+    corrected(Mechanism::FourPin)
+}
+
+/// The same of three pins.
+pub fn three_pin() -> anyhow::Result<String> {
+    corrected(Mechanism::ThreePin)
+}
+
+/// The same of six pins with the inertias of the table's heading.
+pub fn six_pin_as_headed() -> anyhow::Result<String> {
+    of(Mechanism::SixPin, Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::TRUE })
+}
+
+fn corrected(mechanism: Mechanism) -> anyhow::Result<String> {
+    of(mechanism, Hypothesis::TRUE)
+}
+
+fn of(mechanism: Mechanism, hypothesis: Hypothesis) -> anyhow::Result<String> {
+    let cells = rows().iter().filter(|row| row.mechanism == mechanism).map(|row| line(row, &hypothesis));
+    let cells = cells.collect::<anyhow::Result<Vec<_>>>()?;
+    let head = [
+        "μ",
+        "K",
+        "peak printed",
+        "peak",
+        "off by %",
+        "minimum printed",
+        "minimum",
+        "off by %",
+        "period printed",
+        "period",
+        "mean speed",
+    ];
+    let name = format!("The runs with {} pins, printed and as they should have been", mechanism.pins());
+    Ok(table(&name, Cells::Numbers, &head, &cells))
+}
+
+fn line(row: &Row, hypothesis: &Hypothesis) -> anyhow::Result<Vec<String>> {
+    let engagement = hypothesis.engagement(row).context("a run's data make no escapement")?;
+    let steady = engagement.steady_state()?;
+    let off = |column, value: f64| signed(100.0 * (row.number(column) / value - 1.0), 0);
+    let printed = |column| row.printed(column).to_owned();
+    Ok(vec![
+        printed(Column::Friction),
+        printed(Column::Torque),
+        printed(Column::Peak),
+        format!("{:.1}", steady.peak.speed),
+        off(Column::Peak, steady.peak.speed),
+        printed(Column::Minimum),
+        format!("{:.2}", steady.minimum.speed),
+        off(Column::Minimum, steady.minimum.speed),
+        printed(Column::Period),
+        format!("{:.5}", steady.period),
+        format!("{:.2}", steady.mean_speed),
+    ])
+}
+
+fn signed(number: f64, decimals: usize) -> String {
+    format!("{number:+.decimals$}").replace('-', "−")
+}

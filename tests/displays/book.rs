@@ -1,0 +1,152 @@
+//! The displays of the chapters hold, and misprints in them would not.
+
+use super::escapement;
+use super::mechanisms::{When, pin, quick_return, step, wheel};
+use super::mutants::mutants;
+use super::state::State;
+use super::tex::{read, read_pieces};
+use super::value::holds;
+
+/// A display that is not evaluated: its chapter, how it starts, and why.
+const EXCEPTIONS: &[(&str, &str, &str)] = &[];
+
+/// A misprint that no state of motion shows: its chapter, how the display starts, what is changed, and why it says the
+/// same.
+const SURVIVORS: &[(&str, &str, &str, &str)] = &[(
+    "quick-return",
+    r"\vec{a}_2^\mathrm{n} +",
+    "piece 47: + becomes -",
+    "the term behind the sign is zero in a straight slot",
+)];
+
+/// A display's chapter, how it starts, and the states in which it holds.
+type Condition = (&'static str, &'static str, fn(usize) -> State);
+
+/// Displays that hold under a condition that the text before them states.
+const UNDER_CONDITIONS: &[Condition] = &[
+    // At entry, where the pin moves along the slot.
+    ("pin", r"l \cos\theta = R", entering),
+    // The four roots of the quartic.
+    ("pin", r"(k^2 - 1)(k^2 - 2) = 0", |number| {
+        State::default().with([("k", [1.0, -1.0, 2f64.sqrt(), -(2f64.sqrt())][number % 4])])
+    }),
+    // Four stations at a third of a right angle from the line of centres.
+    ("pin", r"r^2 = \left(1 + 2", |number| pin(number, Some(2f64.sqrt()), Some(30f64.to_radians()))),
+    ("pin", r"\frac{k - 1}{(k-1)^2}", |number| pin(number, Some(2f64.sqrt()), None)),
+    // With an acceleration of the crank, which the other displays do without.
+    ("quick-return", r"\vec{a}_2^\mathrm{n} +", |number| quick_return(number, 1.5)),
+    ("jazar", r"R\sin\theta = r\sin\varphi", |number| wheel(number, Some(4), When::Steady)),
+    ("jazar", r"\cos^2\theta + \gamma\cos\theta", |number| wheel(number, None, When::AtPeak)),
+];
+
+fn entering(number: usize) -> State {
+    let ratio = 1.0 + 3.0 * super::spread(number, 4);
+    pin(number, Some(ratio), Some(libm::acos(1.0 / ratio)))
+}
+
+/// One display of a chapter, and the states in which it must hold.
+struct Printed {
+    chapter: String,
+    tex: String,
+    states: Vec<State>,
+}
+
+impl Printed {
+    fn starts(&self, chapter: &str, start: &str) -> bool {
+        self.chapter == chapter && self.tex.starts_with(start)
+    }
+
+    fn is_excepted(&self) -> bool {
+        EXCEPTIONS.iter().any(|(chapter, start, _)| self.starts(chapter, start))
+    }
+}
+
+/// All displays of the book.
+fn displays() -> Vec<Printed> {
+    let mut found = Vec::new();
+    for (path, text) in crate::files("book/src", &[".md"]) {
+        let chapter = path.file_stem().expect("a name").to_string_lossy().into_owned();
+        // Between fences is code. Whether Markdown sees the same displays, the press tells.
+        let prose: String = text.split("```").step_by(2).collect();
+        assert!(prose.matches("$$").count().is_multiple_of(2), "{chapter}: a display has no end");
+        for tex in prose.split("$$").skip(1).step_by(2) {
+            let mut display = Printed { chapter: chapter.clone(), tex: tex.trim().to_owned(), states: Vec::new() };
+            let condition = UNDER_CONDITIONS.iter().find(|(chapter, start, _)| display.starts(chapter, start));
+            let many = |state: fn(usize) -> State| (0..40).map(state).collect();
+            display.states = match (condition, chapter.as_str()) {
+                (Some((_, _, state)), _) => many(*state),
+                (None, "pin") => many(|number| pin(number, None, None)),
+                (None, "quick-return") => many(|number| quick_return(number, 0.0)),
+                (None, "jazar") => many(|number| wheel(number, None, When::Steady)),
+                (None, "program") => many(step),
+                (None, "escapement") => escapement::states(),
+                _ if display.is_excepted() => Vec::new(),
+                _ => panic!("{chapter}: say here what the letters of `{}` stand for", display.tex),
+            };
+            found.push(display);
+        }
+    }
+    found
+}
+
+#[test]
+fn every_display_holds_wherever_the_mechanism_is() {
+    let mut wrong = Vec::new();
+    let (mut evaluated, mut tags) = (0, Vec::new());
+    for printed in displays().iter().filter(|printed| !printed.is_excepted()) {
+        let display = read(&printed.tex);
+        match display.as_ref().map(|display| holds(display, &printed.states)) {
+            Ok(Ok(true)) => evaluated += 1,
+            other => wrong.push(format!("{}: `{}`: {other:?}", printed.chapter, printed.tex)),
+        }
+        tags.extend(display.ok().and_then(|display| display.tag));
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    println!("{evaluated} displays hold, {} by number: {}", tags.len(), tags.join(", "));
+    assert!(evaluated >= 38, "only {evaluated} displays are evaluated");
+    let numbers = ["1-2", "1-3", "1-6", "1-7", "1-8", "1-13", "1-14", "1-16", "1-17", "1-18", "1-19"];
+    assert!(numbers.iter().all(|number| tags.iter().any(|tag| tag == number)), "{tags:?}");
+}
+
+#[test]
+fn no_exception_and_no_condition_is_left_over() {
+    let displays = displays();
+    let used = |chapter, start| displays.iter().filter(|printed| printed.starts(chapter, start)).count() == 1;
+    for (chapter, start, _) in UNDER_CONDITIONS {
+        assert!(used(chapter, start), "{chapter}: no display, or several, start with {start}");
+    }
+    for (chapter, start, reason) in EXCEPTIONS {
+        assert!(used(chapter, start), "{chapter}: no display, or several, start with {start} ({reason})");
+        let readable = displays.iter().filter(|printed| printed.starts(chapter, start)).any(|printed| {
+            !printed.states.is_empty()
+                && read(&printed.tex).is_ok_and(|display| holds(&display, &printed.states).is_ok())
+        });
+        assert!(!readable, "{chapter}: {start} can be evaluated, so it needs no exception");
+    }
+}
+
+#[test]
+fn a_misprint_would_be_noticed() {
+    let displays = displays();
+    let (mut refuted, mut survivors) = (0, Vec::new());
+    for printed in displays.iter().filter(|printed| !printed.is_excepted()) {
+        for mutant in mutants(&printed.tex) {
+            // What cannot be read or evaluated any more is noticed as well, but proves nothing about the evaluation.
+            match read_pieces(&mutant.pieces).and_then(|display| holds(&display, &printed.states)) {
+                Ok(false) => refuted += 1,
+                Ok(true) => survivors.push((printed, mutant.change)),
+                Err(_) => {}
+            }
+        }
+    }
+    let expected = |printed: &Printed, change: &str| {
+        SURVIVORS.iter().any(|(chapter, start, known, _)| printed.starts(chapter, start) && *known == change)
+    };
+    println!("{refuted} misprints refuted, {} not", survivors.len());
+    let new: Vec<_> = survivors.iter().filter(|(printed, change)| !expected(printed, change)).collect();
+    let list: Vec<_> =
+        new.iter().map(|(printed, change)| format!("{}: `{}`: {change}", printed.chapter, printed.tex)).collect();
+    assert!(list.is_empty(), "{}", list.join("\n"));
+    assert_eq!(survivors.len(), SURVIVORS.len(), "a misprint that was thought to make no difference makes one");
+    assert!(refuted >= 1400 && refuted > 19 * survivors.len(), "{refuted}");
+}

@@ -1,0 +1,97 @@
+//! The escapement in many states of motion, as the programs compute them: what the letters of its chapter stand for.
+
+use super::spread;
+use super::state::State;
+use geneva_dynamics::energy::kinetic_energy;
+use geneva_dynamics::equation::{coefficient_a, coefficient_b};
+use geneva_dynamics::existence::critical_friction;
+use geneva_dynamics::{Inertias, Parameters, Pose, Sign, Slots};
+use geneva_kinematics::escapement::{Escapement, possible};
+use geneva_kinematics::{Jet, Turn, pin_slot};
+
+/// All three mechanisms, with many inertias, torques, frictions, angles and speeds.
+pub fn states() -> Vec<State> {
+    (0..45).map(|number| state(number, &Wanted::default())).collect()
+}
+
+/// What is asked of a state; what is not asked is at random.
+#[derive(Default)]
+pub struct Wanted {
+    pub slots: Option<Slots>,
+    pub crank_radius: Option<f64>,
+    /// Where one pin takes over from the next.
+    pub handing_over: bool,
+}
+
+/// One state of the mechanism, of many.
+pub fn state(number: usize, wanted: &Wanted) -> State {
+    let slots = wanted.slots.unwrap_or(Slots::ALL[number % 3]);
+    let between = |which, least: f64, most: f64| least + (most - least) * spread(number, which);
+    let inertias = Inertias::new(between(0, 0.1, 2.0), between(1, 0.5, 3.0)).expect("two inertias");
+    let limit = critical_friction(slots, inertias.ratio()).expect("a limit").friction;
+    let (torque, friction) = (between(2, 0.5, 4.0), limit * between(3, 0.1, 0.9));
+    let escapement = Parameters::new(slots, inertias, torque, friction).expect("an escapement");
+    let half = slots.engagement_half_angle();
+    let angle = if wanted.handing_over { half } else { half * between(4, -0.98, 0.98) };
+    let (speed, radius) = (between(5, 0.2, 4.0), wanted.crank_radius.unwrap_or(between(6, 0.5, 2.0)));
+
+    let found = escapement.acceleration(angle, speed).expect("one acceleration");
+    let forces = escapement.contact_forces(angle, speed).expect("one acceleration");
+    let (pose, factors) = (escapement.pose(angle), escapement.coefficients(angle));
+    let pin = pin_slot::pin_from_pivot(&slots.ratio(), &Turn::from_radians(angle)) * radius;
+    let follower = libm::atan2(pin.y, pin.x);
+    let start = escapement.acceleration(-half, 0.0).expect("one acceleration");
+    let energy = Energy::of(&pose, speed, found.value, &inertias);
+    let all = possible();
+    let (count, pins) = *all.iter().find(|(count, _)| *count == slots.count()).expect("one that is possible");
+    let ratio = Escapement::new(count).expect("one that is possible").centre_distance_ratio();
+    let velocity = pin_slot::velocity_ratio(&ratio, &Turn::from_radians(angle)) * speed;
+    // The equation of motion is put together from the same terms.
+    let driven = coefficient_a(&pose, &inertias.ratio()) * found.value + coefficient_b(&pose) * speed * speed;
+    approx::assert_relative_eq!(energy.growth - energy.by_angle, driven * inertias.follower(), epsilon = 1e-9);
+    approx::assert_abs_diff_eq!(factors.residual(&speed, &found.value, found.sign), 0.0, epsilon = 1e-9);
+
+    State::default()
+        .with([("a", ratio), ("n", f64::from(count)), ("m", f64::from(pins)), ("r", radius), ("c", ratio * radius)])
+        .with([(r"\theta", angle), (r"\dot\theta", speed), (r"\ddot\theta", found.value)])
+        .with([(r"\varphi", follower), (r"\dot\varphi", velocity)])
+        .with([(r"\ddot\varphi", forces.follower_acceleration), ("R", pin.norm())])
+        .with([(r"\theta_0", half), (r"\varphi_0", libm::atan2(libm::sin(half), ratio - libm::cos(half)))])
+        .with([("N", forces.normal_force(radius)), (r"\tau_2", -forces.friction_torque)])
+        .with([("I_D", inertias.driver()), ("I_f", inertias.follower()), ("K", torque), (r"\mu", friction)])
+        .with([("A", factors.a), ("B", factors.b), ("C", factors.c), ("D", factors.d), ("E", factors.e)])
+        .with([("S", if found.sign == Sign::Plus { 1.0 } else { -1.0 }), (r"\ddot\theta_0", start.value)])
+        .with([("T", energy.value), (r"\frac{\partial T}{\partial\theta}", energy.by_angle)])
+        .with([(r"\frac{\partial T}{\partial\dot\theta}", energy.by_speed)])
+        .with_rate(r"\frac{\partial T}{\partial\dot\theta}", energy.growth)
+}
+
+/// The kinetic energy and its derivatives, by power series in time and in the speed.
+struct Energy {
+    value: f64,
+    by_angle: f64,
+    by_speed: f64,
+    /// d/dt of the derivative by the speed.
+    growth: f64,
+}
+
+impl Energy {
+    fn of(pose: &Pose<f64>, speed: f64, gain: f64, inertias: &Inertias) -> Self {
+        type Time = Jet<f64, 3>;
+        let scale = inertias.follower();
+        let by_angle = pose.moving_by(&Jet::<f64, 2>::variable(0.0));
+        let constants = (Jet::constant(speed), Jet::constant(inertias.ratio()));
+        let by_angle = kinetic_energy(&by_angle.velocity_ratio(), &constants.0, &constants.1);
+        // Along the motion, with another speed at every instant.
+        let moving = pose.moving_by(&Time::from_coefficients([0.0, speed, gain / 2.0]));
+        let speeds = Jet::<Time, 2>::variable(Time::from_coefficients([speed, gain, 0.0]));
+        let ratio = Jet::constant(moving.velocity_ratio());
+        let by_speed = kinetic_energy(&ratio, &speeds, &Jet::constant(Jet::constant(inertias.ratio()))).rate();
+        Self {
+            value: scale * by_angle.value(),
+            by_angle: scale * by_angle.rate(),
+            by_speed: scale * by_speed.value(),
+            growth: scale * by_speed.rate(),
+        }
+    }
+}

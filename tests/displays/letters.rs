@@ -1,0 +1,151 @@
+//! The letters of the sources, in the states in which their equations must hold.
+
+use super::escapement::{self, Wanted};
+use super::mechanisms::{When, frame, pin, quick_return, wheel};
+use super::state::State;
+use geneva_dynamics::Slots;
+use geneva_kinematics::wheel::Wheel;
+use geneva_ledger::{Claim, Work};
+use std::f64::consts::PI;
+
+/// What stands in place of the dots of a claim's printed characters, one name for each.
+///
+/// The dots are numbers of other claims; a name for the exact value is put there, so that no rounding is in the way.
+const DOTS: &[(&str, &[&str])] = &[
+    ("pin.law-of-cosines", &[r"\theta"]),
+    ("pin.velocity-angle-equation", &["b", r"\theta"]),
+    ("quick-return.law-of-sines", &["l", r"\psi", "l_2"]),
+    ("quick-return.projections", &["l", r"\psi", "l_2"]),
+    ("quick-return.angle-sum", &[r"\psi"]),
+    // The number printed here is that of the crank's angle.
+    ("quick-return.lever-point-speed-equation", &[r"\varphi"]),
+    ("quick-return.sliding-speed-equation", &[r"\varphi"]),
+    ("quick-return.sliding-acceleration-equation", &[r"\beta"]),
+    ("quick-return.lever-tangential-equation", &[r"\beta"]),
+    // A break between two lines.
+    ("meyer.acceleration-by-quotient", &[""]),
+];
+
+/// What a claim is about that prints one side of an equation alone.
+const MEANT: &[(&str, &str)] = &[
+    ("quick-return.rate-conversion", r"\frac{\text{rev}}{\text{min}}"),
+    ("quick-return.supplement", r"\varphi"),
+    ("quick-return.coriolis-equation", r"a_\mathrm{Cor}"),
+    ("jazar.centre-distance", "l"),
+    ("jazar.cutout-centres", r"\text{arcs}"),
+    ("jazar.alpha-degrees", r"\alpha"),
+    ("jazar.duration", r"\theta_{\text{exit}} - \theta_{\text{entry}}"),
+    ("jazar.centre-distance-ratio", "l/r"),
+];
+
+/// Printed characters of a claim as an equation in names: dots filled, the missing side supplied.
+pub fn equation(claim: &Claim, tex: &str) -> String {
+    let mut tex = tex.to_owned();
+    for name in DOTS.iter().filter(|(id, _)| *id == claim.id).flat_map(|(_, names)| *names) {
+        // A name for an angle has its unit in it.
+        let dots = if tex.find(r"\ldots") == tex.find(r"\ldots^\circ") { r"\ldots^\circ" } else { r"\ldots" };
+        tex = tex.replacen(dots, &format!("{name} "), 1);
+    }
+    match MEANT.iter().find(|(id, _)| *id == claim.id) {
+        Some((_, side)) => format!("{side} = {tex}"),
+        None => tex,
+    }
+}
+
+/// States in which a claim's equation must hold, with the letters of its source.
+pub fn states(claim: &Claim) -> Vec<State> {
+    let many = |state: &dyn Fn(usize) -> State| (0..40).map(state).collect();
+    match claim.work {
+        Work::Pin => many(&|number| of_pin(claim.id, number)),
+        Work::QuickReturn => many(&|number| of_quick_return(claim.id, number)),
+        Work::Jazar2003 => many(&|number| of_jazar(claim, number)),
+        Work::Meyer1973 => many(&|number| of_meyer(claim.id, number)),
+    }
+}
+
+fn of_pin(id: &str, number: usize) -> State {
+    let four = id == "pin.centre-distance";
+    let angle = (id == "pin.law-of-sines").then_some(30f64.to_radians());
+    let state = pin(number, four.then_some(2f64.sqrt()), angle).called([("b", r"\beta"), ("g", r"\gamma")]);
+    if id == "pin.velocity-equation" {
+        return state.called([("v_P", r"\vec{v}_P"), ("v_{P'}", r"\vec{v}_{P'}"), ("v_{P/S}", r"\vec{v}_{P/S}")]);
+    }
+    state
+}
+
+fn of_quick_return(id: &str, number: usize) -> State {
+    let state = quick_return(number, 0.0);
+    match id {
+        "quick-return.sum-of-places" | "quick-return.velocity-in-a-frame" | "quick-return.acceleration-in-a-frame" => {
+            frame(number, 1.0)
+        }
+        "quick-return.sum-of-places-by-points" => {
+            frame(number, 1.0).called([("r_{P2}", "r"), ("r_{P4}", "R"), ("r_{P2/P4}", "p")])
+        }
+        "quick-return.velocity-by-points" => {
+            frame(number, 0.0).called([("v_{P2}", r"\dot{r}"), ("v_{P4}", r"\dot{R}"), ("v_{P2/P4}", r"\dot{p}")])
+        }
+        // Angles count in radians, times in seconds.
+        "quick-return.rate-conversion" => State::default().with([
+            (r"\text{rev}", 2.0 * PI),
+            (r"\text{rad}", 1.0),
+            (r"\text{min}", 60.0),
+            (r"\text{s}", 1.0),
+        ]),
+        // The path in the slot is straight.
+        "quick-return.sliding-normal" => state
+            .with([("R", f64::INFINITY)])
+            .called([("v_{P2/P4}", r"v_\mathrm{rel}"), ("A_{P2/P4}^n", r"a_\mathrm{rel}^\mathrm{n}")]),
+        "quick-return.seven-terms" => quick_return(number, 1.5)
+            .called([("a_{P_2}^n", r"\vec{a}_2^\mathrm{n}"), ("a_{P_2}^t", r"\vec{a}_2^\mathrm{t}")])
+            .called([("a_{P_4}^n", r"\vec{a}_4^\mathrm{n}"), ("a_{P_4}^t", r"\vec{a}_4^\mathrm{t}")])
+            .called([("a_{P_2P_4}^n", r"\vec{a}_\mathrm{rel}^\mathrm{n}")])
+            .called([("a_{P_2P_4}^t", r"\vec{a}_\mathrm{rel}^\mathrm{t}")])
+            .called([(r"\omega_4", r"\vec{\omega}_4"), ("v_{P_2P_4}", r"\vec{v}_\mathrm{rel}")]),
+        _ => state
+            .called([(r"\gamma", r"\gamma_2"), ("l_2", "R"), ("l_4", "r"), ("v_{P2}", "v_2"), ("v_{P4}", "v_4")])
+            .called([
+                ("v_{P2/P4}", r"v_\mathrm{rel}"),
+                ("A_{P2}^n", r"a_2^\mathrm{n}"),
+                ("A_{P4}^n", r"a_4^\mathrm{n}"),
+            ])
+            .called([("A_{P4}^t", r"a_4^\mathrm{t}"), ("A_{P2/P4}^t", r"a_\mathrm{rel}^\mathrm{t}")])
+            .called([("v_{P_2}", r"\vec{v}_2"), ("v_{P_4}", r"\vec{v}_4"), ("v_{P_2P_4}", r"\vec{v}_\mathrm{rel}")])
+            .called([("a_{P_2}", r"\vec{a}_2"), ("a_{P_4}", r"\vec{a}_4"), ("a_{P_2P_4}", r"\vec{a}_{2/4}")]),
+    }
+}
+
+fn of_jazar(claim: &Claim, number: usize) -> State {
+    let when = match claim.id {
+        "jazar.ex-e.condition" | "jazar.ex-e.quadratic" | "jazar.ex-e.roots" | "jazar.eq-5.34" => When::AtPeak,
+        "jazar.unsteady-acceleration" => When::Unsteady,
+        _ => When::Steady,
+    };
+    let stations = match claim.id {
+        "jazar.ex-d.peak-equation" => Some(6),
+        _ if claim.printed.contains(r"\sqrt{2}") => Some(4),
+        _ => None,
+    };
+    let state = wheel(number, stations, when)
+        .called([("r", "R"), ("x", "r"), (r"\phi", r"\varphi")])
+        .called([(r"\dot\phi", r"\dot\varphi"), (r"\ddot\phi", r"\ddot\varphi")]);
+    match claim.id {
+        "jazar.ex-d.peak-equation" => state.called([(r"\dot{\phi}_{\rm max}", r"\dot\varphi_{\max}")]),
+        // Angles count in degrees.
+        "jazar.ex-c.formula" => {
+            let wheel = Wheel::new(3 + number as u32 % 16).expect("a wheel");
+            state.with([(r"\alpha", wheel.half_station().to_degrees())])
+        }
+        _ => state,
+    }
+}
+
+fn of_meyer(id: &str, number: usize) -> State {
+    let handing_over = ["meyer.phi-0", "meyer.theta-0"].contains(&id) || id.ends_with(".radius-equation");
+    let slots = [("three-slots", Slots::Three), ("four-slots", Slots::Four), ("six-slots", Slots::Six)];
+    let slots = slots.iter().find(|(part, _)| id.contains(part)).map(|(_, slots)| *slots);
+    let crank_radius = id.starts_with("meyer.app-a.").then_some(1.0);
+    escapement::state(number, &Wanted { slots, crank_radius, handing_over })
+        .called([(r"\phi", r"\varphi"), (r"\dot\phi", r"\dot\varphi"), (r"\ddot\phi", r"\ddot\varphi")])
+        .called([(r"\phi_0", r"\varphi_0"), (r"\phi_o", r"\varphi_0"), (r"\theta_o", r"\theta_0")])
+}

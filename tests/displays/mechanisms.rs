@@ -1,0 +1,179 @@
+//! The other mechanisms in many states of motion: what the letters of their chapters stand for.
+
+use super::spread;
+use super::state::State;
+use geneva_kinematics::quick_return::{Branch, Drive, Motion, QuickReturn};
+use geneva_kinematics::wheel::{
+    Wheel, acceleration_peak, acceleration_ratio, gamma, jerk_ratio, unsteady_acceleration,
+};
+use geneva_kinematics::{Jet, Turn, pin_slot, pin_triangle, pin_vectors};
+use geneva_mimic::runge_kutta_step;
+use nalgebra::{Vector1, Vector2};
+use std::convert::Infallible;
+use std::f64::consts::PI;
+
+fn between(number: usize, which: usize, least: f64, most: f64) -> f64 {
+    least + (most - least) * spread(number, which)
+}
+
+/// A pin in a slot, its angle θ decreasing as the driver turns; at a given ratio of lengths or at many, and so of θ.
+pub fn pin(number: usize, ratio: Option<f64>, angle: Option<f64>) -> State {
+    let radius = between(number, 0, 0.5, 2.0);
+    let ratio = ratio.unwrap_or(between(number, 1, 1.1, 4.0));
+    let mechanism = pin_slot::PinSlot::new(radius, ratio * radius).expect("a mechanism");
+    let angle = angle.unwrap_or(mechanism.engagement_half_angle() * between(number, 2, 0.02, 0.98));
+    let (theta, speed) = (Turn::from_radians(angle), between(number, 3, 0.5, 3.0));
+    let triangle = pin_triangle::solve(&mechanism, &theta, speed);
+    let phi = theta.supplement();
+    let vectors = pin_vectors::solve(&radius, &(ratio * radius), &phi, &speed).expect("off the pivot");
+    State::default()
+        .with([("R", radius), ("l", ratio * radius), ("k", ratio), (r"\theta", angle), (r"\varphi", PI - angle)])
+        .with([("r", triangle.slot_radius), (r"\beta", triangle.angle_at_pivot), (r"\gamma", triangle.velocity_angle)])
+        .with([("v_P", triangle.pin_speed), ("v_{P'}", triangle.slot_point_speed), ("v_{P/S}", triangle.sliding_speed)])
+        .with([(r"\omega_D", speed), (r"\omega_S", triangle.follower_speed)])
+        .with_vectors([(r"\vec{v}_P", vectors.pin_velocity), (r"\vec{v}_{P'}", vectors.slot_point_velocity)])
+        .with_vectors([(r"\vec{v}_{P/S}", vectors.sliding_velocity), (r"\overrightarrow{OP}", vectors.position)])
+}
+
+/// The quick-return mechanism on the branch of the source, its lever above the line of centres.
+pub fn quick_return(number: usize, acceleration: f64) -> State {
+    let (crank, speed) = (between(number, 0, 0.5, 2.0), between(number, 1, 0.5, 3.0));
+    let ground = crank * between(number, 2, 1.2, 3.0);
+    let linkage = QuickReturn::new(ground, crank).expect("a linkage");
+    let strokes = linkage.strokes();
+    let limit = strokes.swing_limit.expect("it swings");
+    let lever = limit * between(number, 3, 0.05, 0.95);
+    let position = linkage.at_lever_degrees(lever.to_degrees(), Branch::Far).expect("within the swing");
+    let drive = Drive { speed, acceleration };
+    let motion = Motion::at(&ground, &crank, &position.crank, &drive).expect("off the pivot");
+    let (velocities, terms) = (&motion.velocities, &motion.accelerations);
+    // As the source counts: towards the pivot along the lever; across it, as the pin's acceleration points.
+    let (along, across) = (position.lever.direction(), pin_vectors::quarter_turn(&position.lever.direction()));
+    let turning = velocities.follower_speed;
+    State::default()
+        .with([("l", ground), ("R", crank), ("r", position.pin_distance), (r"\psi", lever)])
+        .with([(r"\varphi", position.crank.radians()), (r"\beta", position.angle_at_pin())])
+        .with([(r"\omega_2", speed), (r"\omega_4", turning), ("v_2", velocities.pin_velocity.norm())])
+        .with([("v_4", velocities.slot_point_velocity.norm()), (r"v_\mathrm{rel}", velocities.sliding_velocity.norm())])
+        .with([(r"a_2^\mathrm{n}", motion.pin_normal.norm()), (r"a_4^\mathrm{n}", terms.follower_normal.norm())])
+        .with([(r"a_2^\mathrm{t}", motion.pin_tangential.norm()), (r"a_\mathrm{Cor}", terms.coriolis.norm())])
+        .with([(r"a_\mathrm{rel}^\mathrm{t}", -along.dot(&terms.sliding_tangential))])
+        .with([
+            (r"a_4^\mathrm{t}", -across.dot(&terms.follower_tangential)),
+            (r"\alpha_4", -terms.follower_acceleration),
+        ])
+        .with([(r"t_\mathrm{slow}", strokes.slow / speed), (r"t_\mathrm{fast}", strokes.fast / speed)])
+        .with([(r"\psi_\mathrm{max}", limit)])
+        .with_vectors([(r"\vec{v}_2", velocities.pin_velocity), (r"\vec{v}_4", velocities.slot_point_velocity)])
+        .with_vectors([
+            (r"\vec{v}_\mathrm{rel}", velocities.sliding_velocity),
+            (r"\vec{a}_2^\mathrm{n}", motion.pin_normal),
+        ])
+        .with_vectors([
+            (r"\vec{a}_2^\mathrm{t}", motion.pin_tangential),
+            (r"\vec{a}_4^\mathrm{n}", terms.follower_normal),
+        ])
+        .with_vectors([(r"\vec{a}_4^\mathrm{t}", terms.follower_tangential), (r"\vec{a}_\mathrm{Cor}", terms.coriolis)])
+        .with_vectors([(r"\vec{a}_\mathrm{rel}^\mathrm{n}", terms.sliding_normal)])
+        .with_vectors([(r"\vec{a}_\mathrm{rel}^\mathrm{t}", terms.sliding_tangential)])
+        .with_vectors([(r"\vec{r}", velocities.position), (r"\vec{a}_2", motion.pin_normal + motion.pin_tangential)])
+        .with_vectors([(r"\vec{a}_4", terms.follower_normal + terms.follower_tangential)])
+        // As seen by one who moves along and does not turn.
+        .with_vectors([(r"\vec{a}_{2/4}", terms.sliding_tangential + terms.coriolis)])
+        .with([
+            (r"\gamma_2", PI - position.crank.radians()),
+            (r"a_\mathrm{rel}^\mathrm{n}", terms.sliding_normal.norm()),
+        ])
+        .with_turning([(r"\vec{\omega}_4", turning)])
+}
+
+/// When to look at a wheel.
+#[derive(Clone, Copy, PartialEq)]
+pub enum When {
+    /// Within the advance, the driver at constant speed.
+    Steady,
+    /// Within the advance, the driver speeding up or slowing down.
+    Unsteady,
+    /// At the peaks of acceleration and deceleration, the driver at constant speed.
+    AtPeak,
+}
+
+/// A wheel of many numbers of stations, or of one.
+pub fn wheel(number: usize, stations: Option<u32>, when: When) -> State {
+    let wheel = Wheel::new(stations.unwrap_or(3 + number as u32 % 16)).expect("a wheel");
+    let half = wheel.engagement_half_angle();
+    let angle = match when {
+        When::AtPeak if number.is_multiple_of(2) => acceleration_peak(&wheel).angle,
+        When::AtPeak => -acceleration_peak(&wheel).angle,
+        When::Steady | When::Unsteady => half * between(number, 0, -0.98, 0.98),
+    };
+    let gain = if when == When::Unsteady { between(number, 3, -4.0, 4.0) } else { 0.0 };
+    let (radius, speed) = (between(number, 1, 0.5, 2.0), between(number, 2, 0.5, 3.0));
+    let (ratio, crank) = (wheel.centre_distance_ratio(), Turn::from_radians(angle));
+    let pin = pin_slot::pin_from_pivot(&ratio, &crank) * radius;
+    let entry = acceleration_ratio(&ratio, &Turn::from_radians(-half)) * speed * speed;
+    let cycle = 2.0 * PI / speed;
+    State::default()
+        .with([("N", f64::from(wheel.stations())), (r"\alpha", wheel.half_station()), ("k", ratio)])
+        .with([("R", radius), ("l", ratio * radius), ("r", pin.norm()), (r"\gamma", gamma(&wheel))])
+        .with([(r"\theta", angle), (r"\dot\theta", speed), (r"\ddot\theta", gain)])
+        .with([(r"\varphi", libm::atan2(pin.y, pin.x))])
+        .with([(r"\dot\varphi", pin_slot::velocity_ratio(&ratio, &crank) * speed)])
+        .with([(r"\ddot\varphi", unsteady_acceleration(&ratio, &crank, &speed, &gain))])
+        .with_rate(r"\ddot\varphi", jerk_ratio(&ratio, &crank) * speed * speed * speed)
+        .with([(r"\text{wheel radius}", wheel.wheel_radius_ratio() * radius)])
+        .with([(r"\theta_{\text{exit}}", half), (r"\theta_{\text{entry}}", -half)])
+        .with([
+            (r"\lambda", wheel.dwell_fraction()),
+            (r"\tau", wheel.dwell_time(speed).expect("a speed")),
+            ("T", cycle),
+        ])
+        .with([(r"\text{arcs}", wheel.locking_centres_ratio() * radius)])
+        .with([(r"\dot\varphi_{\max}", wheel.peaks(speed).expect("a speed").0)])
+        .with_instant("entry", [(r"\ddot\varphi", entry), (r"\dot\theta", speed)])
+}
+
+/// A point in a frame that turns, by power series in time of where it is.
+///
+/// Its place in the frame is `scale` times one at random, and so not at the frame's origin unless that is zero.
+pub fn frame(number: usize, scale: f64) -> State {
+    let pair = |which| Vector2::new(between(number, which, -2.0, 2.0), between(number, which + 1, -2.0, 2.0));
+    let series = |[place, velocity, acceleration]: [Vector2<f64>; 3]| {
+        let of = |at: usize| Jet::<f64, 3>::from_coefficients([place[at], velocity[at], acceleration[at] / 2.0]);
+        Vector2::new(of(0), of(1))
+    };
+    let (origin, inside) = ([pair(0), pair(2), pair(4)], [pair(6) * scale, pair(8), pair(10)]);
+    let (speed, gain) = (between(number, 12, -2.0, 2.0), between(number, 13, -2.0, 2.0));
+    // The frame's axes are those of the ground at the instant.
+    let turn = Turn { cos: 1.0, sin: 0.0 }.moving_by(&Jet::from_coefficients([0.0, speed, gain / 2.0]));
+    let [p, q] = [series(inside).x.clone(), series(inside).y.clone()];
+    let turned = Vector2::new(
+        turn.cos.clone() * p.clone() - turn.sin.clone() * q.clone(),
+        turn.sin.clone() * p + turn.cos.clone() * q,
+    );
+    let place = series(origin) + turned;
+    let order = |order: usize| Vector2::new(place.x.derivative(order), place.y.derivative(order)).map(Option::unwrap);
+    State::default()
+        .with_vectors([("r", order(0)), (r"\dot{r}", order(1)), (r"\ddot{r}", order(2))])
+        .with_vectors([("R", origin[0]), (r"\dot{R}", origin[1]), (r"\ddot{R}", origin[2])])
+        .with_vectors([("p", inside[0]), (r"\dot{p}", inside[1]), (r"\ddot{p}", inside[2])])
+        .with_turning([(r"\omega", speed), (r"\dot{\omega}", gain)])
+}
+
+/// One step of the integration, its four slopes as the program asks for them.
+pub fn step(number: usize) -> State {
+    let slope: fn(f64, f64) -> f64 = |x, y| libm::sin(2.0 * x) + x * y - y * y / 3.0;
+    let [x, y, h] = [between(number, 0, -1.0, 1.0), between(number, 1, -1.0, 1.0), between(number, 2, 0.1, 0.5)];
+    let mut slopes = vec![slope(x, y)];
+    let rate = |x: f64, y: &Vector1<f64>| {
+        slopes.push(slope(x, y.x));
+        Ok::<_, Infallible>(Vector1::new(slope(x, y.x)))
+    };
+    let Ok(next) = runge_kutta_step(rate, x, x + h, &Vector1::new(y), &Vector1::new(slope(x, y)));
+    State::default().with_function("f", slope).with([("x_n", x), ("y_n", y), ("h", h), ("y_{n+1}", next.x)]).with([
+        ("f_1", slopes[0]),
+        ("f_2", slopes[1]),
+        ("f_3", slopes[2]),
+        ("f_4", slopes[3]),
+    ])
+}
