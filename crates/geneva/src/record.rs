@@ -100,7 +100,7 @@ impl ClaimRecord {
             self.locator.into(),
             self.kind.into(),
             self.meaning.into(),
-            self.printed.clone().into(),
+            self.printed.clone(),
             self.unit.into(),
             digits(self.computed),
             digits(self.witnessed),

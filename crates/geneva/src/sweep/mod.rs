@@ -24,9 +24,9 @@ use std::num::NonZeroUsize;
 use std::ops::Range;
 
 /// Rows that one thread computes at a time.
-const BLOCK: usize = 64;
+const BLOCK: usize = 16;
 /// Blocks that are held before they are written.
-const HELD: usize = 256;
+const HELD: usize = 128;
 
 /// Computes and writes the rows that are wanted.
 pub fn run(wanted: &SweepArguments) -> anyhow::Result<()> {

@@ -242,7 +242,7 @@ fn spring() -> Vec<Claim> {
                     constant.",
             witness: "Appendix D speaks of the torque K.",
             severity: Severity::Conceptual,
-            inherited_by: &[],
+            inherited_by: &["meyer.parameter.spring", "meyer.fig-11.abscissa", "meyer.app-e.torque-unit"],
         }),
     ]
 }

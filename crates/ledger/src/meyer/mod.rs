@@ -12,16 +12,20 @@ mod combinations;
 mod energy;
 mod friction;
 mod front;
+mod general_statements;
 mod geometry;
 mod inertia;
 mod instants;
 mod inventory;
 mod lagrange;
 mod motion;
+mod profile;
 mod rates;
 mod reading;
+mod recommendations;
 pub mod runs;
 mod singularity;
+mod study;
 mod symbols;
 
 pub use inventory::inventory;
@@ -41,6 +45,7 @@ const WORK: Work = Work::Meyer1973;
 /// All claims of the project, in the order of the source.
 pub fn claims() -> Vec<Claim> {
     [
+        study::of_abstract(),
         front::claims(),
         geometry::claims(),
         combinations::claims(),
@@ -51,12 +56,17 @@ pub fn claims() -> Vec<Claim> {
         energy::claims(),
         motion::claims(),
         singularity::claims(),
+        study::of_parameters(),
         inertia::claims(),
+        profile::claims(),
+        general_statements::claims(),
+        recommendations::claims(),
         runs::of_figures(),
         appendix_a::claims(),
         appendix_b::claims(),
         appendix_c::claims(),
         appendix_d::claims(),
+        study::of_headings(),
         runs::claims(),
     ]
     .concat()

@@ -7,6 +7,7 @@ mod derivation;
 mod front;
 mod geometry;
 mod program;
+mod study;
 
 use crate::{Entry, Line};
 use std::sync::LazyLock;
@@ -19,6 +20,11 @@ pub fn inventory() -> &'static [Line] {
             geometry::LINES,
             derivation::LINES,
             derivation::INERTIA,
+            study::ABSTRACT,
+            study::PARAMETERS,
+            study::FIGURES,
+            study::CONCLUSIONS,
+            study::HEADINGS,
             appendices::APPENDIX_A,
             appendix_b::TEXT,
             program::LINES,

@@ -72,7 +72,15 @@ pub fn of_figures() -> Vec<Claim> {
 pub fn lines() -> Vec<Line> {
     let claim = |id: &str| Entry::Claim(leaked(id.to_owned()));
     let again = |id: &str| Entry::Again(leaked(id.to_owned()));
-    let line = |number, fingerprint, entry: Entry| Line { number, fingerprint, entries: vec![entry].leak() };
+    let line = |number: u32, fingerprint, entry: Entry| {
+        let unit = Entry::Exception {
+            id: leaked(format!("meyer.fig.unit-{number}")),
+            numbers: "10 6",
+            reason: "the unit of the number before it, printed once more",
+        };
+        let entries = if matches!(entry, Entry::Again(_)) { vec![entry, unit] } else { vec![entry] };
+        Line { number, fingerprint, entries: entries.leak() }
+    };
     vec![
         line(476, 0x808d_4231_d03c_1901, claim("meyer.fig-10.driver")),
         line(477, 0x9795_8101_b175_9687, claim("meyer.fig-10.follower")),

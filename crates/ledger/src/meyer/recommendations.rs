@@ -1,0 +1,231 @@
+//! The conclusions and recommendations of the thesis.
+
+use super::general_statements::{spread, strong, varied};
+use super::instants::statement;
+use super::profile::engagement;
+use super::runs::{Column, Hypothesis, Mechanism, Row, rows};
+use super::study::{row, steady};
+use super::*;
+use crate::Evidence::{Integration, Steps};
+use geneva_dynamics::program::Program;
+
+pub fn claims() -> Vec<Claim> {
+    [conclusions(), recommendations()].concat()
+}
+
+fn conclusions() -> Vec<Claim> {
+    vec![
+        statement(
+            "meyer.small-variations",
+            "Conclusion 2",
+            "small changes of the parameters change the motion little",
+            "will not seriously affect the motion",
+            (Integration, || {
+                let [torque, friction, inertia] = sensitivities();
+                Finding::new(
+                    [torque, friction, inertia].iter().all(|power| power.abs() < 0.6),
+                    format!(
+                        "one per cent more torque, friction or driver's inertia changes the mean speed by {torque:.2}, \
+                         {friction:.2} or {inertia:.2} per cent, in the worst of the runs; friction is the least certain"
+                    ),
+                )
+            }),
+            (Steps, || {
+                let period = |friction| {
+                    let row = row(Mechanism::FourPin, friction, ".10")?;
+                    Some(Hypothesis::TRUE.cycle_by_steps(row)?[1])
+                };
+                let power = period(".20").zip(period(".25")).map_or(f64::NAN, |(a, b)| (b / a).ln() / 1.25_f64.ln());
+                Finding::new(
+                    power.abs() < 0.6,
+                    format!(
+                        "with four pins the period goes as the friction to the power {power:.2}, \
+                            by steps"
+                    ),
+                )
+            }),
+        ),
+        statement(
+            "meyer.conclusion.three",
+            "Conclusion 3",
+            "three combinations of pins and slots, and no more",
+            "Only three geometrical configurations",
+            (LimitCase, || {
+                let pairs = (3..1000_u32).flat_map(|slots| (3..1000_u32).map(move |pins| (slots, pins)));
+                let found: Vec<_> = pairs.filter(|(slots, pins)| 2 * (slots + pins) == slots * pins).collect();
+                Finding::new(found == [(3, 6), (4, 4), (6, 3)], format!("slots and pins tried to 1000: {found:?}"))
+            }),
+            (OtherPlaceInSource, || {
+                let again = combinations::TABLE.map(|(slots, pins)| (printed(slots) as u32, printed(pins) as u32));
+                Finding::new(again.len() == 3 && again.contains(&(4, 4)), "chapter I has the same three")
+            }),
+        ),
+    ]
+}
+
+fn recommendations() -> Vec<Claim> {
+    vec![
+        statement(
+            "meyer.not-fast-enough",
+            "Recommendation 1",
+            "the rise times are too long for a timer of milliseconds",
+            "not fast enough",
+            (OtherPlaceInSource, || {
+                let least = rows().iter().map(|row| row.number(Column::Rise)).fold(f64::INFINITY, f64::min);
+                Finding::new(least > 0.01, format!("the shortest of Appendix E is {least} s"))
+            }),
+            (Integration, || {
+                let first = steady().iter().map(|(_, state)| state.period).fold(f64::INFINITY, f64::min);
+                Finding::new(first > 0.01, format!("a single engagement takes {first:.4} s or more"))
+            }),
+        ),
+        Claim::statement(
+            WORK,
+            "meyer.cyclic-oscillations",
+            "Recommendation 2",
+            "a strong spring makes the peak of the speed swing from cycle to cycle",
+            "significant cyclic oscillations in the magnitude of the peak velocity",
+            Check::corrected_form(
+                (Integration, || {
+                    let peaks = true_peaks();
+                    Finding::new(
+                        spread(&peaks) > 0.01,
+                        format!("true peaks of the last engagements in {:.3} of one another", spread(&peaks)),
+                    )
+                }),
+                || {
+                    let [weak, strong, fine] =
+                        [(".08", 1.0), (".14", 1.0), (".14", 0.1)].map(|(torque, part)| spread(&seen_peaks(torque, part)));
+                    Finding::new(
+                        strong > 0.02 && strong > weak && fine < 0.005,
+                        format!(
+                            "read from the printed lines the peaks spread by {weak:.3} for K = .08 and {strong:.3} for .14, \
+                             from lines ten times as close by {fine:.4}"
+                        ),
+                    )
+                },
+                (Steps, || {
+                    let [coarse, fine] = [1.0, 0.1].map(|part| spread(&stepped_peaks(part)));
+                    Finding::new(
+                        coarse > 0.02 && fine < 0.005,
+                        format!("by the program's integrator {coarse:.3}, and {fine:.4} with closer lines"),
+                    )
+                }),
+            ),
+        )
+        .expecting(Verdict::Corrected)
+        .with_erratum(Erratum {
+            corrected: "cyclic oscillations in the printed peak velocity, not in that of the driver",
+            reason: "The lines of a run are 0.0005 s apart, and the peak falls between them, now nearer to one, now \
+                     farther. The stronger the spring, the sharper the peak and the more is missed. The true peaks of the \
+                     steady motion are equal.",
+            witness: "The program, printing ten times as often, shows equal peaks.",
+            severity: Severity::Conceptual,
+            inherited_by: &[],
+        }),
+        statement(
+            "meyer.page-of-definition",
+            "Recommendation 7",
+            "page of the definition of the average terminal velocity, after Fig. 8 and before Fig. 9",
+            "page 17",
+            (OtherPlaceInSource, || {
+                let pages = numbers("meyer.list-of-figures");
+                let page = |figure: u32| pages.chunks_exact(2).find(|pair| pair[0] == figure).map(|pair| pair[1]);
+                let said = numbers("meyer.page-of-definition").first().copied();
+                Finding::new(
+                    said.is_some() && page(8) < said && said < page(9),
+                    "the list of figures has Fig. 8 on the page before and Fig. 9 on the page after",
+                )
+            }),
+            (LimitCase, || {
+                let at = |id: &str| {
+                    let is_here = |line: &&crate::Line| line.entries.iter().any(|entry| entry.claimed() == Some(id));
+                    inventory().iter().find(is_here).map(|line| line.number)
+                };
+                let [before, here, after] = ["meyer.fig-8", "meyer.fig-8.rise", "meyer.fig-9"].map(at);
+                Finding::new(before < here && here < after, "the lines of the text are in this order")
+            }),
+        ),
+        statement(
+            "meyer.better-average",
+            "Recommendation 7",
+            "the average should follow from the time of a revolution, not from peak and minimum",
+            "A more appropriate definition would be based on the time",
+            (Integration, || {
+                let parts = steady().iter().map(|(_, state)| state.mean_of_extremes() / state.mean_speed);
+                let (least, most) = parts.fold((f64::INFINITY, 0.0), |(a, b): (f64, f64), x| (a.min(x), b.max(x)));
+                Finding::new(
+                    least > 1.3,
+                    format!("mean of peak and minimum over angle by time: {least:.2} to {most:.2} in \
+                            the runs"),
+                )
+            }),
+            (Steps, || {
+                // Both from the printed peak and minimum and from the time of a quarter turn by steps.
+                let part = row(Mechanism::FourPin, ".20", ".10").and_then(|row| {
+                    let time = Hypothesis::TRUE.cycle_by_steps(row)?[1] / Hypothesis::TRUE.parameters(row)?.drive().sqrt();
+                    let middle = (row.number(Column::Peak) + row.number(Column::Minimum)) / 2.0;
+                    Some(middle * time / (PI / 2.0))
+                });
+                let part = part.unwrap_or(f64::NAN);
+                Finding::new(part > 1.3, format!("{part:.2} with four pins, by the printed speeds and a period by steps"))
+            }),
+        ),
+    ]
+}
+
+fn sensitivities() -> [f64; 3] {
+    const STEP: f64 = 1e-3;
+    let power = |row: &Row, which: usize| {
+        let ends = [1.0 - STEP, 1.0 + STEP].map(|factor| {
+            let mut factors = [1.0; 3];
+            factors[which] = factor;
+            varied(row, factors)
+                .and_then(|of| of.steady_state().ok())
+                .map_or(f64::NAN, |state| state.mean_speed.ln() / STEP / 2.0)
+        });
+        ends[1] - ends[0]
+    };
+    [0, 1, 2].map(|which| {
+        let own = rows().iter().filter(|row| [".03", ".08", ".09"].contains(&row.printed(Column::Torque)));
+        let powers = own.map(|row| power(row, which));
+        powers.fold(0.0, |worst: f64, power| if power.abs() > worst.abs() || power.is_nan() { power } else { worst })
+    })
+}
+
+fn true_peaks() -> Vec<f64> {
+    let rise = strong().and_then(|of| of.rise(1e-9).ok());
+    rise.map_or_else(Vec::new, |rise| rise.cycles.iter().skip(3).map(|cycle| cycle.peak.speed).collect())
+}
+
+fn seen_peaks(torque: &str, part: f64) -> Vec<f64> {
+    let interval = printed("meyer.listing.print-interval") * part;
+    let run = engagement(Mechanism::FourPin, ".20", torque)
+        .and_then(|of| of.run(interval, printed("meyer.listing.run-length")).ok());
+    let lines = run.unwrap_or_default();
+    // The last engagement may be cut short.
+    let last = lines.last().map_or(0, |line| line.engagement);
+    let largest = |number: usize| {
+        lines.iter().filter(|line| line.engagement == number).map(|line| line.speed).fold(0.0, f64::max)
+    };
+    (2..last).map(largest).collect()
+}
+
+fn stepped_peaks(part: f64) -> Vec<f64> {
+    let interval = printed("meyer.listing.print-interval") * part;
+    let program = strong().map(|of| Program::of(of.parameters()));
+    let integrator = geneva_mimic::Parameters {
+        relative_tolerance: 1e-7,
+        ..geneva_mimic::Parameters::new(interval, printed("meyer.listing.run-length"))
+    };
+    let Some((program, run)) = program.and_then(|program| Some((program, program.run(&integrator).ok()?))) else {
+        return Vec::new();
+    };
+    let number = |turned: f64| (turned / program.fold).floor() as usize;
+    let last = run.lines.last().map_or(0, |line| number(line.turned));
+    let largest = |engagement: usize| {
+        let own = run.lines.iter().filter(|line| number(line.turned) == engagement);
+        own.map(|line| line.speed).fold(0.0, f64::max)
+    };
+    (2..last).map(largest).collect()
+}
