@@ -86,6 +86,23 @@ fn number(object: &Map<String, Value>, key: &str) -> f64 {
 }
 
 #[test]
+fn inches_and_pounds_are_told_in_si_units_if_asked_for() {
+    let options = ["--friction", "0.2", "--torque", "2", "--driver-inertia", "1", "--follower-inertia", "4"];
+    let told = |units: &[&str]| {
+        let arguments = [&["escapement", "--slots", "4", "--format", "json"][..], &options, units].concat();
+        let text = stdout(&arguments, 0);
+        serde_json::from_str::<Value>(&text).expect("an object")
+    };
+    let (plain, si) = (told(&[]), told(&["--units", "in-lb-s"]));
+    assert!(plain.get("torque_n_m").is_none());
+    assert_eq!(plain["peak_speed"], si["peak_speed"]);
+    let number = |key: &str| si[key].as_f64().expect("a number");
+    // Both convert by the same factor: a pound at an inch.
+    assert!((number("torque_n_m") / 2.0 - number("follower_inertia_kg_m2") / 4.0).abs() < 1e-12);
+    assert!((0.11..0.12).contains(&number("driver_inertia_kg_m2")));
+}
+
+#[test]
 fn an_escapement_is_written_in_each_format() {
     pin("escapement", &command(FOUR, &[]));
     pin("escapement-json", &command(FOUR, &["--format", "json"]));

@@ -21,6 +21,9 @@ pub struct EscapementArguments {
     /// Moment of inertia of the follower about its axis, above zero
     #[arg(long, value_name = "I", value_parser = typed::positive, allow_hyphen_values = true)]
     pub follower_inertia: f64,
+    /// The units of torque and inertias, where they are to be told in SI units too
+    #[arg(long, value_enum)]
+    pub units: Option<Units>,
     /// Turn of the driver in degrees after which its angle is put back to the pin's entering; another than the default
     /// is not what a mechanism does, but what a program does that folds the angle at a fixed value
     /// [default: 360 over the number of pins]
@@ -40,6 +43,15 @@ pub struct EscapementArguments {
     /// Which drawing; only with --format svg [default: mechanism]
     #[arg(long, value_enum)]
     pub figure: Option<FigureName>,
+}
+
+/// Coherent systems of units.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Units {
+    /// Inch, pound (a force) and second: torque in in lb, inertias in in lb s²
+    InLbS,
+    /// Metre, kilogram and second: torque in N m, inertias in kg m²
+    Si,
 }
 
 /// How to write an escapement.

@@ -1,6 +1,6 @@
 //! From what was typed to an escapement and its engagement, or to a refusal in terms of the options.
 
-use super::arguments::EscapementArguments;
+use super::arguments::{EscapementArguments, Units};
 use super::typed::{self, again};
 use anyhow::anyhow;
 use geneva_dynamics::steady::{Engagement, SteadyError};
@@ -17,6 +17,7 @@ pub struct Assembly {
     pub parameters: Parameters,
     pub modulus_deg: f64,
     pub engagement: Engagement,
+    pub units: Option<Units>,
 }
 
 impl Assembly {
@@ -30,7 +31,7 @@ impl Assembly {
         let parameters = Parameters::new(slots, Inertias::new(driver, follower)?, torque, friction).map_err(jams)?;
         let modulus_deg = wanted.modulus_deg.unwrap_or(own_modulus(slots));
         let engagement = engagement(&parameters, modulus_deg).map_err(|error| unsteady(wanted, error))?;
-        Ok(Self { parameters, modulus_deg, engagement })
+        Ok(Self { parameters, modulus_deg, engagement, units: wanted.units })
     }
 }
 

@@ -6,6 +6,7 @@ mod record;
 mod run;
 mod sheet;
 pub mod typed;
+mod units;
 
 pub use arguments::EscapementArguments;
 pub use record::rise;

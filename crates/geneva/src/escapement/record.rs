@@ -1,6 +1,7 @@
 //! An escapement as data: what the library says of it.
 
 use super::assembly::Assembly;
+use super::units::InSi;
 use geneva_dynamics::existence::{critical_friction, least_margin};
 use geneva_dynamics::steady::{Engagement, MOST_CYCLES, SteadyError, SteadyState};
 use serde::Serialize;
@@ -25,6 +26,9 @@ pub struct EscapementRecord {
     pub driver_inertia: f64,
     pub follower_inertia: f64,
     pub inertia_ratio: f64,
+    /// Torque and inertias in SI units, if their own were told.
+    #[serde(flatten)]
+    pub in_si: Option<InSi>,
     pub modulus_deg: f64,
     /// Where the pin leaves its slot.
     pub engagement_half_angle_deg: f64,
@@ -55,7 +59,7 @@ pub struct EscapementRecord {
 impl EscapementRecord {
     /// What there is to say, if the escapement has a steady state.
     pub fn new(assembly: &Assembly) -> Result<Self, SteadyError> {
-        let Assembly { parameters, modulus_deg, engagement } = assembly;
+        let Assembly { parameters, modulus_deg, engagement, .. } = assembly;
         let (slots, inertias) = (parameters.slots(), parameters.inertias());
         let steady = engagement.steady_state()?;
         let rise = rise(engagement, &steady)?;
@@ -72,6 +76,7 @@ impl EscapementRecord {
             driver_inertia: inertias.driver(),
             follower_inertia: inertias.follower(),
             inertia_ratio: inertias.ratio(),
+            in_si: assembly.units.map(|units| InSi::new(parameters, units)),
             modulus_deg: *modulus_deg,
             engagement_half_angle_deg: slots.engagement_half_angle().to_degrees(),
             critical_friction: critical,

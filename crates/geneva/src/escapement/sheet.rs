@@ -76,11 +76,17 @@ fn mechanism(record: &EscapementRecord) -> Vec<Line> {
              enters after {own}°"
         )
     };
-    vec![
+    let mut lines = vec![
         line("inertia ratio", record.inertia_ratio, "", "driver's over follower's"),
         line("half-angle", half, "°", "crank angle where a pin leaves its slot; it enters as far before the line"),
         line("modulus", record.modulus_deg, "°", &modulus),
-    ]
+    ];
+    if let Some(si) = record.in_si {
+        lines.push(line("torque", si.torque_n_m, "N m", "of the spring, in SI units"));
+        lines.push(line("driver inertia", si.driver_inertia_kg_m2, "kg m²", ""));
+        lines.push(line("follower inertia", si.follower_inertia_kg_m2, "kg m²", ""));
+    }
+    lines
 }
 
 fn existence(record: &EscapementRecord) -> Vec<Line> {

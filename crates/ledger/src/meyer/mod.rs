@@ -1,7 +1,7 @@
 //! The master's project: the Geneva mechanism with a pin always engaged, as a timing device.
 //!
 //! The claims stand in the order of the source: tables of contents and figures, the geometry of the escapement, the
-//! rates of the follower, the sizes of appendix A, the spring of appendix C. The pin by coordinates is [`Seen`].
+//! rates of the follower, the sizes of appendix A, the spring of appendix C. The pin by coordinates is `Seen`.
 
 mod angles;
 mod appendix_a;
