@@ -283,7 +283,8 @@ pub fn powers() -> (f64, f64) {
             .filter(|row| row.mechanism == mechanism && row.printed(Column::Friction) == friction)
             .collect();
         own.first().zip(own.last()).map_or(f64::NAN, |(first, last)| {
-            (last.number(Column::Peak) / first.number(Column::Peak)).ln() / (last.torque() / first.torque()).ln()
+            libm::log(last.number(Column::Peak) / first.number(Column::Peak))
+                / libm::log(last.torque() / first.torque())
         })
     };
     let all = Mechanism::ALL.into_iter().flat_map(|mechanism| FRICTIONS.map(|friction| of(mechanism, friction)));

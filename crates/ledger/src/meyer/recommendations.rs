@@ -35,7 +35,8 @@ fn conclusions() -> Vec<Claim> {
                     let row = row(Mechanism::FourPin, friction, ".10")?;
                     Some(Hypothesis::TRUE.cycle_by_steps(row)?[1])
                 };
-                let power = period(".20").zip(period(".25")).map_or(f64::NAN, |(a, b)| (b / a).ln() / 1.25_f64.ln());
+                let power =
+                    period(".20").zip(period(".25")).map_or(f64::NAN, |(a, b)| libm::log(b / a) / libm::log(5.0 / 4.0));
                 Finding::new(
                     power.abs() < 0.6,
                     format!(
@@ -182,7 +183,7 @@ fn sensitivities() -> [f64; 3] {
             factors[which] = factor;
             varied(row, factors)
                 .and_then(|of| of.steady_state().ok())
-                .map_or(f64::NAN, |state| state.mean_speed.ln() / STEP / 2.0)
+                .map_or(f64::NAN, |state| libm::log(state.mean_speed) / STEP / 2.0)
         });
         ends[1] - ends[0]
     };
