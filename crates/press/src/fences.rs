@@ -5,7 +5,8 @@ use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 use crate::maths::line;
 
 /// The crates that a chapter may use.
-pub const CRATES: [&str; 5] = ["geneva_kinematics", "geneva_ledger", "geneva_figures", "approx", "nalgebra"];
+pub const CRATES: [&str; 7] =
+    ["geneva_kinematics", "geneva_dynamics", "geneva_mimic", "geneva_ledger", "geneva_figures", "approx", "nalgebra"];
 
 /// Names `crates` on the first line of each Rust block that will be compiled.
 ///
