@@ -33,22 +33,4 @@ impl Printout {
     pub fn largest(&self) -> f64 {
         self.lines.iter().map(|line| line.speed).fold(f64::NEG_INFINITY, f64::max)
     }
-
-    /// The printed speeds that are larger than those before and behind, with their times.
-    pub fn peaks(&self) -> Vec<(f64, f64)> {
-        self.turning_points(1.0)
-    }
-
-    /// The printed speeds that are smaller than those before and behind, with their times.
-    pub fn troughs(&self) -> Vec<(f64, f64)> {
-        self.turning_points(-1.0)
-    }
-
-    fn turning_points(&self, side: f64) -> Vec<(f64, f64)> {
-        self.lines
-            .windows(3)
-            .filter(|w| side * w[1].speed > side * w[0].speed && side * w[1].speed >= side * w[2].speed)
-            .map(|w| (w[1].time, w[1].speed))
-            .collect()
-    }
 }

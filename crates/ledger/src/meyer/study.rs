@@ -1,7 +1,7 @@
 //! Chapter II to Fig. 8, the abstract, and what the headings of Appendix E say beside their numbers.
 
 use super::instants::statement;
-use super::runs::{Column, Hypothesis, Mechanism, Row, rows};
+use super::runs::{Column, Hypothesis, Mechanism, Row, rows, steps};
 use super::*;
 use crate::Dimension as Exponents;
 use crate::Evidence::{Integration, Steps};
@@ -369,31 +369,15 @@ pub const EXAMPLES: [(Mechanism, &str, &str); 3] =
 
 /// Steps of an engagement, and engagements.
 const STEPS: u32 = 900;
-const CYCLES: u32 = 16;
+const CYCLES: usize = 16;
 
 fn take_steps(mechanism: Mechanism, friction: &str, torque: &str) -> Option<Stepped> {
     let parameters = Hypothesis::TRUE.parameters(row(mechanism, friction, torque)?)?;
-    let half = parameters.slots().engagement_half_angle();
-    let step = 2.0 * half / f64::from(STEPS);
-    // du/dθ is twice the acceleration.
-    let rate = |angle: f64, square: f64| {
-        let terms = parameters.coefficients(angle);
-        let speed = square.max(0.0).sqrt();
-        2.0 * terms.acceleration_with(&speed, Sign::from_number(terms.sign_decider(&speed)))
-    };
-    let angles: Vec<f64> = (0..=STEPS).map(|k| f64::from(k) * step - half).collect();
-    let (mut square, mut squares, mut first_end) = (0.0, Vec::new(), None);
-    for _ in 0..CYCLES {
-        squares = vec![square];
-        for at in angles.iter().take(STEPS as usize) {
-            let f1 = rate(*at, square);
-            let f2 = rate(at + step / 2.0, square + step / 2.0 * f1);
-            let f3 = rate(at + step / 2.0, square + step / 2.0 * f2);
-            let f4 = rate(at + step, square + step * f3);
-            square += step / 6.0 * (f1 + 2.0 * f2 + 2.0 * f3 + f4);
-            squares.push(square);
-        }
-        first_end.get_or_insert(square);
-    }
-    Some(Stepped { parameters, angles, squares, first_end: first_end? })
+    let fold = 2.0 * parameters.slots().engagement_half_angle();
+    let angles = steps::angles(&parameters, fold, STEPS);
+    let next = |squares: &Vec<f64>| Some(steps::squares(&parameters, &angles, *squares.last()?));
+    let first = steps::squares(&parameters, &angles, 0.0);
+    let first_end = *first.last()?;
+    let squares = std::iter::successors(Some(first), next).nth(CYCLES - 1)?;
+    Some(Stepped { parameters, angles, squares, first_end })
 }

@@ -3,8 +3,9 @@
 use super::example::first_derivative;
 use super::fold::fold;
 use super::listing_start::start_solves;
-use super::program::{as_letters, by_coefficients, print_interval};
+use super::program::{as_letters, by_coefficients};
 use super::*;
+use crate::meyer::runs;
 use geneva_dynamics::{Inertias, Parameters, Slots};
 
 const AFTER: &str = "Appendix B, paragraphs after the program";
@@ -133,7 +134,7 @@ pub fn claims() -> Vec<Claim> {
             (LimitCase, || {
                 let said = claim("meyer.app-b.run-length")
                     .and_then(|claim| claim.printed.split(' ').next()?.parse::<f64>().ok());
-                let points = said.map_or(f64::NAN, |said| said / print_interval());
+                let points = said.map_or(f64::NAN, |said| said / runs::interval());
                 Finding::new(agrees(points, points.round()), format!("{points:.0} print intervals"))
             }),
         ),

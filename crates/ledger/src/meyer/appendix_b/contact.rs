@@ -1,7 +1,8 @@
 //! The equation solved for its highest derivative, and how the program knows the sign of the friction.
 
-use super::program::{DELAY_PARTS, all_as_letters, all_by_coefficients, print_interval};
+use super::program::{DELAY_PARTS, all_as_letters, all_by_coefficients};
 use super::*;
+use crate::meyer::runs;
 use geneva_dynamics::derivation::{BarsOpened, BarsReprinted, Form, Opening};
 use geneva_dynamics::equation_proofs::SignDecider;
 use geneva_dynamics::{Inertias, Parameters, Sign, Slots};
@@ -203,7 +204,7 @@ fn described() -> Vec<Claim> {
             }),
             (LimitCase, || {
                 // The sign is then late by the delay at most: small against the time of an engagement.
-                let delay = print_interval() / f64::from(DELAY_PARTS);
+                let delay = runs::interval() / f64::from(DELAY_PARTS);
                 Finding::new(delay < 1e-4, format!("it is late by {:.0} millionths of a second", delay * 1e6))
             }),
         ),

@@ -3,7 +3,7 @@
 //! The text of the program is not printed here. What its lines compute is a fact, and [`Program`] computes it too.
 
 use super::fold::fold;
-use super::program::{Program, SPEED, as_letters, by_coefficients, print_interval};
+use super::program::{Program, SPEED, as_letters, by_coefficients};
 use super::*;
 use crate::meyer::runs::{self, Mechanism};
 use geneva_dynamics::{Sign, Slots};
@@ -82,7 +82,7 @@ fn constants() -> Vec<Claim> {
             }),
             (LimitCase, || {
                 let end = claim("meyer.listing.run-length").and_then(|claim| claim.printed.parse::<f64>().ok());
-                let points = end.map_or(f64::NAN, |end| end / print_interval());
+                let points = end.map_or(f64::NAN, |end| end / runs::interval());
                 Finding::new(agrees(points, points.round()), format!("{points:.0} print intervals"))
             }),
         ),

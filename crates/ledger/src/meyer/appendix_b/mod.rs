@@ -9,6 +9,8 @@ mod listing_start;
 mod method;
 mod program;
 
+pub use program::DELAY_PARTS;
+
 use super::instants::{Value, display, equal, instants, miscopied, reads, slip, statement};
 use super::*;
 

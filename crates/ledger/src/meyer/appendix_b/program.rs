@@ -3,11 +3,7 @@
 use super::*;
 use geneva_dynamics::{Coefficients, Pose, Sign, Slots};
 
-/// Time between printed lines, in s.
-pub fn print_interval() -> f64 {
-    printed("meyer.listing.print-interval")
-}
-/// The part of it by which the old acceleration is late.
+/// The part of the print interval by which the old acceleration is late.
 pub const DELAY_PARTS: u32 = 10;
 
 /// What the lines of the program compute at one instant.

@@ -6,6 +6,7 @@
 use super::cells::leaked;
 use super::*;
 use crate::{Entry, Line};
+use geneva_dynamics::steady::Engagement;
 use std::sync::OnceLock;
 
 const UNIT: &str = "× 10^-6 in lb sec²";
@@ -28,6 +29,7 @@ macro_rules! fits {
         ]
     };
 }
+
 /// The claims of a table's heading.
 pub fn claims(mechanism: Mechanism) -> Vec<Claim> {
     let (numbers, checks): ([&'static str; 2], [Check; 2]) = match mechanism {
@@ -125,14 +127,23 @@ fn best_of(mechanism: Mechanism, column: Column) -> [f64; 2] {
     fits.min_by(|(a, _), (b, _)| a.total_cmp(b)).map_or([f64::NAN; 2], |(_, pair)| pair)
 }
 
-/// Mean square of the relative misfit of a column; infinite for inertias with which the equation has no solution.
+/// Sum of the squares of the relative misfits of a column: of the peaks by the solution over the angle, of the minima in
+/// steps. Infinite for inertias with which the equation has no solution.
 fn misfit(mechanism: Mechanism, column: Column, pair: [f64; 2]) -> f64 {
-    let of = |row: &Row| {
-        let run = Hypothesis::BEST.steady_with(row, pair.map(|inertia| inertia * motion::MILLIONTH))?;
-        let found = if column == Column::Peak { run.peak.speed } else { run.minimum.speed };
-        let off = found / row.number(column) - 1.0;
-        Some(off * off)
+    let fold = Hypothesis::BEST.angle(mechanism);
+    let found = |row: &Row| {
+        let parameters = motion::parameters_with(row, pair.map(|inertia| inertia * motion::MILLIONTH))?;
+        if column == Column::Peak {
+            let engagement = Engagement::folded(&parameters, fold, 1e-6).ok()?;
+            return Some(engagement.steady_state().ok()?.peak.speed);
+        }
+        let [least, _] = steps::cycle(&parameters, fold, STEPS)?;
+        Some(least * parameters.drive().sqrt())
     };
     let own = rows().iter().filter(|row| row.mechanism == mechanism);
-    own.map(|row| of(row).unwrap_or(f64::INFINITY)).sum()
+    let off = |row: &Row| found(row).map_or(f64::INFINITY, |found| found / row.number(column) - 1.0);
+    own.map(off).map(|off| off * off).sum()
 }
+
+/// Steps of an engagement: enough to tell pairs apart of which one has half or twice the other's inertia.
+const STEPS: u32 = 150;

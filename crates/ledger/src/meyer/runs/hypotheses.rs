@@ -1,6 +1,7 @@
 //! How many of the printed cells each hypothesis about the runs explains.
 
 use super::*;
+use crate::meyer::appendix_b::DELAY_PARTS;
 
 /// How a hypothesis does on one column.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,22 +23,21 @@ pub struct Score {
 }
 
 /// The hypotheses that are compared, from the mechanism as it is to the runs as they were.
-pub const COMPARED: [Hypothesis; 6] = [
-    Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::TRUE },
-    Hypothesis::TRUE,
-    Hypothesis { six_pin: SixPin::AsHeaded, reading: Reading::True, ..Hypothesis::BEST },
-    Hypothesis { reading: Reading::True, ..Hypothesis::BEST },
-    Hypothesis::BEST,
-    // A tenth of the print interval, as the thesis says.
-    Hypothesis { delay: Some(DELAY), ..Hypothesis::BEST },
-];
-
-/// The delay that the thesis gives, in s: a tenth of the print interval.
-const DELAY: f64 = 5e-5;
+fn compared() -> [Hypothesis; 6] {
+    let delay = interval() / f64::from(DELAY_PARTS);
+    [
+        Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::TRUE },
+        Hypothesis::TRUE,
+        Hypothesis { six_pin: SixPin::AsHeaded, reading: Reading::True, ..Hypothesis::BEST },
+        Hypothesis { reading: Reading::True, ..Hypothesis::BEST },
+        Hypothesis::BEST,
+        Hypothesis { delay: Some(delay), ..Hypothesis::BEST },
+    ]
+}
 
 /// The scores of all compared hypotheses on peak, minimum and period.
 pub fn scores() -> Vec<Score> {
-    COMPARED.iter().flat_map(score).collect()
+    compared().iter().flat_map(score).collect()
 }
 
 fn score(hypothesis: &Hypothesis) -> Vec<Score> {

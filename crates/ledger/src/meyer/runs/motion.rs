@@ -2,7 +2,7 @@
 
 use super::*;
 use geneva_dynamics::program::{Contact, Program};
-use geneva_dynamics::steady::{Engagement, Rise, SteadyState};
+use geneva_dynamics::steady::{Engagement, Rise};
 use geneva_mimic::AtSmallestStep;
 use std::collections::HashMap;
 use std::sync::{Mutex, OnceLock};
@@ -69,9 +69,7 @@ impl Hypothesis {
 
     /// The parameters of a row.
     pub fn parameters(&self, row: &Row) -> Option<Parameters> {
-        let slots = Slots::new(slots(row.mechanism)).ok()?;
-        let [driver, follower] = self.inertias(row.mechanism);
-        Parameters::new(slots, Inertias::new(driver, follower).ok()?, row.torque(), row.friction()).ok()
+        parameters_with(row, self.inertias(row.mechanism))
     }
 
     /// Inertias of driver and follower, in in lb s².
@@ -91,14 +89,6 @@ impl Hypothesis {
         }
     }
 
-    /// The steady motion of a row with another pair of inertias, in in lb s².
-    pub fn steady_with(&self, row: &Row, [driver, follower]: [f64; 2]) -> Option<SteadyState> {
-        let slots = Slots::new(slots(row.mechanism)).ok()?;
-        let inertias = Inertias::new(driver, follower).ok()?;
-        let parameters = Parameters::new(slots, inertias, row.torque(), row.friction()).ok()?;
-        Engagement::folded(&parameters, self.angle(row.mechanism), 1e-6).ok()?.steady_state().ok()
-    }
-
     /// The engagement of a row, solved over the angle.
     pub fn engagement(&self, row: &Row) -> Option<Engagement> {
         Engagement::folded(&self.parameters(row)?, self.angle(row.mechanism), 1e-10).ok()
@@ -110,10 +100,7 @@ impl Hypothesis {
         let steady = engagement.steady_state().ok()?;
         let peak = match (self.reading, self.delay) {
             (Reading::True, _) => steady.peak.speed,
-            (Reading::OnTheGrid, None) => {
-                let lines = engagement.run(interval(), duration()).ok()?;
-                lines.iter().map(|line| line.speed).fold(0.0, f64::max)
-            }
+            (Reading::OnTheGrid, None) => largest_printed(&engagement, interval())?,
             (Reading::OnTheGrid, Some(delay)) => {
                 let program = Program { contact: Contact::Delayed(delay), ..self.program(row)? };
                 program.run(&usual()).ok()?.largest()
@@ -139,8 +126,6 @@ impl Hypothesis {
     }
 
     /// The least speed and the period by the second route, for a torque and a follower of one: by equal steps of θ.
-    ///
-    /// u = θ'² as a function of the angle, engagement after engagement until it repeats itself.
     pub fn cycle_by_steps(&self, row: &Row) -> Option<[f64; 2]> {
         type Known = Mutex<HashMap<(Mechanism, String, Fold, SixPin), Option<[f64; 2]>>>;
         static KNOWN: OnceLock<Known> = OnceLock::new();
@@ -149,60 +134,26 @@ impl Hypothesis {
         if let Some(found) = known.lock().ok()?.get(&key) {
             return *found;
         }
-        let found = self.steps(row);
+        let found = self.parameters(row).and_then(|of| steps::cycle(&of, self.angle(row.mechanism), STEPS));
         known.lock().ok()?.insert(key, found);
         found
     }
-
-    fn steps(&self, row: &Row) -> Option<[f64; 2]> {
-        let parameters = self.parameters(row)?;
-        let unit = Parameters::new(
-            parameters.slots(),
-            Inertias::new(parameters.inertias().ratio(), 1.0).ok()?,
-            1.0,
-            parameters.friction(),
-        )
-        .ok()?;
-        let (start, step) = (-parameters.slots().engagement_half_angle(), self.angle(row.mechanism) / f64::from(STEPS));
-        let rate = |angle: f64, square: f64| {
-            let terms = unit.coefficients(angle);
-            let speed = square.max(0.0).sqrt();
-            2.0 * terms.acceleration_with(&speed, geneva_dynamics::Sign::from_number(terms.sign_decider(&speed)))
-        };
-        let mut square = 1.0;
-        for cycle in 0..CYCLES {
-            let (first, mut least, mut time, mut before) = (square, square, 0.0, square);
-            for k in 0..STEPS {
-                let at = start + step * f64::from(k);
-                let slopes = |u: f64| rate(at + step / 2.0, u);
-                let f1 = rate(at, square);
-                let f2 = slopes(square + step / 2.0 * f1);
-                let f3 = slopes(square + step / 2.0 * f2);
-                let f4 = rate(at + step, square + step * f3);
-                let next = square + step / 6.0 * (f1 + 2.0 * f2 + 2.0 * f3 + f4);
-                // Speeds at both ends and in the middle; there by the cubic through values and slopes.
-                let middle = (square + next) / 2.0 + step / 8.0 * (f1 - rate(at + step, next));
-                time += step / 6.0 * (1.0 / square.sqrt() + 4.0 / middle.sqrt() + 1.0 / next.sqrt());
-                least = least.min(next).min(lowest(before, square, next));
-                (before, square) = (square, next);
-            }
-            if cycle > 0 && (square - first).abs() <= 1e-12 * square {
-                return Some([least.sqrt(), time]);
-            }
-        }
-        None
-    }
 }
 
-/// The lowest value of the parabola through three neighbours; the middle one if it is not the lowest of the three.
-fn lowest(before: f64, middle: f64, next: f64) -> f64 {
-    let bend = before - 2.0 * middle + next;
-    if middle < before && middle < next { middle - (next - before) * (next - before) / (8.0 * bend) } else { middle }
-}
-
-/// Steps of an engagement, and engagements at most.
+/// Steps of an engagement.
 const STEPS: u32 = 1500;
-const CYCLES: u32 = 200;
+
+/// The parameters of a row with these inertias of driver and follower, in in lb s².
+pub fn parameters_with(row: &Row, [driver, follower]: [f64; 2]) -> Option<Parameters> {
+    let slots = Slots::new(slots(row.mechanism)).ok()?;
+    Parameters::new(slots, Inertias::new(driver, follower).ok()?, row.torque(), row.friction()).ok()
+}
+
+/// The largest speed of a run from rest that is printed at each interval.
+fn largest_printed(engagement: &Engagement, interval: f64) -> Option<f64> {
+    let lines = engagement.run(interval, duration()).ok()?;
+    Some(lines.iter().map(|line| line.speed).fold(0.0, f64::max))
+}
 
 /// The unit of the printed inertias.
 pub const MILLIONTH: f64 = 1e-6;
@@ -229,8 +180,7 @@ pub fn fitting_interval(mechanism: Mechanism) -> f64 {
     let misfit = |interval: f64| {
         let of = |row: &Row| {
             let largest = if mechanism == Mechanism::SixPin {
-                let lines = Hypothesis::BEST.engagement(row)?.run(interval, duration()).ok()?;
-                lines.iter().map(|line| line.speed).fold(0.0, f64::max)
+                largest_printed(&Hypothesis::BEST.engagement(row)?, interval)?
             } else {
                 let integrator = geneva_mimic::Parameters {
                     print_interval: interval,
@@ -254,7 +204,8 @@ pub fn duration() -> f64 {
     printed("meyer.listing.run-length")
 }
 
-/// The integrator as far as the thesis tells, its steps no longer than the delay; the rest as it is by default.
+/// The integrator as far as the thesis tells, the rest as it is by default. A step may be longer than the delay; the old
+/// acceleration is then that of the step before.
 fn usual() -> geneva_mimic::Parameters {
     geneva_mimic::Parameters {
         at_smallest_step: AtSmallestStep::Continue,
