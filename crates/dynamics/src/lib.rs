@@ -25,6 +25,7 @@ mod proving;
 mod sign;
 pub mod similarity;
 pub mod steady;
+pub mod timer;
 
 pub use equation::{Acceleration, Coefficients, EquationError};
 pub use parameters::{Inertias, ParameterError, Parameters, Slots};

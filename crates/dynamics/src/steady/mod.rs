@@ -13,6 +13,7 @@
 
 mod arc;
 mod clock;
+mod cycle;
 mod engagement;
 mod error;
 mod exponential;

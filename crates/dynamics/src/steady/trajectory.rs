@@ -54,18 +54,7 @@ impl Engagement {
         let (mut square, mut start) = (0.0, 0.0);
         for number in 0..MOST_PRINTED {
             let passage = engagement.pass(square);
-            for piece in &passage.pieces {
-                let clock = piece.clock(engagement.rule);
-                let end = start + clock.whole;
-                while lines.len() <= last {
-                    let time = lines.len() as f64 * interval;
-                    if time * self.unit >= end {
-                        break;
-                    }
-                    lines.push(passage.line(piece, &clock, time * self.unit - start, time, number));
-                }
-                start = end;
-            }
+            start = passage.print(&mut lines, Grid { interval, last, number }, start);
             if lines.len() > last {
                 return Ok(lines);
             }
@@ -75,7 +64,38 @@ impl Engagement {
     }
 }
 
+/// Where lines are printed: at multiples of an interval up to the last, in the engagement of a number.
+pub(super) struct Grid {
+    pub interval: f64,
+    pub last: usize,
+    pub number: usize,
+}
+
 impl Passage<'_> {
+    /// Adds the lines that fall within the passage, which begins at `start`, and gives its end, both in units of 1/√E.
+    pub(super) fn print(&self, lines: &mut Vec<Printed>, grid: Grid, mut start: f64) -> f64 {
+        for piece in &self.pieces {
+            let clock = piece.clock(self.engagement.rule);
+            let end = start + clock.whole;
+            while lines.len() <= grid.last {
+                let time = lines.len() as f64 * grid.interval;
+                if time * self.engagement.unit >= end {
+                    break;
+                }
+                lines.push(self.line(piece, &clock, time * self.engagement.unit - start, time, grid.number));
+            }
+            start = end;
+        }
+        start
+    }
+
+    /// The line at the end of the passage.
+    pub(super) fn last_line(&self, time: f64, number: usize) -> Option<Printed> {
+        let piece = self.pieces.last()?;
+        let clock = piece.clock(self.engagement.rule);
+        Some(self.line(piece, &clock, clock.whole, time, number))
+    }
+
     fn line(&self, piece: &Piece<'_>, clock: &Clock, since: f64, time: f64, number: usize) -> Printed {
         let engagement = self.engagement;
         let backward = piece.phase == Phase::Approach;
