@@ -13,8 +13,9 @@ pub enum Contact {
     Delayed(f64),
 }
 
-/// Kept points that a delay line holds. The integrator's steps are a few to a print interval.
-const KEPT: usize = 1024;
+/// Kept points that a delay line holds. The integrator's steps are a few to a print interval, but crowd where a late sign
+/// makes the acceleration jump to and fro.
+const KEPT: usize = 16_384;
 
 /// What a run remembers for its choice.
 pub enum Memory {

@@ -2,68 +2,78 @@
 
 use super::*;
 use crate::meyer::appendix_b::DELAY_PARTS;
+use std::sync::OnceLock;
 
-/// How a hypothesis does on one column.
+/// The columns that a hypothesis is to explain.
+pub const EXPLAINED: [Column; 3] = [Column::Peak, Column::Minimum, Column::Period];
+
+/// How a hypothesis does.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Score {
     /// The hypothesis.
     pub hypothesis: Hypothesis,
-    /// The column.
-    pub column: Column,
-    /// Cells that the computed number rounds to.
-    pub exact: usize,
-    /// Cells within one unit of the last place.
-    pub within_one: usize,
-    /// Mean of the relative deviation.
-    pub mean: f64,
-    /// The largest relative deviation, with its sign.
-    pub worst: f64,
-    /// Log-likelihood per cell of a normal error of the printed unit and half a per cent, relative to a perfect fit.
-    pub likelihood: f64,
+    /// Its fit to peak, minimum and period.
+    pub fits: [Fit; 3],
 }
 
-/// The hypotheses that are compared, from the mechanism as it is to the runs as they were.
-fn compared() -> [Hypothesis; 6] {
-    let delay = interval() / f64::from(DELAY_PARTS);
-    [
-        Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::TRUE },
-        Hypothesis::TRUE,
-        Hypothesis { six_pin: SixPin::AsHeaded, reading: Reading::True, ..Hypothesis::BEST },
-        Hypothesis { reading: Reading::True, ..Hypothesis::BEST },
-        Hypothesis::BEST,
-        Hypothesis { delay: Some(delay), ..Hypothesis::BEST },
-    ]
-}
-
-/// The scores of all compared hypotheses on peak, minimum and period.
-pub fn scores() -> Vec<Score> {
-    compared().iter().flat_map(score).collect()
-}
-
-fn score(hypothesis: &Hypothesis) -> Vec<Score> {
-    let runs: Vec<_> = rows().iter().map(|row| (row, hypothesis.run(row))).collect();
-    [Column::Peak, Column::Minimum, Column::Period].map(|column| on_column(*hypothesis, column, &runs)).to_vec()
-}
-
-fn on_column(hypothesis: Hypothesis, column: Column, runs: &[(&Row, Option<Run>)]) -> Score {
-    let unit = if column == Column::Period { 1e-3 } else { 1.0 };
-    let mut score = Score { hypothesis, column, exact: 0, within_one: 0, mean: 0.0, worst: 0.0, likelihood: 0.0 };
-    for (row, run) in runs {
-        let printed = row.number(column);
-        let computed = run.map_or(f64::NAN, |run| match column {
-            Column::Peak => run.peak,
-            Column::Minimum => run.minimum,
-            _ => run.period,
-        });
-        let (off, relative) = (computed - printed, computed / printed - 1.0);
-        score.exact += usize::from(off.abs() <= unit / 2.0);
-        score.within_one += usize::from(off.abs() <= unit);
-        score.mean += relative / runs.len() as f64;
-        if relative.abs() > score.worst.abs() {
-            score.worst = relative;
-        }
-        let spread = unit * unit + (0.005 * printed) * (0.005 * printed);
-        score.likelihood -= off * off / spread / 2.0 / runs.len() as f64;
+impl Score {
+    /// Of a hypothesis.
+    pub fn of(hypothesis: Hypothesis) -> Self {
+        let runs: Vec<_> = rows().iter().map(|row| hypothesis.run(row)).collect();
+        Self { hypothesis, fits: EXPLAINED.map(|column| Fit::of(column, &runs)) }
     }
-    score
+
+    /// The fit to a column; none for one that is not to be explained.
+    pub fn on(&self, column: Column) -> Option<&Fit> {
+        self.fits.iter().zip(EXPLAINED).find(|(_, of)| *of == column).map(|(fit, _)| fit)
+    }
+
+    /// The logarithm of the likelihood of all three columns, by each law of error.
+    pub fn likelihoods(&self) -> [f64; 2] {
+        [0, 1].map(|law| self.fits.iter().map(|fit| fit.likelihoods[law].log).sum())
+    }
+
+    /// Cells of 147 within one unit of the last place.
+    pub fn within_one(&self) -> usize {
+        self.fits.iter().map(|fit| fit.within_one).sum()
+    }
 }
+
+/// The hypotheses that are compared: all choices of fold, inertias and reading, from the mechanism as it is to the runs
+/// as they were; then what the program does besides.
+pub fn compared() -> Vec<Hypothesis> {
+    let mut all = Vec::new();
+    for fold in [Fold::OfTheMechanism, Fold::OneForAll] {
+        for six_pin in [SixPin::AsHeaded, SixPin::AsDrawn] {
+            for reading in [Reading::True, Reading::OnTheGrid] {
+                all.push(Hypothesis { fold, six_pin, reading, ..Hypothesis::BEST });
+            }
+        }
+    }
+    all.push(Hypothesis { constants: Constants::AsListed, ..Hypothesis::BEST });
+    all.push(Hypothesis { delay: Some(interval() / f64::from(DELAY_PARTS)), ..Hypothesis::BEST });
+    all
+}
+
+/// The scores of all compared hypotheses.
+pub fn scores() -> &'static [Score] {
+    static SCORES: OnceLock<Vec<Score>> = OnceLock::new();
+    SCORES.get_or_init(|| compared().into_iter().map(Score::of).collect())
+}
+
+/// The best hypothesis with the sign chosen by the acceleration of so long ago, in s, and its score: none for the exact
+/// sign, then parts of the print interval up to all of it.
+pub fn delays() -> &'static [(f64, Score)] {
+    static SCORES: OnceLock<Vec<(f64, Score)>> = OnceLock::new();
+    SCORES.get_or_init(|| {
+        let of = |part: f64| {
+            let delay = (part > 0.0).then_some(interval() * part);
+            let constants = Constants::AsListed;
+            (interval() * part, Score::of(Hypothesis { delay, constants, ..Hypothesis::BEST }))
+        };
+        PARTS.map(of).to_vec()
+    })
+}
+
+/// Delays, in print intervals.
+const PARTS: [f64; 8] = [0.0, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5, 1.0];

@@ -2,7 +2,11 @@
 //!
 //! - `table`: the printed rows.
 //! - `motion`: a row's motion under a [`Hypothesis`], by two routes.
+//! - `printout`: what is read off the lines of a run.
+//! - `scores`: how well computed numbers explain printed ones.
 //! - `hypotheses`: how many cells each hypothesis explains.
+//! - `rise_times`: which definition could be that of the rise times.
+//! - `integrator`: whether the tables depend on what is not known of the integrator.
 //! - `cells`: the claims, one for each printed result.
 //! - `steps`: the second route to the motion.
 //! - `record`: the verdicts and fingerprints on record.
@@ -11,15 +15,20 @@
 mod cells;
 mod headings;
 mod hypotheses;
+pub mod integrator;
 mod motion;
+mod printout;
 mod record;
+pub mod rise_times;
+mod scores;
 pub mod steps;
 mod table;
 
 pub use cells::{claims, lines};
 pub use headings::of_figures;
-pub use hypotheses::{Score, scores};
-pub use motion::{Fold, Hypothesis, Reading, Run, SixPin, fitting_interval, interval};
+pub use hypotheses::{EXPLAINED, Score, compared, delays, scores};
+pub use motion::{Constants, Fold, Hypothesis, Reading, Run, SixPin, duration, fitting_interval, interval};
+pub use scores::{Fit, Law, Likelihood};
 pub use table::{Column, Mechanism, Row, rows};
 
 use super::*;

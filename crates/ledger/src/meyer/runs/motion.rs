@@ -34,6 +34,15 @@ pub enum Reading {
     OnTheGrid,
 }
 
+/// How exact the constants of the program are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Constants {
+    /// As good as the machine has them.
+    Exact,
+    /// As the listing prints them: π to five digits, by which it computes the centre distance.
+    AsListed,
+}
+
 /// What the runs might have been.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hypothesis {
@@ -43,6 +52,8 @@ pub struct Hypothesis {
     pub six_pin: SixPin,
     /// The reading of the peaks.
     pub reading: Reading,
+    /// The constants.
+    pub constants: Constants,
     /// Delay of the acceleration that chooses the sign of friction, in s; none if the sign is exact.
     pub delay: Option<f64>,
 }
@@ -58,14 +69,30 @@ pub struct Run {
     pub period: f64,
 }
 
+impl Run {
+    /// The number of a column; not a number for one that a run does not give.
+    pub fn number(&self, column: Column) -> f64 {
+        match column {
+            Column::Peak => self.peak,
+            Column::Minimum => self.minimum,
+            Column::Period => self.period,
+            _ => f64::NAN,
+        }
+    }
+}
+
 impl Hypothesis {
     /// The one that explains the tables: one fold for all, the inertias of Fig. 11, peaks as printed, the sign exact.
-    pub const BEST: Self =
-        Self { fold: Fold::OneForAll, six_pin: SixPin::AsDrawn, reading: Reading::OnTheGrid, delay: None };
+    pub const BEST: Self = Self {
+        fold: Fold::OneForAll,
+        six_pin: SixPin::AsDrawn,
+        reading: Reading::OnTheGrid,
+        constants: Constants::Exact,
+        delay: None,
+    };
 
     /// The mechanism as it is.
-    pub const TRUE: Self =
-        Self { fold: Fold::OfTheMechanism, six_pin: SixPin::AsDrawn, reading: Reading::True, delay: None };
+    pub const TRUE: Self = Self { fold: Fold::OfTheMechanism, reading: Reading::True, ..Self::BEST };
 
     /// The parameters of a row.
     pub fn parameters(&self, row: &Row) -> Option<Parameters> {
@@ -94,29 +121,40 @@ impl Hypothesis {
         Engagement::folded(&self.parameters(row)?, self.angle(row.mechanism), 1e-10).ok()
     }
 
-    /// What the run of a row gives.
+    /// What the run of a row gives: solved over the angle, or by the program if it is to have its faults.
     pub fn run(&self, row: &Row) -> Option<Run> {
+        if self.delay.is_some() || self.constants == Constants::AsListed {
+            return self.by_program(row, &usual());
+        }
         let engagement = self.engagement(row)?;
         let steady = engagement.steady_state().ok()?;
-        let peak = match (self.reading, self.delay) {
-            (Reading::True, _) => steady.peak.speed,
-            (Reading::OnTheGrid, None) => largest_printed(&engagement, interval())?,
-            (Reading::OnTheGrid, Some(delay)) => {
-                let program = Program { contact: Contact::Delayed(delay), ..self.program(row)? };
-                program.run(&usual()).ok()?.largest()
-            }
+        let peak = match self.reading {
+            Reading::True => steady.peak.speed,
+            Reading::OnTheGrid => largest_printed(&engagement, interval())?,
         };
         Some(Run { peak, minimum: steady.minimum.speed, period: steady.period })
     }
 
-    /// The start of a row's run from rest.
-    pub fn rise(&self, row: &Row) -> Option<Rise> {
-        self.engagement(row)?.rise(1e-3).ok()
+    /// The same, read off the lines that the program prints; the true peak is not among them.
+    pub fn by_program(&self, row: &Row, integrator: &geneva_mimic::Parameters) -> Option<Run> {
+        let program = self.program(row)?;
+        Run::read_off(&program.run(integrator).ok()?, program.fold)
     }
 
-    /// The program of the thesis with a row's cards, the sign exact.
+    /// The start of a row's run from rest.
+    pub fn rise(&self, row: &Row) -> Option<Rise> {
+        self.engagement(row)?.rise(1e-6).ok()
+    }
+
+    /// The program of the thesis with a row's cards.
     fn program(&self, row: &Row) -> Option<Program> {
-        Some(Program { fold: self.angle(row.mechanism), ..Program::of(&self.parameters(row)?) })
+        let exact = Program::of(&self.parameters(row)?);
+        let ratio = match self.constants {
+            Constants::Exact => exact.ratio,
+            Constants::AsListed => 1.0 / libm::sin(printed("meyer.listing.pi") / f64::from(slots(row.mechanism))),
+        };
+        let contact = self.delay.map_or(Contact::Exact, Contact::Delayed);
+        Some(Program { fold: self.angle(row.mechanism), ratio, contact, ..exact })
     }
 
     /// The largest printed speed by the second route: the program on its integrator, with small errors.
@@ -206,7 +244,7 @@ pub fn duration() -> f64 {
 
 /// The integrator as far as the thesis tells, the rest as it is by default. A step may be longer than the delay; the old
 /// acceleration is then that of the step before.
-fn usual() -> geneva_mimic::Parameters {
+pub fn usual() -> geneva_mimic::Parameters {
     geneva_mimic::Parameters {
         at_smallest_step: AtSmallestStep::Continue,
         ..geneva_mimic::Parameters::new(interval(), duration())

@@ -1,0 +1,81 @@
+//! Whether the tables depend on what is not known of the integrator of 1973.
+
+use super::motion::usual;
+use super::*;
+use crate::meyer::appendix_b::DELAY_PARTS;
+use geneva_mimic::{Kept, Parameters as Integrator};
+
+/// One parameter of the integrator set otherwise than by default.
+pub struct Variant {
+    /// In words.
+    pub name: &'static str,
+    change: fn(Integrator) -> Integrator,
+}
+
+/// The variants. The print interval, the length of the run and the relative error are the thesis's own.
+pub const VARIANTS: [Variant; 9] = [
+    Variant { name: "the full step is kept", change: |by| Integrator { kept: Kept::FullStep, ..by } },
+    Variant {
+        name: "the two half steps, extrapolated, are kept",
+        change: |by| Integrator { kept: Kept::Extrapolated, ..by },
+    },
+    Variant {
+        name: "no floor below which errors are absolute",
+        change: |by| Integrator { absolute_floor: 1e-9, ..by },
+    },
+    Variant { name: "a floor of one", change: |by| Integrator { absolute_floor: 1.0, ..by } },
+    Variant { name: "steps grow whenever they are accepted", change: |by| Integrator { growth_below: 1.0, ..by } },
+    Variant { name: "steps grow by a half", change: |by| Integrator { growth_factor: 1.5, ..by } },
+    Variant { name: "steps shrink to a tenth", change: |by| Integrator { shrink_factor: 0.1, ..by } },
+    Variant {
+        name: "no step below a thousandth of the print interval",
+        change: |by| Integrator { smallest_step: by.print_interval / 1000.0, ..by },
+    },
+    Variant {
+        name: "no step above a tenth of the print interval",
+        change: |by| Integrator {
+            largest_step: by.print_interval / 10.0,
+            initial_step: by.print_interval / 10.0,
+            ..by
+        },
+    },
+];
+
+/// What a variant changes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Change {
+    /// The greatest relative change of a peak, a minimum and a period of the 49 runs.
+    pub most: [f64; 3],
+    /// How many of the 147 numbers round to another printed one.
+    pub printed_otherwise: usize,
+}
+
+/// Each variant against the defaults: with the exact sign, and with the delayed one.
+pub fn changes() -> Option<Vec<(&'static Variant, [Change; 2])>> {
+    let delayed = Hypothesis { delay: Some(interval() / f64::from(DELAY_PARTS)), ..Hypothesis::BEST };
+    let hypotheses = [Hypothesis::BEST, delayed];
+    let run = |of: &Hypothesis, by: &Integrator| -> Option<Vec<Run>> {
+        rows().iter().map(|row| of.by_program(row, by)).collect()
+    };
+    let [exact, late] = hypotheses.map(|of| run(&of, &usual()));
+    let before = [exact?, late?];
+    let mut found = Vec::new();
+    for variant in &VARIANTS {
+        let by = (variant.change)(usual());
+        let [exact, late] = hypotheses.map(|of| run(&of, &by));
+        found.push((variant, [change(&before[0], &exact?), change(&before[1], &late?)]));
+    }
+    Some(found)
+}
+
+fn change(before: &[Run], after: &[Run]) -> Change {
+    let mut found = Change { most: [0.0; 3], printed_otherwise: 0 };
+    for (before, after) in before.iter().zip(after) {
+        for (at, column) in EXPLAINED.into_iter().enumerate() {
+            let (old, new, unit) = (before.number(column), after.number(column), scores::unit(column));
+            found.most[at] = found.most[at].max((new / old - 1.0).abs());
+            found.printed_otherwise += usize::from((old / unit).round() != (new / unit).round());
+        }
+    }
+    found
+}

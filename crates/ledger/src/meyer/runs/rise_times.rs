@@ -1,0 +1,93 @@
+//! Which definition of a rise time could be that of the tables.
+
+use super::*;
+use geneva_dynamics::steady::Rise;
+
+/// A time that a start from rest has.
+pub struct Definition {
+    /// In words.
+    pub name: &'static str,
+    /// The time, in s.
+    pub time: fn(&Rise) -> Option<f64>,
+}
+
+/// Until the speed is that near to the terminal one: 99 per cent, says the axis of the thesis's plots.
+const PART: f64 = 0.01;
+
+/// The definitions that are tried. The thesis has two that disagree: the first minimum, and 99 per cent of a speed.
+pub const DEFINITIONS: [Definition; 8] = [
+    Definition { name: "the first minimum after a hand-over", time: Rise::until_first_minimum },
+    Definition { name: "the first peak", time: |rise| rise.cycles.first().map(|cycle| cycle.peak.time) },
+    Definition { name: "the entry speed within 1%", time: |rise| rise.until_entry_speed(PART) },
+    Definition { name: "a peak within 1%", time: |rise| rise.until_peak(PART) },
+    Definition { name: "a minimum within 1%", time: |rise| rise.until_minimum(PART) },
+    Definition { name: "a mean speed within 1%, to its end", time: |rise| rise.until_mean_speed(PART) },
+    Definition { name: "a mean speed within 1%, to its start", time: |rise| rise.until_mean_speed_begins(PART) },
+    Definition { name: "a mean of peak and minimum within 1%", time: |rise| rise.until_mean_of_extremes(PART) },
+];
+
+/// How a definition does on the printed rise times.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Explained {
+    /// Rows within one unit of the last place: with six, four and three pins.
+    pub within_one: [usize; 3],
+    /// Mean of the relative deviation, with its sign.
+    pub mean: f64,
+    /// Least and greatest quotient of computed and printed time.
+    pub range: [f64; 2],
+}
+
+/// Each definition, for the runs as they were and for the mechanism as it is.
+pub fn explained() -> Vec<(&'static Definition, [Explained; 2])> {
+    let rises =
+        [Hypothesis::BEST, Hypothesis::TRUE].map(|of| rows().iter().map(|row| (row, of.rise(row))).collect::<Vec<_>>());
+    DEFINITIONS.iter().map(|definition| (definition, [0, 1].map(|at| tried(definition, &rises[at])))).collect()
+}
+
+fn tried(definition: &Definition, rises: &[(&Row, Option<Rise>)]) -> Explained {
+    let mut found = Explained { within_one: [0; 3], mean: 0.0, range: [f64::INFINITY, 0.0] };
+    for (row, rise) in rises {
+        let time = rise.as_ref().and_then(definition.time).unwrap_or(f64::NAN);
+        let printed = row.number(Column::Rise);
+        let near = (time - printed).abs() <= scores::unit(Column::Rise) * (1.0 + 1e-9);
+        found.within_one[row.mechanism as usize] += usize::from(near);
+        found.mean += (time / printed - 1.0) / rises.len() as f64;
+        found.range = [found.range[0].min(time / printed), found.range[1].max(time / printed)];
+    }
+    found
+}
+
+/// Rows of one mechanism and one friction: only the torque changes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group {
+    /// The mechanism.
+    pub mechanism: Mechanism,
+    /// The printed friction.
+    pub friction: &'static str,
+    /// Printed rise time times √K, in s √(in lb): one number for all rows, were the time without a scale of its own.
+    pub scaled: Vec<f64>,
+    /// Whether some number fits all rows to within a unit of the last place and a print interval either way.
+    pub possible: bool,
+}
+
+/// All groups. By the law of similarity a time that only the motion defines goes as 1/√K within each.
+pub fn groups() -> Vec<Group> {
+    let mut groups: Vec<(Mechanism, &'static str, Vec<&Row>)> = Vec::new();
+    for row in rows() {
+        let friction = row.printed(Column::Friction);
+        match groups.iter_mut().find(|(mechanism, of, _)| *mechanism == row.mechanism && *of == friction) {
+            Some((_, _, own)) => own.push(row),
+            None => groups.push((row.mechanism, friction, vec![row])),
+        }
+    }
+    let slack = scores::unit(Column::Rise) + interval();
+    let group = |(mechanism, friction, own): (Mechanism, &'static str, Vec<&Row>)| {
+        let times = own.iter().map(|row| (row.number(Column::Rise), row.torque().sqrt()));
+        let bounds = times.clone().fold([0.0_f64, f64::INFINITY], |[low, high], (time, root)| {
+            [low.max((time - slack) * root), high.min((time + slack) * root)]
+        });
+        let scaled = times.map(|(time, root)| time * root).collect();
+        Group { mechanism, friction, scaled, possible: bounds[0] <= bounds[1] }
+    };
+    groups.into_iter().map(group).collect()
+}

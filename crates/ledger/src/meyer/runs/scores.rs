@@ -1,0 +1,158 @@
+//! How well computed numbers explain printed ones.
+
+use super::*;
+use std::f64::consts::SQRT_2;
+
+/// How a set of runs does on one column of the tables. The mean and the worst are over the runs that came to an end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fit {
+    /// Cells that the computed number rounds to.
+    pub exact: usize,
+    /// Cells within one unit of the last place.
+    pub within_one: usize,
+    /// Mean of the relative deviation, with its sign.
+    pub mean: f64,
+    /// The largest relative deviation, with its sign.
+    pub worst: f64,
+    /// By each law of error: how likely the printed cells are.
+    pub likelihoods: [Likelihood; 2],
+}
+
+/// How likely the printed cells of a column are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Likelihood {
+    /// The spread of the errors with which they are most likely, in units of the last place.
+    pub spread: f64,
+    /// The logarithm of the likelihood with this spread: zero if each cell is certain, negative infinity if one cannot be.
+    pub log: f64,
+}
+
+/// How errors are distributed about the computed number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Law {
+    /// Normal: large errors are all but impossible.
+    Normal,
+    /// Exponential to either side: large errors happen now and then, as when somebody misreads a print-out.
+    Exponential,
+}
+
+impl Law {
+    /// Both, in the order of [`Fit::likelihoods`].
+    pub const ALL: [Self; 2] = [Self::Normal, Self::Exponential];
+
+    /// The chance of an error above a number of units, which is not negative.
+    fn beyond(self, units: f64, spread: f64) -> f64 {
+        match self {
+            Self::Normal => libm::erfc(units / (spread * SQRT_2)) / 2.0,
+            Self::Exponential => libm::exp(-units / spread) / 2.0,
+        }
+    }
+
+    /// The chance that an error of zero mean rounds to a number so many units away.
+    fn chance(self, off: f64, spread: f64) -> f64 {
+        let near = off - 0.5;
+        let beyond_near = if near < 0.0 { 1.0 - self.beyond(-near, spread) } else { self.beyond(near, spread) };
+        beyond_near - self.beyond(off + 0.5, spread)
+    }
+
+    /// The likelihood of deviations of this size, in units.
+    fn of(self, units: &[f64]) -> Likelihood {
+        let log = |spread: f64| units.iter().map(|off| libm::log(self.chance(*off, spread))).sum::<f64>();
+        let spreads = (0..=SPREADS).map(|step| LEAST * libm::exp2(f64::from(step) / PER_OCTAVE));
+        let found = spreads.map(|spread| Likelihood { spread, log: log(spread) });
+        found.max_by(|a, b| a.log.total_cmp(&b.log)).unwrap_or(Likelihood { spread: f64::NAN, log: f64::NEG_INFINITY })
+    }
+}
+
+/// Spreads that are tried: from 1/32 of a unit, 16 to an octave, over 17 octaves.
+const LEAST: f64 = 0.031_25;
+const PER_OCTAVE: f64 = 16.0;
+const SPREADS: u32 = 272;
+
+impl Fit {
+    /// Of the column, for the runs of all rows; a run that came to nothing explains nothing.
+    ///
+    /// The statistical model: a printed number is the computed one and an error of unknown spread, rounded to the unit.
+    /// All hypotheses have this one parameter, so that their likelihoods may be compared as they are.
+    pub fn of(column: Column, runs: &[Option<Run>]) -> Self {
+        let cells: Vec<_> = rows()
+            .iter()
+            .zip(runs)
+            .filter_map(|(row, run)| Some((row.number(column), run.as_ref()?.number(column))))
+            .collect();
+        let units: Vec<_> = cells.iter().map(|(printed, found)| (found - printed).abs() / unit(column)).collect();
+        let relative = |(printed, computed): &(f64, f64)| computed / printed - 1.0;
+        let further = |worst: f64, next: f64| if next.abs() > worst.abs() { next } else { worst };
+        let whole = cells.len() == rows().len();
+        let impossible = Likelihood { spread: f64::INFINITY, log: f64::NEG_INFINITY };
+        Self {
+            // In units, a half is a half but for the rounding of the quotient.
+            exact: units.iter().filter(|off| **off <= 0.5 + 1e-9).count(),
+            within_one: units.iter().filter(|off| **off <= 1.0 + 1e-9).count(),
+            mean: cells.iter().map(relative).sum::<f64>() / cells.len() as f64,
+            worst: cells.iter().map(relative).fold(0.0, further),
+            likelihoods: Law::ALL.map(|law| if whole { law.of(&units) } else { impossible }),
+        }
+    }
+}
+
+/// The unit of the last place of a column.
+pub fn unit(column: Column) -> f64 {
+    if matches!(column, Column::Period | Column::Rise) { 1e-3 } else { 1.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_chances_of_all_numbers_add_to_one() {
+        for (law, spread) in [(Law::Normal, 0.2), (Law::Normal, 7.0), (Law::Exponential, 0.2), (Law::Exponential, 3.0)]
+        {
+            let sum: f64 = (-80..=80).map(|off| law.chance((f64::from(off) + 0.3).abs(), spread)).sum();
+            approx::assert_relative_eq!(sum, 1.0, max_relative = 1e-9);
+        }
+    }
+
+    /// A thousand errors as the law with a spread of 3 has them, found by bisection.
+    fn errors(law: Law) -> Vec<f64> {
+        let quantile = |part: f64| {
+            let (mut low, mut high) = (0.0, 200.0);
+            for _ in 0..60 {
+                let middle = f64::midpoint(low, high);
+                *(if 1.0 - 2.0 * law.beyond(middle, 3.0) < part { &mut low } else { &mut high }) = middle;
+            }
+            low
+        };
+        (0..1000).map(|k| quantile((f64::from(k) + 0.5) / 1000.0)).collect()
+    }
+
+    #[test]
+    fn the_spread_found_is_that_of_the_errors_and_their_own_law_is_the_likelier() {
+        for (law, other) in [(Law::Normal, Law::Exponential), (Law::Exponential, Law::Normal)] {
+            let errors = errors(law);
+            let found = law.of(&errors);
+            assert!((found.spread - 3.0).abs() < 0.15, "{law:?} {}", found.spread);
+            assert!(found.log < 0.0 && found.log > other.of(&errors).log, "{law:?}");
+        }
+    }
+
+    #[test]
+    fn certain_cells_cost_nothing_and_distant_ones_much() {
+        for law in Law::ALL {
+            assert!(law.of(&[0.0; 9]).log > -1e-6, "{law:?}");
+            assert!(law.of(&[1e4; 9]).log < -50.0, "{law:?}");
+        }
+    }
+
+    #[test]
+    fn a_run_that_comes_to_nothing_makes_the_tables_impossible() {
+        let mut runs: Vec<_> = rows().iter().map(|row| Hypothesis::BEST.run(row)).collect();
+        let all = Fit::of(Column::Minimum, &runs);
+        runs[7] = None;
+        let one_less = Fit::of(Column::Minimum, &runs);
+        assert_eq!(one_less.within_one, all.within_one - 1);
+        assert!(all.likelihoods[0].log.is_finite() && one_less.likelihoods[0].log == f64::NEG_INFINITY);
+        assert!(one_less.mean.is_finite());
+    }
+}
