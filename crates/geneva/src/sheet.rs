@@ -1,4 +1,6 @@
-//! Pieces that the sheets and drawings of the commands share.
+//! The sheets that the commands print, and pieces that their drawings share.
+
+use crate::output::{heading, wrapped};
 
 /// Digits of a number on a sheet.
 pub const DIGITS: usize = 4;
@@ -16,13 +18,69 @@ pub fn number(value: f64) -> String {
 }
 
 /// What stands before the point, and the rest with it.
-pub fn split(number: &str) -> (&str, &str) {
+fn split(number: &str) -> (&str, &str) {
     number.split_at(number.find('.').unwrap_or(number.len()))
 }
 
 /// Characters of the longest.
-pub fn longest<'a>(texts: impl Iterator<Item = &'a str>) -> usize {
+fn longest<'a>(texts: impl Iterator<Item = &'a str>) -> usize {
     texts.map(|text| text.chars().count()).max().unwrap_or(0)
+}
+
+/// A line of a sheet: a number under its name, and what is said of it. Number, unit and direction are empty where words
+/// say it all.
+pub struct Line {
+    /// What it is, in a word or two.
+    pub name: &'static str,
+    /// The number, written.
+    pub number: String,
+    /// Its unit.
+    pub unit: &'static str,
+    /// The direction of what the number is the length of.
+    pub direction: String,
+    /// What is said of it.
+    pub meaning: String,
+}
+
+impl Line {
+    /// A number and what it means.
+    pub fn new(name: &'static str, number: String, unit: &'static str, meaning: &str) -> Self {
+        Self { name, number, unit, direction: String::new(), meaning: meaning.to_owned() }
+    }
+
+    /// Words alone.
+    pub fn said(name: &'static str, meaning: &str) -> Self {
+        Self::new(name, String::new(), "", meaning)
+    }
+}
+
+/// A title, what all numbers have in common, and sections of lines whose numbers stand under one another.
+pub fn page(title: &str, introduction: &str, sections: &[(&str, Vec<Line>)]) -> String {
+    let all = || sections.iter().flat_map(|(_, lines)| lines);
+    let name = longest(all().map(|line| line.name));
+    let whole = longest(all().map(|line| split(&line.number).0));
+    let decimals = longest(all().map(|line| split(&line.number).1));
+    let unit = longest(all().map(|line| line.unit));
+
+    let bold = heading();
+    let mut page = format!("{bold}{}{bold:#}\n", wrapped("", title).trim_end());
+    page += &wrapped("", introduction);
+    for (title, lines) in sections {
+        let direction = longest(lines.iter().map(|line| line.direction.as_str()));
+        page += &format!("\n{bold}{title}{bold:#}\n");
+        for line in lines {
+            let mut lead = format!("  {:<name$}  ", line.name);
+            if !line.number.is_empty() {
+                let (before, after) = split(&line.number);
+                lead += &format!("{before:>whole$}{after:<decimals$} {:<unit$}  ", line.unit);
+            }
+            if direction > 0 {
+                lead += &format!("{:>direction$}  ", line.direction);
+            }
+            page += &wrapped(&lead, &line.meaning);
+        }
+    }
+    page
 }
 
 /// The drawing with fixed colours: each custom property, which only a page can set and only a browser understands,

@@ -53,7 +53,18 @@ impl Passage<'_> {
             }
         }
         // A passage has a piece, and with it its two ends.
-        let Some(spot) = best else { return Extreme { speed: f64::NAN, angle: f64::NAN, time: f64::NAN } };
+        best.map_or(Extreme { speed: f64::NAN, angle: f64::NAN, time: f64::NAN }, |spot| self.at_spot(spot))
+    }
+
+    /// The first place that is slower than those before and behind it.
+    pub(super) fn first_valley(&self) -> Option<Extreme> {
+        let mut spots = self.spots();
+        spots.sort_by(|a, b| a.piece.cmp(&b.piece).then(a.time.total_cmp(&b.time)));
+        let is_valley = |w: &&[Spot]| w[1].square < w[0].square && w[1].square < w[2].square;
+        spots.windows(3).find(is_valley).map(|w| self.at_spot(w[1]))
+    }
+
+    fn at_spot(&self, spot: Spot) -> Extreme {
         let angle = self.engagement.circle.angle(spot.at);
         let angle = if self.pieces[spot.piece].phase == Phase::Approach { -angle } else { angle };
         let before: f64 = self.pieces[..spot.piece].iter().map(|piece| piece.duration).sum();

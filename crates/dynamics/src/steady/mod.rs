@@ -18,6 +18,7 @@ mod engagement;
 mod error;
 mod exponential;
 mod extremes;
+mod first_minimum;
 mod passage;
 pub mod proofs;
 mod rise;

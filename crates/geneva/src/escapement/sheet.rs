@@ -2,8 +2,8 @@
 
 use super::record::{EscapementRecord, RISE_TIME};
 use super::typed::again;
-use crate::output::{count, heading, wrapped};
-use crate::sheet::{longest, split};
+use crate::output::count;
+use crate::sheet::{self, Line};
 use geneva_dynamics::steady::MOST_CYCLES;
 
 const INTRODUCTION: &str = "\
@@ -13,15 +13,6 @@ in and s, or for N, m and kg. Crank angles are measured at the driver's axis fro
 /// How many degrees count as none.
 const NO_ANGLE: f64 = 1e-9;
 
-/// A line of the sheet: a number under its name, and what is said of it. Number and unit are empty where words say it
-/// all.
-struct Line {
-    name: &'static str,
-    number: String,
-    unit: &'static str,
-    meaning: String,
-}
-
 /// The whole sheet.
 pub fn page(record: &EscapementRecord) -> String {
     let sections = [
@@ -30,27 +21,7 @@ pub fn page(record: &EscapementRecord) -> String {
         ("Steady state", steady(record)),
         ("Rise from rest", rise(record)),
     ];
-    let all = || sections.iter().flat_map(|(_, lines)| lines);
-    let name = longest(all().map(|line| line.name));
-    let whole = longest(all().map(|line| split(&line.number).0));
-    let decimals = longest(all().map(|line| split(&line.number).1));
-    let unit = longest(all().map(|line| line.unit));
-
-    let bold = heading();
-    let mut page = format!("{bold}{}{bold:#}\n", wrapped("", &title(record)).trim_end());
-    page += &wrapped("", INTRODUCTION);
-    for (title, lines) in &sections {
-        page += &format!("\n{bold}{title}{bold:#}\n");
-        for line in lines {
-            let mut lead = format!("  {:<name$}  ", line.name);
-            if !line.number.is_empty() {
-                let (before, after) = split(&line.number);
-                lead += &format!("{before:>whole$}{after:<decimals$} {:<unit$}  ", line.unit);
-            }
-            page += &wrapped(&lead, &line.meaning);
-        }
-    }
-    page
+    sheet::page(&title(record), INTRODUCTION, &sections)
 }
 
 fn title(record: &EscapementRecord) -> String {
@@ -120,7 +91,7 @@ fn steady(record: &EscapementRecord) -> Vec<Line> {
         line("mean of extremes", record.mean_of_extremes, "", "of peak and minimum speed"),
         line("period", record.period, "", "from one engagement to the next"),
         line("contraction", record.contraction, "", "what an engagement leaves of a small difference of speeds"),
-        said("sign changes", &switches),
+        Line::said("sign changes", &switches),
     ]
 }
 
@@ -128,9 +99,11 @@ fn rise(record: &EscapementRecord) -> Vec<Line> {
     match (record.rise_time, record.engagements_to_settle) {
         (Some(time), Some(engagements)) => vec![
             line("rise time", time, "", RISE_TIME),
-            Line { name: "engagements", number: engagements.to_string(), unit: "", meaning: "until then".to_owned() },
+            Line::new("engagements", engagements.to_string(), "", "until then"),
         ],
-        _ => vec![said("rise time", &format!("more than {MOST_CYCLES} engagements; it would be the {RISE_TIME}"))],
+        _ => {
+            vec![Line::said("rise time", &format!("more than {MOST_CYCLES} engagements; it would be the {RISE_TIME}"))]
+        }
     }
 }
 
@@ -140,13 +113,9 @@ fn place(degrees: f64) -> String {
 }
 
 fn number(value: f64) -> String {
-    crate::sheet::number(value).replace('-', "−")
+    sheet::number(value).replace('-', "−")
 }
 
 fn line(name: &'static str, value: f64, unit: &'static str, meaning: &str) -> Line {
-    Line { name, number: number(value), unit, meaning: meaning.to_owned() }
-}
-
-fn said(name: &'static str, meaning: &str) -> Line {
-    Line { name, number: String::new(), unit: "", meaning: meaning.to_owned() }
+    Line::new(name, number(value), unit, meaning)
 }

@@ -4,8 +4,7 @@ use super::digits::{angle, direction, number, typed};
 use super::record::QuickReturnRecord;
 use super::vector::Vector;
 use super::words;
-use crate::output::{heading, wrapped};
-use crate::sheet::{longest, split};
+use crate::sheet::{self, Line};
 
 /// What the numbers are measured from, and what adds up.
 const INTRODUCTION: &str = "\
@@ -13,16 +12,6 @@ Angles and directions are counter-clockwise from the direction that points from 
 The crank turns at constant speed. The pin's velocity is the sum of that of the lever's point under it and of its \
 sliding in the slot. The two terms of its acceleration are together the sum of those of the lever's point, of the \
 sliding and of Coriolis.";
-
-/// A line of the sheet: a number under its name, and what is said of it. The number, the unit and the direction of what
-/// the number is the length of are empty where words say it all.
-struct Line {
-    name: &'static str,
-    number: String,
-    unit: &'static str,
-    direction: String,
-    meaning: String,
-}
 
 /// The whole sheet.
 pub fn page(record: &QuickReturnRecord) -> String {
@@ -32,31 +21,7 @@ pub fn page(record: &QuickReturnRecord) -> String {
         ("Accelerations", accelerations(record)),
         ("Strokes", strokes(record)),
     ];
-    let all = || sections.iter().flat_map(|(_, lines)| lines);
-    let name = longest(all().map(|line| line.name));
-    let whole = longest(all().map(|line| split(&line.number).0));
-    let decimals = longest(all().map(|line| split(&line.number).1));
-
-    let bold = heading();
-    let mut page = format!("{bold}{}{bold:#}\n", wrapped("", &title(record)).trim_end());
-    page += &wrapped("", INTRODUCTION);
-    for (title, lines) in &sections {
-        let unit = longest(lines.iter().map(|line| line.unit));
-        let direction = longest(lines.iter().map(|line| line.direction.as_str()));
-        page += &format!("\n{bold}{title}{bold:#}\n");
-        for line in lines {
-            let mut lead = format!("  {:<name$}  ", line.name);
-            if !line.number.is_empty() {
-                let (before, after) = split(&line.number);
-                lead += &format!("{before:>whole$}{after:<decimals$} {:<unit$}  ", line.unit);
-            }
-            if direction > 0 {
-                lead += &format!("{:>direction$}  ", line.direction);
-            }
-            page += &wrapped(&lead, &line.meaning);
-        }
-    }
-    page
+    sheet::page(&title(record), INTRODUCTION, &sections)
 }
 
 fn title(record: &QuickReturnRecord) -> String {
@@ -75,8 +40,8 @@ fn position(record: &QuickReturnRecord) -> Vec<Line> {
         degrees("lever angle", record.lever_angle_deg, "direction from the lever's pivot to the pin"),
         degrees("angle at the pin", record.angle_at_pin_deg, "between lever and crank"),
         scalar("pin distance", record.pin_distance_m, "m", "from the lever's pivot to the pin"),
-        said("branch", words::branch(&record.instant)),
-        said("stroke", words::stroke(&record.instant)),
+        Line::said("branch", words::branch(&record.instant)),
+        Line::said("stroke", words::stroke(&record.instant)),
     ]
 }
 
@@ -118,10 +83,11 @@ fn accelerations(record: &QuickReturnRecord) -> Vec<Line> {
 
 fn strokes(record: &QuickReturnRecord) -> Vec<Line> {
     let swing = match record.swing_limit_deg {
-        None => {
-            said("swing", "none: the crank is longer than the ground distance, and the lever turns round and round")
-        }
-        Some(_) if record.instant.half_speed => said(
+        None => Line::said(
+            "swing",
+            "none: the crank is longer than the ground distance, and the lever turns round and round",
+        ),
+        Some(_) if record.instant.half_speed => Line::said(
             "swing",
             "none: with a crank as long as the ground distance the pin passes through the lever's pivot at 180°, where \
              the lever has no direction",
@@ -130,7 +96,7 @@ fn strokes(record: &QuickReturnRecord) -> Vec<Line> {
     };
     let mut lines = vec![swing];
     match record.time_ratio {
-        None => lines.push(said("time ratio", "none: there is no fast stroke")),
+        None => lines.push(Line::said("time ratio", "none: there is no fast stroke")),
         Some(ratio) => lines.extend([
             degrees("slow stroke", record.slow_stroke_deg, "of a turn of the crank"),
             degrees("fast stroke", record.fast_stroke_deg, "of a turn of the crank"),
@@ -147,25 +113,18 @@ fn zero_or(vector: &Vector, why: &str, otherwise: String) -> String {
 
 fn vector(name: &'static str, vector: &Vector, unit: &'static str, meaning: String) -> Line {
     match vector.direction_deg {
-        None => Line { name, number: number(0.0), unit, direction: String::new(), meaning: format!("zero: {meaning}") },
-        Some(degrees) => Line {
-            name,
-            number: number(vector.magnitude),
-            unit,
-            direction: format!("at {:>7}°", direction(degrees)),
-            meaning,
-        },
+        None => Line::new(name, number(0.0), unit, &format!("zero: {meaning}")),
+        Some(degrees) => {
+            let direction = format!("at {:>7}°", direction(degrees));
+            Line { direction, ..Line::new(name, number(vector.magnitude), unit, &meaning) }
+        }
     }
 }
 
 fn scalar(name: &'static str, value: f64, unit: &'static str, meaning: &str) -> Line {
-    Line { name, number: number(value), unit, direction: String::new(), meaning: meaning.to_owned() }
+    Line::new(name, number(value), unit, meaning)
 }
 
 fn degrees(name: &'static str, value: f64, meaning: &str) -> Line {
-    Line { name, number: angle(value), unit: "°", direction: String::new(), meaning: meaning.to_owned() }
-}
-
-fn said(name: &'static str, meaning: &str) -> Line {
-    Line { name, number: String::new(), unit: "", direction: String::new(), meaning: meaning.to_owned() }
+    Line::new(name, angle(value), "°", meaning)
 }

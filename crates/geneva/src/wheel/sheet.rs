@@ -1,16 +1,13 @@
 //! The sheet for reading: names, a few digits, units, and what is measured from where.
 
 use super::record::WheelRecord;
-use crate::output::{count, heading, wrapped};
-use crate::sheet::{longest, number, split};
+use crate::output::{count, wrapped};
+use crate::sheet::{self, Line, number};
 
-/// A line of the sheet: a number under its name, and what is said of it.
-struct Line {
-    name: &'static str,
-    number: String,
-    unit: &'static str,
-    meaning: String,
-}
+const INTRODUCTION: &str = "\
+Crank angles are measured at the driver's axis from the line of centres, which joins the two axes. The driver turns at \
+constant speed. While a pin is in a slot the wheel turns against the driver; it slows down behind the line of centres as \
+it sped up before it.";
 
 /// The whole sheet.
 pub fn page(record: &WheelRecord) -> String {
@@ -19,28 +16,7 @@ pub fn page(record: &WheelRecord) -> String {
         ("Cycle", cycle(record)),
         ("Speed and acceleration of the wheel", peaks(record)),
     ];
-    let all = || sections.iter().flat_map(|(_, lines)| lines);
-    let name = longest(all().map(|line| line.name));
-    let whole = longest(all().map(|line| split(&line.number).0));
-    let decimals = longest(all().map(|line| split(&line.number).1));
-    let unit = longest(all().map(|line| line.unit));
-
-    let bold = heading();
-    let mut page = format!("{bold}{}{bold:#}\n", title(record));
-    page += &wrapped(
-        "",
-        "Crank angles are measured at the driver's axis from the line of centres, which joins the two axes. The driver \
-         turns at constant speed. While a pin is in a slot the wheel turns against the driver; it slows down behind \
-         the line of centres as it sped up before it.",
-    );
-    for (title, lines) in &sections {
-        page += &format!("\n{bold}{title}{bold:#}\n");
-        for line in lines {
-            let (before, after) = split(&line.number);
-            let lead = format!("  {:<name$}  {before:>whole$}{after:<decimals$} {:<unit$}  ", line.name, line.unit);
-            page += &wrapped(&lead, &line.meaning);
-        }
-    }
+    let page = sheet::page(&title(record), INTRODUCTION, &sections);
     let missing = missing(record);
     if missing.is_empty() { page } else { page + "\n" + &wrapped("", &missing) }
 }
@@ -152,5 +128,5 @@ fn missing(record: &WheelRecord) -> String {
 }
 
 fn line(name: &'static str, value: f64, unit: &'static str, meaning: &str) -> Line {
-    Line { name, number: number(value), unit, meaning: meaning.to_owned() }
+    Line::new(name, number(value), unit, meaning)
 }

@@ -8,7 +8,7 @@ use super::study::row;
 use super::*;
 use crate::Evidence::{Integration, Steps};
 use geneva_dynamics::steady::{Engagement, Rise, SteadyError};
-use geneva_dynamics::{Inertias, Parameters, Sign, similarity::Similarity};
+use geneva_dynamics::{Parameters, Sign, similarity::Similarity};
 use std::sync::OnceLock;
 
 const FIRST: &str = "Chapter II, 1st general statement";
@@ -292,13 +292,8 @@ pub fn powers() -> (f64, f64) {
 }
 
 pub fn with(row: &Row, torque: f64, friction: f64) -> Option<Engagement> {
-    varied(row, [torque, friction, 1.0])
-}
-
-pub fn varied(row: &Row, [torque, friction, inertia]: [f64; 3]) -> Option<Engagement> {
     let at = Hypothesis::TRUE.parameters(row)?;
-    let inertias = Inertias::new(at.inertias().driver() * inertia, at.inertias().follower()).ok()?;
-    let changed = Parameters::new(at.slots(), inertias, at.torque() * torque, at.friction() * friction).ok()?;
+    let changed = Parameters::new(at.slots(), at.inertias(), at.torque() * torque, at.friction() * friction).ok()?;
     Engagement::with_tolerance(&changed, 1e-11).ok()
 }
 

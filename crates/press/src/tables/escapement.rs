@@ -1,44 +1,9 @@
-//! The runs of the thesis: what explains the printed tables, and what the tables should have been.
+//! The tables of the thesis's runs as they should have been.
 
+use super::signed;
 use crate::html::{Cells, table};
 use anyhow::Context;
-use geneva_ledger::meyer::runs::{Column, Fold, Hypothesis, Mechanism, Reading, Row, SixPin, rows, scores};
-
-/// The hypotheses and how many cells each explains.
-pub fn hypotheses() -> anyhow::Result<String> {
-    let scores = scores();
-    let rows: Vec<Vec<String>> = scores
-        .chunks(3)
-        .map(|columns| {
-            let mut row = vec![words(&columns[0].hypothesis)];
-            for score in columns {
-                row.push(format!("{} / {}", score.exact, score.within_one));
-                row.push(signed(100.0 * score.worst, 1));
-                row.push(signed(score.likelihood, 2));
-            }
-            row
-        })
-        .collect();
-    let head = ["Hypothesis", "Peak", "worst %", "fit", "Minimum", "worst %", "fit", "Period", "worst %", "fit"];
-    Ok(table("Hypotheses about the runs", Cells::NamedNumbers, &head, &rows))
-}
-
-fn words(hypothesis: &Hypothesis) -> String {
-    let fold = match hypothesis.fold {
-        Fold::OfTheMechanism => "angle put back after 360°/m",
-        Fold::OneForAll => "after 90° for all",
-    };
-    let inertias = match hypothesis.six_pin {
-        SixPin::AsHeaded => "six-pin inertias as headed",
-        SixPin::AsDrawn => "as in Fig. 11",
-    };
-    let reading = match hypothesis.reading {
-        Reading::True => "true peaks",
-        Reading::OnTheGrid => "largest printed speed",
-    };
-    let sign = if hypothesis.delay.is_some() { "; sign by the old acceleration" } else { "" };
-    format!("{fold}; {inertias}; {reading}{sign}")
-}
+use geneva_ledger::meyer::runs::{Column, Hypothesis, Mechanism, Row, SixPin, rows};
 
 /// The tables of six and three pins, printed and as they should have been.
 pub fn six_pin() -> anyhow::Result<String> {
@@ -102,8 +67,4 @@ fn line(row: &Row, hypothesis: &Hypothesis) -> anyhow::Result<Vec<String>> {
         format!("{:.5}", steady.period),
         format!("{:.2}", steady.mean_speed),
     ])
-}
-
-fn signed(number: f64, decimals: usize) -> String {
-    format!("{number:+.decimals$}").replace('-', "−")
 }

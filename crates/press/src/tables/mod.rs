@@ -2,6 +2,9 @@
 
 mod escapement;
 mod quick_return;
+mod rise_times;
+mod runs;
+mod timer;
 pub mod wheels;
 
 use anyhow::anyhow;
@@ -13,11 +16,19 @@ type Draw = fn() -> anyhow::Result<String>;
 const TABLES: &[(&str, Draw)] = &[
     ("quick-return-terms", quick_return::terms),
     ("quick-return-branches", quick_return::branches),
-    ("runs-hypotheses", escapement::hypotheses),
+    ("runs-hypotheses", runs::hypotheses),
+    ("runs-delays", runs::delays),
+    ("runs-integrator", runs::integrator),
+    ("runs-rise-definitions", rise_times::definitions),
+    ("runs-rise-groups", rise_times::groups),
     ("runs-six-pin", escapement::six_pin),
     ("runs-six-pin-as-headed", escapement::six_pin_as_headed),
     ("runs-four-pin", escapement::four_pin),
     ("runs-three-pin", escapement::three_pin),
+    ("timer-settling", timer::settling),
+    ("timer-sensitivity", timer::sensitivity),
+    ("timer-accelerations", timer::accelerations),
+    ("timer-mean-speed", timer::mean_speed),
 ];
 
 /// The table of this name.
@@ -28,6 +39,14 @@ pub fn by_name(name: &str) -> anyhow::Result<String> {
         .find(|(known, _)| *known == name)
         .ok_or_else(|| anyhow!("no table `{name}`; there are: {}", names()))?;
     draw()
+}
+
+/// A number with its sign, and a true minus.
+fn signed(number: f64, decimals: usize) -> String {
+    // A zero has no sign.
+    let text = format!("{number:+.decimals$}");
+    let is_zero = !text.contains(|c: char| c.is_ascii_digit() && c != '0');
+    if is_zero { text[1..].to_owned() } else { text.replace('-', "−") }
 }
 
 #[cfg(test)]

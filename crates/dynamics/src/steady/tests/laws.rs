@@ -148,3 +148,18 @@ fn a_printed_run_is_the_motion_of_the_engagements() {
         assert_relative_eq!(line.speed, same.speed, max_relative = 1e-12, epsilon = 1e-12);
     }
 }
+
+#[test]
+fn the_first_minimum_from_rest_is_where_the_acceleration_turns() {
+    for slots in Slots::ALL {
+        for (inertia, friction) in [(0.07, 0.21), (0.7, 0.33)] {
+            let engagement = Engagement::new(&escapement(slots, inertia, friction)).expect("an engagement");
+            let found = engagement.first_minimum().expect("a motion").expect("a minimum");
+            let lines = engagement.run(1e-3, 8.0).expect("a run");
+            let turn = lines.windows(2).find(|w| w[0].acceleration < 0.0 && w[1].acceleration >= 0.0).expect("a turn");
+            assert!(turn[0].time <= found.time && found.time <= turn[1].time, "{slots:?} {inertia}: {found:?}");
+            assert!(found.speed <= turn[0].speed && found.speed <= turn[1].speed);
+            assert_relative_eq!(found.speed, turn[0].speed, max_relative = 1e-5);
+        }
+    }
+}

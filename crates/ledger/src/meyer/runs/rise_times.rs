@@ -1,29 +1,44 @@
 //! Which definition of a rise time could be that of the tables.
 
 use super::*;
-use geneva_dynamics::steady::Rise;
+use geneva_dynamics::steady::{Extreme, Rise};
 
 /// A time that a start from rest has.
 pub struct Definition {
     /// In words.
     pub name: &'static str,
     /// The time, in s.
-    pub time: fn(&Rise) -> Option<f64>,
+    pub time: fn(&Start) -> Option<f64>,
+}
+
+/// A row's start from rest.
+pub struct Start {
+    rise: Rise,
+    first_minimum: Option<Extreme>,
+}
+
+impl Start {
+    /// Of a row, as a hypothesis has it.
+    pub fn of(hypothesis: &Hypothesis, row: &Row) -> Option<Self> {
+        let engagement = hypothesis.engagement(row)?;
+        Some(Self { rise: hypothesis.rise(row)?, first_minimum: engagement.first_minimum().ok()? })
+    }
 }
 
 /// Until the speed is that near to the terminal one: 99 per cent, says the axis of the thesis's plots.
 const PART: f64 = 0.01;
 
 /// The definitions that are tried. The thesis has two that disagree: the first minimum, and 99 per cent of a speed.
-pub const DEFINITIONS: [Definition; 8] = [
-    Definition { name: "the first minimum after a hand-over", time: Rise::until_first_minimum },
-    Definition { name: "the first peak", time: |rise| rise.cycles.first().map(|cycle| cycle.peak.time) },
-    Definition { name: "the entry speed within 1%", time: |rise| rise.until_entry_speed(PART) },
-    Definition { name: "a peak within 1%", time: |rise| rise.until_peak(PART) },
-    Definition { name: "a minimum within 1%", time: |rise| rise.until_minimum(PART) },
-    Definition { name: "a mean speed within 1%, to its end", time: |rise| rise.until_mean_speed(PART) },
-    Definition { name: "a mean speed within 1%, to its start", time: |rise| rise.until_mean_speed_begins(PART) },
-    Definition { name: "a mean of peak and minimum within 1%", time: |rise| rise.until_mean_of_extremes(PART) },
+pub const DEFINITIONS: [Definition; 9] = [
+    Definition { name: "the first minimum", time: |start| start.first_minimum.map(|minimum| minimum.time) },
+    Definition { name: "the first minimum after a hand-over", time: |start| start.rise.until_first_minimum() },
+    Definition { name: "the first peak", time: |start| start.rise.cycles.first().map(|cycle| cycle.peak.time) },
+    Definition { name: "the entry speed within 1%", time: |start| start.rise.until_entry_speed(PART) },
+    Definition { name: "a peak within 1%", time: |start| start.rise.until_peak(PART) },
+    Definition { name: "a minimum within 1%", time: |start| start.rise.until_minimum(PART) },
+    Definition { name: "a mean speed within 1%, to its end", time: |start| start.rise.until_mean_speed(PART) },
+    Definition { name: "a mean speed within 1%, to its start", time: |start| start.rise.until_mean_speed_begins(PART) },
+    Definition { name: "a mean of peak and minimum within 1%", time: |start| start.rise.until_mean_of_extremes(PART) },
 ];
 
 /// How a definition does on the printed rise times.
@@ -39,22 +54,36 @@ pub struct Explained {
 
 /// Each definition, for the runs as they were and for the mechanism as it is.
 pub fn explained() -> Vec<(&'static Definition, [Explained; 2])> {
-    let rises =
-        [Hypothesis::BEST, Hypothesis::TRUE].map(|of| rows().iter().map(|row| (row, of.rise(row))).collect::<Vec<_>>());
-    DEFINITIONS.iter().map(|definition| (definition, [0, 1].map(|at| tried(definition, &rises[at])))).collect()
+    let starts = [Hypothesis::BEST, Hypothesis::TRUE]
+        .map(|of| rows().iter().map(|row| (row, Start::of(&of, row))).collect::<Vec<_>>());
+    DEFINITIONS.iter().map(|definition| (definition, [0, 1].map(|at| tried(definition, &starts[at])))).collect()
 }
 
-fn tried(definition: &Definition, rises: &[(&Row, Option<Rise>)]) -> Explained {
+fn tried(definition: &Definition, starts: &[(&Row, Option<Start>)]) -> Explained {
     let mut found = Explained { within_one: [0; 3], mean: 0.0, range: [f64::INFINITY, 0.0] };
-    for (row, rise) in rises {
-        let time = rise.as_ref().and_then(definition.time).unwrap_or(f64::NAN);
+    for (row, start) in starts {
+        let time = start.as_ref().and_then(definition.time).unwrap_or(f64::NAN);
         let printed = row.number(Column::Rise);
-        let near = (time - printed).abs() <= scores::unit(Column::Rise) * (1.0 + 1e-9);
-        found.within_one[row.mechanism as usize] += usize::from(near);
-        found.mean += (time / printed - 1.0) / rises.len() as f64;
+        found.within_one[row.mechanism as usize] += usize::from(near(time, printed));
+        found.mean += (time / printed - 1.0) / starts.len() as f64;
         found.range = [found.range[0].min(time / printed), found.range[1].max(time / printed)];
     }
     found
+}
+
+fn near(time: f64, printed: f64) -> bool {
+    (time - printed).abs() <= scores::unit(Column::Rise) * (1.0 + 1e-9)
+}
+
+/// The rows of a mechanism that a definition explains as they were run, to one unit of the last place.
+pub fn explained_rows(mechanism: Mechanism, name: &str) -> Vec<&'static Row> {
+    let definition = DEFINITIONS.iter().find(|definition| definition.name == name);
+    let explains = |row: &&Row| {
+        let start = Start::of(&Hypothesis::BEST, row);
+        let time = definition.zip(start).and_then(|(definition, start)| (definition.time)(&start));
+        row.mechanism == mechanism && time.is_some_and(|time| near(time, row.number(Column::Rise)))
+    };
+    rows().iter().filter(explains).collect()
 }
 
 /// Rows of one mechanism and one friction: only the torque changes.

@@ -1,0 +1,56 @@
+//! The printed rise times against definitions, and against the law of similarity.
+
+use super::signed;
+use crate::html::{Cells, escape, table};
+use geneva_ledger::meyer::runs::rise_times::{explained, groups as all_groups};
+
+/// How many rows each definition explains.
+pub fn definitions() -> anyhow::Result<String> {
+    let rows: Vec<Vec<String>> = explained()
+        .iter()
+        .map(|(definition, tried)| {
+            let mut row = vec![escape(definition.name)];
+            for of in tried {
+                row.extend(of.within_one.map(|count| count.to_string()));
+                row.push(of.within_one.iter().sum::<usize>().to_string());
+                row.push(signed(100.0 * of.mean, 0));
+                row.push(format!("{:.2} to {:.2}", of.range[0], of.range[1]));
+            }
+            row
+        })
+        .collect();
+    let head = [
+        "Time from rest until",
+        "as run: six pins",
+        "four",
+        "three",
+        "of 49",
+        "mean %",
+        "over printed",
+        "as it is: six pins",
+        "four",
+        "three",
+        "of 49",
+        "mean %",
+        "over printed",
+    ];
+    Ok(table("Definitions of a rise time", Cells::NamedNumbers, &head, &rows))
+}
+
+/// Printed rise times times √K: equal within a group, were they defined by the motion alone.
+pub fn groups() -> anyhow::Result<String> {
+    let rows: Vec<Vec<String>> = all_groups()
+        .iter()
+        .map(|group| {
+            let scaled: Vec<String> = group.scaled.iter().map(|time| format!("{:.1}", 1e3 * time)).collect();
+            let possible = if group.possible { "yes" } else { "no" };
+            vec![
+                format!("{} pins, μ = {}", group.mechanism.pins(), group.friction),
+                scaled.join(", "),
+                possible.to_owned(),
+            ]
+        })
+        .collect();
+    let head = ["Rows", "1000 t √K, by rising K", "one number for all?"];
+    Ok(table("Printed rise times and the law of similarity", Cells::NamedNumbers, &head, &rows))
+}

@@ -1,0 +1,119 @@
+//! What a clockmaker asks: settling, sensitivity, accelerations and mean speed of the thesis's mechanisms.
+
+use super::signed;
+use crate::html::{Cells, table};
+use anyhow::Context;
+use geneva_dynamics::timer::{Accelerations, Sensitivities, Settling};
+use geneva_dynamics::{Inertias, Parameters};
+use geneva_ledger::meyer::runs::{Column, Hypothesis, Mechanism, Row, rows};
+
+/// Seconds of a day.
+const DAY: f64 = 86_400.0;
+
+/// How fast four pins settle, with followers of another size, down to a part.
+pub fn settling() -> anyhow::Result<String> {
+    const PART: f64 = 0.01;
+    let row = firsts().find(|row| row.mechanism == Mechanism::FourPin).context("no run with four pins")?;
+    let own = parameters(row)?;
+    let rows = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0].map(|part| -> anyhow::Result<Vec<String>> {
+        let inertias = Inertias::new(own.inertias().driver(), own.inertias().follower() / part)?;
+        let settling = Settling::new(&Parameters::new(own.slots(), inertias, own.torque(), own.friction())?)?;
+        let name = if part > 1.0 { format!("1/{part}") } else { "as run".to_owned() };
+        Ok(vec![
+            name,
+            format!("{:.3}", inertias.ratio()),
+            format!("{:.4}", settling.contraction),
+            format!("{:.2}", settling.engagements(PART)),
+            format!("{:.1}", 1e3 * settling.period),
+            format!("{:.1}", 1e3 * settling.time(PART)),
+        ])
+    });
+    let head = ["Follower", "I_D / I_f", "contraction", "engagements to 1%", "period, ms", "time to 1%, ms"];
+    let rows = rows.into_iter().collect::<anyhow::Result<Vec<_>>>()?;
+    Ok(table("Settling with a lighter follower", Cells::NamedNumbers, &head, &rows))
+}
+
+/// Powers of the mean speed, and what one per cent of each quantity costs a day.
+pub fn sensitivity() -> anyhow::Result<String> {
+    let rows = firsts().map(|row| {
+        let found = Sensitivities::new(&parameters(row)?)?;
+        let powers = [found.torque, found.friction, found.driver_inertia, found.follower_inertia];
+        let mut cells = vec![name(row)];
+        cells.extend(powers.map(|power| signed(power, 3)));
+        cells.extend(powers.map(|power| signed(DAY * power / 100.0, 0)));
+        Ok(cells)
+    });
+    let head = ["Mechanism", "K", "μ", "I_D", "I_f", "1% of K, s a day", "of μ", "of I_D", "of I_f"];
+    let rows = rows.collect::<anyhow::Result<Vec<_>>>()?;
+    Ok(table("Sensitivities of the mean speed", Cells::NamedNumbers, &head, &rows))
+}
+
+/// The greatest accelerations and forces of the strongest run of each mechanism and friction.
+pub fn accelerations() -> anyhow::Result<String> {
+    let rows = lasts().map(|row| {
+        let found = Accelerations::new(&parameters(row)?)?;
+        let degrees = |angle: f64| signed(angle.to_degrees(), 1) + "°";
+        Ok(vec![
+            format!("{}, K = {}", name(row), row.printed(Column::Torque)),
+            signed(found.driver.value / 1e3, 1),
+            degrees(found.driver.angle),
+            signed(found.follower.value / 1e3, 1),
+            degrees(found.follower.angle),
+            signed(found.jump / 1e3, 2),
+            signed(found.normal_moment.value / row.torque(), 2),
+        ])
+    });
+    let head = ["Run", "driver, 1000 rad/s²", "at", "follower, 1000 rad/s²", "at", "jump at hand-over", "N r / K"];
+    let rows = rows.collect::<anyhow::Result<Vec<_>>>()?;
+    Ok(table("Accelerations of the members", Cells::NamedNumbers, &head, &rows))
+}
+
+/// The average of the thesis beside the mean speed over a revolution.
+pub fn mean_speed() -> anyhow::Result<String> {
+    let rows = firsts().map(|row| {
+        let steady = Hypothesis::TRUE.engagement(row).context("a run's data make no escapement")?.steady_state()?;
+        let printed = (row.number(Column::Peak) + row.number(Column::Minimum)) / 2.0;
+        Ok(vec![
+            format!("{}, K = {}", name(row), row.printed(Column::Torque)),
+            format!("{printed:.1}"),
+            format!("{:.1}", steady.mean_of_extremes()),
+            format!("{:.2}", steady.mean_speed),
+            format!("{:.2}", steady.mean_of_extremes() / steady.mean_speed),
+            format!("{:.2}", printed / steady.mean_speed),
+        ])
+    });
+    let head = [
+        "Run",
+        "mean of printed peak and minimum",
+        "of the right ones",
+        "mean over a revolution",
+        "right mean of extremes over it",
+        "printed over it",
+    ];
+    let rows = rows.collect::<anyhow::Result<Vec<_>>>()?;
+    Ok(table("Two meanings of the average terminal velocity", Cells::NamedNumbers, &head, &rows))
+}
+
+fn parameters(row: &Row) -> anyhow::Result<Parameters> {
+    Hypothesis::TRUE.parameters(row).context("a run's data make no escapement")
+}
+
+fn name(row: &Row) -> String {
+    format!("{} pins, μ = {}", row.mechanism.pins(), row.printed(Column::Friction))
+}
+
+/// The first row of each mechanism and friction: the weakest spring.
+fn firsts() -> impl Iterator<Item = &'static Row> {
+    let begins = |at: &usize| at.checked_sub(1).is_none_or(|before| !alike(&rows()[before], &rows()[*at]));
+    (0..rows().len()).filter(begins).map(|at| &rows()[at])
+}
+
+/// The last one: the strongest.
+fn lasts() -> impl Iterator<Item = &'static Row> {
+    let ends = |at: &usize| rows().get(at + 1).is_none_or(|after| !alike(&rows()[*at], after));
+    (0..rows().len()).filter(ends).map(|at| &rows()[at])
+}
+
+fn alike(one: &Row, other: &Row) -> bool {
+    one.mechanism == other.mechanism && one.printed(Column::Friction) == other.printed(Column::Friction)
+}
