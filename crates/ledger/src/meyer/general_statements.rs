@@ -3,11 +3,11 @@
 use super::instants::statement;
 use super::profile::engagement;
 use super::profile::{first_minimum_by_steps, lost};
-use super::runs::{Column, Hypothesis, Mechanism, Row, rows};
+use super::runs::{Column, Hypothesis, Mechanism, Row, rise_times, rows};
 use super::study::row;
 use super::*;
 use crate::Evidence::{Integration, Steps};
-use geneva_dynamics::steady::{Engagement, Rise, SteadyError};
+use geneva_dynamics::steady::{Engagement, SteadyError};
 use geneva_dynamics::{Parameters, Sign, similarity::Similarity};
 use std::sync::OnceLock;
 
@@ -93,32 +93,28 @@ fn graphs() -> Vec<Claim> {
             "RISE TIME TO 99% OF TERMINAL VELOCITY",
             Check::corrected_form(
                 (Integration, || {
-                    let counts = explained();
-                    let best = counts.iter().max().copied().unwrap_or(0);
-                    let all = four_pins().count();
+                    let counts: Vec<usize> = rise_times::explained()
+                        .iter()
+                        .flat_map(|(_, both)| both.map(|of| of.within_one.iter().sum()))
+                        .collect();
                     Finding::new(
-                        best == all,
+                        counts.contains(&rows().len()),
                         format!(
-                            "with four pins, five such times (of entry speed, mean speed, peak, minimum and mean of extremes) \
-                             give {counts:?} of {all} printed ones within a thousandth of a second"
+                            "nine definitions, for the runs and for the mechanism, give {counts:?} of {} printed ones to one \
+                             unit",
+                            rows().len()
                         ),
                     )
                 }),
                 || {
-                    let scaled = |friction: &str| {
-                        let times = four(friction).map(|row| row.number(Column::Rise) * row.torque().sqrt());
-                        let (low, high) = times.fold((f64::INFINITY, 0.0), |(low, high): (f64, f64), time| {
-                            (low.min(time), high.max(time))
-                        });
-                        high / low
-                    };
-                    let spread = [".20", ".35"].map(scaled);
+                    let groups = rise_times::groups();
+                    let impossible = groups.iter().filter(|group| !group.possible).count();
                     Finding::new(
-                        spread.iter().all(|spread| *spread > 1.2),
+                        impossible > 0,
                         format!(
-                            "printed times times the root of K, which no definition changes, differ by factors of {:.2} and \
-                             {:.2} for one friction",
-                            spread[0], spread[1]
+                            "in {impossible} of {} groups with one friction the printed times cannot go as the inverse root of \
+                             K, which any definition by the motion gives",
+                            groups.len()
                         ),
                     )
                 },
@@ -208,20 +204,17 @@ fn friction() -> Vec<Claim> {
             "An almost linear relationship exists",
             Check::corrected_form(
                 (OtherPlaceInSource, || {
-                    let (least, most) = powers();
+                    let (fit, all) = allow(1.0);
                     Finding::new(
-                        least > 0.9,
-                        format!(
-                            "in the printed peaks velocity goes as the torque to the power \
-                                {least:.2} to {most:.2}"
-                        ),
+                        fit == all,
+                        format!("{fit} of {all} columns of printed periods allow the power one of the torque"),
                     )
                 }),
                 || {
-                    let (least, most) = powers();
+                    let (fit, all) = allow(0.5);
                     Finding::new(
-                        least > 0.45 && most < 0.55,
-                        format!("in the printed peaks the power is {least:.2} to {most:.2}"),
+                        fit == all,
+                        format!("{fit} of {all} columns of printed periods allow the power one half"),
                     )
                 },
                 (ExactIdentity, scaling),
@@ -232,7 +225,7 @@ fn friction() -> Vec<Claim> {
             corrected: "The terminal velocity grows as the square root of the driving torque",
             reason: "Eq. (1-19) is the same for k² times the torque if all speeds are k times as large. Over the short \
                      ranges of the runs a root is nearly straight, but twice the torque gives 1.41 times the speed.",
-            witness: "The law of similarity is proven for the equation; the printed peaks follow it.",
+            witness: "The law of similarity is proven for the equation; the printed periods follow it.",
             severity: Severity::Conceptual,
             inherited_by: &[],
         }),
@@ -258,37 +251,23 @@ fn settling(friction: &str, torque: &str) -> (f64, f64) {
     rise.and_then(|rise| Some((rise.until_entry_speed(0.01)?, rise.steady.peak.speed))).unwrap_or((f64::NAN, f64::NAN))
 }
 
-fn explained() -> [usize; 5] {
-    type Definition = fn(&Rise) -> Option<f64>;
-    let definitions: [Definition; 5] = [
-        |rise| rise.until_entry_speed(0.01),
-        |rise| rise.until_mean_speed(0.01),
-        |rise| rise.until_peak(0.01),
-        |rise| rise.until_minimum(0.01),
-        |rise| rise.until_mean_of_extremes(0.01),
-    ];
-    let rises: Vec<_> = four_pins().filter_map(|row| Some((row, Hypothesis::TRUE.rise(row)?))).collect();
-    definitions.map(|definition| {
-        let near = |(row, rise): &&(&Row, Rise)| {
-            definition(rise).is_some_and(|time| (time - row.number(Column::Rise)).abs() <= 1e-3)
-        };
-        rises.iter().filter(near).count()
-    })
-}
-
-pub fn powers() -> (f64, f64) {
+/// How many columns of printed periods, with one mechanism and one friction, may go as this inverse power of the torque
+/// from the first row to the last, if each may be off by a unit of its last place; and how many columns there are. The
+/// mean speed goes as the inverse of the period.
+fn allow(power: f64) -> (usize, usize) {
     let of = |mechanism: Mechanism, friction: &str| {
         let own: Vec<_> = rows()
             .iter()
             .filter(|row| row.mechanism == mechanism && row.printed(Column::Friction) == friction)
             .collect();
-        own.first().zip(own.last()).map_or(f64::NAN, |(first, last)| {
-            libm::log(last.number(Column::Peak) / first.number(Column::Peak))
-                / libm::log(last.torque() / first.torque())
+        own.first().zip(own.last()).is_some_and(|(first, last)| {
+            let expected = libm::pow(last.torque() / first.torque(), power);
+            let [slow, fast] = [first, last].map(|row| row.number(Column::Period));
+            ((slow - 1e-3) / (fast + 1e-3)..=(slow + 1e-3) / (fast - 1e-3)).contains(&expected)
         })
     };
     let all = Mechanism::ALL.into_iter().flat_map(|mechanism| FRICTIONS.map(|friction| of(mechanism, friction)));
-    all.fold((f64::INFINITY, 0.0), |(least, most): (f64, f64), power| (least.min(power), most.max(power)))
+    all.fold((0, 0), |(fit, all), fits| (fit + usize::from(fits), all + 1))
 }
 
 pub fn with(row: &Row, torque: f64, friction: f64) -> Option<Engagement> {
