@@ -8,6 +8,8 @@
 //! `R` distance of the pin from the follower's pivot, μ friction between pin and slot, `K` torque on the driver, `I_D`
 //! and `I_f` moments of inertia of driver and follower. θ and φ grow in opposite senses of rotation.
 //!
+//! [`joints`] is the same escapement with a thick pin and friction in the bearings.
+//!
 //! This crate holds no number that a source prints, does no input or output, and knows nothing of claims or books.
 
 pub mod derivation;
@@ -17,6 +19,7 @@ pub mod equation_proofs;
 pub mod existence;
 pub mod existence_proofs;
 pub mod forces;
+pub mod joints;
 mod parameters;
 pub mod pose;
 pub mod program;

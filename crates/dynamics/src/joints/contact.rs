@@ -1,0 +1,64 @@
+//! The contact of a thick pin with a side of its slot: what slides, and which moments one normal force has.
+//!
+//! Let e point along the slot from the follower's axis to the pin's centre, at the distance R, and n across it, in the
+//! sense in which the pin drives the follower on. On the follower acts N n + μ |N| σ e at R e + s ρ n, where s is the
+//! sign of N and σ that of the sliding; on the driver the opposite force at the same point. The follower turns from e
+//! towards n by φ', the driver the other way round by θ'.
+//!
+//! *Sliding.* The pin's centre goes along the slot by R'. Its surface point s ρ n is taken along e by θ' s ρ, and the
+//! slot's side there by −φ' s ρ. So the surface slides by R' + s ρ (θ' + φ').
+//!
+//! *Moment on the follower.* N has the arm R. The friction has the arm s ρ and turns it back: N R − σ μ |N| s ρ, and
+//! s |N| = N, so N (R − σ μ ρ).
+//!
+//! *Moment on the driver.* The point of contact, moving with the driver, has the velocity φ' R across the slot and
+//! R' + s ρ θ' along it. Over θ' these are the arms: N (q R + σ μ (s dR/dθ + ρ)) with q = φ'/θ', against the driver.
+
+use crate::{Pose, Sign};
+use geneva_kinematics::Field;
+
+/// Where the pin's centre is in the slot, and its rates with the driver's angle. Lengths in crank radii.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reach<S> {
+    /// R, from the follower's axis.
+    pub radius: S,
+    /// q = φ'/θ'; not negative in an engagement.
+    pub ratio: S,
+    /// dR/dθ, outward.
+    pub slide: S,
+}
+
+/// Moments of the contact about the two axes over its normal force N, in crank radii.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Arms<S> {
+    /// What turns the follower on.
+    pub follower: S,
+    /// What holds the driver back.
+    pub driver: S,
+}
+
+impl Reach<f64> {
+    /// Of a pose: R² is its square, dR/dθ = a sin θ / R.
+    pub fn of_pose(pose: &Pose<f64>) -> Self {
+        let radius = pose.square.sqrt();
+        // At the ends a cos θ − 1 is zero but for rounding.
+        Self { radius, ratio: pose.lead.max(0.0) / pose.square, slide: pose.cross / radius }
+    }
+}
+
+impl<S: Field> Reach<S> {
+    /// Sliding of the pin's surface on the slot's side over θ', outward, for a pin of this radius on this flank (plus:
+    /// leading): dR/dθ + s ρ (1 + q).
+    pub fn sliding(&self, pin: &S, flank: Sign) -> S {
+        self.slide.clone() + flank.of(pin.clone() * (S::one() + self.ratio.clone()))
+    }
+
+    /// The arms for a pin of this radius with friction μ, on this flank, sliding outward (plus) or inward.
+    pub fn arms(&self, pin: &S, friction: &S, flank: Sign, sliding: Sign) -> Arms<S> {
+        let side = flank.of(self.slide.clone()) + pin.clone();
+        Arms {
+            follower: self.radius.clone() - sliding.of(friction.clone() * pin.clone()),
+            driver: self.ratio.clone() * self.radius.clone() + sliding.of(friction.clone() * side),
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! What joints do to the steady motion, beside the same escapement with ideal ones.
+
+use super::Joints;
+use super::equation::Escapement;
+use super::error::JointError;
+use super::steady::SteadyState;
+use crate::Parameters;
+
+/// A size of the joints that a series goes through.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Varied {
+    /// Radius of the pin.
+    PinRadius,
+    /// Radius of both journals, the same for both.
+    Journals,
+    /// Radius of the driver's journal.
+    DriverJournal,
+    /// Radius of the follower's journal.
+    FollowerJournal,
+    /// Friction of the journals.
+    BearingFriction,
+    /// Constant torque on the driver.
+    DriverPreload,
+    /// Constant torque on the follower.
+    FollowerPreload,
+}
+
+impl Varied {
+    /// All of them.
+    pub const ALL: [Self; 7] = [
+        Self::PinRadius,
+        Self::Journals,
+        Self::DriverJournal,
+        Self::FollowerJournal,
+        Self::BearingFriction,
+        Self::DriverPreload,
+        Self::FollowerPreload,
+    ];
+
+    /// The joints with this size at another value.
+    pub fn set(self, joints: &Joints, value: f64) -> Joints {
+        match self {
+            Self::PinRadius => Joints { pin_radius: value, ..*joints },
+            Self::Journals => Joints { driver_journal: value, follower_journal: value, ..*joints },
+            Self::DriverJournal => Joints { driver_journal: value, ..*joints },
+            Self::FollowerJournal => Joints { follower_journal: value, ..*joints },
+            Self::BearingFriction => Joints { bearing_friction: value, ..*joints },
+            Self::DriverPreload => Joints { driver_preload: value, ..*joints },
+            Self::FollowerPreload => Joints { follower_preload: value, ..*joints },
+        }
+    }
+}
+
+/// What joints do to the steady motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Effect {
+    /// The value of what is varied.
+    pub value: f64,
+    /// Mean speed over that with ideal joints.
+    pub mean_speed: f64,
+    /// Factor by which one engagement reduces a difference of speeds.
+    pub contraction: f64,
+    /// Engagements in which a difference falls to 1/e: −1 / ln of the contraction.
+    pub memory: f64,
+    /// Greatest less least speed, over the mean.
+    pub swing: f64,
+    /// The steady motion itself.
+    pub state: SteadyState,
+}
+
+/// Relative tolerance of the steady states.
+const TOLERANCE: f64 = 1e-9;
+
+/// The effects of these joints, one by one, each with the value that it is to be listed by.
+///
+/// # Errors
+///
+/// As for [`Escapement::new`] and [`Escapement::steady_state`]; without friction in the slot the ideal escapement has
+/// no terminal speed to compare with ([`JointError::NoTerminalSpeed`]).
+pub fn effects(
+    parameters: &Parameters,
+    joints: impl IntoIterator<Item = (f64, Joints)>,
+) -> Result<Vec<Effect>, JointError> {
+    let steady = |joints| Ok(Escapement::new(parameters, joints)?.steady_state(TOLERANCE)?.state);
+    let ideal: SteadyState = steady(Joints::IDEAL)?;
+    let effect = |(value, joints)| {
+        let state: SteadyState = steady(joints)?;
+        Ok(Effect {
+            value,
+            mean_speed: state.mean_speed / ideal.mean_speed,
+            contraction: state.contraction,
+            memory: -1.0 / libm::log(state.contraction),
+            swing: (state.peak.speed - state.minimum.speed) / state.mean_speed,
+            state,
+        })
+    };
+    joints.into_iter().map(effect).collect()
+}
+
+/// The effects while one size goes through these values and the others stay: what a figure draws.
+///
+/// # Errors
+///
+/// As for [`effects`].
+pub fn series(
+    parameters: &Parameters,
+    joints: &Joints,
+    varied: Varied,
+    values: impl IntoIterator<Item = f64>,
+) -> Result<Vec<Effect>, JointError> {
+    effects(parameters, values.into_iter().map(|value| (value, varied.set(joints, value))))
+}

@@ -1,0 +1,184 @@
+//! The equation of motion with real joints, and its solution with the flank decided beforehand.
+//!
+//! With λ and κ for the arms of the contact and the journals, Newton and Euler say of follower and driver
+//!
+//! I_f φ'' = λ N − H, I_D θ'' = K − G − κ N,
+//!
+//! where H and G are the preloads. The slot makes φ'' = p θ'² + q θ''. So the follower asks for the moment
+//! M = I_f (p θ'² + q θ'') + H, the contact gives λ N of it, and the driver feels κ N = (κ/λ) M. With m = κ/λ:
+//!
+//! (I_D + m q I_f) θ'' = K − G − m (I_f p θ'² + H).
+//!
+//! **Its flank.** λ > 0 makes the signs of N and M one. Multiply M by I_D + m q I_f and put the solution in: m drops out,
+//! and what is left is I_D (I_f p θ'² + H) + q I_f (K − G). If both factors of θ'' are positive, this number tells the
+//! flank. It knows neither the friction nor the pin's radius nor the journals: the pin bears on the flank on which it
+//! would bear without any friction. Proven in [`equation_proofs`](super::equation_proofs).
+
+use super::Joints;
+use super::bearings::Journals;
+use super::contact::{Arms, Reach};
+use super::error::JointError;
+use crate::{Parameters, Sign};
+use geneva_kinematics::Field;
+
+/// What the equation of motion asks of one crank angle but for the contact; inertias and torques over I_f.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Terms<S> {
+    /// I_D / I_f.
+    pub inertia: S,
+    /// (K − G) / I_f.
+    pub drive: S,
+    /// H / I_f.
+    pub hold: S,
+    /// q = φ'/θ'.
+    pub ratio: S,
+    /// p, the follower's acceleration over the square of a constant speed of the driver.
+    pub bend: S,
+}
+
+impl<S: Field> Terms<S> {
+    /// M / I_f = p θ'² + q θ'' + H / I_f, the moment that the follower asks for.
+    pub fn moment(&self, square: &S, gain: &S) -> S {
+        self.bend.clone() * square.clone() + self.ratio.clone() * gain.clone() + self.hold.clone()
+    }
+
+    /// Factor of θ'' for a contact with m = κ/λ: I_D / I_f + m q.
+    pub fn slope(&self, leverage: &S) -> S {
+        self.inertia.clone() + leverage.clone() * self.ratio.clone()
+    }
+
+    /// θ'' at a square of the speed, for a contact with m = κ/λ.
+    pub fn gain(&self, square: &S, leverage: &S) -> S {
+        let held = self.bend.clone() * square.clone() + self.hold.clone();
+        (self.drive.clone() - leverage.clone() * held) / self.slope(leverage)
+    }
+
+    /// i (p θ'² + H / I_f) + q (K − G) / I_f: its sign is that of the normal force.
+    pub fn flank_decider(&self, square: &S) -> S {
+        let held = self.bend.clone() * square.clone() + self.hold.clone();
+        self.inertia.clone() * held + self.ratio.clone() * self.drive.clone()
+    }
+}
+
+/// What happens at one instant.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Motion {
+    /// θ'', in radians per square of the unit of time.
+    pub gain: f64,
+    /// φ'', the same of the follower.
+    pub follower_gain: f64,
+    /// N r, normal force times crank radius, in the unit of torque; positive on the leading flank.
+    pub normal_moment: f64,
+    /// The flank: plus for the leading one, on which N > 0; plus where N is zero.
+    pub flank: Sign,
+    /// Sliding of the pin's surface on the slot's side over θ', outward, in crank radii.
+    pub sliding: f64,
+}
+
+/// An escapement with its joints, of which the equation of motion has one solution wherever a pin is in its slot.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Escapement {
+    parameters: Parameters,
+    joints: Joints,
+    pub(super) journals: Journals,
+    /// Crank angle at which the sliding turns: minus this on the leading flank, plus this on the trailing one.
+    reversal: f64,
+}
+
+/// A place in the engagement, for any speed.
+pub(super) struct Place {
+    pub reach: Reach<f64>,
+    pub terms: Terms<f64>,
+}
+
+impl Escapement {
+    /// An escapement with these joints.
+    ///
+    /// # Errors
+    ///
+    /// [`JointError::Value`], [`JointError::PinTooThick`] and [`JointError::Preload`] for sizes out of range;
+    /// [`JointError::SelfLocking`] if friction can hold the follower against any force;
+    /// [`JointError::NotUnique`] if somewhere no acceleration, or more than one, obeys the equation.
+    pub fn new(parameters: &Parameters, joints: Joints) -> Result<Self, JointError> {
+        for (name, asked) in joints.named() {
+            if !(asked >= 0.0 && asked.is_finite()) {
+                return Err(JointError::Value { name, asked });
+            }
+        }
+        if joints.pin_radius >= 1.0 {
+            return Err(JointError::PinTooThick { asked: joints.pin_radius });
+        }
+        if joints.driver_preload >= parameters.torque() {
+            return Err(JointError::Preload { asked: joints.driver_preload, torque: parameters.torque() });
+        }
+        let journals = Journals::new(&joints, parameters.friction());
+        let reversal = super::existence::reversal(parameters, joints.pin_radius);
+        let escapement = Self { parameters: *parameters, joints, journals, reversal };
+        escapement.exists()?;
+        Ok(escapement)
+    }
+
+    /// Slots, inertias, torque and friction.
+    pub fn parameters(&self) -> &Parameters {
+        &self.parameters
+    }
+
+    /// The joints.
+    pub fn joints(&self) -> Joints {
+        self.joints
+    }
+
+    /// How far before the line of centres, in radians, the sliding of a thick pin on the leading flank turns outward;
+    /// on the trailing flank it turns as far behind. Zero for a pin that is a point.
+    pub fn reversal_angle(&self) -> f64 {
+        self.reversal
+    }
+
+    /// What happens at a crank angle (radians from the line of centres, within the engagement) and a speed of the
+    /// driver (≥ 0, radians per unit of time).
+    ///
+    /// # Errors
+    ///
+    /// [`JointError::Angle`], [`JointError::Speed`].
+    pub fn motion(&self, angle: f64, speed: f64) -> Result<Motion, JointError> {
+        let limit = self.parameters.slots().engagement_half_angle();
+        // Half a turn over the number of pins is known to its last place only.
+        let within = angle.abs() <= limit * (1.0 + f64::EPSILON);
+        if !within {
+            return Err(JointError::Angle { asked: angle, limit });
+        }
+        if !(speed >= 0.0 && (speed * speed).is_finite()) {
+            return Err(JointError::Speed(speed));
+        }
+        let (place, square) = (self.place(angle), speed * speed);
+        let flank = Sign::from_number(place.terms.flank_decider(&square));
+        let sliding = place.reach.sliding(&self.joints.pin_radius, flank);
+        let arms = self.arms(&place.reach, flank, Sign::from_number(sliding));
+        let gain = place.terms.gain(&square, &(arms.driver / arms.follower));
+        let moment = place.terms.moment(&square, &gain);
+        let follower_gain = moment - place.terms.hold;
+        let normal_moment = self.parameters.inertias().follower() * moment / arms.follower;
+        Ok(Motion { gain, follower_gain, normal_moment, flank, sliding })
+    }
+
+    /// The equation's terms at a crank angle.
+    pub(super) fn place(&self, angle: f64) -> Place {
+        let pose = self.parameters.pose(angle);
+        let reach = Reach::of_pose(&pose);
+        let (inertias, joints) = (self.parameters.inertias(), &self.joints);
+        let terms = Terms {
+            inertia: inertias.ratio(),
+            drive: (self.parameters.torque() - joints.driver_preload) / inertias.follower(),
+            hold: joints.follower_preload / inertias.follower(),
+            ratio: reach.ratio,
+            bend: pose.acceleration_ratio(),
+        };
+        Place { reach, terms }
+    }
+
+    /// κ and λ: the arms of contact and journals.
+    pub(super) fn arms(&self, reach: &Reach<f64>, flank: Sign, sliding: Sign) -> Arms<f64> {
+        let contact = reach.arms(&self.joints.pin_radius, &self.parameters.friction(), flank, sliding);
+        contact.with_journals(&self.journals.driver, &self.journals.follower, flank)
+    }
+}

@@ -1,0 +1,92 @@
+//! Why the flank can be told beforehand, as identities.
+//!
+//! The factor of θ'', I_D/I_f + m q, is a variable instead of I_D/I_f, because it is divided by. p, q, m, the drive and
+//! the preload are free: nothing depends on what they stand for.
+
+use super::Terms;
+use geneva_kinematics::{Field, Identity};
+
+fn terms<S: Field>([slope, leverage, ratio, bend, drive, hold]: [&S; 6]) -> Terms<S> {
+    Terms {
+        inertia: slope.clone() - leverage.clone() * ratio.clone(),
+        drive: drive.clone(),
+        hold: hold.clone(),
+        ratio: ratio.clone(),
+        bend: bend.clone(),
+    }
+}
+
+/// The solution obeys Newton's law for the driver: (I_D θ'' + m M − (K − G)) / I_f = 0.
+///
+/// Variables: factor of θ'', m, q, p, drive, preload, θ'².
+pub struct SolutionObeys;
+
+impl Identity<7> for SolutionObeys {
+    fn difference<S: Field>(&self, [slope, leverage, ratio, bend, drive, hold, square]: &[S; 7]) -> S {
+        let terms = terms([slope, leverage, ratio, bend, drive, hold]);
+        let gain = terms.gain(square, leverage);
+        terms.inertia.clone() * gain.clone() + leverage.clone() * terms.moment(square, &gain) - drive.clone()
+    }
+}
+
+/// The factor of θ'' times the follower's moment is the decider, in which m does not stand.
+///
+/// Variables: factor of θ'', m, q, p, drive, preload, θ'².
+pub struct FlankDecider;
+
+impl Identity<7> for FlankDecider {
+    fn difference<S: Field>(&self, [slope, leverage, ratio, bend, drive, hold, square]: &[S; 7]) -> S {
+        let terms = terms([slope, leverage, ratio, bend, drive, hold]);
+        let gain = terms.gain(square, leverage);
+        slope.clone() * terms.moment(square, &gain) - terms.flank_decider(square)
+    }
+}
+
+/// For a pin that is a point and bearings without friction the equation is Eq. (1-19) of Meyer 1973.
+///
+/// Its left side less its right, with the sign S = s σ of the bars. Variables: R, h = a cos θ − 1, g = a sin θ, μ, I_D/I_f,
+/// E, θ', θ''.
+pub struct GoesOverToMeyer {
+    /// The flank, s.
+    pub flank: crate::Sign,
+    /// The sense of the sliding, σ.
+    pub sliding: crate::Sign,
+}
+
+impl Identity<8> for GoesOverToMeyer {
+    fn difference<S: Field>(&self, [radius, lead, cross, friction, inertia, drive, speed, gain]: &[S; 8]) -> S {
+        let pose = crate::Pose::from_square(&(radius.clone() * radius.clone()), lead, cross);
+        let meyer = crate::Coefficients::of_pose(&pose, inertia, friction, drive).residual(
+            speed,
+            gain,
+            self.flank.times(self.sliding),
+        );
+        let reach = super::Reach {
+            radius: radius.clone(),
+            ratio: pose.velocity_ratio(),
+            slide: cross.clone() / radius.clone(),
+        };
+        let arms = reach.arms(&S::zero(), friction, self.flank, self.sliding);
+        let moment = pose.follower_acceleration(speed, gain);
+        let ours = inertia.clone() * gain.clone() + arms.driver / arms.follower * moment - drive.clone();
+        ours - meyer
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Sign;
+    use crate::proving::holds;
+
+    #[test]
+    fn the_flank_is_told_beforehand_and_the_ideal_is_the_thesis() {
+        holds("solution", &SolutionObeys);
+        holds("flank", &FlankDecider);
+        for flank in Sign::BOTH {
+            for sliding in Sign::BOTH {
+                holds("ideal", &GoesOverToMeyer { flank, sliding });
+            }
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! The escapement with joints that are not ideal: a pin with a radius, journals with friction.
+//!
+//! Meyer 1973 takes the pin for a point and the bearings for frictionless, and recommends (Recommendation 3) that the
+//! dimensions of pin and slot and the friction in the bearings, "not necessarily constant", be looked into. This is the
+//! model for it. With every size zero it is Eq. (1-19) again.
+//!
+//! # What is assumed
+//!
+//! - The pin is a cylinder of radius ρ, made fast to the driver. The slot has straight parallel sides, 2 ρ apart: no
+//!   clearance. A pin that carries a roller is another mechanism and is not treated.
+//! - The pin bears on one side at a time: with N > 0 on the leading flank, with N < 0 on the trailing one. The normal
+//!   goes through the pin's centre, so its moments do not depend on ρ.
+//! - Friction μ |N| acts where they touch, ρ beside the slot's centre line, along the slot, against the sliding of the
+//!   pin's surface on the slot's side. The pin turns in the slot by θ' + φ', and its surface slides by ρ times that in
+//!   addition to the sliding of its centre.
+//! - The plane is level and both members are balanced, and the torque K is a pure couple. So the bearing of either
+//!   member has to carry the force of the contact and nothing else: |N| √(1 + μ²).
+//! - A journal of radius r_b with friction μ_b resists with μ_b r_b times that load, against the rotation. Besides,
+//!   either bearing may resist with a constant torque, a preload.
+//! - The follower stands still at the two ends of an engagement. There the bearing's torque is taken as an instant
+//!   after entry and an instant before exit, against forward rotation; the two instants count for nothing in the
+//!   motion. At rest in the entry N is the limit from within too, and counts as pressing on the leading flank.
+//! - At the hand-over one pin carries: the one that enters. The speed is handed on unchanged.
+//!
+//! # In order
+//!
+//! Lengths are in crank radii, so that a normal force becomes a moment N r. The contact and its moments (`contact`), the
+//! journals (`bearings`), the equation of motion with the flank decided beforehand (`equation`, proven in
+//! [`equation_proofs`]; [`contact_proofs`] has the moments and the sliding from vectors), where it has one solution
+//! (`existence`), the power (`power`), the motion over one engagement by Runge-Kutta steps of the angle
+//! ([`Passage`]), the [`SteadyState`], and what each size does to it ([`series`]).
+
+mod bearings;
+mod contact;
+pub mod contact_proofs;
+mod effects;
+mod equation;
+pub mod equation_proofs;
+mod error;
+mod existence;
+mod passage;
+mod power;
+mod steady;
+
+#[cfg(test)]
+mod tests;
+
+pub use contact::{Arms, Reach};
+pub use effects::{Effect, Varied, effects, series};
+pub use equation::{Escapement, Motion, Terms};
+pub use error::JointError;
+pub use existence::{LeastMargin, largest_pin_radius};
+pub use passage::{Passage, STEPS};
+pub use power::Power;
+pub use steady::{Settled, SteadyState};
+
+/// Sizes and frictions of the joints. Lengths in crank radii; frictions without a unit; torques in the unit of K.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Joints {
+    /// ρ, radius of the pin and half the width of the slot; from 0 to below 1.
+    pub pin_radius: f64,
+    /// Radius of the driver's journal, not negative.
+    pub driver_journal: f64,
+    /// Radius of the follower's journal, not negative.
+    pub follower_journal: f64,
+    /// μ_b, friction of both journals, not negative.
+    pub bearing_friction: f64,
+    /// Constant torque against the driver's rotation, not negative and below K.
+    pub driver_preload: f64,
+    /// Constant torque against the follower's rotation, not negative.
+    pub follower_preload: f64,
+}
+
+impl Joints {
+    /// A pin that is a point, and bearings without friction: the model of Meyer 1973.
+    pub const IDEAL: Self = Self {
+        pin_radius: 0.0,
+        driver_journal: 0.0,
+        follower_journal: 0.0,
+        bearing_friction: 0.0,
+        driver_preload: 0.0,
+        follower_preload: 0.0,
+    };
+
+    /// Both journals of this radius (crank radii) and this friction, and nothing else.
+    pub const fn journals(radius: f64, friction: f64) -> Self {
+        Self { driver_journal: radius, follower_journal: radius, bearing_friction: friction, ..Self::IDEAL }
+    }
+
+    /// The sizes by name, in the order of the fields.
+    fn named(&self) -> [(&'static str, f64); 6] {
+        [
+            ("pin radius", self.pin_radius),
+            ("driver's journal radius", self.driver_journal),
+            ("follower's journal radius", self.follower_journal),
+            ("bearing friction", self.bearing_friction),
+            ("driver's preload", self.driver_preload),
+            ("follower's preload", self.follower_preload),
+        ]
+    }
+}
+
+impl Default for Joints {
+    fn default() -> Self {
+        Self::IDEAL
+    }
+}

@@ -1,0 +1,143 @@
+//! The motion that repeats itself.
+//!
+//! One engagement takes u at entry to a u at exit that grows with it, and the passage knows how fast: its contraction is
+//! the slope of that function. So Newton's method finds the u that is handed on unchanged; without a constant torque
+//! the function is nearly a straight line, and a few trials are enough.
+
+use super::equation::Escapement;
+use super::error::JointError;
+use super::passage::{Passage, STEPS};
+use super::power::Power;
+use crate::steady::Extreme;
+
+/// The motion that repeats itself. Speeds are the driver's, in radians per unit of time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SteadyState {
+    /// Speed at entry and at exit.
+    pub entry_speed: f64,
+    /// Greatest speed in the cycle.
+    pub peak: Extreme,
+    /// Least speed in the cycle.
+    pub minimum: Extreme,
+    /// Units of time from one engagement to the next.
+    pub period: f64,
+    /// 2π/m over the period.
+    pub mean_speed: f64,
+    /// Factor by which one engagement reduces a small difference of two speeds; between 0 and 1.
+    pub contraction: f64,
+    /// Crank angles at which the pin changes its flank within an engagement, in order.
+    pub changes: Vec<f64>,
+    /// Work over one engagement: of the spring, and of friction in the three places, which together take it all.
+    pub work: Power,
+}
+
+/// A steady state with what halving the steps told of its error.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settled {
+    /// With the finer steps.
+    pub state: SteadyState,
+    /// Steps that an engagement was divided into at last.
+    pub steps: u32,
+    /// Greatest relative change of entry speed, peak, minimum, period and contraction when the steps were last halved.
+    pub change: f64,
+}
+
+/// Most trials for the speed that repeats itself.
+const MOST_TRIALS: u32 = 60;
+/// Steps of the first attempt.
+const FIRST_STEPS: u32 = 256;
+
+impl Escapement {
+    /// The steady state in about so many steps an engagement ([`STEPS`]). Its error falls as their fourth power.
+    ///
+    /// # Errors
+    ///
+    /// [`JointError::Steps`]; [`JointError::NoTerminalSpeed`] if only constant torques brake, or nothing does;
+    /// [`JointError::Stalls`] if no speed repeats itself without a stop on the way.
+    pub fn steady_state_in(&self, steps: u32) -> Result<SteadyState, JointError> {
+        let mut passage = self.running(steps)?;
+        for _ in 0..MOST_TRIALS {
+            let (entry, exit) = (passage.entry_speed, passage.exit_speed);
+            let rest = 1.0 - passage.contraction;
+            // Within rounding: the contraction is a sum over all steps.
+            if rest <= 1e-12 {
+                return Err(JointError::NoTerminalSpeed { contraction: passage.contraction });
+            }
+            let excess = (exit - entry) * (exit + entry);
+            let square = entry * entry + excess / rest;
+            if excess.abs() <= 4.0 * f64::EPSILON * entry * entry {
+                return Ok(self.state(passage));
+            }
+            let half = self.parameters().slots().engagement_half_angle();
+            if !(square > 0.0 && square.is_finite()) {
+                return Err(JointError::Stalls { angle: half });
+            }
+            let next = self.passage_of_square(square, steps)?;
+            let left = (next.exit_speed - next.entry_speed).abs();
+            // Rounding keeps a passage of many steps from repeating itself to the last place.
+            if left >= (exit - entry).abs() && left <= 1e-12 * next.entry_speed {
+                return Ok(self.state(passage));
+            }
+            passage = next;
+        }
+        Ok(self.state(passage))
+    }
+
+    /// The steady state, with the steps halved until they change it by no more than a relative `tolerance`.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Escapement::steady_state_in`], and [`JointError::NotSettled`] if the most steps do not reach it.
+    pub fn steady_state(&self, tolerance: f64) -> Result<Settled, JointError> {
+        let mut steps = FIRST_STEPS;
+        let mut coarse = self.steady_state_in(steps)?;
+        loop {
+            steps *= 2;
+            let fine = self.steady_state_in(steps)?;
+            let change = change(&coarse, &fine);
+            if change <= tolerance {
+                return Ok(Settled { state: fine, steps, change });
+            }
+            if steps >= *STEPS.end() {
+                return Err(JointError::NotSettled { tolerance, reached: change });
+            }
+            coarse = fine;
+        }
+    }
+
+    /// A passage that does not stall, entered as fast as need be.
+    fn running(&self, steps: u32) -> Result<Passage, JointError> {
+        let mut square = self.parameters().drive();
+        let mut tried = self.passage_of_square(square, steps);
+        for _ in 0..20 {
+            match tried {
+                Err(JointError::Stalls { .. }) => square *= 4.0,
+                other => return other,
+            }
+            tried = self.passage_of_square(square, steps);
+        }
+        tried
+    }
+
+    fn state(&self, passage: Passage) -> SteadyState {
+        let turn = 2.0 * self.parameters().slots().engagement_half_angle();
+        SteadyState {
+            entry_speed: passage.entry_speed,
+            peak: passage.peak,
+            minimum: passage.minimum,
+            period: passage.duration,
+            mean_speed: turn / passage.duration,
+            contraction: passage.contraction,
+            changes: passage.changes,
+            work: passage.work,
+        }
+    }
+}
+
+/// The greatest relative change of what a steady state is made of.
+fn change(old: &SteadyState, new: &SteadyState) -> f64 {
+    let of = |state: &SteadyState| {
+        [state.entry_speed, state.peak.speed, state.minimum.speed, state.period, state.contraction]
+    };
+    of(old).into_iter().zip(of(new)).map(|(old, new)| ((new - old) / new).abs()).fold(0.0, f64::max)
+}

@@ -1,0 +1,158 @@
+//! Where there is one solution, where there is none, and what is said of it.
+
+use super::*;
+use crate::existence;
+use crate::joints::{JointError, STEPS, largest_pin_radius};
+use approx::assert_relative_eq;
+use geneva_kinematics::escapement::Escapement as Geometry;
+
+#[test]
+fn the_margin_goes_over_to_the_ideal_one() {
+    for slots in Slots::ALL {
+        for (inertia, friction) in [(0.06, 0.25), (0.5, 0.1), (2.0, 0.6)] {
+            let parameters = parameters(slots, inertia, friction);
+            let ours = escapement(&parameters, Joints::IDEAL).least_margin();
+            let ideal = existence::least_margin(slots, inertia, friction).expect("sound");
+            assert_relative_eq!(ours.margin, ideal.margin, max_relative = 1e-12);
+            assert_relative_eq!(ours.angle.abs(), ideal.angle, epsilon = 1e-6);
+        }
+    }
+}
+
+#[test]
+fn a_follower_that_locks_is_refused_with_what_to_do() {
+    let parameters = like_the_thesis(Slots::Three);
+    let lever = Slots::Three.ratio() - 1.0;
+    let limit = lever / parameters.friction();
+    let at = |pin_radius| Escapement::new(&parameters, Joints { pin_radius, ..Joints::IDEAL });
+    let error = at(limit * (1.0 + 1e-12)).expect_err("it locks");
+    assert!(matches!(error, JointError::SelfLocking { .. }), "{error}");
+    assert!(error.to_string().contains("give a thinner pin") && error.to_string().contains("0.154"), "{error}");
+    // Just below it the follower can still be turned, by a great force.
+    if let Err(error) = at(limit * (1.0 - 1e-6)) {
+        assert!(matches!(error, JointError::NotUnique { .. }), "{error}");
+    }
+    // The arm of the follower's journal counts as well.
+    let journals = Joints { follower_journal: 0.9, bearing_friction: 0.2, ..Joints::IDEAL };
+    let error = Escapement::new(&parameters, journals).expect_err("it locks");
+    assert!(matches!(error, JointError::SelfLocking { .. }), "{error}");
+    let driver = Joints { driver_journal: 0.9, follower_journal: 0.0, ..journals };
+    assert!(!matches!(Escapement::new(&parameters, driver), Err(JointError::SelfLocking { .. })));
+}
+
+#[test]
+fn the_arm_on_the_follower_is_least_on_the_line_of_centres() {
+    use crate::Sign;
+    let mut spread = Spread(0.0);
+    for _ in 0..300 {
+        for slots in Slots::ALL {
+            let parameters = parameters(slots, 1.0, spread.between(0.0, 0.35));
+            let Ok(escapement) = Escapement::new(&parameters, spread.joints()) else { continue };
+            let arm = |angle: f64, flank| {
+                let reach = escapement.place(angle).reach;
+                let sense = Sign::from_number(reach.sliding(&escapement.joints().pin_radius, flank));
+                escapement.arms(&reach, flank, sense).follower
+            };
+            let least = arm(0.0, Sign::Plus);
+            let angle = slots.engagement_half_angle() * spread.between(-1.0, 1.0);
+            for flank in Sign::BOTH {
+                assert!(arm(angle, flank) >= least - 1e-15, "{slots:?} {angle} {flank:?}");
+            }
+            // The sliding turns where it is said to.
+            let turn = escapement.reversal_angle();
+            let pin = escapement.joints().pin_radius;
+            for (angle, flank) in [(-turn, Sign::Plus), (turn, Sign::Minus)] {
+                let sliding = escapement.place(angle).reach.sliding(&pin, flank);
+                assert!(sliding.abs() < 1e-14, "{slots:?} {pin} {sliding}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_driver_that_jams_is_refused_with_the_angle() {
+    // A light driver: the ideal mechanism can bear this friction, the one with journals cannot.
+    let limit = existence::critical_friction(Slots::Four, 0.06).expect("sound").friction;
+    let parameters = parameters(Slots::Four, 0.06, 0.98 * limit);
+    assert!(Escapement::new(&parameters, Joints::IDEAL).is_ok());
+    let error = Escapement::new(&parameters, Joints::journals(0.2, 0.2)).expect_err("it jams");
+    let JointError::NotUnique { margin, angle } = error else { panic!("{error}") };
+    assert!(margin <= 0.0 && angle.abs() < Slots::Four.engagement_half_angle());
+    assert!(error.to_string().contains("more inertia"), "{error}");
+}
+
+#[test]
+fn impossible_values_are_named() {
+    let parameters = like_the_thesis(Slots::Four);
+    for bad in [-1.0, f64::NAN, f64::INFINITY] {
+        let sizes = [
+            Joints { pin_radius: bad, ..Joints::IDEAL },
+            Joints { driver_journal: bad, ..Joints::IDEAL },
+            Joints { follower_journal: bad, ..Joints::IDEAL },
+            Joints { bearing_friction: bad, ..Joints::IDEAL },
+            Joints { driver_preload: bad, ..Joints::IDEAL },
+            Joints { follower_preload: bad, ..Joints::IDEAL },
+        ];
+        for joints in sizes {
+            let error = Escapement::new(&parameters, joints).expect_err("bad size");
+            assert!(matches!(error, JointError::Value { .. }), "{error}");
+        }
+    }
+    let refused = |joints| Escapement::new(&parameters, joints).expect_err("refused");
+    assert!(matches!(refused(Joints { pin_radius: 1.0, ..Joints::IDEAL }), JointError::PinTooThick { .. }));
+    assert!(matches!(refused(Joints { driver_preload: 1.0, ..Joints::IDEAL }), JointError::Preload { .. }));
+    // A product that is not a number is refused too.
+    let endless = Joints { follower_journal: f64::MAX, bearing_friction: f64::MAX, ..Joints::IDEAL };
+    assert!(matches!(refused(endless), JointError::SelfLocking { .. }));
+    let endless = Joints { driver_journal: f64::MAX, bearing_friction: f64::MAX, ..Joints::IDEAL };
+    assert!(matches!(refused(endless), JointError::NotUnique { .. }));
+
+    let sound = escapement(&parameters, Joints::IDEAL);
+    for angle in [f64::NAN, f64::INFINITY, 0.8] {
+        assert!(matches!(sound.motion(angle, 1.0), Err(JointError::Angle { .. })), "{angle}");
+    }
+    for speed in [-1.0, f64::NAN, f64::INFINITY, 1e200] {
+        assert!(matches!(sound.motion(0.0, speed), Err(JointError::Speed(_))), "{speed}");
+        assert!(matches!(sound.passage(speed, 64), Err(JointError::Speed(_))), "{speed}");
+    }
+    for steps in [0, STEPS.end() + 1] {
+        assert!(matches!(sound.passage(1.0, steps), Err(JointError::Steps(_))), "{steps}");
+        assert!(matches!(sound.steady_state_in(steps), Err(JointError::Steps(_))), "{steps}");
+    }
+    let error = sound.steady_state(0.0).expect_err("nothing is exact");
+    assert!(matches!(error, JointError::NotSettled { .. }), "{error}");
+}
+
+#[test]
+fn slots_run_into_one_another_where_their_ends_touch() {
+    for slots in Slots::ALL {
+        // Centres of two neighbouring slot ends, from the follower's axis.
+        let reach = slots.ratio() - 1.0;
+        let angle = 2.0 * std::f64::consts::PI / f64::from(slots.count());
+        let apart = libm::hypot(reach * libm::cos(angle) - reach, reach * libm::sin(angle));
+        assert_relative_eq!(2.0 * largest_pin_radius(slots), apart, max_relative = 1e-14);
+        let geometry = Geometry::new(slots.count()).expect("an escapement");
+        assert_relative_eq!(geometry.centre_distance_ratio(), slots.ratio(), max_relative = 1e-15);
+    }
+}
+
+#[test]
+fn at_entry_and_exit_the_pin_counts_as_leading_and_trailing() {
+    for slots in Slots::ALL {
+        let joints = Joints { pin_radius: 0.1, ..Joints::journals(0.1, 0.1) };
+        let escapement = escapement(&like_the_thesis(slots), joints);
+        let half = slots.engagement_half_angle();
+        let inertias = escapement.parameters().inertias();
+        for speed in [0.0, 1.0] {
+            let [entry, exit] = [-half, half].map(|angle| escapement.motion(angle, speed).expect("sound"));
+            assert_eq!(entry.flank, crate::Sign::Plus);
+            if speed == 0.0 {
+                // Nothing asks for a force: the driver feels its own inertia only.
+                assert_eq!(entry.normal_moment, 0.0);
+                assert_relative_eq!(entry.gain, 1.0 / inertias.driver(), max_relative = 1e-12);
+            } else {
+                assert!(entry.normal_moment > 0.0 && exit.normal_moment < 0.0);
+            }
+        }
+    }
+}

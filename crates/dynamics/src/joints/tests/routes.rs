@@ -1,0 +1,84 @@
+//! The same motion by other routes: the ideal escapement, and steps of time.
+
+use super::*;
+use crate::steady::Engagement;
+use approx::assert_relative_eq;
+use ode_solvers::{Dop853, OutputType, System, Vector2};
+
+#[test]
+fn without_sizes_it_is_the_ideal_escapement() {
+    let mut spread = Spread(0.0);
+    for slots in Slots::ALL {
+        for _ in 0..300 {
+            let parameters = parameters(slots, spread.between(0.05, 2.0), spread.between(0.0, 0.35));
+            let escapement = escapement(&parameters, Joints::default());
+            assert_eq!(escapement.reversal_angle(), 0.0);
+            let angle = slots.engagement_half_angle() * spread.between(-1.0, 1.0);
+            let speed = spread.between(0.0, 4.0);
+            let ideal = parameters.acceleration(angle, speed).expect("one acceleration");
+            let motion = escapement.motion(angle, speed).expect("one acceleration");
+            let scale = 1.0 + ideal.value.abs() + speed * speed;
+            assert!((motion.gain - ideal.value).abs() < 1e-13 * scale, "{slots:?} {angle} {speed}");
+            let forces = parameters.contact_forces(angle, speed).expect("one acceleration");
+            assert!((motion.normal_moment - forces.normal_moment).abs() < 1e-12 * scale, "{slots:?} {angle} {speed}");
+        }
+    }
+}
+
+#[test]
+fn without_sizes_the_steady_motion_is_the_ideal_one() {
+    for slots in Slots::ALL {
+        for friction in [0.1, 0.25] {
+            let parameters = parameters(slots, 3.0 / 50.0, friction);
+            let ideal = Engagement::new(&parameters).expect("sound").steady_state().expect("a steady state");
+            let ours = escapement(&parameters, Joints::IDEAL).steady_state(1e-9).expect("a steady state");
+            println!("{slots:?} {friction}: {} steps, change {:e}", ours.steps, ours.change);
+            let state = ours.state;
+            assert_relative_eq!(state.entry_speed, ideal.entry_speed, max_relative = 1e-9);
+            assert_relative_eq!(state.peak.speed, ideal.peak.speed, max_relative = 1e-9);
+            assert_relative_eq!(state.minimum.speed, ideal.minimum.speed, max_relative = 1e-9);
+            assert_relative_eq!(state.period, ideal.period, max_relative = 1e-9);
+            assert_relative_eq!(state.mean_speed, ideal.mean_speed, max_relative = 1e-9);
+            assert_relative_eq!(state.contraction, ideal.contraction, max_relative = 1e-9);
+            assert_relative_eq!(state.minimum.angle, ideal.minimum.angle, epsilon = 1e-6);
+            assert_relative_eq!(state.minimum.time, ideal.minimum.time, max_relative = 1e-6);
+            let switch = ideal.switch_angle.expect("a switch");
+            assert_eq!(state.changes.len(), 1);
+            assert_relative_eq!(state.changes[0], switch, epsilon = 1e-9);
+        }
+    }
+}
+
+/// The motion in time.
+struct InTime(Escapement);
+
+impl System<f64, Vector2<f64>> for InTime {
+    fn system(&self, _: f64, state: &Vector2<f64>, rate: &mut Vector2<f64>) {
+        let half = self.0.parameters().slots().engagement_half_angle();
+        // The method looks a little beyond the exit.
+        let motion = self.0.motion(state[0].clamp(-half, half), state[1]).expect("one acceleration");
+        *rate = Vector2::new(state[1], motion.gain);
+    }
+}
+
+#[test]
+fn steps_of_time_lead_to_the_same_exit() {
+    let joints =
+        Joints { pin_radius: 0.1, follower_preload: 0.02, driver_preload: 0.05, ..Joints::journals(0.1, 0.15) };
+    for slots in Slots::ALL {
+        let escapement = escapement(&like_the_thesis(slots), joints);
+        let half = slots.engagement_half_angle();
+        for entry in [0.5, 1.0, 2.0] {
+            let passage = escapement.passage(entry, 4096).expect("it runs");
+            // Short of the time that the passage takes: no step beyond the exit.
+            let end = passage.duration;
+            let mut solver =
+                Dop853::new(InTime(escapement), 0.0, end, end / 8.0, Vector2::new(-half, entry), 1e-11, 1e-11);
+            solver.integrate().expect("integrated");
+            let last = solver.y_out().last().expect("a state");
+            assert_relative_eq!(last[0], half, epsilon = 1e-6);
+            assert_relative_eq!(last[1], passage.exit_speed, max_relative = 1e-6);
+        }
+    }
+    let _ = OutputType::Dense;
+}

@@ -1,0 +1,103 @@
+//! The steady motion: its method's order, its balance of work, and what it is made of.
+
+use super::*;
+use crate::joints::{JointError, Passage};
+use approx::assert_relative_eq;
+
+fn samples() -> Vec<Escapement> {
+    let sizes = [
+        Joints { pin_radius: 0.1, ..Joints::IDEAL },
+        Joints::journals(0.15, 0.15),
+        Joints { pin_radius: 0.12, ..Joints::journals(0.1, 0.1) },
+        Joints { pin_radius: 0.05, driver_preload: 0.1, follower_preload: 0.02, ..Joints::journals(0.1, 0.1) },
+    ];
+    let all = Slots::ALL.into_iter().flat_map(|slots| sizes.map(|joints| (slots, joints)));
+    all.map(|(slots, joints)| escapement(&like_the_thesis(slots), joints)).collect()
+}
+
+fn parts(passage: &Passage) -> [f64; 5] {
+    let Passage { exit_speed, contraction, duration, peak, minimum, .. } = passage;
+    [*exit_speed, *contraction, *duration, peak.speed, minimum.speed]
+}
+
+#[test]
+fn halving_the_steps_takes_the_error_to_a_sixteenth() {
+    for escapement in samples() {
+        let run = |steps| parts(&escapement.passage(1.0, steps).expect("it runs"));
+        let [coarse, fine, reference] = [512, 1024, 16_384].map(run);
+        for part in 0..3 {
+            let errors = [coarse, fine].map(|run| (run[part] - reference[part]).abs() / reference[part]);
+            // The cut steps do not halve exactly; rounding hides errors below.
+            assert!(errors[1] < errors[0] / 10.0 || errors[1] < 1e-12, "{escapement:?} {part} {errors:?}");
+            assert!(errors[1] < 1e-6, "{escapement:?} {part} {errors:?}");
+        }
+    }
+}
+
+#[test]
+fn what_is_told_of_the_error_is_its_size() {
+    for escapement in samples() {
+        let settled = escapement.steady_state(1e-7).expect("a steady state");
+        let better = escapement.steady_state_in(16_384).expect("a steady state");
+        for (ours, true_one) in [
+            (settled.state.period, better.period),
+            (settled.state.peak.speed, better.peak.speed),
+            (settled.state.minimum.speed, better.minimum.speed),
+            (settled.state.contraction, better.contraction),
+        ] {
+            assert_relative_eq!(ours, true_one, max_relative = settled.change + 1e-12);
+        }
+        assert!(settled.change <= 1e-7);
+    }
+}
+
+#[test]
+fn friction_takes_all_that_the_spring_gives_in_a_cycle() {
+    for escapement in samples() {
+        let state = escapement.steady_state(1e-9).expect("a steady state").state;
+        assert_relative_eq!(state.work.losses(), state.work.input, max_relative = 1e-8);
+        let turn = 2.0 * escapement.parameters().slots().engagement_half_angle();
+        assert_relative_eq!(state.work.input, turn, max_relative = 1e-15);
+        assert_relative_eq!(state.mean_speed * state.period, turn, max_relative = 1e-15);
+        let mean = f64::midpoint(state.peak.speed, state.minimum.speed);
+        assert!(state.minimum.speed < state.mean_speed && state.mean_speed < state.peak.speed && mean > 0.0);
+    }
+}
+
+#[test]
+fn the_steady_entry_repeats_itself_and_neighbours_come_nearer_as_told() {
+    for escapement in samples() {
+        let state = escapement.steady_state_in(2048).expect("a steady state");
+        let run = |speed| escapement.passage(speed, 2048).expect("it runs").exit_speed;
+        assert_relative_eq!(run(state.entry_speed), state.entry_speed, max_relative = 1e-11);
+        let step = 1e-4 * state.entry_speed;
+        let slope = (run(state.entry_speed + step) - run(state.entry_speed - step)) / (2.0 * step);
+        assert_relative_eq!(slope, state.contraction, max_relative = 1e-5);
+        assert!(state.contraction > 0.0 && state.contraction < 1.0);
+    }
+}
+
+#[test]
+fn extremes_are_where_the_driver_does_not_accelerate() {
+    for escapement in samples() {
+        let state = escapement.steady_state(1e-9).expect("a steady state").state;
+        let least = escapement.motion(state.minimum.angle, state.minimum.speed).expect("sound");
+        let scale = escapement.parameters().torque() / escapement.parameters().inertias().driver();
+        assert!(least.gain.abs() < 1e-4 * scale, "{escapement:?} {} {}", state.minimum.angle, least.gain);
+    }
+}
+
+#[test]
+fn a_preload_that_is_too_great_stalls_the_driver() {
+    let parameters = like_the_thesis(Slots::Four);
+    let stopped = |preload| {
+        let joints = Joints { follower_preload: preload, ..Joints::IDEAL };
+        escapement(&parameters, joints).steady_state_in(512)
+    };
+    assert!(stopped(0.1).is_ok());
+    let error = stopped(1.5).expect_err("the follower's bearing holds it");
+    assert!(matches!(error, JointError::Stalls { .. }), "{error}");
+    assert!(error.to_string().contains("give more torque"), "{error}");
+    let rest = escapement(&parameters, Joints::IDEAL).passage(0.0, 512).expect_err("from rest");
+    assert!(matches!(rest, JointError::Stalls { .. }), "{rest}");
+}
