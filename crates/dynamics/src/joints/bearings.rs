@@ -1,7 +1,7 @@
 //! The journals: torque in proportion to the load that the contact puts on them.
 //!
-//! Each member is balanced and lies in a level plane, and K is a couple. So what its bearing carries is the force of the
-//! contact, N across the slot and μ |N| along it: |N| √(1 + μ²) on either.
+//! Each member is balanced and lies in a level plane, and K is a couple. So what its bearing carries is the force of
+//! the contact, N across the slot and μ |N| along it: |N| √(1 + μ²) on either.
 
 use super::Joints;
 use super::contact::Arms;

@@ -5,14 +5,14 @@
 //! I_f φ'' = λ N − H, I_D θ'' = K − G − κ N,
 //!
 //! where H and G are the preloads. The slot makes φ'' = p θ'² + q θ''. So the follower asks for the moment
-//! M = I_f (p θ'² + q θ'') + H, the contact gives λ N of it, and the driver feels κ N = (κ/λ) M. With m = κ/λ:
+//! M = I_f (p θ'² + q θ'') + H, which λ N gives it, and the driver feels κ N = (κ/λ) M. With m = κ/λ:
 //!
 //! (I_D + m q I_f) θ'' = K − G − m (I_f p θ'² + H).
 //!
-//! **Its flank.** λ > 0 makes the signs of N and M one. Multiply M by I_D + m q I_f and put the solution in: m drops out,
-//! and what is left is I_D (I_f p θ'² + H) + q I_f (K − G). If both factors of θ'' are positive, this number tells the
-//! flank. It knows neither the friction nor the pin's radius nor the journals: the pin bears on the flank on which it
-//! would bear without any friction. Proven in [`equation_proofs`](super::equation_proofs).
+//! **Its flank.** λ > 0 makes the signs of N and M one. Multiply M by I_D + m q I_f and put the solution in: m drops
+//! out, and what is left is I_D (I_f p θ'² + H) + q I_f (K − G). If both factors of θ'' are positive, this number
+//! tells the flank. It knows neither the friction nor the pin's radius nor the journals: the pin bears on the flank on
+//! which it would bear without any friction. Proven in [`equation_proofs`](super::equation_proofs).
 
 use super::Joints;
 use super::bearings::Journals;
@@ -100,6 +100,13 @@ impl Escapement {
     /// [`JointError::SelfLocking`] if friction can hold the follower against any force;
     /// [`JointError::NotUnique`] if somewhere no acceleration, or more than one, obeys the equation.
     pub fn new(parameters: &Parameters, joints: Joints) -> Result<Self, JointError> {
+        let escapement = Self::assembled(parameters, joints)?;
+        escapement.exists()?;
+        Ok(escapement)
+    }
+
+    /// An escapement with sizes in range, which may lock or jam.
+    pub(super) fn assembled(parameters: &Parameters, joints: Joints) -> Result<Self, JointError> {
         for (name, asked) in joints.named() {
             if !(asked >= 0.0 && asked.is_finite()) {
                 return Err(JointError::Value { name, asked });
@@ -113,9 +120,7 @@ impl Escapement {
         }
         let journals = Journals::new(&joints, parameters.friction());
         let reversal = super::existence::reversal(parameters, joints.pin_radius);
-        let escapement = Self { parameters: *parameters, joints, journals, reversal };
-        escapement.exists()?;
-        Ok(escapement)
+        Ok(Self { parameters: *parameters, joints, journals, reversal })
     }
 
     /// Slots, inertias, torque and friction.

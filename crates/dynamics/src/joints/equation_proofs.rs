@@ -44,8 +44,8 @@ impl Identity<7> for FlankDecider {
 
 /// For a pin that is a point and bearings without friction the equation is Eq. (1-19) of Meyer 1973.
 ///
-/// Its left side less its right, with the sign S = s σ of the bars. Variables: R, h = a cos θ − 1, g = a sin θ, μ, I_D/I_f,
-/// E, θ', θ''.
+/// Its left side less its right, with the sign S = s σ of the bars. Variables: R, h = a cos θ − 1, g = a sin θ, μ,
+/// I_D/I_f, E, θ', θ''.
 pub struct GoesOverToMeyer {
     /// The flank, s.
     pub flank: crate::Sign,

@@ -120,8 +120,8 @@ impl fmt::Display for JointError {
             ),
             Self::NoTerminalSpeed { contraction } => write!(
                 f,
-                "no terminal speed: an engagement takes a difference of speeds to {contraction} of itself; give friction \
-                 that grows with the load, in the slot or in the bearings"
+                "no terminal speed: an engagement takes a difference of speeds to {contraction} of itself; give \
+                 friction that grows with the load, in the slot or in the bearings"
             ),
             Self::NotSettled { tolerance, reached } => write!(
                 f,

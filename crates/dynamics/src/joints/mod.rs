@@ -22,10 +22,30 @@
 //!   motion. At rest in the entry N is the limit from within too, and counts as pressing on the leading flank.
 //! - At the hand-over one pin carries: the one that enters. The speed is handed on unchanged.
 //!
+//! # What comes of it
+//!
+//! The pin bears on the same flank as it would without any friction (`equation`). A thick pin slides less than a thin
+//! one while it drives the follower on from entry, and while it holds it back towards exit: there its turning in the
+//! slot is rolling, and takes part of the way. So it speeds the timer up; journals and preloads slow it down. Journals
+//! brake even without friction in the slot; constant torques alone do not.
+//!
+//! ```
+//! use geneva_dynamics::joints::{Joints, Varied, series};
+//! use geneva_dynamics::{Inertias, Parameters, Slots};
+//!
+//! let inertias = Inertias::new(0.1, 1.0).expect("two inertias");
+//! let parameters = Parameters::new(Slots::Four, inertias, 1.0, 0.2).expect("an escapement");
+//! let thicker = series(&parameters, &Joints::IDEAL, Varied::PinRadius, [0.0, 0.1]).expect("it runs");
+//! assert!(thicker[1].mean_speed > 1.0);
+//! let journals = Joints::journals(0.1, 0.0);
+//! let rougher = series(&parameters, &journals, Varied::BearingFriction, [0.0, 0.1]).expect("it runs");
+//! assert!(rougher[1].mean_speed < 1.0);
+//! ```
+//!
 //! # In order
 //!
-//! Lengths are in crank radii, so that a normal force becomes a moment N r. The contact and its moments (`contact`), the
-//! journals (`bearings`), the equation of motion with the flank decided beforehand (`equation`, proven in
+//! Lengths are in crank radii, so that a normal force becomes a moment N r. The contact and its moments (`contact`),
+//! the journals (`bearings`), the equation of motion with the flank decided beforehand (`equation`, proven in
 //! [`equation_proofs`]; [`contact_proofs`] has the moments and the sliding from vectors), where it has one solution
 //! (`existence`), the power (`power`), the motion over one engagement by Runge-Kutta steps of the angle
 //! ([`Passage`]), the [`SteadyState`], and what each size does to it ([`series`]).

@@ -1,9 +1,10 @@
 //! The motion over one engagement, in equal steps of the driver's angle.
 //!
-//! u = θ'² has the slope 2 θ'' over the angle. On one flank, with the sliding one way, everything is smooth, so that the
-//! classical step of Runge and Kutta keeps its fourth order. The two angles at which the sliding can turn are ends of
-//! steps. Where the pin changes its flank, the step is cut in two: the place is found by bisection with the step itself.
-//! With u go the logarithm of how much a small difference of two motions shrinks, the time, and the work of friction.
+//! u = θ'² has the slope 2 θ'' over the angle. On one flank, with the sliding one way, everything is smooth, so that
+//! the classical step of Runge and Kutta keeps its fourth order. The two angles at which the sliding can turn are ends
+//! of steps. Where the pin changes its flank, the step is cut in two: the place is found by bisection with the step
+//! itself. With u go the logarithm of how much a small difference of two motions shrinks, the time, and the work of
+//! friction. Two changes of the flank within one step would be missed.
 
 use super::equation::{Escapement, Motion};
 use super::error::JointError;
@@ -64,8 +65,8 @@ impl Escapement {
     ///
     /// # Errors
     ///
-    /// [`JointError::Steps`], [`JointError::Speed`], and [`JointError::Stalls`] if the driver comes to rest; a start from
-    /// rest is refused so too, because the angle does not lead away from it.
+    /// [`JointError::Steps`], [`JointError::Speed`], and [`JointError::Stalls`] if the driver comes to rest. A start
+    /// from rest is refused too: over the angle, the time of the first step has no bound there.
     pub fn passage(&self, entry_speed: f64, steps: u32) -> Result<Passage, JointError> {
         let square = entry_speed * entry_speed;
         if !(entry_speed >= 0.0 && square.is_finite()) {
@@ -85,18 +86,17 @@ impl Escapement {
         let mut track = Track::new(square, -half);
         let mut flank = self.flank(-half, square);
         for stretch in self.stretches() {
-            let share = (stretch.end - stretch.start) / (2.0 * half) * f64::from(steps);
-            let count = share.ceil().max(4.0);
-            let width = (stretch.end - stretch.start) / count;
-            let mut from = stretch.start;
-            for k in 1..=share.ceil().max(4.0) as u32 {
-                let last = f64::from(k) >= count;
-                let to = if last { stretch.end } else { stretch.start + width * f64::from(k) };
+            let width = stretch.end - stretch.start;
+            let count = (width / (2.0 * half) * f64::from(steps)).ceil().max(4.0);
+            let (mut from, mut number) = (stretch.start, 1.0);
+            while number <= count {
+                let to = if number == count { stretch.end } else { stretch.start + width * (number / count) };
                 (state, flank) = self.advance(&stretch, (from, to), state, flank, &mut track)?;
                 from = to;
+                number += 1.0;
             }
         }
-        let full_turn = 2.0 * half * self.parameters().torque();
+        let input = 2.0 * half * self.parameters().torque();
         Ok(Passage {
             entry_speed: square.sqrt(),
             exit_speed: state[0].sqrt(),
@@ -105,7 +105,7 @@ impl Escapement {
             peak: track.peak.extreme(),
             minimum: track.minimum.extreme(),
             changes: track.changes,
-            work: Power { input: full_turn, sliding: state[3], driver_bearing: state[4], follower_bearing: state[5] },
+            work: Power { input, sliding: state[3], driver_bearing: state[4], follower_bearing: state[5] },
         })
     }
 

@@ -1,8 +1,7 @@
 //! The motion that repeats itself.
 //!
-//! One engagement takes u at entry to a u at exit that grows with it, and the passage knows how fast: its contraction is
-//! the slope of that function. So Newton's method finds the u that is handed on unchanged; without a constant torque
-//! the function is nearly a straight line, and a few trials are enough.
+//! One engagement takes u at entry to a u at exit that grows with it, and the passage knows how fast: its contraction
+//! is the slope of that function. So Newton's method finds the u that is handed on unchanged.
 
 use super::equation::Escapement;
 use super::error::JointError;

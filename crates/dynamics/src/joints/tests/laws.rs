@@ -27,6 +27,72 @@ fn a_thicker_pin_speeds_the_timer_up_and_everything_else_slows_it_down() {
 }
 
 #[test]
+fn from_one_entry_speed_a_thicker_pin_costs_less_and_nearly_everything_else_more() {
+    for slots in Slots::ALL {
+        let parameters = like_the_thesis(slots);
+        let entry = escapement(&parameters, Joints::IDEAL).steady_state_in(1024).expect("steady").entry_speed;
+        for varied in Varied::ALL {
+            let base = Joints { pin_radius: 0.05, ..Joints::journals(0.1, 0.1) };
+            let lost = |value: f64| {
+                let passage = escapement(&parameters, varied.set(&base, value)).passage(entry, 1024);
+                passage.expect("it runs").work.losses()
+            };
+            let lost: Vec<_> = (0..=5).map(|k| lost(0.02 * f64::from(k))).collect();
+            let less = lost.windows(2).all(|pair| pair[1] < pair[0]);
+            let more = lost.windows(2).all(|pair| pair[1] > pair[0]);
+            // With four slots the follower's journal costs less than it saves in the slot and in the other bearing.
+            let exception = slots == Slots::Four && varied == Varied::FollowerJournal;
+            let expected = if varied == Varied::PinRadius || exception { less } else { more };
+            assert!(expected, "{slots:?} {varied:?} {lost:?}");
+        }
+    }
+}
+
+#[test]
+fn of_the_journals_only_radius_times_friction_counts_and_the_drivers_more() {
+    for slots in Slots::ALL {
+        let parameters = like_the_thesis(slots);
+        let mean = |joints| escapement(&parameters, joints).steady_state(1e-9).expect("steady").state.mean_speed;
+        let products =
+            [(0.1, 0.2), (0.2, 0.1), (0.4, 0.05)].map(|(radius, friction)| Joints::journals(radius, friction));
+        let [first, second, third] = products.map(mean);
+        assert_relative_eq!(first, second, max_relative = 1e-14);
+        assert_relative_eq!(first, third, max_relative = 1e-14);
+        let one = |driver_journal, follower_journal| {
+            mean(Joints { driver_journal, follower_journal, bearing_friction: 0.1, ..Joints::IDEAL })
+        };
+        let ideal = mean(Joints::IDEAL);
+        let [driver, follower] = [ideal - one(0.1, 0.0), ideal - one(0.0, 0.1)];
+        println!("{slots:?}: the driver's journal costs {} times the follower's", driver / follower);
+        assert!(driver > follower && follower > 0.0, "{slots:?} {driver} {follower}");
+    }
+}
+
+#[test]
+fn the_contraction_grows_with_the_pin_and_falls_with_the_drivers_journal() {
+    for slots in Slots::ALL {
+        let parameters = like_the_thesis(slots);
+        let grow = |varied, most: f64| {
+            let values = (0..=4).map(|k| most * f64::from(k) / 4.0);
+            let base = Joints { bearing_friction: 0.1, ..Joints::IDEAL };
+            let effects = series(&parameters, &base, varied, values).expect("they run");
+            assert_relative_eq!(effects[0].mean_speed, 1.0, max_relative = 1e-12);
+            for effect in &effects {
+                assert_relative_eq!(effect.memory, -1.0 / effect.contraction.ln(), max_relative = 1e-12);
+            }
+            let pairs: Vec<_> = effects.windows(2).map(|pair| pair[1].contraction - pair[0].contraction).collect();
+            pairs
+        };
+        assert!(grow(Varied::PinRadius, 0.15).iter().all(|change| *change > 0.0));
+        assert!(grow(Varied::DriverJournal, 0.2).iter().all(|change| *change < 0.0));
+        // The follower's journal moves it less, and with four slots the other way.
+        let follower = grow(Varied::FollowerJournal, 0.2);
+        let up = slots == Slots::Four;
+        assert!(follower.iter().all(|change| (*change > 0.0) == up), "{slots:?} {follower:?}");
+    }
+}
+
+#[test]
 fn speeds_scale_with_the_root_of_the_torque_unless_a_torque_is_constant() {
     let scaled = |torque: f64, joints: Joints| {
         let inertias = Inertias::new(3.0, 50.0).expect("sound");

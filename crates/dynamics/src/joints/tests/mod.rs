@@ -15,9 +15,14 @@ fn parameters(slots: Slots, inertia_ratio: f64, friction: f64) -> Parameters {
     Parameters::new(slots, inertias, 1.0, friction).expect("a sound escapement")
 }
 
-/// The escapement of the book's table: driver over follower 3 : 50, a friction of a quarter.
+/// Escapements with inertias like those that the thesis ran, and a friction of a quarter.
 fn like_the_thesis(slots: Slots) -> Parameters {
-    parameters(slots, 3.0 / 50.0, 1.0 / 4.0)
+    let inertia_ratio = match slots {
+        Slots::Three => 6.0 / 10.0,
+        Slots::Four => 3.0 / 50.0,
+        Slots::Six => 3.0 / 40.0,
+    };
+    parameters(slots, inertia_ratio, 1.0 / 4.0)
 }
 
 fn escapement(parameters: &Parameters, joints: Joints) -> Escapement {

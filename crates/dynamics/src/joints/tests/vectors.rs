@@ -77,6 +77,18 @@ impl Instant {
     }
 }
 
+/// θ'' from the vectors alone, by the flank that the normal force agrees with.
+pub fn gain(escapement: &Escapement, angle: f64, speed: f64) -> f64 {
+    let [leading, trailing] = Sign::BOTH.map(|flank| Instant::new(escapement, angle, speed, flank).solution);
+    if leading[2] >= 0.0 { leading[0] } else { trailing[0] }
+}
+
+/// How many flanks agree with the normal force that they lead to.
+pub fn solutions(escapement: &Escapement, angle: f64, speed: f64) -> usize {
+    let agrees = |flank: &Sign| flank.of(Instant::new(escapement, angle, speed, *flank).solution[2]) >= 0.0;
+    Sign::BOTH.iter().filter(|flank| agrees(flank)).count()
+}
+
 /// Escapements, angles and speeds of all kinds, with the instant on the flank that the normal force agrees with.
 fn for_instants(mut check: impl FnMut(&Escapement, f64, &Instant, Sign)) {
     let (mut spread, mut seen) = (Spread(0.0), [0; 4]);
