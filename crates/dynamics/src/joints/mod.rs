@@ -24,9 +24,10 @@
 //!
 //! # What comes of it
 //!
-//! The pin bears on the same flank as it would without any friction (`equation`). A thick pin slides less than a thin
-//! one while it drives the follower on from entry, and while it holds it back towards exit: there its turning in the
-//! slot is rolling, and takes part of the way. So it speeds the timer up; journals and preloads slow it down. Journals
+//! The pin bears on the same flank as it would without any friction (`equation`). At entry and at
+//! exit the centre of the pin slides with the crank's speed r θ', but the surface of a thick one with (r − ρ) θ' only: it
+//! partly rolls. On the line of centres it slides faster than a thin one. Measured over whole engagements, a thicker pin
+//! speeds the timer up; journals and preloads slow it down. Journals
 //! brake even without friction in the slot; constant torques alone do not.
 //!
 //! ```

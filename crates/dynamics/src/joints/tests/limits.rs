@@ -151,6 +151,19 @@ fn slots_run_into_one_another_where_their_ends_touch() {
 }
 
 #[test]
+fn at_the_ends_a_thick_pin_slides_less_and_on_the_line_of_centres_more() {
+    for slots in Slots::ALL {
+        let thick = escapement(&like_the_thesis(slots), Joints { pin_radius: 0.1, ..Joints::IDEAL });
+        let sliding = |angle| thick.motion(angle, 1.0).expect("sound").sliding;
+        let half = slots.engagement_half_angle();
+        assert_relative_eq!(sliding(-half), 0.1 - 1.0, max_relative = 1e-14);
+        assert_relative_eq!(sliding(half), 1.0 - 0.1, max_relative = 1e-14);
+        // The follower turns 1/(a − 1) times as fast as the driver there.
+        assert_relative_eq!(sliding(0.0), 0.1 * (1.0 + 1.0 / (slots.ratio() - 1.0)), max_relative = 1e-14);
+    }
+}
+
+#[test]
 fn at_entry_and_exit_the_pin_counts_as_leading_and_trailing() {
     for slots in Slots::ALL {
         let joints = Joints { pin_radius: 0.1, ..Joints::journals(0.1, 0.1) };
