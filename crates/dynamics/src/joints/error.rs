@@ -60,6 +60,13 @@ pub enum JointError {
         /// Factor by which two motions approach one another in one engagement; one, or within rounding of it.
         contraction: f64,
     },
+    /// No speed was found that an engagement hands on unchanged.
+    NotRepeated {
+        /// Speed at the last entry that was tried.
+        entry: f64,
+        /// Speed at the exit that it led to.
+        exit: f64,
+    },
     /// The steps that are allowed do not reach the tolerance.
     NotSettled {
         /// Relative tolerance that was asked for.
@@ -122,6 +129,11 @@ impl fmt::Display for JointError {
                 f,
                 "no terminal speed: an engagement takes a difference of speeds to {contraction} of itself; give \
                  friction that grows with the load, in the slot or in the bearings"
+            ),
+            Self::NotRepeated { entry, exit } => write!(
+                f,
+                "no steady speed found: an engagement entered at {entry} is left at {exit}; give more steps, less \
+                 preload or more friction that grows with the load"
             ),
             Self::NotSettled { tolerance, reached } => write!(
                 f,

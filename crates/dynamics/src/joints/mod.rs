@@ -24,11 +24,11 @@
 //!
 //! # What comes of it
 //!
-//! The pin bears on the same flank as it would without any friction (`equation`). At entry and at
-//! exit the centre of the pin slides with the crank's speed r θ', but the surface of a thick one with (r − ρ) θ' only: it
-//! partly rolls. On the line of centres it slides faster than a thin one. Measured over whole engagements, a thicker pin
-//! speeds the timer up; journals and preloads slow it down. Journals
-//! brake even without friction in the slot; constant torques alone do not.
+//! The pin bears on the same flank as it would without any friction (`equation`). At entry and at exit the centre of
+//! the pin slides with the crank's speed r θ', but the surface of a thick one with (r − ρ) θ' only: it partly rolls. On
+//! the line of centres it slides faster than a thin one. Over whole engagements a thicker pin costs less and speeds the
+//! timer up; journals and preloads slow it down: so it came out for inertias like those of the thesis, and the tests
+//! hold it. Journals brake even without friction in the slot; constant torques alone do not.
 //!
 //! ```
 //! use geneva_dynamics::joints::{Joints, Varied, series};

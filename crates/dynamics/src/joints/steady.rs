@@ -41,8 +41,8 @@ pub struct Settled {
     pub change: f64,
 }
 
-/// Most trials for the speed that repeats itself.
-const MOST_TRIALS: u32 = 60;
+/// Most trials for the speed that repeats itself; a handful is enough unless a preload nearly stalls the driver.
+const MOST_TRIALS: u32 = 200;
 /// Steps of the first attempt.
 const FIRST_STEPS: u32 = 256;
 
@@ -52,7 +52,8 @@ impl Escapement {
     /// # Errors
     ///
     /// [`JointError::Steps`]; [`JointError::NoTerminalSpeed`] if only constant torques brake, or nothing does;
-    /// [`JointError::Stalls`] if no speed repeats itself without a stop on the way.
+    /// [`JointError::Stalls`] if the driver slows down until it stops on the way; [`JointError::NotRepeated`] if no
+    /// speed was found that repeats itself.
     pub fn steady_state_in(&self, steps: u32) -> Result<SteadyState, JointError> {
         let mut passage = self.running(steps)?;
         for _ in 0..MOST_TRIALS {
@@ -63,15 +64,10 @@ impl Escapement {
                 return Err(JointError::NoTerminalSpeed { contraction: passage.contraction });
             }
             let excess = (exit - entry) * (exit + entry);
-            let square = entry * entry + excess / rest;
             if excess.abs() <= 4.0 * f64::EPSILON * entry * entry {
                 return Ok(self.state(passage));
             }
-            let half = self.parameters().slots().engagement_half_angle();
-            if !(square > 0.0 && square.is_finite()) {
-                return Err(JointError::Stalls { angle: half });
-            }
-            let next = self.passage_of_square(square, steps)?;
+            let next = self.nearer(entry * entry + excess / rest, exit, steps)?;
             let left = (next.exit_speed - next.entry_speed).abs();
             // Rounding keeps a passage of many steps from repeating itself to the last place.
             if left >= (exit - entry).abs() && left <= 1e-12 * next.entry_speed {
@@ -79,7 +75,21 @@ impl Escapement {
             }
             passage = next;
         }
-        Ok(self.state(passage))
+        Err(JointError::NotRepeated { entry: passage.entry_speed, exit: passage.exit_speed })
+    }
+
+    /// The passage from a square of the speed, or if that stalls, the one that follows on the last.
+    ///
+    /// u at exit grows with u at entry, so that passages which follow on one another go the right way, if slowly.
+    fn nearer(&self, square: f64, exit: f64, steps: u32) -> Result<Passage, JointError> {
+        let follow = || self.passage_of_square(exit * exit, steps);
+        if !(square > 0.0 && square.is_finite()) {
+            return follow();
+        }
+        match self.passage_of_square(square, steps) {
+            Err(JointError::Stalls { .. }) => follow(),
+            other => other,
+        }
     }
 
     /// The steady state, with the steps halved until they change it by no more than a relative `tolerance`.

@@ -94,7 +94,13 @@ fn a_preload_that_is_too_great_stalls_the_driver() {
         let joints = Joints { follower_preload: preload, ..Joints::IDEAL };
         escapement(&parameters, joints).steady_state_in(512)
     };
-    assert!(stopped(0.1).is_ok());
+    // Slower and slower with the preload, until none is slow enough.
+    let mean = |preload| stopped(preload).ok().map(|state| state.mean_speed);
+    let means: Vec<_> = (0..40).map(|k| mean(0.02 * f64::from(k))).collect();
+    let running = means.iter().take_while(|mean| mean.is_some()).count();
+    println!("the driver stalls from a preload of {}", 0.02 * running as f64);
+    assert!(running > 5 && running < 40 && means[running..].iter().all(Option::is_none), "{means:?}");
+    assert!(means[..running].windows(2).all(|pair| pair[1] < pair[0]), "{means:?}");
     let error = stopped(1.5).expect_err("the follower's bearing holds it");
     assert!(matches!(error, JointError::Stalls { .. }), "{error}");
     assert!(error.to_string().contains("give more torque"), "{error}");
