@@ -1,4 +1,4 @@
-//! Why the flank can be told beforehand, as identities.
+//! Why the flank can be told beforehand, how speeds scale, and what the equation goes over to, as identities.
 //!
 //! The factor of θ'', I_D/I_f + m q, is a variable instead of I_D/I_f, because it is divided by. p, q, m, the drive and
 //! the preload are free: nothing depends on what they stand for.
@@ -42,6 +42,29 @@ impl Identity<7> for FlankDecider {
     }
 }
 
+/// With drive, preload and θ'² times κ, θ'' and what tells the flank are κ times what they were.
+///
+/// So speeds go as √(K/I_f) if there is no constant torque, or one that grows with K. The arms of pin and journals
+/// stand in m alone, which stays. Variables: factor of θ'', m, q, p, drive, preload, θ'², κ.
+pub enum Similarity {
+    /// Of θ''.
+    Gain,
+    /// Of the number that tells the flank.
+    Flank,
+}
+
+impl Identity<8> for Similarity {
+    fn difference<S: Field>(&self, [slope, leverage, ratio, bend, drive, hold, square, kappa]: &[S; 8]) -> S {
+        let scaled = |number: &S| kappa.clone() * number.clone();
+        let old = terms([slope, leverage, ratio, bend, drive, hold]);
+        let new = terms([slope, leverage, ratio, bend, &scaled(drive), &scaled(hold)]);
+        match self {
+            Self::Gain => new.gain(&scaled(square), leverage) - scaled(&old.gain(square, leverage)),
+            Self::Flank => new.flank_decider(&scaled(square)) - scaled(&old.flank_decider(square)),
+        }
+    }
+}
+
 /// For a pin that is a point and bearings without friction the equation is Eq. (1-19) of Meyer 1973.
 ///
 /// Its left side less its right, with the sign S = s σ of the bars. Variables: R, h = a cos θ − 1, g = a sin θ, μ,
@@ -81,6 +104,8 @@ mod tests {
 
     #[test]
     fn the_flank_is_told_beforehand_and_the_ideal_is_the_thesis() {
+        holds("similarity", &Similarity::Gain);
+        holds("similarity of the flank", &Similarity::Flank);
         holds("solution", &SolutionObeys);
         holds("flank", &FlankDecider);
         for flank in Sign::BOTH {

@@ -114,6 +114,7 @@ fn for_instants(mut check: impl FnMut(&Escapement, f64, &Instant, Sign)) {
             check(&escapement, angle, instant, *flank);
         }
     }
+    println!("on the trailing and leading flank, inward and outward: {seen:?} instants");
     assert!(seen.iter().all(|count| *count > 100), "{seen:?}");
 }
 
