@@ -20,6 +20,7 @@ chapters! {
     never_printed = "src/never-printed.md",
     terminal_speed = "src/terminal-speed.md",
     timer = "src/timer.md",
+    joints = "src/joints.md",
     errata = "src/errata.md",
     errata_meyer = "src/errata-meyer.md",
     ledger = "src/ledger.md",

@@ -1,6 +1,7 @@
 //! Tables of computed numbers, beside those of the ledger: by name, or for a range of wheels.
 
 mod escapement;
+mod joints;
 mod quick_return;
 mod rise_times;
 mod runs;
@@ -25,6 +26,7 @@ const TABLES: &[(&str, Draw)] = &[
     ("runs-six-pin-as-headed", escapement::six_pin_as_headed),
     ("runs-four-pin", escapement::four_pin),
     ("runs-three-pin", escapement::three_pin),
+    ("joints", joints::effects),
     ("timer-settling", timer::settling),
     ("timer-sensitivity", timer::sensitivity),
     ("timer-accelerations", timer::accelerations),
