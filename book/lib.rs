@@ -21,6 +21,7 @@ chapters! {
     terminal_speed = "src/terminal-speed.md",
     timer = "src/timer.md",
     joints = "src/joints.md",
+    solver = "src/solver.md",
     errata = "src/errata.md",
     errata_meyer = "src/errata-meyer.md",
     ledger = "src/ledger.md",

@@ -3,8 +3,9 @@
 //! A placeholder is `{{key:argument}}` or `{{key}}`. Those of other keys, and the braces of Rust and of mdBook's own
 //! `{{#include}}`, are left alone.
 
+use crate::html::escape;
 use crate::ledger_pages::{compare, coverage, errata, forms, inline, lists};
-use crate::{drawings, maths, tables};
+use crate::{drawings, maths, records, tables};
 use anyhow::{anyhow, bail};
 
 /// Every key, whether it needs an argument, and what it draws in.
@@ -22,6 +23,7 @@ pub const KEYS: &[(&str, bool, &str)] = &[
     ("forms", true, "a source's equations, figures and statements with their findings"),
     ("ledger", true, "the claims of a page of the ledger"),
     ("printed", true, "a claim's printed characters"),
+    ("recorded", true, "what the record of the benchmarks says of its making: processor, cores, compiler, date"),
     ("ref", true, "the number of a figure in this chapter, as a link"),
     ("symbols", true, "a source's letters and the book's"),
     ("table", true, "a chapter's table of computed numbers, by name"),
@@ -105,6 +107,7 @@ fn draw(key: &str, argument: Option<&str>, number: &str, figures: &[&str]) -> an
         "forms" => forms::table(argument),
         "ledger" => lists::ledger(argument),
         "printed" => inline::printed(argument),
+        "recorded" => Ok(escape(records::said(argument)?)),
         "ref" => match place(argument) {
             Some(place) => Ok(format!("<a href=\"#fig-{argument}\">Figure&nbsp;{place}</a>")),
             None => bail!("no figure `{argument}` in this chapter; it shows: {}", figures.join(", ")),

@@ -13,6 +13,7 @@ mod html;
 mod ledger_pages;
 pub mod maths;
 mod preprocessor;
+mod records;
 mod tables;
 
 pub use preprocessor::Geneva;

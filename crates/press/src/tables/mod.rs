@@ -5,6 +5,7 @@ mod joints;
 mod quick_return;
 mod rise_times;
 mod runs;
+mod solver;
 mod timer;
 pub mod wheels;
 
@@ -27,6 +28,8 @@ const TABLES: &[(&str, Draw)] = &[
     ("runs-four-pin", escapement::four_pin),
     ("runs-three-pin", escapement::three_pin),
     ("joints", joints::effects),
+    ("solver-speeds", solver::speeds),
+    ("solver-maps", solver::maps),
     ("timer-settling", timer::settling),
     ("timer-sensitivity", timer::sensitivity),
     ("timer-accelerations", timer::accelerations),
