@@ -11,6 +11,7 @@
 mod checks;
 mod figure;
 mod number;
+mod panel;
 mod plot;
 mod series;
 mod star;
@@ -20,7 +21,9 @@ mod theme;
 pub mod escapement;
 pub mod pin;
 pub mod quick_return;
+pub mod runs;
 pub mod stations;
+pub mod steady;
 
 pub use figure::Figure;
 pub use series::{Column, Series};

@@ -52,6 +52,8 @@ pub enum Scale {
     Logarithmic,
     /// The same, with marks at powers of ten that are written as such.
     Decades,
+    /// Equal ratios, equal lengths to either side of zero; near it, below a half, equal differences: arsinh(2 x).
+    Signed,
 }
 
 impl Axis {
@@ -61,6 +63,20 @@ impl Axis {
         match self.scale {
             Scale::Even => (value - start) / (end - start),
             Scale::Logarithmic | Scale::Decades => libm::log(value / start) / libm::log(end / start),
+            Scale::Signed => {
+                let [low, at, high] = [start, value, end].map(|x| libm::asinh(2.0 * x));
+                (at - low) / (high - low)
+            }
+        }
+    }
+
+    /// A mark's number as it is written.
+    pub fn written(&self, value: f64) -> String {
+        match self.scale {
+            Scale::Even => with_minus_sign(&fixed(value, self.decimals)),
+            Scale::Logarithmic => trimmed(value, self.decimals),
+            Scale::Signed => with_minus_sign(&trimmed(value, self.decimals)),
+            Scale::Decades => power_of_ten(value),
         }
     }
 }
@@ -84,11 +100,7 @@ impl Ranged for Axis {
 
 impl ValueFormatter<f64> for Axis {
     fn format_ext(&self, value: &f64) -> String {
-        match self.scale {
-            Scale::Even => with_minus_sign(&fixed(*value, self.decimals)),
-            Scale::Logarithmic => trimmed(*value, self.decimals),
-            Scale::Decades => power_of_ten(*value),
-        }
+        self.written(*value)
     }
 }
 

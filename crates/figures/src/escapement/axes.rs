@@ -65,6 +65,29 @@ pub fn upright(least: f64, greatest: f64, steps: f64) -> Axis {
     }
 }
 
+/// An axis in at least so many round steps that holds both values, and zero only if it must.
+pub fn spanning(least: f64, greatest: f64, steps: f64) -> Axis {
+    let step = round_step((greatest - least) / steps);
+    let low = libm::floor(least / step + 1e-9) as i32;
+    let high = (libm::ceil(greatest / step - 1e-9) as i32).max(low + 1);
+    let digits = trimmed(step, 6);
+    Axis {
+        range: step * f64::from(low)..step * f64::from(high),
+        marks: (low..=high).map(|k| step * f64::from(k)).collect(),
+        decimals: digits.split_once('.').map_or(0, |(_, after)| after.len()),
+        scale: Scale::Even,
+    }
+}
+
+/// Whole powers of ten that hold all values of the range, with a mark at each so many.
+pub fn decades(least: f64, greatest: f64, each: usize) -> Axis {
+    let power = |k: i32| format!("1e{k}").parse::<f64>().unwrap_or(1.0);
+    let low = (-20..20).rev().find(|k| power(*k) <= least).unwrap_or(-20);
+    let high = (low + 1..21).find(|k| power(*k) >= greatest).unwrap_or(20);
+    let marks = (low..=high).rev().step_by(each).map(power).collect();
+    Axis { range: power(low)..power(high), marks, decimals: 0, scale: Scale::Decades }
+}
+
 /// The same axis without marks: for a side of the frame that is not read.
 pub fn blank(axis: &Axis) -> Axis {
     Axis { marks: Vec::new(), ..axis.clone() }

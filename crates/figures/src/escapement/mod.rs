@@ -6,10 +6,10 @@
 //! with the driving torque K.
 
 mod angles;
-mod axes;
+pub(crate) mod axes;
 #[cfg(test)]
 mod drawn;
-mod engagement;
+pub(crate) mod engagement;
 mod existence;
 mod force_panels;
 mod forces;

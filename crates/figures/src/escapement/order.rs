@@ -1,10 +1,10 @@
 //! By which power of the step the error falls: on a smooth problem, and on one with a switch.
 
-use super::axes::blank;
+use super::axes::{blank, decades};
 use super::problems::{Errors, errors, observed_order};
 use crate::figure::{Figure, Words};
 use crate::number::fixed;
-use crate::plot::{Axis, Curve, Plot, Scale, Side};
+use crate::plot::{Curve, Plot, Side};
 use crate::series::Series;
 use crate::svg::canvas::{Canvas, Kind};
 use crate::svg::label::Label;
@@ -51,15 +51,6 @@ pub fn order() -> Figure {
             .to_owned(),
     };
     words.figure(canvas, Kind::Plot, series)
-}
-
-/// Whole powers of ten that hold all values of the range, with a mark at each so many.
-fn decades(least: f64, greatest: f64, each: usize) -> Axis {
-    let power = |k: i32| format!("1e{k}").parse::<f64>().unwrap_or(1.0);
-    let low = (-20..20).rev().find(|k| power(*k) <= least).unwrap_or(-20);
-    let high = (low + 1..21).find(|k| power(*k) >= greatest).unwrap_or(20);
-    let marks = (low..=high).rev().step_by(each).map(power).collect();
-    Axis { range: power(low)..power(high), marks, decimals: 0, scale: Scale::Decades }
 }
 
 fn plot(errors: &[Errors]) -> Plot {

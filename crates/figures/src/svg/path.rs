@@ -51,6 +51,24 @@ impl Path {
         self
     }
 
+    /// Begins again at another point: a further part of the same path.
+    pub fn again_at(mut self, at: &Pixels) -> Self {
+        self.data += &format!("M{}", pair(at, self.decimals));
+        self
+    }
+
+    /// Goes straight on by an offset.
+    pub fn line_by(mut self, offset: &Pixels) -> Self {
+        self.data += &format!("l{}", pair(offset, self.decimals));
+        self
+    }
+
+    /// Goes on by nothing: a point, which shows if the line has round or square ends.
+    pub fn dot(mut self) -> Self {
+        self.data += "h0";
+        self
+    }
+
     /// Goes to a point along a circle of this radius, by no more than half of it.
     pub fn arc_to(self, radius: f64, sense: Sense, to: &Pixels) -> Self {
         self.arc(radius, false, sense, to)

@@ -1,6 +1,7 @@
 //! The figures of the book by name: the ledger says for which mechanism, the figures draw it.
 
 mod escapement;
+mod runs;
 
 use crate::html::escape;
 use anyhow::{Context, anyhow};
@@ -34,6 +35,10 @@ pub const NAMES: &[&str] = &[
     "escapement-normal-force",
     "escapement-existence",
     "integrator-order",
+    "runs-four-pin",
+    "runs-six-pin",
+    "runs-three-pin",
+    "runs-hypotheses",
 ];
 
 /// Crank angle at which the model of a wheel is drawn: wide enough apart from the line of centres to see the angles.
@@ -65,6 +70,7 @@ pub fn by_name(name: &str) -> anyhow::Result<Figure> {
         "wheel-motion" => four().map(|wheel| stations::motion(&wheel)),
         "wheel-extremes" => Ok(stations::extremes(3..=18)),
         _ => escapement::by_name(name)
+            .or_else(|| runs::by_name(name))
             .unwrap_or_else(|| Err(anyhow!("no figure `{name}`; there are: {}", NAMES.join(", ")))),
     }
 }

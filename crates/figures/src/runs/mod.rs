@@ -1,0 +1,74 @@
+//! Runs of an escapement, given as tables, against the motion that the equation has.
+//!
+//! What a table gives comes in as plain numbers; everything else is computed by `geneva-dynamics`.
+
+mod deviations;
+mod over_torque;
+
+pub use deviations::{Deviation, Deviations, deviations};
+pub use over_torque::over_torque;
+
+use crate::steady::MotionError;
+use geneva_dynamics::steady::Engagement;
+use geneva_dynamics::{Inertias, Parameters, Slots};
+
+/// Relative error of what is computed for a drawing.
+const TOLERANCE: f64 = 1e-10;
+
+/// What a table gives for one run. In one system of units; speeds in radians per unit of time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Run {
+    /// Coefficient of friction.
+    pub friction: f64,
+    /// Torque on the driver.
+    pub torque: f64,
+    /// Greatest speed of the driver.
+    pub peak: f64,
+    /// Least speed of the driver in the steady cycle.
+    pub minimum: f64,
+    /// Rise time.
+    pub rise: f64,
+    /// Time from one peak to the next.
+    pub period: f64,
+}
+
+/// The runs of one mechanism, and what they were computed with.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Group {
+    /// Slots of the follower.
+    pub slots: Slots,
+    /// Moments of inertia.
+    pub inertias: Inertias,
+    /// Angle in radians after which the driver is put back to the start of an engagement.
+    pub fold: f64,
+    /// The runs.
+    pub runs: Vec<Run>,
+}
+
+impl Group {
+    /// The engagement at a friction and a torque, with this fold.
+    fn engagement(&self, friction: f64, torque: f64, fold: f64) -> Result<Engagement, MotionError> {
+        let parameters = Parameters::new(self.slots, self.inertias, torque, friction)?;
+        Ok(Engagement::folded(&parameters, fold, TOLERANCE)?)
+    }
+
+    /// The mechanism's own fold, if it is another.
+    fn own_fold(&self) -> Option<f64> {
+        let own = 2.0 * self.slots.engagement_half_angle();
+        ((own - self.fold).abs() > 1e-3 * own).then_some(own)
+    }
+
+    /// The frictions, rising.
+    fn frictions(&self) -> Vec<f64> {
+        let mut frictions: Vec<f64> = self.runs.iter().map(|run| run.friction).collect();
+        frictions.sort_by(f64::total_cmp);
+        frictions.dedup();
+        frictions
+    }
+
+    /// The least and the greatest of a value.
+    fn range(&self, value: fn(&Run) -> f64) -> [f64; 2] {
+        let values = || self.runs.iter().map(value);
+        [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)]
+    }
+}
