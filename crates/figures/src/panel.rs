@@ -16,6 +16,8 @@ use nalgebra::Vector2;
 pub const WIDTH: u32 = 640;
 /// How much of a panel's margins the next one may take.
 const OVERLAP: f64 = 40.0;
+/// A curve's point is left out if it is no farther from the rest, in pixels.
+const THIN: f64 = 0.1;
 /// Length of a tick, and from the middle of a number to its base line, in pixels.
 const TICK: f64 = 6.0;
 const MIDDLE: f64 = 7.5;
@@ -143,7 +145,7 @@ impl Panel {
         });
         if numbered {
             canvas.group("fill=\"currentColor\" text-anchor=\"middle\"", |canvas| {
-                let below = greatest.y + TICK + 18.0;
+                let below = greatest.y + TICK + 20.0;
                 level.iter().for_each(|(at, x)| number(canvas, *at, below, &self.plot.level.written(*x)));
             });
         }
@@ -175,9 +177,10 @@ impl Panel {
     pub fn curve(&self, canvas: &mut Canvas, points: &[(f64, f64)], stroke: Stroke) -> Vec<Pixels> {
         let places: Vec<Pixels> = points.iter().map(|point| self.at(*point)).collect();
         let frame = self.corners();
+        let drawn = thinned(&places);
         let mut path: Option<Path> = None;
         let mut end: Option<Pixels> = None;
-        for pair in places.windows(2) {
+        for pair in drawn.windows(2) {
             let [from, to] = [pair[0], pair[1]];
             let Some([from, to]) = within(&from, &to, &frame) else { continue };
             let begun = match path {
@@ -284,6 +287,28 @@ pub fn marks(canvas: &mut Canvas, places: &[Pixels], (shade, mark): (Shade, Mark
     }
 }
 
+/// The points without those that lie on the line between their neighbours, but for a part of a pixel.
+fn thinned(points: &[Pixels]) -> Vec<Pixels> {
+    let mut kept: Vec<Pixels> = points.first().copied().into_iter().collect();
+    let mut parts = vec![(0, points.len().saturating_sub(1))];
+    while let Some((from, to)) = parts.pop() {
+        let (Some(start), Some(end)) = (points.get(from), points.get(to)) else { break };
+        let along = end - start;
+        let off = |point: &Pixels| match along.try_normalize(1e-9) {
+            Some(along) => along.perp(&(point - start)).abs(),
+            None => (point - start).norm(),
+        };
+        let inner = points.iter().enumerate().take(to).skip(from + 1);
+        let far = inner.fold((0, THIN), |far, (k, point)| if off(point) > far.1 { (k, off(point)) } else { far });
+        if far.0 > 0 {
+            parts.extend([(far.0, to), (from, far.0)]);
+        } else if to > from {
+            kept.push(*end);
+        }
+    }
+    kept
+}
+
 /// The part of a line within a frame.
 fn within(from: &Pixels, to: &Pixels, [least, greatest]: &[Pixels; 2]) -> Option<[Pixels; 2]> {
     let along = to - from;
@@ -324,6 +349,25 @@ mod tests {
         let data = svg.lines().find(|line| line.contains("curve")).expect("drawn");
         assert!(data.contains(&format!("M{} {}", least.x, (least.y + greatest.y) / 2.0)), "{data}");
         assert_eq!(data.matches('M').count(), 2, "{data}");
+    }
+
+    #[test]
+    fn what_is_left_of_a_curve_is_the_curve() {
+        let circle = |k: u32| crate::svg::view::heading(f64::from(k) / 100.0) * 200.0;
+        let points: Vec<Pixels> = (0..=600).map(circle).collect();
+        let kept = thinned(&points);
+        assert!(kept.len() < 150, "{}", kept.len());
+        assert_eq!((kept.first(), kept.last()), (points.first(), points.last()));
+        for point in &points {
+            let off = |pair: &[Pixels]| {
+                let along = pair[1] - pair[0];
+                let share = ((point - pair[0]).dot(&along) / along.norm_squared()).clamp(0.0, 1.0);
+                (pair[0] + along * share - point).norm()
+            };
+            assert!(kept.windows(2).map(off).fold(f64::INFINITY, f64::min) <= THIN * 1.000_001);
+        }
+        assert_eq!(thinned(&points[..1]).len(), 1);
+        assert!(thinned(&[]).is_empty());
     }
 
     #[test]

@@ -2,11 +2,17 @@
 //!
 //! What a table gives comes in as plain numbers; everything else is computed by `geneva-dynamics`.
 
+mod aliasing;
 mod deviations;
 mod over_torque;
+mod speeds;
+#[cfg(test)]
+mod tests;
 
+pub use aliasing::aliasing;
 pub use deviations::{Deviation, Deviations, deviations};
 pub use over_torque::over_torque;
+pub use speeds::{first_minimum, speeds};
 
 use crate::steady::MotionError;
 use geneva_dynamics::steady::Engagement;
@@ -47,7 +53,7 @@ pub struct Group {
 
 impl Group {
     /// The engagement at a friction and a torque, with this fold.
-    fn engagement(&self, friction: f64, torque: f64, fold: f64) -> Result<Engagement, MotionError> {
+    pub(crate) fn engagement(&self, friction: f64, torque: f64, fold: f64) -> Result<Engagement, MotionError> {
         let parameters = Parameters::new(self.slots, self.inertias, torque, friction)?;
         Ok(Engagement::folded(&parameters, fold, TOLERANCE)?)
     }

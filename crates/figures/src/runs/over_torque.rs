@@ -84,7 +84,7 @@ pub fn over_torque(group: &Group) -> Result<Figure, MotionError> {
     };
     let milliseconds = |time: f64| 1000.0 * time;
     let rise = upright(0.0, milliseconds(most(|run| run.rise, |one| one.rise, &|torque| scale(torque).recip())), 4.0);
-    let speed = upright(0.0, most(|run| mean(run), |one| one.mean, &scale), 4.0);
+    let speed = upright(0.0, most(mean, |one| one.mean, &|_| scale(to)), 4.0);
     let panels = [Panel::new(upper, HEIGHTS[0], level.clone(), rise), Panel::new(lower, HEIGHTS[1], level, speed)];
     let mut canvas = Canvas::new(f64::from(crate::panel::WIDTH), height);
     for (k, panel) in panels.iter().enumerate() {
@@ -217,7 +217,7 @@ fn words(group: &Group, families: &[Family]) -> Words {
         } else {
             format!(
                 "{pins} pins. The printed speeds are those of the equation of motion. The printed rise times keep to no \
-                 curve: here the time until a peak is within one per cent of the steady one."
+                 curve: here the time until a peak is within one per cent of the steady one, which leaps with the number of engagements."
             )
         },
     }

@@ -2,6 +2,7 @@
 
 mod escapement;
 mod runs;
+mod steady;
 
 use crate::html::escape;
 use anyhow::{Context, anyhow};
@@ -39,6 +40,11 @@ pub const NAMES: &[&str] = &[
     "runs-six-pin",
     "runs-three-pin",
     "runs-hypotheses",
+    "runs-aliasing",
+    "runs-speeds",
+    "steady-hand-over",
+    "steady-phase",
+    "steady-collapse",
 ];
 
 /// Crank angle at which the model of a wheel is drawn: wide enough apart from the line of centres to see the angles.
@@ -71,6 +77,7 @@ pub fn by_name(name: &str) -> anyhow::Result<Figure> {
         "wheel-extremes" => Ok(stations::extremes(3..=18)),
         _ => escapement::by_name(name)
             .or_else(|| runs::by_name(name))
+            .or_else(|| steady::by_name(name))
             .unwrap_or_else(|| Err(anyhow!("no figure `{name}`; there are: {}", NAMES.join(", ")))),
     }
 }

@@ -3,8 +3,9 @@
 use anyhow::Context;
 use geneva_dynamics::{Inertias, Slots};
 use geneva_figures::Figure;
-use geneva_figures::runs::{Deviation, Deviations, Group, Run, deviations, over_torque};
-use geneva_ledger::meyer::runs::{Column, Fold, Hypothesis, Mechanism, Reading, Row, SixPin, rows, scores};
+use geneva_figures::runs::{Deviation, Deviations, Group, Run, aliasing, deviations, first_minimum, over_torque, speeds};
+use geneva_ledger::printed_value;
+use geneva_ledger::meyer::runs::{Column, Fold, Hypothesis, Mechanism, Reading, Row, SixPin, interval, rows, scores};
 
 /// The figure of this name; `None` if it is not one of the runs.
 pub fn by_name(name: &str) -> Option<anyhow::Result<Figure>> {
@@ -14,8 +15,42 @@ pub fn by_name(name: &str) -> Option<anyhow::Result<Figure>> {
         "runs-six-pin" => torque(Mechanism::SixPin),
         "runs-three-pin" => torque(Mechanism::ThreePin),
         "runs-hypotheses" => hypotheses().map(|hypotheses| deviations(&hypotheses)),
+        "runs-aliasing" => swinging(),
+        "runs-speeds" => drawn(),
         _ => return None,
     })
+}
+
+/// The four-pin run with the least friction and, of those, the strongest spring.
+fn swinging() -> anyhow::Result<Figure> {
+    let easier = |a: &&Row, b: &&Row| {
+        a.friction().total_cmp(&b.friction()).then(b.torque().total_cmp(&a.torque()))
+    };
+    let row = four_pins().min_by(easier).context("no run with four pins")?;
+    let engagement = Hypothesis::BEST.engagement(row).context("the run's data make no escapement")?;
+    let duration = printed_value("meyer.listing.run-length").context("no length of the runs")?;
+    Ok(aliasing(&engagement, interval(), duration)?)
+}
+
+/// Half a unit of the last digit of the rise time that is printed of Fig. 8.
+const HALF_UNIT: f64 = 0.5e-3;
+
+/// Fig. 8: the first of the four-pin rows whose first minimum rounds to the printed rise time of the figure.
+fn drawn() -> anyhow::Result<Figure> {
+    let printed = printed_value("meyer.fig-8.rise").context("no rise time of Fig. 8")?;
+    let mut fitting = Vec::new();
+    for row in four_pins() {
+        let engagement = Hypothesis::BEST.engagement(row).context("the run's data make no escapement")?;
+        if (first_minimum(&engagement)?.0 - printed).abs() <= HALF_UNIT {
+            fitting.push((row, engagement));
+        }
+    }
+    let named = |row: &Row| format!("μ = {}, K = {}", row.printed(Column::Friction), row.printed(Column::Torque));
+    let (row, engagement) = fitting.first().context("no run has the printed rise time")?;
+    let others: Vec<String> = fitting.iter().skip(1).map(|(row, _)| named(row)).collect();
+    let fits = if others.is_empty() { String::new() } else { format!(" So does that of {}.", others.join(" and of ")) };
+    let words = format!("Four pins, {}: its first minimum rounds to the rise time printed of Fig. 8.{fits}", named(row));
+    Ok(speeds(engagement, &words)?)
 }
 
 /// A mechanism's rows, with the fold and the inertias that explain the tables.
@@ -35,6 +70,11 @@ pub fn group(mechanism: Mechanism) -> anyhow::Result<Group> {
         fold: Hypothesis::BEST.angle(mechanism),
         runs: runs.collect(),
     })
+}
+
+/// The runs with four pins.
+pub fn four_pins() -> impl Iterator<Item = &'static Row> {
+    rows().iter().filter(|row| row.mechanism == Mechanism::FourPin)
 }
 
 fn slots(mechanism: Mechanism) -> anyhow::Result<Slots> {

@@ -1,0 +1,92 @@
+//! What must hold of the drawings of single runs.
+
+use super::{aliasing, first_minimum, speeds};
+use crate::Figure;
+use crate::checks::{labels_inside, named, number, only_numbers, overlapping_labels, well_formed};
+use crate::steady::MotionError;
+use geneva_dynamics::steady::Engagement;
+use geneva_dynamics::{Inertias, Parameters, Slots};
+use roxmltree::Document;
+
+fn engagement(slots: Slots, friction: f64) -> Engagement {
+    let inertias = Inertias::new(3.0, 40.0).expect("sound");
+    Engagement::new(&Parameters::new(slots, inertias, 40.0, friction).expect("sound")).expect("sound")
+}
+
+fn sound(figure: &Figure) {
+    well_formed(figure);
+    only_numbers(figure);
+    labels_inside(figure);
+    assert_eq!(overlapping_labels(figure), [], "{}", figure.id);
+    assert!(figure.svg.len() < 25_000, "{}: {} bytes", figure.id, figure.svg.len());
+}
+
+#[test]
+fn printed_peaks_are_below_the_true_ones_and_swing() {
+    for slots in Slots::ALL {
+        let one = engagement(slots, 0.25);
+        let steady = one.steady_state().expect("steady");
+        let (interval, duration) = (steady.period / 61.7, 9.3 * steady.period);
+        let figure = aliasing(&one, interval, duration).expect("drawn");
+        sound(&figure);
+        let rows = &figure.series.rows;
+        assert!(rows.len() >= 7, "{} engagements", rows.len());
+        for row in rows {
+            assert!(row[4] <= row[2] * (1.0 + 1e-9), "{row:?}");
+            assert!((row[3] / interval - (row[3] / interval).round()).abs() < 1e-6, "a multiple of the interval");
+        }
+        let last = &rows[rows.len() - 1];
+        approx::assert_relative_eq!(last[2], steady.peak.speed, max_relative = 1e-6);
+        let printed = |pick: fn(f64, f64) -> f64| rows.iter().skip(2).map(|row| row[4]).reduce(pick).expect("some");
+        assert!(printed(f64::max) > printed(f64::min) * (1.0 + 1e-6));
+    }
+}
+
+#[test]
+fn a_run_of_a_few_engagements_does_not_tell() {
+    let one = engagement(Slots::Four, 0.25);
+    let period = one.steady_state().expect("steady").period;
+    assert_eq!(aliasing(&one, period / 50.0, 2.0 * period), Err(MotionError::Nothing));
+    assert!(matches!(aliasing(&one, 0.0, 1.0), Err(MotionError::Steady(_))));
+    assert!(matches!(speeds(&engagement(Slots::Four, 0.0), ""), Err(MotionError::Steady(_))));
+}
+
+#[test]
+fn the_first_minimum_is_marked_and_the_follower_keeps_its_sense() {
+    for slots in Slots::ALL {
+        let one = engagement(slots, 0.25);
+        let figure = speeds(&one, "Made up.");
+        let figure = figure.expect("drawn");
+        sound(&figure);
+        assert!(figure.caption.ends_with("Made up."));
+        let rise = one.rise(1e-9).expect("steady");
+        // φ' is never negative: the pins keep the sense.
+        assert!(figure.series.rows.iter().all(|row| row[2] > -1e-9 * row[1].max(1.0)));
+        let (first, speed) = first_minimum(&one).expect("a minimum");
+        assert!(first < rise.cycles[0].end && speed < rise.cycles[0].peak.speed, "in the first engagement");
+        let around = |from: f64, to: f64| {
+            let rows = figure.series.rows.iter().filter(move |row| row[0] >= from && row[0] <= to);
+            rows.map(|row| row[1]).fold(f64::INFINITY, f64::min)
+        };
+        let period = rise.steady.period;
+        assert!(around(first - 0.1 * period, first + 0.1 * period) >= speed * (1.0 - 1e-6));
+        let document = Document::parse(&figure.svg).expect("well-formed");
+        let ring = &named(&document, "first-minimum")[0];
+        let duration = rise.cycles[0].end + 4.0 * period;
+        let frame = number(&named(&document, "zero")[0], "x1")..number(&named(&document, "zero")[0], "x2");
+        let share = (number(ring, "cx") - frame.start) / (frame.end - frame.start);
+        assert!((share - first / duration).abs() < 1e-3, "{share}");
+    }
+}
+
+#[test]
+fn the_follower_has_the_speed_that_the_run_gives_it() {
+    // The drawing takes it from the pose; the run has it from its own variable.
+    let one = engagement(Slots::Six, 0.25);
+    let figure = speeds(&one, "").expect("drawn");
+    let rows = &figure.series.rows;
+    let lines = one.run(rows[1][0], rows[rows.len() - 1][0] * (1.0 + 1e-9)).expect("a run");
+    for (row, line) in rows.iter().zip(&lines) {
+        assert!((row[2] - line.follower_speed).abs() < 1e-9 * (1.0 + line.speed), "{row:?} {line:?}");
+    }
+}

@@ -1,0 +1,177 @@
+//! All runs of all mechanisms on three curves: peak, minimum and period without the torque and the size of the inertias.
+
+use super::error::MotionError;
+use crate::escapement::axes::{spanning, upright};
+use crate::figure::{Figure, Words};
+use crate::number::significant;
+use crate::panel::{Panel, Stroke, WIDTH, marks, mechanism};
+use crate::runs::{Group, Run};
+use crate::series::Series;
+use crate::svg::canvas::{Canvas, Kind};
+use crate::svg::label::Label;
+use geneva_dynamics::steady::SteadyState;
+use nalgebra::Vector2;
+
+const KEY: f64 = 28.0;
+const HEIGHTS: [u32; 3] = [314, 314, 344];
+/// Steps of a curve.
+const STEPS: u32 = 32;
+const SIZE: f64 = 8.0;
+const DASHES: [Option<&str>; 3] = [None, Some("11 5"), Some("3 4")];
+
+/// Peak and minimum over √(K / I_f), and period times the same.
+fn scaled(steady: &SteadyState, unit: f64) -> [f64; 3] {
+    [steady.peak.speed / unit, steady.minimum.speed / unit, steady.period * unit]
+}
+
+fn given(run: &Run, unit: f64) -> [f64; 3] {
+    [run.peak / unit, run.minimum / unit, run.period * unit]
+}
+
+/// Peak, minimum and period of every run without scale, over the friction, with the curve of each mechanism.
+///
+/// Speeds are over √(K / I_f), the period is times that: by the law of similarity nothing but the friction is left in
+/// the runs of one mechanism. Series, a row for each run: slots, friction, then peak, minimum and period as given, and
+/// as computed.
+///
+/// # Errors
+///
+/// [`MotionError`] if there is no run, or one without a steady motion.
+pub fn collapse(groups: &[Group]) -> Result<Figure, MotionError> {
+    let mut rows: Vec<[f64; 8]> = Vec::new();
+    for group in groups {
+        for run in &group.runs {
+            let unit = (run.torque / group.inertias.follower()).sqrt();
+            let steady = group.engagement(run.friction, run.torque, group.fold)?.steady_state()?;
+            let ([a, b, c], [d, e, f]) = (given(run, unit), scaled(&steady, unit));
+            rows.push([f64::from(group.slots.count()), run.friction, a, b, c, d, e, f]);
+        }
+    }
+    let frictions = || rows.iter().map(|row| row[1]);
+    let (least, most) = (frictions().fold(f64::INFINITY, f64::min), frictions().fold(0.0, f64::max));
+    if rows.is_empty() {
+        return Err(MotionError::Nothing);
+    }
+    let room = 0.06 * (most - least).max(0.1 * most);
+    let level = spanning((least - room).max(0.5 * least), most + room, 4.0);
+    let range = (least - room).max(0.5 * least)..most + room;
+    let level = crate::plot::Axis {
+        marks: level.marks.iter().copied().filter(|mark| range.contains(mark)).collect(),
+        range: range.clone(),
+        ..level
+    };
+    let curves = groups.iter().map(|group| curve(group, range.start, range.end)).collect::<Result<Vec<_>, _>>()?;
+    let (corners, height) = Panel::stack(KEY, HEIGHTS);
+    let mut canvas = Canvas::new(f64::from(WIDTH), height);
+    for (k, (corner, height)) in corners.into_iter().zip(HEIGHTS).enumerate() {
+        let values = rows.iter().flat_map(|row| [row[2 + k], row[5 + k]]);
+        let values = values.chain(curves.iter().flatten().map(|(_, values)| values[k]));
+        let panel = Panel::new(corner, height, level.clone(), upright(0.0, values.fold(0.0, f64::max), 4.0));
+        panel.draw(&mut canvas, k == 2);
+        let mut ends = Vec::new();
+        for ((group, points), dashes) in groups.iter().zip(&curves).zip(DASHES.iter().cycle()) {
+            let (shade, mark) = mechanism(group.slots.count());
+            let line: Vec<_> = points.iter().map(|(friction, values)| (*friction, values[k])).collect();
+            panel.curve(&mut canvas, &line, Stroke { shade, width: 2.2, dashes: *dashes, class: "curve" });
+            let own = rows.iter().filter(|row| row[0] == f64::from(group.slots.count()));
+            let own: Vec<_> = own.map(|row| (row[1], row[2 + k])).collect();
+            panel.marks(&mut canvas, &own, (shade, mark), SIZE);
+            if let Some((_, value)) = line.last() {
+                ends.push((*value, Label::words(&format!("{}", group.slots.pins())), shade));
+            }
+        }
+        panel.beside(&mut canvas, ends);
+        let unit = |label: Label| label.and_symbol("K").and("/").and_symbol("I").sub("f").and(")");
+        panel.name(
+            &mut canvas,
+            &match k {
+                0 => unit(Label::words("peak over √(")),
+                1 => unit(Label::words("minimum over √(")),
+                _ => unit(Label::words("period times √(")),
+            },
+        );
+        if k == 2 {
+            panel.foot(&mut canvas, &Label::words("friction ").and_symbol("μ"));
+        }
+    }
+    for (k, group) in groups.iter().enumerate() {
+        let (at, style) = (Vector2::new(24.0 + 160.0 * k as f64, 18.0), mechanism(group.slots.count()));
+        marks(&mut canvas, &[at], style, 10.0);
+        let label = Label::words(&format!("{} pins", group.slots.pins())).shade(style.0).bare();
+        canvas.label(&at, &Vector2::new(1.0, 0.0), 12.0, &label);
+    }
+    let columns = [
+        ("n", "1"),
+        ("mu", "1"),
+        ("peak printed", "1"),
+        ("min printed", "1"),
+        ("period printed", "1"),
+        ("peak", "1"),
+        ("min", "1"),
+        ("period", "1"),
+    ];
+    let worst = |k: usize| rows.iter().map(|row| (row[2 + k] / row[5 + k] - 1.0).abs()).fold(0.0, f64::max);
+    let [peak, minimum, period] = [0, 1, 2].map(|k| significant(100.0 * worst(k), 2));
+    let words = Words {
+        id: "steady-collapse".to_owned(),
+        title: "All runs without the torque: peak, minimum and period over the friction".to_owned(),
+        description: format!(
+            "Three panels over the friction μ: peak and minimum over the root of K / I_f, and period times that root. In each \
+             a curve for every mechanism, and on it the {} runs of all torques, one over another. The farthest from \
+             their curves are off by {peak} % for the peaks, {minimum} % for the minima and {period} % for the periods.",
+            rows.len()
+        ),
+        caption: "The law of similarity: measured in the units that torque and inertias make, runs of all torques fall \
+                  together, and each mechanism has one curve. What is left is rounding, most in the small numbers."
+            .to_owned(),
+    };
+    Ok(words.figure(canvas, Kind::Panels, Series::new(columns, rows)))
+}
+
+/// A mechanism's results without scale, over the friction.
+fn curve(group: &Group, from: f64, to: f64) -> Result<Vec<(f64, [f64; 3])>, MotionError> {
+    let point = |step: u32| {
+        let friction = from + (to - from) * f64::from(step) / f64::from(STEPS);
+        let torque = group.inertias.follower();
+        Ok((friction, scaled(&group.engagement(friction, torque, group.fold)?.steady_state()?, 1.0)))
+    };
+    (0..=STEPS).map(point).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::{labels_inside, named, only_numbers, overlapping_labels, well_formed};
+    use geneva_dynamics::{Inertias, Slots};
+    use roxmltree::Document;
+    use std::f64::consts::FRAC_PI_2;
+
+    #[test]
+    fn runs_of_all_torques_fall_together() {
+        let groups = Slots::ALL.map(|slots| {
+            let inertias = Inertias::new(2.0, 5.0).expect("sound");
+            let mut group = Group { slots, inertias, fold: FRAC_PI_2, runs: Vec::new() };
+            for (friction, torque) in [(0.1, 3.0), (0.1, 12.0), (0.25, 3.0), (0.25, 0.7)] {
+                let steady = group.engagement(friction, torque, FRAC_PI_2).expect("sound").steady_state();
+                let steady = steady.expect("steady");
+                let (peak, minimum) = (steady.peak.speed, steady.minimum.speed);
+                group.runs.push(Run { friction, torque, peak, minimum, rise: 1.0, period: steady.period });
+            }
+            group
+        });
+        let figure = collapse(&groups).expect("drawn");
+        well_formed(&figure);
+        only_numbers(&figure);
+        labels_inside(&figure);
+        assert_eq!(overlapping_labels(&figure), []);
+        for pair in figure.series.rows.chunks(2) {
+            for column in 2..8 {
+                approx::assert_relative_eq!(pair[0][column], pair[1][column], max_relative = 1e-9);
+            }
+        }
+        let document = Document::parse(&figure.svg).expect("well-formed");
+        assert_eq!(named(&document, "curve").len(), 9);
+        assert_eq!(named(&document, "marks").len(), 12);
+        assert_eq!(collapse(&[]), Err(MotionError::Nothing));
+    }
+}

@@ -1,0 +1,72 @@
+//! What must hold of the drawings of the steady motion.
+
+use super::{MotionError, hand_over, phase};
+use crate::Figure;
+use crate::checks::{labels_inside, named, number, only_numbers, overlapping_labels, start, well_formed};
+use geneva_dynamics::steady::Engagement;
+use geneva_dynamics::{Inertias, Parameters, Slots};
+use roxmltree::Document;
+
+fn parameters(slots: Slots, friction: f64) -> Parameters {
+    Parameters::new(slots, Inertias::new(3.0, 40.0).expect("sound"), 7.0, friction).expect("sound")
+}
+
+fn sound(figure: &Figure) {
+    well_formed(figure);
+    only_numbers(figure);
+    labels_inside(figure);
+    assert_eq!(overlapping_labels(figure), [], "{}", figure.id);
+    assert!(figure.svg.len() < 25_000, "{}: {} bytes", figure.id, figure.svg.len());
+}
+
+#[test]
+fn the_curve_crosses_the_diagonal_at_the_steady_motion_only() {
+    for slots in Slots::ALL {
+        let one = parameters(slots, 0.125);
+        let figure = hand_over(&one).expect("drawn");
+        sound(&figure);
+        let steady = Engagement::new(&one).and_then(|of| of.steady_state()).expect("steady");
+        let fixed = steady.entry_speed * steady.entry_speed / one.drive();
+        let rows = &figure.series.rows;
+        for row in rows {
+            assert_eq!(row[1] > row[0], row[0] < fixed, "{row:?}");
+        }
+        // Without friction the gain is the work of the torque: 2 × 2π/m over the driver's inertia.
+        let gain = 4.0 * slots.engagement_half_angle() / one.inertias().ratio();
+        assert!(rows.iter().all(|row| (row[2] - row[0] - gain).abs() < 1e-9 * gain));
+        let document = Document::parse(&figure.svg).expect("well-formed");
+        let point = &named(&document, "fixed-point")[0];
+        let [x, y] = start(&named(&document, "stairs")[0]);
+        // The fixed point is on the diagonal through the corner, where the staircase begins.
+        let (right, up) = (number(point, "cx") - x, y - number(point, "cy"));
+        let data = named(&document, "diagonal")[0].attribute("d").expect("a path").to_owned();
+        let end: Vec<f64> = data.split('L').nth(1).expect("an end").split(' ').map(|v| v.parse().expect("v")).collect();
+        assert!((up / right - (y - end[1]) / (end[0] - x)).abs() < 0.02, "{up} {right}");
+    }
+    assert!(matches!(hand_over(&parameters(Slots::Four, 0.0)), Err(MotionError::Steady(_))));
+}
+
+#[test]
+fn engagements_from_rest_and_from_above_enclose_the_steady_cycle() {
+    for slots in Slots::ALL {
+        let one = parameters(slots, 0.125);
+        let figure = phase(&one).expect("drawn");
+        sound(&figure);
+        let steady = Engagement::new(&one).and_then(|of| of.steady_state()).expect("steady");
+        let rows = &figure.series.rows;
+        // Two integrations by different variables: the entry speed is the steady one's.
+        let unit = one.drive().sqrt();
+        assert!((rows[0][7] - steady.entry_speed / unit).abs() < 1e-12);
+        assert!((rows[rows.len() - 1][7] - steady.entry_speed / unit).abs() < 1e-6 * rows[0][7]);
+        for row in rows {
+            let slack = 1e-6 * row[7];
+            assert!(row[1] <= row[2] + slack && row[2] <= row[3] + slack && row[3] <= row[7] + slack, "{row:?}");
+            assert!(row[4] >= row[5] - slack && row[5] >= row[6] - slack && row[6] >= row[7] - slack, "{row:?}");
+        }
+        let document = Document::parse(&figure.svg).expect("well-formed");
+        assert_eq!(["from-rest", "from-above", "cycle"].map(|class| named(&document, class).len()), [3, 3, 1]);
+        // Three kinds of curves, and the key.
+        assert_eq!(named(&document, "marks").len(), 4);
+    }
+    assert!(phase(&parameters(Slots::Four, 0.0)).is_err());
+}
