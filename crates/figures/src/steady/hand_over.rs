@@ -47,7 +47,8 @@ pub fn hand_over(parameters: &Parameters) -> Result<Figure, MotionError> {
     let fixed = steady.entry_speed * steady.entry_speed / drive;
     let gain = next(&free, 0.0)?;
     // Wide enough to see that the curve without friction keeps its distance.
-    let end = (BEYOND * fixed).max(1.3 * gain);
+    let axis = upright(0.0, (BEYOND * fixed).max(1.3 * gain), 5.0);
+    let end = axis.range.end;
     let mut rows = Vec::new();
     for step in 0..=STEPS {
         let u = end * f64::from(step) / f64::from(STEPS);
@@ -61,7 +62,6 @@ pub fn hand_over(parameters: &Parameters) -> Result<Figure, MotionError> {
         u = exit;
     }
 
-    let axis = upright(0.0, end, 5.0);
     let panel = Panel::new(Vector2::new(0.0, 0.0), HEIGHT, axis.clone(), axis.clone());
     let mut canvas = Canvas::new(f64::from(WIDTH), f64::from(HEIGHT));
     panel.draw(&mut canvas, true);

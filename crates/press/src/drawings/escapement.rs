@@ -49,7 +49,7 @@ fn example() -> anyhow::Result<(Parameters, f64)> {
 }
 
 /// The runs of the thesis as points of the map: one for each mechanism and friction, whatever the torque.
-fn designs() -> anyhow::Result<Vec<Design>> {
+pub fn designs() -> anyhow::Result<Vec<Design>> {
     let mut designs: Vec<Design> = Vec::new();
     for row in rows() {
         let parameters = Hypothesis::TRUE.parameters(row).ok_or_else(|| anyhow!("a run's data make no escapement"))?;

@@ -45,6 +45,9 @@ pub const NAMES: &[&str] = &[
     "steady-hand-over",
     "steady-phase",
     "steady-collapse",
+    "steady-map-four-pin",
+    "steady-map-six-pin",
+    "steady-map-three-pin",
 ];
 
 /// Crank angle at which the model of a wheel is drawn: wide enough apart from the line of centres to see the angles.

@@ -1,0 +1,193 @@
+//! How much work a solver needs for how small an error.
+
+use crate::escapement::axes::decades;
+use crate::figure::{Figure, Words};
+use crate::number::significant;
+use crate::panel::{Panel, Stroke, WIDTH, kind, marks};
+use crate::series::Series;
+use crate::svg::canvas::{Canvas, Kind};
+use crate::svg::label::Label;
+use crate::svg::shape::Shape;
+use nalgebra::Vector2;
+
+const LINE: f64 = 28.0;
+const HEIGHTS: [u32; 2] = [404, 424];
+const SIZE: f64 = 9.0;
+/// Dashes by contestant; from the fifth on colours and marks come again, with other dashes.
+const DASHES: [Option<&str>; 3] = [None, Some("8 4"), Some("3 4")];
+/// At most so many marks of an axis.
+const MARKS: usize = 7;
+/// Digits after the point of the numbers of the series.
+const DECIMALS: usize = 18;
+
+/// One run of one solver.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Measurement {
+    /// The solver, in a few words.
+    pub contestant: String,
+    /// The error that it was asked for.
+    pub tolerance: f64,
+    /// Evaluations of the right-hand side.
+    pub evaluations: u64,
+    /// Time that it took.
+    pub milliseconds: f64,
+    /// Its error against the known solution, relative.
+    pub true_error: f64,
+}
+
+impl Measurement {
+    /// Error, evaluations and milliseconds, if all can stand on a logarithmic axis.
+    fn point(&self) -> Option<[f64; 3]> {
+        let values = [self.true_error, self.evaluations as f64, self.milliseconds];
+        values.iter().all(|value| value.is_finite() && *value > 0.0).then_some(values)
+    }
+}
+
+/// True error over evaluations, and over milliseconds, on logarithmic axes, for each contestant a curve through its
+/// measurements in the order of the errors.
+///
+/// Measurements without an error, evaluations or time above zero are left out. Series: number of the contestant in
+/// order of first appearance, tolerance, evaluations, milliseconds, true error.
+pub fn work_precision(measurements: &[Measurement]) -> Figure {
+    let mut names: Vec<&str> = Vec::new();
+    for one in measurements.iter().filter(|one| one.point().is_some()) {
+        if !names.contains(&one.contestant.as_str()) {
+            names.push(&one.contestant);
+        }
+    }
+    let of = |name: &str| {
+        let own = measurements.iter().filter(|one| one.contestant == name).filter_map(Measurement::point);
+        let mut points: Vec<[f64; 3]> = own.collect();
+        points.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        points
+    };
+    let families: Vec<Vec<[f64; 3]>> = names.iter().map(|name| of(name)).collect();
+    let lines = names.len().div_ceil(2).max(1) as f64;
+    let (corners, height) = Panel::stack(6.0 + LINE * lines, HEIGHTS);
+    let mut canvas = Canvas::new(f64::from(WIDTH), height);
+    let axis = |column: usize| {
+        let values = || families.iter().flatten().map(|point| point[column]);
+        let (least, greatest) = (values().fold(f64::INFINITY, f64::min), values().fold(0.0, f64::max));
+        let (least, greatest) = if least <= greatest { (least, greatest) } else { (1.0, 10.0) };
+        let each = (libm::log10(greatest / least) as usize + 2) / MARKS + 1;
+        decades(least, greatest, each)
+    };
+    let feet = ["evaluations of the right-hand side", "milliseconds"];
+    for (k, corner) in corners.into_iter().enumerate() {
+        let panel = Panel::new(corner, HEIGHTS[k], axis(k + 1), axis(0));
+        panel.draw(&mut canvas, true);
+        for (number, points) in families.iter().enumerate() {
+            let (shade, _) = kind(number);
+            let curve: Vec<_> = points.iter().map(|point| (point[k + 1], point[0])).collect();
+            panel.curve(&mut canvas, &curve, Stroke { shade, width: 1.8, dashes: dashes(number), class: "contestant" });
+            panel.marks(&mut canvas, &curve, kind(number), SIZE);
+        }
+        // The panel below leaves no room for a name under the numbers.
+        panel.name(&mut canvas, &Label::words(&format!("true error over {}", feet[k])));
+    }
+    for (number, name) in names.iter().enumerate() {
+        let at = Vector2::new(16.0 + 312.0 * (number % 2) as f64, 18.0 + LINE * (number / 2) as f64);
+        let line = Shape::line(&at, &(at + Vector2::new(44.0, 0.0))).stroke(kind(number).0, 1.8);
+        canvas.draw(match dashes(number) {
+            Some(dashes) => line.dashed(dashes),
+            None => line,
+        });
+        marks(&mut canvas, &[at + Vector2::new(22.0, 0.0)], kind(number), SIZE);
+        let label = Label::words(name).shade(kind(number).0).bare();
+        canvas.label(&(at + Vector2::new(44.0, 0.0)), &Vector2::new(1.0, 0.0), 8.0, &label);
+    }
+    let best = names.iter().zip(&families).filter_map(|(name, points)| {
+        let point = points.first()?;
+        let [error, work, time] = [0, 1, 2].map(|k| significant(point[k], 2));
+        // So small an error is written with its power of ten.
+        let error = if point[0] < 1e-3 { format!("{:.0e}", point[0]) } else { error };
+        Some(format!("{name}: {error} with {work} evaluations in {time} ms"))
+    });
+    let best: Vec<String> = best.collect();
+    let rows = measurements.iter().filter(|one| one.point().is_some()).map(|one| {
+        let number = names.iter().position(|name| *name == one.contestant).map_or(0, |at| at + 1);
+        [number as f64, one.tolerance, one.evaluations as f64, one.milliseconds, one.true_error]
+    });
+    let columns = [("contestant", "1"), ("tolerance", "1"), ("evaluations", "1"), ("time", "ms"), ("error", "1")];
+    let words = Words {
+        id: "solver-work-precision".to_owned(),
+        title: "Work and precision of the solvers".to_owned(),
+        description: format!(
+            "Two panels on logarithmic axes: the true error over the evaluations, and over the time. Down and to the left is \
+             better. The smallest errors: {}.",
+            best.join("; ")
+        ),
+        caption: "The error that is left over the work that was done. A curve that runs lower needs less work for the same \
+                  error; a steeper one gains more from further work."
+            .to_owned(),
+    };
+    let series = Series { decimals: DECIMALS, ..Series::new(columns, rows) };
+    words.figure(canvas, Kind::Panels, series)
+}
+
+fn dashes(number: usize) -> Option<&'static str> {
+    DASHES.get((number / 4 + number) % DASHES.len()).copied().flatten()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::{corners, labels_inside, named, only_numbers, overlapping_labels, well_formed};
+    use roxmltree::Document;
+
+    /// Solvers of orders 2, 4 and 8, whose errors fall as they must.
+    fn made_up(count: usize) -> Vec<Measurement> {
+        let solver = |number: usize| {
+            let order = [2.0, 4.0, 8.0][number % 3];
+            (1..=6).map(move |k| {
+                let steps = libm::exp2(f64::from(k) * 6.0 / order) * 8.0;
+                Measurement {
+                    contestant: format!("solver {number}"),
+                    tolerance: libm::exp2(-2.0 * f64::from(k)),
+                    evaluations: (steps * order).round() as u64,
+                    milliseconds: 0.001 * steps,
+                    true_error: libm::pow(steps, -order),
+                }
+            })
+        };
+        (0..count).flat_map(solver).collect()
+    }
+
+    #[test]
+    fn a_contestant_of_order_p_has_a_line_of_slope_p() {
+        for count in [1, 3, 6] {
+            let figure = work_precision(&made_up(count));
+            well_formed(&figure);
+            only_numbers(&figure);
+            labels_inside(&figure);
+            assert_eq!(overlapping_labels(&figure), []);
+            assert!(figure.svg.len() < 25_000);
+            assert_eq!(figure.series.rows.len(), 6 * count);
+        }
+        let figure = work_precision(&made_up(3));
+        let document = Document::parse(&figure.svg).expect("well-formed");
+        let curves = named(&document, "contestant");
+        assert_eq!(curves.len(), 6);
+        // Over the milliseconds, which go as the steps: slopes as the orders, in the same axes.
+        let slope = |k: usize| {
+            let points = corners(curves[3 + k].attribute("d").expect("a path"), 1.0);
+            let (first, last) = (points[0], points[points.len() - 1]);
+            (last.y - first.y) / (last.x - first.x)
+        };
+        assert!((slope(1) / slope(0) - 2.0).abs() < 0.02, "{} {}", slope(1), slope(0));
+        assert!((slope(2) / slope(0) - 4.0).abs() < 0.05);
+    }
+
+    #[test]
+    fn what_cannot_stand_on_a_logarithmic_axis_is_left_out() {
+        let mut some = made_up(2);
+        some[0].true_error = 0.0;
+        some[3].milliseconds = f64::NAN;
+        some[7].evaluations = 0;
+        assert_eq!(work_precision(&some).series.rows.len(), 9);
+        for few in [&some[..0], &some[1..2]] {
+            well_formed(&work_precision(few));
+            only_numbers(&work_precision(few));
+        }
+    }
+}
