@@ -13,6 +13,7 @@ mod figure;
 mod number;
 mod panel;
 mod plot;
+mod samples;
 mod series;
 mod star;
 mod svg;

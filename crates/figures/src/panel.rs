@@ -1,6 +1,7 @@
 //! A plot among others on one canvas: curves that may share a colour, and many marks that weigh little.
 
 use crate::escapement::axes::blank;
+use crate::number::trimmed;
 use crate::plot::{Axis, Plot, Side};
 use crate::svg::canvas::Canvas;
 use crate::svg::label::Label;
@@ -8,7 +9,6 @@ use crate::svg::path::Path;
 use crate::svg::placing::Placing;
 use crate::svg::shape::Shape;
 use crate::svg::view::Pixels;
-use crate::number::trimmed;
 use crate::theme::{CORIOLIS, DRIVER, FOLLOWER, GRID, INK, PAPER, RELATIVE, Shade};
 use nalgebra::Vector2;
 
@@ -50,14 +50,15 @@ pub struct Stroke {
     pub class: &'static str,
 }
 
-/// Colour and mark of the first to the fourth of several kinds.
+/// Colour and mark of the first to the eighth of several kinds; the last four have the colour of the text.
 pub fn kind(number: usize) -> (Shade, Mark) {
-    match number % 4 {
+    let (shade, mark) = match number % 4 {
         0 => (FOLLOWER, Mark::Disc),
         1 => (DRIVER, Mark::Square),
         2 => (RELATIVE, Mark::Diamond),
         _ => (CORIOLIS, Mark::Triangle),
-    }
+    };
+    (if number % 8 < 4 { shade } else { INK }, mark)
 }
 
 /// Colour and mark of a mechanism with so many slots, as in the other figures.
@@ -324,7 +325,15 @@ fn within(from: &Pixels, to: &Pixels, [least, greatest]: &[Pixels; 2]) -> Option
         let (a, b) = ((least[axis] - start) / step, (greatest[axis] - start) / step);
         (enter, leave) = (enter.max(a.min(b)), leave.min(a.max(b)));
     }
-    let at = |share: f64| if share == 0.0 { *from } else if share == 1.0 { *to } else { from + along * share };
+    let at = |share: f64| {
+        if share == 0.0 {
+            *from
+        } else if share == 1.0 {
+            *to
+        } else {
+            from + along * share
+        }
+    };
     (enter <= leave && !enter.is_nan() && !leave.is_nan()).then(|| [at(enter), at(leave)])
 }
 

@@ -91,9 +91,9 @@ pub fn aliasing(engagement: &Engagement, interval: f64, duration: f64) -> Result
 
     let columns =
         [("engagement", "1"), ("t true", "s"), ("peak true", "rad/s"), ("t printed", "s"), ("peak printed", "rad/s")];
-    let rows = peaks.iter().map(|peak| {
-        [(peak.number + 1) as f64, peak.actual.time, peak.actual.speed, peak.printed.0, peak.printed.1]
-    });
+    let rows = peaks
+        .iter()
+        .map(|peak| [(peak.number + 1) as f64, peak.actual.time, peak.actual.speed, peak.printed.0, peak.printed.1]);
     let words = Words {
         id: "runs-aliasing".to_owned(),
         title: "Peaks of the speed, true and as printed".to_owned(),
@@ -123,9 +123,8 @@ fn near(canvas: &mut Canvas, panel: &Panel, shown: &[Peak], fine: &[(f64, f64)],
     for (window, peak) in shown.iter().enumerate() {
         let middle = window as f64 + 0.5;
         let inside = |(time, _): &&(f64, f64)| ((time - peak.actual.time) / interval).abs() <= ASIDE;
-        let place = |(time, speed): &(f64, f64)| {
-            (middle + (time - peak.actual.time) / interval / (2.0 * ASIDE + 0.4), *speed)
-        };
+        let place =
+            |(time, speed): &(f64, f64)| (middle + (time - peak.actual.time) / interval / (2.0 * ASIDE + 0.4), *speed);
         if window > 0 {
             let x = panel.at((window as f64, 1.0)).x;
             let edge = Shape::line(&Vector2::new(x, least.y), &Vector2::new(x, greatest.y));

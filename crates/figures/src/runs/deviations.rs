@@ -165,8 +165,7 @@ mod tests {
         labels_inside(&figure);
         assert_eq!(overlapping_labels(&figure), []);
         let document = Document::parse(&figure.svg).expect("well-formed");
-        let zeros: Vec<f64> =
-            named(&document, "zero").iter().map(|line| crate::checks::number(line, "y1")).collect();
+        let zeros: Vec<f64> = named(&document, "zero").iter().map(|line| crate::checks::number(line, "y1")).collect();
         // Three mechanisms in each panel, each with the hypotheses in order; the key's come last.
         let marks = named(&document, "marks");
         assert_eq!(marks.len(), 9 + 3);

@@ -146,7 +146,12 @@ fn key(canvas: &mut Canvas, both: bool) {
     canvas.label(&Vector2::new(244.0, top), &right, 0.0, &Label::words(run).bare());
     if both {
         sample(canvas, 190.0, top + LINE, true, INK);
-        canvas.label(&Vector2::new(244.0, top + LINE), &right, 0.0, &Label::words("exact, the mechanism as it is").bare());
+        canvas.label(
+            &Vector2::new(244.0, top + LINE),
+            &right,
+            0.0,
+            &Label::words("exact, the mechanism as it is").bare(),
+        );
     }
 }
 
@@ -258,7 +263,8 @@ mod tests {
                 let own = group(slots, vec![]).engagement(row[0], row[1], FRAC_PI_2).expect("sound");
                 let rise = own.rise(SETTLED).expect("steady");
                 approx::assert_relative_eq!(row[3], rise.steady.mean_of_extremes(), max_relative = 1e-9);
-                let until = rise.cycles.iter().find(|cycle| (cycle.peak.speed / rise.steady.peak.speed - 1.0).abs() <= PART);
+                let until =
+                    rise.cycles.iter().find(|cycle| (cycle.peak.speed / rise.steady.peak.speed - 1.0).abs() <= PART);
                 let next = rise.cycles[rise.cycles.len() - 1].end + rise.steady.peak.time;
                 approx::assert_relative_eq!(row[6], until.map_or(next, |at| at.peak.time), max_relative = 1e-9);
             }

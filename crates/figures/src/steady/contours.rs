@@ -39,8 +39,10 @@ impl Grid {
         let mut next: BTreeMap<Edge, Vec<Edge>> = BTreeMap::new();
         for column in 0..self.columns.len().saturating_sub(1) {
             for row in 0..self.heights.get(column).map_or(0, |column| column.len().saturating_sub(1)) {
-                let edges = [(column, row, false), (column + 1, row, true), (column, row + 1, false), (column, row, true)];
-                let crossed: Vec<Edge> = edges.into_iter().filter(|edge| self.crossing(*edge, level).is_some()).collect();
+                let edges =
+                    [(column, row, false), (column + 1, row, true), (column, row + 1, false), (column, row, true)];
+                let crossed: Vec<Edge> =
+                    edges.into_iter().filter(|edge| self.crossing(*edge, level).is_some()).collect();
                 // With four crossings two lines pass; either pairing is as good on a fine grid.
                 for pair in crossed.chunks_exact(2) {
                     next.entry(pair[0]).or_default().push(pair[1]);

@@ -73,7 +73,8 @@ pub fn hand_over(parameters: &Parameters) -> Result<Figure, MotionError> {
     };
     let top = axis.range.end;
     let diagonal = Stroke { shade: INK, width: 1.2, dashes: Some("7 5"), class: "diagonal" };
-    let line = curve(&mut canvas, &(0..=20).map(|k| f64::from(k) / 20.0 * top).map(|u| (u, u)).collect::<Vec<_>>(), diagonal);
+    let line =
+        curve(&mut canvas, &(0..=20).map(|k| f64::from(k) / 20.0 * top).map(|u| (u, u)).collect::<Vec<_>>(), diagonal);
     let column = |k: usize| rows.iter().map(|row| (row[0], row[k])).collect::<Vec<_>>();
     let stroke = |shade, dashes, class| Stroke { shade, width: 2.6, dashes, class };
     let without = curve(&mut canvas, &column(2), stroke(FOLLOWER, Some("3 4"), "free"));

@@ -3,18 +3,14 @@
 use crate::escapement::axes::{spanning, upright};
 use crate::figure::{Figure, Words};
 use crate::number::significant;
-use crate::panel::{Mark, Panel, Stroke, WIDTH, kind, marks};
+use crate::panel::{Panel, Stroke, WIDTH, kind};
+use crate::samples::{Samples, dashes};
 use crate::series::{Column, Series};
 use crate::svg::canvas::{Canvas, Kind};
 use crate::svg::label::Label;
-use crate::svg::shape::Shape;
-use crate::theme::Shade;
-use nalgebra::Vector2;
 
-const LINE: f64 = 28.0;
 const HEIGHTS: [u32; 2] = [374, 404];
 const SIZE: f64 = 8.0;
-const DASHES: [Option<&str>; 4] = [None, Some("9 5"), Some("3 4"), Some("10 4 2 4")];
 /// A curve of more points has no marks on them.
 const MARKED: usize = 16;
 
@@ -48,7 +44,8 @@ pub fn losses(size: &str, speeds: &[Line], contractions: &[Line]) -> Figure {
     let sizes = || all().map(|point| point.0);
     let (least, greatest) = (sizes().fold(f64::INFINITY, f64::min), sizes().fold(f64::NEG_INFINITY, f64::max));
     let level = if least < greatest { spanning(least, greatest, 5.0) } else { upright(0.0, greatest.max(1.0), 5.0) };
-    let (corners, height) = Panel::stack(6.0 + LINE * names.len().div_ceil(2).max(1) as f64, HEIGHTS);
+    let key = Samples::new(&names);
+    let (corners, height) = Panel::stack(key.height(), HEIGHTS);
     let mut canvas = Canvas::new(f64::from(WIDTH), height);
     let titles = ["mean speed over the ideal one", "contraction"];
     for (k, (corner, lines)) in corners.into_iter().zip(groups).enumerate() {
@@ -59,7 +56,8 @@ pub fn losses(size: &str, speeds: &[Line], contractions: &[Line]) -> Figure {
         panel.draw(&mut canvas, true);
         for line in lines {
             let (points, style) = (finite(line), kind(number(line)));
-            panel.curve(&mut canvas, &points, stroke(number(line), style.0));
+            let stroke = Stroke { shade: style.0, width: 2.2, dashes: dashes(number(line)), class: "loss" };
+            panel.curve(&mut canvas, &points, stroke);
             if points.len() <= MARKED {
                 panel.marks(&mut canvas, &points, style, SIZE);
             }
@@ -69,9 +67,7 @@ pub fn losses(size: &str, speeds: &[Line], contractions: &[Line]) -> Figure {
             panel.foot(&mut canvas, &Label::words(size));
         }
     }
-    for (at, name) in names.iter().enumerate() {
-        sample(&mut canvas, at, name);
-    }
+    key.draw(&mut canvas, 2.2);
     let said = groups.into_iter().zip(titles).flat_map(|(lines, title)| {
         lines.iter().filter_map(move |line| {
             let points = finite(line);
@@ -98,28 +94,8 @@ pub fn losses(size: &str, speeds: &[Line], contractions: &[Line]) -> Figure {
     });
     let columns = [("panel", "1"), ("line", "1"), ("size", "1"), ("value", "1")];
     let column = |(name, unit): (&str, &str)| Column { name: name.to_owned(), unit: unit.to_owned() };
-    let series =
-        Series { columns: columns.map(column).to_vec(), rows: rows.collect(), ..Series::new([("", "")], []) };
+    let series = Series { columns: columns.map(column).to_vec(), rows: rows.collect(), ..Series::new([("", "")], []) };
     words.figure(canvas, Kind::Panels, series)
-}
-
-fn stroke(number: usize, shade: Shade) -> Stroke {
-    let dashes = DASHES.get((number + number / 4) % DASHES.len()).copied().flatten();
-    Stroke { shade, width: 2.2, dashes, class: "loss" }
-}
-
-/// What a line is, above the panels.
-fn sample(canvas: &mut Canvas, number: usize, name: &str) {
-    let at = Vector2::new(16.0 + 312.0 * (number % 2) as f64, 18.0 + LINE * (number / 2) as f64);
-    let (shade, mark): (Shade, Mark) = kind(number);
-    let line = Shape::line(&at, &(at + Vector2::new(44.0, 0.0))).stroke(shade, 2.2);
-    canvas.draw(match stroke(number, shade).dashes {
-        Some(dashes) => line.dashed(dashes),
-        None => line,
-    });
-    marks(canvas, &[at + Vector2::new(22.0, 0.0)], (shade, mark), SIZE);
-    let label = Label::words(name).shade(shade).bare();
-    canvas.label(&(at + Vector2::new(44.0, 0.0)), &Vector2::new(1.0, 0.0), 8.0, &label);
 }
 
 #[cfg(test)]
@@ -157,7 +133,8 @@ mod tests {
 
     #[test]
     fn nothing_and_no_numbers_are_drawn_too() {
-        let odd = vec![Line { name: "odd".to_owned(), points: vec![(f64::NAN, 1.0), (0.5, f64::INFINITY), (0.25, 0.5)] }];
+        let odd =
+            vec![Line { name: "odd".to_owned(), points: vec![(f64::NAN, 1.0), (0.5, f64::INFINITY), (0.25, 0.5)] }];
         for some in [vec![], odd] {
             let figure = losses("size", &some, &some);
             well_formed(&figure);

@@ -35,9 +35,8 @@ const TOLERANCE: f64 = 1e-6;
 /// The part of a difference that is left when the motion has risen.
 const LEFT: f64 = 0.01;
 /// Values that may have a line, and every how many points of a line is a row of the series.
-const LEVELS: [f64; 21] = [
-    0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.25, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 10.0, 15.0, 20.0, 50.0, 100.0,
-];
+const LEVELS: [f64; 21] =
+    [0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.25, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 10.0, 15.0, 20.0, 50.0, 100.0];
 /// Lines nearer to the last one, as a quotient of their values, are left out of the panels.
 const APART: [f64; 2] = [1.19, 1.45];
 /// Nor is there a line of a lesser value, where they crowd before the boundary, or that does not reach so far.
@@ -95,8 +94,7 @@ pub fn map(slots: Slots, designs: &[Design]) -> Result<Figure, MotionError> {
                 let points: Vec<_> = line.iter().map(|(friction, log)| (*friction, libm::exp(*log))).collect();
                 let shade = if k == 0 { DRIVER } else { FOLLOWER };
                 let dashes = if k == 0 { None } else { Some("8 4") };
-                let places =
-                    panel.curve(&mut canvas, &points, Stroke { shade, width: 1.8, dashes, class: "equal" });
+                let places = panel.curve(&mut canvas, &points, Stroke { shade, width: 1.8, dashes, class: "equal" });
                 let kept = points.iter().step_by(KEPT);
                 rows.extend(kept.map(|(friction, inertia)| [(k + 1) as f64, value, *friction, *inertia]));
                 labels.push((Label::words(&trimmed(value, 2)).shade(shade), places));
@@ -113,7 +111,10 @@ pub fn map(slots: Slots, designs: &[Design]) -> Result<Figure, MotionError> {
         for (label, places) in labels {
             on_line(&mut canvas, &mut placing, &label, &places);
         }
-        panel.name(&mut canvas, &Label::symbol("I").sub("D").and(" / ").and_symbol("I").sub("f").and(&format!("  {}", NAMES[k])));
+        panel.name(
+            &mut canvas,
+            &Label::symbol("I").sub("D").and(" / ").and_symbol("I").sub("f").and(&format!("  {}", NAMES[k])),
+        );
     }
     Panel::new(corners[1], HEIGHTS[1], level, left).foot(&mut canvas, &Label::words("friction ").and_symbol("μ"));
     Ok(words(slots, &own, shown).figure(
@@ -145,7 +146,8 @@ fn grids(slots: Slots) -> Result<[Grid; 2], MotionError> {
         let nodes: Vec<f64> = (0..=ROWS).map(height).collect();
         let states: Vec<_> = nodes.iter().map(|log| steady(slots, libm::exp(*log), friction)).collect();
         for (values, value) in values.iter_mut().zip(VALUES) {
-            let log = |steady: &Option<SteadyState>| steady.as_ref().map_or(f64::NAN, |steady| libm::log(value(steady)));
+            let log =
+                |steady: &Option<SteadyState>| steady.as_ref().map_or(f64::NAN, |steady| libm::log(value(steady)));
             values.push(states.iter().map(log).collect());
         }
         columns.push(friction);
@@ -302,7 +304,8 @@ mod tests {
 
     #[test]
     fn a_design_off_the_map_is_an_error() {
-        for far in [design(Slots::Four, 9.0, 0.125), design(Slots::Four, 0.5, 0.75), design(Slots::Four, f64::NAN, 0.1)] {
+        for far in [design(Slots::Four, 9.0, 0.125), design(Slots::Four, 0.5, 0.75), design(Slots::Four, f64::NAN, 0.1)]
+        {
             assert_eq!(map(Slots::Four, &[far]), Err(MotionError::Nothing));
         }
     }

@@ -152,14 +152,12 @@ fn series(from_rest: &[Round], from_above: &[Round], cycle: &Round) -> Series {
     Series::new(columns, rows)
 }
 
-fn words(
-    parameters: &Parameters,
-    steady: &geneva_dynamics::steady::SteadyState,
-    unit: f64,
-    cycle: &Round,
-) -> Words {
+fn words(parameters: &Parameters, steady: &geneva_dynamics::steady::SteadyState, unit: f64, cycle: &Round) -> Words {
     let switch = cycle.switch.map_or(String::new(), |(angle, _)| {
-        format!(" Past the line of centres the friction changes its sign at {} in the steady cycle.", degrees(angle.to_radians()))
+        format!(
+            " Past the line of centres the friction changes its sign at {} in the steady cycle.",
+            degrees(angle.to_radians())
+        )
     });
     Words {
         id: "steady-phase".to_owned(),

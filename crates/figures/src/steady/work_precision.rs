@@ -3,18 +3,14 @@
 use crate::escapement::axes::decades;
 use crate::figure::{Figure, Words};
 use crate::number::significant;
-use crate::panel::{Panel, Stroke, WIDTH, kind, marks};
+use crate::panel::{Panel, Stroke, WIDTH, kind};
+use crate::samples::{Samples, dashes};
 use crate::series::Series;
 use crate::svg::canvas::{Canvas, Kind};
 use crate::svg::label::Label;
-use crate::svg::shape::Shape;
-use nalgebra::Vector2;
 
-const LINE: f64 = 28.0;
 const HEIGHTS: [u32; 2] = [404, 424];
 const SIZE: f64 = 9.0;
-/// Dashes by contestant; from the fifth on colours and marks come again, with other dashes.
-const DASHES: [Option<&str>; 3] = [None, Some("8 4"), Some("3 4")];
 /// At most so many marks of an axis.
 const MARKS: usize = 7;
 /// Digits after the point of the numbers of the series.
@@ -44,7 +40,7 @@ impl Measurement {
 }
 
 /// True error over evaluations, and over milliseconds, on logarithmic axes, for each contestant a curve through its
-/// measurements in the order of the errors.
+/// measurements in the order of the work.
 ///
 /// Measurements without an error, evaluations or time above zero are left out. Series: number of the contestant in
 /// order of first appearance, tolerance, evaluations, milliseconds, true error.
@@ -58,12 +54,12 @@ pub fn work_precision(measurements: &[Measurement]) -> Figure {
     let of = |name: &str| {
         let own = measurements.iter().filter(|one| one.contestant == name).filter_map(Measurement::point);
         let mut points: Vec<[f64; 3]> = own.collect();
-        points.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        points.sort_by(|a, b| a[1].total_cmp(&b[1]));
         points
     };
     let families: Vec<Vec<[f64; 3]>> = names.iter().map(|name| of(name)).collect();
-    let lines = names.len().div_ceil(2).max(1) as f64;
-    let (corners, height) = Panel::stack(6.0 + LINE * lines, HEIGHTS);
+    let key = Samples::new(&names);
+    let (corners, height) = Panel::stack(key.height(), HEIGHTS);
     let mut canvas = Canvas::new(f64::from(WIDTH), height);
     let axis = |column: usize| {
         let values = || families.iter().flatten().map(|point| point[column]);
@@ -83,21 +79,11 @@ pub fn work_precision(measurements: &[Measurement]) -> Figure {
             panel.marks(&mut canvas, &curve, kind(number), SIZE);
         }
         // The panel below leaves no room for a name under the numbers.
-        panel.name(&mut canvas, &Label::words(&format!("true error over {}", feet[k])));
+        panel.name(&mut canvas, &Label::words(&format!("true error over {}", feet[k]).replace('-', "\u{2010}")));
     }
-    for (number, name) in names.iter().enumerate() {
-        let at = Vector2::new(16.0 + 312.0 * (number % 2) as f64, 18.0 + LINE * (number / 2) as f64);
-        let line = Shape::line(&at, &(at + Vector2::new(44.0, 0.0))).stroke(kind(number).0, 1.8);
-        canvas.draw(match dashes(number) {
-            Some(dashes) => line.dashed(dashes),
-            None => line,
-        });
-        marks(&mut canvas, &[at + Vector2::new(22.0, 0.0)], kind(number), SIZE);
-        let label = Label::words(name).shade(kind(number).0).bare();
-        canvas.label(&(at + Vector2::new(44.0, 0.0)), &Vector2::new(1.0, 0.0), 8.0, &label);
-    }
+    key.draw(&mut canvas, 1.8);
     let best = names.iter().zip(&families).filter_map(|(name, points)| {
-        let point = points.first()?;
+        let point = points.iter().min_by(|a, b| a[0].total_cmp(&b[0]))?;
         let [error, work, time] = [0, 1, 2].map(|k| significant(point[k], 2));
         // So small an error is written with its power of ten.
         let error = if point[0] < 1e-3 { format!("{:.0e}", point[0]) } else { error };
@@ -117,16 +103,13 @@ pub fn work_precision(measurements: &[Measurement]) -> Figure {
              better. The smallest errors: {}.",
             best.join("; ")
         ),
-        caption: "The error that is left over the work that was done. A curve that runs lower needs less work for the same \
+        caption:
+            "The error that is left over the work that was done. A curve that runs lower needs less work for the same \
                   error; a steeper one gains more from further work."
-            .to_owned(),
+                .to_owned(),
     };
     let series = Series { decimals: DECIMALS, ..Series::new(columns, rows) };
     words.figure(canvas, Kind::Panels, series)
-}
-
-fn dashes(number: usize) -> Option<&'static str> {
-    DASHES.get((number / 4 + number) % DASHES.len()).copied().flatten()
 }
 
 #[cfg(test)]

@@ -3,9 +3,11 @@
 use anyhow::Context;
 use geneva_dynamics::{Inertias, Slots};
 use geneva_figures::Figure;
-use geneva_figures::runs::{Deviation, Deviations, Group, Run, aliasing, deviations, first_minimum, over_torque, speeds};
-use geneva_ledger::printed_value;
+use geneva_figures::runs::{
+    Deviation, Deviations, Group, Run, aliasing, deviations, first_minimum, over_torque, speeds,
+};
 use geneva_ledger::meyer::runs::{Column, Fold, Hypothesis, Mechanism, Reading, Row, SixPin, interval, rows, scores};
+use geneva_ledger::printed_value;
 
 /// The figure of this name; `None` if it is not one of the runs.
 pub fn by_name(name: &str) -> Option<anyhow::Result<Figure>> {
@@ -23,9 +25,7 @@ pub fn by_name(name: &str) -> Option<anyhow::Result<Figure>> {
 
 /// The four-pin run with the least friction and, of those, the strongest spring.
 fn swinging() -> anyhow::Result<Figure> {
-    let easier = |a: &&Row, b: &&Row| {
-        a.friction().total_cmp(&b.friction()).then(b.torque().total_cmp(&a.torque()))
-    };
+    let easier = |a: &&Row, b: &&Row| a.friction().total_cmp(&b.friction()).then(b.torque().total_cmp(&a.torque()));
     let row = four_pins().min_by(easier).context("no run with four pins")?;
     let engagement = Hypothesis::BEST.engagement(row).context("the run's data make no escapement")?;
     let duration = printed_value("meyer.listing.run-length").context("no length of the runs")?;
@@ -49,7 +49,8 @@ fn drawn() -> anyhow::Result<Figure> {
     let (row, engagement) = fitting.first().context("no run has the printed rise time")?;
     let others: Vec<String> = fitting.iter().skip(1).map(|(row, _)| named(row)).collect();
     let fits = if others.is_empty() { String::new() } else { format!(" So does that of {}.", others.join(" and of ")) };
-    let words = format!("Four pins, {}: its first minimum rounds to the rise time printed of Fig. 8.{fits}", named(row));
+    let words =
+        format!("Four pins, {}: its first minimum rounds to the rise time printed of Fig. 8.{fits}", named(row));
     Ok(speeds(engagement, &words)?)
 }
 
