@@ -34,6 +34,19 @@ impl Grid {
         Some((from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])))
     }
 
+    /// Where in each column the value is greatest, if that is not at an end: by a parabola through three nodes.
+    pub fn ridge(&self) -> Vec<(f64, f64)> {
+        let greatest = |((x, heights), values): ((&f64, &Vec<f64>), &Vec<f64>)| {
+            let row = (0..values.len()).reduce(|best, row| if values[row] > values[best] { row } else { best })?;
+            let (below, above) = (row.checked_sub(1)?, row + 1);
+            let [a, b, c] = [*values.get(below)?, *values.get(row)?, *values.get(above)?];
+            let shift = 0.5 * (a - c) / (a - 2.0 * b + c);
+            let height = heights.get(row)? + shift * (heights.get(above)? - heights.get(row)?);
+            shift.is_finite().then_some((*x, height))
+        };
+        self.columns.iter().zip(&self.heights).zip(&self.values).filter_map(greatest).collect()
+    }
+
     /// The lines on which the value is this, each from one end to the other or round to its start.
     pub fn lines(&self, level: f64) -> Vec<Vec<(f64, f64)>> {
         let mut next: BTreeMap<Edge, Vec<Edge>> = BTreeMap::new();
@@ -90,6 +103,14 @@ mod tests {
         assert!(lines[0].iter().all(|(x, y)| (x * x + y * y - 1.0).abs() < 0.01));
         let turn: f64 = lines[0].windows(2).map(|pair| pair[0].0 * pair[1].1 - pair[0].1 * pair[1].0).sum();
         assert!((turn.abs() - std::f64::consts::TAU).abs() < 0.2, "{turn}");
+    }
+
+    #[test]
+    fn the_ridge_is_where_columns_are_highest() {
+        let ridge = grid(|x, y| 1.0 - (y - 0.3 * x) * (y - 0.3 * x)).ridge();
+        assert_eq!(ridge.len(), 41);
+        assert!(ridge.iter().all(|(x, y)| (y - 0.3 * x).abs() < 1e-9));
+        assert!(grid(|_, y| y).ridge().is_empty());
     }
 
     #[test]

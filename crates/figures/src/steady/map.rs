@@ -11,7 +11,7 @@ use crate::series::Series;
 use crate::svg::canvas::{Canvas, Kind};
 use crate::svg::label::Label;
 use crate::svg::path::Path;
-use crate::svg::placing::{Place, Placing};
+use crate::svg::placing::{Place, Placing, around};
 use crate::svg::shape::Shape;
 use crate::svg::view::Pixels;
 use crate::theme::{DRIVER, FILL, FOLLOWER, INK, PAPER};
@@ -19,6 +19,7 @@ use geneva_dynamics::existence::critical_inertia_ratio;
 use geneva_dynamics::steady::{Engagement, SteadyState};
 use geneva_dynamics::{Inertias, Parameters, Slots};
 use nalgebra::Vector2;
+use std::f64::consts::FRAC_PI_2;
 use std::ops::Range;
 
 const KEY: f64 = 10.0;
@@ -36,13 +37,15 @@ const TOLERANCE: f64 = 1e-6;
 const LEFT: f64 = 0.01;
 /// Values that may have a line, and every how many points of a line is a row of the series.
 const LEVELS: [f64; 21] =
-    [0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.25, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 10.0, 15.0, 20.0, 50.0, 100.0];
+    [0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.2, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 10.0, 15.0, 20.0, 50.0, 100.0];
 /// Lines nearer to the last one, as a quotient of their values, are left out of the panels.
 const APART: [f64; 2] = [1.19, 1.45];
 /// Nor is there a line of a lesser value, where they crowd before the boundary, or that does not reach so far.
 const LEAST: [f64; 2] = [0.0, 0.5];
 const NARROW: f64 = 0.02;
 const KEPT: usize = 6;
+/// How far the ridge's name may stand from it, in pixels.
+const NEAR: [f64; 3] = [13.0, 18.0, 26.0];
 
 /// A value of the steady motion at a torque and an inertia of the follower of one.
 type Value = fn(&SteadyState) -> f64;
@@ -52,7 +55,8 @@ const VALUES: [Value; 2] = [|steady| steady.mean_speed, |steady| libm::log(LEFT)
 
 /// Lines of equal mean terminal speed, in √(K / I_f), and of equal rise, over μ and I_D / I_f.
 ///
-/// The rise is counted in engagements: ln 100 over −ln of the contraction. On the tinted ground there are angles at which
+/// A dotted line leads through the ratios of the inertias at which the mean speed is greatest for each friction. The rise
+/// is counted in engagements: ln 100 over −ln of the contraction. On the tinted ground there are angles at which
 /// the equation of motion has none or two solutions. Designs of other mechanisms are left out. Series, for every sixth
 /// point of each line: which panel, the value, μ, I_D / I_f.
 ///
@@ -100,6 +104,20 @@ pub fn map(slots: Slots, designs: &[Design]) -> Result<Figure, MotionError> {
                 labels.push((Label::words(&trimmed(value, 2)).shade(shade), places));
             }
         }
+        if k == 0 {
+            let ridge: Vec<_> = grids[0].ridge().iter().map(|(friction, log)| (*friction, libm::exp(*log))).collect();
+            let stroke = Stroke { shade: INK, width: 2.2, dashes: Some("2 5"), class: "ridge" };
+            let places = panel.curve(&mut canvas, &ridge, stroke);
+            let label = Label::words("fastest");
+            let late = places.iter().rev().take(places.len() / 2).flat_map(|at| around(at, FRAC_PI_2, &NEAR));
+            // Off the lines, which their own labels stand on.
+            let mut free = placing.clone();
+            labels.iter().for_each(|(_, places)| free.avoid_all(places, 2.0));
+            if let Some(Place { point, towards, distance }) = free.put(&mut canvas, &label, late) {
+                placing.take(label.extent(label.width(), &point, &towards, distance));
+            }
+            placing.avoid_all(&places, 2.0);
+        }
         let style = mechanism(slots.count());
         for design in &own {
             let point = (design.friction, design.inertia_ratio);
@@ -117,7 +135,7 @@ pub fn map(slots: Slots, designs: &[Design]) -> Result<Figure, MotionError> {
         );
     }
     Panel::new(corners[1], HEIGHTS[1], level, left).foot(&mut canvas, &Label::words("friction ").and_symbol("μ"));
-    Ok(words(slots, &own, shown).figure(
+    Ok(words(slots, &own, shown, &grids[0].ridge()).figure(
         canvas,
         Kind::Panels,
         Series::new([("panel", "1"), ("value", "1"), ("mu", "1"), ("I_D/I_f", "1")], rows),
@@ -175,7 +193,9 @@ fn boundary(canvas: &mut Canvas, panel: &Panel, slots: Slots) {
     if let Some(outline) = outline {
         canvas.draw(Shape::path(outline.line_to(&end).close()).fill(FILL).class("unsound"));
     }
-    panel.curve(canvas, &points, Stroke { shade: INK, width: 2.4, dashes: None, class: "boundary" });
+    // As far as it is above the foot of the panel.
+    let shown: Vec<_> = points.into_iter().filter(|(_, inertia)| *inertia > INERTIAS.start).collect();
+    panel.curve(canvas, &shown, Stroke { shade: INK, width: 2.4, dashes: None, class: "boundary" });
 }
 
 /// What the tinted ground is, where it has room.
@@ -217,7 +237,11 @@ fn on_line(canvas: &mut Canvas, placing: &mut Placing, label: &Label, places: &[
     }
 }
 
-fn words(slots: Slots, own: &[&Design], shown: [usize; 2]) -> Words {
+fn words(slots: Slots, own: &[&Design], shown: [usize; 2], ridge: &[(f64, f64)]) -> Words {
+    let [least, greatest] = [f64::min, f64::max].map(|pick| {
+        let ratios = ridge.iter().map(|(_, log)| libm::exp(*log));
+        significant(ratios.reduce(pick).unwrap_or_default(), 2)
+    });
     let pins = slots.pins();
     let name = match pins {
         3 => "three",
@@ -237,7 +261,7 @@ fn words(slots: Slots, own: &[&Design], shown: [usize; 2]) -> Words {
         description: format!(
             "Two maps with the friction μ to the right and I_D / I_f upwards, on a logarithmic axis: {} lines of equal mean \
              speed and {} lines of equal rise. With more friction the speed falls and the rise is shorter; with a heavier \
-             driver the rise is longer. In a corner with much friction and a light driver the equation of motion has no \
+             driver the rise is longer. The mean speed is greatest at a ratio of the inertias of {least} to {greatest}, by friction. In a corner with much friction and a light driver the equation of motion has no \
              single solution.{}",
             shown[0],
             shown[1],
@@ -245,7 +269,7 @@ fn words(slots: Slots, own: &[&Design], shown: [usize; 2]) -> Words {
         ),
         caption: format!(
             "{pins} pins. Above, lines of equal mean terminal speed in √(K/I_f); below, lines of equal number of engagements \
-             until a difference of speeds has shrunk to a hundredth. Marked: the runs. On the tinted ground the equation of \
+             until a difference of speeds has shrunk to a hundredth. Marked: the runs; dotted: the ratio of the inertias at which the mean speed is greatest. On the tinted ground the equation of \
              motion has no single solution."
         ),
     }
@@ -296,6 +320,12 @@ mod tests {
             }
             // At one ratio of the inertias: the top row is the same in all columns.
             let top = |grid: &Grid| grid.values.iter().map(|values| values[ROWS as usize]).collect::<Vec<_>>();
+            let ridge = speed.ridge();
+            assert!(ridge.len() > 50, "{slots:?}: {}", ridge.len());
+            for (friction, log) in ridge.iter().step_by(8) {
+                let mean = |log: f64| steady(slots, libm::exp(log), *friction).expect("sound").mean_speed;
+                assert!([-0.2, 0.2].iter().all(|aside| mean(log + aside) < mean(*log)), "{slots:?} {friction} {log}");
+            }
             for grid in [&speed, &rise] {
                 assert!(top(grid).windows(2).all(|pair| falls([pair[0], pair[1]])), "{slots:?}");
             }
