@@ -358,6 +358,11 @@ mod tests {
         let data = svg.lines().find(|line| line.contains("curve")).expect("drawn");
         assert!(data.contains(&format!("M{} {}", least.x, (least.y + greatest.y) / 2.0)), "{data}");
         assert_eq!(data.matches('M').count(), 2, "{data}");
+        for outside in [[(0.2, 2.0), (0.8, 3.0)], [(-0.2, 0.9), (0.1, 1.3)], [(2.0, 0.1), (2.0, 0.9)]] {
+            let mut canvas = Canvas::new(640.0, 300.0);
+            panel.curve(&mut canvas, &outside, stroke);
+            assert!(!canvas.finish(crate::svg::canvas::Kind::Plot, "a", "b", "c").contains("curve"), "{outside:?}");
+        }
     }
 
     #[test]

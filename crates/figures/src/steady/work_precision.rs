@@ -159,6 +159,21 @@ mod tests {
         };
         assert!((slope(1) / slope(0) - 2.0).abs() < 0.02, "{} {}", slope(1), slope(0));
         assert!((slope(2) / slope(0) - 4.0).abs() < 0.05);
+        // Each panel has its own values, on an axis between whole powers of ten.
+        for (panel, column) in [(0, 2), (1, 3)] {
+            let logs = |row: &Vec<f64>| libm::log10(row[column]);
+            let all = || figure.series.rows.iter().map(logs);
+            let low = all().fold(f64::INFINITY, f64::min).floor();
+            let high = all().fold(f64::NEG_INFINITY, f64::max).ceil();
+            let frame = corners(
+                named(&document, "axes")[panel].attribute("d").expect("a path").split("M").nth(1).expect("M"),
+                1.0,
+            );
+            let (left, right) = (frame[0].x, frame[2].x);
+            let curve = corners(curves[3 * panel].attribute("d").expect("a path"), 1.0);
+            let expected = left + (right - left) * (logs(&figure.series.rows[0]) - low) / (high - low);
+            assert!((curve[0].x - expected).abs() < 0.2, "{} for {expected}", curve[0].x);
+        }
     }
 
     #[test]
