@@ -23,8 +23,8 @@ pub struct Measurement {
     pub contestant: String,
     /// The error that it was asked for.
     pub tolerance: f64,
-    /// Evaluations of the right-hand side.
-    pub evaluations: u64,
+    /// Evaluations of the right-hand side; none for a solver that does not step along it.
+    pub evaluations: Option<u64>,
     /// Time that it took.
     pub milliseconds: f64,
     /// Its error against the known solution, relative.
@@ -32,18 +32,22 @@ pub struct Measurement {
 }
 
 impl Measurement {
-    /// Error, evaluations and milliseconds, if all can stand on a logarithmic axis.
+    /// Error, evaluations and milliseconds, if they can stand on a logarithmic axis; not a number for evaluations that
+    /// are not counted.
     fn point(&self) -> Option<[f64; 3]> {
-        let values = [self.true_error, self.evaluations as f64, self.milliseconds];
-        values.iter().all(|value| value.is_finite() && *value > 0.0).then_some(values)
+        let stands = |value: f64| value.is_finite() && value > 0.0;
+        let evaluations = self.evaluations.map(|count| count as f64);
+        let all = stands(self.true_error) && stands(self.milliseconds) && evaluations.is_none_or(stands);
+        all.then_some([self.true_error, evaluations.unwrap_or(f64::NAN), self.milliseconds])
     }
 }
 
 /// True error over evaluations, and over milliseconds, on logarithmic axes, for each contestant a curve through its
-/// measurements in the order of the work.
+/// measurements in the order given.
 ///
-/// Measurements without an error, evaluations or time above zero are left out. Series: number of the contestant in
-/// order of first appearance, tolerance, evaluations, milliseconds, true error.
+/// Measurements without an error or time above zero are left out, and those without evaluations in the first panel.
+/// Series: number of the contestant in order of first appearance, tolerance, evaluations or zero, milliseconds, true
+/// error.
 pub fn work_precision(measurements: &[Measurement]) -> Figure {
     let mut names: Vec<&str> = Vec::new();
     for one in measurements.iter().filter(|one| one.point().is_some()) {
@@ -51,18 +55,14 @@ pub fn work_precision(measurements: &[Measurement]) -> Figure {
             names.push(&one.contestant);
         }
     }
-    let of = |name: &str| {
-        let own = measurements.iter().filter(|one| one.contestant == name).filter_map(Measurement::point);
-        let mut points: Vec<[f64; 3]> = own.collect();
-        points.sort_by(|a, b| a[1].total_cmp(&b[1]));
-        points
-    };
+    let of =
+        |name: &str| measurements.iter().filter(|one| one.contestant == name).filter_map(Measurement::point).collect();
     let families: Vec<Vec<[f64; 3]>> = names.iter().map(|name| of(name)).collect();
     let key = Samples::new(&names);
     let (corners, height) = Panel::stack(key.height(), HEIGHTS);
     let mut canvas = Canvas::new(f64::from(WIDTH), height);
     let axis = |column: usize| {
-        let values = || families.iter().flatten().map(|point| point[column]);
+        let values = || families.iter().flatten().map(|point| point[column]).filter(|value| value.is_finite());
         let (least, greatest) = (values().fold(f64::INFINITY, f64::min), values().fold(0.0, f64::max));
         let (least, greatest) = if least <= greatest { (least, greatest) } else { (1.0, 10.0) };
         let each = (libm::log10(greatest / least) as usize + 2) / MARKS + 1;
@@ -74,7 +74,11 @@ pub fn work_precision(measurements: &[Measurement]) -> Figure {
         panel.draw(&mut canvas, true);
         for (number, points) in families.iter().enumerate() {
             let (shade, _) = kind(number);
-            let curve: Vec<_> = points.iter().map(|point| (point[k + 1], point[0])).collect();
+            let curve: Vec<_> =
+                points.iter().map(|point| (point[k + 1], point[0])).filter(|(work, _)| work.is_finite()).collect();
+            if curve.is_empty() {
+                continue;
+            }
             panel.curve(&mut canvas, &curve, Stroke { shade, width: 1.8, dashes: dashes(number), class: "contestant" });
             panel.marks(&mut canvas, &curve, kind(number), SIZE);
         }
@@ -87,12 +91,13 @@ pub fn work_precision(measurements: &[Measurement]) -> Figure {
         let [error, work, time] = [0, 1, 2].map(|k| significant(point[k], 2));
         // So small an error is written with its power of ten.
         let error = if point[0] < 1e-3 { format!("{:.0e}", point[0]) } else { error };
-        Some(format!("{name}: {error} with {work} evaluations in {time} ms"))
+        let with = if point[1].is_finite() { format!(" with {work} evaluations") } else { String::new() };
+        Some(format!("{name}: {error}{with} in {time} ms"))
     });
     let best: Vec<String> = best.collect();
     let rows = measurements.iter().filter(|one| one.point().is_some()).map(|one| {
         let number = names.iter().position(|name| *name == one.contestant).map_or(0, |at| at + 1);
-        [number as f64, one.tolerance, one.evaluations as f64, one.milliseconds, one.true_error]
+        [number as f64, one.tolerance, one.evaluations.unwrap_or(0) as f64, one.milliseconds, one.true_error]
     });
     let columns = [("contestant", "1"), ("tolerance", "1"), ("evaluations", "1"), ("time", "ms"), ("error", "1")];
     let words = Words {
@@ -127,7 +132,7 @@ mod tests {
                 Measurement {
                     contestant: format!("solver {number}"),
                     tolerance: libm::exp2(-2.0 * f64::from(k)),
-                    evaluations: (steps * order).round() as u64,
+                    evaluations: Some((steps * order).round() as u64),
                     milliseconds: 0.001 * steps,
                     true_error: libm::pow(steps, -order),
                 }
@@ -181,7 +186,7 @@ mod tests {
         let mut some = made_up(2);
         some[0].true_error = 0.0;
         some[3].milliseconds = f64::NAN;
-        some[7].evaluations = 0;
+        some[7].evaluations = Some(0);
         assert_eq!(work_precision(&some).series.rows.len(), 9);
         for few in [&some[..0], &some[1..2]] {
             well_formed(&work_precision(few));

@@ -1,7 +1,9 @@
 //! The figures of the book by name: the ledger says for which mechanism, the figures draw it.
 
 mod escapement;
+mod joints;
 mod runs;
+mod solver;
 mod steady;
 
 use crate::html::escape;
@@ -36,18 +38,20 @@ pub const NAMES: &[&str] = &[
     "escapement-normal-force",
     "escapement-existence",
     "integrator-order",
-    "runs-four-pin",
-    "runs-six-pin",
-    "runs-three-pin",
     "runs-hypotheses",
     "runs-aliasing",
     "runs-speeds",
+    "runs-four-pin",
+    "runs-six-pin",
+    "runs-three-pin",
+    "steady-collapse",
     "steady-hand-over",
     "steady-phase",
-    "steady-collapse",
     "steady-map-four-pin",
     "steady-map-six-pin",
     "steady-map-three-pin",
+    "joints-losses",
+    "solver-work-precision",
 ];
 
 /// Crank angle at which the model of a wheel is drawn: wide enough apart from the line of centres to see the angles.
@@ -81,6 +85,8 @@ pub fn by_name(name: &str) -> anyhow::Result<Figure> {
         _ => escapement::by_name(name)
             .or_else(|| runs::by_name(name))
             .or_else(|| steady::by_name(name))
+            .or_else(|| (name == "joints-losses").then(joints::losses))
+            .or_else(|| (name == "solver-work-precision").then(solver::work_precision))
             .unwrap_or_else(|| Err(anyhow!("no figure `{name}`; there are: {}", NAMES.join(", ")))),
     }
 }

@@ -6,7 +6,9 @@ use geneva_figures::Figure;
 use geneva_figures::runs::{
     Deviation, Deviations, Group, Run, aliasing, deviations, first_minimum, over_torque, speeds,
 };
-use geneva_ledger::meyer::runs::{Column, Fold, Hypothesis, Mechanism, Reading, Row, SixPin, interval, rows, scores};
+use geneva_ledger::meyer::runs::{
+    Column, Constants, Fold, Hypothesis, Mechanism, Reading, Row, SixPin, compared, interval, rows,
+};
 use geneva_ledger::printed_value;
 
 /// The figure of this name; `None` if it is not one of the runs.
@@ -84,9 +86,7 @@ fn slots(mechanism: Mechanism) -> anyhow::Result<Slots> {
 
 /// What each of the compared hypotheses makes of the rows.
 fn hypotheses() -> anyhow::Result<Vec<Deviations>> {
-    let mut compared: Vec<Hypothesis> = scores().into_iter().map(|score| score.hypothesis).collect();
-    compared.dedup();
-    compared.iter().map(of_hypothesis).collect()
+    compared().iter().map(of_hypothesis).collect()
 }
 
 fn of_hypothesis(hypothesis: &Hypothesis) -> anyhow::Result<Deviations> {
@@ -117,6 +117,7 @@ fn words(hypothesis: &Hypothesis) -> String {
         Reading::True => "true peaks",
         Reading::OnTheGrid => "printed peaks",
     };
+    let constants = if hypothesis.constants == Constants::AsListed { ", listed π" } else { "" };
     let sign = if hypothesis.delay.is_some() { ", old sign" } else { "" };
-    format!("{fold}, {inertias}, {reading}{sign}")
+    format!("{fold}, {inertias}, {reading}{constants}{sign}")
 }

@@ -2,6 +2,7 @@
 
 use crate::html::{Cells, table};
 use anyhow::Context;
+use geneva_dynamics::Parameters;
 use geneva_dynamics::joints::{Joints, effects as all_effects, largest_pin_radius};
 use geneva_ledger::meyer::runs::{Column, Hypothesis, Mechanism, Row, rows};
 
@@ -29,9 +30,7 @@ pub fn effects() -> anyhow::Result<String> {
     let mut cells = vec![vec!["ideal".to_owned()]];
     cells.extend(COMPARED.map(|of| vec![named(of)]));
     for mechanism in Mechanism::ALL {
-        let is_it = |row: &&Row| row.mechanism == mechanism && row.printed(Column::Friction) == FRICTION;
-        let row = rows().iter().find(is_it).context("no run with this friction")?;
-        let parameters = Hypothesis::TRUE.parameters(row).context("a run's data make no escapement")?;
+        let parameters = parameters(mechanism)?;
         let list = std::iter::once(Joints::IDEAL).chain(COMPARED.map(joints));
         let found = all_effects(&parameters, list.map(|joints| (joints.pin_radius, joints)))?;
         for (cells, effect) in cells.iter_mut().zip(found) {
@@ -44,6 +43,13 @@ pub fn effects() -> anyhow::Result<String> {
     let [first, second, third] = &pins;
     let head = ["Joints", first, "contraction", second, "contraction", third, "contraction"];
     Ok(table("Mean speed and contraction with a thick pin and rubbing journals", Cells::NamedNumbers, &head, &cells))
+}
+
+/// The escapement of the weakest run of a mechanism with this friction.
+pub fn parameters(mechanism: Mechanism) -> anyhow::Result<Parameters> {
+    let is_it = |row: &&Row| row.mechanism == mechanism && row.printed(Column::Friction) == FRICTION;
+    let row = rows().iter().find(is_it).context("no run with this friction")?;
+    Hypothesis::TRUE.parameters(row).context("a run's data make no escapement")
 }
 
 fn named((pin, journals, friction): (f64, f64, f64)) -> String {

@@ -1,11 +1,11 @@
 //! Tables of computed numbers, beside those of the ledger: by name, or for a range of wheels.
 
 mod escapement;
-mod joints;
+pub mod joints;
 mod quick_return;
 mod rise_times;
 mod runs;
-mod solver;
+pub mod solver;
 mod timer;
 pub mod wheels;
 
