@@ -8,6 +8,7 @@ use geneva_dynamics::existence::{critical_friction, least_margin};
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Inertias, Parameters, Slots};
 use geneva_figures::escapement::{mechanism, normal_force};
+use geneva_figures::runs::speeds;
 use geneva_kinematics::escapement::Escapement;
 use serde_json::{Map, Value};
 
@@ -264,9 +265,14 @@ fn the_drawings_are_those_of_the_figures_and_stand_alone() {
         let scaled = mechanism(&escapement, -escapement.driver_half_angle() / 3.0).expect("an engaged pin");
         let steady = Engagement::new(&parameters).and_then(|engagement| engagement.steady_state()).expect("steady");
         let forces = normal_force(&parameters, steady.entry_speed).expect("a motion");
-        for (options, figure) in
-            [(&[][..], &scaled), (&["--figure", "mechanism"], &scaled), (&["--figure", "normal-force"], &forces)]
-        {
+        let run = Engagement::new(&parameters).expect("an engagement");
+        let run = speeds(&run, "").expect("a run");
+        for (options, figure) in [
+            (&[][..], &scaled),
+            (&["--figure", "mechanism"], &scaled),
+            (&["--figure", "normal-force"], &forces),
+            (&["--figure", "run"], &run),
+        ] {
             let svg = stdout(&command(design, &[&["--format", "svg"], options].concat()), 0);
             assert!(!svg.contains("var("), "a colour that only a browser understands");
             let (drawn, expected) = (roxmltree::Document::parse(&svg), roxmltree::Document::parse(&figure.svg));

@@ -50,8 +50,8 @@ pub fn losses(size: &str, speeds: &[Line], contractions: &[Line]) -> Figure {
     let titles = ["mean speed over the ideal one", "contraction"];
     for (k, (corner, lines)) in corners.into_iter().zip(groups).enumerate() {
         let values = || lines.iter().flat_map(finite).map(|point| point.1);
-        let most = values().fold(0.0, f64::max);
-        let left = upright(values().fold(0.0, f64::min), if most > 0.0 { most / 1.04 } else { 1.0 }, 4.0);
+        let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
+        let left = if low < high { spanning(low, high, 4.0) } else { upright(0.0, high.max(1.0), 4.0) };
         let panel = Panel::new(corner, HEIGHTS[k], level.clone(), left);
         panel.draw(&mut canvas, true);
         for line in lines {
@@ -84,7 +84,7 @@ pub fn losses(size: &str, speeds: &[Line], contractions: &[Line]) -> Figure {
             "Two panels over the {size}: the mean speed over that of the ideal mechanism, and the contraction. {}.",
             said.join("; ")
         ),
-        caption: format!("Mean speed and contraction over the {size}. Points without size are the ideal mechanism."),
+        caption: format!("Mean speed over that of the ideal mechanism, and contraction, over the {size}."),
     };
     let rows = groups.into_iter().enumerate().flat_map(|(panel, lines)| {
         lines.iter().flat_map(move |line| {

@@ -268,7 +268,7 @@ fn words(slots: Slots, own: &[&Design], shown: [usize; 2], ridge: &[(f64, f64)])
             if said.is_empty() { String::new() } else { format!(" Marked: {}.", said.join("; ")) }
         ),
         caption: format!(
-            "{pins} pins. Above, lines of equal mean terminal speed in √(K/I_f); below, lines of equal number of engagements \
+            "{pins} pins. Above, lines of equal mean terminal speed in units of the root of torque over the follower's inertia; below, lines of equal number of engagements \
              until a difference of speeds has shrunk to a hundredth. Marked: the runs; dotted: the ratio of the inertias at which the mean speed is greatest. On the tinted ground the equation of \
              motion has no single solution."
         ),

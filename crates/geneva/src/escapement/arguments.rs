@@ -76,4 +76,7 @@ pub enum FigureName {
     Mechanism,
     /// Normal force and torque of the friction over one engagement of the steady state
     NormalForce,
+    /// Speeds of driver and follower over the first engagements from rest, in rad/s and ms: for torques and inertias
+    /// with the second in their units
+    Run,
 }

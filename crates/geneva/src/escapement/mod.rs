@@ -17,6 +17,7 @@ use arguments::{EscapementFormat, FigureName};
 use assembly::{Assembly, own_modulus, unsteady};
 use clap::ValueEnum;
 use geneva_figures::escapement::{mechanism, normal_force};
+use geneva_figures::runs::speeds;
 use geneva_kinematics::escapement::Escapement;
 use record::EscapementRecord;
 
@@ -72,6 +73,10 @@ fn drawing(wanted: &EscapementArguments, assembly: &Assembly) -> anyhow::Result<
             }
             let steady = assembly.engagement.steady_state().map_err(|error| unsteady(wanted, error))?;
             normal_force(parameters, steady.entry_speed)?.svg
+        }
+        FigureName::Run => {
+            assembly.engagement.steady_state().map_err(|error| unsteady(wanted, error))?;
+            speeds(&assembly.engagement, "")?.svg
         }
     })
 }

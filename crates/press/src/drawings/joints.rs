@@ -7,7 +7,7 @@ use geneva_figures::steady::{Line, losses as drawing};
 use geneva_ledger::meyer::runs::Mechanism;
 
 /// Friction of the journals.
-const BEARINGS: f64 = 0.1;
+const BEARINGS: f64 = 0.2;
 /// The largest radius, in crank radii, and how many there are.
 const LARGEST: f64 = 0.2;
 const RADII: u32 = 8;
@@ -29,5 +29,5 @@ pub fn losses() -> anyhow::Result<Figure> {
         speeds.push(line(effects.iter().map(|effect| (effect.value, effect.mean_speed)).collect()));
         contractions.push(line(effects.iter().map(|effect| (effect.value, effect.contraction)).collect()));
     }
-    Ok(drawing("radius over the crank radius", &speeds, &contractions))
+    Ok(drawing("radius in crank radii", &speeds, &contractions))
 }

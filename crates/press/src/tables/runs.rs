@@ -11,18 +11,21 @@ use geneva_ledger::meyer::runs::{
 pub fn hypotheses() -> anyhow::Result<String> {
     let rows: Vec<Vec<String>> = scores()
         .iter()
-        .map(|score| {
-            let mut row = vec![words(&score.hypothesis)];
+        .enumerate()
+        .map(|(at, score)| {
+            let mut row = vec![format!("{}: {}", at + 1, words(&score.hypothesis)), score.within_one().to_string()];
+            row.extend(logs(score));
             for fit in &score.fits {
                 row.extend([counts(fit), signed(100.0 * fit.mean, 1), signed(100.0 * fit.worst, 1)]);
             }
-            row.push(score.within_one().to_string());
-            row.extend(logs(score));
             row
         })
         .collect();
     let head = [
         "Hypothesis",
+        "of 147",
+        "ln L, normal",
+        "exponential",
         "Peak",
         "mean %",
         "worst %",
@@ -32,9 +35,6 @@ pub fn hypotheses() -> anyhow::Result<String> {
         "Period",
         "mean %",
         "worst %",
-        "of 147",
-        "ln L, normal",
-        "ln L, exponential",
     ];
     Ok(table("Hypotheses about the runs", Cells::NamedNumbers, &head, &rows))
 }
@@ -47,22 +47,23 @@ pub fn delays() -> anyhow::Result<String> {
             let [peak, minimum, period] = &score.fits;
             let [normal, _] = peak.likelihoods;
             let name = if *delay > 0.0 { format!("{:.3} ms", 1e3 * delay) } else { "none".to_owned() };
-            let mut row = vec![name, counts(peak), signed(100.0 * peak.mean, 2), signed(100.0 * peak.worst, 1)];
-            row.extend([format!("{:.2}", normal.spread), counts(minimum), counts(period)]);
+            let mut row = vec![name];
             row.extend(logs(score));
+            row.extend([counts(peak), signed(100.0 * peak.mean, 2), signed(100.0 * peak.worst, 1)]);
+            row.extend([format!("{:.2}", normal.spread), counts(minimum), counts(period)]);
             row
         })
         .collect();
     let head = [
         "Delay",
+        "ln L, normal",
+        "exponential",
         "Peak",
         "mean %",
         "worst %",
         "spread, rad/s",
         "Minimum",
         "Period",
-        "ln L, normal",
-        "ln L, exponential",
     ];
     Ok(table("Delays of the sign of the friction", Cells::NamedNumbers, &head, &rows))
 }
