@@ -15,6 +15,7 @@
 
 use crate::Slots;
 use std::f64::consts::PI;
+use std::sync::LazyLock;
 
 /// The circle of one mechanism.
 #[derive(Clone, Copy, Debug)]
@@ -50,8 +51,21 @@ impl Place {
     }
 }
 
+/// One for each number of slots.
+static CIRCLES: LazyLock<[Circle; 3]> = LazyLock::new(|| Slots::ALL.map(Circle::new));
+
 impl Circle {
-    pub fn new(slots: Slots) -> Self {
+    /// The circle of a mechanism, made at the first call.
+    pub fn of(slots: Slots) -> Self {
+        let [three, four, six] = &*CIRCLES;
+        *match slots {
+            Slots::Three => three,
+            Slots::Four => four,
+            Slots::Six => six,
+        }
+    }
+
+    fn new(slots: Slots) -> Self {
         let (ratio, centre) = (slots.ratio(), 1.0 / (slots.ratio_squared() - 1.0));
         let exit = libm::tan(PI / 8.0 + PI / (4.0 * f64::from(slots.count())));
         let imaginary = 1.0 / (centre * (ratio + 1.0) * (ratio + 1.0));
@@ -92,7 +106,7 @@ mod tests {
     #[test]
     fn the_circle_has_the_pose_of_the_mechanism() {
         for slots in Slots::ALL {
-            let circle = Circle::new(slots);
+            let circle = Circle::of(slots);
             for step in 0..=300 {
                 let angle = PI * f64::from(step) / 300.0;
                 let (w, pose) = (circle.at_angle(angle), Pose::new(&slots.ratio(), &Turn::from_radians(angle)));

@@ -1,8 +1,8 @@
 //! When the driver is where: the time of a passage up to a place, and the place at a time.
 
-use super::passage::{Phase, Piece};
 use super::rule::{Row, Rule, dot};
 use super::stretch::Spread;
+use super::walk::{Phase, Piece};
 
 impl Piece<'_> {
     /// w at the start of the piece.
@@ -33,7 +33,7 @@ impl Piece<'_> {
 
     /// Times from the start of the piece at its points, in units of 1/√E, with the whole and the rates.
     pub fn clock(&self, rule: &Rule) -> Clock {
-        let rates = self.rates();
+        let rates = self.points.rates(&self.squares);
         let (mut times, whole) = (rule.cumulative(&rates), rule.integral(&rates));
         if self.phase == Phase::Approach {
             times = times.map(|time| whole - time);

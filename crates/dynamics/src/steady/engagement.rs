@@ -7,6 +7,7 @@ use super::stretch::{Branch, Points, Spread};
 use crate::Parameters;
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
+use std::sync::{LazyLock, OnceLock};
 
 /// The tolerances that an [`Engagement`] can be asked for.
 pub const TOLERANCES: RangeInclusive<f64> = 1e-13..=1e-6;
@@ -49,10 +50,26 @@ pub(super) struct Panel {
     pub points: Points,
     /// Friction with the plus sign past the line of centres; mirrored, with the minus sign before it.
     pub plus: Branch,
-    /// Friction with the minus sign past the line of centres.
+    /// e^Λ and J of the plus sign from the line of centres to the stretch's lower end.
+    pub before: (f64, f64),
+    /// Made when it is asked for: the motion has this sign from the switch on only.
+    held: OnceLock<Held>,
+}
+
+/// Friction with the minus sign past the line of centres.
+#[derive(Clone, Debug)]
+pub(super) struct Held {
     pub minus: Branch,
     /// ln of plus's growth less ln of minus's, without cancellation.
     pub gap: f64,
+}
+
+impl Panel {
+    /// e^Λ and J of the plus sign from the line of centres to the stretch's upper end.
+    pub fn after(&self) -> (f64, f64) {
+        let (product, sum) = self.before;
+        (product * self.plus.growth_end, sum + self.plus.drive_end / product)
+    }
 }
 
 impl Engagement {
@@ -71,7 +88,7 @@ impl Engagement {
     ///
     /// As for [`Engagement::new`], and [`SteadyError::Tolerance`].
     pub fn with_tolerance(parameters: &Parameters, tolerance: f64) -> Result<Self, SteadyError> {
-        let exit = Circle::new(parameters.slots()).exit;
+        let exit = Circle::of(parameters.slots()).exit;
         Self::to(parameters, 2.0 * parameters.slots().engagement_half_angle(), exit, tolerance)
     }
 
@@ -96,7 +113,7 @@ impl Engagement {
         if !(fold > 0.0 && end < PI) {
             return Err(SteadyError::Fold { asked: fold, limit });
         }
-        let circle = Circle::new(parameters.slots());
+        let circle = Circle::of(parameters.slots());
         Self::to(parameters, fold, circle.at_angle(end.abs()).copysign(end), tolerance)
     }
 
@@ -120,7 +137,7 @@ impl Engagement {
             fold,
             tolerance,
             rule: rule(),
-            circle: Circle::new(parameters.slots()),
+            circle: Circle::of(parameters.slots()),
             inertia: parameters.inertias().ratio(),
             friction: parameters.friction(),
             unit: parameters.drive().sqrt(),
@@ -145,24 +162,18 @@ impl Engagement {
 
     /// Adds stretches from `low` to `high`, each short enough for its points to resolve.
     fn divide(&mut self, low: f64, high: f64, scales: &Scales) -> Result<(), SteadyError> {
-        let mut rest = Vec::with_capacity(8);
-        if high > low {
-            rest.push((low, high));
+        if low >= high {
+            return Ok(());
         }
+        let mut rest = Vec::with_capacity(8);
+        rest.push((low, high));
         while let Some((low, high)) = rest.pop() {
             let middle = low + (high - low) / 2.0;
             if self.resolves(low, middle, high, scales) {
                 let points = Points::new(&self.circle, self.rule, low, high, Spread::Even);
                 let plus = points.branch(self.rule, self.inertia, self.friction);
-                let minus = points.branch(self.rule, self.inertia, -self.friction);
-                let difference = plus.exponent - minus.exponent;
-                // Where the difference has lost digits it is found by itself.
-                let gap = if difference > 0.01 * libm::fabs(plus.exponent) {
-                    difference
-                } else {
-                    self.rule.integral(&points.gap(self.inertia, self.friction))
-                };
-                self.panels.push(Panel { points, plus, minus, gap });
+                let before = self.panels.last().map_or((1.0, 0.0), Panel::after);
+                self.panels.push(Panel { points, plus, before, held: OnceLock::new() });
             } else if self.panels.len() + rest.len() < MOST_STRETCHES && low < middle && middle < high {
                 rest.push((middle, high));
                 rest.push((low, middle));
@@ -205,6 +216,21 @@ impl Engagement {
             slope: -2.0 * lead * slide + sigma * (lead * across - slide * slide),
             bend: 2.0 * slide * slide - 2.0 * lead * across - sigma * slide * (4.0 * lead - 3.0 * centre),
         }
+    }
+
+    /// A stretch with the minus sign.
+    pub(super) fn held<'a>(&self, panel: &'a Panel) -> &'a Held {
+        panel.held.get_or_init(|| {
+            let minus = panel.points.branch(self.rule, self.inertia, -self.friction);
+            let difference = panel.plus.exponent - minus.exponent;
+            // Where the difference has lost digits it is found by itself.
+            let gap = if difference > 0.01 * libm::fabs(panel.plus.exponent) {
+                difference
+            } else {
+                self.rule.integral(&panel.points.gap(self.inertia, self.friction))
+            };
+            Held { minus, gap }
+        })
     }
 
     /// The same, with stretches so short that what lies between their points is as good as the integrals.
@@ -274,10 +300,19 @@ impl Scales {
     /// A polynomial through n points errs as e⁻ⁿ, where e is the sum of the half axes of the ellipse through the pole;
     /// for an exponential function of range x, as (x/2)ⁿ/(2ⁿ⁻¹ n!).
     fn between(tolerance: f64) -> Self {
-        let points = POINTS as f64;
-        let sum = libm::pow(tolerance, -1.0 / points);
-        let factorial: f64 = (1..=POINTS).map(|n| n as f64).product();
-        let growth = 2.0 * libm::pow(tolerance * factorial * libm::exp2(points - 1.0), 1.0 / points);
-        Self { distance: (sum - 1.0 / sum) / 2.0, growth }
+        let root = sixteenth_root(tolerance);
+        Self { distance: (1.0 / root - root) / 2.0, growth: 2.0 * root * *GROWTH }
     }
 }
+
+/// The root of order sixteen, by four of order two.
+fn sixteenth_root(x: f64) -> f64 {
+    const { assert!(POINTS == 16) };
+    x.sqrt().sqrt().sqrt().sqrt()
+}
+
+/// Root of order n of 2ⁿ⁻¹ n!.
+static GROWTH: LazyLock<f64> = LazyLock::new(|| {
+    let factorial: f64 = (1..=POINTS).map(|n| n as f64).product();
+    sixteenth_root(factorial * libm::exp2(POINTS as f64 - 1.0))
+});

@@ -3,9 +3,10 @@
 //! u is level where p u + f = 0, that is where 1 + N (1 + 2 ρ) u = 0, with N = (ρ + σ k) k and its sign turned round before
 //! the line of centres.
 
-use super::passage::{Passage, Phase, Piece};
+use super::passage::Passage;
 use super::rule::{POINTS, dot};
-use super::switch::{COARSE, FINE, STEPS};
+use super::switch::{COARSE, STEPS};
+use super::walk::{Phase, Piece};
 
 /// A greatest or least speed of the driver, and where it has it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -100,18 +101,20 @@ impl Passage<'_> {
             let place = circle.place(w);
             self.slope(phase, place.lead, place.slide, square)
         };
-        let mut before = (points.low, slope_at(points.low, low));
-        for index in 0..POINTS {
-            let slope = self.slope(phase, points.lead[index], points.slide[index], piece.squares[index]);
-            let here = (points.at(self.engagement.rule.points[index]), slope);
-            if (before.1 > 0.0) != (slope > 0.0) {
-                spots.push(self.level(number, piece, before, here));
-            }
-            before = here;
+        let mut slopes = [0.0; POINTS];
+        for (index, slope) in slopes.iter_mut().enumerate() {
+            *slope = self.slope(phase, points.lead[index], points.slide[index], piece.squares[index]);
         }
-        let here = (points.high, slope_at(points.high, high));
-        if (before.1 > 0.0) != (here.1 > 0.0) {
-            spots.push(self.level(number, piece, before, here));
+        let place = |index: usize| points.at(self.engagement.rule.points[index]);
+        let ends = [slope_at(points.low, low), slope_at(points.high, high)];
+        let mut before = ends[0];
+        for (index, &slope) in slopes.iter().chain(&ends[1..]).enumerate() {
+            if (before > 0.0) != (slope > 0.0) {
+                let from = if index == 0 { points.low } else { place(index - 1) };
+                let to = if index == POINTS { points.high } else { place(index) };
+                spots.push(self.level(number, piece, (from, before), (to, slope)));
+            }
+            before = slope;
         }
     }
 
@@ -119,17 +122,14 @@ impl Passage<'_> {
     fn level(&self, number: usize, piece: &Piece<'_>, low: (f64, f64), high: (f64, f64)) -> Spot {
         let rising = low.1 > 0.0;
         let (first, last, width) = (low.0, high.0, piece.points.high - piece.points.low);
+        let enough = self.engagement.fine();
         // Where the straight line is level.
         let start = first + (last - first) * (low.1 / (low.1 - high.1));
         let (mut low, mut high) = (first, last);
         let (mut w, mut refining) = (start.clamp(first, last), false);
-        let part = |w: f64| {
-            let part = self.part(number, w);
-            (part.ends[1], part.duration)
-        };
         for _ in 0..STEPS {
             let (square, time) = if refining {
-                part(w)
+                self.within(number, w)
             } else {
                 (dot(&piece.points.shares(self.engagement.rule, w), &piece.squares), 0.0)
             };
@@ -145,7 +145,7 @@ impl Passage<'_> {
             let rate = if piece.phase == Phase::Approach { -square * rate } else { square * rate };
             let next = w - value / rate;
             let moved = next - w;
-            if refining && libm::fabs(moved) <= FINE * width {
+            if refining && libm::fabs(moved) <= enough * width {
                 let pace = place.stretch / turning / square.sqrt();
                 let late = if piece.phase == Phase::Approach { -moved } else { moved };
                 // u is level to the second order of the step.
@@ -158,7 +158,7 @@ impl Passage<'_> {
             refining |= inside && libm::fabs(moved) <= COARSE * width;
             w = if inside || refining { next.clamp(first, last) } else { low + (high - low) / 2.0 };
         }
-        let (square, time) = part(w);
+        let (square, time) = self.within(number, w);
         Spot { piece: number, at: w, square, time }
     }
 }

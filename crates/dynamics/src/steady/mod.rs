@@ -27,6 +27,7 @@ mod stretch;
 mod switch;
 mod terminal;
 mod trajectory;
+mod walk;
 
 #[cfg(test)]
 mod tests;
@@ -36,5 +37,5 @@ pub use error::SteadyError;
 pub use extremes::Extreme;
 pub use passage::Passage;
 pub use rise::{Cycle, MOST_CYCLES, Rise};
-pub use terminal::SteadyState;
+pub use terminal::{SteadyState, Terminal};
 pub use trajectory::{MOST_PRINTED, Printed};

@@ -7,7 +7,7 @@
 
 use super::arc::Circle;
 use super::exponential::exponentials;
-use super::rule::{Row, Rule, dot};
+use super::rule::{POINTS, Row, Rule, dot};
 
 /// How the rule's interval lies on the axis of w.
 #[derive(Clone, Copy, Debug)]
@@ -56,16 +56,21 @@ impl Points {
         let mut points =
             Self { low, high, spread, lead: [0.0; _], slide: [0.0; _], stretch: [0.0; _], angle: [0.0; _] };
         let half = (high - low) / 2.0;
-        for (index, &s) in rule.points.iter().enumerate() {
-            let (w, rate) = match spread {
-                Spread::Even => (low + half * (1.0 + s), half),
-                Spread::FromRest => (points.at(s), half * (1.0 - s)),
-            };
-            let place = circle.place(w);
+        let (mut places, mut rates) = ([0.0; POINTS], [half; POINTS]);
+        match spread {
+            Spread::Even => places = rule.points.map(|s| low + half * (1.0 + s)),
+            Spread::FromRest => {
+                for ((place, rate), &s) in places.iter_mut().zip(&mut rates).zip(&rule.points) {
+                    (*place, *rate) = (points.at(s), half * (1.0 - s));
+                }
+            }
+        }
+        for index in 0..POINTS {
+            let place = circle.place(places[index]);
             points.lead[index] = place.lead;
             points.slide[index] = place.slide;
-            points.stretch[index] = place.stretch * rate;
-            points.angle[index] = place.stretch * rate / place.turning();
+            points.stretch[index] = place.stretch * rates[index];
+            points.angle[index] = place.stretch * rates[index] / place.turning();
         }
         points
     }
@@ -85,6 +90,15 @@ impl Points {
             Spread::Even => (w - self.low - (self.high - w)) / width,
             Spread::FromRest => 1.0 - 2.0 * ((self.high - w) / width).max(0.0).sqrt(),
         })
+    }
+
+    /// dt per unit of the rule, at the points, where the unit of time is 1/√E, from u at them.
+    pub fn rates(&self, squares: &Row) -> Row {
+        let mut rates = self.angle;
+        for (rate, square) in rates.iter_mut().zip(squares) {
+            *rate /= square.sqrt();
+        }
+        rates
     }
 
     /// i + ρ² + σ k ρ at the points.
@@ -132,6 +146,15 @@ impl Points {
 }
 
 impl Branch {
+    /// The square's change over a stretch: u at the points and at the end, from u at the start.
+    pub fn motion(&self, mirrored: bool, start: f64) -> (Row, f64) {
+        if mirrored {
+            (self.squares_of_approach(start), self.approach(start))
+        } else {
+            (self.squares_up(start), self.up(start))
+        }
+    }
+
     /// u at the upper end, from u at the lower.
     pub fn up(&self, square: f64) -> f64 {
         self.growth_end * (square + self.drive_end)
@@ -143,7 +166,7 @@ impl Branch {
     }
 
     /// u at the points, from u at the lower end.
-    pub fn squares_up(&self, square: f64) -> Row {
+    fn squares_up(&self, square: f64) -> Row {
         let mut squares = [0.0; _];
         for ((value, growth), drive) in squares.iter_mut().zip(&self.growth).zip(&self.drive) {
             *value = growth * (square + drive);
@@ -152,7 +175,7 @@ impl Branch {
     }
 
     /// u at the points for the mirror image, from u at the upper end.
-    pub fn squares_of_approach(&self, square: f64) -> Row {
+    fn squares_of_approach(&self, square: f64) -> Row {
         let start = square / self.growth_end;
         let mut squares = [0.0; _];
         for ((value, growth), drive) in squares.iter_mut().zip(&self.growth).zip(&self.drive) {

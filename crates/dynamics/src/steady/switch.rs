@@ -8,12 +8,13 @@
 
 use super::engagement::Engagement;
 use super::rule::Row;
+use super::stretch::{Branch, Points, Spread};
 
 /// A step of Newton's method, over the stretch, from which on u is taken on points of its own.
-pub(super) const COARSE: f64 = 1e-6;
+pub(super) const COARSE: f64 = 1e-4;
 
-/// A step after which no other is needed.
-pub(super) const FINE: f64 = 1e-6;
+/// The least step after which no other is needed.
+const FINE: f64 = 1e-6;
 
 /// Most steps, halvings included.
 pub(super) const STEPS: u32 = 100;
@@ -25,11 +26,60 @@ pub(super) struct Switch {
     pub panel: usize,
     /// w.
     pub at: f64,
+}
+
+/// A stretch divided at its switch, but for a step of [`Engagement::fine`].
+///
+/// At the switch both signs have the same slope, so that what the motion errs by is of the order of the step's square.
+#[derive(Clone, Debug)]
+pub(super) struct Split {
+    pub switch: Switch,
+    /// u where it is divided.
+    pub square: f64,
+    pub before: Part,
+    pub after: Part,
+}
+
+/// A part of a stretch on points of its own, with the sign that it has.
+#[derive(Clone, Debug)]
+pub(super) struct Part {
+    pub points: Points,
+    pub branch: Branch,
+}
+
+/// What Newton's method ends with.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Found {
+    /// w of the switch.
+    pub switch: f64,
+    /// w of the last place that was asked for.
+    pub at: f64,
     /// u there.
     pub square: f64,
 }
 
 impl Engagement {
+    /// A step of Newton's method, over the stretch, after which no other is needed: what is left is of the order of its
+    /// square.
+    pub(super) fn fine(&self) -> f64 {
+        FINE.max(self.tolerance().sqrt() / 32.0)
+    }
+
+    /// p with the plus sign less p with the minus sign, per unit of w.
+    pub(super) fn gap_at(&self, w: f64) -> f64 {
+        let place = self.circle.place(w);
+        let (square, across) = (place.lead * place.lead, self.friction * place.slide * place.lead);
+        let both = (self.inertia + square + across) * (self.inertia + square - across);
+        4.0 * self.friction * self.inertia * (place.slide * place.slide) * place.stretch / both
+    }
+
+    /// From low to high, with σ = S μ.
+    pub(super) fn part(&self, low: f64, high: f64, sigma: f64) -> Part {
+        let points = Points::new(&self.circle, self.rule, low, high, Spread::Even);
+        let branch = points.branch(self.rule, self.inertia, sigma);
+        Part { points, branch }
+    }
+
     /// ρ − i k (1 + 2 ρ) u, positive before the switch.
     pub(super) fn excess(&self, w: f64, square: f64) -> f64 {
         let place = self.circle.place(w);
@@ -38,26 +88,26 @@ impl Engagement {
 
     /// The switch in a stretch, with u there from what the stretch's points count, and better from w.
     ///
-    /// Both must have the slope of the equation of motion at the switch; they need not have it elsewhere.
+    /// Both must have the slope of the equation of motion at the switch; they need not have it elsewhere. `ends` is the
+    /// excess at the stretch's ends: the search starts where the straight line is zero.
     pub(super) fn switch_within(
         &self,
-        panel: usize,
+        points: &Points,
+        ends: [f64; 2],
         coarse: impl Fn(&Row) -> f64,
-        fine: impl Fn(f64) -> f64,
-    ) -> Switch {
-        let points = &self.panels[panel].points;
+        mut fine: impl FnMut(f64) -> f64,
+    ) -> Found {
         let (mut low, mut high) = (points.low, points.high);
-        let width = high - low;
+        let (width, part, enough) = (high - low, ends[0] / (ends[0] - ends[1]), self.fine());
         // Newton's method, kept between the ends: a step that leaves them is replaced by a halving.
-        let (mut w, mut refining) = (low + width / 2.0, false);
+        let (mut w, mut refining) = (low + width * if part > 0.0 && part < 1.0 { part } else { 0.5 }, false);
         for _ in 0..STEPS {
             let square = if refining { fine(w) } else { coarse(&points.shares(self.rule, w)) };
-            let (excess, slope, growth) = self.excess_with_slopes(w, square);
+            let (excess, slope) = self.excess_with_slope(w, square);
             let next = w - excess / slope;
             let moved = next - w;
-            if refining && libm::fabs(moved) <= FINE * width {
-                // What is left is of the order of the square of this step.
-                return Switch { panel, at: next.clamp(points.low, points.high), square: square + growth * moved };
+            if refining && libm::fabs(moved) <= enough * width {
+                return Found { switch: next.clamp(points.low, points.high), at: w, square };
             }
             if !refining {
                 *(if excess > 0.0 { &mut low } else { &mut high }) = w;
@@ -66,11 +116,11 @@ impl Engagement {
             refining |= inside && libm::fabs(moved) <= COARSE * width;
             w = if inside || refining { next.clamp(points.low, points.high) } else { low + (high - low) / 2.0 };
         }
-        Switch { panel, at: w, square: fine(w) }
+        Found { switch: w, at: w, square: fine(w) }
     }
 
-    /// The excess, its slope by w, and that of u, which is du/dw at the switch.
-    fn excess_with_slopes(&self, w: f64, square: f64) -> (f64, f64, f64) {
+    /// The excess, and its slope by w at the switch.
+    fn excess_with_slope(&self, w: f64, square: f64) -> (f64, f64) {
         let place = self.circle.place(w);
         let (lead, slide, turning) = (place.lead, place.slide, place.turning());
         // Where the bars have the plus sign; at the switch either sign gives the same.
@@ -78,6 +128,6 @@ impl Engagement {
         let growth = (2.0 / turning + 2.0 * both * slide * square) / (self.inertia + lead * both);
         let change = ((lead - self.circle.centre) * turning - 2.0 * slide * slide) * square + slide * turning * growth;
         let excess = lead - self.inertia * slide * turning * square;
-        (excess, (-slide - self.inertia * change) * place.stretch, growth * place.stretch)
+        (excess, (-slide - self.inertia * change) * place.stretch)
     }
 }

@@ -5,13 +5,12 @@
 //! a₁ − a₂ = a₁ (1 − κ) is found without cancellation. The switch is where the two agree: there is one, because
 //! u_end(u_entry) rises everywhere by less than the difference at entry.
 
-use super::engagement::Engagement;
+use super::engagement::{Engagement, Panel};
 use super::error::SteadyError;
 use super::extremes::Extreme;
 use super::rule::{Row, dot};
-use super::stretch::{Points, Spread};
-use super::switch::Switch;
-use std::cell::Cell;
+use super::stretch::Branch;
+use super::switch::{Part, Split, Switch};
 
 /// The motion that repeats itself. Speeds are the driver's θ', in radians per unit of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,6 +42,21 @@ impl SteadyState {
     }
 }
 
+/// What a [`SteadyState`] is without its extremes, for half the price. The numbers are the same to the last bit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Terminal {
+    /// [`SteadyState::entry_speed`].
+    pub entry_speed: f64,
+    /// [`SteadyState::period`].
+    pub period: f64,
+    /// [`SteadyState::mean_speed`].
+    pub mean_speed: f64,
+    /// [`SteadyState::switch_angle`].
+    pub switch_angle: Option<f64>,
+    /// [`SteadyState::contraction`].
+    pub contraction: f64,
+}
+
 /// a₁, b₁, a₂, b₂ and 1 − κ.
 struct Balance {
     back: (f64, f64),
@@ -55,15 +69,25 @@ impl Balance {
     fn repeated(&self) -> f64 {
         (self.back.1 + self.forth.1) / (self.back.0 * self.loss)
     }
+
+    /// u at the end of the engagement, and at entry, from that at the switch.
+    fn end(&self, square: f64) -> f64 {
+        self.forth.0 * square + self.forth.1
+    }
 }
 
-/// Products and sums up to the lower end of each stretch with the plus sign, and from there to the end with the minus
-/// sign.
-struct Sums {
-    up: Vec<(f64, f64)>,
-    on: Vec<(f64, f64)>,
-    /// ln of the contraction from the lower end of each stretch on.
-    log: Vec<f64>,
+/// The motion with the minus sign from a place to the end: a factor and an offset of u, and ln of the contraction.
+#[derive(Clone, Copy)]
+struct Rest {
+    on: (f64, f64),
+    log: f64,
+}
+
+/// The motion that repeats itself: u at entry, where it switches, ln of the contraction.
+pub(super) struct Repeated {
+    pub entry: f64,
+    pub split: Option<Split>,
+    pub log: f64,
 }
 
 impl Engagement {
@@ -73,9 +97,8 @@ impl Engagement {
     ///
     /// [`SteadyError::NoTerminalSpeed`] without friction, folded at the exit: the speed grows without end.
     pub fn steady_state(&self) -> Result<SteadyState, SteadyError> {
-        let (entry, switch) = self.repeated_entry()?;
-        let log = self.log_contraction(switch);
-        let passage = self.pass_with(entry, switch);
+        let repeated = self.repeated()?;
+        let passage = self.pass_with(repeated.entry, repeated.split.as_ref());
         let [peak, minimum] = passage.extremes();
         let period = passage.duration();
         Ok(SteadyState {
@@ -85,47 +108,114 @@ impl Engagement {
             period,
             mean_speed: self.fold() / period,
             switch_angle: passage.switch_angle(),
+            contraction: libm::exp(repeated.log),
+        })
+    }
+
+    /// The steady state without its extremes: for maps of many escapements.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Engagement::steady_state`].
+    pub fn terminal(&self) -> Result<Terminal, SteadyError> {
+        let Repeated { entry, split, log } = self.repeated()?;
+        let period = self.time_with(entry, split.as_ref()) / self.unit;
+        Ok(Terminal {
+            entry_speed: self.unit * entry.sqrt(),
+            period,
+            mean_speed: self.fold() / period,
+            switch_angle: split.map(|split| self.circle.angle(split.switch.at)),
             contraction: libm::exp(log),
         })
     }
 
-    /// u at entry in the steady state, and the switch.
-    pub(super) fn repeated_entry(&self) -> Result<(f64, Option<Switch>), SteadyError> {
+    /// The motion that repeats itself.
+    pub(super) fn repeated(&self) -> Result<Repeated, SteadyError> {
         let short = self.ends_before_centres || self.to_end < self.to_exit;
         if let Some(entry) = short.then(|| self.repeated_without_switch()).flatten() {
-            return Ok((entry, None));
+            return Ok(Repeated { entry, split: None, log: self.log_contraction(None) });
         }
-        let sums = self.sums();
-        let loss = -libm::expm1(sums.log[0]);
-        // Without friction the contraction does not depend on the switch.
-        let brakes = if self.friction == 0.0 { loss > 4.0 * f64::EPSILON } else { loss > 0.0 };
-        if !brakes {
-            return Err(SteadyError::NoTerminalSpeed { contraction: libm::exp(sums.log[0]) });
+        let (exit, end) = (self.to_exit, self.to_end);
+        let mut rest = Rest { on: (1.0, 0.0), log: -exponents(&self.panels[end.min(exit)..exit]) };
+        for panel in self.panels[exit.min(end)..end].iter().rev() {
+            rest = self.rest_with(panel, rest, true);
         }
-        let last = self.to_end.min(self.to_exit) - 1;
-        let panel = (0..last).find(|&number| {
-            let balance = self.balance_at_end(&sums, number);
-            self.excess(self.panels[number].points.high, balance.repeated()) <= 0.0
-        });
-        let number = panel.unwrap_or(last);
-        let panel = &self.panels[number];
-        let gap = self.rule.cumulative(&panel.points.gap(self.inertia, self.friction));
-        let coarse = |shares: &Row| self.balance_within(&sums, number, shares, dot(shares, &gap)).repeated();
-        let end = Cell::new(f64::NAN);
-        let fine = |w: f64| {
-            let balance = self.balance_at(&sums, number, w);
-            let square = balance.repeated();
-            // Level in w at the switch, as u at the switch moves with the motion.
-            end.set(balance.forth.0 * square + balance.forth.1);
-            square
+        // Without friction the contraction does not depend on the switch, and there must be some by the fold.
+        if self.friction == 0.0 && -libm::expm1(rest.log) <= 4.0 * f64::EPSILON {
+            return Err(SteadyError::NoTerminalSpeed { contraction: libm::exp(rest.log) });
+        }
+        // From the end on, until a stretch starts before the switch.
+        let all = self.panels[..exit].last().map_or((1.0, 0.0), Panel::after);
+        let mut number = end.min(exit) - 1;
+        let mut high = f64::NEG_INFINITY;
+        let low = loop {
+            let panel = &self.panels[number];
+            let before = self.rest_with(panel, rest, false);
+            let square = balance(all, panel.before, before).repeated();
+            let low = self.excess(panel.points.low, if number == 0 { 0.0 } else { square });
+            if number == 0 || low > 0.0 {
+                break low;
+            }
+            (rest, high, number) = (before, low, number - 1);
         };
-        let switch = self.switch_within(number, coarse, fine);
-        let entry = end.get();
+        let (entry, split, log) = self.repeated_within(number, [low, high], all, rest);
         if entry.is_finite() {
-            Ok((entry, Some(switch)))
+            Ok(Repeated { entry, split, log })
         } else {
             Err(SteadyError::NoTerminalSpeed { contraction: 1.0 })
         }
+    }
+
+    /// u at entry, the division and ln of the contraction if the switch is in this stretch. `ends` is the excess at its
+    /// ends, `all` the plus sign from the line of centres to the exit, `rest` what follows the stretch.
+    fn repeated_within(
+        &self,
+        number: usize,
+        ends: [f64; 2],
+        all: (f64, f64),
+        rest: Rest,
+    ) -> (f64, Option<Split>, f64) {
+        let panel = &self.panels[number];
+        let (points, held) = (&panel.points, self.held(panel));
+        let gaps = points.gap(self.inertia, self.friction);
+        let gap = self.rule.cumulative(&gaps);
+        let coarse = |shares: &Row| {
+            let (growth, drive) = panel.plus.between(shares);
+            let (held_growth, held_drive) = held.minus.between(shares);
+            let factor = rest.on.0 * held.minus.growth_end;
+            let after = Rest {
+                on: (factor / held_growth, rest.on.1 + factor * (held.minus.drive_end - held_drive)),
+                log: rest.log - (held.gap - dot(shares, &gap)),
+            };
+            let (product, sum) = panel.before;
+            balance(all, (product * growth, sum + drive / product), after).repeated()
+        };
+        let mut last: Option<(f64, f64, Part, Part)> = None;
+        let fine = |w: f64| {
+            let before = self.part(points.low, w, self.friction);
+            let after = self.part(w, points.high, -self.friction);
+            let gap = self.rule.integral(&after.points.gap(self.inertia, self.friction));
+            let rest = on_with(&after.branch, rest, -gap);
+            let (product, sum) = panel.before;
+            let through = (product * before.branch.growth_end, sum + before.branch.drive_end / product);
+            let balance = balance(all, through, rest);
+            let square = balance.repeated();
+            // Level in w at the switch, as u at the switch moves with the motion.
+            last = Some((balance.end(square), rest.log, before, after));
+            square
+        };
+        let found = self.switch_within(points, ends, coarse, fine);
+        let Some((entry, log, before, after)) = last else { return (f64::NAN, None, f64::NAN) };
+        // The contraction starts at the switch, not where the stretch is divided.
+        let log = log + self.gap_at(found.at) * (found.switch - found.at);
+        let switch = Switch { panel: number, at: found.switch };
+        (entry, Some(Split { switch, square: found.square, before, after }), log)
+    }
+
+    /// What follows the lower end of a stretch, from what follows its upper end.
+    fn rest_with(&self, panel: &Panel, rest: Rest, beyond: bool) -> Rest {
+        let held = self.held(panel);
+        on_with(&held.minus, rest, if beyond { held.minus.exponent } else { -held.gap })
     }
 
     /// u at entry, if the end of the engagement comes before the switch.
@@ -140,77 +230,28 @@ impl Engagement {
         for panel in beyond {
             offset = panel.plus.up(offset);
         }
-        let rest: f64 = self.panels[self.to_end..self.to_exit].iter().map(|panel| panel.plus.exponent).sum();
-        let entry = offset / -libm::expm1(-rest);
+        let entry = offset / -libm::expm1(-exponents(&self.panels[self.to_end..self.to_exit]));
         let switches = || self.excess(self.panels[self.to_end - 1].points.high, entry) <= 0.0;
         (self.ends_before_centres || !switches()).then_some(entry)
     }
+}
 
-    fn sums(&self) -> Sums {
-        let (exit, end) = (self.to_exit, self.to_end);
-        let mut up = Vec::with_capacity(exit + 1);
-        let (mut product, mut sum) = (1.0, 0.0);
-        up.push((product, sum));
-        for panel in &self.panels[..exit] {
-            sum += panel.plus.drive_end / product;
-            product *= panel.plus.growth_end;
-            up.push((product, sum));
-        }
-        let (mut on, mut log) = (vec![(1.0, 0.0); end + 1], vec![0.0; end + 1]);
-        log[end] = -self.panels[end.min(exit)..exit].iter().map(|panel| panel.plus.exponent).sum::<f64>();
-        for number in (0..end).rev() {
-            let branch = &self.panels[number].minus;
-            let (factor, offset) = on[number + 1];
-            let factor = factor * branch.growth_end;
-            on[number] = (factor, offset + factor * branch.drive_end);
-            log[number] = log[number + 1] + if number < exit { -self.panels[number].gap } else { branch.exponent };
-        }
-        Sums { up, on, log }
-    }
+/// ln of the growth with the plus sign over stretches.
+fn exponents(panels: &[Panel]) -> f64 {
+    panels.iter().map(|panel| panel.plus.exponent).sum()
+}
 
-    /// For a switch at the upper end of a stretch.
-    fn balance_at_end(&self, sums: &Sums, number: usize) -> Balance {
-        let (all, drive) = sums.up[self.to_exit];
-        let (product, sum) = sums.up[number + 1];
-        Balance {
-            back: (all / product, all * (sum + drive)),
-            forth: sums.on[number + 1],
-            loss: -libm::expm1(sums.log[number + 1]),
-        }
-    }
+/// What follows a part with the minus sign, put after it.
+fn on_with(minus: &Branch, rest: Rest, log: f64) -> Rest {
+    let factor = rest.on.0 * minus.growth_end;
+    Rest { on: (factor, rest.on.1 + factor * minus.drive_end), log: rest.log + log }
+}
 
-    /// For a switch within a stretch, by what its points count there.
-    fn balance_within(&self, sums: &Sums, number: usize, shares: &Row, gap: f64) -> Balance {
-        let panel = &self.panels[number];
-        let (all, drive) = sums.up[self.to_exit];
-        let (product, sum) = sums.up[number];
-        let (growth, part) = panel.plus.between(shares);
-        let (held, held_part) = panel.minus.between(shares);
-        let (factor, offset) = sums.on[number + 1];
-        let factor = factor * panel.minus.growth_end;
-        Balance {
-            back: (all / (product * growth), all * (sum + part / product + drive)),
-            forth: (factor / held, offset + factor * (panel.minus.drive_end - held_part)),
-            loss: -libm::expm1(sums.log[number + 1] - (panel.gap - gap)),
-        }
-    }
-
-    /// For a switch within a stretch, on points of its own.
-    fn balance_at(&self, sums: &Sums, number: usize, w: f64) -> Balance {
-        let panel = &self.panels[number].points;
-        let (all, drive) = sums.up[self.to_exit];
-        let (product, sum) = sums.up[number];
-        let before = Points::new(&self.circle, self.rule, panel.low, w, Spread::Even);
-        let after = Points::new(&self.circle, self.rule, w, panel.high, Spread::Even);
-        let plus = before.branch(self.rule, self.inertia, self.friction);
-        let minus = after.branch(self.rule, self.inertia, -self.friction);
-        let gap = self.rule.integral(&after.gap(self.inertia, self.friction));
-        let (factor, offset) = sums.on[number + 1];
-        let factor = factor * minus.growth_end;
-        Balance {
-            back: (all / (product * plus.growth_end), all * (sum + plus.drive_end / product + drive)),
-            forth: (factor, offset + factor * minus.drive_end),
-            loss: -libm::expm1(sums.log[number + 1] - gap),
-        }
+/// For a switch at a place: e^Λ and J of the plus sign to the exit, and to the place, and what follows.
+fn balance(all: (f64, f64), through: (f64, f64), rest: Rest) -> Balance {
+    Balance {
+        back: (all.0 / through.0, all.0 * (through.1 + all.1)),
+        forth: rest.on,
+        loss: -libm::expm1(rest.log),
     }
 }

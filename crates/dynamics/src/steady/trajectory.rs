@@ -3,7 +3,8 @@
 use super::clock::Clock;
 use super::engagement::Engagement;
 use super::error::SteadyError;
-use super::passage::{Passage, Phase, Piece};
+use super::passage::Passage;
+use super::walk::{Phase, Piece};
 
 /// One printed line of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
