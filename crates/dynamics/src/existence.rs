@@ -13,6 +13,12 @@
 //! positive factor, where κ = 4 √(i / (4 i + 1)) < 2, so it is below u⁴ − 8 u² + 12 u − 5 = (u − 1)² (u² + 2 u − 5) ≤ 0
 //! for 0 < u ≤ 1, which is where N falls. So the derivative changes its sign once, and bisection finds the place.
 //!
+//! **Surely enough.** Most frictions lie far below the critical one, and less than the minimum is enough to tell. With
+//! N = α/h − β + γ h ≥ 2 √(α γ) − β and g ≤ √b it is at least 2 √(b i)/(√(4 i + 1) + 2 √i). After a few bisections, with
+//! the minimum between two h, it is at least that of T/G there, where T and G are the tangents of N and g at a place c
+//! between: N is convex and g concave, so that T ≤ N and G ≥ g. The quotient of two straight lines has its least value
+//! at an end, and if c is near the minimum, it is nearly level.
+//!
 //! **Least margin.** h (μ g − h) / R⁴ > w means μ > μ(h) for i = w, an interval of h: so W(h) = h (μ g − h)/R⁴ rises to
 //! one maximum and falls again, wherever it is positive, and bisection finds that too. Its places do not depend on i.
 //!
@@ -50,18 +56,43 @@ pub fn critical_friction(slots: Slots, inertia_ratio: f64) -> Result<CriticalFri
     let half = Half::new(slots);
     // All over 1 + i, so that no inertia ratio is too great.
     let (part, rest) = (inertia / (1.0 + inertia), 1.0 / (1.0 + inertia));
-    let falling = |h: f64| {
-        let square = half.radius_squared(h);
-        let numerator = part * square * square + rest * h * h;
-        let change = h * (rest * 2.0 * h - part * 4.0 * square) - numerator;
-        // The derivative of (i R⁴ + h²) / (h g), times h² g³ / (1 + i).
-        change * half.cross_squared(h) + numerator * h * (1.0 + h) < 0.0
-    };
-    let h = bisect(0.0, half.ratio - 1.0, falling);
+    let h = bisect(0.0, half.ratio - 1.0, |h| half.falling(part, rest, h));
     let square = half.radius_squared(h);
     let friction = (inertia * (square * (square / h)) + h) / half.cross_squared(h).sqrt();
     Ok(CriticalFriction { friction, angle: half.angle(h) })
 }
+
+/// Whether the friction is below the critical one by so much that a cheap lower bound of it is enough to tell.
+///
+/// Never true of a friction that is not below [`critical_friction`]; false of some that are.
+pub(crate) fn surely_below_critical(slots: Slots, inertia_ratio: f64, friction: f64) -> bool {
+    let inertia = inertia_ratio;
+    // Within this range nothing overflows or loses its digits; the margin is far more than what rounding can do.
+    if !(1e-100..=1e100).contains(&inertia) {
+        return false;
+    }
+    let (half, friction) = (Half::new(slots), friction * (1.0 + 1e-9));
+    let (root, whole) = (inertia.sqrt(), (4.0 * inertia + 1.0).sqrt());
+    if friction * (whole + 2.0 * root) < 2.0 * half.shape.sqrt() * root {
+        return true;
+    }
+    let (mut low, mut high) = (0.0, half.ratio - 1.0);
+    for _ in 0..BISECTIONS {
+        let middle = f64::midpoint(low, high);
+        *(if half.falling(inertia, 1.0, middle) { &mut low } else { &mut high }) = middle;
+    }
+    let c = f64::midpoint(low, high);
+    let (square, across) = (half.radius_squared(c), half.cross_squared(c).sqrt());
+    let numerator = inertia * square * (square / c) + c;
+    let change = 4.0 * inertia + 1.0 - inertia * (half.shape / c) * (half.shape / c);
+    [low, high].into_iter().all(|h| {
+        let (tangent, over) = (numerator + change * (h - c), across - (1.0 + c) / across * (h - c));
+        friction * over < tangent
+    })
+}
+
+/// Bisections after which the lower bound is within some thousandths of the critical friction. Measured.
+const BISECTIONS: u32 = 6;
 
 /// The least A − |D| in the engagement, for I_D / I_f (positive and finite) and μ (finite, not negative).
 ///
@@ -121,6 +152,15 @@ impl Half {
     /// a² sin² θ = a² − (1 + h)², as a product that loses no digits near the line of centres.
     fn cross_squared(&self, h: f64) -> f64 {
         (self.ratio - 1.0 - h) * (self.ratio + 1.0 + h)
+    }
+
+    /// Whether (i R⁴ + h²) / (h g) falls at h, for i = part/rest.
+    fn falling(&self, part: f64, rest: f64, h: f64) -> bool {
+        let square = self.radius_squared(h);
+        let numerator = part * square * square + rest * h * h;
+        let change = h * (rest * 2.0 * h - part * 4.0 * square) - numerator;
+        // The derivative, times h² g³ rest.
+        change * self.cross_squared(h) + numerator * h * (1.0 + h) < 0.0
     }
 
     fn angle(&self, h: f64) -> f64 {
@@ -223,6 +263,49 @@ mod tests {
             }
             for bad in [-1.0, f64::NAN, f64::INFINITY] {
                 assert!(least_margin(slots, 1.0, bad).is_err() && critical_inertia_ratio(slots, bad).is_err(), "{bad}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_cheap_test_accepts_nothing_that_the_exact_one_refuses() {
+        for slots in Slots::ALL {
+            for step in -400..=400 {
+                let inertia = libm::exp10(f64::from(step) / 4.0);
+                let limit = critical_friction(slots, inertia).expect("sound").friction;
+                for power in 1..=53 {
+                    let friction = limit * (1.0 + libm::exp2(f64::from(-power)));
+                    assert!(!surely_below_critical(slots, inertia, friction), "{slots:?} {inertia} {power}");
+                }
+                assert!(!surely_below_critical(slots, inertia, limit), "{slots:?} {inertia}");
+                // For inertias as mechanisms have them it leaves little to the exact one.
+                let far = if (-8..=4).contains(&step) { 0.99 } else { 0.0 };
+                assert!(surely_below_critical(slots, inertia, limit * far), "{slots:?} {inertia}");
+            }
+            for bad in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-101, 1e101, 5e-324, f64::MAX] {
+                assert!(!surely_below_critical(slots, bad, 0.0), "{bad}");
+            }
+        }
+    }
+
+    #[test]
+    fn an_escapement_is_accepted_if_and_only_if_its_friction_is_below_the_critical_one() {
+        let accepts = |slots, inertia, friction| {
+            let inertias = crate::Inertias::new(inertia, 1.0).expect("sound");
+            crate::Parameters::new(slots, inertias, 1.0, friction).is_ok()
+        };
+        for slots in Slots::ALL {
+            for step in -300..=300 {
+                let inertia = libm::exp10(f64::from(step) / 2.0);
+                let limit = critical_friction(slots, inertia).expect("sound").friction;
+                assert!(accepts(slots, inertia, 0.0) && accepts(slots, inertia, limit * 0.5));
+                assert!(accepts(slots, inertia, limit.next_down()) && !accepts(slots, inertia, limit));
+                assert!(!accepts(slots, inertia, limit.next_up()), "{slots:?} {inertia}");
+                for power in 1..=50 {
+                    let gap = libm::exp2(f64::from(-power));
+                    assert!(accepts(slots, inertia, limit * (1.0 - gap)), "{slots:?} {inertia} {power}");
+                    assert!(!accepts(slots, inertia, limit * (1.0 + gap)), "{slots:?} {inertia} {power}");
+                }
             }
         }
     }

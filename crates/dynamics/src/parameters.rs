@@ -170,10 +170,12 @@ impl Parameters {
         let torque = positive("torque", torque)?;
         positive("torque over follower inertia", torque / inertias.follower)?;
         let friction = not_negative(friction)?;
-        let critical = existence::critical_friction(slots, inertias.ratio())?;
-        if friction >= critical.friction {
-            let (limit, angle) = (critical.friction, critical.angle);
-            return Err(ParameterError::TooMuchFriction { asked: friction, limit, angle });
+        if !existence::surely_below_critical(slots, inertias.ratio(), friction) {
+            let critical = existence::critical_friction(slots, inertias.ratio())?;
+            if friction >= critical.friction {
+                let (limit, angle) = (critical.friction, critical.angle);
+                return Err(ParameterError::TooMuchFriction { asked: friction, limit, angle });
+            }
         }
         Ok(Self { slots, inertias, torque, friction })
     }
