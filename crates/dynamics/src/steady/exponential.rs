@@ -1,9 +1,8 @@
-//! The exponential function of sixteen numbers at once.
+//! The exponential function of many numbers at once.
 //!
 //! With no table, no branch and no call the compiler can work on several numbers in one instruction. Only sums, products
 //! and the bits of a whole number are used, so that the result is the same everywhere.
 
-use super::rule::Row;
 use std::f64::consts::{LN_2, LOG2_E};
 
 /// Adding it rounds to a whole number, which is then in the lowest bits.
@@ -32,27 +31,43 @@ const TAYLOR: [f64; 14] = {
     terms
 };
 
+/// Beyond, the result has no place among normal numbers.
+const LIMIT: f64 = 700.0;
+
 /// e to each power. Beyond ±700 it stays at its value there.
 #[inline]
-pub(super) fn exponentials(powers: &Row) -> Row {
-    powers.map(|power| {
-        let power = power.clamp(-700.0, 700.0);
-        let shifted = power * LOG2_E + ROUND;
-        let whole = shifted - ROUND;
-        let rest = (power - whole * LN_2_HIGH) - whole * LN_2_LOW;
-        let mut sum = TAYLOR[0];
-        for term in &TAYLOR[1..] {
-            sum = sum * rest + term;
+pub(super) fn exponentials<const N: usize>(powers: &[f64; N]) -> [f64; N] {
+    let (mut shifted, mut rest, mut squares) = ([0.0; N], [0.0; N], [0.0; N]);
+    for index in 0..N {
+        let power = if powers[index] > LIMIT { LIMIT } else { powers[index] };
+        let power = if power < -LIMIT { -LIMIT } else { power };
+        shifted[index] = power * LOG2_E + ROUND;
+        let whole = shifted[index] - ROUND;
+        rest[index] = (power - whole * LN_2_HIGH) - whole * LN_2_LOW;
+        squares[index] = rest[index] * rest[index];
+    }
+    // The odd and the even terms apart, so that they need not wait for one another.
+    let (mut odd, mut even) = ([TAYLOR[0]; N], [TAYLOR[1]; N]);
+    for pair in TAYLOR[2..].chunks_exact(2) {
+        for index in 0..N {
+            odd[index] = odd[index] * squares[index] + pair[0];
+            even[index] = even[index] * squares[index] + pair[1];
         }
+    }
+    let mut values = [0.0; N];
+    for index in 0..N {
         // The whole number's bits, moved to the place of the exponent.
-        sum * f64::from_bits((shifted.to_bits() << 52).wrapping_add(1.0_f64.to_bits()))
-    })
+        let power_of_two = f64::from_bits((shifted[index].to_bits() << 52).wrapping_add(1.0_f64.to_bits()));
+        values[index] = (even[index] + odd[index] * rest[index]) * power_of_two;
+    }
+    values
 }
 
 const _: () = assert!(LN_2_HIGH < LN_2 && LN_2 - LN_2_HIGH < 2e-10);
 
 #[cfg(test)]
 mod tests {
+    use super::super::rule::Row;
     use super::*;
 
     #[test]
@@ -62,10 +77,11 @@ mod tests {
             for (power, value) in powers.iter().zip(exponentials(&powers)) {
                 let exact = libm::exp(power.clamp(-700.0, 700.0));
                 assert!((value / exact - 1.0).abs() < 5e-16, "{power}: {value} for {exact}");
+                assert_eq!(exponentials(&[*power]), [value]);
             }
         }
-        assert_eq!(exponentials(&[0.0; _]), [1.0; _]);
-        let ends = exponentials(&std::array::from_fn(|index| if index < 8 { -1e300 } else { f64::INFINITY }));
+        assert_eq!(exponentials(&[0.0; 3]), [1.0; 3]);
+        let ends: Row = exponentials(&std::array::from_fn(|index| if index < 8 { -1e300 } else { f64::INFINITY }));
         assert!(ends.iter().all(|value| value.is_finite() && *value > 0.0), "{ends:?}");
     }
 }

@@ -87,34 +87,32 @@ impl Passage<'_> {
         spots
     }
 
-    /// 1 + N (1 + 2 ρ) u at a place, in the mirror image that w ≥ 0 is.
-    fn slope(&self, phase: Phase, lead: f64, slide: f64, square: f64) -> f64 {
-        let both = (lead + self.engagement.sigma(phase) * slide) * slide;
-        let loss = both * (1.0 + 2.0 * lead) * square;
-        if phase == Phase::Approach { 1.0 - loss } else { 1.0 + loss }
-    }
-
     fn level_spots(&self, number: usize, piece: &Piece<'_>, spots: &mut Vec<Spot>) {
         let (points, phase, circle) = (&piece.points, piece.phase, &self.engagement.circle);
         let [low, high] = if phase == Phase::Approach { [piece.ends[1], piece.ends[0]] } else { piece.ends };
+        let (sigma, mirror) = (self.engagement.sigma(phase), mirror(phase));
         let slope_at = |w: f64, square: f64| {
             let place = circle.place(w);
-            self.slope(phase, place.lead, place.slide, square)
+            slope(sigma, mirror, place.lead, place.slide, square)
         };
         let mut slopes = [0.0; POINTS];
-        for (index, slope) in slopes.iter_mut().enumerate() {
-            *slope = self.slope(phase, points.lead[index], points.slide[index], piece.squares[index]);
+        for (index, value) in slopes.iter_mut().enumerate() {
+            *value = slope(sigma, mirror, points.lead[index], points.slide[index], piece.squares[index]);
         }
         let place = |index: usize| points.at(self.engagement.rule.points[index]);
         let ends = [slope_at(points.low, low), slope_at(points.high, high)];
-        let mut before = ends[0];
-        for (index, &slope) in slopes.iter().chain(&ends[1..]).enumerate() {
-            if (before > 0.0) != (slope > 0.0) {
-                let from = if index == 0 { points.low } else { place(index - 1) };
-                let to = if index == POINTS { points.high } else { place(index) };
-                spots.push(self.level(number, piece, (from, before), (to, slope)));
-            }
-            before = slope;
+        // A bit for each place where u grows, the two ends included; then one for each change between neighbours.
+        let mut growing = u32::from(ends[0] > 0.0) | u32::from(ends[1] > 0.0) << (POINTS + 1);
+        for (index, slope) in slopes.iter().enumerate() {
+            growing |= u32::from(*slope > 0.0) << (index + 1);
+        }
+        let mut changes = (growing ^ (growing >> 1)) & ((1 << (POINTS + 1)) - 1);
+        while changes != 0 {
+            let index = changes.trailing_zeros() as usize;
+            changes &= changes - 1;
+            let from = if index == 0 { (points.low, ends[0]) } else { (place(index - 1), slopes[index - 1]) };
+            let to = if index == POINTS { (points.high, ends[1]) } else { (place(index), slopes[index]) };
+            spots.push(self.level(number, piece, from, to));
         }
     }
 
@@ -122,7 +120,7 @@ impl Passage<'_> {
     fn level(&self, number: usize, piece: &Piece<'_>, low: (f64, f64), high: (f64, f64)) -> Spot {
         let rising = low.1 > 0.0;
         let (first, last, width) = (low.0, high.0, piece.points.high - piece.points.low);
-        let enough = self.engagement.fine();
+        let (sigma, mirror, enough) = (self.engagement.sigma(piece.phase), mirror(piece.phase), self.engagement.fine());
         // Where the straight line is level.
         let start = first + (last - first) * (low.1 / (low.1 - high.1));
         let (mut low, mut high) = (first, last);
@@ -135,19 +133,18 @@ impl Passage<'_> {
             };
             let place = self.engagement.circle.place(w);
             let (lead, slide, turning) = (place.lead, place.slide, place.turning());
-            let sigma = self.engagement.sigma(piece.phase);
-            let value = self.slope(piece.phase, lead, slide, square);
+            let value = slope(sigma, mirror, lead, slide, square);
             // Its rate by w where u is level.
             let both = (lead + sigma * slide) * slide;
             let across = lead - self.engagement.circle.centre;
             let change = -slide * slide + lead * across + 2.0 * sigma * slide * across;
             let rate = (change * turning - 2.0 * slide * both) * place.stretch;
-            let rate = if piece.phase == Phase::Approach { -square * rate } else { square * rate };
+            let rate = mirror * square * rate;
             let next = w - value / rate;
             let moved = next - w;
             if refining && libm::fabs(moved) <= enough * width {
                 let pace = place.stretch / turning / square.sqrt();
-                let late = if piece.phase == Phase::Approach { -moved } else { moved };
+                let late = mirror * moved;
                 // u is level to the second order of the step.
                 return Spot { piece: number, at: next, square, time: time + late * pace };
             }
@@ -161,4 +158,16 @@ impl Passage<'_> {
         let (square, time) = self.within(number, w);
         Spot { piece: number, at: w, square, time }
     }
+}
+
+/// −1 before the line of centres, in the mirror image that w ≥ 0 is.
+fn mirror(phase: Phase) -> f64 {
+    if phase == Phase::Approach { -1.0 } else { 1.0 }
+}
+
+/// 1 + N (1 + 2 ρ) u at a place, with N's sign turned round in the mirror image.
+#[inline]
+fn slope(sigma: f64, mirror: f64, lead: f64, slide: f64, square: f64) -> f64 {
+    let both = (lead + sigma * slide) * slide;
+    1.0 + mirror * (both * (1.0 + 2.0 * lead) * square)
 }

@@ -65,7 +65,8 @@ impl Engagement {
                 let found = self.switch_within(&panel.points, ends, coarse, fine);
                 let after = self.part(found.at, panel.points.high, -self.friction);
                 let switch = Switch { panel: number, at: found.switch };
-                return before.map(|before| Split { switch, square: found.square, before, after });
+                let parts = before.map(|before| Box::new([before, after]));
+                return parts.map(|parts| Split { switch, square: found.square, parts });
             }
             (square, excess) = (next, ends[1]);
         }

@@ -119,18 +119,12 @@ impl Points {
             rate[index] = scale * (lead + sigma * slide) * slide * self.stretch[index];
             force[index] = scale * self.angle[index];
         }
-        let growth = exponentials(&rule.cumulative(&rate));
+        let (growth, exponent) = (exponentials(&rule.cumulative(&rate)), rule.integral(&rate));
+        let [growth_end] = exponentials(&[exponent]);
         for (force, growth) in force.iter_mut().zip(&growth) {
             *force /= growth;
         }
-        let exponent = rule.integral(&rate);
-        Branch {
-            growth,
-            drive: rule.cumulative(&force),
-            growth_end: libm::exp(exponent),
-            drive_end: rule.integral(&force),
-            exponent,
-        }
+        Branch { growth, drive: rule.cumulative(&force), growth_end, drive_end: rule.integral(&force), exponent }
     }
 
     /// p with the plus sign less p with the minus sign, per unit of the rule: 4 μ i k²/(A₊ A₋) without cancellation.

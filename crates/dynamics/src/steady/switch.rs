@@ -36,8 +36,8 @@ pub(super) struct Split {
     pub switch: Switch,
     /// u where it is divided.
     pub square: f64,
-    pub before: Part,
-    pub after: Part,
+    /// With the plus sign up to there, with the minus sign from there on.
+    pub parts: Box<[Part; 2]>,
 }
 
 /// A part of a stretch on points of its own, with the sign that it has.

@@ -168,13 +168,7 @@ impl Engagement {
 
     /// u at entry, the division and ln of the contraction if the switch is in this stretch. `ends` is the excess at its
     /// ends, `all` the plus sign from the line of centres to the exit, `rest` what follows the stretch.
-    fn repeated_within(
-        &self,
-        number: usize,
-        ends: [f64; 2],
-        all: (f64, f64),
-        rest: Rest,
-    ) -> (f64, Option<Split>, f64) {
+    fn repeated_within(&self, number: usize, ends: [f64; 2], all: (f64, f64), rest: Rest) -> (f64, Option<Split>, f64) {
         let panel = &self.panels[number];
         let (points, held) = (&panel.points, self.held(panel));
         let gaps = points.gap(self.inertia, self.friction);
@@ -190,7 +184,7 @@ impl Engagement {
             let (product, sum) = panel.before;
             balance(all, (product * growth, sum + drive / product), after).repeated()
         };
-        let mut last: Option<(f64, f64, Part, Part)> = None;
+        let mut last: Option<(f64, f64, Box<[Part; 2]>)> = None;
         let fine = |w: f64| {
             let before = self.part(points.low, w, self.friction);
             let after = self.part(w, points.high, -self.friction);
@@ -201,15 +195,15 @@ impl Engagement {
             let balance = balance(all, through, rest);
             let square = balance.repeated();
             // Level in w at the switch, as u at the switch moves with the motion.
-            last = Some((balance.end(square), rest.log, before, after));
+            last = Some((balance.end(square), rest.log, Box::new([before, after])));
             square
         };
         let found = self.switch_within(points, ends, coarse, fine);
-        let Some((entry, log, before, after)) = last else { return (f64::NAN, None, f64::NAN) };
+        let Some((entry, log, parts)) = last else { return (f64::NAN, None, f64::NAN) };
         // The contraction starts at the switch, not where the stretch is divided.
         let log = log + self.gap_at(found.at) * (found.switch - found.at);
         let switch = Switch { panel: number, at: found.switch };
-        (entry, Some(Split { switch, square: found.square, before, after }), log)
+        (entry, Some(Split { switch, square: found.square, parts }), log)
     }
 
     /// What follows the lower end of a stretch, from what follows its upper end.
@@ -249,9 +243,5 @@ fn on_with(minus: &Branch, rest: Rest, log: f64) -> Rest {
 
 /// For a switch at a place: e^Λ and J of the plus sign to the exit, and to the place, and what follows.
 fn balance(all: (f64, f64), through: (f64, f64), rest: Rest) -> Balance {
-    Balance {
-        back: (all.0 / through.0, all.0 * (through.1 + all.1)),
-        forth: rest.on,
-        loss: -libm::expm1(rest.log),
-    }
+    Balance { back: (all.0 / through.0, all.0 * (through.1 + all.1)), forth: rest.on, loss: -libm::expm1(rest.log) }
 }

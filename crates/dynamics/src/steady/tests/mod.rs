@@ -4,6 +4,7 @@ mod accuracy;
 mod laws;
 mod limits;
 mod routes;
+mod terminal;
 
 use super::Engagement;
 use crate::{Inertias, Parameters, Slots};

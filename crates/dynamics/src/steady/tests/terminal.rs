@@ -1,0 +1,98 @@
+//! The terminal speed without the extremes, against the steady state with them.
+
+use super::{escapement, samples};
+use crate::steady::{Engagement, SteadyError};
+use crate::{Slots, existence};
+use std::f64::consts::PI;
+
+/// Whether both ways of asking give the same numbers to the last bit, or the same refusal.
+#[track_caller]
+fn the_same(engagement: &Engagement) -> bool {
+    let (terminal, steady) = (engagement.terminal(), engagement.steady_state());
+    match (terminal, steady) {
+        (Ok(terminal), Ok(steady)) => {
+            let bits = [
+                (terminal.entry_speed, steady.entry_speed),
+                (terminal.period, steady.period),
+                (terminal.mean_speed, steady.mean_speed),
+                (terminal.contraction, steady.contraction),
+                (terminal.switch_angle.unwrap_or(-1.0), steady.switch_angle.unwrap_or(-1.0)),
+            ];
+            for (one, other) in bits {
+                assert_eq!(one.to_bits(), other.to_bits(), "{terminal:?} and {steady:?}");
+            }
+            true
+        }
+        (Err(one), Err(other)) => {
+            assert_eq!(one.to_string(), other.to_string());
+            false
+        }
+        (one, other) => panic!("{one:?} and {other:?}"),
+    }
+}
+
+#[test]
+fn without_the_extremes_the_numbers_are_the_same() {
+    let mut found = samples().iter().filter(|engagement| the_same(engagement)).count();
+    assert_eq!(found, samples().len());
+    for slots in Slots::ALL {
+        for quarter in (-12..=12).step_by(3) {
+            let inertia = libm::exp10(f64::from(quarter) / 4.0);
+            let limit = existence::critical_friction(slots, inertia).expect("sound").friction.min(3.0);
+            for part in [0.0, 1e-9, 1e-3, 0.1, 0.5, 0.9, 0.997] {
+                let escapement = escapement(slots, inertia, limit * part);
+                let half = slots.engagement_half_angle();
+                // Short of the line of centres, at it, short of the exit, at it, beyond, and nearly as far as it goes.
+                for fold in [0.2 * half, half, 1.7 * half, 2.0 * half, 2.6 * half, 0.95 * (PI + half)] {
+                    for tolerance in [1e-6, 1e-10] {
+                        let engagement = Engagement::folded(&escapement, fold, tolerance).expect("an engagement");
+                        found += usize::from(the_same(&engagement));
+                    }
+                }
+            }
+        }
+    }
+    // Only without friction, folded at the exit, is there none.
+    assert_eq!(found, samples().len() + 3 * 9 * 2 * (6 * 7 - 1));
+}
+
+#[test]
+fn at_the_ends_of_the_range_both_give_numbers_or_both_refuse() {
+    let mut refused = 0;
+    for slots in Slots::ALL {
+        for power in [-300, -30, -15, -9, -6, 6, 9, 15, 30, 300] {
+            let inertia = libm::exp10(f64::from(power));
+            let limit = existence::critical_friction(slots, inertia).expect("sound").friction;
+            for friction in [
+                0.0,
+                1e-300,
+                limit.min(1.0) * 1e-17,
+                limit.min(1e3) * 0.5,
+                limit.min(1e300) * 0.9,
+                limit * (1.0 - 1e-6),
+            ] {
+                match Engagement::with_tolerance(&escapement(slots, inertia, friction), 1e-8) {
+                    Ok(engagement) => refused += usize::from(!the_same(&engagement)),
+                    Err(error) => assert!(matches!(error, SteadyError::TooSharp { .. }), "{error}"),
+                }
+            }
+        }
+    }
+    assert!(refused > 0);
+}
+
+#[test]
+fn what_was_asked_for_before_changes_nothing() {
+    // Stretches with the minus sign are made when they are asked for: from rest the switch comes late, fast it is early.
+    for slots in Slots::ALL {
+        let escapement = escapement(slots, 0.07, 0.21);
+        let fresh = || Engagement::new(&escapement).expect("an engagement");
+        let used = fresh();
+        let slow = used.hand_over(0.0).expect("a speed");
+        let fast = used.hand_over(1e4).expect("a speed");
+        assert_eq!(used.steady_state(), fresh().steady_state());
+        assert_eq!(fresh().hand_over(1e4), Ok(fast));
+        assert_eq!(used.clone().hand_over(0.0), Ok(slow));
+        assert_eq!(fresh().hand_over(0.0), Ok(slow));
+    }
+}
