@@ -26,6 +26,8 @@ pub struct Engagement {
     /// w at the end, negative before the line of centres.
     end: f64,
     tolerance: f64,
+    /// A change of the energy by more than this factor is divided: the time goes as the inverse of its root.
+    pub(super) energy_range: f64,
     pub(super) rule: &'static Rule,
     pub(super) circle: Circle,
     /// I_D/I_f.
@@ -136,6 +138,7 @@ impl Engagement {
             parameters: *parameters,
             fold,
             tolerance,
+            energy_range: scales.energy_range,
             rule: rule(),
             circle: Circle::of(parameters.slots()),
             inertia: parameters.inertias().ratio(),
@@ -195,7 +198,7 @@ impl Engagement {
         let far = (1.0 + low * low).min(along * along + self.circle.far.1 * self.circle.far.1) >= near * near;
         // Of the two signs this one has the nearer poles: at ρ > 0 where ρ > 0, at ρ < 0 where ρ < 0.
         let sigma = if middle < self.circle.exit { -self.friction } else { self.friction };
-        far && [low, middle, high].into_iter().all(|w| {
+        far && [high, middle, low].into_iter().all(|w| {
             let place = self.circle.place(w);
             let inert = self.inert(&place, sigma);
             let other = inert.value - 2.0 * sigma * place.slide * place.lead;
@@ -287,12 +290,16 @@ struct Scales {
     distance: f64,
     /// Most change of the logarithm of the solution.
     growth: f64,
+    /// Most change of the energy, where the time is asked for.
+    energy_range: f64,
 }
 
 impl Scales {
     /// For integrals over a stretch, whose error is the square of that between its points.
     fn of_integrals(tolerance: f64) -> Self {
-        Self::between((SAFETY * tolerance).sqrt())
+        // Measured: see the tests.
+        let energy_range = if tolerance < 1e-11 { 2.0 } else { 3.0 };
+        Self { energy_range, ..Self::between((SAFETY * tolerance).sqrt()) }
     }
 
     /// For values between the points.
@@ -301,7 +308,7 @@ impl Scales {
     /// for an exponential function of range x, as (x/2)ⁿ/(2ⁿ⁻¹ n!).
     fn between(tolerance: f64) -> Self {
         let root = sixteenth_root(tolerance);
-        Self { distance: (1.0 / root - root) / 2.0, growth: 2.0 * root * *GROWTH }
+        Self { distance: (1.0 / root - root) / 2.0, growth: 2.0 * root * *GROWTH, energy_range: 2.0 }
     }
 }
 

@@ -42,3 +42,38 @@ fn the_tolerance_is_met() {
         println!("{tolerance:e}: {worst:e} with {:.1} stretches", f64::from(stretches as u32) / f64::from(count));
     }
 }
+
+#[test]
+fn the_tolerance_is_met_from_rest() {
+    for tolerance in [1e-6, 1e-8, 1e-10, 1e-12] {
+        let (mut worst, mut between) = (0.0_f64, 0.0_f64);
+        for slots in Slots::ALL {
+            for half in -6..=6 {
+                let inertia = libm::exp10(f64::from(half) / 2.0);
+                let limit = existence::critical_friction(slots, inertia).expect("sound").friction.min(3.0);
+                for part in [1e-6, 0.1, 0.3, 0.5, 0.7, 0.9, 0.97] {
+                    let escapement = escapement(slots, inertia, limit * part);
+                    let [one, finest] = [tolerance, REFERENCE].map(|tolerance| {
+                        let engagement = Engagement::with_tolerance(&escapement, tolerance).expect("an engagement");
+                        let passage = engagement.passage(0.0).expect("a speed");
+                        let numbers = [passage.duration(), passage.end_speed(), passage.fastest().speed];
+                        (numbers, engagement)
+                    });
+                    let case = format!("{slots:?} {inertia} {part} to {tolerance:e}");
+                    for (a, b) in one.0.iter().zip(finest.0) {
+                        worst = worst.max((a / b - 1.0).abs());
+                        assert!((a / b - 1.0).abs() <= tolerance, "{case}: {:e}", a / b - 1.0);
+                    }
+                    let duration = 2.0 * finest.0[0];
+                    let [one, finest] = [one.1, finest.1].map(|of| of.run(duration / 50.0, duration).expect("a run"));
+                    for (a, b) in one.iter().zip(&finest).skip(1) {
+                        between = between.max((a.speed / b.speed - 1.0).abs());
+                    }
+                }
+            }
+        }
+        // The lines are interpolated, which is good to some of what was asked for.
+        assert!(between <= 10.0 * tolerance, "{tolerance:e}: {between:e}");
+        println!("{tolerance:e} from rest: {worst:e}, at print times {between:e}");
+    }
+}
