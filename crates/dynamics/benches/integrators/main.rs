@@ -1,0 +1,164 @@
+//! What accuracy costs: the solver over the angle, two methods of a library in the time, and the program of 1973.
+//!
+//! Forty-nine escapements start from rest and run for eight steady periods. Each contestant is asked for the driver's
+//! speed at 64 times, or for the steady state. They take turns, round by round, so that what else the machine does
+//! hits all alike; the best time of a contestant counts. Its true error is the largest relative one of all numbers that
+//! it was asked for, against the solver over the angle at its finest.
+//!
+//! `cargo bench -p geneva-dynamics --bench integrators -- --record book/records/integrators.csv` writes a record.
+//! `--rounds N` takes N turns in place of the usual number.
+
+mod map;
+mod others;
+mod race;
+mod record;
+mod rows;
+mod time_domain;
+
+use race::{Contestant, Outcome};
+use record::Line;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::time::{Duration, Instant};
+
+/// A contestant who is done sooner goes on until the time is over, for the best of several.
+const TURN: Duration = Duration::from_millis(25);
+
+/// Tolerance and threads of the maps.
+const MAP: ([f64; 2], u32) = ([1e-8, 1e-10], 2);
+
+/// What the command line asks for.
+struct Asked {
+    rounds: u32,
+    rows: usize,
+    sides: &'static [u32],
+    record: Option<PathBuf>,
+}
+
+impl Asked {
+    fn new(arguments: impl Iterator<Item = String>) -> Result<Self, String> {
+        // As a test it only shows that it works.
+        let mut asked = Self { rounds: 1, rows: 6, sides: &[8], record: None };
+        let mut arguments = arguments.peekable();
+        let mut rounds = None;
+        while let Some(argument) = arguments.next() {
+            match argument.as_str() {
+                "--bench" => asked = Self { rounds: 7, rows: usize::MAX, sides: &[128, 256, 512], ..asked },
+                "--record" => asked.record = Some(arguments.next().ok_or("--record needs a file")?.into()),
+                "--rounds" => {
+                    let count = arguments.next().and_then(|count| count.parse().ok());
+                    rounds = Some(count.filter(|count| *count > 0).ok_or("--rounds needs a number above zero")?);
+                }
+                // What a test runner says to every test.
+                "--test" | "--nocapture" => {}
+                other => return Err(format!("{other}: the options are --record FILE and --rounds N")),
+            }
+        }
+        asked.rounds = rounds.unwrap_or(asked.rounds);
+        Ok(asked)
+    }
+}
+
+fn contestants() -> Vec<Contestant> {
+    let mut all = Vec::new();
+    for tolerance in [1e-6, 1e-8, 1e-10, 1e-12] {
+        all.push(Contestant { name: "angle-steady", tolerance, solve: others::steady, truth: race::steady });
+        all.push(Contestant { name: "angle-terminal", tolerance, solve: others::terminal, truth: race::terminal });
+        all.push(Contestant { name: "angle-run", tolerance, solve: others::run, truth: race::speeds });
+    }
+    for tolerance in [1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12] {
+        let mut run = |name, solve| all.push(Contestant { name, tolerance, solve, truth: race::speeds });
+        run("dopri5", time_domain::dopri5);
+        run("dop853", time_domain::dop853);
+        run("dopri5-located", time_domain::dopri5_located);
+        run("dop853-located", time_domain::dop853_located);
+    }
+    for tolerance in [5e-5, 5e-6, 5e-7, 5e-8, 5e-9, 5e-10, 1e-10] {
+        all.push(Contestant { name: "mimic", tolerance, solve: others::program, truth: race::speeds });
+    }
+    all
+}
+
+fn main() -> ExitCode {
+    let outcome = Asked::new(std::env::args().skip(1)).and_then(|asked| run(&asked));
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(asked: &Asked) -> Result<(), String> {
+    let rows = race::rows(asked.rows).map_err(|error| error.to_string())?;
+    let contestants = contestants();
+    let mut best: Vec<Option<Outcome>> = vec![None; contestants.len()];
+    let maps: Vec<_> =
+        MAP.0.iter().flat_map(|tolerance| asked.sides.iter().map(move |side| (*side, *tolerance))).collect();
+    let mut best_maps = vec![(0, Duration::MAX); maps.len()];
+    for _ in 0..asked.rounds {
+        for (contestant, best) in contestants.iter().zip(&mut best) {
+            let start = Instant::now();
+            loop {
+                let result = contestant.race(&rows);
+                if best.is_none_or(|best| result.time < best.time) {
+                    *best = Some(result);
+                }
+                if start.elapsed() >= TURN {
+                    break;
+                }
+            }
+        }
+        for ((side, tolerance), best) in maps.iter().zip(&mut best_maps) {
+            let (points, time) = map::map(*side, *tolerance, MAP.1);
+            *best = (points, time.min(best.1));
+        }
+    }
+    let mut lines = Vec::new();
+    for (contestant, best) in contestants.iter().zip(&best) {
+        let Some(best) = best else { continue };
+        lines.push(Line {
+            contestant: contestant.name.to_owned(),
+            tolerance: contestant.tolerance,
+            runs: Some(best.runs),
+            evaluations: best.evaluations,
+            milliseconds: best.time.as_secs_f64() * 1e3,
+            true_error: (best.runs > 0).then_some(best.error),
+            ..Line::default()
+        });
+    }
+    for ((_, tolerance), (points, time)) in maps.iter().zip(&best_maps) {
+        lines.push(Line {
+            contestant: "map".to_owned(),
+            tolerance: *tolerance,
+            milliseconds: time.as_secs_f64() * 1e3,
+            points: Some(*points),
+            threads: Some(MAP.1),
+            ..Line::default()
+        });
+    }
+    lines.sort_by(|one, other| one.contestant.cmp(&other.contestant));
+    print(&lines);
+    let mut comments = record::machine();
+    comments.push(format!("rows: {}, times: {}, best of {} rounds", rows.len(), race::TIMES, asked.rounds));
+    comments.push(format!("truth: the solver over the angle at {:e}", race::REFERENCE));
+    comments.iter().for_each(|comment| println!("{comment}"));
+    if let Some(path) = &asked.record {
+        let path = record::write(path, &comments, &lines).map_err(|error| format!("{}: {error}", path.display()))?;
+        println!("written: {}", path.display());
+    }
+    Ok(())
+}
+
+fn print(lines: &[Line]) {
+    let all: Vec<_> = std::iter::once(record::COLUMNS.split(',').map(str::to_owned).collect())
+        .chain(lines.iter().map(|line| line.fields().to_vec()))
+        .collect();
+    let width = |column: usize| all.iter().map(|fields: &Vec<String>| fields[column].len()).max().unwrap_or(0);
+    let widths: Vec<_> = (0..record::COLUMNS.split(',').count()).map(width).collect();
+    for fields in &all {
+        let cells: Vec<_> = fields.iter().zip(&widths).map(|(field, width)| format!("{field:>width$}")).collect();
+        println!("{}", cells.join("  ").trim_end());
+    }
+}
