@@ -2,6 +2,7 @@
 
 use super::arc::{Circle, Place};
 use super::error::SteadyError;
+use super::halves::{Net, halves, middle};
 use super::rule::{POINTS, Rule, rule};
 use super::stretch::{Branch, Points, Spread};
 use crate::Parameters;
@@ -49,7 +50,7 @@ pub struct Engagement {
 /// One stretch, with both signs.
 #[derive(Clone, Debug)]
 pub(super) struct Panel {
-    pub points: Points,
+    pub points: Net<'static>,
     /// Friction with the plus sign past the line of centres; mirrored, with the minus sign before it.
     pub plus: Branch,
     /// e^Λ and J of the plus sign from the line of centres to the stretch's lower end.
@@ -169,17 +170,24 @@ impl Engagement {
             return Ok(());
         }
         let mut rest = Vec::with_capacity(8);
-        rest.push((low, high));
-        while let Some((low, high)) = rest.pop() {
-            let middle = low + (high - low) / 2.0;
-            if self.resolves(low, middle, high, scales) {
-                let points = Points::new(&self.circle, self.rule, low, high, Spread::Even);
+        let halves = halves(self.parameters.slots());
+        rest.push((low, high, (low == 0.0 && high == self.circle.exit).then_some(0)));
+        while let Some((low, high, number)) = rest.pop() {
+            let middle = middle(low, high);
+            let half = number.and_then(|number| halves.get(number));
+            let places = half.map_or_else(|| [low, middle, high].map(|w| self.circle.place(w)), |half| half.places);
+            if self.resolves(low, middle, high, &places, scales) {
+                let points = half.map_or_else(
+                    || Net::Own(Box::new(Points::new(&self.circle, self.rule, low, high, Spread::Even))),
+                    |half| Net::Shared(&half.points),
+                );
                 let plus = points.branch(self.rule, self.inertia, self.friction);
                 let before = self.panels.last().map_or((1.0, 0.0), Panel::after);
                 self.panels.push(Panel { points, plus, before, held: OnceLock::new() });
             } else if self.panels.len() + rest.len() < MOST_STRETCHES && low < middle && middle < high {
-                rest.push((middle, high));
-                rest.push((low, middle));
+                let child = |which: usize| number.map(|number| number.saturating_mul(2).saturating_add(which));
+                rest.push((middle, high, child(2)));
+                rest.push((low, middle, child(1)));
             } else {
                 let sigma = if middle < self.circle.exit { -self.friction } else { self.friction };
                 let margin = self.inert(&self.circle.place(middle), sigma).value;
@@ -190,7 +198,7 @@ impl Engagement {
     }
 
     /// Whether no pole of the equation is too near, and its solution does not grow too much, from low to high.
-    fn resolves(&self, low: f64, middle: f64, high: f64, scales: &Scales) -> bool {
+    fn resolves(&self, low: f64, middle: f64, high: f64, places: &[Place; 3], scales: &Scales) -> bool {
         let near = scales.distance * (high - low) / 2.0;
         // Poles that do not depend on the friction: w = ±i, where ψ is infinite, and where 1 + 2 ρ = 0. That is at
         // ψ = π ± i ln a, where w is on the unit circle and its imaginary part tanh(ln a / 2) = (a − 1)/(a + 1).
@@ -198,9 +206,8 @@ impl Engagement {
         let far = (1.0 + low * low).min(along * along + self.circle.far.1 * self.circle.far.1) >= near * near;
         // Of the two signs this one has the nearer poles: at ρ > 0 where ρ > 0, at ρ < 0 where ρ < 0.
         let sigma = if middle < self.circle.exit { -self.friction } else { self.friction };
-        far && [high, middle, low].into_iter().all(|w| {
-            let place = self.circle.place(w);
-            let inert = self.inert(&place, sigma);
+        far && places.iter().rev().all(|place| {
+            let inert = self.inert(place, sigma);
             let other = inert.value - 2.0 * sigma * place.slide * place.lead;
             let (part, rest) = (place.lead + sigma * place.slide, place.lead - sigma * place.slide);
             let scale = 2.0 * place.slide * place.stretch * (high - low);

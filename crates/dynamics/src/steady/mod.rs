@@ -19,6 +19,7 @@ mod error;
 mod exponential;
 mod extremes;
 mod first_minimum;
+mod halves;
 mod passage;
 pub mod proofs;
 mod rise;

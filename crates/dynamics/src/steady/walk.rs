@@ -1,10 +1,10 @@
 //! Through an engagement, piece by piece.
 
 use super::engagement::Engagement;
+use super::halves::Net;
 use super::rule::{POINTS, Row};
 use super::stretch::{Branch, Points, Spread};
 use super::switch::Split;
-use std::ops::Deref;
 
 /// The sign of the friction, and on which side of the line of centres.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,24 +28,6 @@ pub(super) struct Piece<'a> {
     pub ends: [f64; 2],
     /// How long it takes, in units of 1/√E.
     pub duration: f64,
-}
-
-/// The points of a piece: those of a stretch, or its own.
-#[derive(Clone, Debug)]
-pub(super) enum Net<'a> {
-    Shared(&'a Points),
-    Own(Box<Points>),
-}
-
-impl Deref for Net<'_> {
-    type Target = Points;
-
-    fn deref(&self) -> &Points {
-        match self {
-            Self::Shared(points) => points,
-            Self::Own(points) => points,
-        }
-    }
 }
 
 /// The part of the outermost stretch over which a start from rest has points spread for it. There u is a small
@@ -77,7 +59,7 @@ impl<'a> Walk<'a> {
         let engagement = self.engagement;
         let last = if engagement.ends_before_centres { engagement.to_end } else { 0 };
         for panel in engagement.panels[last..engagement.to_exit].iter().rev() {
-            let points = &panel.points;
+            let points: &Points = &panel.points;
             if self.square == 0.0 {
                 let outer = points.high - REST * (points.high - points.low);
                 self.add_between(outer, points.high, Phase::Approach, Spread::FromRest, 0);
@@ -90,7 +72,7 @@ impl<'a> Walk<'a> {
             return self;
         }
         for (number, panel) in engagement.panels[..engagement.to_end].iter().enumerate() {
-            let points = &panel.points;
+            let points: &Points = &panel.points;
             match split {
                 Some(split) if split.switch.panel == number => {
                     let [before, after] = &*split.parts;
