@@ -34,7 +34,7 @@ impl Piece<'_> {
     /// Times from the start of the piece at its points, in units of 1/√E, with the whole and the rates.
     pub fn clock(&self, rule: &Rule) -> Clock {
         let rates = self.points.rates(&self.squares);
-        let (mut times, whole) = (rule.cumulative(&rates), rule.integral(&rates));
+        let (mut times, whole) = rule.cumulative(&rates);
         if self.phase == Phase::Approach {
             times = times.map(|time| whole - time);
         }

@@ -283,7 +283,9 @@ impl Parabola {
         if discriminant < 0.0 {
             2.0 * self.value >= distance * distance * self.bend
         } else {
-            2.0 * self.value >= distance * (libm::fabs(self.slope) + discriminant.sqrt())
+            // 2 value ≥ distance (|slope| + √discriminant), without the root.
+            let rest = 2.0 * self.value - distance * libm::fabs(self.slope);
+            rest >= 0.0 && rest * rest >= distance * distance * discriminant
         }
     }
 }

@@ -86,10 +86,10 @@ impl Rule {
         Self { points, weights, barycentric, of_equal, of_opposite }
     }
 
-    /// The integrals from −1 up to each point.
+    /// The integrals from −1 up to each point, and from −1 to 1.
     ///
     /// As the sum of an even and an odd function, each with half as many values and half as many integrals.
-    pub fn cumulative(&self, values: &Row) -> Row {
+    pub fn cumulative(&self, values: &Row) -> (Row, f64) {
         let (mut of_even, mut of_odd, mut whole) = ([0.0; HALF], [0.0; HALF], 0.0);
         for index in 0..HALF {
             let (low, high) = (values[index] / 2.0, values[POINTS - 1 - index] / 2.0);
@@ -105,7 +105,7 @@ impl Rule {
             sums[point] = whole + (of_odd[point] + of_even[point]);
             sums[POINTS - 1 - point] = whole + (of_odd[point] - of_even[point]);
         }
-        sums
+        (sums, 2.0 * whole)
     }
 
     /// The integral from −1 to 1.
@@ -162,8 +162,10 @@ mod tests {
         let rule = rule();
         for power in 0..POINTS as i32 {
             let values = rule.points.map(|x| (x + 0.25).powi(power));
-            for (point, sum) in rule.points.iter().zip(rule.cumulative(&values)) {
-                let up = |x: f64| (x + 0.25).powi(power + 1) / f64::from(power + 1);
+            let up = |x: f64| (x + 0.25).powi(power + 1) / f64::from(power + 1);
+            let (sums, whole) = rule.cumulative(&values);
+            assert!((whole - (up(1.0) - up(-1.0))).abs() < 1e-13, "{power}");
+            for (point, sum) in rule.points.iter().zip(sums) {
                 assert!((sum - (up(*point) - up(-1.0))).abs() < 1e-13, "{power} {point}");
             }
             for x in [-1.0, -0.3, rule.points[5], rule.points[5] + 1e-16, 0.0, 0.999, 1.0] {

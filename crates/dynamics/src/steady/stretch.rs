@@ -119,12 +119,14 @@ impl Points {
             rate[index] = scale * (lead + sigma * slide) * slide * self.stretch[index];
             force[index] = scale * self.angle[index];
         }
-        let (growth, exponent) = (exponentials(&rule.cumulative(&rate)), rule.integral(&rate));
+        let (exponents, exponent) = rule.cumulative(&rate);
+        let growth = exponentials(&exponents);
         let [growth_end] = exponentials(&[exponent]);
         for (force, growth) in force.iter_mut().zip(&growth) {
             *force /= growth;
         }
-        Branch { growth, drive: rule.cumulative(&force), growth_end, drive_end: rule.integral(&force), exponent }
+        let (drive, drive_end) = rule.cumulative(&force);
+        Branch { growth, drive, growth_end, drive_end, exponent }
     }
 
     /// p with the plus sign less p with the minus sign, per unit of the rule: 4 μ i k²/(A₊ A₋) without cancellation.

@@ -11,6 +11,7 @@ use super::extremes::Extreme;
 use super::rule::{Row, dot};
 use super::stretch::Branch;
 use super::switch::{Part, Split, Switch};
+use std::cell::LazyCell;
 
 /// The motion that repeats itself. Speeds are the driver's θ', in radians per unit of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,17 +58,27 @@ pub struct Terminal {
     pub contraction: f64,
 }
 
-/// a₁, b₁, a₂, b₂ and 1 − κ.
+/// a₁, b₁, a₂, b₂.
 struct Balance {
     back: (f64, f64),
     forth: (f64, f64),
-    loss: f64,
 }
 
 impl Balance {
-    /// The u at the switch that repeats itself.
-    fn repeated(&self) -> f64 {
-        (self.back.1 + self.forth.1) / (self.back.0 * self.loss)
+    /// For a switch at a place: e^Λ and J of the plus sign to the exit, and to the place, and what follows.
+    fn new(all: (f64, f64), through: (f64, f64), forth: (f64, f64)) -> Self {
+        Self { back: (all.0 / through.0, all.0 * (through.1 + all.1)), forth }
+    }
+
+    /// The u at the switch that repeats itself, from ln of the contraction.
+    fn repeated(&self, log: f64) -> f64 {
+        (self.back.1 + self.forth.1) / (self.back.0 * -libm::expm1(log))
+    }
+
+    /// The same to some digits, without a logarithm if there is little cancellation.
+    fn about(&self, log: impl FnOnce() -> f64) -> f64 {
+        let difference = self.back.0 - self.forth.0;
+        if difference > 1e-6 * self.back.0 { (self.back.1 + self.forth.1) / difference } else { self.repeated(log()) }
     }
 
     /// u at the end of the engagement, and at entry, from that at the switch.
@@ -151,7 +162,7 @@ impl Engagement {
         let low = loop {
             let panel = &self.panels[number];
             let before = self.rest_with(panel, rest, false);
-            let square = balance(all, panel.before, before).repeated();
+            let square = Balance::new(all, panel.before, before.on).about(|| before.log);
             let low = self.excess(panel.points.low, if number == 0 { 0.0 } else { square });
             if number == 0 || low > 0.0 {
                 break low;
@@ -171,18 +182,15 @@ impl Engagement {
     fn repeated_within(&self, number: usize, ends: [f64; 2], all: (f64, f64), rest: Rest) -> (f64, Option<Split>, f64) {
         let panel = &self.panels[number];
         let (points, held) = (&panel.points, self.held(panel));
-        let gaps = points.gap(self.inertia, self.friction);
-        let gap = self.rule.cumulative(&gaps);
+        let gap = LazyCell::new(|| self.rule.cumulative(&points.gap(self.inertia, self.friction)).0);
         let coarse = |shares: &Row| {
             let (growth, drive) = panel.plus.between(shares);
             let (held_growth, held_drive) = held.minus.between(shares);
             let factor = rest.on.0 * held.minus.growth_end;
-            let after = Rest {
-                on: (factor / held_growth, rest.on.1 + factor * (held.minus.drive_end - held_drive)),
-                log: rest.log - (held.gap - dot(shares, &gap)),
-            };
+            let forth = (factor / held_growth, rest.on.1 + factor * (held.minus.drive_end - held_drive));
             let (product, sum) = panel.before;
-            balance(all, (product * growth, sum + drive / product), after).repeated()
+            let balance = Balance::new(all, (product * growth, sum + drive / product), forth);
+            balance.about(|| rest.log - (held.gap - dot(shares, &gap)))
         };
         let mut last: Option<(f64, f64, Box<[Part; 2]>)> = None;
         let fine = |w: f64| {
@@ -192,8 +200,8 @@ impl Engagement {
             let rest = on_with(&after.branch, rest, -gap);
             let (product, sum) = panel.before;
             let through = (product * before.branch.growth_end, sum + before.branch.drive_end / product);
-            let balance = balance(all, through, rest);
-            let square = balance.repeated();
+            let balance = Balance::new(all, through, rest.on);
+            let square = balance.repeated(rest.log);
             // Level in w at the switch, as u at the switch moves with the motion.
             last = Some((balance.end(square), rest.log, Box::new([before, after])));
             square
@@ -239,9 +247,4 @@ fn exponents(panels: &[Panel]) -> f64 {
 fn on_with(minus: &Branch, rest: Rest, log: f64) -> Rest {
     let factor = rest.on.0 * minus.growth_end;
     Rest { on: (factor, rest.on.1 + factor * minus.drive_end), log: rest.log + log }
-}
-
-/// For a switch at a place: e^Λ and J of the plus sign to the exit, and to the place, and what follows.
-fn balance(all: (f64, f64), through: (f64, f64), rest: Rest) -> Balance {
-    Balance { back: (all.0 / through.0, all.0 * (through.1 + all.1)), forth: rest.on, loss: -libm::expm1(rest.log) }
 }
