@@ -15,6 +15,7 @@ mod record;
 mod rows;
 mod time_domain;
 
+use map::Taken;
 use race::{Contestant, Outcome};
 use record::Line;
 use std::path::PathBuf;
@@ -96,7 +97,7 @@ fn run(asked: &Asked) -> Result<(), String> {
     let mut best: Vec<Option<Outcome>> = vec![None; contestants.len()];
     let maps: Vec<_> =
         MAP.0.iter().flat_map(|tolerance| asked.sides.iter().map(move |side| (*side, *tolerance))).collect();
-    let mut best_maps = vec![(0, Duration::MAX); maps.len()];
+    let mut best_maps: Vec<Option<Taken>> = vec![None; maps.len()];
     for _ in 0..asked.rounds {
         for (contestant, best) in contestants.iter().zip(&mut best) {
             let start = Instant::now();
@@ -111,8 +112,10 @@ fn run(asked: &Asked) -> Result<(), String> {
             }
         }
         for ((side, tolerance), best) in maps.iter().zip(&mut best_maps) {
-            let (points, time) = map::map(*side, *tolerance, MAP.1);
-            *best = (points, time.min(best.1));
+            let taken = map::map(*side, *tolerance, MAP.1);
+            let least = best.unwrap_or(taken);
+            let (time, processor) = (taken.time.min(least.time), taken.processor.min(least.processor));
+            *best = Some(Taken { time, processor, ..taken });
         }
     }
     let mut lines = Vec::new();
@@ -128,13 +131,15 @@ fn run(asked: &Asked) -> Result<(), String> {
             ..Line::default()
         });
     }
-    for ((_, tolerance), (points, time)) in maps.iter().zip(&best_maps) {
+    for ((_, tolerance), taken) in maps.iter().zip(&best_maps) {
+        let Some(taken) = taken else { continue };
         lines.push(Line {
             contestant: "map".to_owned(),
             tolerance: *tolerance,
-            milliseconds: time.as_secs_f64() * 1e3,
-            points: Some(*points),
+            milliseconds: taken.time.as_secs_f64() * 1e3,
+            points: Some(taken.points),
             threads: Some(MAP.1),
+            processor_milliseconds: taken.processor.map(|time| time.as_secs_f64() * 1e3),
             ..Line::default()
         });
     }

@@ -2,33 +2,56 @@
 
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Inertias, Parameters, Slots, existence};
+use std::fs;
+use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::{Duration, Instant};
 
-/// How long a map of `side` times `side` points for each mechanism takes on threads of its own, and how many points it
-/// has: those without a terminal speed do not count.
-pub fn map(side: u32, tolerance: f64, threads: u32) -> (usize, Duration) {
-    let start = Instant::now();
-    let points = std::thread::scope(|scope| {
-        let part = |first: u32| move || Slots::ALL.map(|slots| lines(slots, side, tolerance, first, threads));
-        let all: Vec<_> = (0..threads).map(|first| scope.spawn(part(first))).collect();
-        all.into_iter().filter_map(|thread| thread.join().ok()).flatten().flatten().filter(|speed| *speed > 0.0).count()
-    });
-    (points, start.elapsed())
+/// What a map took.
+#[derive(Clone, Copy)]
+pub struct Taken {
+    /// Points with a terminal speed.
+    pub points: usize,
+    pub time: Duration,
+    /// Time of the processors, of all threads together, without what other programs had; none if the system does not tell.
+    pub processor: Option<Duration>,
 }
 
-/// Mean speeds of every so many lines: friction from a twentieth of the critical one up, inertia ratio from 1/32 to 2.
-fn lines(slots: Slots, side: u32, tolerance: f64, first: u32, every: u32) -> Vec<f64> {
-    let mut speeds = Vec::new();
-    for line in (first..side).step_by(every as usize) {
-        let inertia = libm::exp2(-5.0 + 6.0 * f64::from(line) / f64::from(side));
-        let Ok(critical) = existence::critical_friction(slots, inertia) else { continue };
-        speeds.extend((0..side).filter_map(|column| {
-            let friction = critical.friction * (0.05 + 0.9 * f64::from(column) / f64::from(side));
-            let inertias = Inertias::new(inertia, 1.0).ok()?;
-            let escapement = Parameters::new(slots, inertias, 1.0, friction).ok()?;
-            let terminal = Engagement::with_tolerance(&escapement, tolerance).ok()?.terminal().ok()?;
-            Some(terminal.mean_speed)
-        }));
-    }
-    speeds
+/// A map of `side` times `side` points for each mechanism, on threads of its own, each of which takes line after line.
+pub fn map(side: u32, tolerance: f64, threads: u32) -> Taken {
+    let (start, next) = (Instant::now(), AtomicU32::new(0));
+    let work = || {
+        let before = on_processor();
+        let (mut points, lines) = (0, 3 * side);
+        loop {
+            let number = next.fetch_add(1, Ordering::Relaxed);
+            let Some(slots) = Slots::ALL.get((number / side) as usize).filter(|_| number < lines) else { break };
+            points += line(*slots, number % side, side, tolerance).iter().filter(|speed| **speed > 0.0).count();
+        }
+        (points, before.and_then(|before| on_processor()?.checked_sub(before)))
+    };
+    let parts: Vec<_> = std::thread::scope(|scope| {
+        let all: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
+        all.into_iter().filter_map(|thread| thread.join().ok()).collect()
+    });
+    let processor = parts.iter().map(|part| part.1).sum();
+    Taken { points: parts.iter().map(|part| part.0).sum(), time: start.elapsed(), processor }
+}
+
+/// Mean speeds along a line of one inertia ratio between 1/32 and 2: friction from a twentieth of the critical one up.
+fn line(slots: Slots, number: u32, side: u32, tolerance: f64) -> Vec<f64> {
+    let inertia = libm::exp2(-5.0 + 6.0 * f64::from(number) / f64::from(side));
+    let Ok(critical) = existence::critical_friction(slots, inertia) else { return Vec::new() };
+    let speed = |column: u32| {
+        let friction = critical.friction * (0.05 + 0.9 * f64::from(column) / f64::from(side));
+        let inertias = Inertias::new(inertia, 1.0).ok()?;
+        let escapement = Parameters::new(slots, inertias, 1.0, friction).ok()?;
+        Some(Engagement::with_tolerance(&escapement, tolerance).ok()?.terminal().ok()?.mean_speed)
+    };
+    (0..side).filter_map(speed).collect()
+}
+
+/// How long this thread has been running on a processor, by Linux.
+fn on_processor() -> Option<Duration> {
+    let text = fs::read_to_string("/proc/thread-self/schedstat").ok()?;
+    Some(Duration::from_nanos(text.split(' ').next()?.parse().ok()?))
 }

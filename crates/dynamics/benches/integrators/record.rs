@@ -7,7 +7,8 @@ use std::time::{SystemTime, UNIX_EPOCH};
 use std::{fs, io};
 
 /// The columns. See `book/records/README.md`.
-pub const COLUMNS: &str = "contestant,tolerance,runs,evaluations,milliseconds,true_error,points,threads";
+pub const COLUMNS: &str =
+    "contestant,tolerance,runs,evaluations,milliseconds,true_error,points,threads,processor_milliseconds";
 
 /// One line of the record; what a contestant does not have is left empty.
 #[derive(Default)]
@@ -20,11 +21,12 @@ pub struct Line {
     pub true_error: Option<f64>,
     pub points: Option<usize>,
     pub threads: Option<u32>,
+    pub processor_milliseconds: Option<f64>,
 }
 
 impl Line {
     /// The fields, in the order of the columns.
-    pub fn fields(&self) -> [String; 8] {
+    pub fn fields(&self) -> [String; 9] {
         fn some<T: ToString>(value: Option<T>) -> String {
             value.map_or_else(String::new, |value| value.to_string())
         }
@@ -37,6 +39,7 @@ impl Line {
             self.true_error.map_or_else(String::new, |error| format!("{error:.3e}")),
             some(self.points),
             some(self.threads),
+            self.processor_milliseconds.map_or_else(String::new, |time| format!("{time:.4}")),
         ]
     }
 }
