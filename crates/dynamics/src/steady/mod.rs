@@ -7,8 +7,9 @@
 //! No step of time is made: the solution is two integrals for each sign, by a rule of sixteen points on as many
 //! stretches as the nearest poles of the equation ask for.
 //!
-//! In order: the variable (`arc`), the rule (`rule`), the integrals (`stretch`), [`Engagement`], the `switch`,
-//! [`Passage`] with its [`Extreme`]s and its clock, [`SteadyState`], [`Rise`], and runs on a print grid ([`Printed`]).
+//! In order: the variable (`arc`), the rule (`rule`), the integrals (`stretch`), what of them all escapements of a mechanism
+//! share (`halves`), [`Engagement`], the `switch`, the way through it (`walk`), [`Passage`] with its [`Extreme`]s and its
+//! clock, [`SteadyState`] and what it is without extremes ([`Terminal`]), [`Rise`], and runs on a print grid ([`Printed`]).
 //! The identities behind them are proven in [`proofs`].
 
 mod arc;

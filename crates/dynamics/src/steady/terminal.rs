@@ -43,7 +43,7 @@ impl SteadyState {
     }
 }
 
-/// What a [`SteadyState`] is without its extremes, for half the price. The numbers are the same to the last bit.
+/// What a [`SteadyState`] is without its extremes, for two thirds of the price. The numbers are the same to the last bit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Terminal {
     /// [`SteadyState::entry_speed`].

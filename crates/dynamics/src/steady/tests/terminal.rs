@@ -43,7 +43,7 @@ fn without_the_extremes_the_numbers_are_the_same() {
                 let escapement = escapement(slots, inertia, limit * part);
                 let half = slots.engagement_half_angle();
                 // Short of the line of centres, at it, short of the exit, at it, beyond, and nearly as far as it goes.
-                for fold in [0.2 * half, half, 1.7 * half, 2.0 * half, 2.6 * half, 0.95 * (PI + half)] {
+                for fold in [0.2 * half, half, 1.7 * half, 2.0 * half, 3.0 * half, 0.95 * (PI + half)] {
                     for tolerance in [1e-6, 1e-10] {
                         let engagement = Engagement::folded(&escapement, fold, tolerance).expect("an engagement");
                         found += usize::from(the_same(&engagement));
