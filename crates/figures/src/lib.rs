@@ -10,6 +10,7 @@
 #[cfg(test)]
 mod checks;
 mod figure;
+mod markers;
 mod number;
 mod panel;
 mod plot;
@@ -18,6 +19,7 @@ mod series;
 mod star;
 mod svg;
 mod theme;
+mod trace;
 
 pub mod escapement;
 pub mod pin;

@@ -1,6 +1,7 @@
-//! A plot among others on one canvas: curves that may share a colour, and many marks that weigh little.
+//! A plot among others on one canvas, with curves that may share a colour.
 
 use crate::escapement::axes::blank;
+use crate::markers::{Mark, marks};
 use crate::number::trimmed;
 use crate::plot::{Axis, Plot, Side};
 use crate::svg::canvas::Canvas;
@@ -9,33 +10,19 @@ use crate::svg::path::Path;
 use crate::svg::placing::Placing;
 use crate::svg::shape::Shape;
 use crate::svg::view::Pixels;
-use crate::theme::{CORIOLIS, DRIVER, FOLLOWER, GRID, INK, PAPER, RELATIVE, Shade};
+use crate::theme::{GRID, INK, Shade};
+use crate::trace::{thinned, within};
 use nalgebra::Vector2;
 
 /// Width of a figure of panels, in pixels.
 pub const WIDTH: u32 = 640;
 /// How much of a panel's margins the next one may take.
 const OVERLAP: f64 = 40.0;
-/// A curve's point is left out if it is no farther from the rest, in pixels.
-const THIN: f64 = 0.1;
 /// Length of a tick, and from the middle of a number to its base line, in pixels.
 const TICK: f64 = 6.0;
 const MIDDLE: f64 = 7.5;
 /// Room between the labels beside a frame, in pixels.
 const LINE: f64 = 23.0;
-
-/// The shape of a mark.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mark {
-    /// A disc.
-    Disc,
-    /// A square.
-    Square,
-    /// A square on its corner.
-    Diamond,
-    /// A triangle.
-    Triangle,
-}
 
 /// How a curve looks.
 #[derive(Clone, Copy, Debug)]
@@ -48,26 +35,6 @@ pub struct Stroke {
     pub dashes: Option<&'static str>,
     /// What it is, for pages and tests.
     pub class: &'static str,
-}
-
-/// Colour and mark of the first to the eighth of several kinds; the last four have the colour of the text.
-pub fn kind(number: usize) -> (Shade, Mark) {
-    let (shade, mark) = match number % 4 {
-        0 => (FOLLOWER, Mark::Disc),
-        1 => (DRIVER, Mark::Square),
-        2 => (RELATIVE, Mark::Diamond),
-        _ => (CORIOLIS, Mark::Triangle),
-    };
-    (if number % 8 < 4 { shade } else { INK }, mark)
-}
-
-/// Colour and mark of a mechanism with so many slots, as in the other figures.
-pub fn mechanism(slots: u32) -> (Shade, Mark) {
-    match slots {
-        3 => kind(0),
-        4 => kind(1),
-        _ => kind(2),
-    }
 }
 
 /// One plot on a canvas with several.
@@ -245,102 +212,11 @@ impl Panel {
     }
 }
 
-/// Marks of fewer pixels have no rim.
-const RIMMED: f64 = 7.0;
-
-/// Draws equal marks at places of the page, as one path.
-pub fn marks(canvas: &mut Canvas, places: &[Pixels], (shade, mark): (Shade, Mark), size: f64) {
-    let Some(first) = places.first() else { return };
-    let offsets: &[(f64, f64)] = match mark {
-        Mark::Disc | Mark::Square | Mark::Diamond => &[],
-        Mark::Triangle => &[(0.0, -0.64), (0.6, 1.04), (-1.2, 0.0)],
-    };
-    let begin = |at: &Pixels| offsets.first().map_or(*at, |(x, y)| at + Vector2::new(*x, *y) * size);
-    let mut path = Path::start_rounded(&begin(first), 1);
-    for (k, place) in places.iter().enumerate() {
-        if k > 0 {
-            path = path.again_at(&begin(place));
-        }
-        path = match mark {
-            Mark::Disc | Mark::Square => path.dot(),
-            // Square ends stand across the line, however short it is.
-            Mark::Diamond => path.line_by(&Vector2::new(0.1, 0.1)),
-            Mark::Triangle => {
-                let steps = offsets.iter().skip(1).map(|(x, y)| Vector2::new(*x, *y) * size);
-                steps.fold(path, |path, step| path.line_by(&step)).close()
-            }
-        };
-    }
-    let shape = Shape::path(path);
-    match mark {
-        Mark::Disc | Mark::Square | Mark::Diamond => {
-            let (cap, size) = if mark == Mark::Disc { ("round", size) } else { ("square", 0.86 * size) };
-            let shape = shape.with("stroke-linecap", cap);
-            if size >= RIMMED {
-                canvas.draw(shape.clone().stroke(PAPER, size + 2.4).class("rim"));
-            }
-            canvas.draw(shape.stroke(shade, size).class("marks"));
-        }
-        Mark::Triangle => {
-            let shape = shape.fill(shade);
-            canvas.draw(if size >= RIMMED { shape.stroke(PAPER, 1.2) } else { shape }.class("marks"));
-        }
-    }
-}
-
-/// The points without those that lie on the line between their neighbours, but for a part of a pixel.
-fn thinned(points: &[Pixels]) -> Vec<Pixels> {
-    let mut kept: Vec<Pixels> = points.first().copied().into_iter().collect();
-    let mut parts = vec![(0, points.len().saturating_sub(1))];
-    while let Some((from, to)) = parts.pop() {
-        let (Some(start), Some(end)) = (points.get(from), points.get(to)) else { break };
-        let along = end - start;
-        let off = |point: &Pixels| match along.try_normalize(1e-9) {
-            Some(along) => along.perp(&(point - start)).abs(),
-            None => (point - start).norm(),
-        };
-        let inner = points.iter().enumerate().take(to).skip(from + 1);
-        let far = inner.fold((0, THIN), |far, (k, point)| if off(point) > far.1 { (k, off(point)) } else { far });
-        if far.0 > 0 {
-            parts.extend([(far.0, to), (from, far.0)]);
-        } else if to > from {
-            kept.push(*end);
-        }
-    }
-    kept
-}
-
-/// The part of a line within a frame.
-fn within(from: &Pixels, to: &Pixels, [least, greatest]: &[Pixels; 2]) -> Option<[Pixels; 2]> {
-    let along = to - from;
-    let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
-    for axis in 0..2 {
-        let (start, step) = (from[axis], along[axis]);
-        if step == 0.0 {
-            if start < least[axis] || start > greatest[axis] {
-                return None;
-            }
-            continue;
-        }
-        let (a, b) = ((least[axis] - start) / step, (greatest[axis] - start) / step);
-        (enter, leave) = (enter.max(a.min(b)), leave.min(a.max(b)));
-    }
-    let at = |share: f64| {
-        if share == 0.0 {
-            *from
-        } else if share == 1.0 {
-            *to
-        } else {
-            from + along * share
-        }
-    };
-    (enter <= leave && !enter.is_nan() && !leave.is_nan()).then(|| [at(enter), at(leave)])
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::plot::Scale;
+    use crate::theme::DRIVER;
 
     fn panel() -> Panel {
         let axis = Axis { range: 0.0..1.0, marks: vec![0.0, 1.0], decimals: 0, scale: Scale::Even };
@@ -363,25 +239,6 @@ mod tests {
             panel.curve(&mut canvas, &outside, stroke);
             assert!(!canvas.finish(crate::svg::canvas::Kind::Plot, "a", "b", "c").contains("curve"), "{outside:?}");
         }
-    }
-
-    #[test]
-    fn what_is_left_of_a_curve_is_the_curve() {
-        let circle = |k: u32| crate::svg::view::heading(f64::from(k) / 100.0) * 200.0;
-        let points: Vec<Pixels> = (0..=600).map(circle).collect();
-        let kept = thinned(&points);
-        assert!(kept.len() < 150, "{}", kept.len());
-        assert_eq!((kept.first(), kept.last()), (points.first(), points.last()));
-        for point in &points {
-            let off = |pair: &[Pixels]| {
-                let along = pair[1] - pair[0];
-                let share = ((point - pair[0]).dot(&along) / along.norm_squared()).clamp(0.0, 1.0);
-                (pair[0] + along * share - point).norm()
-            };
-            assert!(kept.windows(2).map(off).fold(f64::INFINITY, f64::min) <= THIN * 1.000_001);
-        }
-        assert_eq!(thinned(&points[..1]).len(), 1);
-        assert!(thinned(&[]).is_empty());
     }
 
     #[test]

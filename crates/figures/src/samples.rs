@@ -1,6 +1,7 @@
 //! A key above the panels: a piece of each curve with its mark and its name, in as many columns as there is room for.
 
-use crate::panel::{WIDTH, kind, marks};
+use crate::markers::{kind, marks};
+use crate::panel::WIDTH;
 use crate::svg::canvas::Canvas;
 use crate::svg::label::Label;
 use crate::svg::shape::Shape;

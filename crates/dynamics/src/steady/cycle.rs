@@ -17,8 +17,8 @@ impl Engagement {
             return Err(SteadyError::TooMany { name: "parts of a period", limit: MOST_PRINTED });
         }
         let engagement = self.refined()?;
-        let (entry, switch) = engagement.repeated_entry()?;
-        let passage = engagement.pass_with(entry, switch);
+        let repeated = engagement.repeated()?;
+        let passage = engagement.pass_with(repeated.entry, repeated.split.as_ref());
         let period = passage.duration();
         let mut lines = Vec::with_capacity(parts + 1);
         if let Some(last) = parts.checked_sub(1) {

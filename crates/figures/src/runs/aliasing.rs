@@ -2,8 +2,9 @@
 
 use crate::escapement::axes::spanning;
 use crate::figure::{Figure, Words};
+use crate::markers::{Mark, marks};
 use crate::number::{fixed, significant, trimmed};
-use crate::panel::{Mark, Panel, Stroke, WIDTH, marks};
+use crate::panel::{Panel, Stroke, WIDTH};
 use crate::plot::{Axis, Scale};
 use crate::series::Series;
 use crate::steady::MotionError;

@@ -1,8 +1,9 @@
 //! How far the numbers of a table are from those that several hypotheses give.
 
 use crate::figure::{Figure, Words};
+use crate::markers::{marks, mechanism};
 use crate::number::{significant, with_minus_sign};
-use crate::panel::{Panel, WIDTH, marks, mechanism};
+use crate::panel::{Panel, WIDTH};
 use crate::plot::{Axis, Scale};
 use crate::series::Series;
 use crate::svg::canvas::{Canvas, Kind};

@@ -3,8 +3,9 @@
 use super::{Group, Run};
 use crate::escapement::axes::{spanning, upright};
 use crate::figure::{Figure, Words};
-use crate::number::{fixed, significant};
-use crate::panel::{Panel, Stroke, kind};
+use crate::markers::kind;
+use crate::number::{degrees, fixed, significant};
+use crate::panel::{Panel, Stroke};
 use crate::series::Series;
 use crate::steady::MotionError;
 use crate::svg::canvas::{Canvas, Kind};
@@ -119,7 +120,7 @@ pub fn over_torque(group: &Group) -> Result<Figure, MotionError> {
     panels[0].name(&mut canvas, &Label::words("rise time in ms"));
     panels[1].name(&mut canvas, &Label::words("average terminal speed in rad/s"));
     panels[1].foot(&mut canvas, &Label::words("torque ").and_symbol("K").and(" in in lb"));
-    key(&mut canvas, group.own_fold().is_some());
+    key(&mut canvas, group.own_fold().map(|_| degrees(group.fold)));
     Ok(words(group, &families).figure(canvas, Kind::Panels, series(group, &families)))
 }
 
@@ -129,7 +130,7 @@ fn mean(run: &Run) -> f64 {
 }
 
 /// What marks and curves are.
-fn key(canvas: &mut Canvas, both: bool) {
+fn key(canvas: &mut Canvas, fold: Option<String>) {
     let right = Vector2::new(1.0, 0.0);
     let sample = |canvas: &mut Canvas, x: f64, y: f64, dashed: bool, shade: Shade| {
         let line = Shape::line(&Vector2::new(x, y), &Vector2::new(x + 44.0, y)).stroke(shade, 2.4).class("sample");
@@ -138,13 +139,13 @@ fn key(canvas: &mut Canvas, both: bool) {
     let top = 18.0;
     let places: Vec<_> = (0..4).map(|k| Vector2::new(16.0 + 15.0 * f64::from(k), top)).collect();
     for (k, place) in places.iter().enumerate() {
-        crate::panel::marks(canvas, &[*place], kind(k), SIZE);
+        crate::markers::marks(canvas, &[*place], kind(k), SIZE);
     }
     canvas.label(&Vector2::new(72.0, top), &right, 0.0, &Label::words("printed").bare());
     sample(canvas, 190.0, top, false, INK);
-    let run = if both { "exact, driver put back after 90°" } else { "exact" };
-    canvas.label(&Vector2::new(244.0, top), &right, 0.0, &Label::words(run).bare());
-    if both {
+    let run = fold.as_ref().map_or("exact".to_owned(), |fold| format!("exact, driver put back after {fold}"));
+    canvas.label(&Vector2::new(244.0, top), &right, 0.0, &Label::words(&run).bare());
+    if fold.is_some() {
         sample(canvas, 190.0, top + LINE, true, INK);
         canvas.label(
             &Vector2::new(244.0, top + LINE),
@@ -207,22 +208,25 @@ fn words(group: &Group, families: &[Family]) -> Words {
         id: format!("runs-{name}-pin"),
         title: format!("Rise time and average terminal speed over the torque, {name} pins"),
         description: format!(
-            "Two panels over the torque K, each with a curve and printed points for {} frictions. Above, the rise time: \
-             all curves fall, the points scatter, from {short} to {long} times the value of their curve. Below, the mean of \
-             peak and minimum: all curves rise, and the points lie on them, from {low} to {high} times their \
-             value.{as_is}",
+            "Two panels over the torque K, each with a curve and printed points for {} frictions. Above, the rise \
+             time: all curves fall, the points scatter, from {short} to {long} times the value of their curve. Below, \
+             the mean of peak and minimum: all curves rise, and the points lie on them, from {low} to {high} times \
+             their value.{as_is}",
             families.len()
         ),
         caption: if group.own_fold().is_some() {
             format!(
-                "{pins} pins. The printed speeds are those of a driver that is put back after 90°, whatever the \
-                 mechanism, and not those of the mechanism as it is. The printed rise times keep to no curve: here the \
-                 time until a peak is within one per cent of the steady one, which leaps with the number of engagements."
+                "{pins} pins. The printed speeds are those of a driver that is put back after {}, whatever the \
+                 mechanism, and not those of the mechanism as it is. The printed rise times keep to no curve: here \
+                 the time until a peak is within one per cent of the steady one, which leaps with the number of \
+                 engagements.",
+                degrees(group.fold)
             )
         } else {
             format!(
-                "{pins} pins. The printed speeds are those of the equation of motion. The printed rise times keep to no \
-                 curve: here the time until a peak is within one per cent of the steady one, which leaps with the number of engagements."
+                "{pins} pins. The printed speeds are those of the equation of motion. The printed rise times keep to \
+                 no curve: here the time until a peak is within one per cent of the steady one, which leaps with the \
+                 number of engagements."
             )
         },
     }

@@ -103,16 +103,17 @@ pub fn speeds(engagement: &Engagement, others: &str) -> Result<Figure, MotionErr
         title: "Speeds of driver and follower over time, from rest".to_owned(),
         description: format!(
             "Two curves over time, from rest through {ENGAGEMENTS} engagements. The driver's speed rises, and then \
-             swings between {} and {} rad/s in every engagement. The follower starts and stops in each, turning the other \
-             way, at up to {} rad/s. A ring marks the driver's first minimum, in the first engagement, after {} ms.",
+             swings between {} and {} rad/s in every engagement. The follower starts and stops in each, turning the \
+             other way, at up to {} rad/s. A ring marks the driver's first minimum, in the first engagement, after {} \
+             ms.",
             significant(steady.minimum.speed, 3),
             significant(steady.peak.speed, 3),
             significant(greatest, 3),
             fixed(ms(first), 1)
         ),
         caption: format!(
-            "From rest. The driver slows down while it speeds the follower up, and gets the motion back as the follower \
-             stops. The follower's speed is counted in its own sense, against the driver's. {others}"
+            "From rest. The driver slows down while it speeds the follower up, and gets the motion back as the \
+             follower stops. The follower's speed is counted in its own sense, against the driver's. {others}"
         )
         .trim_end()
         .to_owned(),

@@ -1,10 +1,11 @@
-//! All runs of all mechanisms on three curves: peak, minimum and period without the torque and the size of the inertias.
+//! All runs of a mechanism on one curve: peak, minimum and period without the torque and the size of the inertias.
 
 use super::error::MotionError;
 use crate::escapement::axes::{spanning, upright};
 use crate::figure::{Figure, Words};
+use crate::markers::{marks, mechanism};
 use crate::number::significant;
-use crate::panel::{Panel, Stroke, WIDTH, marks, mechanism};
+use crate::panel::{Panel, Stroke, WIDTH};
 use crate::runs::{Group, Run};
 use crate::series::Series;
 use crate::svg::canvas::{Canvas, Kind};
@@ -116,14 +117,16 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, MotionError> {
         id: "steady-collapse".to_owned(),
         title: "All runs without the torque: peak, minimum and period over the friction".to_owned(),
         description: format!(
-            "Three panels over the friction μ: peak and minimum over the root of K / I_f, and period times that root. In each \
-             a curve for every mechanism, and on it the {} runs of all torques, one over another. The farthest from \
-             their curves are off by {peak} % for the peaks, {minimum} % for the minima and {period} % for the periods.",
+            "Three panels over the friction μ: peak and minimum over the root of K / I_f, and period times that root. \
+             In each a curve for every mechanism, and on it the {} runs of all torques, one over another. The \
+             farthest from their curves are off by {peak} % for the peaks, {minimum} % for the minima and {period} % \
+             for the periods.",
             rows.len()
         ),
         caption:
             "The law of similarity: measured in the units that torque and inertias make, runs of all torques fall \
-                  together, and each mechanism has one curve. What is left is rounding, most in the small numbers."
+             together, and each mechanism has one curve. What is left is rounding and, in the peaks, the time between \
+             two printed lines."
                 .to_owned(),
     };
     Ok(words.figure(canvas, Kind::Panels, Series::new(columns, rows)))

@@ -1,4 +1,4 @@
-//! The speed at the end of an engagement over that at its start, and how the motion from rest climbs to the fixed point.
+//! The speed at the end of an engagement over that at its start, and how motion from rest climbs to the fixed point.
 
 use super::error::MotionError;
 use crate::escapement::axes::{short, upright};
@@ -114,19 +114,19 @@ pub fn hand_over(parameters: &Parameters) -> Result<Figure, MotionError> {
         id: "steady-hand-over".to_owned(),
         title: "What an engagement makes of the square of the speed".to_owned(),
         description: format!(
-            "The square of the driver's speed at exit over that at entry, both over K / I_f, for {} pins and μ = {}. The \
-             curve rises little and crosses the diagonal once, at {}; there its slope is {contraction}. A staircase from \
-             rest is there after a few steps. Without friction the curve lies {} above the diagonal throughout and never \
-             meets it.",
+            "The square of the driver's speed at exit over that at entry, both over K / I_f, for {} pins and μ = {}. \
+             The curve rises little and crosses the diagonal once, at {}; there its slope is {contraction}. A \
+             staircase from rest is there after a few steps. Without friction the curve lies {} above the diagonal \
+             throughout and never meets it.",
             parameters.slots().pins(),
             trimmed(parameters.friction(), 4),
             significant(fixed, 4),
             significant(gain, 4)
         ),
         caption: format!(
-            "One engagement takes the square of the speed at entry to that at exit. With friction all motions are drawn to \
-             one: near it a difference shrinks to {contraction} of itself each time. Without friction each engagement \
-             adds the same, and there is no terminal speed."
+            "One engagement takes the square of the speed at entry to that at exit. With friction all motions are \
+             drawn to one: near it a difference shrinks to {contraction} of itself each time. Without friction each \
+             engagement adds the same, and there is no terminal speed."
         ),
     };
     let columns = [("u entry", "1"), ("u exit", "1"), ("without friction", "1")];

@@ -2,8 +2,9 @@
 
 use crate::escapement::axes::{spanning, upright};
 use crate::figure::{Figure, Words};
+use crate::markers::kind;
 use crate::number::significant;
-use crate::panel::{Panel, Stroke, WIDTH, kind};
+use crate::panel::{Panel, Stroke, WIDTH};
 use crate::samples::{Samples, dashes};
 use crate::series::{Column, Series};
 use crate::svg::canvas::{Canvas, Kind};
@@ -26,8 +27,8 @@ pub struct Line {
 /// Mean speed over that of the ideal mechanism, and contraction, over the size of a joint.
 ///
 /// `speeds` and `contractions` are the lines of the two panels; lines of the same name have the same look. `size` says
-/// what the joint's size is and its unit. Points that are no numbers are left out. Series: panel, number of the line's name
-/// in order of first appearance, size, value.
+/// what the joint's size is and its unit. Points that are no numbers are left out. Series: panel, number of the line's
+/// name in order of first appearance, size, value.
 pub fn losses(size: &str, speeds: &[Line], contractions: &[Line]) -> Figure {
     let groups = [speeds, contractions];
     let mut names: Vec<&str> = Vec::new();

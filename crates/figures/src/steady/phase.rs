@@ -4,8 +4,9 @@ use super::error::MotionError;
 use crate::escapement::axes::upright;
 use crate::escapement::engagement::{Engagement as Followed, Instant};
 use crate::figure::{Figure, Words};
+use crate::markers::Mark;
 use crate::number::{degrees, significant, trimmed};
-use crate::panel::{Mark, Panel, Stroke, WIDTH};
+use crate::panel::{Panel, Stroke, WIDTH};
 use crate::plot::{Axis, Scale};
 use crate::series::Series;
 use crate::svg::canvas::{Canvas, Kind};
@@ -129,7 +130,7 @@ fn samples(canvas: &mut Canvas, strokes: [Stroke; 3]) {
         canvas.label(&at(x + 40.0), &Vector2::new(1.0, 0.0), 10.0, &Label::words(name).shade(stroke.shade).bare());
     }
     let at = Vector2::new(268.0, 46.0);
-    crate::panel::marks(canvas, &[at], (INK, Mark::Diamond), 10.0);
+    crate::markers::marks(canvas, &[at], (INK, Mark::Diamond), 10.0);
     canvas.label(&at, &Vector2::new(1.0, 0.0), 12.0, &Label::words("friction changes its sign").bare());
 }
 
@@ -163,19 +164,19 @@ fn words(parameters: &Parameters, steady: &geneva_dynamics::steady::SteadyState,
         id: "steady-phase".to_owned(),
         title: "The driver's speed over its angle, engagement by engagement".to_owned(),
         description: format!(
-            "Speed over angle for {} pins and μ = {}, for three engagements from rest, three from twice the steady speed, \
-             and the steady cycle, which enters at {}, falls to {} and rises to {}. The curves from rest come from below \
-             and those from above from above; from the second engagement on they can hardly be told from the steady \
-             cycle.{switch}",
+            "Speed over angle for {} pins and μ = {}, for three engagements from rest, three from twice the steady \
+             speed, and the steady cycle, which enters at {}, falls to {} and rises to {}. The curves from rest come \
+             from below and those from above from above; from the third engagement on they can hardly be told from \
+             the steady cycle.{switch}",
             parameters.slots().pins(),
             trimmed(parameters.friction(), 4),
             significant(steady.entry_speed / unit, 3),
             significant(steady.minimum.speed / unit, 3),
             significant(steady.peak.speed / unit, 3)
         ),
-        caption: "Successive engagements, numbered, from rest and from above: after one they \
-                  can hardly be told apart. The friction changes its sign on the line of centres and at the \
-                  diamonds, where the follower begins to run ahead of the pin."
+        caption: "Successive engagements, numbered, from rest and from above: the third can hardly be told from the \
+                  steady cycle. The friction changes its sign on the line of centres and at the diamonds, where the \
+                  follower begins to run ahead of the pin."
             .to_owned(),
     }
 }

@@ -2,8 +2,9 @@
 
 use crate::escapement::axes::decades;
 use crate::figure::{Figure, Words};
+use crate::markers::kind;
 use crate::number::significant;
-use crate::panel::{Panel, Stroke, WIDTH, kind};
+use crate::panel::{Panel, Stroke, WIDTH};
 use crate::samples::{Samples, dashes};
 use crate::series::Series;
 use crate::svg::canvas::{Canvas, Kind};
@@ -104,8 +105,8 @@ pub fn work_precision(measurements: &[Measurement]) -> Figure {
         id: "solver-work-precision".to_owned(),
         title: "Work and precision of the solvers".to_owned(),
         description: format!(
-            "Two panels on logarithmic axes: the true error over the evaluations, and over the time. Down and to the left is \
-             better. The smallest errors: {}.",
+            "Two panels on logarithmic axes: the true error over the evaluations, and over the time. Down and to the \
+             left is better. The smallest errors: {}.",
             best.join("; ")
         ),
         caption:
