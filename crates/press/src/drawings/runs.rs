@@ -121,3 +121,55 @@ fn words(hypothesis: &Hypothesis) -> String {
     let sign = if hypothesis.delay.is_some() { ", old sign" } else { "" };
     format!("{fold}, {inertias}, {reading}{constants}{sign}")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::drawings;
+
+    #[test]
+    fn figures_of_many_runs_stay_light() {
+        let names = drawings::NAMES.iter().filter(|name| name.starts_with("runs-") || name.starts_with("steady-"));
+        let figures: Vec<Figure> = names.map(|name| drawings::by_name(name).expect("a figure")).collect();
+        assert_eq!(figures.len(), 12);
+        for figure in figures {
+            assert!(figure.svg.len() < 25_000, "{}: {} bytes", figure.id, figure.svg.len());
+        }
+    }
+
+    #[test]
+    fn every_row_is_in_its_group_and_under_every_hypothesis() {
+        let groups = Mechanism::ALL.map(|mechanism| group(mechanism).expect("a group"));
+        assert_eq!(groups.iter().map(|group| group.runs.len()).sum::<usize>(), rows().len());
+        let compared = hypotheses().expect("hypotheses");
+        assert_eq!(compared.len(), 6);
+        assert!(compared.iter().all(|one| one.runs.len() == rows().len()));
+        // The scores of the ledger and the marks of the drawing are of the same deviations.
+        for (score, one) in scores().iter().step_by(3).zip(&compared) {
+            assert_eq!(score.column, Column::Peak);
+            let worst = one
+                .runs
+                .iter()
+                .map(|run| run.peak)
+                .fold(0.0, |worst: f64, off| if off.abs() > worst.abs() { off } else { worst });
+            assert!((worst - score.worst).abs() < 1e-12, "{}: {worst} and {}", one.name, score.worst);
+        }
+    }
+
+    #[test]
+    fn the_run_of_fig_8_is_one_that_has_its_rise_time() {
+        let figure = drawn().expect("a figure");
+        let printed = printed_value("meyer.fig-8.rise").expect("a number");
+        let row = four_pins().find(|row| {
+            let engagement = Hypothesis::BEST.engagement(row).expect("an escapement");
+            (first_minimum(&engagement).expect("a minimum").0 - printed).abs() <= HALF_UNIT
+        });
+        let row = row.expect("a run");
+        assert!(figure.caption.contains(&format!(
+            "μ = {}, K = {}",
+            row.printed(Column::Friction),
+            row.printed(Column::Torque)
+        )));
+        assert!(figure.caption.contains("So does that of"), "the ledger knows of two");
+    }
+}
