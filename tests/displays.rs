@@ -4,6 +4,7 @@ mod book;
 mod claims;
 mod escapement;
 mod factors;
+mod joints;
 mod letters;
 mod mechanisms;
 mod mutants;

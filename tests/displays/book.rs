@@ -1,11 +1,11 @@
 //! The displays of the chapters hold, and misprints in them would not.
 
-use super::escapement;
 use super::mechanisms::{When, pin, quick_return, step, wheel};
 use super::mutants::mutants;
 use super::state::State;
 use super::tex::{read, read_pieces};
 use super::value::holds;
+use super::{escapement, joints};
 
 /// A display that is not evaluated: its chapter, how it starts, and why.
 const EXCEPTIONS: &[(&str, &str, &str)] = &[];
@@ -80,6 +80,8 @@ fn displays() -> Vec<Printed> {
                 (None, "jazar") => many(|number| wheel(number, None, When::Steady)),
                 (None, "program") => many(step),
                 (None, "escapement") => escapement::states(),
+                (None, "terminal-speed") => escapement::over_the_angle(),
+                (None, "joints") => joints::states(),
                 _ if display.is_excepted() => Vec::new(),
                 _ => panic!("{chapter}: say here what the letters of `{}` stand for", display.tex),
             };

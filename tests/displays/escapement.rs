@@ -2,6 +2,7 @@
 
 use super::spread;
 use super::state::State;
+use super::value::What;
 use geneva_dynamics::energy::kinetic_energy;
 use geneva_dynamics::equation::{coefficient_a, coefficient_b};
 use geneva_dynamics::existence::critical_friction;
@@ -12,6 +13,19 @@ use geneva_kinematics::{Jet, Turn, pin_slot};
 /// All three mechanisms, with many inertias, torques, frictions, angles and speeds.
 pub fn states() -> Vec<State> {
     (0..45).map(|number| state(number, &Wanted::default())).collect()
+}
+
+/// The same with the square of the speed as a function of the angle: u' is twice the acceleration.
+pub fn over_the_angle() -> Vec<State> {
+    let squared = |state: State| {
+        let number = |name| match state.value(name).map(|value| value.what) {
+            Some(What::Number(number)) => number,
+            _ => panic!("no number {name}"),
+        };
+        let [speed, gain] = [r"\dot{\theta}", r"\ddot{\theta}"].map(number);
+        state.with([("u", speed * speed), ("u'", 2.0 * gain)])
+    };
+    states().into_iter().map(squared).collect()
 }
 
 /// What is asked of a state; what is not asked is at random.

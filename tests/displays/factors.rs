@@ -84,7 +84,8 @@ impl<'a> Reader<'a> {
             let node = Reader { pieces: &of, at: 0, bars: 0 }.power()?;
             return Ok(Node::Of(Function::Rate, Box::new(node)));
         }
-        if above.first().is_some_and(|piece| piece == r"\partial") {
+        let is_small = |pieces: &[String]| pieces.len() > 1 && pieces[0] == "d";
+        if above.first().is_some_and(|piece| piece == r"\partial") || is_small(above) && is_small(below) {
             return Ok(Node::Name(format!("{}/{}", plain(above), plain(below))));
         }
         Ok(join(Joint::Over, self.inside(above)?, self.inside(below)?))

@@ -123,8 +123,7 @@ impl Rise {
         self.cycles.iter().find(near).map(|cycle| cycle.minimum.time)
     }
 
-    /// When the driver is first, after its first engagement, slowest: by the first minimum, says the source, the
-    /// velocity profile is the steady one. Meyer 1973, chapter II.
+    /// When the driver is slowest in its second engagement: the first minimum after a hand-over.
     pub fn until_first_minimum(&self) -> Option<f64> {
         self.cycles.get(1).map(|cycle| cycle.minimum.time)
     }

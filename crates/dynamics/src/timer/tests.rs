@@ -1,3 +1,5 @@
+//! What is said of the timer against differences, energies and starts near the steady speed.
+
 use super::*;
 use crate::steady::Engagement;
 use crate::{Inertias, Parameters, Slots, existence};

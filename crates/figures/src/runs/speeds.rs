@@ -13,7 +13,7 @@ use crate::svg::shape::Shape;
 use crate::svg::view::Pixels;
 use crate::theme::{DRIVER, FOLLOWER, INK, PAPER};
 use geneva_dynamics::Pose;
-use geneva_dynamics::steady::Engagement;
+use geneva_dynamics::steady::{Engagement, Extreme};
 use geneva_kinematics::Turn;
 use nalgebra::Vector2;
 
@@ -21,26 +21,17 @@ use nalgebra::Vector2;
 const ENGAGEMENTS: usize = 5;
 const LINES: f64 = 200.0;
 const KEPT: usize = 5;
-/// Instants in a period by which the first minimum is found.
-const FINE: f64 = 2000.0;
 const HEIGHT: u32 = 480;
 /// The driver has reached its steady motion where an engagement ends so near it.
 const SETTLED: f64 = 1e-9;
-/// Time and speed of the driver's first minimum from rest: where its acceleration first turns from minus to plus.
-///
-/// It is in the first engagement, once the follower has its speed. The time is that of a straight line between two of
-/// many instants of a run over three steady periods.
+
+/// The driver's first minimum from rest: in the first engagement, once the follower has its speed.
 ///
 /// # Errors
 ///
-/// [`MotionError`] if there is no steady motion, or no such place.
-pub fn first_minimum(engagement: &Engagement) -> Result<(f64, f64), MotionError> {
-    let period = engagement.steady_state()?.period;
-    let lines = engagement.run(period / FINE, 3.0 * period)?;
-    let turn = lines.windows(2).find(|pair| pair[0].acceleration < 0.0 && pair[1].acceleration >= 0.0);
-    let [from, to] = turn.map(|pair| [pair[0], pair[1]]).ok_or(MotionError::Nothing)?;
-    let part = from.acceleration / (from.acceleration - to.acceleration);
-    Ok((from.time + part * (to.time - from.time), from.speed.min(to.speed)))
+/// [`MotionError`] if there is no such place.
+pub fn first_minimum(engagement: &Engagement) -> Result<Extreme, MotionError> {
+    engagement.first_minimum()?.ok_or(MotionError::Nothing)
 }
 
 /// θ' and φ' over time from rest, with the first minimum of the driver's speed marked.
@@ -55,7 +46,7 @@ pub fn first_minimum(engagement: &Engagement) -> Result<(f64, f64), MotionError>
 pub fn speeds(engagement: &Engagement, others: &str) -> Result<Figure, MotionError> {
     let rise = engagement.rise(SETTLED)?;
     let steady = rise.steady;
-    let (first, first_speed) = first_minimum(engagement)?;
+    let Extreme { time: first, speed: first_speed, .. } = first_minimum(engagement)?;
     let begin = rise.cycles.first().map_or(0.0, |cycle| cycle.end);
     let duration = begin + (ENGAGEMENTS - 1) as f64 * steady.period;
     let lines = engagement.run(steady.period / LINES, duration)?;

@@ -62,7 +62,8 @@ fn the_first_minimum_is_marked_and_the_follower_keeps_its_sense() {
         let rise = one.rise(1e-9).expect("steady");
         // φ' is never negative: the pins keep the sense.
         assert!(figure.series.rows.iter().all(|row| row[2] > -1e-9 * row[1].max(1.0)));
-        let (first, speed) = first_minimum(&one).expect("a minimum");
+        let found = first_minimum(&one).expect("a minimum");
+        let (first, speed) = (found.time, found.speed);
         assert!(first < rise.cycles[0].end && speed < rise.cycles[0].peak.speed, "in the first engagement");
         let around = |from: f64, to: f64| {
             let rows = figure.series.rows.iter().filter(move |row| row[0] >= from && row[0] <= to);

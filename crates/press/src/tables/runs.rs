@@ -54,17 +54,8 @@ pub fn delays() -> anyhow::Result<String> {
             row
         })
         .collect();
-    let head = [
-        "Delay",
-        "ln L, normal",
-        "exponential",
-        "Peak",
-        "mean %",
-        "worst %",
-        "spread, rad/s",
-        "Minimum",
-        "Period",
-    ];
+    let head =
+        ["Delay", "ln L, normal", "exponential", "Peak", "mean %", "worst %", "spread, rad/s", "Minimum", "Period"];
     Ok(table("Delays of the sign of the friction", Cells::NamedNumbers, &head, &rows))
 }
 

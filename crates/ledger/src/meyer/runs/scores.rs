@@ -140,7 +140,8 @@ mod tests {
     #[test]
     fn certain_cells_cost_nothing_and_distant_ones_much() {
         for law in Law::ALL {
-            assert!(law.of(&[0.0; 9]).log > -1e-6, "{law:?}");
+            // Not quite certain: no spread that is tried is zero.
+            assert!(law.of(&[0.0; 9]).log > -1e-5, "{law:?}");
             assert!(law.of(&[1e4; 9]).log < -50.0, "{law:?}");
         }
     }

@@ -1,0 +1,58 @@
+//! The escapement with a thick pin and rubbing journals: what the letters of its chapter stand for.
+
+use super::spread;
+use super::state::State;
+use geneva_dynamics::existence::critical_friction;
+use geneva_dynamics::joints::{Escapement, Joints};
+use geneva_dynamics::{Inertias, Parameters, Sign, Slots};
+use geneva_kinematics::{Turn, pin_slot};
+
+/// All three mechanisms, with many joints, on both flanks and with both senses of sliding.
+pub fn states() -> Vec<State> {
+    (0..60).map(state).collect()
+}
+
+fn state(number: usize) -> State {
+    let slots = Slots::ALL[number % 3];
+    let between = |which, least: f64, most: f64| least + (most - least) * spread(number, which);
+    let inertias = Inertias::new(between(0, 0.1, 2.0), between(1, 0.5, 3.0)).expect("two inertias");
+    let limit = critical_friction(slots, inertias.ratio()).expect("a limit").friction.min(1.0);
+    let (torque, friction) = (between(2, 1.0, 4.0), limit * between(3, 0.1, 0.5));
+    let parameters = Parameters::new(slots, inertias, torque, friction).expect("an escapement");
+    let joints = Joints {
+        pin_radius: between(4, 0.01, 0.1),
+        driver_journal: between(5, 0.01, 0.1),
+        follower_journal: between(6, 0.01, 0.1),
+        bearing_friction: between(7, 0.01, 0.2),
+        driver_preload: between(8, 0.01, 0.2),
+        follower_preload: between(9, 0.01, 0.1),
+    };
+    let escapement = Escapement::new(&parameters, joints).expect("it neither locks nor jams");
+    let angle = slots.engagement_half_angle() * between(10, -0.98, 0.98);
+    let speed = between(11, 0.2, 4.0);
+    let motion = escapement.motion(angle, speed).expect("one motion");
+
+    let (ratio, crank) = (slots.ratio(), Turn::from_radians(angle));
+    let (radius, slide) = {
+        let radius = pin_slot::pin_from_pivot(&ratio, &crank).norm();
+        (radius, ratio * crank.sin / radius)
+    };
+    let q = pin_slot::velocity_ratio(&ratio, &crank);
+    let load = joints.bearing_friction * (1.0 + friction * friction).sqrt();
+    // The arms are what the moments and the force say they are.
+    let moment = inertias.follower() * motion.follower_gain + joints.follower_preload;
+    let lambda = moment / motion.normal_moment;
+    let kappa = (torque - joints.driver_preload - inertias.driver() * motion.gain) / motion.normal_moment;
+    let sign = |sign: Sign| if sign == Sign::Plus { 1.0 } else { -1.0 };
+
+    State::default()
+        .with([("R", radius), (r"\dot R", slide * speed), (r"\frac{dR}{d\theta}", slide)])
+        .with([("q", q), ("p", parameters.pose(angle).acceleration_ratio()), (r"\dot\varphi", q * speed)])
+        .with([(r"\dot\theta", speed), (r"\ddot\theta", motion.gain), (r"\ddot\varphi", motion.follower_gain)])
+        .with([("w", motion.sliding * speed), ("N", motion.normal_moment), ("M", moment)])
+        .with([("s", sign(motion.flank)), (r"\sigma", sign(Sign::from_number(motion.sliding)))])
+        .with([(r"\lambda", lambda), (r"\kappa", kappa), ("m", kappa / lambda)])
+        .with([("I_D", inertias.driver()), ("I_f", inertias.follower()), ("K", torque), (r"\mu", friction)])
+        .with([("G", joints.driver_preload), ("H", joints.follower_preload), (r"\rho", joints.pin_radius)])
+        .with([("b_D", load * joints.driver_journal), ("b_f", load * joints.follower_journal)])
+}
