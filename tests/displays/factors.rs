@@ -151,9 +151,9 @@ impl<'a> Reader<'a> {
 }
 
 /// The Greek letters and the like that are names.
-pub const GREEK: [&str; 14] = [
+pub const GREEK: [&str; 16] = [
     r"\alpha", r"\beta", r"\gamma", r"\delta", r"\theta", r"\lambda", r"\mu", r"\rho", r"\tau", r"\phi", r"\varphi",
-    r"\psi", r"\omega", r"\ldots",
+    r"\psi", r"\omega", r"\ldots", r"\sigma", r"\kappa",
 ];
 
 fn strs(pieces: &[String]) -> Vec<&str> {
