@@ -208,7 +208,7 @@ fn printed_characters(id: &str) -> &'static str {
 
 /// Whether the list's name for a figure is the one on the figure's page.
 fn on_its_page(list: &str, page: &str) -> Finding {
-    Finding::new(list == page, format!("the page has `{page}`"))
+    Finding::new(list == page, format!("the page has “{page}”"))
 }
 
 /// Pins and slots as a name in the list of figures says them.

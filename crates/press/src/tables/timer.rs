@@ -2,6 +2,7 @@
 
 use super::signed;
 use crate::html::{Cells, table};
+use crate::maths::formula;
 use anyhow::Context;
 use geneva_dynamics::timer::{Accelerations, Sensitivities, Settling};
 use geneva_dynamics::{Inertias, Parameters};
@@ -28,7 +29,8 @@ pub fn settling() -> anyhow::Result<String> {
             format!("{:.1}", 1e3 * settling.time(PART)),
         ])
     });
-    let head = ["Follower", "I_D / I_f", "contraction", "engagements to 1%", "period, ms", "time to 1%, ms"];
+    let ratio = formula("I_D/I_f", false)?;
+    let head = ["Follower", &ratio, "contraction", "engagements to 1%", "period, ms", "time to 1%, ms"];
     let rows = rows.into_iter().collect::<anyhow::Result<Vec<_>>>()?;
     Ok(table("Settling with a lighter follower", Cells::NamedNumbers, &head, &rows))
 }
@@ -43,7 +45,12 @@ pub fn sensitivity() -> anyhow::Result<String> {
         cells.extend(powers.map(|power| signed(DAY * power / 100.0, 0)));
         Ok(cells)
     });
-    let head = ["Mechanism", "K", "μ", "I_D", "I_f", "1% of K, s a day", "of μ", "of I_D", "of I_f"];
+    let symbols = ["K", r"\mu", "I_D", "I_f"].map(|symbol| formula(symbol, false));
+    let [torque, friction, driver, follower] = symbols;
+    let (torque, friction, driver, follower) = (torque?, friction?, driver?, follower?);
+    let costs = [&torque, &friction, &driver, &follower].map(|symbol| format!("1% of {symbol}, s a day"));
+    let mut head = vec!["Mechanism", &torque, &friction, &driver, &follower];
+    head.extend(costs.iter().map(String::as_str));
     let rows = rows.collect::<anyhow::Result<Vec<_>>>()?;
     Ok(table("Sensitivities of the mean speed", Cells::NamedNumbers, &head, &rows))
 }
@@ -54,7 +61,7 @@ pub fn accelerations() -> anyhow::Result<String> {
         let found = Accelerations::new(&parameters(row)?)?;
         let degrees = |angle: f64| signed(angle.to_degrees(), 1) + "°";
         Ok(vec![
-            format!("{}, K = {}", name(row), row.printed(Column::Torque)),
+            with_torque(row),
             signed(found.driver.value / 1e3, 1),
             degrees(found.driver.angle),
             signed(found.follower.value / 1e3, 1),
@@ -63,7 +70,8 @@ pub fn accelerations() -> anyhow::Result<String> {
             signed(found.normal_moment.value / row.torque(), 2),
         ])
     });
-    let head = ["Run", "driver, 1000 rad/s²", "at", "follower, 1000 rad/s²", "at", "jump at hand-over", "N r / K"];
+    let force = formula("N r/K", false)?;
+    let head = ["Run", "driver, 1000 rad/s²", "at", "follower, 1000 rad/s²", "at", "its jump", &force];
     let rows = rows.collect::<anyhow::Result<Vec<_>>>()?;
     Ok(table("Accelerations of the members", Cells::NamedNumbers, &head, &rows))
 }
@@ -74,22 +82,16 @@ pub fn mean_speed() -> anyhow::Result<String> {
         let steady = Hypothesis::TRUE.engagement(row).context("a run's data make no escapement")?.steady_state()?;
         let printed = (row.number(Column::Peak) + row.number(Column::Minimum)) / 2.0;
         Ok(vec![
-            format!("{}, K = {}", name(row), row.printed(Column::Torque)),
+            with_torque(row),
             format!("{printed:.1}"),
             format!("{:.1}", steady.mean_of_extremes()),
             format!("{:.2}", steady.mean_speed),
-            format!("{:.2}", steady.mean_of_extremes() / steady.mean_speed),
             format!("{:.2}", printed / steady.mean_speed),
+            format!("{:.2}", steady.mean_of_extremes() / steady.mean_speed),
         ])
     });
-    let head = [
-        "Run",
-        "mean of printed peak and minimum",
-        "of the right ones",
-        "mean over a revolution",
-        "right mean of extremes over it",
-        "printed over it",
-    ];
+    let head =
+        ["Run", "printed extremes", "right extremes", "revolution", "printed over revolution", "right over revolution"];
     let rows = rows.collect::<anyhow::Result<Vec<_>>>()?;
     Ok(table("Two meanings of the average terminal velocity", Cells::NamedNumbers, &head, &rows))
 }
@@ -99,7 +101,11 @@ fn parameters(row: &Row) -> anyhow::Result<Parameters> {
 }
 
 fn name(row: &Row) -> String {
-    format!("{} pins, μ = {}", row.mechanism.pins(), row.printed(Column::Friction))
+    format!("{} pins, μ&nbsp;=&nbsp;{}", row.mechanism.pins(), row.printed(Column::Friction))
+}
+
+fn with_torque(row: &Row) -> String {
+    format!("{}, K&nbsp;=&nbsp;{}", name(row), row.printed(Column::Torque))
 }
 
 /// The first row of each mechanism and friction: the weakest spring.

@@ -33,3 +33,50 @@ fn passing(lines: &[Line], turned: f64) -> Option<f64> {
     }
     Some(a.time + low * step)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::*;
+    use super::*;
+    use geneva_dynamics::program::Program;
+
+    #[test]
+    fn what_is_read_off_is_what_the_solver_has() {
+        for row in [&rows()[0], &rows()[16], &rows()[40]] {
+            let [solved, read] = [Hypothesis::BEST.run(row), Hypothesis::BEST.by_program(row, &motion::usual())]
+                .map(|run| run.expect("a run"));
+            assert!((read.peak / solved.peak - 1.0).abs() < 2e-4, "{read:?} {solved:?}");
+            // With few engagements the last one is not quite the steady one; and the lowest line is beside the lowest
+            // place, which is flat.
+            assert!((read.period / solved.period - 1.0).abs() < 3e-3, "{read:?} {solved:?}");
+            assert!((read.minimum / solved.minimum - 1.0).abs() < 5e-3, "{read:?} {solved:?}");
+        }
+    }
+
+    #[test]
+    fn the_time_of_a_hand_over_is_exact_where_the_angle_is_a_cubic() {
+        let line = |time: f64| Line {
+            time,
+            turned: time * time * time + time,
+            angle: 0.0,
+            speed: 3.0 * time * time + 1.0,
+            acceleration: 6.0 * time,
+            follower_speed: 0.0,
+        };
+        let lines: Vec<Line> = (0..5).map(|k| line(f64::from(k) / 2.0)).collect();
+        for time in [0.1, 0.7, 1.2, 1.9] {
+            let found = passing(&lines, line(time).turned).expect("between two lines");
+            assert!((found - time).abs() < 1e-12, "{found} for {time}");
+        }
+        assert!(passing(&lines, -1.0).is_none() && passing(&lines, 99.0).is_none());
+    }
+
+    #[test]
+    fn a_run_without_two_hand_overs_has_no_period() {
+        let parameters = Hypothesis::BEST.parameters(&rows()[0]).expect("an escapement");
+        let integrator = geneva_mimic::Parameters::new(interval(), 40.0 * interval());
+        let program = Program::of(&parameters);
+        let short = program.run(&integrator).expect("a run");
+        assert!(Run::read_off(&short, program.fold).is_none());
+    }
+}
