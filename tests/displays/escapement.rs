@@ -22,8 +22,10 @@ pub fn over_the_angle() -> Vec<State> {
             Some(What::Number(number)) => number,
             _ => panic!("no number {name}"),
         };
-        let [speed, gain] = [r"\dot{\theta}", r"\ddot{\theta}"].map(number);
-        state.with([("u", speed * speed), ("u'", 2.0 * gain)])
+        let [speed, gain, follower] = [r"\dot{\theta}", r"\ddot{\theta}", r"\dot{\varphi}"].map(number);
+        let [ratio, angle, distance, radius] = ["a", r"\theta", "R", "r"].map(number);
+        let slide = ratio * libm::sin(angle) * (radius / distance) * (radius / distance);
+        state.with([("u", speed * speed), ("u'", 2.0 * gain), ("q", follower / speed), ("k", slide)])
     };
     states().into_iter().map(squared).collect()
 }

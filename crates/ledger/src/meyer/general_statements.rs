@@ -100,8 +100,9 @@ fn graphs() -> Vec<Claim> {
                     Finding::new(
                         counts.contains(&rows().len()),
                         format!(
-                            "nine definitions, for the runs and for the mechanism, give {counts:?} of {} printed ones to one \
-                             unit",
+                            "{} definitions, for the runs and for the mechanism, give {counts:?} of {} printed ones to \
+                             one unit",
+                            rise_times::DEFINITIONS.len(),
                             rows().len()
                         ),
                     )

@@ -1,5 +1,6 @@
 //! Chapter II to Fig. 8, the abstract, and what the headings of Appendix E say beside their numbers.
 
+use super::general_statements::with;
 use super::instants::statement;
 use super::runs::{Column, Hypothesis, Mechanism, Row, rows, steps};
 use super::*;
@@ -290,10 +291,21 @@ fn no_rate(
     corrected: &'static str,
 ) -> Claim {
     let check = Check::corrected_form(
-        (Dimension, || {
-            // A rate times an angle is a torque that grows with the angle.
-            let torque = |angle: f64| 1.5 * angle;
-            Finding::new(torque(1.0) == torque(2.0), "the torque of a rate would grow with the angle; K does not")
+        (Integration, || {
+            // A rate times the angle turned would drive each engagement with more torque than the one before.
+            let turned = |engagements: f64| engagements * PI / 2.0;
+            let row = row(Mechanism::FourPin, ".20", ".08");
+            let period = |engagements| {
+                let driven = row.and_then(|row| with(row, turned(engagements), 1.0));
+                driven.and_then(|of| Some(of.steady_state().ok()?.period)).unwrap_or(f64::NAN)
+            };
+            let [first, second] = [1.0, 2.0].map(period);
+            Finding::new(
+                agrees(first, second),
+                format!(
+                    "with K times the angle turned, engagements would take {first:.4} s, then {second:.4} s: no one period"
+                ),
+            )
         }),
         || {
             let inertia = Exponents::FORCE * Exponents::LENGTH * Exponents::TIME * Exponents::TIME;

@@ -3,7 +3,7 @@
 use super::inline::{computed, linked_badge, rounded, with_unit};
 use super::lookup;
 use crate::html::{Cells, escape, table as html_table};
-use geneva_ledger::{Decimal, Judged, Kind, Mark, Marked};
+use geneva_ledger::{Claim, Decimal, Judged, Kind, Mark, Marked};
 
 const LEGEND: &str = "<p class=\"legend\">Digits of the printed number: plain where they agree with the computed one, \
      <span class=\"digit last\">dotted</span> where only the last place differs, \
@@ -16,14 +16,19 @@ pub fn table(of: &str) -> anyhow::Result<String> {
     } else {
         lookup::of_work(lookup::work(of)?).filter(|judged| judged.claim.kind == Kind::Value).collect()
     };
-    let rows = listed.into_iter().map(row).collect::<anyhow::Result<Vec<_>>>()?;
+    // Claims that mean the same are told apart by their places.
+    let alike = |claim: &Claim| listed.iter().filter(|other| other.claim.meaning == claim.meaning).count() > 1;
+    let name = |claim: &Claim| {
+        if alike(claim) { format!("{}: {}", claim.locator, claim.meaning) } else { claim.meaning.to_owned() }
+    };
+    let rows = listed.iter().map(|judged| row(judged, &name(judged.claim))).collect::<anyhow::Result<Vec<_>>>()?;
     let head = ["Quantity", "Printed", "Computed", "From rounded steps", "Verdict"];
     let table = html_table("Printed against computed", Cells::NamedNumbers, &head, &rows);
     // The legend explains marks; a table without marks needs none.
     Ok(if table.contains("class=\"digit") { format!("{table}\n{LEGEND}") } else { table })
 }
 
-fn row(judged: &Judged) -> anyhow::Result<Vec<String>> {
+fn row(judged: &Judged, name: &str) -> anyhow::Result<Vec<String>> {
     let claim = judged.claim;
     let (digits, remark) = match (claim.printed.parse::<Decimal>(), judged.computed) {
         (Ok(decimal), Some(number)) => marked(&decimal.marks(claim.printed, number)),
@@ -32,7 +37,7 @@ fn row(judged: &Judged) -> anyhow::Result<Vec<String>> {
     let printed = with_unit(&digits, claim.unit)?;
     let dash = || "–".to_owned();
     Ok(vec![
-        escape(claim.meaning),
+        escape(name),
         if remark.is_empty() { printed } else { format!("{printed} <small>{remark}</small>") },
         computed(judged).unwrap_or_else(dash),
         judged.from_rounded.map_or_else(dash, |number| rounded(judged, number)),

@@ -103,7 +103,7 @@ fn of_row(row: &'static Row, routes: Routes) -> Vec<Claim> {
 
 /// Why no rise time can be computed.
 const NO_DEFINITION: &str = "What the rise time is a time to is not said in a way that gives the column: the two places \
-                             that define it disagree, and no definition without a scale of its own gives it";
+                             that define it disagree, and no definition by the motion itself gives it";
 
 /// How finely a result could be read: one unit of its last place. A rise time has no definition to be read by.
 fn resolution(column: Column) -> Option<f64> {
