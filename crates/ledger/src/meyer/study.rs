@@ -358,10 +358,13 @@ pub struct Stepped {
 }
 
 impl Stepped {
-    /// The angle at which a quantity of angle and speed is greatest.
+    /// The angle at which a quantity of angle and speed is greatest: by the parabola through its three greatest values.
     pub fn greatest(&self, of: impl Fn(f64, f64) -> f64) -> f64 {
-        let values = self.angles.iter().zip(&self.squares).map(|(angle, u)| (*angle, of(*angle, u.sqrt())));
-        values.max_by(|a, b| a.1.total_cmp(&b.1)).map_or(f64::NAN, |(angle, _)| angle)
+        let values: Vec<_> = self.angles.iter().zip(&self.squares).map(|(angle, u)| of(*angle, u.sqrt())).collect();
+        let Some(at) = (0..values.len()).max_by(|a, b| values[*a].total_cmp(&values[*b])) else { return f64::NAN };
+        let beside = at.checked_sub(1).and_then(|before| Some((values.get(before)?, values.get(at + 1)?)));
+        let shift = beside.map_or(0.0, |(before, after)| (after - before) / (2.0 * values[at] - before - after) / 2.0);
+        self.angles[at] + shift * (self.angles[1] - self.angles[0])
     }
 }
 

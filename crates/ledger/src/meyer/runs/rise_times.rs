@@ -51,7 +51,10 @@ const PART: f64 = 0.01;
 pub const DEFINITIONS: [Definition; 11] = [
     Definition { name: "the first minimum", time: |start| start.first_minimum.map(|minimum| minimum.time) },
     Definition { name: "the first minimum after a hand-over", time: |start| start.rise.until_first_minimum() },
-    Definition { name: "the first peak", time: |start| start.rise.cycles.first().map(|cycle| cycle.peak.time) },
+    Definition {
+        name: "the greatest speed of the first engagement",
+        time: |start| start.rise.cycles.first().map(|cycle| cycle.peak.time),
+    },
     Definition { name: "the entry speed within 1%", time: |start| start.rise.until_entry_speed(PART) },
     Definition { name: "a peak within 1%", time: |start| start.rise.until_peak(PART) },
     Definition { name: "a minimum within 1%", time: |start| start.rise.until_minimum(PART) },

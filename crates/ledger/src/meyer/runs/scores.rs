@@ -57,17 +57,24 @@ impl Law {
 
     /// The likelihood of deviations of this size, in units.
     fn of(self, units: &[f64]) -> Likelihood {
-        let log = |spread: f64| units.iter().map(|off| libm::log(self.chance(*off, spread))).sum::<f64>();
-        let spreads = (0..=SPREADS).map(|step| LEAST * libm::exp2(f64::from(step) / PER_OCTAVE));
-        let found = spreads.map(|spread| Likelihood { spread, log: log(spread) });
-        found.max_by(|a, b| a.log.total_cmp(&b.log)).unwrap_or(Likelihood { spread: f64::NAN, log: f64::NEG_INFINITY })
+        let at = |octaves: f64| {
+            let spread = LEAST * libm::exp2(octaves);
+            Likelihood { spread, log: units.iter().map(|off| libm::log(self.chance(*off, spread))).sum::<f64>() }
+        };
+        let better = |a: Likelihood, b: Likelihood| if b.log > a.log { b } else { a };
+        // First in steps, then between the neighbours of the best.
+        let rough = (0..=OCTAVES * PER_OCTAVE).map(|step| f64::from(step) / f64::from(PER_OCTAVE));
+        let Some(best) = rough.max_by(|a, b| at(*a).log.total_cmp(&at(*b).log)) else { return at(0.0) };
+        let fine = (-FINER..=FINER).map(|step| best + f64::from(step) / f64::from(FINER) / f64::from(PER_OCTAVE));
+        fine.filter(|octaves| *octaves >= 0.0).map(at).fold(at(best), better)
     }
 }
 
-/// Spreads that are tried: from 1/32 of a unit, 16 to an octave, over 17 octaves.
-const LEAST: f64 = 0.031_25;
-const PER_OCTAVE: f64 = 16.0;
-const SPREADS: u32 = 272;
+/// Spreads that are tried: from 1/256 of a unit, 8 to an octave, over 20 octaves, and so many to either side of the best.
+const LEAST: f64 = 1.0 / 256.0;
+const PER_OCTAVE: u32 = 8;
+const OCTAVES: u32 = 20;
+const FINER: i32 = 32;
 
 impl Fit {
     /// Of the column, for the runs of all rows; a run that came to nothing explains nothing.
