@@ -52,6 +52,16 @@ pub fn well_formed(figure: &Figure) {
     assert!(!figure.svg.contains("href"));
 }
 
+/// All that is asked of a figure of the runs and of the steady motion, and that it is light.
+#[track_caller]
+pub fn sound(figure: &Figure) {
+    well_formed(figure);
+    only_numbers(figure);
+    labels_inside(figure);
+    assert_eq!(overlapping_labels(figure), [], "{}", figure.id);
+    assert!(figure.svg.len() < 25_000, "{}: {} bytes", figure.id, figure.svg.len());
+}
+
 /// No negative zero and nothing that is no number, in the drawing and in the series.
 #[track_caller]
 pub fn only_numbers(figure: &Figure) {

@@ -56,13 +56,7 @@ pub fn upright(least: f64, greatest: f64, steps: f64) -> Axis {
     let step = round_step(size / steps);
     let low = libm::floor(HEADROOM * least / step + 1e-9).min(0.0) as i32;
     let high = (libm::ceil(HEADROOM * greatest / step - 1e-9) as i32).max(low + 1);
-    let digits = trimmed(step, 6);
-    Axis {
-        range: step * f64::from(low)..step * f64::from(high),
-        marks: (low..=high).map(|k| step * f64::from(k)).collect(),
-        decimals: digits.split_once('.').map_or(0, |(_, after)| after.len()),
-        scale: Scale::Even,
-    }
+    stepped(step, low, high)
 }
 
 /// An axis in at least so many round steps that holds both values, and zero only if it must.
@@ -70,6 +64,11 @@ pub fn spanning(least: f64, greatest: f64, steps: f64) -> Axis {
     let step = round_step((greatest - least) / steps);
     let low = libm::floor(least / step + 1e-9) as i32;
     let high = (libm::ceil(greatest / step - 1e-9) as i32).max(low + 1);
+    stepped(step, low, high)
+}
+
+/// An axis from one multiple of a step to another, with a mark at each.
+fn stepped(step: f64, low: i32, high: i32) -> Axis {
     let digits = trimmed(step, 6);
     Axis {
         range: step * f64::from(low)..step * f64::from(high),

@@ -1,8 +1,7 @@
 //! What must hold of the drawings of single runs.
 
 use super::{aliasing, first_minimum, speeds};
-use crate::Figure;
-use crate::checks::{labels_inside, named, number, only_numbers, overlapping_labels, well_formed};
+use crate::checks::{named, number, sound};
 use crate::steady::MotionError;
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Inertias, Parameters, Slots};
@@ -11,14 +10,6 @@ use roxmltree::Document;
 fn engagement(slots: Slots, friction: f64) -> Engagement {
     let inertias = Inertias::new(3.0, 40.0).expect("sound");
     Engagement::new(&Parameters::new(slots, inertias, 40.0, friction).expect("sound")).expect("sound")
-}
-
-fn sound(figure: &Figure) {
-    well_formed(figure);
-    only_numbers(figure);
-    labels_inside(figure);
-    assert_eq!(overlapping_labels(figure), [], "{}", figure.id);
-    assert!(figure.svg.len() < 25_000, "{}: {} bytes", figure.id, figure.svg.len());
 }
 
 #[test]

@@ -1,22 +1,13 @@
 //! What must hold of the drawings of the steady motion.
 
 use super::{MotionError, hand_over, phase};
-use crate::Figure;
-use crate::checks::{labels_inside, named, number, only_numbers, overlapping_labels, start, well_formed};
+use crate::checks::{named, number, sound, start};
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Inertias, Parameters, Slots};
 use roxmltree::Document;
 
 fn parameters(slots: Slots, friction: f64) -> Parameters {
     Parameters::new(slots, Inertias::new(3.0, 40.0).expect("sound"), 7.0, friction).expect("sound")
-}
-
-fn sound(figure: &Figure) {
-    well_formed(figure);
-    only_numbers(figure);
-    labels_inside(figure);
-    assert_eq!(overlapping_labels(figure), [], "{}", figure.id);
-    assert!(figure.svg.len() < 25_000, "{}: {} bytes", figure.id, figure.svg.len());
 }
 
 #[test]

@@ -256,19 +256,14 @@ fn settling(friction: &str, torque: &str) -> (f64, f64) {
 /// from the first row to the last, if each may be off by a unit of its last place; and how many columns there are. The
 /// mean speed goes as the inverse of the period.
 fn allow(power: f64) -> (usize, usize) {
-    let of = |mechanism: Mechanism, friction: &str| {
-        let own: Vec<_> = rows()
-            .iter()
-            .filter(|row| row.mechanism == mechanism && row.printed(Column::Friction) == friction)
-            .collect();
+    let of = |own: &[Row]| {
         own.first().zip(own.last()).is_some_and(|(first, last)| {
             let expected = libm::pow(last.torque() / first.torque(), power);
             let [slow, fast] = [first, last].map(|row| row.number(Column::Period));
             ((slow - 1e-3) / (fast + 1e-3)..=(slow + 1e-3) / (fast - 1e-3)).contains(&expected)
         })
     };
-    let all = Mechanism::ALL.into_iter().flat_map(|mechanism| FRICTIONS.map(|friction| of(mechanism, friction)));
-    all.fold((0, 0), |(fit, all), fits| (fit + usize::from(fits), all + 1))
+    runs::series().fold((0, 0), |(fit, all), own| (fit + usize::from(of(own)), all + 1))
 }
 
 pub fn with(row: &Row, torque: f64, friction: f64) -> Option<Engagement> {

@@ -207,9 +207,8 @@ fn true_peaks() -> Vec<f64> {
 }
 
 fn seen_peaks(torque: &str, part: f64) -> Vec<f64> {
-    let interval = printed("meyer.listing.print-interval") * part;
-    let run = engagement(Mechanism::FourPin, ".20", torque)
-        .and_then(|of| of.run(interval, printed("meyer.listing.run-length")).ok());
+    let interval = runs::interval() * part;
+    let run = engagement(Mechanism::FourPin, ".20", torque).and_then(|of| of.run(interval, runs::duration()).ok());
     let lines = run.unwrap_or_default();
     // The last engagement may be cut short.
     let last = lines.last().map_or(0, |line| line.engagement);
@@ -220,11 +219,11 @@ fn seen_peaks(torque: &str, part: f64) -> Vec<f64> {
 }
 
 fn stepped_peaks(part: f64) -> Vec<f64> {
-    let interval = printed("meyer.listing.print-interval") * part;
+    let interval = runs::interval() * part;
     let program = strong().map(|of| Program::of(of.parameters()));
     let integrator = geneva_mimic::Parameters {
         relative_tolerance: 1e-7,
-        ..geneva_mimic::Parameters::new(interval, printed("meyer.listing.run-length"))
+        ..geneva_mimic::Parameters::new(interval, runs::duration())
     };
     let Some((program, run)) = program.and_then(|program| Some((program, program.run(&integrator).ok()?))) else {
         return Vec::new();

@@ -7,7 +7,8 @@ use geneva_figures::runs::{
     Deviation, Deviations, Group, Run, aliasing, deviations, first_minimum, over_torque, speeds,
 };
 use geneva_ledger::meyer::runs::{
-    Column, Constants, Fold, Hypothesis, Mechanism, Reading, Row, SixPin, compared, interval, rows,
+    Column, Constants, Fold, Hypothesis, Mechanism, Reading, Row, Run as Computed, Score, SixPin, interval, rows,
+    scores,
 };
 use geneva_ledger::printed_value;
 
@@ -86,21 +87,24 @@ fn slots(mechanism: Mechanism) -> anyhow::Result<Slots> {
 
 /// What each of the compared hypotheses makes of the rows.
 fn hypotheses() -> anyhow::Result<Vec<Deviations>> {
-    compared().iter().map(of_hypothesis).collect()
+    scores().iter().map(deviations_of).collect()
 }
 
-fn of_hypothesis(hypothesis: &Hypothesis) -> anyhow::Result<Deviations> {
-    let of = |row: &Row| -> anyhow::Result<Deviation> {
-        let run = hypothesis.run(row).context("a run's data make no escapement")?;
-        let off = |value: f64, column| value / row.number(column) - 1.0;
+fn deviations_of(score: &Score) -> anyhow::Result<Deviations> {
+    let of = |(row, run): (&Row, &Option<Computed>)| -> anyhow::Result<Deviation> {
+        let run = run.context("a run's data make no escapement")?;
+        let off = |column| run.number(column) / row.number(column) - 1.0;
         Ok(Deviation {
             slots: slots(row.mechanism)?,
-            peak: off(run.peak, Column::Peak),
-            minimum: off(run.minimum, Column::Minimum),
-            period: off(run.period, Column::Period),
+            peak: off(Column::Peak),
+            minimum: off(Column::Minimum),
+            period: off(Column::Period),
         })
     };
-    Ok(Deviations { name: words(hypothesis), runs: rows().iter().map(of).collect::<anyhow::Result<_>>()? })
+    Ok(Deviations {
+        name: words(&score.hypothesis),
+        runs: rows().iter().zip(&score.runs).map(of).collect::<anyhow::Result<_>>()?,
+    })
 }
 
 /// A hypothesis in one short line.
@@ -126,7 +130,6 @@ fn words(hypothesis: &Hypothesis) -> String {
 mod tests {
     use super::*;
     use crate::drawings;
-    use geneva_ledger::meyer::runs::scores;
 
     #[test]
     fn figures_of_many_runs_stay_light() {

@@ -6,7 +6,7 @@ use crate::maths::formula;
 use anyhow::Context;
 use geneva_dynamics::timer::{Accelerations, Sensitivities, Settling};
 use geneva_dynamics::{Inertias, Parameters};
-use geneva_ledger::meyer::runs::{Column, Hypothesis, Mechanism, Row, rows};
+use geneva_ledger::meyer::runs::{Column, Hypothesis, Mechanism, Row, series};
 
 /// Seconds of a day.
 const DAY: f64 = 86_400.0;
@@ -110,16 +110,10 @@ fn with_torque(row: &Row) -> String {
 
 /// The first row of each mechanism and friction: the weakest spring.
 fn firsts() -> impl Iterator<Item = &'static Row> {
-    let begins = |at: &usize| at.checked_sub(1).is_none_or(|before| !alike(&rows()[before], &rows()[*at]));
-    (0..rows().len()).filter(begins).map(|at| &rows()[at])
+    series().filter_map(|own| own.first())
 }
 
 /// The last one: the strongest.
 fn lasts() -> impl Iterator<Item = &'static Row> {
-    let ends = |at: &usize| rows().get(at + 1).is_none_or(|after| !alike(&rows()[*at], after));
-    (0..rows().len()).filter(ends).map(|at| &rows()[at])
-}
-
-fn alike(one: &Row, other: &Row) -> bool {
-    one.mechanism == other.mechanism && one.printed(Column::Friction) == other.printed(Column::Friction)
+    series().filter_map(|own| own.last())
 }

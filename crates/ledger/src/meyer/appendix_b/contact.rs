@@ -204,7 +204,7 @@ fn described() -> Vec<Claim> {
             }),
             (LimitCase, || {
                 // The sign is then late by the delay at most: small against the time of an engagement.
-                let delay = runs::interval() / f64::from(DELAY_PARTS);
+                let delay = runs::delay();
                 Finding::new(delay < 1e-4, format!("it is late by {:.0} millionths of a second", delay * 1e6))
             }),
         ),

@@ -1,17 +1,18 @@
 //! How many of the printed cells each hypothesis about the runs explains.
 
 use super::*;
-use crate::meyer::appendix_b::DELAY_PARTS;
 use std::sync::OnceLock;
 
 /// The columns that a hypothesis is to explain.
 pub const EXPLAINED: [Column; 3] = [Column::Peak, Column::Minimum, Column::Period];
 
 /// How a hypothesis does.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Score {
     /// The hypothesis.
     pub hypothesis: Hypothesis,
+    /// Its runs, row by row; none where the program came to no end.
+    pub runs: Vec<Option<Run>>,
     /// Its fit to peak, minimum and period.
     pub fits: [Fit; 3],
 }
@@ -20,7 +21,7 @@ impl Score {
     /// Of a hypothesis.
     pub fn of(hypothesis: Hypothesis) -> Self {
         let runs: Vec<_> = rows().iter().map(|row| hypothesis.run(row)).collect();
-        Self { hypothesis, fits: EXPLAINED.map(|column| Fit::of(column, &runs)) }
+        Self { hypothesis, fits: EXPLAINED.map(|column| Fit::of(column, &runs)), runs }
     }
 
     /// The fit to a column; none for one that is not to be explained.
@@ -41,7 +42,7 @@ impl Score {
 
 /// The hypotheses that are compared: all choices of fold, inertias and reading, from the mechanism as it is to the runs
 /// as they were; then what the program does besides.
-pub fn compared() -> Vec<Hypothesis> {
+fn compared() -> Vec<Hypothesis> {
     let mut all = Vec::new();
     for fold in [Fold::OfTheMechanism, Fold::OneForAll] {
         for six_pin in [SixPin::AsHeaded, SixPin::AsDrawn] {
@@ -51,7 +52,7 @@ pub fn compared() -> Vec<Hypothesis> {
         }
     }
     all.push(Hypothesis { constants: Constants::AsListed, ..Hypothesis::BEST });
-    all.push(Hypothesis { delay: Some(interval() / f64::from(DELAY_PARTS)), ..Hypothesis::BEST });
+    all.push(Hypothesis { delay: Some(delay()), ..Hypothesis::BEST });
     all
 }
 

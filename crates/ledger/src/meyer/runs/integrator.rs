@@ -2,7 +2,6 @@
 
 use super::motion::usual;
 use super::*;
-use crate::meyer::appendix_b::DELAY_PARTS;
 use geneva_mimic::{Kept, Parameters as Integrator};
 
 /// One parameter of the integrator set otherwise than by default.
@@ -52,7 +51,7 @@ pub struct Change {
 
 /// Each variant against the defaults: with the exact sign, and with the delayed one.
 pub fn changes() -> Option<Vec<(&'static Variant, [Change; 2])>> {
-    let delayed = Hypothesis { delay: Some(interval() / f64::from(DELAY_PARTS)), ..Hypothesis::BEST };
+    let delayed = Hypothesis { delay: Some(delay()), ..Hypothesis::BEST };
     let hypotheses = [Hypothesis::BEST, delayed];
     let run = |of: &Hypothesis, by: &Integrator| -> Option<Vec<Run>> {
         rows().iter().map(|row| of.by_program(row, by)).collect()

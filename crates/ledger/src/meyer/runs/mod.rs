@@ -26,10 +26,10 @@ mod table;
 
 pub use cells::{claims, lines};
 pub use headings::of_figures;
-pub use hypotheses::{EXPLAINED, Score, compared, delays, scores};
-pub use motion::{Constants, Fold, Hypothesis, Reading, Run, SixPin, duration, fitting_interval, interval};
+pub use hypotheses::{EXPLAINED, Score, delays, scores};
+pub use motion::{Constants, Fold, Hypothesis, Reading, Run, SixPin, delay, duration, fitting_interval, interval};
 pub use scores::{Fit, Law, Likelihood};
-pub use table::{Column, Mechanism, Row, rows};
+pub use table::{Column, Mechanism, Row, rows, series};
 
 use super::*;
 use geneva_dynamics::{Inertias, Parameters, Slots};

@@ -1,6 +1,7 @@
 //! The motion of a row, by the solution over the angle and by the program of the thesis on its integrator.
 
 use super::*;
+use crate::meyer::appendix_b::DELAY_PARTS;
 use geneva_dynamics::program::{Contact, Program};
 use geneva_dynamics::steady::{Engagement, Rise};
 use geneva_mimic::AtSmallestStep;
@@ -235,6 +236,11 @@ pub fn fitting_interval(mechanism: Mechanism) -> f64 {
     };
     let candidates = [interval() / 2.0, interval(), 2.0 * interval()];
     candidates.into_iter().min_by(|a, b| misfit(*a).total_cmp(&misfit(*b))).unwrap_or(f64::NAN)
+}
+
+/// By how much the old acceleration is late, in s: a part of the print interval.
+pub fn delay() -> f64 {
+    interval() / f64::from(DELAY_PARTS)
 }
 
 /// The length of a run, in s.

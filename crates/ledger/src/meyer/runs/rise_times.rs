@@ -105,9 +105,9 @@ pub fn explained_rows(mechanism: Mechanism, name: &str) -> Vec<&'static Row> {
     let explains = |row: &&Row| {
         let start = Start::of(&Hypothesis::BEST, row);
         let time = definition.zip(start).and_then(|(definition, start)| (definition.time)(&start));
-        row.mechanism == mechanism && time.is_some_and(|time| near(time, row.number(Column::Rise)))
+        time.is_some_and(|time| near(time, row.number(Column::Rise)))
     };
-    rows().iter().filter(explains).collect()
+    rows().iter().filter(|row| row.mechanism == mechanism).filter(explains).collect()
 }
 
 /// Rows of one mechanism and one friction: only the torque changes.
@@ -125,22 +125,15 @@ pub struct Group {
 
 /// All groups. By the law of similarity a time that only the motion defines goes as 1/√K within each.
 pub fn groups() -> Vec<Group> {
-    let mut groups: Vec<(Mechanism, &'static str, Vec<&Row>)> = Vec::new();
-    for row in rows() {
-        let friction = row.printed(Column::Friction);
-        match groups.iter_mut().find(|(mechanism, of, _)| *mechanism == row.mechanism && *of == friction) {
-            Some((_, _, own)) => own.push(row),
-            None => groups.push((row.mechanism, friction, vec![row])),
-        }
-    }
     let slack = scores::unit(Column::Rise) + interval();
-    let group = |(mechanism, friction, own): (Mechanism, &'static str, Vec<&Row>)| {
+    let group = |own: &'static [Row]| {
+        let (mechanism, friction) = own.first().map(|row| (row.mechanism, row.printed(Column::Friction)))?;
         let times = own.iter().map(|row| (row.number(Column::Rise), row.torque().sqrt()));
         let bounds = times.clone().fold([0.0_f64, f64::INFINITY], |[low, high], (time, root)| {
             [low.max((time - slack) * root), high.min((time + slack) * root)]
         });
         let scaled = times.map(|(time, root)| time * root).collect();
-        Group { mechanism, friction, scaled, possible: bounds[0] <= bounds[1] }
+        Some(Group { mechanism, friction, scaled, possible: bounds[0] <= bounds[1] })
     };
-    groups.into_iter().map(group).collect()
+    series().filter_map(group).collect()
 }

@@ -61,12 +61,14 @@ impl Law {
             let spread = LEAST * libm::exp2(octaves);
             Likelihood { spread, log: units.iter().map(|off| libm::log(self.chance(*off, spread))).sum::<f64>() }
         };
-        let better = |a: Likelihood, b: Likelihood| if b.log > a.log { b } else { a };
+        type Found = (f64, Likelihood);
+        let better = |a: Found, b: Found| if b.1.log > a.1.log { b } else { a };
+        let tried = |octaves: f64| (octaves, at(octaves));
         // First in steps, then between the neighbours of the best.
-        let rough = (0..=OCTAVES * PER_OCTAVE).map(|step| f64::from(step) / f64::from(PER_OCTAVE));
-        let Some(best) = rough.max_by(|a, b| at(*a).log.total_cmp(&at(*b).log)) else { return at(0.0) };
-        let fine = (-FINER..=FINER).map(|step| best + f64::from(step) / f64::from(FINER) / f64::from(PER_OCTAVE));
-        fine.filter(|octaves| *octaves >= 0.0).map(at).fold(at(best), better)
+        let rough = (1..=OCTAVES * PER_OCTAVE).map(|step| f64::from(step) / f64::from(PER_OCTAVE));
+        let best = rough.map(tried).fold(tried(0.0), better);
+        let fine = (-FINER..=FINER).map(|step| best.0 + f64::from(step) / f64::from(FINER) / f64::from(PER_OCTAVE));
+        fine.filter(|octaves| *octaves >= 0.0).map(tried).fold(best, better).1
     }
 }
 

@@ -98,6 +98,14 @@ pub fn rows() -> &'static [Row] {
     ROWS.get_or_init(|| TABLES.iter().flat_map(|(mechanism, first, table)| read(*mechanism, *first, table)).collect())
 }
 
+/// The rows of one mechanism and one friction, by rising torque: nothing else changes within them.
+pub fn series() -> impl Iterator<Item = &'static [Row]> {
+    let alike = |one: &Row, other: &Row| {
+        one.mechanism == other.mechanism && one.printed(Column::Friction) == other.printed(Column::Friction)
+    };
+    rows().chunk_by(alike)
+}
+
 fn read(mechanism: Mechanism, first: u32, table: &'static str) -> impl Iterator<Item = Row> {
     (first..).zip(table.lines()).map(move |(line, text)| {
         let mut words = text.split_whitespace();
