@@ -37,7 +37,7 @@ pub fn speeds() -> anyhow::Result<String> {
             ]);
         }
     }
-    let head = ["Solver", "asked for", "evaluations", "ms for 49 rows", "true error"];
+    let head = ["Solver", "asked for", "evaluations", "ms for 49", "true error"];
     Ok(table("Cost and error of the solvers", Cells::NamedNumbers, &head, &rows))
 }
 
