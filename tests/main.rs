@@ -7,7 +7,6 @@ mod displays;
 mod pin_over_the_engagement;
 mod snapshots;
 mod tidy;
-mod verdicts;
 
 use geneva_ledger::{Decimal, claims, numeric_tokens};
 use std::path::{Path, PathBuf};

@@ -1,7 +1,7 @@
 //! The verdict on a claim, derived.
 
 use crate::tolerance::{ROUTES, STEPS};
-use crate::{Check, Claim, Decimal, Erratum, Evidence, Finding, Route, Verdict};
+use crate::{Check, Claim, Decimal, Erratum, Evidence, Finding, Route, Stated, Truth, Verdict};
 
 /// A claim with its derived verdict and what was found on the way.
 #[derive(Clone, Debug)]
@@ -16,6 +16,8 @@ pub struct Judged {
     pub witnessed: Option<f64>,
     /// What the source's own rounded intermediate results give.
     pub from_rounded: Option<f64>,
+    /// The right number, where the printed one is not right to all its digits.
+    pub right_value: Option<f64>,
     /// How the printed form, its correction and its witness were found to hold or to fail.
     pub findings: Vec<(&'static str, Finding)>,
     /// What contradicts the record, beside a differing verdict. Empty if all is well.
@@ -26,6 +28,27 @@ impl Judged {
     /// Whether the claim stands as recorded: the verdict is the expected one and nothing contradicts it.
     pub fn holds(&self) -> bool {
         self.verdict == self.claim.expected && self.faults.is_empty()
+    }
+
+    /// Whether what is printed is right.
+    pub fn truth(&self) -> Truth {
+        self.verdict.truth()
+    }
+
+    /// The printed number, if the claim is one.
+    pub fn printed_number(&self) -> Option<f64> {
+        Some(self.claim.printed.parse::<Decimal>().ok()?.to_f64())
+    }
+
+    /// What should stand in the place of the printed characters, if something should: as the erratum has it, or the
+    /// right number with as many places as are printed.
+    pub fn corrected(&self) -> Option<String> {
+        let erratum = self.claim.erratum.as_ref()?;
+        if !erratum.corrected.is_empty() {
+            return Some(erratum.corrected.to_owned());
+        }
+        let places = self.claim.printed.parse::<Decimal>().ok()?.places();
+        Some(format!("{:.*}", places as usize, self.right_value?))
     }
 
     /// What is wrong, a line each; empty if the claim holds.
@@ -47,26 +70,35 @@ pub fn judge(claim: &'static Claim) -> Judged {
         computed: None,
         witnessed: None,
         from_rounded: None,
+        right_value: None,
         findings: Vec::new(),
         faults: Vec::new(),
     };
     match &claim.check {
-        Check::Number { computed, witness, from_rounded, resolution } => {
+        Check::Number { computed, witness, from_rounded, resolution, right } => {
             judged.from_rounded = from_rounded.map(|run| run());
             number(&mut judged, computed, witness, *resolution);
+            if let Some(routes) = right {
+                put_right(&mut judged, routes, *resolution);
+            } else if judged.verdict.needs_erratum() {
+                judged.right_value = judged.computed;
+            }
         }
-        Check::Form { printed, corrected, witness } => form(&mut judged, printed, *corrected, witness),
+        Check::Equation { printed, corrected, witness } => equation(&mut judged, printed, *corrected, witness),
+        Check::Statement { first, witness, neighbour } => statement(&mut judged, first, witness, *neighbour),
         Check::Missing { .. } => {}
     }
     match (&claim.erratum, judged.verdict.needs_erratum()) {
         (None, true) => judged.faults.push(format!("{} without an erratum", judged.verdict)),
+        // The place of a slip by which its number happens not to change.
+        (Some(_), false) if judged.right_value.is_some() => {}
         (Some(_), false) => judged.faults.push(format!("an erratum is on record, but the claim is {}", judged.verdict)),
         _ => {}
     }
     judged
 }
 
-fn number(judged: &mut Judged, computed: &Route<f64>, witness: &Route<f64>, resolution: Option<f64>) {
+fn number(judged: &mut Judged, computed: &Route<fn() -> f64>, witness: &Route<fn() -> f64>, resolution: Option<f64>) {
     let claim = judged.claim;
     let (value, witnessed) = ((computed.run)(), (witness.run)());
     (judged.computed, judged.witnessed) = (Some(value), Some(witnessed));
@@ -78,7 +110,8 @@ fn number(judged: &mut Judged, computed: &Route<f64>, witness: &Route<f64>, reso
             return;
         }
     };
-    let correction = claim.erratum.as_ref().map(|erratum| correction_passes(erratum, value));
+    let stated = claim.erratum.as_ref().filter(|erratum| !erratum.corrected.is_empty());
+    let correction = stated.map(|erratum| correction_passes(erratum, value));
     judged.verdict = if printed.is_rounding_of(value) {
         Verdict::Reproduced
     } else if resolution.is_none() && printed.is_truncation_of(value) {
@@ -95,17 +128,35 @@ fn number(judged: &mut Judged, computed: &Route<f64>, witness: &Route<f64>, reso
     if correction == Some(false) {
         judged.faults.push(format!("the correction is not what is computed, {value}"));
     }
-    // Another printed number is known only to its digits; any other route must agree as far as arithmetic goes.
-    let agrees = if witness.evidence == Evidence::OtherPlaceInSource {
-        let right = claim.erratum.as_ref().and_then(|erratum| erratum.corrected.parse().ok()).unwrap_or(printed);
-        right.is_rounding_of(witnessed)
-    } else if witness.evidence == Evidence::Steps {
-        STEPS.agrees(value, witnessed)
-    } else {
-        ROUTES.agrees(value, witnessed)
+    let right = stated.and_then(|erratum| erratum.corrected.parse().ok()).unwrap_or(printed);
+    disagreement(judged, witness.evidence, [value, witnessed], &right);
+}
+
+/// Records a fault if two routes to one number disagree. Another printed number is known only to its digits; any other
+/// route must agree as far as arithmetic goes.
+fn disagreement(judged: &mut Judged, witness: Evidence, [value, witnessed]: [f64; 2], digits: &Decimal) {
+    let agrees = match witness {
+        Evidence::OtherPlaceInSource => digits.is_rounding_of(witnessed),
+        Evidence::Steps => STEPS.agrees(value, witnessed),
+        _ => ROUTES.agrees(value, witnessed),
     };
     if !agrees {
-        judged.faults.push(format!("the witness ({}) gives {witnessed}, not {value}", witness.evidence));
+        judged.faults.push(format!("the witness ({witness}) gives {witnessed}, not {value}"));
+    }
+}
+
+/// The right number beside one that the source's slip gives. If the printed digits bear it too, the slip changes nothing
+/// here, and the verdict stays.
+fn put_right(judged: &mut Judged, routes: &[Route<fn() -> f64>; 2], resolution: Option<f64>) {
+    let [right, witnessed] = routes.map(|route| (route.run)());
+    judged.right_value = Some(right);
+    let Ok(printed) = judged.claim.printed.parse::<Decimal>() else { return };
+    disagreement(judged, routes[1].evidence, [right, witnessed], &printed);
+    let bears = |number: f64| {
+        printed.is_rounding_of(number) || resolution.is_some_and(|unit| (number - printed.to_f64()).abs() <= unit)
+    };
+    if judged.truth() == Truth::Right && !bears(right) {
+        judged.verdict = Verdict::ReproducedInError;
     }
 }
 
@@ -113,13 +164,14 @@ fn correction_passes(erratum: &Erratum, value: f64) -> bool {
     erratum.corrected.parse::<Decimal>().is_ok_and(|corrected| corrected.is_rounding_of(value))
 }
 
-fn form(judged: &mut Judged, printed: &Route<Finding>, corrected: Option<fn() -> Finding>, witness: &Route<Finding>) {
+fn equation(
+    judged: &mut Judged,
+    printed: &Route<fn() -> Finding>,
+    corrected: Option<fn() -> Finding>,
+    witness: &Route<fn() -> Finding>,
+) {
     let (as_printed, correction, witnessed) = ((printed.run)(), corrected.map(|run| run()), (witness.run)());
-    judged.verdict = match (as_printed.holds, correction.as_ref().map(|finding| finding.holds)) {
-        (true, _) => Verdict::Reproduced,
-        (false, Some(true)) => Verdict::Corrected,
-        (false, _) => Verdict::NotReproduced,
-    };
+    judged.verdict = verdict(as_printed.holds, correction.as_ref().map(|finding| finding.holds));
     if as_printed.holds && correction.is_some() {
         judged.faults.push("a correction is on record, but the printed form holds".to_owned());
     }
@@ -129,6 +181,46 @@ fn form(judged: &mut Judged, printed: &Route<Finding>, corrected: Option<fn() ->
     judged.findings.push(("as printed", as_printed));
     judged.findings.extend(correction.map(|finding| ("corrected", finding)));
     judged.findings.push(("witness", witnessed));
+}
+
+fn statement(
+    judged: &mut Judged,
+    first: &Route<fn(Stated) -> Finding>,
+    witness: &Route<fn(Stated) -> Finding>,
+    neighbour: Option<&'static str>,
+) {
+    let [right, wrong] = [Stated::Right, Stated::Wrong].map(first.run);
+    judged.verdict = match neighbour {
+        Some(_) => verdict(right.holds, None),
+        None => verdict(wrong.holds, Some(right.holds)),
+    };
+    let [witnessed, refused] = [Stated::Right, Stated::Wrong].map(witness.run);
+    for (route, accepts) in [("first route", wrong.holds), ("witness", refused.holds)] {
+        if accepts {
+            let what = neighbour.unwrap_or("the printed form");
+            judged.faults.push(format!("the {route} accepts the neighbour, {what}"));
+        }
+    }
+    if !witnessed.holds {
+        judged.faults.push(format!("the witness ({}) disagrees: {}", witness.evidence, witnessed.how));
+    }
+    let names = match neighbour {
+        Some(_) => ["as printed", "neighbour", "witness", "neighbour by the witness"],
+        None => ["corrected", "as printed", "witness", "as printed by the witness"],
+    };
+    judged.findings = names.into_iter().zip([right, wrong, witnessed, refused]).collect();
+    if neighbour.is_none() {
+        judged.findings.swap(0, 1);
+    }
+}
+
+/// What follows from whether the printed form holds, and its correction, if there is one.
+fn verdict(printed: bool, corrected: Option<bool>) -> Verdict {
+    match (printed, corrected) {
+        (true, _) => Verdict::Reproduced,
+        (false, Some(true)) => Verdict::Corrected,
+        (false, _) => Verdict::NotReproduced,
+    }
 }
 
 #[cfg(test)]

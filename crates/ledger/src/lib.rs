@@ -7,12 +7,15 @@
 //!
 //! The ledger computes nothing itself: it calls the formula crates. A printed number stands here and nowhere else.
 
+mod check;
 mod checks;
 mod claim;
 mod dimension;
 mod inventory;
 mod judge;
 mod printed;
+mod slip;
+mod slugs;
 mod tolerance;
 mod verdict;
 mod work;
@@ -22,13 +25,15 @@ pub mod meyer;
 pub mod pin;
 pub mod quick_return;
 
-pub use claim::{Check, Claim, Erratum, Evidence, Finding, Kind, Route, Severity};
+pub use check::{Check, Evidence, Finding, Route, Stated};
+pub use claim::{Claim, Kind};
 pub use dimension::Dimension;
 pub use inventory::{Entry, Line, Symbol, fingerprint, in_full, numeric_tokens};
 pub use judge::{Judged, judge};
 pub use printed::{Decimal, Mark, Marked, Unreadable};
+pub use slip::{Consequence, Erratum, Origin, Places, Slip, slips};
 pub use tolerance::{TOLERANCES, Tolerance};
-pub use verdict::Verdict;
+pub use verdict::{Truth, Verdict};
 pub use work::Work;
 
 use std::panic::resume_unwind;

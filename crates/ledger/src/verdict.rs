@@ -1,6 +1,6 @@
 //! The classes of verdict.
 
-use std::fmt;
+use crate::slugs::slugs;
 
 /// What became of a printed claim. Derived by [`judge`](crate::judge), never asserted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -13,6 +13,8 @@ pub enum Verdict {
     FromRounded,
     /// Read from a curve or a print-out, and right within the reading's resolution.
     ReadOff,
+    /// A slip of the source leads to the printed digits, and they are not right.
+    ReproducedInError,
     /// The printed form fails and the corrected form passes.
     Corrected,
     /// The printed form fails, and no corrected form is known.
@@ -21,31 +23,42 @@ pub enum Verdict {
     NotReproducible,
 }
 
-impl Verdict {
-    /// All classes, best first.
-    pub const ALL: &[Self] = &[
-        Self::Reproduced,
-        Self::Truncated,
-        Self::FromRounded,
-        Self::ReadOff,
-        Self::Corrected,
-        Self::NotReproduced,
-        Self::NotReproducible,
-    ];
+slugs!(Verdict {
+    Reproduced = "reproduced",
+    Truncated = "truncated",
+    FromRounded = "from-rounded",
+    ReadOff = "read-off",
+    ReproducedInError = "reproduced-in-error",
+    Corrected = "corrected",
+    NotReproduced = "not-reproduced",
+    NotReproducible = "not-reproducible",
+});
 
-    /// The name used in data and on the command line.
-    pub fn slug(self) -> &'static str {
+slugs!(Truth { Right = "right", Wrong = "wrong", Open = "open" });
+
+/// Whether what is printed is right about the thing it is said of: the other question, beside whether it comes out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Truth {
+    /// It is, to the printed digits, or to fewer where the verdict says so.
+    Right,
+    /// It is not.
+    Wrong,
+    /// It cannot be told.
+    Open,
+}
+
+impl Truth {
+    /// What it means, for readers.
+    pub fn meaning(self) -> &'static str {
         match self {
-            Self::Reproduced => "reproduced",
-            Self::Truncated => "truncated",
-            Self::FromRounded => "from-rounded",
-            Self::ReadOff => "read-off",
-            Self::Corrected => "corrected",
-            Self::NotReproduced => "not-reproduced",
-            Self::NotReproducible => "not-reproducible",
+            Self::Right => "what is printed is right, to the printed digits or to fewer where the verdict says so",
+            Self::Wrong => "what is printed is wrong, and the right form or number is given",
+            Self::Open => "it cannot be told",
         }
     }
+}
 
+impl Verdict {
     /// What the class means, for readers.
     pub fn meaning(self) -> &'static str {
         match self {
@@ -55,6 +68,9 @@ impl Verdict {
             Self::Truncated => "the exact value gives the printed digits only by cutting off, not by rounding",
             Self::FromRounded => "only the source's own rounded intermediate results give the printed digits",
             Self::ReadOff => "read from a curve or a print-out, and right within the stated resolution of the reading",
+            Self::ReproducedInError => {
+                "what the source did gives the printed digits, but there is a slip in it: the right number is another"
+            }
             Self::Corrected => "the printed form fails; a corrected form passes, and a second witness agrees",
             Self::NotReproduced => "the printed form fails, and no corrected form is known",
             Self::NotReproducible => "a datum that the claim needs is missing from the source",
@@ -63,12 +79,15 @@ impl Verdict {
 
     /// Whether a claim with this verdict must carry an erratum.
     pub fn needs_erratum(self) -> bool {
-        matches!(self, Self::Truncated | Self::FromRounded | Self::Corrected)
+        matches!(self, Self::Truncated | Self::FromRounded | Self::ReproducedInError | Self::Corrected)
     }
-}
 
-impl fmt::Display for Verdict {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(self.slug())
+    /// The answer to the other question: is what is printed right?
+    pub fn truth(self) -> Truth {
+        match self {
+            Self::Reproduced | Self::Truncated | Self::FromRounded | Self::ReadOff => Truth::Right,
+            Self::ReproducedInError | Self::Corrected => Truth::Wrong,
+            Self::NotReproduced | Self::NotReproducible => Truth::Open,
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! The worked example, part (c): how long the output stands still.
 
 use super::*;
-use crate::{Erratum, Severity, Verdict};
+use crate::{Consequence, Erratum, Origin, Slip, Verdict};
 use geneva_kinematics::wheel::Phase;
 use geneva_kinematics::{Rational, rational};
 
@@ -15,25 +15,32 @@ pub fn claims() -> Vec<Claim> {
             C,
             "part of the cycle in which the output stands still",
             r"\lambda = \frac{180 - 2\alpha}{360}",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (LimitCase, || same(fraction(-1), locked_part())),
                 || same(fraction(1), locked_part()),
                 // The caption of Fig. 5.28: locked for three quarters of the cycle, with four stations.
                 (OtherPlaceInSource, || {
                     let alpha = rational(180, 4);
                     let locked = (rational(180, 1) + rational(2, 1) * alpha) / rational(360, 1);
-                    Finding::new(locked == Rational::from_parts(3.into(), 4u8.into()), format!("{locked} for four stations"))
+                    Finding::new(
+                        locked == Rational::from_parts(3.into(), 4u8.into()),
+                        format!("{locked} for four stations"),
+                    )
                 }),
             ),
         )
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: r"\lambda = \frac{180 + 2\alpha}{360}",
-            reason: "The advance takes 180° − 2α of the driver's turn, as the text says itself; the dwell takes the rest. \
-                     The part that moves was taken for the part that stands still.",
-            witness: "The caption of Fig. 5.28 has the wheel of four locked for three quarters of the cycle.",
-            severity: Severity::Conceptual,
-            inherited_by: &["jazar.ex-c.fraction", "jazar.ex-c.dwell", "jazar.ex-c.dwell-seconds"],
+            slip: Slip {
+                id: "",
+                reason: "The advance takes 180° − 2α of the driver's turn, as the text says itself; the dwell takes \
+                    the rest. The part that moves was taken for the part that stands still.",
+                witness: "The caption of Fig. 5.28 has the wheel of four locked for three quarters of the cycle.",
+                origin: Origin::Concept,
+                consequence: Consequence::Derivation,
+                changes: "",
+            },
         }),
         Claim::value(
             WORK,
@@ -41,10 +48,13 @@ pub fn claims() -> Vec<Claim> {
             C,
             "dwelling part of the cycle",
             ("1/3", ""),
-            Check::number((ClosedForm, || six(Wheel::dwell_fraction)), (Series, || 1.0 - six(entry_crank) / (2.0 * PI))),
+            Check::number(
+                (ClosedForm, || six(Wheel::dwell_fraction)),
+                (Series, || 1.0 - six(entry_crank) / (2.0 * PI)),
+            ),
         )
         .expecting(Verdict::Corrected)
-        .with_erratum(Erratum { corrected: "2/3", ..inherits("One third of the cycle is the advance.") }),
+        .with_erratum(Erratum { corrected: "2/3", slip: inherits("One third of the cycle is the advance.") }),
         Claim::value(
             WORK,
             "jazar.ex-c.cycle",
@@ -62,7 +72,7 @@ pub fn claims() -> Vec<Claim> {
             C,
             "the time of the dwell is its part of the cycle's time",
             r"\tau = \lambda T",
-            Check::form(
+            Check::equation(
                 (ClosedForm, || same(dwell_seconds(), six(Wheel::dwell_fraction) * printed("jazar.ex-c.cycle"))),
                 (LimitCase, || same(locked_part() * printed("jazar.ex-c.cycle"), dwell_seconds())),
             ),
@@ -76,14 +86,17 @@ pub fn claims() -> Vec<Claim> {
             Check::number((ClosedForm, dwell_seconds), (LimitCase, || locked_part() * printed("jazar.ex-c.cycle"))),
         )
         .expecting(Verdict::Corrected)
-        .with_erratum(Erratum { corrected: "1/9", ..inherits("An eighteenth of a second is the time of the advance.") }),
+        .with_erratum(Erratum {
+            corrected: "1/9",
+            slip: inherits("An eighteenth of a second is the time of the advance."),
+        }),
         Claim::statement(
             WORK,
             "jazar.ex-c.division",
             C,
             "the decimal is the fraction, rounded",
             "1/18 = 0.0555",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (ClosedForm, || last_place(rational(0, 1))),
                 || last_place(rational(1, 1)),
                 (ClosedForm, || {
@@ -95,10 +108,14 @@ pub fn claims() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: "1/18 = 0.0556",
-            reason: "The decimal was cut off, not rounded.",
-            witness: "Long division: the first digit that was cut off rounds up.",
-            severity: Severity::Arithmetical,
-            inherited_by: &["jazar.ex-c.dwell-seconds"],
+            slip: Slip {
+                id: "",
+                reason: "The decimal was cut off, not rounded.",
+                witness: "Long division: the first digit that was cut off rounds up.",
+                origin: Origin::Arithmetic,
+                consequence: Consequence::Wording,
+                changes: "",
+            },
         }),
         Claim::value(
             WORK,
@@ -109,18 +126,22 @@ pub fn claims() -> Vec<Claim> {
             Check::number((ClosedForm, dwell_seconds), (LimitCase, || locked_part() * printed("jazar.ex-c.cycle"))),
         )
         .expecting(Verdict::Corrected)
-        .with_erratum(Erratum { corrected: "0.1111", ..inherits("The time of the advance, and cut off rather than rounded.") }),
+        .with_erratum(Erratum {
+            corrected: "0.1111",
+            slip: inherits("The time of the advance, and cut off rather than rounded."),
+        }),
     ]
 }
 
 /// What an erratum of a number says that inherits the wrong fraction.
-fn inherits(reason: &'static str) -> Erratum {
-    Erratum {
-        corrected: "",
+fn inherits(reason: &'static str) -> Slip {
+    Slip {
+        id: "",
         reason,
         witness: "Where the wheel of the power series comes to rest, or the state of the wheel changes: the rest of the turn is the dwell.",
-        severity: Severity::Conceptual,
-        inherited_by: &[],
+        origin: Origin::Concept,
+        consequence: Consequence::Result,
+        changes: "",
     }
 }
 

@@ -36,7 +36,7 @@ fn advances() -> Vec<Claim> {
             A,
             "revolutions per second from revolutions per minute",
             "360/60",
-            Check::form(
+            Check::equation(
                 (ClosedForm, || same(printed("jazar.ex.rpm") / 60.0, printed("jazar.ex-a.advances"))),
                 (OtherPlaceInSource, || same(1.0 / printed("jazar.ex-c.cycle"), printed("jazar.ex.rpm") / 60.0)),
             ),
@@ -64,7 +64,7 @@ fn advances() -> Vec<Claim> {
             B,
             "angle of an advance",
             r"2\alpha = 360^{\circ}/N",
-            Check::form(
+            Check::equation(
                 (ClosedForm, || {
                     for_all_stations(
                         |w| (2.0 * w.half_station() * f64::from(w.stations()) - 2.0 * PI).abs() < 1e-14,
@@ -137,7 +137,7 @@ fn velocity() -> Vec<Claim> {
             "Ex. (d), Eq. (5.31) at θ = 0",
             "the wheel of six is at its fastest as fast as its driver",
             r"\dot{\phi}_{\rm max} = \dot{\theta}",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || {
                     let on_the_line = Turn { cos: rational(1, 1), sin: rational(0, 1) };
                     let ratio = velocity_ratio(&rational(2, 1), &on_the_line);
@@ -152,7 +152,7 @@ fn velocity() -> Vec<Claim> {
             D,
             "angular velocity of the driver",
             r"2\pi \times 6",
-            Check::form(
+            Check::equation(
                 (ClosedForm, || same(example_speed(), 2.0 * PI * printed("jazar.ex-a.advances"))),
                 (OtherPlaceInSource, || {
                     let speed = 2.0 * PI * printed("jazar.ex-a.advances");
@@ -185,7 +185,7 @@ fn velocity() -> Vec<Claim> {
             "Ex. (d), reference to Fig. 5.29",
             "positive φ̇ and θ̇ mean that wheel and driver turn in opposite senses",
             "opposite direction",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&VelocityRatio).into()),
                 (Vectors, || {
                     // Counter-clockwise is positive for both here: the wheel's speed for a driver of speed one.
@@ -205,7 +205,7 @@ fn velocity() -> Vec<Claim> {
             "Ex. (d), reference to Eq. (5.32)",
             "Eq. (5.32) tells where the velocity of Eq. (5.31) is greatest",
             "maximum value",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&Printed(Quantity::Acceleration)).into()),
                 (Series, || {
                     for_all_stations(

@@ -1,7 +1,7 @@
 //! The equations of the wheel of four stations, (5.25) to (5.29), and the figures 5.29 and 5.30.
 
 use super::*;
-use crate::{Dimension as Exponents, Erratum, Severity, Verdict};
+use crate::{Consequence, Dimension as Exponents, Erratum, Origin, Slip, Verdict};
 use geneva_kinematics::wheel::{acceleration_ratio, entry_acceleration, unsteady_acceleration};
 use geneva_kinematics::wheel_proofs::{
     AccelerationOfFour, LoopClosure, Printed, Quantity, SlotEliminated, TangentDifferentiated, UnsteadyAcceleration,
@@ -25,7 +25,7 @@ fn equations() -> Vec<Claim> {
             LOOP,
             "loop closure across the line of centres",
             r"r \sin \theta = x \sin \phi",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&LoopClosure { along: false }).into()),
                 (Vectors, || {
                     at_instants(|wheel, t| (libm::sin(t), slot_radius(wheel, t) * libm::sin(by_series(wheel, t)[0])))
@@ -38,7 +38,7 @@ fn equations() -> Vec<Claim> {
             LOOP,
             "loop closure along the line of centres",
             r"r \cos \theta + x \cos \phi = \sqrt{2}r",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&LoopClosure { along: true }).into()),
                 (Vectors, || {
                     at_instants(|wheel, t| {
@@ -53,7 +53,7 @@ fn equations() -> Vec<Claim> {
             "Display after Eq. (5.25)",
             "the pin's distance eliminated",
             r"\cos \theta + \frac{\sin \theta}{\tan \phi} = \sqrt{2}",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&SlotEliminated).into()),
                 (Vectors, || {
                     at_instants(|wheel, t| {
@@ -68,7 +68,7 @@ fn equations() -> Vec<Claim> {
             "Eq. (5.26)",
             "tangent of the wheel angle",
             r"\tan \phi = \frac{\sin \theta}{\sqrt{2} - \cos \theta}",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&Printed(Quantity::Tangent)).into()),
                 (Vectors, || {
                     at_instants(|wheel, t| {
@@ -83,7 +83,7 @@ fn equations() -> Vec<Claim> {
             "Eq. (5.27)",
             "wheel angle",
             r"\phi = \tan^{-1} \left(\frac{\sin \theta}{\sqrt{2} - \cos \theta} \right)",
-            Check::form(
+            Check::equation(
                 // The denominator is positive for every θ, so the principal value is the right one.
                 (Vectors, || {
                     at_instants(|wheel, t| {
@@ -99,7 +99,7 @@ fn equations() -> Vec<Claim> {
             "Fig. 5.29, caption",
             "θ and φ are angles of rotation from the line of centres",
             "line of centers",
-            Check::form(
+            Check::equation(
                 (Vectors, || same(of(4, |wheel| by_series(wheel, 0.0)[0]), 0.0)),
                 (ExactIdentity, || prove(&LoopClosure { along: false }).into()),
             ),
@@ -110,7 +110,7 @@ fn equations() -> Vec<Claim> {
             "Display before Eq. (5.28)",
             "Eq. (5.26) differentiated",
             r"\dot{\phi}(1 + \tan^2 \phi) = \dot{\theta} \frac{(\sqrt{2}\cos\theta - 1)}{(\sqrt{2} - \cos\theta)^2}",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove_with_root::<2, 2>(&TangentDifferentiated).into()),
                 (Series, || {
                     at_instants(|wheel, t| {
@@ -127,7 +127,7 @@ fn equations() -> Vec<Claim> {
             "Eq. (5.28)",
             "angular velocity of the wheel of four",
             r"\dot{\phi} = \dot{\theta} \left(\frac{\sqrt{2} \cos \theta - 1}{3 - 2\sqrt{2} \cos \theta} \right)",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove_with_root::<2, 2>(&VelocityOfFour).into()),
                 (AutomaticDerivative, || as_by_duals_of_four(1, printed_5_28)),
             ),
@@ -143,7 +143,7 @@ fn accelerations() -> Vec<Claim> {
             "Display before Eq. (5.29)",
             "angular acceleration of the wheel of four, the driver speeding up",
             r"\ddot{\phi} = \ddot{\theta} \left(\frac{\sqrt{2} \cos \theta - 1}{3 - 2\sqrt{2} \cos \theta} \right) - \dot{\theta}^2 \frac{\sqrt{2} \sin \theta}{(3 - 2\sqrt{2} \cos \theta)^2}",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove_with_root::<2, 3>(&UnsteadyAccelerationOfFour).into()),
                 (ExactIdentity, || prove(&UnsteadyAcceleration).into()),
             ),
@@ -154,12 +154,21 @@ fn accelerations() -> Vec<Claim> {
             "Sentence before Eq. (5.29)",
             "with a steady driver the first term vanishes",
             "first term disappears",
-            Check::form(
-                (ClosedForm, || at_instants(|wheel, t| {
-                    let (k, turn) = (wheel.centre_distance_ratio(), Turn::from_radians(t));
-                    (unsteady_acceleration(&k, &turn, &1.0, &0.0), acceleration_ratio(&k, &turn))
-                })),
-                (Series, || at_instants(|wheel, t| (by_series(wheel, t)[2], acceleration_ratio(&wheel.centre_distance_ratio(), &Turn::from_radians(t))))),
+            Check::equation(
+                (ClosedForm, || {
+                    at_instants(|wheel, t| {
+                        let (k, turn) = (wheel.centre_distance_ratio(), Turn::from_radians(t));
+                        (unsteady_acceleration(&k, &turn, &1.0, &0.0), acceleration_ratio(&k, &turn))
+                    })
+                }),
+                (Series, || {
+                    at_instants(|wheel, t| {
+                        (
+                            by_series(wheel, t)[2],
+                            acceleration_ratio(&wheel.centre_distance_ratio(), &Turn::from_radians(t)),
+                        )
+                    })
+                }),
             ),
         ),
         Claim::equation(
@@ -168,7 +177,7 @@ fn accelerations() -> Vec<Claim> {
             "Eq. (5.29)",
             "angular acceleration of the wheel of four, the driver steady",
             r"\ddot{\phi} = \dot{\theta}^2 \frac{\sqrt{2} \sin \theta}{(3 - 2\sqrt{2} \cos \theta)^2}",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (ExactIdentity, || prove_with_root::<2, 2>(&AccelerationOfFour { negative: false }).into()),
                 || prove_with_root::<2, 2>(&AccelerationOfFour { negative: true }).into(),
                 // (5.32), whose sign is right, for four stations.
@@ -178,11 +187,15 @@ fn accelerations() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: r"\ddot{\phi} = -\dot{\theta}^2 \frac{\sqrt{2} \sin \theta}{(3 - 2\sqrt{2} \cos \theta)^2}",
-            reason: "The display before it has a minus sign in front of this term; here it is lost. As printed the wheel \
-                     would first slow down and then speed up.",
-            witness: "Eq. (5.32) of the same source has the sign, and gives the corrected form for four stations.",
-            severity: Severity::Typographical,
-            inherited_by: &["jazar.generalises"],
+            slip: Slip {
+                id: "",
+                reason: "The display before it has a minus sign in front of this term; here it is lost. As printed \
+                    the wheel would first slow down and then speed up.",
+                witness: "Eq. (5.32) of the same source has the sign, and gives the corrected form for four stations.",
+                origin: Origin::Misprint,
+                consequence: Consequence::Derivation,
+                changes: "",
+            },
         }),
     ]
 }
@@ -195,8 +208,10 @@ fn curves() -> Vec<Claim> {
             PLOT,
             "Eqs. (5.27) and (5.28) give the wheel's angle and velocity over the advance",
             "plotted",
-            Check::form(
-                (Series, || at_instants(|wheel, t| (by_series(wheel, t)[0], wheel.engaged(t).map_or(f64::NAN, |m| m.angle)))),
+            Check::equation(
+                (Series, || {
+                    at_instants(|wheel, t| (by_series(wheel, t)[0], wheel.engaged(t).map_or(f64::NAN, |m| m.angle)))
+                }),
                 (ExactIdentity, || prove_with_root::<2, 2>(&VelocityOfFour).into()),
             ),
         ),
@@ -217,7 +232,7 @@ fn curves() -> Vec<Claim> {
             PLOT,
             "the velocity curve is a pure number",
             r"\dot{\phi}/\dot{\theta}",
-            Check::form(
+            Check::equation(
                 (Dimension, || quotient(Exponents::ANGULAR_SPEED, Exponents::ANGULAR_SPEED)),
                 (ExactIdentity, || prove_with_root::<2, 2>(&VelocityOfFour).into()),
             ),
@@ -228,7 +243,7 @@ fn curves() -> Vec<Claim> {
             PLOT,
             "the acceleration curve is a pure number",
             r"\ddot{\phi}/\dot{\theta}",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (Dimension, || quotient(Exponents::ANGULAR_ACCELERATION, Exponents::ANGULAR_SPEED)),
                 || quotient(Exponents::ANGULAR_ACCELERATION, Exponents::ANGULAR_SPEED * Exponents::ANGULAR_SPEED),
                 (ExactIdentity, || prove_with_root::<2, 2>(&AccelerationOfFour { negative: true }).into()),
@@ -237,11 +252,16 @@ fn curves() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: r"\ddot{\phi}/\dot{\theta}^2",
-            reason: "The square is lost. The quotient as printed still has the unit of an angular speed, and could not be \
-                     drawn on one axis with the velocity curve.",
-            witness: "The caption of Fig. 5.30 says it rightly, and the corrected Eq. (5.29) is proportional to the square.",
-            severity: Severity::Typographical,
-            inherited_by: &[],
+            slip: Slip {
+                id: "",
+                reason: "The square is lost. The quotient as printed still has the unit of an angular speed, and \
+                    could not be drawn on one axis with the velocity curve.",
+                witness: "The caption of Fig. 5.30 says it rightly, and the corrected Eq. (5.29) is proportional to \
+                    the square.",
+                origin: Origin::Misprint,
+                consequence: Consequence::Wording,
+                changes: "",
+            },
         }),
         Claim::statement(
             WORK,
@@ -249,12 +269,24 @@ fn curves() -> Vec<Claim> {
             STATIONS,
             "velocity and acceleration are smooth inside the advance",
             "smooth",
-            Check::form(
+            Check::equation(
                 (LimitCase, || {
-                    for_all_stations(|wheel| wheel.centre_distance_ratio() > 1.0, "the denominators are at least (k − 1)² > 0")
+                    for_all_stations(
+                        |wheel| wheel.centre_distance_ratio() > 1.0,
+                        "the denominators are at least (k − 1)² > 0",
+                    )
                 }),
                 (Series, || {
-                    for_all_stations(|wheel| (-9..=9).all(|k| by_series(wheel, wheel.engagement_half_angle() * f64::from(k) / 9.0).iter().all(|d| d.is_finite())), "three derivatives are finite at 19 instants, the ends included")
+                    for_all_stations(
+                        |wheel| {
+                            (-9..=9).all(|k| {
+                                by_series(wheel, wheel.engagement_half_angle() * f64::from(k) / 9.0)
+                                    .iter()
+                                    .all(|d| d.is_finite())
+                            })
+                        },
+                        "three derivatives are finite at 19 instants, the ends included",
+                    )
                 }),
             ),
         ),
@@ -264,10 +296,15 @@ fn curves() -> Vec<Claim> {
             STATIONS,
             "the jerk is infinite where the advance begins and ends",
             "infinite",
-            Check::form(
-                (ClosedForm, || for_all_stations(|wheel| entry_acceleration(wheel) > 0.0, "the acceleration jumps by tan α")),
+            Check::equation(
+                (ClosedForm, || {
+                    for_all_stations(|wheel| entry_acceleration(wheel) > 0.0, "the acceleration jumps by tan α")
+                }),
                 (Series, || {
-                    for_all_stations(|wheel| by_series(wheel, -wheel.engagement_half_angle())[2] > 0.0, "φ̈ is not zero as the pin enters")
+                    for_all_stations(
+                        |wheel| by_series(wheel, -wheel.engagement_half_angle())[2] > 0.0,
+                        "φ̈ is not zero as the pin enters",
+                    )
                 }),
             ),
         ),
@@ -277,14 +314,19 @@ fn curves() -> Vec<Claim> {
             STATIONS,
             "three is the geometric lower limit of stations",
             "three",
-            Check::form(
+            Check::equation(
                 (LimitCase, || {
                     // With two stations the slot is across the line of centres as the pin enters: no angle to advance in.
                     let engagement = |stations: f64| PI / 2.0 - PI / stations;
                     let (two, three) = (engagement(2.0), engagement(3.0));
-                    Finding::new(two <= 0.0 && three > 0.0, format!("engagement ±{two} for two, ±{:.0}° for three", three.to_degrees()))
+                    Finding::new(
+                        two <= 0.0 && three > 0.0,
+                        format!("engagement ±{two} for two, ±{:.0}° for three", three.to_degrees()),
+                    )
                 }),
-                (ClosedForm, || Finding::new(Wheel::new(2).is_err() && Wheel::new(3).is_ok(), "two cannot be built, three can")),
+                (ClosedForm, || {
+                    Finding::new(Wheel::new(2).is_err() && Wheel::new(3).is_ok(), "two cannot be built, three can")
+                }),
             ),
         ),
         Claim::statement(
@@ -293,12 +335,18 @@ fn curves() -> Vec<Claim> {
             STATIONS,
             "drivers with two or more pins are possible",
             "two or more",
-            Check::form(
+            Check::equation(
                 (LimitCase, || {
-                    for_all_stations(|wheel| Wheel::with_pins(wheel.stations(), 2).is_ok_and(|two| two.dwell_fraction() > 0.0), "two pins leave a dwell")
+                    for_all_stations(
+                        |wheel| Wheel::with_pins(wheel.stations(), 2).is_ok_and(|two| two.dwell_fraction() > 0.0),
+                        "two pins leave a dwell",
+                    )
                 }),
                 (ClosedForm, || {
-                    let most: Vec<_> = [3, 4, 5, 6].iter().map(|n| (1..).take_while(|p| Wheel::with_pins(*n, *p).is_ok()).count()).collect();
+                    let most: Vec<_> = [3, 4, 5, 6]
+                        .iter()
+                        .map(|n| (1..).take_while(|p| Wheel::with_pins(*n, *p).is_ok()).count())
+                        .collect();
                     Finding::new(most.iter().all(|p| *p >= 2), format!("3, 4, 5, 6 stations take up to {most:?} pins"))
                 }),
             ),
@@ -309,9 +357,18 @@ fn curves() -> Vec<Claim> {
             "Fig. 5.30, caption",
             "the curves are normalised by the driver's speed and by its square",
             "driver angular velocity squared",
-            Check::form(
-                (Dimension, || quotient(Exponents::ANGULAR_ACCELERATION, Exponents::ANGULAR_SPEED * Exponents::ANGULAR_SPEED)),
-                (Series, || at_instants(|wheel, t| (by_series(wheel, t)[2], acceleration_ratio(&wheel.centre_distance_ratio(), &Turn::from_radians(t))))),
+            Check::equation(
+                (Dimension, || {
+                    quotient(Exponents::ANGULAR_ACCELERATION, Exponents::ANGULAR_SPEED * Exponents::ANGULAR_SPEED)
+                }),
+                (Series, || {
+                    at_instants(|wheel, t| {
+                        (
+                            by_series(wheel, t)[2],
+                            acceleration_ratio(&wheel.centre_distance_ratio(), &Turn::from_radians(t)),
+                        )
+                    })
+                }),
             ),
         ),
     ]

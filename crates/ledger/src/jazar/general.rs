@@ -2,7 +2,7 @@
 
 use super::four::{printed_5_28, printed_5_29, printed_5_32};
 use super::*;
-use crate::{Erratum, Severity, Verdict};
+use crate::{Consequence, Erratum, Origin, Slip, Verdict};
 use geneva_kinematics::prove;
 use geneva_kinematics::wheel::{acceleration_peak, entry_acceleration, peak_velocity};
 use geneva_kinematics::wheel_proofs::{Printed, Quantity};
@@ -23,7 +23,7 @@ fn geometry() -> Vec<Claim> {
             GEOMETRY,
             "α is the angle between slot and line of centres as the pin enters or leaves",
             "moment of engagement",
-            Check::form(
+            Check::equation(
                 (Vectors, || {
                     for_all_stations(
                         |wheel| agrees(-entry_angle(wheel), wheel.half_station()),
@@ -44,7 +44,7 @@ fn geometry() -> Vec<Claim> {
             "Fig. 5.31, caption",
             "neighbouring slots are 2α apart",
             "half the angle",
-            Check::form(
+            Check::equation(
                 (ClosedForm, || {
                     for_all_stations(
                         |wheel| agrees(2.0 * wheel.half_station() * f64::from(wheel.stations()), 2.0 * PI),
@@ -70,7 +70,7 @@ fn geometry() -> Vec<Claim> {
             DURATION,
             "α in degrees",
             r"360^{\circ}/(2N)",
-            Check::form(
+            Check::equation(
                 (ClosedForm, || {
                     for_all_stations(
                         |wheel| agrees(wheel.half_station().to_degrees(), 360.0 / (2.0 * f64::from(wheel.stations()))),
@@ -91,7 +91,7 @@ fn geometry() -> Vec<Claim> {
             DURATION,
             "crank angle of an advance",
             r"\pi - 2\alpha",
-            Check::form(
+            Check::equation(
                 (Series, || {
                     for_all_stations(
                         |wheel| vanishes(by_series(wheel, PI / 2.0 - wheel.half_station())[1]),
@@ -127,7 +127,7 @@ fn geometry() -> Vec<Claim> {
             DURATION,
             "with more stations the advance takes more of the driver's turn",
             "increases",
-            Check::form(
+            Check::equation(
                 (ClosedForm, || {
                     compare_neighbours(|a, b| a.motion_fraction() < b.motion_fraction(), "the moving part grows")
                 }),
@@ -145,7 +145,7 @@ fn geometry() -> Vec<Claim> {
             DURATION,
             "with more stations the peaks of velocity and acceleration fall",
             "more gentle",
-            Check::form(
+            Check::equation(
                 (ClosedForm, || {
                     compare_neighbours(
                         |a, b| {
@@ -170,7 +170,7 @@ fn geometry() -> Vec<Claim> {
             DURATION,
             "with more stations the wheel stands still for less of the turn",
             "decreasing",
-            Check::form(
+            Check::equation(
                 (ClosedForm, || {
                     compare_neighbours(|a, b| a.dwell_fraction() > b.dwell_fraction(), "the dwell shrinks")
                 }),
@@ -188,9 +188,19 @@ fn sizes() -> Vec<Claim> {
             RATIOS,
             "centre distance over crank radius",
             r"1/\sin \alpha",
-            Check::form(
-                (ClosedForm, || for_all_stations(|wheel| agrees(wheel.centre_distance_ratio(), 1.0 / libm::sin(wheel.half_station())), "1/sin α")),
-                (Vectors, || for_all_stations(|wheel| at_rest_on_entry(wheel, wheel.centre_distance_ratio()), "with it the pin enters along the slot")),
+            Check::equation(
+                (ClosedForm, || {
+                    for_all_stations(
+                        |wheel| agrees(wheel.centre_distance_ratio(), 1.0 / libm::sin(wheel.half_station())),
+                        "1/sin α",
+                    )
+                }),
+                (Vectors, || {
+                    for_all_stations(
+                        |wheel| at_rest_on_entry(wheel, wheel.centre_distance_ratio()),
+                        "with it the pin enters along the slot",
+                    )
+                }),
             ),
         ),
         Claim::statement(
@@ -199,9 +209,19 @@ fn sizes() -> Vec<Claim> {
             RATIOS,
             "1/tan α is the outside diameter of the wheel over the pin's radius",
             "outside diameter: 1/tan α",
-            Check::corrected_form(
-                (Vectors, || for_all_stations(|wheel| agrees(2.0 * entry_radius(wheel), 1.0 / libm::tan(wheel.half_station())), "the diameter is 1/tan α")),
-                || for_all_stations(|wheel| agrees(entry_radius(wheel), 1.0 / libm::tan(wheel.half_station())), "the radius is 1/tan α"),
+            Check::corrected_equation(
+                (Vectors, || {
+                    for_all_stations(
+                        |wheel| agrees(2.0 * entry_radius(wheel), 1.0 / libm::tan(wheel.half_station())),
+                        "the diameter is 1/tan α",
+                    )
+                }),
+                || {
+                    for_all_stations(
+                        |wheel| agrees(entry_radius(wheel), 1.0 / libm::tan(wheel.half_station())),
+                        "the radius is 1/tan α",
+                    )
+                },
                 // The paragraph on Fig. 5.28: four stations have the outer radius r, and 1/tan 45° = 1.
                 (OtherPlaceInSource, || same(1.0 / libm::tan(PI / 4.0), 1.0)),
             ),
@@ -209,11 +229,16 @@ fn sizes() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: "outside radius: 1/tan α",
-            reason: "The ratio is that of the wheel's outer radius to the radius of the pin's circle; the diameter is twice \
-                     as large. Read as centre distance over diameter it fails too: that is 1/(2 cos α).",
-            witness: "The source's own wheel of four has the outer radius r.",
-            severity: Severity::Typographical,
-            inherited_by: &[],
+            slip: Slip {
+                id: "",
+                reason: "The ratio is that of the wheel's outer radius to the radius of the pin's circle; the \
+                    diameter is twice as large. Read as centre distance over diameter it fails too: that is 1/(2 \
+                    cos α).",
+                witness: "The source's own wheel of four has the outer radius r.",
+                origin: Origin::Misprint,
+                consequence: Consequence::Wording,
+                changes: "",
+            },
         }),
         Claim::equation(
             WORK,
@@ -221,9 +246,16 @@ fn sizes() -> Vec<Claim> {
             "Sentence before Eq. (5.30)",
             "α in radians",
             r"\alpha = \pi/N",
-            Check::form(
-                (ClosedForm, || for_all_stations(|wheel| agrees(wheel.half_station(), PI / f64::from(wheel.stations())), "α is π/N")),
-                (Vectors, || for_all_stations(|wheel| agrees(-entry_angle(wheel), PI / f64::from(wheel.stations())), "the slot's angle at entry is π/N")),
+            Check::equation(
+                (ClosedForm, || {
+                    for_all_stations(|wheel| agrees(wheel.half_station(), PI / f64::from(wheel.stations())), "α is π/N")
+                }),
+                (Vectors, || {
+                    for_all_stations(
+                        |wheel| agrees(-entry_angle(wheel), PI / f64::from(wheel.stations())),
+                        "the slot's angle at entry is π/N",
+                    )
+                }),
             ),
         ),
         Claim::statement(
@@ -232,7 +264,7 @@ fn sizes() -> Vec<Claim> {
             "Sentence before Eq. (5.30)",
             "Eqs. (5.27) to (5.29) are the case of four stations of Eqs. (5.30) to (5.32)",
             "become",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (ClosedForm, || four_from_general(1.0)),
                 || four_from_general(-1.0),
                 (ExactIdentity, || prove(&Printed(Quantity::Acceleration)).into()),
@@ -241,10 +273,14 @@ fn sizes() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: "become, once Eq. (5.29) has its minus sign",
-            reason: "For four stations Eq. (5.32) has the opposite sign of Eq. (5.29) as printed.",
-            witness: "Eq. (5.32) is proven against power series for every α.",
-            severity: Severity::Typographical,
-            inherited_by: &[],
+            slip: Slip {
+                id: "",
+                reason: "For four stations Eq. (5.32) has the opposite sign of Eq. (5.29) as printed.",
+                witness: "Eq. (5.32) is proven against power series for every α.",
+                origin: Origin::Misprint,
+                consequence: Consequence::Wording,
+                changes: "",
+            },
         }),
     ]
 }
@@ -257,7 +293,7 @@ fn equations() -> Vec<Claim> {
             "Eq. (5.30)",
             "wheel angle, N stations",
             r"\phi = \tan^{-1} \left(\frac{\sin \alpha \sin \theta}{1 - \sin \alpha \cos \theta} \right)",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&Printed(Quantity::Tangent)).into()),
                 (Vectors, || {
                     for_all_stations(
@@ -273,7 +309,7 @@ fn equations() -> Vec<Claim> {
             "Eq. (5.31)",
             "angular velocity of the wheel, N stations",
             r"\dot{\phi} = \dot{\theta} \sin \alpha \left(\frac{\cos \theta - \sin \alpha}{1 + \sin^2 \alpha - 2 \sin \alpha \cos \theta} \right)",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&Printed(Quantity::Velocity)).into()),
                 (AutomaticDerivative, || as_by_duals(1, printed_5_31)),
             ),
@@ -284,7 +320,7 @@ fn equations() -> Vec<Claim> {
             "Eq. (5.32)",
             "angular acceleration of the wheel, N stations",
             r"\ddot{\phi} = -\dot{\theta}^2 \frac{\sin \alpha \cos^2 \alpha \sin \theta}{(1 + \sin^2 \alpha - 2 \sin \alpha \cos \theta)^2}",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&Printed(Quantity::Acceleration)).into()),
                 (AutomaticDerivative, || as_by_duals(2, printed_5_32)),
             ),

@@ -2,7 +2,7 @@
 
 use super::four::printed_5_32;
 use super::*;
-use crate::{Dimension as Exponents, Erratum, Severity, Verdict};
+use crate::{Consequence, Dimension as Exponents, Erratum, Origin, Slip, Verdict};
 use geneva_kinematics::wheel::{acceleration_peak, gamma};
 use geneva_kinematics::wheel_peak_proofs::{BelowOne, Condition, InsideTheEngagement, Pythagoras, Quadratic, Roots};
 use geneva_kinematics::wheel_proofs::{OddAcceleration, Printed, Quantity};
@@ -22,11 +22,14 @@ fn steps() -> Vec<Claim> {
             "Ex. (e), reference to Fig. 5.30",
             "the extreme and its angle can be read from a plot of Eq. (5.32)",
             "read directly",
-            Check::form(
+            Check::equation(
                 (Series, || {
                     let (angle, size) = six_pair(peak_by_series);
                     let (read, top) = six_pair(read_from_a_plot);
-                    Finding::new((angle - read).abs() < 0.01 && (size - top).abs() < 1e-3, format!("{read:.2} rad and {top:.3} from 201 points"))
+                    Finding::new(
+                        (angle - read).abs() < 0.01 && (size - top).abs() < 1e-3,
+                        format!("{read:.2} rad and {top:.3} from 201 points"),
+                    )
                 }),
                 (ExactIdentity, || prove(&Printed(Quantity::Acceleration)).into()),
             ),
@@ -37,7 +40,10 @@ fn steps() -> Vec<Claim> {
             "Ex. (e), derivative of Eq. (5.32)",
             "rate of change of the wheel's acceleration",
             r"\frac{d\ddot{\phi}}{dt} = \frac{-\dot{\theta}^3 \sin \alpha \cos^2 \alpha}{(1 + \sin^2 \alpha - 2 \sin \alpha \cos \theta)^3} \{ (1 + \sin^2 \alpha - 2 \sin \alpha \cos \theta) \cos \theta - 4 \sin \alpha \sin^2 \theta \}",
-            Check::form((ExactIdentity, || prove(&Printed(Quantity::Jerk)).into()), (AutomaticDerivative, || as_by_duals(3, printed_derivative))),
+            Check::equation(
+                (ExactIdentity, || prove(&Printed(Quantity::Jerk)).into()),
+                (AutomaticDerivative, || as_by_duals(3, printed_derivative)),
+            ),
         ),
         Claim::equation(
             WORK,
@@ -45,7 +51,12 @@ fn steps() -> Vec<Claim> {
             "Ex. (e), condition for an extreme",
             "where the derivative is zero",
             r"(1 + \sin^2 \alpha) \cos \theta - 2 \sin \alpha \cos^2 \theta - 4 \sin \alpha \sin^2 \theta = 0",
-            Check::form((ExactIdentity, || prove(&Condition).into()), (Series, || at_the_peak(|sine, c| (1.0 + sine * sine) * c - 2.0 * sine * c * c - 4.0 * sine * (1.0 - c * c)))),
+            Check::equation(
+                (ExactIdentity, || prove(&Condition).into()),
+                (Series, || {
+                    at_the_peak(|sine, c| (1.0 + sine * sine) * c - 2.0 * sine * c * c - 4.0 * sine * (1.0 - c * c))
+                }),
+            ),
         ),
         Claim::equation(
             WORK,
@@ -53,7 +64,10 @@ fn steps() -> Vec<Claim> {
             E,
             "replacement of the square of the sine",
             r"\sin^2\theta = 1 - \cos^2\theta",
-            Check::form((ExactIdentity, || prove(&Pythagoras).into()), (ClosedForm, || same(libm::sin(0.4) * libm::sin(0.4), 1.0 - libm::cos(0.4) * libm::cos(0.4)))),
+            Check::equation(
+                (ExactIdentity, || prove(&Pythagoras).into()),
+                (ClosedForm, || same(libm::sin(0.4) * libm::sin(0.4), 1.0 - libm::cos(0.4) * libm::cos(0.4))),
+            ),
         ),
         Claim::equation(
             WORK,
@@ -61,7 +75,10 @@ fn steps() -> Vec<Claim> {
             "Ex. (e), quadratic",
             "the condition as a quadratic in cos θ",
             r"\cos^2\theta + \gamma\cos\theta - 2 = 0",
-            Check::form((ExactIdentity, || prove(&Quadratic).into()), (Series, || at_the_peak(|sine, c| c * c + (1.0 + sine * sine) / (2.0 * sine) * c - 2.0))),
+            Check::equation(
+                (ExactIdentity, || prove(&Quadratic).into()),
+                (Series, || at_the_peak(|sine, c| c * c + (1.0 + sine * sine) / (2.0 * sine) * c - 2.0)),
+            ),
         ),
         Claim::equation(
             WORK,
@@ -69,7 +86,7 @@ fn steps() -> Vec<Claim> {
             "Eq. (5.33)",
             "coefficient of the quadratic",
             r"\gamma = \frac{1 + \sin^2 \alpha}{2 \sin \alpha}",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&Quadratic).into()),
                 (Series, || {
                     // The γ that makes the peak of the power series a root.
@@ -84,8 +101,10 @@ fn steps() -> Vec<Claim> {
             "Ex. (e), after Eq. (5.33)",
             "the preceding equation is a quadratic equation in cos θ",
             "preceding equation",
-            Check::corrected_form(
-                (ExactIdentity, || degree_in_cosine(|_, sine| (S1::integer(1) + sine.clone() * sine.clone()) / (S1::integer(2) * sine))),
+            Check::corrected_equation(
+                (ExactIdentity, || {
+                    degree_in_cosine(|_, sine| (S1::integer(1) + sine.clone() * sine.clone()) / (S1::integer(2) * sine))
+                }),
                 || degree_in_cosine(|c, gamma| c.clone() * c.clone() + gamma * c - S1::integer(2)),
                 (ExactIdentity, || prove(&Roots { plus: true }).into()),
             ),
@@ -93,10 +112,15 @@ fn steps() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: "the equation before Eq. (5.33)",
-            reason: "The preceding equation is Eq. (5.33), which has no cos θ in it. Meant is the unnumbered one before it.",
-            witness: "The roots that follow are proven to be those of the unnumbered equation.",
-            severity: Severity::Typographical,
-            inherited_by: &[],
+            slip: Slip {
+                id: "",
+                reason: "The preceding equation is Eq. (5.33), which has no cos θ in it. Meant is the unnumbered one \
+                    before it.",
+                witness: "The roots that follow are proven to be those of the unnumbered equation.",
+                origin: Origin::Misprint,
+                consequence: Consequence::Wording,
+                changes: "",
+            },
         }),
         Claim::equation(
             WORK,
@@ -104,7 +128,10 @@ fn steps() -> Vec<Claim> {
             "Ex. (e), roots",
             "roots of the quadratic",
             r"\cos\theta = \frac{-\gamma \pm \sqrt{\gamma^2 + 8}}{2}",
-            Check::form((ExactIdentity, || prove(&Roots { plus: true }).into()), (ExactIdentity, || prove(&Roots { plus: false }).into())),
+            Check::equation(
+                (ExactIdentity, || prove(&Roots { plus: true }).into()),
+                (ExactIdentity, || prove(&Roots { plus: false }).into()),
+            ),
         ),
     ]
 }
@@ -117,7 +144,7 @@ fn choice() -> Vec<Claim> {
             "Ex. (e), choice of the root",
             "only the positive root gives a cosine of a size between zero and one",
             "0 and 1",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&BelowOne).into()),
                 (ClosedForm, || {
                     for_all_stations(
@@ -136,7 +163,7 @@ fn choice() -> Vec<Claim> {
             "Ex. (e), choice of the root",
             "the allowable range of α",
             r"0 < \alpha < 60^{\circ}",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (LimitCase, || for_all_stations(|wheel| exact_alpha(wheel) < rational(60, 1), "α is less than 60°")),
                 || for_all_stations(|wheel| exact_alpha(wheel) <= rational(60, 1), "α is at most 60°"),
                 (Vectors, || same(of(3, |w| by_series(w, w.engagement_half_angle())[0]).to_degrees(), 60.0)),
@@ -145,11 +172,15 @@ fn choice() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: r"0 < \alpha \le 60^{\circ}",
-            reason: "Three stations have α = 60° exactly, and the text names three as the least number. The statement about \
-                     the root holds there too, and in fact for all α below 90°.",
-            witness: "With three stations the slot is at 60° from the line of centres as the pin leaves.",
-            severity: Severity::Typographical,
-            inherited_by: &[],
+            slip: Slip {
+                id: "",
+                reason: "Three stations have α = 60° exactly, and the text names three as the least number. The \
+                    statement about the root holds there too, and in fact for all α below 90°.",
+                witness: "With three stations the slot is at 60° from the line of centres as the pin leaves.",
+                origin: Origin::Misprint,
+                consequence: Consequence::Wording,
+                changes: "",
+            },
         }),
         Claim::statement(
             WORK,
@@ -157,11 +188,14 @@ fn choice() -> Vec<Claim> {
             "Ex. (e), before Eq. (5.34)",
             "the angular acceleration has a maximum at both angles ±θ of Eq. (5.34)",
             "at a maximum",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (Series, || {
                     let (angle, size) = six_pair(peak_by_series);
                     let at_plus = six_at(angle)[2];
-                    Finding::new(at_plus > 0.0, format!("φ̈ is {at_plus:.3} θ̇² at +θ, while its maximum is {size:.3} θ̇²"))
+                    Finding::new(
+                        at_plus > 0.0,
+                        format!("φ̈ is {at_plus:.3} θ̇² at +θ, while its maximum is {size:.3} θ̇²"),
+                    )
                 }),
                 || {
                     for_all_stations(
@@ -182,11 +216,15 @@ fn choice() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: "its size is at a maximum",
-            reason: "The acceleration is an odd function of θ: greatest at −θ, where the wheel speeds up, and least at +θ, \
-                     where it slows down. Its size is greatest at both.",
-            witness: "The acceleration is proven to be odd in θ for every wheel.",
-            severity: Severity::Conceptual,
-            inherited_by: &["jazar.ex-e.signs"],
+            slip: Slip {
+                id: "",
+                reason: "The acceleration is an odd function of θ: greatest at −θ, where the wheel speeds up, and \
+                    least at +θ, where it slows down. Its size is greatest at both.",
+                witness: "The acceleration is proven to be odd in θ for every wheel.",
+                origin: Origin::Concept,
+                consequence: Consequence::Conclusion,
+                changes: "",
+            },
         }),
         Claim::equation(
             WORK,
@@ -194,10 +232,13 @@ fn choice() -> Vec<Claim> {
             "Eq. (5.34)",
             "crank angles at which the acceleration is greatest in size",
             r"\theta = \pm \cos^{-1}\left(\frac{-\gamma + \sqrt{\gamma^2 + 8}}{2}\right)",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&Roots { plus: true }).into()),
                 (Series, || {
-                    for_all_stations(|w| vanishes(libm::cos(peak_by_series(w).0) - both_roots(w).0), "the power series has its extreme there")
+                    for_all_stations(
+                        |w| vanishes(libm::cos(peak_by_series(w).0) - both_roots(w).0),
+                        "the power series has its extreme there",
+                    )
                 }),
             ),
         ),
@@ -207,7 +248,7 @@ fn choice() -> Vec<Claim> {
             "Ex. (e), on Eqs. (5.33) and (5.34)",
             "Eqs. (5.33) and (5.34) hold for every number of stations",
             "general validity",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&InsideTheEngagement).into()),
                 (Series, || {
                     for_all_stations(
@@ -256,7 +297,7 @@ fn numbers() -> Vec<Claim> {
             "Ex. (e), from Eq. (5.32)",
             "the acceleration over the square of the driver's speed is a pure number",
             r"\frac{\ddot{\phi}}{\dot{\theta}^2}",
-            Check::form(
+            Check::equation(
                 (Dimension, || {
                     let exponents =
                         Exponents::ANGULAR_ACCELERATION / (Exponents::ANGULAR_SPEED * Exponents::ANGULAR_SPEED);
@@ -277,21 +318,23 @@ fn numbers() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: "±1.350",
-            reason: "It does not follow from Eq. (5.32) at the printed angle, nor at any other: it is larger than the \
-                     largest value that the equation takes for six stations. Where it comes from is not known.",
-            witness: "The pin's place as a power series, its third derivative brought to zero by halving intervals.",
-            severity: Severity::Arithmetical,
-            inherited_by: &["jazar.ex-e.peak"],
-        }),
+        .with_erratum(Erratum { corrected: "±1.350", slip: Slip {
+ id: "",
+reason: "It does not follow from Eq. (5.32) at the printed angle, nor at any other: it is larger \
+                    than the largest value that the equation takes for six stations. Where it comes from is not \
+                    known.",
+witness: "The pin's place as a power series, its third derivative brought to zero by halving intervals.",
+origin: Origin::Arithmetic,
+consequence: Consequence::Result,
+changes: "",
+} }),
         Claim::statement(
             WORK,
             "jazar.ex-e.signs",
             "Ex. (e), from Eq. (5.32)",
             "the upper sign of the acceleration belongs to the upper sign of the angle",
             r"\pm",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (ClosedForm, || sign_at_the_upper_angle(1.0)),
                 || sign_at_the_upper_angle(-1.0),
                 (Series, || {
@@ -303,20 +346,21 @@ fn numbers() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: r"\mp",
-            reason: "Eq. (5.32) has a minus sign: the acceleration is negative at the positive angle.",
-            witness: "The power series of the pin's place, which does not use Eq. (5.32).",
-            severity: Severity::Typographical,
-            inherited_by: &[],
-        }),
+        .with_erratum(Erratum { corrected: r"\mp", slip: Slip {
+ id: "",
+reason: "Eq. (5.32) has a minus sign: the acceleration is negative at the positive angle.",
+witness: "The power series of the pin's place, which does not use Eq. (5.32).",
+origin: Origin::Misprint,
+consequence: Consequence::Wording,
+changes: "",
+} }),
         Claim::equation(
             WORK,
             "jazar.ex-e.driver-formula",
             E,
             "angular velocity of the driver once more",
             r"6 \times 2\pi",
-            Check::form(
+            Check::equation(
                 (ClosedForm, || same(example_speed(), printed("jazar.ex-a.advances") * 2.0 * PI)),
                 (OtherPlaceInSource, || same(2.0 * PI / printed("jazar.ex-c.cycle"), example_speed())),
             ),
@@ -333,13 +377,14 @@ fn numbers() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: "1,918",
-            reason: "Inherited: it is the wrong ratio times the square of the right speed.",
-            witness: "The same power series, with the exact speed.",
-            severity: Severity::Arithmetical,
-            inherited_by: &[],
-        }),
+        .with_erratum(Erratum { corrected: "1,918", slip: Slip {
+ id: "",
+reason: "Inherited: it is the wrong ratio times the square of the right speed.",
+witness: "The same power series, with the exact speed.",
+origin: Origin::Arithmetic,
+consequence: Consequence::Result,
+changes: "",
+} }),
     ]
 }
 

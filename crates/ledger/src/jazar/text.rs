@@ -21,7 +21,7 @@ pub fn claims() -> Vec<Claim> {
             INDEXING,
             "the wheel never turns back",
             "same direction",
-            Check::form(
+            Check::equation(
                 (Series, || {
                     for_all_stations(|wheel| engagement(wheel).all(|t| by_series(wheel, t)[1] >= 0.0), "φ̇ ≥ 0")
                 }),
@@ -34,7 +34,7 @@ pub fn claims() -> Vec<Claim> {
             VARIETIES,
             "while it advances it is an inverted slider crank: the pin is on a crank and in a slot through the wheel's axis",
             "inverted slider crank",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&LoopClosure { along: true }).into()),
                 (Vectors, || {
                     for_all_stations(|w| engagement(w).all(|t| in_the_slot(w, t)), "the pin lies on the slot's line")
@@ -47,7 +47,7 @@ pub fn claims() -> Vec<Claim> {
             VARIETIES,
             "while it holds, the wheel's arc and the driver's journal are a bearing: they have the same centre",
             "journal bearing",
-            Check::form(
+            Check::equation(
                 (Vectors, || for_all_stations(concentric, "an arc has its centre on the driver's axis in the dwell")),
                 (LimitCase, || {
                     for_all_stations(
@@ -63,7 +63,7 @@ pub fn claims() -> Vec<Claim> {
             SIMPLE,
             "the wheel of four advances a quarter turn for every turn of the driver",
             "one-quarter turn",
-            Check::form(
+            Check::equation(
                 (Vectors, || same(of(4, |wheel| 2.0 * by_series(wheel, wheel.engagement_half_angle())[0]), PI / 2.0)),
                 (ClosedForm, || same(of(4, |wheel| 2.0 * wheel.half_station()), PI / 2.0)),
             ),
@@ -74,7 +74,7 @@ pub fn claims() -> Vec<Claim> {
             SIMPLE,
             "unless the slot is tangent to the pin's circle at entry and exit, the acceleration there is infinite",
             "tangent",
-            Check::form(
+            Check::equation(
                 (LimitCase, || {
                     // A slot at 45° and a centre distance of 1.3 radii: the pin enters across, the wheel starts with a jump.
                     let jump = start_of_a_quartered_wheel(1.3);
@@ -92,7 +92,7 @@ pub fn claims() -> Vec<Claim> {
             SIMPLE,
             "centre distance of the wheel of four",
             r"\sqrt{2}r",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || {
                     type WithTwo = Surd<Rational, 2>;
                     let misfit = four_slot_entry_misfit(&WithTwo::root());
@@ -110,7 +110,7 @@ pub fn claims() -> Vec<Claim> {
             SIMPLE,
             "outer radius of the wheel of four: the crank radius",
             "outer radius r",
-            Check::form(
+            Check::equation(
                 (ClosedForm, || same(of(4, Wheel::wheel_radius_ratio), 1.0)),
                 (Vectors, || same(of(4, |wheel| entry(wheel).norm()), 1.0)),
             ),
@@ -121,7 +121,7 @@ pub fn claims() -> Vec<Claim> {
             SIMPLE,
             "radius of the circle of the locking arcs' centres, four stations",
             r"\sqrt{2}r",
-            Check::form(
+            Check::equation(
                 (ClosedForm, || same(of(4, Wheel::locking_centres_ratio), 2f64.sqrt())),
                 (Vectors, || {
                     // In the dwell an arc is concentric with the driver, which is where the pin's circle has its centre.
@@ -140,7 +140,7 @@ pub fn claims() -> Vec<Claim> {
             CAPTION,
             "a four-station wheel advances for a quarter of the cycle and is locked for three quarters",
             "one-quarter, three-quarters",
-            Check::form(
+            Check::equation(
                 (ClosedForm, || same(of(4, Wheel::motion_fraction), 0.25)),
                 (LimitCase, || same(of(4, locked_part), 0.75)),
             ),
@@ -151,7 +151,7 @@ pub fn claims() -> Vec<Claim> {
             MODEL,
             "the wheel accelerates and then decelerates; smoothly, but for the jumps at the ends",
             "accelerates and then decelerates",
-            Check::form(
+            Check::equation(
                 (Series, || {
                     for_all_stations(
                         |wheel| changes_sign_once(wheel, |w, t| by_series(w, t)[2]),

@@ -16,7 +16,7 @@ fn lengths() -> Vec<Claim> {
             "Fig. 5 and 1st display before Eq. (1-4)",
             "crank and slot projected on the line of centres",
             r"r \cos \theta + R \cos \phi = c",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&AngleStep::Projection).into()),
                 (Vectors, || at_instants(|at| (at.crank.cos + at.radius() * libm::cos(at.angle()), at.ratio))),
             ),
@@ -27,7 +27,7 @@ fn lengths() -> Vec<Claim> {
             "2nd display before Eq. (1-4)",
             "cosine of the follower's angle",
             r"\cos \phi = \frac{1}{R} (c - r \cos \theta)",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&AngleStep::Cosine).into()),
                 (Vectors, || at_instants(|at| (libm::cos(at.angle()), (at.ratio - at.crank.cos) / at.radius()))),
             ),
@@ -38,7 +38,7 @@ fn lengths() -> Vec<Claim> {
             "Eq. (1-4)",
             "the same with c = a r",
             r"\cos \phi = \frac{1}{R} (ar - r \cos \theta)",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&AngleStep::CosineByRatio).into()),
                 (Vectors, || at_instants(|at| (at.radius() * libm::cos(at.angle()), at.ratio - at.crank.cos))),
             ),
@@ -49,7 +49,7 @@ fn lengths() -> Vec<Claim> {
             "Fig. 5 and 1st display before Eq. (1-5)",
             "law of sines",
             r"\frac{R}{\sin \theta} = \frac{r}{\sin \phi}",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&AngleStep::LawOfSines).into()),
                 (Vectors, || at_instants(|at| (at.radius() / at.crank.sin, 1.0 / libm::sin(at.angle())))),
             ),
@@ -60,7 +60,7 @@ fn lengths() -> Vec<Claim> {
             "Eq. (1-5)",
             "distance of the pin from the follower's axis",
             r"R = \frac{r \sin \theta}{\sin \phi}",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&AngleStep::SlotRadius).into()),
                 (Vectors, || at_instants(|at| (at.radius(), at.crank.sin / libm::sin(at.angle())))),
             ),
@@ -76,7 +76,7 @@ fn angles() -> Vec<Claim> {
             "Display after Eq. (1-5)",
             "the cosine without the pin's distance",
             r"\cos \phi = \frac{r \sin \theta}{r \sin \theta} (a - \cos \theta)",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (ExactIdentity, || prove(&AngleStep::CosineSubstituted(Form::Printed)).into()),
                 || prove(&AngleStep::CosineSubstituted(Form::Corrected)).into(),
                 (Vectors, || {
@@ -90,13 +90,17 @@ fn angles() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: r"\cos \phi = \frac{r \sin \phi}{r \sin \theta} (a - \cos \theta)",
-            reason: "With θ in both places the fraction is one. Eq. (1-5) put into Eq. (1-4) \
+            slip: Slip {
+                id: "",
+                reason: "With θ in both places the fraction is one. Eq. (1-5) put into Eq. (1-4) \
                     leaves the sine of φ above the line, and the next display divides by \
                     it.",
-            witness: "Angles and lengths measured between axes and pin, at instants of all \
+                witness: "Angles and lengths measured between axes and pin, at instants of all \
                     three escapements.",
-            severity: Severity::Transcription,
-            inherited_by: &[],
+                origin: Origin::Copy,
+                consequence: Consequence::Copy,
+                changes: "",
+            },
         }),
         Claim::equation(
             WORK,
@@ -104,7 +108,7 @@ fn angles() -> Vec<Claim> {
             "Display before Eq. (1-6)",
             "cotangent of the follower's angle",
             r"\frac{\cos \phi}{\sin \phi} = \frac{a - \cos \theta}{\sin \theta} = \frac{1}{\tan \phi}",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || all_proven(&[AngleStep::Cotangent, AngleStep::InverseTangent])),
                 (Vectors, || at_instants(|at| (1.0 / libm::tan(at.angle()), (at.ratio - at.crank.cos) / at.crank.sin))),
             ),
@@ -115,7 +119,7 @@ fn angles() -> Vec<Claim> {
             "Eq. (1-6)",
             "tangent of the follower's angle",
             r"\tan \phi = \frac{\sin \theta}{a - \cos \theta}",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&AngleStep::Tangent).into()),
                 (Vectors, || at_instants(|at| (libm::tan(at.angle()), at.crank.sin / (at.ratio - at.crank.cos)))),
             ),

@@ -30,7 +30,7 @@ fn unit() -> Claim {
         "Appendix A, 2nd sentence",
         "unit of length for the drawings",
         "R = 1.000",
-        Check::corrected_form(
+        Check::corrected_equation(
             (ExactIdentity, || prove(&EntryTriangle::AppendixUnit(Form::Printed)).into()),
             || prove(&EntryTriangle::AppendixUnit(Form::Corrected)).into(),
             (OtherPlaceInSource, || {
@@ -47,13 +47,17 @@ fn unit() -> Claim {
     .expecting(Verdict::Corrected)
     .with_erratum(Erratum {
         corrected: "r = 1.000",
-        reason: "R is the distance of the pin from the follower's axis, which differs \
+        slip: Slip {
+            id: "",
+            reason: "R is the distance of the pin from the follower's axis, which differs \
                 from mechanism to mechanism; all that follows is computed with the \
                 radius r of the pins' circle as one. With four slots the two are equal. \
                 Whether the copy or the original has the wrong letter cannot be told.",
-        witness: "The appendix computes R three times, with different results.",
-        severity: Severity::Typographical,
-        inherited_by: &[],
+            witness: "The appendix computes R three times, with different results.",
+            origin: Origin::Misprint,
+            consequence: Consequence::Derivation,
+            changes: "",
+        },
     })
 }
 
@@ -118,7 +122,14 @@ fn mechanism<const SLOTS: u32>(is: Printed) -> [Claim; 6] {
         Claim::value(WORK, id, is.locator, meaning, (printed, unit), check)
     };
     let equation = |[id, printed]: [&'static str; 2], meaning, proof: fn() -> Finding, witness: fn() -> Finding| {
-        Claim::equation(WORK, id, is.locator, meaning, printed, Check::form((ExactIdentity, proof), (Vectors, witness)))
+        Claim::equation(
+            WORK,
+            id,
+            is.locator,
+            meaning,
+            printed,
+            Check::equation((ExactIdentity, proof), (Vectors, witness)),
+        )
     };
     [
         value(
@@ -171,24 +182,32 @@ fn mechanism<const SLOTS: u32>(is: Printed) -> [Claim; 6] {
 fn corrected_centre(claim: Claim) -> Claim {
     claim.expecting(Verdict::Corrected).with_erratum(Erratum {
         corrected: "1.155",
-        reason: "One over the sine of 60° is 1.1547. With .865 for the sine, a figure \
+        slip: Slip {
+            id: "",
+            reason: "One over the sine of 60° is 1.1547. With .865 for the sine, a figure \
                 too low, it would be 1.156; or one digit was misread.",
-        witness: "The hand-over drawn with the roots exact.",
-        severity: Severity::Arithmetical,
-        inherited_by: &[],
+            witness: "The hand-over drawn with the roots exact.",
+            origin: Origin::Arithmetic,
+            consequence: Consequence::Derivation,
+            changes: "",
+        },
     })
 }
 
 fn corrected_radius(claim: Claim) -> Claim {
     claim.expecting(Verdict::Corrected).with_erratum(Erratum {
         corrected: "0.577",
-        reason: "The ratio of the two printed sines is one over the root of three. No \
+        slip: Slip {
+            id: "",
+            reason: "The ratio of the two printed sines is one over the root of three. No \
                 rounding leads to the printed digits, not even from the wrong centre \
                 distance above: one digit is another. Whether the copy or the original \
                 has it cannot be told.",
-        witness: "The hand-over drawn with the roots exact.",
-        severity: Severity::Typographical,
-        inherited_by: &[],
+            witness: "The hand-over drawn with the roots exact.",
+            origin: Origin::Misprint,
+            consequence: Consequence::Derivation,
+            changes: "",
+        },
     })
 }
 

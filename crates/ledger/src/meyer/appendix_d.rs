@@ -53,7 +53,7 @@ fn given() -> Vec<Claim> {
             "Appendix D, line after the 2nd display",
             "numbers of pins, in the order of the angles",
             "three, four, or six pins",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (LimitCase, || in_the_order_of_the_angles([3, 4, 6])),
                 || in_the_order_of_the_angles([6, 4, 3]),
                 (OtherPlaceInSource, || {
@@ -67,11 +67,15 @@ fn given() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: "six, four, or three pins",
-            reason: "The angle is 180° over the number of pins: 30° belongs to six pins and \
+            slip: Slip {
+                id: "",
+                reason: "The angle is 180° over the number of pins: 30° belongs to six pins and \
                     60° to three. The numbers are those of the slots.",
-            witness: "Appendix A gives the angles by the number of slots.",
-            severity: Severity::Typographical,
-            inherited_by: &[],
+                witness: "Appendix A gives the angles by the number of slots.",
+                origin: Origin::Misprint,
+                consequence: Consequence::Wording,
+                changes: "",
+            },
         }),
     ]
 }
@@ -177,12 +181,16 @@ fn starting(
         read,
         Erratum {
             corrected,
-            reason: "D multiplies the acceleration in Eq. (1-19); one of its two dots is \
+            slip: Slip {
+                id: "",
+                reason: "D multiplies the acceleration in Eq. (1-19); one of its two dots is \
                     lost. The speed is zero here, and the term with it.",
-            witness: "The last equation of the appendix, read and evaluated, follows from the \
+                witness: "The last equation of the appendix, read and evaluated, follows from the \
                     corrected one only.",
-            severity: Severity::Transcription,
-            inherited_by: &[],
+                origin: Origin::Copy,
+                consequence: Consequence::Copy,
+                changes: "",
+            },
         },
     )
 }

@@ -28,7 +28,7 @@ fn angle_sum() -> Vec<Claim> {
             "Eq. (1-3), 1st line",
             "sum of the angles in the large triangle",
             r"\theta_o + \phi_o + \frac{\pi}{2} = \pi",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&EntryTriangle::HalfTurn).into()),
                 (Vectors, || {
                     for_each(|at| agrees(angles_of_the_triangle(at).iter().sum(), PI), "the three angles measured")
@@ -41,7 +41,7 @@ fn angle_sum() -> Vec<Claim> {
             "Eq. (1-3), 2nd line",
             "the two acute angles",
             r"\theta_o + \phi_o = \frac{\pi}{2}",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&EntryTriangle::QuarterTurn).into()),
                 (Vectors, || {
                     for_each(
@@ -60,7 +60,7 @@ fn angle_sum() -> Vec<Claim> {
             "Eq. (1-3), 3rd line",
             "the same by the numbers of pins and slots",
             r"\frac{\pi}{m} + \frac{\pi}{n} = \frac{\pi}{2}",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&PinsAndSlots::AngleSum).into()),
                 (Vectors, || {
                     for_each(
@@ -81,7 +81,7 @@ fn angle_sum() -> Vec<Claim> {
             "Eq. (1-3), 4th line",
             "number of pins",
             r"m = \frac{2n}{n-2}",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&PinsAndSlots::Pins).into()),
                 (LimitCase, || {
                     let holds = (3..=100).all(|n| {
@@ -97,7 +97,7 @@ fn angle_sum() -> Vec<Claim> {
             "Paragraph after Eq. (1-3)",
             "the two conditions make the motion continuous",
             "continuous motion",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || {
                     exactly(
                         |at| at.gap.iter().chain(&at.follower_speeds).all(is_zero),
@@ -132,7 +132,7 @@ fn combinations() -> Vec<Claim> {
             "Sentence before the table of Eq. (1-3)",
             "three combinations of whole numbers, and no more",
             "only three",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || {
                     let Finding { holds, how } = prove(&PinsAndSlots::Factors).into();
                     Finding::new(
@@ -160,7 +160,7 @@ fn remarks() -> Vec<Claim> {
             REMARK,
             "the more slots, the fewer pins",
             "m decreases",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&PinsAndSlots::NeverTwo).into()),
                 (LimitCase, || {
                     Finding::new((3..1000).all(|n| pins_needed(n) > pins_needed(n + 1)), "from 3 to 1000 slots")
@@ -173,7 +173,7 @@ fn remarks() -> Vec<Claim> {
             REMARK,
             "after three pins come two, for slots without end",
             "2",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || {
                     let Finding { holds, how } = prove(&PinsAndSlots::NeverTwo).into();
                     Finding::new(holds, format!("m − 2 = 4/(n − 2): above zero, and below any bound in the end; {how}"))
@@ -190,7 +190,7 @@ fn remarks() -> Vec<Claim> {
             REMARK,
             "as it enters and leaves, the pin's path runs along the slot's centre line",
             "coincident with the centerline",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || {
                     exactly(
                         |at| [&at.leaving, &at.entering].iter().all(|pin| is_zero(&pin.beside) && is_zero(&pin.across)),

@@ -22,13 +22,10 @@ fn energy() -> Vec<Claim> {
             r"T = \frac{1}{2} I_D \dot{\theta}^2 + \frac{1}{2} I_f \dot{\theta}^2",
             [|| members(Form::Printed), || members(Form::Corrected)],
             || reads("meyer.kinetic-energy"),
-            Erratum {
-                inherited_by: &["meyer.kinetic-energy.replaced"],
-                ..miscopied(
-                    r"T = \frac{1}{2} I_D \dot{\theta}^2 + \frac{1}{2} I_f \dot{\phi}^2",
-                    "The follower turns at the rate of φ. The next display is right.",
-                )
-            },
+            miscopied(
+                r"T = \frac{1}{2} I_D \dot{\theta}^2 + \frac{1}{2} I_f \dot{\phi}^2",
+                "The follower turns at the rate of φ. The next display is right.",
+            ),
         ),
         Claim::statement(
             WORK,
@@ -36,7 +33,7 @@ fn energy() -> Vec<Claim> {
             "Line before Eq. (1-16)",
             "the rate that Eq. (1-7) is put in for",
             r"\dot{\theta}",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (ClosedForm, || reads_in_place_of("theta'")),
                 || reads_in_place_of("phi'"),
                 (ExactIdentity, || prove(&KineticEnergy(EnergyLine::Substituted)).into()),
@@ -45,11 +42,15 @@ fn energy() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: r"\dot{\phi}",
-            reason: "Eq. (1-7) gives the rate of φ, and that is what goes out of the next display.",
-            witness: "The next display has the rate of θ still, and the factor of Eq. (1-7) \
+            slip: Slip {
+                id: "",
+                reason: "Eq. (1-7) gives the rate of φ, and that is what goes out of the next display.",
+                witness: "The next display has the rate of θ still, and the factor of Eq. (1-7) \
                     in its follower's part only.",
-            severity: Severity::Transcription,
-            inherited_by: &[],
+                origin: Origin::Copy,
+                consequence: Consequence::Copy,
+                changes: "",
+            },
         }),
         display(
             "meyer.kinetic-energy.substituted",

@@ -30,7 +30,6 @@ fn torque() -> Vec<Claim> {
             "Sentence after τ_2 = hμN",
             "the torque of friction is against the driving torque",
             "must always oppose the driving torque",
-            &[],
         ),
         display(
             "meyer.friction-torque.opposing",
@@ -77,15 +76,12 @@ fn normal_force() -> Vec<Claim> {
             r"NR = I_P \ddot{\theta}",
             [|| prove(&MomentEquation(Form::Printed)).into(), || prove(&MomentEquation(Form::Corrected)).into()],
             || reads("meyer.moments"),
-            Erratum {
-                inherited_by: &["meyer.normal-force"],
-                ..miscopied(
-                    r"NR = I_f \ddot{\phi}",
-                    "The follower has the inertia I_f and the acceleration of φ. An index P \
+            miscopied(
+                r"NR = I_f \ddot{\phi}",
+                "The follower has the inertia I_f and the acceleration of φ. An index P \
                             is not known to the source, and the next step puts the follower's \
                             acceleration, Eq. (1-8), in its place.",
-                )
-            },
+            ),
         ),
         display(
             "meyer.slot-radius.by-sines",
@@ -199,7 +195,7 @@ fn spring() -> Vec<Claim> {
             "Eq. (1-15)",
             "the driving torque is constant",
             r"\tau_1 = K",
-            Check::form(
+            Check::equation(
                 (Dimension, || {
                     // The unit that chapter II prints with an inertia, times an angular acceleration.
                     let inertia = Exponents::FORCE * Exponents::LENGTH * Exponents::TIME * Exponents::TIME;
@@ -215,7 +211,7 @@ fn spring() -> Vec<Claim> {
             "Line after Eq. (1-15)",
             "K is a rate of the spring, per radian, and constant",
             "torsional spring rate in inch-pounds per radian",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (ClosedForm, || {
                     // With a rate K the torque after two radians is twice that after one.
                     let torque = |rate: f64, angle: f64| rate * angle;
@@ -237,12 +233,16 @@ fn spring() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: "torque in inch-pounds",
-            reason: "The torque of the spring is K itself, Eq. (1-15). A rate per radian \
+            slip: Slip {
+                id: "",
+                reason: "The torque of the spring is K itself, Eq. (1-15). A rate per radian \
                     would have to be multiplied by an angle, and the torque would not be \
                     constant.",
-            witness: "Appendix D speaks of the torque K.",
-            severity: Severity::Conceptual,
-            inherited_by: &["meyer.parameter.spring", "meyer.fig-11.abscissa", "meyer.app-e.torque-unit"],
+                witness: "Appendix D speaks of the torque K.",
+                origin: Origin::Concept,
+                consequence: Consequence::Conclusion,
+                changes: "",
+            },
         }),
     ]
 }

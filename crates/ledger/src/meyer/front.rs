@@ -27,7 +27,7 @@ fn tables() -> Vec<Claim> {
             CONTENTS,
             "pages of the twelve parts, from the introduction to the author's life",
             PAGES_OF_PARTS,
-            Check::form(
+            Check::equation(
                 (LimitCase, || {
                     let pages = numbers("meyer.contents");
                     Finding::new(
@@ -44,7 +44,7 @@ fn tables() -> Vec<Claim> {
             FIGURES,
             "numbers and pages of the fifteen figures",
             FIGURES_AND_PAGES,
-            Check::form(
+            Check::equation(
                 (LimitCase, || {
                     let figures = figures_and_pages();
                     let counted = figures.iter().map(|(figure, _)| *figure).eq(1..=15);
@@ -67,7 +67,7 @@ fn names() -> Vec<Claim> {
             "List of figures, Fig. 2",
             "name of figure 2, which has another on its page",
             "GENEVA MECHANISM",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (OtherPlaceInSource, || on_its_page(printed_characters("meyer.list.fig-2"), FIGURE_2)),
                 || on_its_page(FIGURE_2, FIGURE_2),
                 (OtherPlaceInSource, || {
@@ -82,11 +82,15 @@ fn names() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: FIGURE_2,
-            reason: "The page names the mechanism by its pins. All figures of mechanisms \
+            slip: Slip {
+                id: "",
+                reason: "The page names the mechanism by its pins. All figures of mechanisms \
                     show a Geneva mechanism, so that the name in the list tells nothing.",
-            witness: "The scale is that of figure 12, which is of four pins.",
-            severity: Severity::Typographical,
-            inherited_by: &[],
+                witness: "The scale is that of figure 12, which is of four pins.",
+                origin: Origin::Misprint,
+                consequence: Consequence::Wording,
+                changes: "",
+            },
         }),
         Claim::figure(
             WORK,
@@ -94,7 +98,7 @@ fn names() -> Vec<Claim> {
             "List of figures, Fig. 8",
             "quantity in figure 8; a word of the name on its page is missing",
             "DRIVER AND FOLLOWER VELOCITIES",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (OtherPlaceInSource, || on_its_page(printed_characters("meyer.list.fig-8"), FIGURE_8)),
                 || on_its_page(FIGURE_8, FIGURE_8),
                 (OtherPlaceInSource, || {
@@ -109,10 +113,14 @@ fn names() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: FIGURE_8,
-            reason: "The list leaves out that the velocities are angular; the page has the word.",
-            witness: "The velocities of driver and follower that Eq. (1-7) relates are rates of angles.",
-            severity: Severity::Typographical,
-            inherited_by: &[],
+            slip: Slip {
+                id: "",
+                reason: "The list leaves out that the velocities are angular; the page has the word.",
+                witness: "The velocities of driver and follower that Eq. (1-7) relates are rates of angles.",
+                origin: Origin::Misprint,
+                consequence: Consequence::Wording,
+                changes: "",
+            },
         }),
     ]
 }
@@ -125,7 +133,7 @@ fn mechanisms() -> Vec<Claim> {
             locator,
             meaning,
             printed,
-            Check::form((OtherPlaceInSource, listed), (LimitCase, counted)),
+            Check::equation((OtherPlaceInSource, listed), (LimitCase, counted)),
         )
     };
     vec![

@@ -35,7 +35,10 @@ fn torque() -> Vec<Claim> {
                 let [weak, strong] = [".08", ".14"].map(|torque| settling(".20", torque));
                 Finding::new(
                     strong.0 < weak.0 && strong.1 > weak.1,
-                    format!("{:.4} s and {:.0} rad/s against {:.4} s and {:.0} rad/s", weak.0, weak.1, strong.0, strong.1),
+                    format!(
+                        "{:.4} s and {:.0} rad/s against {:.4} s and {:.0} rad/s",
+                        weak.0, weak.1, strong.0, strong.1
+                    ),
                 )
             }),
             (ExactIdentity, scaling),
@@ -46,7 +49,7 @@ fn torque() -> Vec<Claim> {
             FIRST,
             "the rise time does not fall below a least one, however strong the spring",
             "reach a certain minimum",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (ExactIdentity, || {
                     let Finding { how, .. } = scaling();
                     Finding::new(false, format!("a torque k² times as large takes 1/k of the time, for any k; {how}"))
@@ -73,11 +76,15 @@ fn torque() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: "fall without end, as the inverse of the root of the torque",
-            reason: "Eq. (1-19) is the same for a larger torque if all times are shortened by its root. The inertia of the \
-                     system sets how long a rise takes, √(I_f/K), and no least time.",
-            witness: "Where the printed rise times are regular they fall to the end of the column.",
-            severity: Severity::Conceptual,
-            inherited_by: &[],
+            slip: Slip {
+                id: "",
+                reason: "Eq. (1-19) is the same for a larger torque if all times are shortened by its root. The \
+                    inertia of the system sets how long a rise takes, √(I_f/K), and no least time.",
+                witness: "Where the printed rise times are regular they fall to the end of the column.",
+                origin: Origin::Concept,
+                consequence: Consequence::Conclusion,
+                changes: "",
+            },
         }),
     ]
 }
@@ -91,7 +98,7 @@ fn graphs() -> Vec<Claim> {
             "Figs. 10 and 11, ordinates",
             "the rise time is the time until the terminal velocity is reached but for one part in a hundred",
             "RISE TIME TO 99% OF TERMINAL VELOCITY",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (Integration, || {
                     let counts: Vec<usize> = rise_times::explained()
                         .iter()
@@ -131,16 +138,17 @@ fn graphs() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: "RISE TIME, BY NO ONE DEFINITION",
-            reason: "No time to 99 per cent gives the column of Appendix E that the plots summarize, and times that had one \
-                     definition would fall as the inverse of the root of the torque. The text has another definition, by \
-                     the first minimum.",
-            witness: "For the least slow of the four-pin runs the printed time is that of the \
-                    first minimum, in steps.",
-            severity: Severity::Conceptual,
-            inherited_by: &[],
-        }),
+        .with_erratum(Erratum { corrected: "RISE TIME, BY NO ONE DEFINITION", slip: Slip {
+ id: "",
+reason: "No time to 99 per cent gives the column of Appendix E that the plots summarize, and times \
+                    that had one definition would fall as the inverse of the root of the torque. The text has \
+                    another definition, by the first minimum.",
+witness: "For the least slow of the four-pin runs the printed time is that of the first minimum, in \
+                    steps.",
+origin: Origin::Concept,
+consequence: Consequence::Conclusion,
+changes: "",
+} }),
         lost("meyer.fig-10", "Fig. 10", "rise time and terminal velocity over torque, four pins", "FIGURE 10"),
     ]
 }
@@ -203,7 +211,7 @@ fn friction() -> Vec<Claim> {
             THIRD,
             "terminal velocity is nearly proportional to the torque",
             "An almost linear relationship exists",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (OtherPlaceInSource, || {
                     let (fit, all) = allow(1.0);
                     Finding::new(
@@ -224,11 +232,16 @@ fn friction() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: "The terminal velocity grows as the square root of the driving torque",
-            reason: "Eq. (1-19) is the same for k² times the torque if all speeds are k times as large. Over the short \
-                     ranges of the runs a root is nearly straight, but twice the torque gives 1.41 times the speed.",
-            witness: "The law of similarity is proven for the equation; the printed periods follow it.",
-            severity: Severity::Conceptual,
-            inherited_by: &[],
+            slip: Slip {
+                id: "",
+                reason: "Eq. (1-19) is the same for k² times the torque if all speeds are k times as large. Over the \
+                    short ranges of the runs a root is nearly straight, but twice the torque gives 1.41 times \
+                    the speed.",
+                witness: "The law of similarity is proven for the equation; the printed periods follow it.",
+                origin: Origin::Concept,
+                consequence: Consequence::Conclusion,
+                changes: "",
+            },
         }),
     ]
 }

@@ -20,7 +20,7 @@ fn conditions() -> Vec<Claim> {
             USUAL,
             "a turn of a driver with one pin moves the follower on by one slot of n",
             "1/n",
-            Check::form(
+            Check::equation(
                 (LimitCase, || {
                     for_usual(
                         |wheel| agrees(moved_by_a_turn(wheel), 2.0 * PI / f64::from(wheel.stations())),
@@ -41,7 +41,7 @@ fn conditions() -> Vec<Claim> {
             CONDITION,
             "with one pin the follower moves by fits and starts",
             "intermittent",
-            Check::form(
+            Check::equation(
                 (ClosedForm, || for_usual(|wheel| wheel.dwell_fraction() > 0.0, "part of the turn is dwell")),
                 (Vectors, || {
                     for_usual(
@@ -61,7 +61,7 @@ fn conditions() -> Vec<Claim> {
             CONDITION,
             "as an escapement it needs a pin engaged at every instant",
             "at least one pin",
-            Check::form(
+            Check::equation(
                 (ClosedForm, || {
                     for_each(
                         |at| {
@@ -85,7 +85,7 @@ fn conditions() -> Vec<Claim> {
             "Fig. 3, caption",
             "the mechanism drawn has four pins and four slots",
             "four pin, four slot",
-            Check::form(
+            Check::equation(
                 (OtherPlaceInSource, || {
                     let (slots, pins) = combinations::TABLE[1];
                     Finding::new((printed(slots), printed(pins)) == (4.0, 4.0), "the table has this combination")
@@ -101,7 +101,7 @@ fn conditions() -> Vec<Claim> {
             INSTANT,
             "as one pin leaves its slot the next enters one",
             "must be entering",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || {
                     exactly(
                         |at| at.leaving.out == at.entering.out && at.gap.iter().all(is_zero),
@@ -122,7 +122,7 @@ fn conditions() -> Vec<Claim> {
             INSTANT,
             "for the follower not to be jerked the pin must come and go along the slot's centre line",
             "along the centerline",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || {
                     exactly(
                         |at| {
@@ -156,7 +156,7 @@ fn triangle() -> Vec<Claim> {
             "1st display before Eq. (1-1)",
             "follower's angle at the hand-over: half of that between two slots",
             r"\phi = \phi_0 = \frac{1}{2} \left(\frac{2\pi}{n} \right) = \frac{\pi}{n}",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || all_proven(&[HalfAngle::Halved, HalfAngle::Simplified])),
                 (Vectors, || {
                     for_each(
@@ -172,7 +172,7 @@ fn triangle() -> Vec<Claim> {
             "2nd display before Eq. (1-1)",
             "driver's angle at the hand-over, its size: half of that between two pins",
             r"\theta = \theta_0 = \frac{1}{2} \left(\frac{2\pi}{m} \right) = \frac{\pi}{m}",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || all_proven(&[HalfAngle::Halved, HalfAngle::Simplified])),
                 (Vectors, || {
                     for_each(
@@ -188,7 +188,7 @@ fn triangle() -> Vec<Claim> {
             "Fig. 4 and the text below it",
             "at the hand-over crank and slot are at right angles",
             "large right triangle",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || {
                     exactly(
                         |at| is_zero(&at.layout.pins[0].dot(&(&at.layout.follower_axis - &at.layout.pins[0]))),
@@ -214,7 +214,7 @@ fn triangle() -> Vec<Claim> {
             "3rd display before Eq. (1-1)",
             "radius of the pins' circle",
             r"r = c \sin \phi_0 = c \sin \left(\frac{\pi}{n} \right)",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&EntryTriangle::PinCircle).into()),
                 (Vectors, || {
                     for_each(
@@ -238,7 +238,7 @@ fn triangle() -> Vec<Claim> {
             "Eq. (1-1)",
             "centre distance",
             r"c = a r",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&EntryTriangle::CentreDistance).into()),
                 (Vectors, || {
                     for_each(
@@ -254,7 +254,7 @@ fn triangle() -> Vec<Claim> {
             "Eq. (1-2)",
             "centre distance over the radius of the pins' circle",
             r"a = \frac{1}{\sin(\pi/n)}",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&EntryTriangle::Standstill).into()),
                 (Vectors, || {
                     for_usual(

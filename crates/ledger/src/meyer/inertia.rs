@@ -93,7 +93,7 @@ fn parameters() -> Vec<Claim> {
             PARAMETERS,
             "driver and follower of each mechanism are discs of about one size",
             "both taken to be approximately 0.5 inch in diameter and 0.1 inch in thickness",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (Vectors, || {
                     let sizes: Vec<f64> = Escapement::all().iter().map(rim_at_entry).collect();
                     let holds = sizes.iter().all(|size| (size - 1.0).abs() < 0.1);
@@ -122,13 +122,17 @@ fn parameters() -> Vec<Claim> {
             corrected: "the driver approximately 0.5 inch in diameter and the follower cot(π/n) \
                     times as large: 0.29, 0.5 and 0.87 inch for three, four and six slots, \
                     and both 0.1 inch in thickness",
-            reason: "The sizes of driver and follower are bound by the geometry. They are \
+            slip: Slip {
+                id: "",
+                reason: "The sizes of driver and follower are bound by the geometry. They are \
                     alike for four slots only. As the moment of inertia grows with the \
                     fourth power of the radius, that of the follower is 1/9 of the driver's \
                     for three slots and 9 times the driver's for six.",
-            witness: "Appendix A computes the radii of the followers.",
-            severity: Severity::Conceptual,
-            inherited_by: &[],
+                witness: "Appendix A computes the radii of the followers.",
+                origin: Origin::Concept,
+                consequence: Consequence::Conclusion,
+                changes: "",
+            },
         }),
     ]
 }
@@ -141,7 +145,7 @@ fn estimate() -> Vec<Claim> {
             FORMULA,
             "moment of inertia of a disc about its axis, by density, radius and thickness",
             r"I = \frac{1}{2} \pi m r^4 t",
-            Check::form(
+            Check::equation(
                 (ClosedForm, || {
                     // Rings of a disc: their mass times the square of their radius, by Simpson's rule, exact for cubes.
                     let (density, radius, thickness) = (1.5, 0.75, 0.25);
@@ -164,7 +168,7 @@ fn estimate() -> Vec<Claim> {
             FORMULA,
             "the letter of the mass density",
             "m is the mass density",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (OtherPlaceInSource, || {
                     let pins = claim("meyer.eq-1-3").is_some_and(|claim| claim.printed.contains('m'));
                     Finding::new(!pins, "m is the number of pins in Eq. (1-3)")
@@ -188,10 +192,14 @@ fn estimate() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: "ρ is the mass density",
-            reason: "The letter m is the number of pins in chapter I, and a mass in Appendix B.",
-            witness: "A number of pins has no unit.",
-            severity: Severity::Typographical,
-            inherited_by: &[],
+            slip: Slip {
+                id: "",
+                reason: "The letter m is the number of pins in chapter I, and a mass in Appendix B.",
+                witness: "A number of pins has no unit.",
+                origin: Origin::Misprint,
+                consequence: Consequence::Wording,
+                changes: "",
+            },
         }),
         Claim::equation(
             WORK,
@@ -200,7 +208,7 @@ fn estimate() -> Vec<Claim> {
             "the same with the numbers; a weight per volume over the acceleration of \
                     gravity is a mass density",
             AS_PRINTED,
-            Check::corrected_form(
+            Check::corrected_equation(
                 (Dimension, || unit_of_the_estimate(1)),
                 || unit_of_the_estimate(3),
                 (OtherPlaceInSource, || {
@@ -212,11 +220,15 @@ fn estimate() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: PUT_RIGHT,
-            reason: "The weight is that of a cubic inch. Only so the unit of the result is \
+            slip: Slip {
+                id: "",
+                reason: "The weight is that of a cubic inch. Only so the unit of the result is \
                     that which is printed with it.",
-            witness: "The paragraph before the display has the same number in pounds per cubic inch.",
-            severity: Severity::Transcription,
-            inherited_by: &[],
+                witness: "The paragraph before the display has the same number in pounds per cubic inch.",
+                origin: Origin::Copy,
+                consequence: Consequence::Copy,
+                changes: "",
+            },
         }),
         Claim::statement(
             WORK,
@@ -224,7 +236,7 @@ fn estimate() -> Vec<Claim> {
             NUMBERS,
             "acceleration of gravity in inches per second squared",
             "386 in/sec",
-            Check::form(
+            Check::equation(
                 (ClosedForm, || {
                     let gravity = POUND_FORCE / POUND / INCH;
                     let said = data().map_or(f64::NAN, |data| data.gravity);
@@ -271,11 +283,15 @@ fn estimate() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: "0.45",
-            reason: "The numbers give 0.450, a tenth less than printed: it was rounded to \
+            slip: Slip {
+                id: "",
+                reason: "The numbers give 0.450, a tenth less than printed: it was rounded to \
                     0.45 and then once more.",
-            witness: "The mass of the disc times the square of its radius, halved, gives the same.",
-            severity: Severity::Arithmetical,
-            inherited_by: &[],
+                witness: "The mass of the disc times the square of its radius, halved, gives the same.",
+                origin: Origin::Arithmetic,
+                consequence: Consequence::Result,
+                changes: "",
+            },
         }),
     ]
 }

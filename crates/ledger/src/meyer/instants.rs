@@ -189,7 +189,7 @@ pub fn display(
     proof: fn() -> Finding,
     read: fn() -> Finding,
 ) -> Claim {
-    Claim::equation(WORK, id, locator, meaning, printed, Check::form((ExactIdentity, proof), (ClosedForm, read)))
+    Claim::equation(WORK, id, locator, meaning, printed, Check::equation((ExactIdentity, proof), (ClosedForm, read)))
 }
 
 /// A display with a slip: refuted as printed, proven as corrected, and the characters of both evaluated.
@@ -202,7 +202,7 @@ pub fn slip(
     read: fn() -> Finding,
     erratum: Erratum,
 ) -> Claim {
-    let check = Check::corrected_form((ExactIdentity, as_printed), put_right, (ClosedForm, read));
+    let check = Check::corrected_equation((ExactIdentity, as_printed), put_right, (ClosedForm, read));
     Claim::equation(WORK, id, locator, meaning, printed, check).expecting(Verdict::Corrected).with_erratum(erratum)
 }
 
@@ -210,7 +210,16 @@ pub fn slip(
 pub fn miscopied(corrected: &'static str, reason: &'static str) -> Erratum {
     let witness = "The corrected characters, read and evaluated, agree with Newton's laws \
             for the two members; the printed ones do not.";
-    Erratum { corrected, reason, witness, severity: Severity::Transcription, inherited_by: &[] }
+    Erratum {
+        corrected,
+        slip: Slip { id: "", reason, witness, origin: Origin::Copy, consequence: Consequence::Copy, changes: "" },
+    }
+}
+
+/// The same, where the source itself has it so.
+pub fn misprinted(corrected: &'static str, reason: &'static str) -> Erratum {
+    let Erratum { slip, .. } = miscopied(corrected, reason);
+    Erratum { corrected, slip: Slip { origin: Origin::Misprint, consequence: Consequence::Derivation, ..slip } }
 }
 
 /// A statement that holds, with its two routes.
@@ -222,7 +231,7 @@ pub fn statement(
     first: (Evidence, fn() -> Finding),
     second: (Evidence, fn() -> Finding),
 ) -> Claim {
-    Claim::statement(WORK, id, locator, meaning, printed, Check::form(first, second))
+    Claim::statement(WORK, id, locator, meaning, printed, Check::equation(first, second))
 }
 
 /// The value of a letter at one instant.

@@ -134,7 +134,6 @@ fn torques() -> Vec<Claim> {
             TORQUES,
             "the torque of friction is against the driving torque",
             "always oppose the driving torque",
-            &["meyer.friction-opposes-again"],
         ),
         display(
             "meyer.eq-1-10",
@@ -148,20 +147,14 @@ fn torques() -> Vec<Claim> {
 }
 
 /// Friction is against the motion. That comes to the same only while the driver turns as it is driven.
-pub fn opposing(
-    id: &'static str,
-    locator: &'static str,
-    meaning: &'static str,
-    printed: &'static str,
-    inherited_by: &'static [&'static str],
-) -> Claim {
+pub fn opposing(id: &'static str, locator: &'static str, meaning: &'static str, printed: &'static str) -> Claim {
     Claim::statement(
         WORK,
         id,
         locator,
         meaning,
         printed,
-        Check::corrected_form(
+        Check::corrected_equation(
             (Vectors, || {
                 let holds = [1.0, -1.0].iter().all(|speed| power(-1.0, *speed) < 0.0);
                 Finding::new(
@@ -189,13 +182,17 @@ pub fn opposing(
     .expecting(Verdict::Corrected)
     .with_erratum(Erratum {
         corrected: "always oppose the motion",
-        reason: "Friction is against the sliding, and so against the motion of the \
+        slip: Slip {
+            id: "meyer.friction-opposes",
+            reason: "Friction is against the sliding, and so against the motion of the \
                 driver, whatever the driving torque. The sign that follows is right, \
                 because the driver never turns back.",
-        witness: "The equation of motion holds for forward motion only: for a driver \
+            witness: "The equation of motion holds for forward motion only: for a driver \
                 turned back, both signs of the bars change.",
-        severity: Severity::Conceptual,
-        inherited_by,
+            origin: Origin::Concept,
+            consequence: Consequence::Conclusion,
+            changes: "",
+        },
     })
 }
 

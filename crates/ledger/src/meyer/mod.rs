@@ -32,7 +32,9 @@ pub use inventory::inventory;
 pub use symbols::SYMBOLS;
 
 use crate::checks::{agrees, printed, same, vanishes};
-use crate::{Check, Claim, Erratum, Evidence, Finding, Kind, Severity, Verdict, Work, claim, numeric_tokens};
+use crate::{
+    Check, Claim, Consequence, Erratum, Evidence, Finding, Kind, Origin, Slip, Verdict, Work, claim, numeric_tokens,
+};
 use geneva_kinematics::escapement::{Escapement, HandOver, Roots};
 use geneva_kinematics::pin_vectors::quarter_turn;
 use geneva_kinematics::wheel::Wheel;

@@ -1,6 +1,6 @@
 //! The equation of motion put together, and its five factors: Eqs. (1-17) to (1-19).
 
-use super::instants::{display, miscopied, reads, reads_as, slip};
+use super::instants::{display, miscopied, misprinted, reads, reads_as, slip};
 use super::*;
 use geneva_dynamics::Sign;
 use geneva_dynamics::derivation::{
@@ -36,17 +36,13 @@ fn left_side() -> Vec<Claim> {
                 || prove(&LeftSide(LeftSideLine::Closed(Form::Corrected))).into(),
             ],
             || reads("meyer.eq-1-17"),
-            Erratum {
-                severity: Severity::Typographical,
-                inherited_by: &["meyer.parts-put-in.first-line"],
-                ..miscopied(
-                    r"\begin{aligned} \frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) - \frac{\partial T}{\partial \theta} &= \left[I_D + \frac{(a \cos \theta - 1)^2 I_f}{(1 + a^2 - 2a \cos \theta)^2} \right] \ddot{\theta} \\ &\quad - I_f \dot{\theta}^2 \left[\frac{a(a^2 - 1) \sin \theta (a \cos \theta - 1)}{(1 + a^2 - 2a \cos \theta)^3} \right] \end{aligned}",
-                    "The factor of the driver's acceleration is unchanged from the line \
+            misprinted(
+                r"\begin{aligned} \frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) - \frac{\partial T}{\partial \theta} &= \left[I_D + \frac{(a \cos \theta - 1)^2 I_f}{(1 + a^2 - 2a \cos \theta)^2} \right] \ddot{\theta} \\ &\quad - I_f \dot{\theta}^2 \left[\frac{a(a^2 - 1) \sin \theta (a \cos \theta - 1)}{(1 + a^2 - 2a \cos \theta)^3} \right] \end{aligned}",
+                "The factor of the driver's acceleration is unchanged from the line \
                             before, where the bracket is squared; Eq. (1-18) has the square again. \
                             Two displays running lack it, so the slip may be the typist's and not \
                             the copy's.",
-                )
-            },
+            ),
         ),
     ]
 }
@@ -60,13 +56,10 @@ fn together() -> Vec<Claim> {
             r"\left[I_D + \frac{(a \cos \theta - 1) I_f}{(1 + a^2 - 2a \cos \theta)^2} \right] \ddot{\theta} - \left[\frac{a(a^2 - 1) \sin \theta (a \cos \theta - 1)}{(1 + a^2 - 2a \cos \theta)^3} \right] I_f \dot{\theta}^2",
             [|| motion(MotionLine::Substituted { square: Form::Printed, bars: Form::Corrected }), parts_put_in],
             || reads_as("meyer.parts-put-in.first-line", "", "inertia-side"),
-            Erratum {
-                severity: Severity::Typographical,
-                ..miscopied(
-                    r"\left[I_D + \frac{(a \cos \theta - 1)^2 I_f}{(1 + a^2 - 2a \cos \theta)^2} \right] \ddot{\theta} - \left[\frac{a(a^2 - 1) \sin \theta (a \cos \theta - 1)}{(1 + a^2 - 2a \cos \theta)^3} \right] I_f \dot{\theta}^2",
-                    "The square is missing here as in Eq. (1-17), from which the line is taken.",
-                )
-            },
+            misprinted(
+                r"\left[I_D + \frac{(a \cos \theta - 1)^2 I_f}{(1 + a^2 - 2a \cos \theta)^2} \right] \ddot{\theta} - \left[\frac{a(a^2 - 1) \sin \theta (a \cos \theta - 1)}{(1 + a^2 - 2a \cos \theta)^3} \right] I_f \dot{\theta}^2",
+                "The square is missing here as in Eq. (1-17), from which the line is taken.",
+            ),
         ),
         slip(
             "meyer.parts-put-in.second-line",
@@ -178,7 +171,7 @@ fn arc(
     read: fn() -> Finding,
     corrected: &'static str,
 ) -> Claim {
-    let check = Check::corrected_form((ClosedForm, as_printed), put_right, (ClosedForm, read));
+    let check = Check::corrected_equation((ClosedForm, as_printed), put_right, (ClosedForm, read));
     Claim::equation(WORK, id, locator, meaning, printed, check)
         .expecting(Verdict::Corrected)
         .with_erratum(miscopied(corrected, ARC))

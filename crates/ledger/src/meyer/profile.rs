@@ -35,7 +35,7 @@ fn curve() -> Vec<Claim> {
             BEFORE,
             "no parameter changes the shape of the curve of speeds",
             "will not change the shape of the curve",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (Integration, || {
                     let [low, high] = shapes(&[".20", ".35"]);
                     Finding::new(
@@ -57,15 +57,16 @@ fn curve() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: "The torque alone will not change the shape of the curve",
-            reason: "Eq. (1-19) is the same equation if all speeds grow as the root of K/I_f and times shrink by it. \
-                     Friction and the quotient of the inertias do change the shape: how deep the minimum is and where \
-                     the peak stands.",
-            witness: "The law of similarity is proven for the equation with either sign of the friction.",
-            severity: Severity::Conceptual,
-            inherited_by: &[],
-        }),
+        .with_erratum(Erratum { corrected: "The torque alone will not change the shape of the curve", slip: Slip {
+ id: "",
+reason: "Eq. (1-19) is the same equation if all speeds grow as the root of K/I_f and times shrink by \
+                    it. Friction and the quotient of the inertias do change the shape: how deep the minimum is \
+                    and where the peak stands.",
+witness: "The law of similarity is proven for the equation with either sign of the friction.",
+origin: Origin::Concept,
+consequence: Consequence::Conclusion,
+changes: "",
+} }),
         Claim::value(
             WORK,
             "meyer.fig-8.rise",
@@ -84,7 +85,7 @@ fn curve() -> Vec<Claim> {
             RISE,
             "by the first minimum of its speed the driver moves as it will for ever",
             "by the first minimum in velocity, the driver has achieved its steady state",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (Integration, || {
                     let steady = engagement(Mechanism::FourPin, ".35", ".10").and_then(|of| of.steady_state().ok());
                     let part = first_minimum().1 / steady.map_or(f64::NAN, |state| state.minimum.speed);
@@ -110,17 +111,18 @@ fn curve() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: "by the entry of the second pin, the driver has achieved its steady state within one per cent, if μ \
-                        is .35",
-            reason: "The first minimum is that of the first engagement, before the speed has been handed on once. With \
-                     the best brake of the four-pin runs it is 1.8 per cent below the steady minimum, with the least 8. \
-                     One engagement then takes a difference to less than a thousandth, or to a twenty-fifth.",
-            witness: "The speed at the end of the first engagement, taken in steps, is that \
-                    of the steady motion.",
-            severity: Severity::Conceptual,
-            inherited_by: &[],
-        }),
+        .with_erratum(Erratum { corrected: "by the entry of the second pin, the driver has achieved its steady state within one per cent, if μ \
+                        is .35", slip: Slip {
+ id: "",
+reason: "The first minimum is that of the first engagement, before the speed has been handed on \
+                    once. With the best brake of the four-pin runs it is 1.8 per cent below the steady minimum, \
+                    with the least 8. One engagement then takes a difference to less than a thousandth, or to a \
+                    twenty-fifth.",
+witness: "The speed at the end of the first engagement, taken in steps, is that of the steady motion.",
+origin: Origin::Concept,
+consequence: Consequence::Conclusion,
+changes: "",
+} }),
     ]
 }
 
@@ -207,7 +209,7 @@ fn at_the_centres() -> Vec<Claim> {
             PEAKS,
             "on the line of centres the driver is slowest and the follower fastest",
             "the driver velocity is a minimum and the follower velocity is a maximum",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (ClosedForm, || {
                     // On the line sin θ = 0, so that B, C and D vanish: θ'' = E/A, and φ'' is a part of it.
                     let gains = EXAMPLES.map(|(mechanism, friction, torque)| {
@@ -249,22 +251,23 @@ fn at_the_centres() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: "the driver velocity has just passed its minimum, and the follower \
-                    velocity still rises",
-            reason: "On the line of centres nothing but the spring acts along the motion, θ'' = E/A, which is positive. The \
-                     minimum comes 0.4 to 6° before the line; the follower is fastest where the pin changes over to the \
-                     other flank of the slot, 9 to 25° after it.",
-            witness: "Both places are found again in steps.",
-            severity: Severity::Conceptual,
-            inherited_by: &[],
-        }),
+        .with_erratum(Erratum { corrected: "the driver velocity has just passed its minimum, and the follower \
+                    velocity still rises", slip: Slip {
+ id: "",
+reason: "On the line of centres nothing but the spring acts along the motion, θ'' = E/A, which is \
+                    positive. The minimum comes 0.4 to 6° before the line; the follower is fastest where the pin \
+                    changes over to the other flank of the slot, 9 to 25° after it.",
+witness: "Both places are found again in steps.",
+origin: Origin::Concept,
+consequence: Consequence::Conclusion,
+changes: "",
+} }),
     ]
 }
 
 /// A place that has the peak of the driver at entry or exit.
 fn elsewhere(id: &'static str, meaning: &'static str, printed: &'static str, corrected: &'static str) -> Claim {
-    let check = Check::corrected_form(
+    let check = Check::corrected_equation(
         (ClosedForm, || {
             // At the ends B and D vanish, C does not: the follower stands still, but it is accelerated, and so rubs.
             let gains = EXAMPLES.map(|(mechanism, friction, torque)| {
@@ -303,12 +306,16 @@ fn elsewhere(id: &'static str, meaning: &'static str, printed: &'static str, cor
     );
     Claim::statement(WORK, id, PEAKS, meaning, printed, check).expecting(Verdict::Corrected).with_erratum(Erratum {
         corrected,
-        reason: "When a pin enters or leaves, the follower stands still but is being accelerated, and so the pin presses \
-                 and rubs. With six pins the spring is the stronger and the speed still rises; with four and three the \
-                 friction is, and the speed has been falling since before the exit.",
-        witness: "The engagement is gone through in steps of the angle.",
-        severity: Severity::Conceptual,
-        inherited_by: if id == "meyer.peaks-at-entry" { &["meyer.peaks-at-rest", "meyer.peaks-at-exit"] } else { &[] },
+        slip: Slip {
+            id: "",
+            reason: "When a pin enters or leaves, the follower stands still but is being accelerated, and so the \
+                    pin presses and rubs. With six pins the spring is the stronger and the speed still rises; \
+                    with four and three the friction is, and the speed has been falling since before the exit.",
+            witness: "The engagement is gone through in steps of the angle.",
+            origin: Origin::Concept,
+            consequence: Consequence::Conclusion,
+            changes: "",
+        },
     })
 }
 

@@ -23,7 +23,14 @@ pub fn claims() -> Vec<Claim> {
 
 fn velocity() -> Vec<Claim> {
     let step = |id, locator, meaning, printed, proof: fn() -> Finding, witness: fn() -> Finding| {
-        Claim::equation(WORK, id, locator, meaning, printed, Check::form((ExactIdentity, proof), (Vectors, witness)))
+        Claim::equation(
+            WORK,
+            id,
+            locator,
+            meaning,
+            printed,
+            Check::equation((ExactIdentity, proof), (Vectors, witness)),
+        )
     };
     vec![
         step(
@@ -87,7 +94,7 @@ fn acceleration() -> Vec<Claim> {
             "1st display after Eq. (1-7)",
             "Eq. (1-7) differentiated by the rule for quotients; the dots are the break between two lines",
             ACCELERATION_BY_QUOTIENT,
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&AccelerationStep::QuotientRule).into()),
                 (Vectors, || at_instants(|at| (at.turning_rate(), acceleration_by_quotient(at)))),
             ),
@@ -98,7 +105,7 @@ fn acceleration() -> Vec<Claim> {
             "2nd display after Eq. (1-7)",
             "the derivatives carried out",
             DIFFERENTIATED,
-            Check::corrected_form(
+            Check::corrected_equation(
                 (ExactIdentity, || prove(&AccelerationStep::Differentiated(Form::Printed)).into()),
                 || prove(&AccelerationStep::Differentiated(Form::Corrected)).into(),
                 (Vectors, || at_instants(|at| (at.turning_rate(), acceleration_by_quotient(at)))),
@@ -107,12 +114,16 @@ fn acceleration() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: DIFFERENTIATED_CORRECTED,
-            reason: "The left side is the follower's acceleration, with φ as in the display \
+            slip: Slip {
+                id: "",
+                reason: "The left side is the follower's acceleration, with φ as in the display \
                     before; the driver's stands on the right. The right side is correct as \
                     printed.",
-            witness: "The pin's acceleration across the slot, at instants of all three escapements.",
-            severity: Severity::Transcription,
-            inherited_by: &["meyer.eq-1-8"],
+                witness: "The pin's acceleration across the slot, at instants of all three escapements.",
+                origin: Origin::Copy,
+                consequence: Consequence::Copy,
+                changes: "",
+            },
         }),
         Claim::equation(
             WORK,
@@ -120,7 +131,7 @@ fn acceleration() -> Vec<Claim> {
             "Eq. (1-8)",
             "angular acceleration of the follower",
             ACCELERATION,
-            Check::corrected_form(
+            Check::corrected_equation(
                 (ExactIdentity, || prove(&AccelerationStep::Acceleration(Form::Printed)).into()),
                 || prove(&AccelerationStep::Acceleration(Form::Corrected)).into(),
                 (Vectors, || {
@@ -134,11 +145,15 @@ fn acceleration() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: ACCELERATION_CORRECTED,
-            reason: "The same letter on the left as in the line before. The right side is \
+            slip: Slip {
+                id: "",
+                reason: "The same letter on the left as in the line before. The right side is \
                     correct as printed.",
-            witness: "The pin's acceleration across the slot, at instants of all three escapements.",
-            severity: Severity::Transcription,
-            inherited_by: &[],
+                witness: "The pin's acceleration across the slot, at instants of all three escapements.",
+                origin: Origin::Copy,
+                consequence: Consequence::Copy,
+                changes: "",
+            },
         }),
     ]
 }

@@ -88,7 +88,7 @@ fn recommendations() -> Vec<Claim> {
             "Recommendation 2",
             "a strong spring makes the peak of the speed swing from cycle to cycle",
             "significant cyclic oscillations in the magnitude of the peak velocity",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (Integration, || {
                     let peaks = true_peaks();
                     Finding::new(
@@ -117,15 +117,16 @@ fn recommendations() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: "cyclic oscillations in the printed peak velocity, not in that of the driver",
-            reason: "The lines of a run are 0.0005 s apart, and the peak falls between them, now nearer to one, now \
-                     farther. The stronger the spring, the sharper the peak and the more is missed. The true peaks of the \
-                     steady motion are equal.",
-            witness: "The program, printing ten times as often, shows equal peaks.",
-            severity: Severity::Conceptual,
-            inherited_by: &[],
-        }),
+        .with_erratum(Erratum { corrected: "cyclic oscillations in the printed peak velocity, not in that of the driver", slip: Slip {
+ id: "",
+reason: "The lines of a run are 0.0005 s apart, and the peak falls between them, now nearer to one, \
+                    now farther. The stronger the spring, the sharper the peak and the more is missed. The true \
+                    peaks of the steady motion are equal.",
+witness: "The program, printing ten times as often, shows equal peaks.",
+origin: Origin::Concept,
+consequence: Consequence::Conclusion,
+changes: "",
+} }),
         statement(
             "meyer.page-of-definition",
             "Recommendation 7",

@@ -121,7 +121,7 @@ fn conclusion() -> Claim {
         END,
         "the equation of motion has no singularities",
         "contains no singularities",
-        Check::corrected_form(
+        Check::corrected_equation(
             (ClosedForm, || {
                 let [_, beyond] = solutions_about_the_limit();
                 Finding::new(
@@ -161,14 +161,18 @@ fn conclusion() -> Claim {
     .with_erratum(Erratum {
         corrected: "contains no zero denominators; it has one solution at every angle if \
                 and only if A > |D| there",
-        reason: "What is shown is that nothing is divided by zero. But the factor of the \
+        slip: Slip {
+            id: "",
+            reason: "What is shown is that nothing is divided by zero. But the factor of the \
                 driver's acceleration is A + D or A − D, and with enough friction one \
                 of them is zero somewhere: then there is no acceleration, or more than \
                 one. The lighter the driver beside the follower, the less friction this \
                 takes.",
-        witness: "Solutions of Eq. (1-19) were counted on either side of the limit.",
-        severity: Severity::Conceptual,
-        inherited_by: &[],
+            witness: "Solutions of Eq. (1-19) were counted on either side of the limit.",
+            origin: Origin::Concept,
+            consequence: Consequence::Conclusion,
+            changes: "",
+        },
     })
 }
 

@@ -46,7 +46,7 @@ pub fn of_abstract() -> Vec<Claim> {
             ABSTRACT,
             "the largest rise time",
             "as much as fifty milliseconds",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (OtherPlaceInSource, || {
                     let beyond = rows().iter().filter(|row| row.number(Column::Rise) > 0.050).count();
                     Finding::new(beyond == 0, format!("{beyond} of {} rise times are larger", rows().len()))
@@ -76,11 +76,15 @@ pub fn of_abstract() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: "as much as one hundred and one milliseconds",
-            reason: "Appendix E has eleven rise times above fifty milliseconds; the largest, \
+            slip: Slip {
+                id: "",
+                reason: "Appendix E has eleven rise times above fifty milliseconds; the largest, \
                     with six pins, is 0.101 s.",
-            witness: "The equation of motion, solved, takes more than a tenth of a second in that run.",
-            severity: Severity::Arithmetical,
-            inherited_by: &[],
+                witness: "The equation of motion, solved, takes more than a tenth of a second in that run.",
+                origin: Origin::Arithmetic,
+                consequence: Consequence::Wording,
+                changes: "",
+            },
         }),
     ]
 }
@@ -121,7 +125,7 @@ pub fn of_parameters() -> Vec<Claim> {
             LIST,
             "the angle θ_0 is where the pin enters",
             "θ_0 : the angular position of the pin as it enters",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (LimitCase, || {
                     let positive = ["three", "four", "six"].map(|n| printed(&format!("meyer.app-a.{n}-slots.theta")));
                     let enters = Escapement::all().into_iter().map(|at| -at.driver_half_angle());
@@ -143,11 +147,15 @@ pub fn of_parameters() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: "θ_0 : the size of the angle of the pin from the line of centres as it enters",
-            reason: "In Eq. (1-3) and in Appendix A θ_0 is π/m and positive. The pin enters at −π/m, as Fig. 5 counts the \
-                     angle, and so Appendices B and D have it.",
-            witness: "Appendix D prints the three angles of entry with a minus sign.",
-            severity: Severity::Typographical,
-            inherited_by: &[],
+            slip: Slip {
+                id: "",
+                reason: "In Eq. (1-3) and in Appendix A θ_0 is π/m and positive. The pin enters at −π/m, as Fig. 5 \
+                    counts the angle, and so Appendices B and D have it.",
+                witness: "Appendix D prints the three angles of entry with a minus sign.",
+                origin: Origin::Misprint,
+                consequence: Consequence::Wording,
+                changes: "",
+            },
         }),
         no_rate(
             "meyer.parameter.spring",
@@ -162,7 +170,7 @@ pub fn of_parameters() -> Vec<Claim> {
             "Chapter II, sentence after the estimate of I",
             "the inertias of the runs are near the estimate",
             "did vary somewhat from this figure",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (OtherPlaceInSource, || {
                     let times = over_estimate();
                     Finding::new(times.iter().all(|x| *x < 2.0), format!("over the estimate: {times:.0?}"))
@@ -179,8 +187,10 @@ pub fn of_parameters() -> Vec<Claim> {
                     let [small, large] = [inches.first(), inches.last()].map(|inch| inch.copied().unwrap_or(f64::NAN));
                     Finding::new(
                         small > 0.5 && large > small,
-                        format!("such discs of the same thickness have diameters of {small:.2} to \
-                                {large:.2} inch"),
+                        format!(
+                            "such discs of the same thickness have diameters of {small:.2} to \
+                                {large:.2} inch"
+                        ),
                     )
                 }),
             ),
@@ -188,11 +198,14 @@ pub fn of_parameters() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: "were 6 to 100 times this figure",
-            reason: "The runs have 3, 6, 10, 40 and 50 × 10^-6 in lb sec²; the estimate is 0.5 × 10^-6.",
-            witness: "Steel discs with these moments of inertia would be 0.8 to 1.6 inch \
-                    wide, not half an inch.",
-            severity: Severity::Conceptual,
-            inherited_by: &[],
+            slip: Slip {
+                id: "",
+                reason: "The runs have 3, 6, 10, 40 and 50 × 10^-6 in lb sec²; the estimate is 0.5 × 10^-6.",
+                witness: "Steel discs with these moments of inertia would be 0.8 to 1.6 inch wide, not half an inch.",
+                origin: Origin::Concept,
+                consequence: Consequence::Conclusion,
+                changes: "",
+            },
         }),
     ]
 }
@@ -222,7 +235,7 @@ pub fn of_headings() -> Vec<Claim> {
             TABLES,
             "the runs with six and with three pins are of the mechanisms named",
             "SUMMARY OF COMPUTER RUNS",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (Integration, || {
                     let others = steady().iter().filter(|(row, _)| row.mechanism != Mechanism::FourPin);
                     let (all, near) = others.fold((0, 0), |(all, near), (row, state)| {
@@ -270,13 +283,17 @@ pub fn of_headings() -> Vec<Claim> {
         .with_erratum(Erratum {
             corrected: "SUMMARY OF COMPUTER RUNS, those for six and three pins with the driver \
                     put back after 90°",
-            reason: "The program puts the driver back to the start of an engagement after a quarter turn, whatever the \
-                     number of pins; six pins need 60°, three need 120°. None of the peaks printed for six and three \
-                     pins is one of the mechanism named.",
-            witness: "The periods, computed in steps with the fold of 90°, agree with the \
-                    tables, and without it do not.",
-            severity: Severity::Conceptual,
-            inherited_by: &[],
+            slip: Slip {
+                id: "",
+                reason: "The program puts the driver back to the start of an engagement after a quarter turn, \
+                    whatever the number of pins; six pins need 60°, three need 120°. None of the peaks printed \
+                    for six and three pins is one of the mechanism named.",
+                witness: "The periods, computed in steps with the fold of 90°, agree with the tables, and without it \
+                    do not.",
+                origin: Origin::Concept,
+                consequence: Consequence::Conclusion,
+                changes: "",
+            },
         }),
         no_rate("meyer.app-e.torque-unit", TABLES, "K is per radian", "K in lb/rad", "K in lb"),
     ]
@@ -290,7 +307,7 @@ fn no_rate(
     printed: &'static str,
     corrected: &'static str,
 ) -> Claim {
-    let check = Check::corrected_form(
+    let check = Check::corrected_equation(
         (Integration, || {
             // A rate times the angle turned would drive each engagement with more torque than the one before.
             let turned = |engagements: f64| engagements * PI / 2.0;
@@ -319,10 +336,14 @@ fn no_rate(
     );
     Claim::statement(WORK, id, locator, meaning, printed, check).expecting(Verdict::Corrected).with_erratum(Erratum {
         corrected,
-        reason: "The torque of the spring is K itself, not K times an angle.",
-        witness: "Eq. (1-15) has no angle.",
-        severity: Severity::Conceptual,
-        inherited_by: &[],
+        slip: Slip {
+            id: "",
+            reason: "The torque of the spring is K itself, not K times an angle.",
+            witness: "Eq. (1-15) has no angle.",
+            origin: Origin::Concept,
+            consequence: Consequence::Conclusion,
+            changes: "",
+        },
     })
 }
 

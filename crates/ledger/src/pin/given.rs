@@ -1,7 +1,7 @@
 //! What the problem gives: the data, and how far apart the axes must be.
 
 use super::*;
-use crate::{Check, Erratum, Severity, Verdict};
+use crate::{Check, Consequence, Erratum, Origin, Slip, Verdict};
 use geneva_kinematics::pin_proofs::{StandstillOfFourSlots, four_slot_entry_misfit};
 use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::{Field, Rational, Surd, prove, rational};
@@ -11,14 +11,24 @@ const QUESTION: &str = "Problem, 2nd paragraph";
 
 pub fn claims() -> Vec<Claim> {
     vec![
-        Claim::value(WORK, "pin.driver-speed", STATEMENT, "angular velocity of the driver, a datum; the printed speed and radius give it back", ("10", "rad/s"),
+        Claim::value(
+            WORK,
+            "pin.driver-speed",
+            STATEMENT,
+            "angular velocity of the driver, a datum; the printed speed and radius give it back",
+            ("10", "rad/s"),
             Check::number(
                 (OtherPlaceInSource, || printed("pin.pin-speed") / printed("pin.crank-radius")),
                 (OtherPlaceInSource, || printed("pin.follower-speed") / ratio_at_the_instant()),
             ),
         ),
-        Claim::statement(WORK, "pin.standstill", STATEMENT, "a four-slot wheel stands still as the pin enters and leaves a slot if l is √2 R", "four slots",
-            Check::form(
+        Claim::statement(
+            WORK,
+            "pin.standstill",
+            STATEMENT,
+            "a four-slot wheel stands still as the pin enters and leaves a slot if l is √2 R",
+            "four slots",
+            Check::equation(
                 (ExactIdentity, only_the_root_of_two),
                 (Jet, || {
                     let wheel = entry_of_a_wheel_in_quarters();
@@ -26,13 +36,21 @@ pub fn claims() -> Vec<Claim> {
                 }),
             ),
         ),
-        Claim::equation(WORK, "pin.centre-distance", STATEMENT, "centre distance of a four-slot wheel that starts and stops from rest", r"l=1 \overline{2} R",
-            Check::corrected_form(
+        Claim::equation(
+            WORK,
+            "pin.centre-distance",
+            STATEMENT,
+            "centre distance of a four-slot wheel that starts and stops from rest",
+            r"l=1 \overline{2} R",
+            Check::corrected_equation(
                 (ExactIdentity, || {
                     // Two readings of the characters: one times two, and 1.222…
                     let misfits = [rational(2, 1), rational(11, 9)].map(|ratio| four_slot_entry_misfit(&ratio));
                     let holds = misfits.contains(&rational(0, 1));
-                    Finding::new(holds, format!("off its circle by {} and {} if l/R is 2 or 1.222…", misfits[0], misfits[1]))
+                    Finding::new(
+                        holds,
+                        format!("off its circle by {} and {} if l/R is 2 or 1.222…", misfits[0], misfits[1]),
+                    )
                 }),
                 || Finding::new(is_root_of_two_exact(), "exactly on its circle if l/R is √2"),
                 (OtherPlaceInSource, || {
@@ -47,21 +65,38 @@ pub fn claims() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: r"l=\sqrt{2} R",
-            reason: "The root sign came out of the copy as the digit one, and its bar over the two.",
-            witness: "The printed value of r² leads back to l/R = √2 within its digits, and to no other reading.",
-            severity: Severity::Transcription,
-            inherited_by: &[],
+            slip: Slip {
+                id: "",
+                reason: "The root sign came out of the copy as the digit one, and its bar over the two.",
+                witness: "The printed value of r² leads back to l/R = √2 within its digits, and to no other reading.",
+                origin: Origin::Copy,
+                consequence: Consequence::Copy,
+                changes: "",
+            },
         }),
-        Claim::value(WORK, "pin.crank-angle", QUESTION, "crank angle φ from the direction OB, a datum; the angle at B and the direction of v_P give it back", ("150", "°"),
+        Claim::value(
+            WORK,
+            "pin.crank-angle",
+            QUESTION,
+            "crank angle φ from the direction OB, a datum; the angle at B and the direction of v_P give it back",
+            ("150", "°"),
             Check::number(
                 (OtherPlaceInSource, || 180.0 - printed("pin.angle-at-driver")),
                 (OtherPlaceInSource, || 90.0 + printed("pin.pin-velocity-direction")),
             ),
         ),
-        Claim::statement(WORK, "pin.letter-f", QUESTION, "the letter f names the crank angle", "f",
-            Check::corrected_form(
+        Claim::statement(
+            WORK,
+            "pin.letter-f",
+            QUESTION,
+            "the letter f names the crank angle",
+            "f",
+            Check::corrected_equation(
                 (OtherPlaceInSource, || {
-                    Finding::new(symbols::is_unambiguous("f"), "the letter f stands for the crank angle and for an arrow")
+                    Finding::new(
+                        symbols::is_unambiguous("f"),
+                        "the letter f stands for the crank angle and for an arrow",
+                    )
                 }),
                 || Finding::new(symbols::ours_are_unambiguous(), "each of the book's symbols stands for one thing"),
                 (OtherPlaceInSource, || {
@@ -73,10 +108,15 @@ pub fn claims() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: "φ",
-            reason: "Greek letters and arrows came out of the copy as Latin letters: f for φ, and f for an arrow as well.",
-            witness: "The angle printed behind the second f is another one.",
-            severity: Severity::Transcription,
-            inherited_by: &["pin.mark-f"],
+            slip: Slip {
+                id: "",
+                reason: "Greek letters and arrows came out of the copy as Latin letters: f for φ, and f for an arrow \
+                    as well.",
+                witness: "The angle printed behind the second f is another one.",
+                origin: Origin::Copy,
+                consequence: Consequence::Copy,
+                changes: "",
+            },
         }),
     ]
 }

@@ -17,7 +17,7 @@ pub fn claims() -> Vec<Claim> {
             "Solution, 1st sentence",
             "triangle OPB is the position at the given crank angle",
             "OPB",
-            Check::form(
+            Check::equation(
                 (Vectors, || {
                     // The corner P from the triangle's own side and angle at O, against the crank's end.
                     let radius = triangle(|t| t.slot_radius);
@@ -34,7 +34,7 @@ pub fn claims() -> Vec<Claim> {
             COSINES,
             "law of cosines for the side OP",
             r"r^{2}=R^{2}+l^{2}-2 R l \cos \ldots",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&LawOfCosines).into()),
                 (Vectors, || same(triangle(|t| t.slot_radius), vectors(|motion| motion.position.norm()))),
             ),
@@ -99,7 +99,7 @@ pub fn claims() -> Vec<Claim> {
             SINES,
             "law of sines for the angle at O",
             r"\frac{\sin b}{R}=\frac{\sin 30^{\circ}}{r}",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&LawOfSines).into()),
                 (Vectors, || same(triangle(|t| t.sine_at_pivot), vectors(|motion| motion.position.normalize().y))),
             ),
@@ -111,7 +111,7 @@ pub fn claims() -> Vec<Claim> {
             "sine of the angle at O, from the rounded r/R",
             r"\sin b=\frac{\sin 30^{\circ}}{0.742}",
             // An equation with a rounded number in it holds if the number is a rounding of what would make it exact.
-            Check::form(
+            Check::equation(
                 (ClosedForm, || makes_exact(triangle(|t| t.sine_at_pivot))),
                 (Vectors, || makes_exact(vectors(|motion| motion.position.normalize().y))),
             ),

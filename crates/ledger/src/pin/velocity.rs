@@ -1,7 +1,7 @@
 //! The velocity triangle: v_P = v_P′ + v_{P/S}.
 
 use super::*;
-use crate::{Check, Dimension, Erratum, Severity, Verdict};
+use crate::{Check, Consequence, Dimension, Erratum, Origin, Slip, Verdict};
 use geneva_kinematics::pin_proofs::{PinSpeed, SlidesAlongTheSlot, SlidingSpeed, SlotPointMovesAcross, SlotPointSpeed};
 use geneva_kinematics::prove;
 use nalgebra::Vector2;
@@ -24,7 +24,7 @@ fn pin_speed() -> Vec<Claim> {
             PIN,
             "speed of the pin on its circle",
             r"v_{P}=R \mathrm{v}_{D}",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (Evidence::Dimension, || dimensions(Dimension::SPEED)),
                 || prove(&PinSpeed).into(),
                 (Jet, || {
@@ -73,7 +73,7 @@ fn pin_speed() -> Vec<Claim> {
             PIN,
             "the velocity of the pin and its sliding velocity bear the same arrow",
             "d",
-            Check::form(
+            Check::equation(
                 (Jet, same_quadrant),
                 (ClosedForm, || {
                     let angle = triangle(|t| t.velocity_angle).to_degrees();
@@ -92,7 +92,7 @@ fn triangle_of_velocities() -> Vec<Claim> {
             TRIANGLE,
             "velocity of the pin: that of the slot's point and that along the slot",
             r"\text{v}_{P}=\text{v}_{P'}+\text{v}_{P/S}",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&SlidesAlongTheSlot).into()),
                 (ClosedForm, || {
                     let by_sides = triangle(|t| libm::hypot(t.slot_point_speed, t.sliding_speed));
@@ -106,7 +106,7 @@ fn triangle_of_velocities() -> Vec<Claim> {
             TRIANGLE,
             "the slot's point under the pin moves across OP",
             "perpendicular",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&SlotPointMovesAcross).into()),
                 (Jet, || {
                     let along = vectors(|motion| (motion.pin_velocity - motion.sliding_velocity).dot(&motion.position));
@@ -121,7 +121,7 @@ fn triangle_of_velocities() -> Vec<Claim> {
             TRIANGLE,
             "the pin moves along the slot as seen from the wheel",
             "along the slot",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&SlidesAlongTheSlot).into()),
                 (ClosedForm, || {
                     same(
@@ -137,7 +137,7 @@ fn triangle_of_velocities() -> Vec<Claim> {
             TRIANGLE,
             "the velocity triangle has its right angle between the velocity of the slot's point and the sliding velocity",
             "triangle",
-            Check::form(
+            Check::equation(
                 (Jet, || {
                     let squares = vectors(|m| m.slot_point_velocity.norm_squared() + m.sliding_velocity.norm_squared());
                     same(squares, vectors(|m| m.pin_velocity.norm_squared()))
@@ -154,7 +154,7 @@ fn triangle_of_velocities() -> Vec<Claim> {
             ANGLE,
             "γ is what β and the angle at B leave of a right angle",
             r"g=90^{\circ}-\ldots-\ldots",
-            Check::form(
+            Check::equation(
                 (Vectors, || {
                     same(
                         vectors(angle_to_slot),
@@ -187,7 +187,7 @@ fn components() -> Vec<Claim> {
             COMPONENTS,
             "component of the pin's velocity across the slot",
             r"v_{P'}=v_{P} \sin g",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&SlotPointSpeed).into()),
                 (Jet, || same(triangle(|t| t.slot_point_speed), vectors(|motion| motion.slot_point_velocity.norm()))),
             ),
@@ -207,10 +207,15 @@ fn components() -> Vec<Claim> {
         .expecting(Verdict::FromRounded)
         .with_erratum(Erratum {
             corrected: "151.5",
-            reason: "Four digits are printed, but they come from an angle rounded to three; the fourth is not right.",
-            witness: "The pin's place differentiated, which uses no angle, gives the corrected digits.",
-            severity: Severity::Arithmetical,
-            inherited_by: &["pin.follower-speed"],
+            slip: Slip {
+                id: "",
+                reason: "Four digits are printed, but they come from an angle rounded to three; the fourth is not \
+                    right.",
+                witness: "The pin's place differentiated, which uses no angle, gives the corrected digits.",
+                origin: Origin::Arithmetic,
+                consequence: Consequence::Result,
+                changes: "",
+            },
         }),
         Claim::value(
             WORK,
@@ -229,7 +234,7 @@ fn components() -> Vec<Claim> {
             COMPONENTS,
             "the arrow before the angle of the slot point's velocity says what the angle is measured from",
             "f",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (Jet, || reads_as(from_horizontal, "horizontal")),
                 || reads_as(|velocity| 90.0 - from_horizontal(velocity), "vertical"),
                 (ExactIdentity, || prove(&SlotPointMovesAcross).into()),
@@ -238,11 +243,15 @@ fn components() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: "↘, angle from the vertical",
-            reason: "The arrow came out of the copy as the letter f. Read from the horizontal, as with the other two \
-                     velocities, the printed angle is wrong; it is the angle from the vertical.",
-            witness: "The velocity is across the slot, which makes the same angle with the horizontal.",
-            severity: Severity::Transcription,
-            inherited_by: &[],
+            slip: Slip {
+                id: "",
+                reason: "The arrow came out of the copy as the letter f. Read from the horizontal, as with the other \
+                    two velocities, the printed angle is wrong; it is the angle from the vertical.",
+                witness: "The velocity is across the slot, which makes the same angle with the horizontal.",
+                origin: Origin::Copy,
+                consequence: Consequence::Copy,
+                changes: "",
+            },
         }),
         Claim::equation(
             WORK,
@@ -250,7 +259,7 @@ fn components() -> Vec<Claim> {
             COMPONENTS,
             "component of the pin's velocity along the slot",
             r"v_{P/S}=v_{P} \cos g",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&SlidingSpeed).into()),
                 (Jet, || same(triangle(|t| t.sliding_speed), vectors(|motion| motion.sliding_velocity.norm()))),
             ),
@@ -289,7 +298,7 @@ fn wheel() -> Vec<Claim> {
             WHEEL,
             "speed of the slot's point from the wheel's angular velocity",
             r"v_{P'}=r \mathrm{v}_{S}",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (Evidence::Dimension, || dimensions(Dimension::SPEED)),
                 || prove(&SlotPointSpeed).into(),
                 (ClosedForm, || same(triangle(|t| t.slot_point_speed), triangle(|t| t.slot_radius * t.follower_speed))),
@@ -326,11 +335,15 @@ fn wheel() -> Vec<Claim> {
 
 const LETTER_V: Erratum = Erratum {
     corrected: r"v_{P}=R \omega_{D}",
-    reason: "The Greek letter of the angular velocity came out of the copy as v, which makes the sides of the equation \
+    slip: Slip {
+        id: "pin.pin-speed-equation",
+        reason: "The Greek letter of the angular velocity came out of the copy as v, which makes the sides of the equation \
              differ in dimension.",
-    witness: "With an angular velocity the equation gives the computed speed.",
-    severity: Severity::Transcription,
-    inherited_by: &[],
+        witness: "With an angular velocity the equation gives the computed speed.",
+        origin: Origin::Copy,
+        consequence: Consequence::Copy,
+        changes: "",
+    },
 };
 
 /// Whether a length times this has the dimension of a speed.

@@ -29,7 +29,7 @@ fn known() -> Vec<Claim> {
             "normal and tangential relative acceleration are what one sees who holds \
                 the lever still; the Coriolis term is on top of it",
             "P2 moving, P4 fixed",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&DiagramAgainstSeries(Compared::SlidingAcceleration)).into()),
                 (Vectors, || {
                     let (seen, whole) = (
@@ -54,7 +54,7 @@ fn known() -> Vec<Claim> {
             PIN_NORMAL,
             "centripetal acceleration of the pin",
             r"A_{P2}^n = \omega_2^2 l_2",
-            Check::form(
+            Check::equation(
                 (Vectors, || {
                     same(
                         diagram(|motion| motion.pin_normal.norm()),
@@ -81,18 +81,14 @@ fn known() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::FromRounded)
-        .with_erratum(rounded(
-            "5.483",
-            "The rate of the crank, rounded to three digits, is squared.",
-            &["quick-return.sliding-acceleration", "quick-return.lever-tangential"],
-        )),
+        .with_erratum(rounded("5.483", "The rate of the crank, rounded to three digits, is squared.")),
         Claim::equation(
             WORK,
             "quick-return.pin-tangential",
             PIN_TANGENTIAL,
             "no tangential acceleration of the pin at constant speed of the crank",
             r"A_{P2}^t = 0 \text{ since } \omega_2 = \text{constant}",
-            Check::form(
+            Check::equation(
                 (Vectors, || {
                     Finding::new(
                         diagram(|motion| motion.pin_tangential.norm()) == 0.0,
@@ -115,7 +111,7 @@ fn known() -> Vec<Claim> {
             LEVER_NORMAL,
             "centripetal acceleration of the lever's point",
             r"A_{P4}^n = \omega_4^2 l_4",
-            Check::form(
+            Check::equation(
                 (Vectors, || {
                     same(
                         diagram(|motion| motion.accelerations.follower_normal.norm()),
@@ -150,7 +146,6 @@ fn known() -> Vec<Claim> {
         .with_erratum(rounded(
             "0.812",
             "The rounded speed of the lever is squared and multiplied by its rounded length.",
-            &["quick-return.sliding-acceleration"],
         )),
         Claim::equation(
             WORK,
@@ -158,7 +153,7 @@ fn known() -> Vec<Claim> {
             SLIDING_NORMAL,
             "no relative normal acceleration in a straight slot",
             r"A_{P2/P4}^n = \frac{v_{P2/P4}^2}{R} = 0",
-            Check::form(
+            Check::equation(
                 (Vectors, || {
                     Finding::new(
                         diagram(|motion| motion.accelerations.sliding_normal.norm()) == 0.0,
@@ -184,7 +179,7 @@ fn known() -> Vec<Claim> {
             SLIDING_NORMAL,
             "the letter R names the radius of the relative path",
             "R is infinite",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (OtherPlaceInSource, || {
                     let vector =
                         crate::claim("quick-return.sum-of-places").is_some_and(|claim| claim.printed.contains("= R"));
@@ -200,11 +195,15 @@ fn known() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: "ρ is infinite",
-            reason: "One letter stands for the vector to the frame's origin and for the \
+            slip: Slip {
+                id: "",
+                reason: "One letter stands for the vector to the frame's origin and for the \
                     radius of curvature of the pin's path in the frame.",
-            witness: "The vector has the lever's length, the radius is infinite.",
-            severity: Severity::Typographical,
-            inherited_by: &[],
+                witness: "The vector has the lever's length, the radius is infinite.",
+                origin: Origin::Misprint,
+                consequence: Consequence::Wording,
+                changes: "",
+            },
         }),
     ]
 }
@@ -212,7 +211,7 @@ fn known() -> Vec<Claim> {
 fn coriolis() -> Vec<Claim> {
     vec![
         Claim::equation(WORK, "quick-return.coriolis-equation", CORIOLIS, "magnitude of the Coriolis acceleration; its factors are at right angles", r"2\omega_4 v_{P2/P4}",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&DiagramAgainstSeries(Compared::Coriolis)).into()),
                 (Series, || same(series(|rates| 2.0 * (rates.turning * rates.sliding).abs() * radius(rates)), diagram(|motion| motion.accelerations.coriolis.norm()))),
             ),
@@ -225,7 +224,7 @@ fn coriolis() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::FromRounded)
-        .with_erratum(rounded("1.958", "The speed of the lever is the rounded one.", &["quick-return.lever-tangential"])),
+        .with_erratum(rounded("1.958", "The speed of the lever is the rounded one.")),
         Claim::statement(WORK, "quick-return.coriolis-direction", SENSE, "the direction of the Coriolis acceleration, of which the factors are \
                 given and the result is not", r"\omega_4 \times v_{P2/P4}",
             Check::Missing {
@@ -236,7 +235,7 @@ fn coriolis() -> Vec<Claim> {
         )
         .expecting(Verdict::NotReproducible),
         Claim::statement(WORK, "quick-return.lever-sense", SENSE, "the lever turns counter-clockwise", "out of the page",
-            Check::form(
+            Check::equation(
                 (Vectors, || positive(diagram(|motion| motion.velocities.follower_speed))),
                 (Series, || {
                     let mirrored = Instant::mirrored().ok().and_then(|at| at.by_series());
@@ -263,7 +262,7 @@ fn found() -> Vec<Claim> {
             SLIDING,
             "sliding acceleration, towards the lever's pivot",
             r"A_{P2/P4}^t = A_{P2}^n \cos \ldots - A_{P4}^n",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&AlongTheLever).into()),
                 (Vectors, || {
                     let inwards = diagram(|motion| {
@@ -294,7 +293,7 @@ fn found() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::FromRounded)
-        .with_erratum(rounded("2.689", "Both terms come from rounded steps.", &[])),
+        .with_erratum(rounded("2.689", "Both terms come from rounded steps.")),
         Claim::equation(
             WORK,
             "quick-return.lever-tangential-equation",
@@ -302,7 +301,7 @@ fn found() -> Vec<Claim> {
             "tangential acceleration of the lever's point, in the sense of the pin's \
                     acceleration across the lever",
             r"A_{P4}^t = A_{P2}^n \sin \ldots - 2\omega_4 v_{P2/P4}",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&AcrossTheLever).into()),
                 (Vectors, || {
                     let beta = Turn::from_radians(position_of(Position::angle_at_pin));
@@ -328,18 +327,14 @@ fn found() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::FromRounded)
-        .with_erratum(rounded(
-            "2.262",
-            "Both terms come from rounded steps.",
-            &["quick-return.lever-acceleration"],
-        )),
+        .with_erratum(rounded("2.262", "Both terms come from rounded steps.")),
         Claim::equation(
             WORK,
             "quick-return.lever-acceleration-equation",
             LEVER,
             "tangential acceleration and angular acceleration of the lever",
             r"A_{P4}^t = \alpha_4 l_4",
-            Check::form(
+            Check::equation(
                 (Vectors, || {
                     same(
                         diagram(|motion| motion.accelerations.follower_tangential.norm()),
@@ -367,7 +362,7 @@ fn found() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::FromRounded)
-        .with_erratum(rounded("4.11", "Numerator and denominator come from rounded steps.", &[])),
+        .with_erratum(rounded("4.11", "Numerator and denominator come from rounded steps.")),
         Claim::statement(
             WORK,
             "quick-return.lever-acceleration-sense",

@@ -24,7 +24,7 @@ fn places() -> Vec<Claim> {
             PLACES,
             "the letter r names the vector to the pin",
             "r",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (OtherPlaceInSource, || {
                     let length =
                         claim("quick-return.projections").is_some_and(|claim| claim.printed.starts_with("r ="));
@@ -47,11 +47,15 @@ fn places() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: r"\vec{r}",
-            reason: "One letter stands for the lever's length and for the vector to the pin. \
+            slip: Slip {
+                id: "",
+                reason: "One letter stands for the lever's length and for the vector to the pin. \
                     A dot over it then means two different rates.",
-            witness: "The rate of the length and the length of the rate are different numbers.",
-            severity: Severity::Typographical,
-            inherited_by: &[],
+                witness: "The rate of the length and the length of the rate are different numbers.",
+                origin: Origin::Misprint,
+                consequence: Consequence::Wording,
+                changes: "",
+            },
         }),
         Claim::statement(
             WORK,
@@ -59,7 +63,7 @@ fn places() -> Vec<Claim> {
             PLACES,
             "the frame's origin is the lever's point under the pin",
             "oxy",
-            Check::form(
+            Check::equation(
                 (Vectors, || {
                     let speed = diagram(|motion| motion.velocities.slot_point_velocity.norm());
                     same(
@@ -80,7 +84,7 @@ fn places() -> Vec<Claim> {
             "the pin is at the frame's origin at this instant, and does not stay \
                 there",
             "p = 0",
-            Check::form(
+            Check::equation(
                 (Vectors, || {
                     let offset = diagram(|motion| {
                         motion.velocities.position.perp(&motion.velocities.slot_point_velocity)
@@ -100,7 +104,10 @@ fn places() -> Vec<Claim> {
             PLACES,
             "place of the pin: that of the frame's origin and that in the frame",
             "r = R + p",
-            Check::form((ExactIdentity, || velocity_in_a_frame(true)), (ExactIdentity, || velocity_in_a_frame(false))),
+            Check::equation(
+                (ExactIdentity, || velocity_in_a_frame(true)),
+                (ExactIdentity, || velocity_in_a_frame(false)),
+            ),
         ),
         Claim::equation(
             WORK,
@@ -108,7 +115,7 @@ fn places() -> Vec<Claim> {
             PLACES,
             "the same by the names of the points",
             r"r_{P2} = r_{P4} + r_{P2/P4}",
-            Check::form(
+            Check::equation(
                 (Vectors, || {
                     same(
                         position_of(|position| position.pin_distance),
@@ -129,7 +136,10 @@ fn rates() -> Vec<Claim> {
             VELOCITY,
             "velocity of a point given in a turning frame",
             r"\dot{r} = \dot{R} + \dot{p} + \omega \times p",
-            Check::form((ExactIdentity, || velocity_in_a_frame(true)), (ExactIdentity, || velocity_in_a_frame(false))),
+            Check::equation(
+                (ExactIdentity, || velocity_in_a_frame(true)),
+                (ExactIdentity, || velocity_in_a_frame(false)),
+            ),
         ),
         Claim::equation(
             WORK,
@@ -137,7 +147,7 @@ fn rates() -> Vec<Claim> {
             NAMES,
             "with p = 0 the last term goes, and the relative velocity is that seen in the frame",
             r"v_{P2} = v_{P4} + v_{P2/P4} = \dot{R} + \dot{p}",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&DiagramAgainstSeries(Compared::LeverSpeed)).into()),
                 (ExactIdentity, || prove(&DiagramAgainstSeries(Compared::Sliding)).into()),
             ),
@@ -148,7 +158,7 @@ fn rates() -> Vec<Claim> {
             ADVICE,
             "the relative velocity is what one sees who holds the lever still: along the slot",
             "P2 moving, P4 fixed",
-            Check::form(
+            Check::equation(
                 (Vectors, || {
                     let across = diagram(|motion| motion.velocities.sliding_velocity.perp(&motion.velocities.position));
                     Finding::new(vanishes(across), "nothing of it is across the lever")
@@ -168,22 +178,23 @@ fn rates() -> Vec<Claim> {
 pub fn acceleration_in_a_frame() -> Claim {
     Claim::equation(WORK, "quick-return.acceleration-in-a-frame", "Solution, acceleration, 1st line", "acceleration of a point given in a turning frame",
         r"\ddot{r} = \ddot{R} + \ddot{p} + \omega \times \omega \times p + \dot{\omega} \times p + 2\omega \times \dot{p}",
-        Check::corrected_form(
+        Check::corrected_equation(
             (ExactIdentity, || prove(&AccelerationInAFrame { first: true, brackets: Brackets::FromTheLeft, coriolis: 2 }).into()),
             || prove(&AccelerationInAFrame { first: true, brackets: Brackets::FromTheRight, coriolis: 2 }).into(),
             (LimitCase, at_rest_in_a_turning_frame),
         ),
     )
     .expecting(Verdict::Corrected)
-    .with_erratum(Erratum {
-        corrected: r"\ddot{r} = \ddot{R} + \ddot{p} + \omega \times (\omega \times p) + \dot{\omega} \times p + 2\omega \times \dot{p}",
-        reason: "A double cross product needs brackets. Read from left to right, ω × ω \
-                is zero and the term is lost. Here p = 0, and nothing comes of it.",
-        witness: "A point at rest in a frame that turns steadily is accelerated towards the centre: \
-                three of its places, a short time apart, say so.",
-        severity: Severity::Typographical,
-        inherited_by: &[],
-    })
+    .with_erratum(Erratum { corrected: r"\ddot{r} = \ddot{R} + \ddot{p} + \omega \times (\omega \times p) + \dot{\omega} \times p + 2\omega \times \dot{p}", slip: Slip {
+ id: "",
+reason: "A double cross product needs brackets. Read from left to right, ω × ω is zero and the term \
+                    is lost. Here p = 0, and nothing comes of it.",
+witness: "A point at rest in a frame that turns steadily is accelerated towards the centre: three of \
+                    its places, a short time apart, say so.",
+origin: Origin::Misprint,
+consequence: Consequence::Derivation,
+changes: "",
+} })
 }
 
 /// The acceleration of a point at distance 1 in a frame that turns at 1 rad/s, from three of its places.

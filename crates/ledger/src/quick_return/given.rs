@@ -21,7 +21,7 @@ pub fn claims() -> Vec<Claim> {
             DATA,
             "the crank turns counter-clockwise",
             "counter-clockwise",
-            Check::form(
+            Check::equation(
                 (Vectors, || {
                     let speed = diagram(|motion| motion.velocities.follower_speed);
                     Finding::new(
@@ -61,7 +61,7 @@ pub fn claims() -> Vec<Claim> {
             VELOCITY,
             "velocity of the pin: that of the lever's point under it and that relative to the lever",
             r"v_{P_2} = v_{P_4} + v_{P_2P_4}",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&DiagramAgainstSeries(Compared::Sliding)).into()),
                 (Vectors, || {
                     closes(diagram(|motion| motion.velocity_gap().norm() / motion.velocities.pin_velocity.norm()))
@@ -74,7 +74,7 @@ pub fn claims() -> Vec<Claim> {
             ACCELERATION,
             "acceleration of the pin: that of the lever's point and the rest, seen without turning",
             r"a_{P_2} = a_{P_4} + a_{P_2P_4}",
-            Check::form(
+            Check::equation(
                 (Vectors, || closes(diagram(|motion| motion.acceleration_gap().norm() / motion.pin_normal.norm()))),
                 (Series, || same(series(total), diagram(|motion| (motion.pin_normal + motion.pin_tangential).norm()))),
             ),
@@ -85,7 +85,7 @@ pub fn claims() -> Vec<Claim> {
             TERMS,
             "the same by normal, tangential and Coriolis components",
             r"(a_{P_2}^n + a_{P_2}^t) = (a_{P_4}^n + a_{P_4}^t) + (a_{P_2P_4}^n + a_{P_2P_4}^t + 2\omega_4 \times v_{P_2P_4})",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&TermsOfTheAcceleration { coriolis: 2 }).into()),
                 (LimitCase, frames::coriolis_by_finite_turns),
             ),
@@ -96,7 +96,7 @@ pub fn claims() -> Vec<Claim> {
             QUESTION,
             "the equation has seven terms, two of which are zero at constant speed and in a straight slot",
             "seven",
-            Check::form(
+            Check::equation(
                 (Vectors, || {
                     let zero = terms().iter().filter(|term| term.is_some_and(|norm| norm == 0.0)).count();
                     Finding::new(

@@ -17,7 +17,7 @@ pub use inventory::INVENTORY;
 pub use symbols::SYMBOLS;
 
 use crate::checks::{agrees, decimal, printed, rounds, same, vanishes};
-use crate::{Check, Claim, Erratum, Evidence, Finding, Severity, Verdict, Work};
+use crate::{Check, Claim, Consequence, Erratum, Evidence, Finding, Origin, Slip, Verdict, Work};
 use geneva_kinematics::Turn;
 use geneva_kinematics::quick_return::series::{PolarRates, polar_rates};
 use geneva_kinematics::quick_return::{Branch, Drive, LinkageError, Motion, Position, QuickReturn};
@@ -76,9 +76,19 @@ pub fn claims() -> Vec<Claim> {
 }
 
 /// The erratum of a number whose last digits come from rounded steps.
-fn rounded(corrected: &'static str, reason: &'static str, inherited_by: &'static [&'static str]) -> Erratum {
+fn rounded(corrected: &'static str, reason: &'static str) -> Erratum {
     let witness = "The loop closure differentiated by power series gives the corrected digits too.";
-    Erratum { corrected, reason, witness, severity: Severity::Arithmetical, inherited_by }
+    Erratum {
+        corrected,
+        slip: Slip {
+            id: "",
+            reason,
+            witness,
+            origin: Origin::Arithmetic,
+            consequence: Consequence::Result,
+            changes: "",
+        },
+    }
 }
 
 /// A quantity of the diagrams at the printed instant.

@@ -68,7 +68,7 @@ pub fn claims() -> Vec<Claim> {
             SINES,
             "law of sines at the lever's pivot and at the pin",
             r"\ldots \sin \ldots^\circ = \ldots \sin \beta",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&LawOfSinesAtThePin).into()),
                 (Vectors, || {
                     let height = diagram(|motion| motion.velocities.position.y * motion.velocities.position.norm());
@@ -103,7 +103,7 @@ pub fn claims() -> Vec<Claim> {
             "of the two angles with this sine the acute one is meant: the pin is at \
                     the far point of its circle",
             "beta",
-            Check::form(
+            Check::equation(
                 (OtherPlaceInSource, || {
                     let [far, near] = both(|position| position.pin_distance);
                     let holds = rounds("quick-return.lever-length", far) && !rounds("quick-return.lever-length", near);
@@ -125,7 +125,7 @@ pub fn claims() -> Vec<Claim> {
             PROJECTIONS,
             "length of the lever as the projections of ground and crank on it",
             r"r = \ldots \cos \ldots^\circ + \ldots \cos \beta",
-            Check::form(
+            Check::equation(
                 (ExactIdentity, || prove(&LeverAsProjections).into()),
                 (Vectors, || {
                     let projected = diagram(|motion| {
@@ -150,7 +150,7 @@ pub fn claims() -> Vec<Claim> {
             SPEED,
             "revolutions per minute to radians per second",
             r"\frac{\text{rev}}{\text{min}} \cdot \frac{2\pi \text{ rad}}{1 \text{ rev}} \cdot \frac{\text{min}}{60 \text{ s}}",
-            Check::form(
+            Check::equation(
                 (ClosedForm, || {
                     let drive = Instant::printed().map_or(f64::NAN, |instant| instant.drive.speed);
                     same(drive, printed("quick-return.driver-speed") * 2.0 * PI / 60.0)
@@ -178,7 +178,7 @@ pub fn claims() -> Vec<Claim> {
             ANGLES,
             "the third angle of the triangle",
             r"\gamma = 180^\circ - \ldots^\circ - \beta",
-            Check::form(
+            Check::equation(
                 (Vectors, || same(position_of(|position| interior(position).iter().sum()), 180.0)),
                 (OtherPlaceInSource, || {
                     let left = 180.0 - printed("quick-return.lever-angle") - printed("quick-return.angle-at-pin");
@@ -210,7 +210,7 @@ pub fn claims() -> Vec<Claim> {
             CRANK,
             "what is left of γ to the half turn is the angle of the crank from the line of centres",
             r"180^\circ - \gamma",
-            Check::form(
+            Check::equation(
                 (Vectors, || {
                     same(
                         position_of(|position| 180.0 - interior(position)[2]),

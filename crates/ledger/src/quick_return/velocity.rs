@@ -21,7 +21,7 @@ fn pin() -> Vec<Claim> {
             PIN,
             "speed of the pin on its circle",
             r"v_{P2} = \omega_2 l_2",
-            Check::form(
+            Check::equation(
                 (Vectors, || {
                     same(
                         diagram(|motion| motion.velocities.pin_velocity.norm()),
@@ -47,11 +47,7 @@ fn pin() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::FromRounded)
-        .with_erratum(rounded(
-            "1.047",
-            "The rate of the crank is used with the three digits it was printed with.",
-            &["quick-return.pin-normal"],
-        )),
+        .with_erratum(rounded("1.047", "The rate of the crank is used with the three digits it was printed with.")),
     ]
 }
 
@@ -63,7 +59,7 @@ fn across() -> Vec<Claim> {
             ACROSS,
             "the pin's velocity across the lever, by an angle between crank and lever",
             r"v_{P4} = v_{P2} \cos(\ldots^\circ)",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (ExactIdentity, || resolved(ResolvedBy::AngleAtAxis, Part::Across)),
                 || resolved(ResolvedBy::AngleAtPin, Part::Across),
                 (OtherPlaceInSource, || printed_speeds_point_to("quick-return.lever-point-speed", arccosine)),
@@ -72,13 +68,17 @@ fn across() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: r"v_{P4} = v_{P2} \cos\beta",
-            reason: "The angle between v(P2), which is at right angles to the crank, and \
+            slip: Slip {
+                id: "",
+                reason: "The angle between v(P2), which is at right angles to the crank, and \
                     v(P4), which is at right angles to the lever, is that between crank and \
                     lever: β, at the pin. The printed angle is that between the crank and \
                     the line of centres. The printed speed was computed with β.",
-            witness: "The two printed speeds alone: the angle with that cosine is β within their digits.",
-            severity: Severity::Typographical,
-            inherited_by: &["quick-return.sliding-speed-equation"],
+                witness: "The two printed speeds alone: the angle with that cosine is β within their digits.",
+                origin: Origin::Misprint,
+                consequence: Consequence::Derivation,
+                changes: "",
+            },
         }),
         Claim::value(
             WORK,
@@ -98,7 +98,7 @@ fn across() -> Vec<Claim> {
             LEVER,
             "angular velocity of the lever",
             r"\omega_4 = v_{P4} / l_4",
-            Check::form(
+            Check::equation(
                 (Vectors, || {
                     same(
                         diagram(|motion| motion.velocities.follower_speed),
@@ -130,11 +130,7 @@ fn across() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::FromRounded)
-        .with_erratum(rounded(
-            "1.215",
-            "The length of the lever is used with the two digits it was printed with.",
-            &["quick-return.lever-normal", "quick-return.coriolis"],
-        )),
+        .with_erratum(rounded("1.215", "The length of the lever is used with the two digits it was printed with.")),
     ]
 }
 
@@ -146,7 +142,7 @@ fn along() -> Vec<Claim> {
             ALONG,
             "the pin's velocity along the lever, by an angle between crank and lever",
             r"v_{P2/P4} = v_{P2} \sin(\ldots^\circ)",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (ExactIdentity, || resolved(ResolvedBy::AngleAtAxis, Part::Along)),
                 || resolved(ResolvedBy::AngleAtPin, Part::Along),
                 (OtherPlaceInSource, || printed_speeds_point_to("quick-return.sliding-speed", arcsine)),
@@ -155,10 +151,14 @@ fn along() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: r"v_{P2/P4} = v_{P2} \sin\beta",
-            reason: "The same angle for another as two lines before; the printed speed was computed with β.",
-            witness: "The two printed speeds alone: the angle with that sine is β within their digits.",
-            severity: Severity::Typographical,
-            inherited_by: &[],
+            slip: Slip {
+                id: "",
+                reason: "The same angle for another as two lines before; the printed speed was computed with β.",
+                witness: "The two printed speeds alone: the angle with that sine is β within their digits.",
+                origin: Origin::Misprint,
+                consequence: Consequence::Derivation,
+                changes: "",
+            },
         }),
         Claim::value(
             WORK,

@@ -66,7 +66,6 @@ pub fn claims() -> Vec<Claim> {
             "the angle within an engagement is the driver's angle modulo 90°, less 30°, 45° or 60°",
             r"90° , minus either 30° , 45° , or 60°",
             "60°, 90° or 120°, minus 30°, 45° or 60°",
-            &[],
         ),
         statement(
             "meyer.app-b.hand-over",

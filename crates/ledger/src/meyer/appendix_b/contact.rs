@@ -34,7 +34,7 @@ fn solved() -> Vec<Claim> {
             "Appendix B, line after Eq. (1-19) repeated",
             "with its bars the equation has no solution for the acceleration in closed form",
             "cannot be solved",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (ClosedForm, || {
                     let found = equal(
                         |letter| (solution(letter), letter("theta''")),
@@ -52,18 +52,18 @@ fn solved() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: r"\text{can be solved: } S \text{ is the sign of } A C \dot{\theta}^2 + D (E - B \dot{\theta}^2)",
-            reason: "On either side of the kink the equation is linear in the acceleration. \
-                    As long as A > |D| it has one solution, and F (A + S D) is the quantity \
-                    above whichever sign S has: so the sign is known before the \
-                    acceleration is. The detour over an old value of the acceleration is \
-                    not needed.",
-            witness: "The sign so found is that of the friction of the moving mechanism, and \
-                    the acceleration is its own.",
-            severity: Severity::Conceptual,
-            inherited_by: &["meyer.app-b.simultaneous"],
-        }),
+        .with_erratum(Erratum { corrected: r"\text{can be solved: } S \text{ is the sign of } A C \dot{\theta}^2 + D (E - B \dot{\theta}^2)", slip: Slip {
+ id: "",
+reason: "On either side of the kink the equation is linear in the acceleration. As long as A > |D| \
+                    it has one solution, and F (A + S D) is the quantity above whichever sign S has: so the sign \
+                    is known before the acceleration is. The detour over an old value of the acceleration is not \
+                    needed.",
+witness: "The sign so found is that of the friction of the moving mechanism, and the acceleration is \
+                    its own.",
+origin: Origin::Concept,
+consequence: Consequence::Conclusion,
+changes: "",
+} }),
     ]
 }
 
@@ -156,7 +156,7 @@ fn described() -> Vec<Claim> {
             "the sign of the friction cannot be computed from the same instant's \
                     acceleration, because two equations would have to be solved together",
             "cannot solve simultaneous equations",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (ClosedForm, || {
                     let found = equal(|letter| (solution(letter), letter("theta''")), "both equations solved together");
                     Finding::new(!found.holds, found.how)
@@ -185,13 +185,17 @@ fn described() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: "the two equations can be solved beforehand",
-            reason: "They are linear for either sign, and which sign is right can be told \
+            slip: Slip {
+                id: "",
+                reason: "They are linear for either sign, and which sign is right can be told \
                     from A, B, C, D, E and the speed. Taking the sign from an old \
                     acceleration brings in a small delay where the friction changes its \
                     sign.",
-            witness: "The explicit solution satisfies the equation with its bars.",
-            severity: Severity::Conceptual,
-            inherited_by: &[],
+                witness: "The explicit solution satisfies the equation with its bars.",
+                origin: Origin::Concept,
+                consequence: Consequence::Conclusion,
+                changes: "",
+            },
         }),
         statement(
             "meyer.app-b.delay",

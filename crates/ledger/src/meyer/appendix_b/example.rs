@@ -19,14 +19,11 @@ fn equations() -> Vec<Claim> {
             "the example: a mass on a spring with damping",
             r"m\dot{x} + c\dot{x} + kx = 0",
             || of_a_vibration("meyer.app-b.example"),
-            Erratum {
-                inherited_by: &["meyer.app-b.example.solved"],
-                ..miscopied(
-                    r"m\ddot{x} + c\dot{x} + kx = 0",
-                    "The first term needs two dots: the text looks for the derivative of the \
+            miscopied(
+                r"m\ddot{x} + c\dot{x} + kx = 0",
+                "The first term needs two dots: the text looks for the derivative of the \
                     highest order, and the program computes the second.",
-                )
-            },
+            ),
         ),
         dots(
             "meyer.app-b.example.solved",
@@ -160,7 +157,7 @@ fn dots(
     let proofs: [fn() -> Finding; 2] =
         [|| prove(&Demonstration(Form::Printed)).into(), || prove(&Demonstration(Form::Corrected)).into()];
     let witness = "A vibration in closed form satisfies the corrected equation and not the printed one.";
-    slip(id, locator, meaning, printed, proofs, read, Erratum { witness, ..erratum })
+    slip(id, locator, meaning, printed, proofs, read, Erratum { slip: Slip { witness, ..erratum.slip }, ..erratum })
 }
 
 /// A place where the copy has LDX: a typewriter's one, read as an L.
@@ -172,7 +169,7 @@ pub fn first_derivative(
     printed: &'static str,
     corrected: &'static str,
 ) -> Claim {
-    let check = Check::corrected_form(
+    let check = Check::corrected_equation(
         (LimitCase, || {
             Finding::new(order("LDX").is_some(), "the names of derivatives begin with their order, as 2DX does")
         }),
@@ -189,10 +186,14 @@ pub fn first_derivative(
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected,
-            reason: "A typewriter's one has been read as the letter L.",
-            witness: "The program has the name with a one.",
-            severity: Severity::Transcription,
-            inherited_by: &[],
+            slip: Slip {
+                id: "",
+                reason: "A typewriter's one has been read as the letter L.",
+                witness: "The program has the name with a one.",
+                origin: Origin::Copy,
+                consequence: Consequence::Copy,
+                changes: "",
+            },
         })
 }
 

@@ -9,7 +9,6 @@ pub fn fold(
     meaning: &'static str,
     said: &'static str,
     corrected: &'static str,
-    inherited_by: &'static [&'static str],
 ) -> Claim {
     Claim::statement(
         WORK,
@@ -17,7 +16,7 @@ pub fn fold(
         locator,
         meaning,
         said,
-        Check::corrected_form(
+        Check::corrected_equation(
             (ClosedForm, || folds(|_| printed("meyer.listing.quarter-turn"))),
             || folds(Escapement::driver_advance),
             (Vectors, || {
@@ -43,14 +42,18 @@ pub fn fold(
     .expecting(Verdict::Corrected)
     .with_erratum(Erratum {
         corrected,
-        reason: "The next pin takes over after 2π/m of the driver: 90° for four pins, \
+        slip: Slip {
+            id: "meyer.listing.fold",
+            reason: "The next pin takes over after 2π/m of the driver: 90° for four pins, \
                 but 60° for six and 120° for three. With 90° the pin of six is followed \
                 to 60°, 30° beyond the end of its slot, and that of three is dropped at \
                 30° while the follower turns.",
-        witness: "Of all pins by their coordinates, the one next to the follower's axis \
+            witness: "Of all pins by their coordinates, the one next to the follower's axis \
                 is where the corrected angle says.",
-        severity: Severity::Conceptual,
-        inherited_by,
+            origin: Origin::Concept,
+            consequence: Consequence::Result,
+            changes: "",
+        },
     })
 }
 

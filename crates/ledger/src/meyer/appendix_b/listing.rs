@@ -210,7 +210,6 @@ fn motion() -> Vec<Claim> {
                     plus the angle at the start",
             "MOD",
             "the modulus 2π/m: 1.5708 for four pins only, 1.0472 for six and 2.0944 for three",
-            &["meyer.app-b.fold"],
         ),
         line(
             "meyer.listing.phidot",
@@ -230,7 +229,7 @@ fn line(
     first: fn() -> Finding,
     second: fn() -> Finding,
 ) -> Claim {
-    Claim::equation(WORK, id, PROGRAM, meaning, printed, Check::form((ClosedForm, first), (Vectors, second)))
+    Claim::equation(WORK, id, PROGRAM, meaning, printed, Check::equation((ClosedForm, first), (Vectors, second)))
 }
 
 /// π by Machin's series.

@@ -27,7 +27,7 @@ fn described() -> Vec<Claim> {
             STEPS,
             "each step goes on with the value of the derivative at its beginning",
             r"\text{2DX at } t_n",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (ClosedForm, || {
                     let (start, growth) = (1.0, |_: f64, y: f64| y);
                     let beginning = start + STEP * growth(0.0, start);
@@ -64,13 +64,17 @@ fn described() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: r"\text{2DX at four places between } t_n \text{ and } t_{n+1}",
-            reason: "With the value at the beginning alone this is Euler's method. The \
+            slip: Slip {
+                id: "",
+                reason: "With the value at the beginning alone this is Euler's method. The \
                     formulas that follow take four values in each step, which is why their \
                     error is so much smaller.",
-            witness: "Half the step makes the error of one step of the formulas 32 times \
+                witness: "Half the step makes the error of one step of the formulas 32 times \
                     smaller, of Euler's method 4 times.",
-            severity: Severity::Conceptual,
-            inherited_by: &[],
+                origin: Origin::Concept,
+                consequence: Consequence::Conclusion,
+                changes: "",
+            },
         }),
         statement(
             "meyer.app-b.method.order",
@@ -124,7 +128,7 @@ fn described() -> Vec<Claim> {
             DIVISION,
             "the function is taken as constant over each of the four parts of the interval",
             "constant over each of the subintervals",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (ClosedForm, || {
                     let ends = [0.0, 1.0 / 6.0, 0.5, 5.0 / 6.0, 1.0];
                     let middles = ends.windows(2).map(|pair| {
@@ -156,12 +160,16 @@ fn described() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: "taken at the beginning of the interval, twice in its middle and at its end",
-            reason: "The four widths are weights. No part of the interval is treated by \
+            slip: Slip {
+                id: "",
+                reason: "The four widths are weights. No part of the interval is treated by \
                     itself, and steps of a staircase could not give an error as small as \
                     h⁵.",
-            witness: "An implementation of the classical method asks for the function at these three places.",
-            severity: Severity::Conceptual,
-            inherited_by: &[],
+                witness: "An implementation of the classical method asks for the function at these three places.",
+                origin: Origin::Concept,
+                consequence: Consequence::Conclusion,
+                changes: "",
+            },
         }),
     ]
 }
@@ -174,7 +182,7 @@ fn formulas() -> Vec<Claim> {
             "Appendix B, display of y_{n+1}",
             "the next value, from four slopes",
             r"y_{n+1} = y_n + \frac{h}{6} (f_1 + 2f_2 + 2f_3 + f_4)",
-            Check::form((ClosedForm, || same_as_mimic(3)), (LimitCase, thirty_second)),
+            Check::equation((ClosedForm, || same_as_mimic(3)), (LimitCase, thirty_second)),
         ),
         stage("meyer.app-b.method.f1", r"f_1 = f(x_n; y_n)", "first slope, at the beginning", || same_as_mimic(0)),
         stage(
@@ -214,7 +222,7 @@ fn advantages() -> Vec<Claim> {
             ADVANTAGES,
             "what has been integrated over when the next value is known",
             "over the subinterval",
-            Check::corrected_form(
+            Check::corrected_equation(
                 (ClosedForm, || {
                     let advance = printed_step(|_, _| 1.0, 0.0, 0.0, 1.0).unwrap_or(f64::NAN);
                     let widths = numbers("meyer.app-b.method.widths");
@@ -231,11 +239,15 @@ fn advantages() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: "over the interval",
-            reason: "The paragraph before calls h the interval and its four parts \
+            slip: Slip {
+                id: "",
+                reason: "The paragraph before calls h the interval and its four parts \
                     subintervals; one value follows from the other over the whole interval.",
-            witness: "The next point is a whole h further on.",
-            severity: Severity::Typographical,
-            inherited_by: &[],
+                witness: "The next point is a whole h further on.",
+                origin: Origin::Misprint,
+                consequence: Consequence::Wording,
+                changes: "",
+            },
         }),
         Claim::equation(
             WORK,
@@ -243,7 +255,7 @@ fn advantages() -> Vec<Claim> {
             ADVANTAGES,
             "order of the error of one step; that of a run of many is h⁴",
             "h^5",
-            Check::form(
+            Check::equation(
                 (ClosedForm, thirty_second),
                 (LimitCase, || {
                     // For growth the step is the exponential series up to h⁴; the next term is h⁵/120.
@@ -284,7 +296,14 @@ fn advantages() -> Vec<Claim> {
 
 fn stage(id: &'static str, printed: &'static str, meaning: &'static str, first: fn() -> Finding) -> Claim {
     let locator = "Appendix B, displays of the four slopes";
-    Claim::equation(WORK, id, locator, meaning, printed, Check::form((ClosedForm, first), (LimitCase, thirty_second)))
+    Claim::equation(
+        WORK,
+        id,
+        locator,
+        meaning,
+        printed,
+        Check::equation((ClosedForm, first), (LimitCase, thirty_second)),
+    )
 }
 
 type Slope = fn(f64, f64) -> f64;

@@ -92,6 +92,7 @@ fn of_row(row: &'static Row, routes: Routes) -> Vec<Claim> {
                     witness: Route { evidence: Evidence::Steps, run: witness },
                     from_rounded: None,
                     resolution: resolution(column),
+                    right: None,
                 },
                 None => Check::Missing { reason: NO_DEFINITION },
             };

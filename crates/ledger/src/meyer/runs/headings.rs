@@ -46,8 +46,8 @@ pub fn claims(mechanism: Mechanism) -> Vec<Claim> {
             let meaning = leaked(format!("moment of inertia of the {member} in the runs, a datum"));
             let claim = Claim::value(WORK, id, place, meaning, (number, UNIT), check);
             match (mechanism, member) {
-                (Mechanism::SixPin, "driver") => swapped(claim, "6", &["meyer.app-e.6-pin.follower"]),
-                (Mechanism::SixPin, _) => swapped(claim, "10", &[]),
+                (Mechanism::SixPin, "driver") => swapped(claim, "6"),
+                (Mechanism::SixPin, _) => swapped(claim, "10"),
                 _ => claim,
             }
         })
@@ -101,14 +101,19 @@ pub fn lines() -> Vec<Line> {
     ]
 }
 
-fn swapped(claim: Claim, corrected: &'static str, inherited_by: &'static [&'static str]) -> Claim {
+fn swapped(claim: Claim, corrected: &'static str) -> Claim {
     claim.expecting(Verdict::Corrected).with_erratum(Erratum {
         corrected,
-        reason: "The heading has the two members the other way round from Fig. 11. Only Fig. 11's choice gives the table's \
-                 peaks, minima and periods.",
-        witness: "Fig. 11 prints the two the other way round, and the minima of the table, computed in steps, agree with it.",
-        severity: Severity::Typographical,
-        inherited_by,
+        slip: Slip {
+            id: "meyer.app-e.6-pin.driver",
+            reason: "The heading has the two members the other way round from Fig. 11. Only Fig. 11's choice \
+                    gives the table's peaks, minima and periods.",
+            witness: "Fig. 11 prints the two the other way round, and the minima of the table, computed in steps, \
+                    agree with it.",
+            origin: Origin::Misprint,
+            consequence: Consequence::Result,
+            changes: "",
+        },
     })
 }
 

@@ -1,0 +1,233 @@
+//! How a claim is checked: two routes that share no code, and what each of them must refuse.
+
+use crate::slugs::slugs;
+use geneva_kinematics::{Proof, Refutation};
+
+/// How a claim is checked.
+#[derive(Clone, Debug)]
+pub enum Check {
+    /// A number: computed, and computed again by a witness.
+    Number {
+        /// What the source says it did gives this value, in the printed unit.
+        computed: Route<fn() -> f64>,
+        /// The same by a route that shares no code with the first.
+        witness: Route<fn() -> f64>,
+        /// What the source's own rounded intermediate results give, if it is computed from any.
+        from_rounded: Option<fn() -> f64>,
+        /// Resolution of the reading, in the printed unit, if the number was read from a curve or print-out.
+        resolution: Option<f64>,
+        /// The right value by two routes, if what the source did has a slip in it.
+        right: Option<[Route<fn() -> f64>; 2]>,
+    },
+    /// An equation that holds or fails. What each route must refuse are misprints of its characters, made by program.
+    Equation {
+        /// The equation as printed.
+        printed: Route<fn() -> Finding>,
+        /// The corrected equation, if the printed one fails.
+        corrected: Option<fn() -> Finding>,
+        /// Another route to the equation that is right: the corrected one if there is one, else the printed one.
+        witness: Route<fn() -> Finding>,
+    },
+    /// A statement or a figure. Each route is asked twice: for what is right and for a neighbour that is wrong.
+    Statement {
+        /// The first route.
+        first: Route<fn(Stated) -> Finding>,
+        /// A route that shares no code with the first.
+        witness: Route<fn(Stated) -> Finding>,
+        /// The neighbour in words; none if it is the printed form, which is wrong.
+        neighbour: Option<&'static str>,
+    },
+    /// A datum is missing from the source.
+    Missing {
+        /// Which, and why nothing in the source replaces it.
+        reason: &'static str,
+    },
+}
+
+/// A way to a result, with the kind of evidence that it is.
+#[derive(Clone, Copy, Debug)]
+pub struct Route<F> {
+    /// The kind of evidence.
+    pub evidence: Evidence,
+    /// Computes the result.
+    pub run: F,
+}
+
+/// Which of two neighbouring statements is put to a route. A check that cannot fail is not a check: a route that
+/// accepts the right one must refuse the wrong one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stated {
+    /// The one that is right: the printed form or, if that is wrong, its correction.
+    Right,
+    /// The one that is wrong: the printed form if it is corrected, else a neighbour made for the purpose.
+    Wrong,
+}
+
+impl Stated {
+    /// What the statement says differently from its neighbour: a sign, a row, an exponent, a relation.
+    pub fn pick<T>(self, right: T, wrong: T) -> T {
+        match self {
+            Self::Right => right,
+            Self::Wrong => wrong,
+        }
+    }
+}
+
+/// The kinds of evidence.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Evidence {
+    /// A formula evaluated.
+    ClosedForm,
+    /// An identity proven over the rationals at more points than its degree allows it to fail.
+    ExactIdentity,
+    /// A derivative taken by truncated power series of where things are.
+    Jet,
+    /// Derivatives by another library's automatic differentiation.
+    AutomaticDerivative,
+    /// Vectors from coordinates.
+    Vectors,
+    /// A case in which the answer is known.
+    LimitCase,
+    /// The dimensions of the quantities.
+    Dimension,
+    /// What the same source says elsewhere.
+    OtherPlaceInSource,
+    /// The equation of motion solved over the driver's angle.
+    Integration,
+    /// The equation of motion solved step by step.
+    Steps,
+}
+
+/// Whether a form holds, and how that was found.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Finding {
+    /// Whether it holds.
+    pub holds: bool,
+    /// How that was found, in a clause.
+    pub how: String,
+}
+
+impl Check {
+    /// A number and its witness.
+    pub fn number(computed: (Evidence, fn() -> f64), witness: (Evidence, fn() -> f64)) -> Self {
+        let (computed, witness) = (computed.into(), witness.into());
+        Self::Number { computed, witness, from_rounded: None, resolution: None, right: None }
+    }
+
+    /// The same, with what the source's rounded intermediate results give.
+    pub fn number_from_rounded(
+        computed: (Evidence, fn() -> f64),
+        witness: (Evidence, fn() -> f64),
+        rounded: fn() -> f64,
+    ) -> Self {
+        let (computed, witness) = (computed.into(), witness.into());
+        Self::Number { computed, witness, from_rounded: Some(rounded), resolution: None, right: None }
+    }
+
+    /// A number to which a slip of the source leads, by two routes that take it along, and the right number by two that
+    /// do not.
+    pub fn number_in_error(
+        computed: (Evidence, fn() -> f64),
+        witness: (Evidence, fn() -> f64),
+        right: [(Evidence, fn() -> f64); 2],
+    ) -> Self {
+        let (computed, witness, right) = (computed.into(), witness.into(), Some(right.map(Route::from)));
+        Self::Number { computed, witness, from_rounded: None, resolution: None, right }
+    }
+
+    /// An equation that is right as printed, and its witness.
+    pub fn equation(printed: (Evidence, fn() -> Finding), witness: (Evidence, fn() -> Finding)) -> Self {
+        Self::Equation { printed: printed.into(), corrected: None, witness: witness.into() }
+    }
+
+    /// An equation that fails as printed, its correction, and the correction's witness.
+    pub fn corrected_equation(
+        printed: (Evidence, fn() -> Finding),
+        corrected: fn() -> Finding,
+        witness: (Evidence, fn() -> Finding),
+    ) -> Self {
+        Self::Equation { printed: printed.into(), corrected: Some(corrected), witness: witness.into() }
+    }
+
+    /// A statement that is right as printed, a neighbour that is wrong, and two routes that tell them apart.
+    pub fn statement(
+        neighbour: &'static str,
+        first: (Evidence, fn(Stated) -> Finding),
+        witness: (Evidence, fn(Stated) -> Finding),
+    ) -> Self {
+        Self::Statement { first: first.into(), witness: witness.into(), neighbour: Some(neighbour) }
+    }
+
+    /// A statement that is wrong as printed, and two routes that tell it from its correction.
+    pub fn corrected_statement(
+        first: (Evidence, fn(Stated) -> Finding),
+        witness: (Evidence, fn(Stated) -> Finding),
+    ) -> Self {
+        Self::Statement { first: first.into(), witness: witness.into(), neighbour: None }
+    }
+
+    /// The kinds of evidence used, the first route's first.
+    pub fn evidence(&self) -> Vec<Evidence> {
+        match self {
+            Self::Number { computed, witness, .. } => vec![computed.evidence, witness.evidence],
+            Self::Equation { printed, witness, .. } => vec![printed.evidence, witness.evidence],
+            Self::Statement { first, witness, .. } => vec![first.evidence, witness.evidence],
+            Self::Missing { .. } => Vec::new(),
+        }
+    }
+}
+
+impl<F> From<(Evidence, F)> for Route<F> {
+    fn from((evidence, run): (Evidence, F)) -> Self {
+        Self { evidence, run }
+    }
+}
+
+impl Finding {
+    /// It holds if `holds`, found so.
+    pub fn new(holds: bool, how: impl Into<String>) -> Self {
+        Self { holds, how: how.into() }
+    }
+}
+
+impl From<Result<Proof, Refutation>> for Finding {
+    fn from(result: Result<Proof, Refutation>) -> Self {
+        match result {
+            Ok(proof) => Self::new(true, proof.to_string()),
+            Err(refutation) => Self::new(false, refutation.to_string()),
+        }
+    }
+}
+
+slugs!(Evidence {
+    ClosedForm = "closed-form",
+    ExactIdentity = "exact-identity",
+    Jet = "jet",
+    AutomaticDerivative = "automatic-derivative",
+    Vectors = "vectors",
+    LimitCase = "limit-case",
+    Dimension = "dimension",
+    OtherPlaceInSource = "other-place-in-source",
+    Integration = "integration",
+    Steps = "steps",
+});
+
+impl Evidence {
+    /// What the kind of evidence is, for readers.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Self::ClosedForm => "a formula evaluated",
+            Self::ExactIdentity => {
+                "an identity between rational functions, proven by exact evaluation on a large enough grid"
+            }
+            Self::Jet => "a derivative taken by power series of where things are",
+            Self::AutomaticDerivative => "the wheel's angle differentiated by another library's dual numbers",
+            Self::Vectors => "lengths and angles measured between points given by their coordinates",
+            Self::LimitCase => "cases in which the answer is known, or all cases of a list gone through",
+            Self::Dimension => "the dimensions of the quantities",
+            Self::OtherPlaceInSource => "what the same source says elsewhere",
+            Self::Integration => "the equation of motion solved over the driver's angle, by integrals",
+            Self::Steps => "the equation of motion solved in steps of time or angle",
+        }
+    }
+}

@@ -1,0 +1,176 @@
+//! What is wrong in a source: one slip, in one place or in many.
+
+use crate::slugs::slugs;
+use crate::{Judged, Kind, Verdict, verdicts};
+
+/// What is wrong in one place, and the slip that it comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Erratum {
+    /// What should stand there. Empty for a number whose check computes the right one.
+    pub corrected: &'static str,
+    /// The slip.
+    pub slip: Slip,
+}
+
+/// One thing that is wrong. Every claim that it reaches refers to it; it is counted once.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Slip {
+    /// The id of the claim in which it is made. Empty for that of the claim at hand.
+    pub id: &'static str,
+    /// Why it is wrong.
+    pub reason: &'static str,
+    /// Which second witness says so, in words.
+    pub witness: &'static str,
+    /// Where it comes from.
+    pub origin: Origin,
+    /// What it does to the reader of the source.
+    pub consequence: Consequence,
+    /// What changes when it is put right, in a sentence. May be empty if nothing but the place itself does.
+    pub changes: &'static str,
+}
+
+/// Where a slip comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Origin {
+    /// A character that is lost or changed in the copy at hand.
+    Copy,
+    /// A wrong or missing word, sign or symbol.
+    Misprint,
+    /// A wrong or carelessly rounded computation.
+    Arithmetic,
+    /// A wrong idea.
+    Concept,
+}
+
+/// What a slip does, the gravest first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Consequence {
+    /// An answer, a table or a curve is wrong.
+    Result,
+    /// Something that the source concludes is false.
+    Conclusion,
+    /// A displayed equation is false; nothing after it uses it so.
+    Derivation,
+    /// A label, a reference, a unit or a name is wrong.
+    Wording,
+    /// A character of the copy is wrong; nothing is said of the original.
+    Copy,
+}
+
+slugs!(Origin { Copy = "copy", Misprint = "misprint", Arithmetic = "arithmetic", Concept = "concept" });
+
+slugs!(Consequence {
+    Result = "result",
+    Conclusion = "conclusion",
+    Derivation = "derivation",
+    Wording = "wording",
+    Copy = "copy",
+});
+
+impl Origin {
+    /// What it means, for readers.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Self::Copy => "a character that is lost or changed in the copy at hand; nothing is said of the original",
+            Self::Misprint => "a slip of the pen or a misprint: a wrong or missing word, sign or symbol",
+            Self::Arithmetic => "a wrong or carelessly rounded computation",
+            Self::Concept => "a wrong idea",
+        }
+    }
+}
+
+impl Consequence {
+    /// What it means, for readers.
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Self::Result => "an answer, a table or a curve is wrong",
+            Self::Conclusion => "something that the source concludes is false",
+            Self::Derivation => "a displayed equation is false; nothing after it uses it so",
+            Self::Wording => "a label, a reference, a unit or a name is wrong",
+            Self::Copy => "a character of the copy is wrong; nothing is said of the original",
+        }
+    }
+}
+
+/// A slip with all its places.
+#[derive(Clone, Debug)]
+pub struct Places {
+    /// The slip.
+    pub slip: Slip,
+    /// The claims that it reaches, in the order of the source, the one in which it is made first.
+    pub claims: Vec<&'static Judged>,
+}
+
+/// All slips, the gravest consequence first, then in the order of the sources.
+pub fn slips() -> Vec<Places> {
+    let mut found: Vec<Places> = Vec::new();
+    for judged in verdicts() {
+        let Some(erratum) = &judged.claim.erratum else { continue };
+        match found.iter_mut().find(|places| places.slip.id == erratum.slip.id) {
+            Some(places) => places.claims.push(judged),
+            None => found.push(Places { slip: erratum.slip, claims: vec![judged] }),
+        }
+    }
+    for places in &mut found {
+        places.claims.sort_by_key(|judged| judged.claim.id != places.slip.id);
+    }
+    found.sort_by_key(|places| places.slip.consequence);
+    found
+}
+
+impl Places {
+    /// The claim in which the slip is made.
+    pub fn main(&self) -> &'static Judged {
+        self.claims[0]
+    }
+
+    /// The printed numbers that are not right because of it.
+    pub fn wrong_numbers(&self) -> impl Iterator<Item = &'static Judged> {
+        let wrong = |judged: &&Judged| judged.claim.kind == Kind::Value && judged.right_value.is_some();
+        self.claims.iter().copied().filter(wrong)
+    }
+
+    /// The largest of their deviations from what is right, relative to that; none if no number is wrong.
+    pub fn greatest_change(&self) -> Option<f64> {
+        let change = |judged: &Judged| {
+            let (printed, right) = (judged.printed_number()?, judged.right_value?);
+            Some(((printed - right) / right).abs())
+        };
+        self.wrong_numbers().filter_map(change).max_by(f64::total_cmp)
+    }
+
+    /// What contradicts the consequence on record; empty if nothing does.
+    pub fn faults(&self) -> Vec<String> {
+        let (slip, mut faults) = (&self.slip, Vec::new());
+        let mut fault = |wrong: bool, what: &str| {
+            if wrong {
+                faults.push(format!("{}: recorded as {}, but {what}", slip.id, slip.consequence));
+            }
+        };
+        let kinds: Vec<_> = self.claims.iter().map(|judged| judged.claim.kind).collect();
+        let (copy, result) = (slip.consequence == Consequence::Copy, slip.consequence == Consequence::Result);
+        fault(copy != (slip.origin == Origin::Copy), "a slip of the copy is one by origin and by consequence");
+        fault(!copy && !result && self.wrong_numbers().next().is_some(), "a printed number changes");
+        fault(
+            result && self.wrong_numbers().next().is_none() && !kinds.contains(&Kind::Figure),
+            "no printed number and no figure changes",
+        );
+        fault(
+            slip.consequence == Consequence::Conclusion
+                && !self
+                    .claims
+                    .iter()
+                    .any(|judged| judged.claim.kind == Kind::Statement && judged.verdict == Verdict::Corrected),
+            "no statement is corrected",
+        );
+        fault(slip.consequence == Consequence::Derivation && !kinds.contains(&Kind::Equation), "it is in no equation");
+        let told = matches!(slip.consequence, Consequence::Result | Consequence::Conclusion);
+        fault(told && slip.changes.is_empty(), "nothing is said of what it changes");
+        fault(self.main().claim.id != slip.id, "no claim of that id refers to it");
+        fault(
+            self.claims.iter().any(|judged| judged.claim.erratum.is_some_and(|erratum| erratum.slip != *slip)),
+            "two slips have this id",
+        );
+        faults
+    }
+}

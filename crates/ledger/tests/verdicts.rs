@@ -1,0 +1,165 @@
+//! Does every claim stand as recorded, and would it be noticed if it did not?
+
+use geneva_ledger::{
+    Check, Claim, Decimal, Entry, Evidence, Finding, Kind, Route, Stated, Verdict, Work, claims, judge, slips, verdicts,
+};
+use std::collections::HashSet;
+
+#[test]
+fn every_claim_stands_as_recorded() {
+    let wrong: Vec<_> = verdicts()
+        .iter()
+        .filter(|judged| !judged.holds())
+        .map(|judged| format!("{}: {}", judged.claim.id, judged.complaints().join("; ")))
+        .collect();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn ids_are_unique_and_start_with_their_source() {
+    let mut seen = HashSet::new();
+    for claim in claims() {
+        assert!(seen.insert(claim.id), "{} stands twice", claim.id);
+        let name = claim.id.strip_prefix(claim.work.slug()).and_then(|rest| rest.strip_prefix('.'));
+        let well_formed = name.is_some_and(|name| {
+            !name.is_empty() && name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || ".-".contains(c))
+        });
+        assert!(well_formed, "{}: an id is the source's name, a point, and lower-case words", claim.id);
+    }
+}
+
+#[test]
+fn every_claim_is_checked_twice_unless_a_datum_is_missing() {
+    for claim in claims() {
+        match &claim.check {
+            Check::Missing { reason } => assert!(!reason.is_empty(), "{}", claim.id),
+            check => assert_eq!(check.evidence().len(), 2, "{}", claim.id),
+        }
+        assert!(!claim.meaning.is_empty() && !claim.locator.is_empty() && !claim.printed.is_empty(), "{}", claim.id);
+    }
+}
+
+#[test]
+fn the_two_routes_of_a_number_do_not_round_alike_everywhere() {
+    // Two routes that gave the same bits for every number would be one route under two names.
+    let numbers: Vec<_> = verdicts().iter().filter_map(|judged| judged.computed.zip(judged.witnessed)).collect();
+    let different = numbers.iter().filter(|(computed, witnessed)| computed != witnessed).count();
+    assert!(different > numbers.len() / 3, "only {different} of {} numbers differ in their last bits", numbers.len());
+}
+
+#[test]
+fn an_erratum_says_what_why_and_who_else_says_so() {
+    for claim in claims() {
+        let Some(erratum) = &claim.erratum else { continue };
+        assert_ne!(erratum.corrected, claim.printed, "{}: the correction changes nothing", claim.id);
+        assert!(!erratum.slip.reason.is_empty() && !erratum.slip.witness.is_empty(), "{}", claim.id);
+    }
+}
+
+#[test]
+fn what_a_slip_does_is_not_contradicted_by_its_places() {
+    let faults: Vec<_> = slips().iter().flat_map(|slip| slip.faults()).collect();
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn a_statement_or_figure_has_a_neighbour_that_is_refused() {
+    let sentence = |claim: &&Claim| matches!(claim.kind, Kind::Statement | Kind::Figure);
+    let without = |claim: &&Claim| !matches!(claim.check, Check::Statement { .. } | Check::Missing { .. });
+    let ids: Vec<_> = claims().iter().filter(sentence).filter(without).map(|claim| claim.id).collect();
+    assert!(ids.is_empty(), "{} without a neighbour: {}", ids.len(), ids.join(", "));
+    for claim in claims() {
+        if let Check::Statement { neighbour, .. } = claim.check {
+            assert!(neighbour.is_none_or(|words| !words.is_empty() && words != claim.printed), "{}", claim.id);
+        }
+    }
+}
+
+#[test]
+fn a_wrong_digit_in_a_number_is_noticed() {
+    // The neighbouring digit in each place; in the last one of a reading the next that is out of its reach.
+    let mut tried = 0;
+    for claim in claims().iter().filter(|claim| claim.kind == Kind::Value) {
+        let Check::Number { resolution, .. } = claim.check else { continue };
+        let last = claim.printed.rfind(|c: char| c.is_ascii_digit());
+        for (at, digit) in claim.printed.char_indices().filter(|(_, c)| c.is_ascii_digit()) {
+            let step = if resolution.is_some() && Some(at) == last { 3 } else { 1 };
+            let other = char::from_digit((digit.to_digit(10).expect("a digit") + step) % 10, 10).expect("a digit");
+            let mut wrong = claim.printed.to_owned();
+            wrong.replace_range(at..=at, &other.to_string());
+            assert!(wrong.parse::<Decimal>().is_ok(), "{wrong}");
+            let judged = judge(with_printed(claim, wrong.clone()));
+            let noticed = judged.verdict != claim.expected || !judged.faults.is_empty();
+            // A number that is corrected stays wrong with another digit: what must not happen is that it is accepted.
+            let still_wrong = matches!(claim.expected, Verdict::Corrected | Verdict::NotReproduced);
+            assert!(noticed || still_wrong, "{}: {wrong} went unnoticed", claim.id);
+            tried += 1;
+        }
+    }
+    assert!(tried > 500, "only {tried} digits were tried");
+}
+
+#[test]
+fn a_wrong_route_is_noticed() {
+    // Each route of each claim in turn is replaced by one that gives something else; that of a statement also by one
+    // that accepts everything.
+    let leaked =
+        |claim: &Claim, check: Check| -> &'static Claim { Box::leak(Box::new(Claim { check, ..claim.clone() })) };
+    let number = |evidence: Evidence| Route { evidence, run: (|| 0.123_456_789) as fn() -> f64 };
+    let fails =
+        |evidence: Evidence| Route { evidence, run: (|| Finding::new(false, "made to fail")) as fn() -> Finding };
+    let decides = |evidence: Evidence| {
+        let refuses: fn(Stated) -> Finding = |_| Finding::new(false, "made to fail");
+        let accepts: fn(Stated) -> Finding = |_| Finding::new(true, "made to hold");
+        [refuses, accepts].map(|run| Route { evidence, run })
+    };
+    for claim in claims() {
+        let mut broken = Vec::new();
+        match claim.check.clone() {
+            Check::Number { computed, witness, from_rounded, resolution, right } => {
+                let with =
+                    |computed, witness, right| Check::Number { computed, witness, from_rounded, resolution, right };
+                broken.push(with(number(computed.evidence), witness, right));
+                broken.push(with(computed, number(witness.evidence), right));
+                if let Some([one, other]) = right {
+                    broken.push(with(computed, witness, Some([number(one.evidence), other])));
+                    broken.push(with(computed, witness, Some([one, number(other.evidence)])));
+                }
+            }
+            Check::Equation { printed, corrected, witness } => {
+                let (first, second) = (fails(printed.evidence), fails(witness.evidence));
+                broken.push(Check::Equation { printed, corrected, witness: second });
+                match corrected {
+                    None => broken.push(Check::Equation { printed: first, corrected, witness }),
+                    Some(_) => broken.push(Check::Equation { printed, corrected: Some(first.run), witness }),
+                }
+            }
+            Check::Statement { first, witness, neighbour } => {
+                for route in decides(first.evidence) {
+                    broken.push(Check::Statement { first: route, witness, neighbour });
+                }
+                for route in decides(witness.evidence) {
+                    broken.push(Check::Statement { first, witness: route, neighbour });
+                }
+            }
+            Check::Missing { .. } => {}
+        }
+        for check in broken {
+            let judged = judge(leaked(claim, check.clone()));
+            assert!(!judged.holds(), "{} stands with a wrong route: {check:?}", claim.id);
+        }
+    }
+}
+
+#[test]
+fn every_claim_is_listed_in_the_line_that_makes_it() {
+    for work in Work::ALL {
+        let listed = work.inventory().iter().flat_map(|line| line.entries);
+        let ids: Vec<_> = listed.filter_map(Entry::claimed).collect();
+        assert_eq!(ids.len(), work.claims().len(), "{work}: a claim is listed and gone, or made and not listed");
+    }
+}
+
+fn with_printed(claim: &Claim, printed: String) -> &'static Claim {
+    Box::leak(Box::new(Claim { printed: printed.leak(), ..claim.clone() }))
+}
