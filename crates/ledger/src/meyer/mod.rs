@@ -25,6 +25,7 @@ mod reading;
 mod recommendations;
 pub mod runs;
 mod singularity;
+mod slips;
 mod study;
 mod symbols;
 

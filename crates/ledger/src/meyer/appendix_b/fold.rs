@@ -1,6 +1,7 @@
 //! The fold of the driver's angle: with every pin the engagement begins again.
 
 use super::*;
+use crate::meyer::slips::RESET_ANGLE;
 
 /// The fold of the driver's angle. A quarter of a turn is right for four pins only.
 pub fn fold(
@@ -40,21 +41,7 @@ pub fn fold(
         ),
     )
     .expecting(Verdict::Corrected)
-    .with_erratum(Erratum {
-        corrected,
-        slip: Slip {
-            id: "meyer.listing.fold",
-            reason: "The next pin takes over after 2π/m of the driver: 90° for four pins, \
-                but 60° for six and 120° for three. With 90° the pin of six is followed \
-                to 60°, 30° beyond the end of its slot, and that of three is dropped at \
-                30° while the follower turns.",
-            witness: "Of all pins by their coordinates, the one next to the follower's axis \
-                is where the corrected angle says.",
-            origin: Origin::Concept,
-            consequence: Consequence::Result,
-            changes: "",
-        },
-    })
+    .with_erratum(Erratum { corrected, slip: RESET_ANGLE })
 }
 
 /// Whether the folded angle runs from entry to exit and no farther, for each escapement with its modulus.

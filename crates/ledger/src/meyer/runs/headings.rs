@@ -5,6 +5,7 @@
 
 use super::cells::leaked;
 use super::*;
+use crate::meyer::slips::SWAPPED_INERTIAS;
 use crate::{Entry, Line};
 use geneva_dynamics::steady::Engagement;
 use std::sync::OnceLock;
@@ -102,19 +103,7 @@ pub fn lines() -> Vec<Line> {
 }
 
 fn swapped(claim: Claim, corrected: &'static str) -> Claim {
-    claim.expecting(Verdict::Corrected).with_erratum(Erratum {
-        corrected,
-        slip: Slip {
-            id: "meyer.app-e.6-pin.driver",
-            reason: "The heading has the two members the other way round from Fig. 11. Only Fig. 11's choice \
-                    gives the table's peaks, minima and periods.",
-            witness: "Fig. 11 prints the two the other way round, and the minima of the table, computed in steps, \
-                    agree with it.",
-            origin: Origin::Misprint,
-            consequence: Consequence::Result,
-            changes: "",
-        },
-    })
+    claim.expecting(Verdict::Corrected).with_erratum(Erratum { corrected, slip: SWAPPED_INERTIAS })
 }
 
 /// The pair of inertias, of those that come into question, that fits a column of a table best, in millionths.

@@ -1,0 +1,38 @@
+//! Slips of the project that show in several places, each told once.
+
+use crate::{Consequence, Origin, Slip};
+
+/// The program puts the driver back after a quarter of a turn, whatever the number of pins.
+pub const RESET_ANGLE: Slip = Slip {
+    id: "meyer.listing.fold",
+    reason: "The next pin takes over after 2π/m of the driver: 90° for four pins, but 60° for six and 120° for three. With \
+             90° the pin of six is followed to 60°, 30° beyond the end of its slot, and that of three is dropped at 30° \
+             while the follower turns.",
+    witness: "Of all pins by their coordinates, the one next to the follower's axis is where the corrected angle says.",
+    origin: Origin::Concept,
+    consequence: Consequence::Result,
+    changes: "The tables for six and three pins are those of no mechanism, and the curves drawn from them too.",
+};
+
+/// The inertias of the six-pin runs stand in the heading the other way round.
+pub const SWAPPED_INERTIAS: Slip = Slip {
+    id: "meyer.app-e.6-pin.driver",
+    reason: "The heading has the two members the other way round from Fig. 11. Only Fig. 11's choice gives the table's \
+             peaks, minima and periods.",
+    witness: "Fig. 11 prints the two the other way round, and the minima of the table, computed in steps, agree with it.",
+    origin: Origin::Misprint,
+    consequence: Consequence::Result,
+    changes: "Who recomputes the table with the inertias of its heading does not find it.",
+};
+
+/// The spring's torque is called a rate or a constant.
+pub const SPRING_RATE: Slip = Slip {
+    id: "meyer.spring-rate",
+    reason: "The torque of the spring is K itself, Eq. (1-15), whatever the angle. A rate or a constant of a spring would \
+             have to be multiplied by an angle. An inch-pound per radian can be read as a torque, the work done per \
+             radian; only the word is wrong.",
+    witness: "In Eq. (1-17) and in the program K stands alone where a torque must stand.",
+    origin: Origin::Concept,
+    consequence: Consequence::Wording,
+    changes: "",
+};
