@@ -92,7 +92,13 @@ fn right(judged: &Judged) -> String {
 
 /// A share in per cent, to two significant digits.
 fn percent(share: f64) -> String {
-    let places = if share >= 0.1 { 0 } else if share >= 0.01 { 1 } else { 2 };
+    let places = if share >= 0.1 {
+        0
+    } else if share >= 0.01 {
+        1
+    } else {
+        2
+    };
     format!("{:.places$} %", 100.0 * share)
 }
 

@@ -43,7 +43,12 @@ pub fn grave() -> anyhow::Result<String> {
         })
         .collect::<anyhow::Result<Vec<_>>>()?;
     ensure!(!rows.is_empty(), "no slip changes a result");
-    Ok(table("What changes a result or a conclusion", Cells::Words, &["Where", "Printed", "Right", "What it does"], &rows))
+    Ok(table(
+        "What changes a result or a conclusion",
+        Cells::Words,
+        &["Where", "Printed", "Right", "What it does"],
+        &rows,
+    ))
 }
 
 /// The page that tells the slips of a consequence.
