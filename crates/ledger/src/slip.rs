@@ -103,7 +103,8 @@ pub struct Places {
     pub claims: Vec<&'static Judged>,
 }
 
-/// All slips, the gravest consequence first, then the largest change of a printed number, then as the sources stand.
+/// All slips, the gravest consequence first, then what changes most in printed numbers
+/// (the sum of their relative changes), then as the sources stand.
 pub fn slips() -> &'static [Places] {
     static SLIPS: OnceLock<Vec<Places>> = OnceLock::new();
     SLIPS.get_or_init(collected)
@@ -121,8 +122,8 @@ fn collected() -> Vec<Places> {
     for places in &mut found {
         places.claims.sort_by_key(|judged| judged.claim.id != places.slip.id);
     }
-    let parts_in_a_million = |change: f64| (change * 1e6).round() as u64;
-    found.sort_by_key(|of| (of.slip.consequence, Reverse(of.greatest_change().map(parts_in_a_million))));
+    let parts_in_a_million = |of: &Places| (of.changes().sum::<f64>() * 1e6).round() as u64;
+    found.sort_by_key(|of| (of.slip.consequence, Reverse(parts_in_a_million(of))));
     found
 }
 
@@ -138,13 +139,17 @@ impl Places {
         self.claims.iter().copied().filter(wrong)
     }
 
-    /// The largest of their deviations from what is right, relative to that; none if no number is wrong.
-    pub fn greatest_change(&self) -> Option<f64> {
-        let change = |judged: &Judged| {
+    /// Their deviations from what is right, relative to that.
+    fn changes(&self) -> impl Iterator<Item = f64> {
+        self.wrong_numbers().filter_map(|judged| {
             let (printed, right) = (judged.printed_number()?, judged.right_value?);
             Some(((printed - right) / right).abs())
-        };
-        self.wrong_numbers().filter_map(change).max_by(f64::total_cmp)
+        })
+    }
+
+    /// The largest of these deviations; none if no number is wrong.
+    pub fn greatest_change(&self) -> Option<f64> {
+        self.changes().max_by(f64::total_cmp)
     }
 
     /// What contradicts the consequence on record; empty if nothing does.
