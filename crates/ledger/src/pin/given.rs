@@ -78,10 +78,10 @@ pub fn claims() -> Vec<Claim> {
             corrected: r"l=\sqrt{2} R",
             slip: Slip {
                 id: "",
-                reason: "A digit one and a bar over the two stand where a root sign must have stood. The copy has lost \
-                         signs in other places too, so this is put down to the copy.",
-                witness: "The printed value of r² leads back to l/R = √2 within its digits, and to neither reading of \
-                          the printed characters.",
+                reason: "A digit one and a bar over the two stand where a root sign is needed. The copy has lost signs \
+                         in other places too, so this is put down to the copy.",
+                witness: "The printed value of r² leads back to l/R = √2 within its digits, and to neither reading \
+                          of the printed characters.",
                 origin: Origin::Copy,
                 consequence: Consequence::Copy,
                 changes: "",

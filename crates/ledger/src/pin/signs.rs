@@ -5,25 +5,24 @@
 
 use super::*;
 
-/// Greek letters that came out of the copy as Latin ones.
+/// Latin letters where Greek ones are needed.
 pub const GREEK: Slip = Slip {
     id: "pin.letter-v",
-    reason: "Greek letters came out of the copy as Latin ones: V and v for ω, f for φ. So v is an angular velocity \
-             in one place and a speed in the next, and f is an angle and an arrow. (The letters b and g look like β \
-             and γ, but each of them names one angle throughout.)",
+    reason: "The copy has Latin letters for Greek ones: V and v for ω, f for φ. So v is an angular velocity in one \
+             place and a speed in the next, and f is an angle and an arrow. The same is done all over the copy, so it \
+             is put down to it. (The letters b and g look like β and γ, but each of them names one angle throughout.)",
     witness: "The units printed behind the two v differ, and so do the numbers printed behind the two f.",
     origin: Origin::Copy,
     consequence: Consequence::Copy,
     changes: "",
 };
 
-/// Arrows that came out of the copy as letters.
+/// Letters where arrows are needed.
 pub const ARROWS: Slip = Slip {
     id: "pin.mark-d",
-    reason: "Arrows came out of the copy as the letters d, f and i. Without its arrow an angle counts \
-             counter-clockwise from the right, and none of the three velocities points there. Which arrows stood here \
-             is inferred from the computed directions. For the third, a sense of rotation, the text gives nothing to \
-             compare with.",
+    reason: "The copy has the letters d, f and i for arrows. Without its arrow an angle counts counter-clockwise \
+             from the right, and none of the three velocities points there. Which arrows are needed is inferred from \
+             the computed directions. For the letter i, a sense of rotation, the text gives nothing to compare with.",
     witness: "The angles of the crank and of the slot alone give the same directions.",
     origin: Origin::Copy,
     consequence: Consequence::Copy,

@@ -266,7 +266,7 @@ fn wheel() -> Vec<Claim> {
             "sense in which the wheel turns, by an arrow",
             "i",
             Check::Missing {
-                reason: "the arrow came out of the copy as the letter i, which does not say which way it pointed; the \
+                reason: "the copy has the letter i for the arrow, which does not say which way it pointed; the \
                          computation says clockwise, against the driver",
             },
         )

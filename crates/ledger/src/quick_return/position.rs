@@ -145,7 +145,10 @@ pub fn claims() -> Vec<Claim> {
             PROJECTIONS,
             "distance of the pin from the lever's pivot; later called l with the index 4",
             ("0.55", ""),
-            Check::number((ClosedForm, || position_of(|position| position.pin_distance)), (Series, || series(radius))),
+            Check::number(
+                (ClosedForm, || projected_length(printed("quick-return.lever-angle"))),
+                (Vectors, || position_of(|position| position.pin_distance)),
+            ),
         ),
         Claim::equation(
             WORK,
