@@ -224,7 +224,7 @@ impl Evidence {
                 "an identity between rational functions, proven by exact evaluation on a large enough grid"
             }
             Self::Jet => "a derivative taken by power series of where things are",
-            Self::AutomaticDerivative => "the wheel's angle differentiated by another library's dual numbers",
+            Self::AutomaticDerivative => "places and angles differentiated by another library's dual numbers",
             Self::Vectors => "lengths and angles measured between points given by their coordinates",
             Self::LimitCase => "cases in which the answer is known, or all cases of a list gone through",
             Self::Dimension => "the dimensions of the quantities",
