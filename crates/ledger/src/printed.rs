@@ -27,8 +27,8 @@ impl fmt::Display for Unreadable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "`{}` is not a printed number: digits are expected, with an optional sign, thousands commas and one point, or \
-             a fraction of two such whole numbers",
+            "`{}` is not a printed number: digits are expected, with an optional sign, thousands commas and one point, \
+             or a fraction of two such whole numbers",
             self.0
         )
     }

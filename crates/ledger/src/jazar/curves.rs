@@ -128,6 +128,10 @@ fn smooth_inside() -> Claim {
             }),
         ),
     )
+    .read_as(
+        "Between the two ends, for every number of stations: no jump and no kink. Of the ends the source itself says \
+         that the jerk is infinite there.",
+    )
 }
 
 fn infinite_jerk() -> Claim {

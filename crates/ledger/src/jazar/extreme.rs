@@ -39,7 +39,7 @@ fn root_choice() -> Claim {
                         let cosine = rational(cosine, 1);
                         let value = cosine.clone() * cosine.clone() + gamma.clone() * cosine.clone() - rational(2, 1);
                         let rises = rational(2, 1) * cosine + gamma.clone() > rational(0, 1);
-                        if value < rational(0, 1) { 1 } else { 2 * u32::from(!rises) }
+                        if value < rational(0, 1) { 1 } else { 2 * i32::from(!rises) }
                     };
                     // How many roots are as great as the one between −1 and 1, or greater.
                     let (at_least, greater) = (above(-1), above(1));

@@ -130,16 +130,21 @@ fn radii(wheel: &Wheel, stated: Stated) -> impl Iterator<Item = f64> {
     parts.iter().map(|part| between_rim_and_pin(wheel, *part))
 }
 
-/// Whether the wheel, turned by a thousandth of a pitch either way, would have an end of the arc inside the journal.
+/// Whether the journal fits in the arc, and the wheel, turned by a thousandth of half a pitch either way, would have an
+/// end of the arc inside the journal.
 ///
-/// The arc's ends are where journal and rim meet, on the sides of the line of centres with these signs.
+/// The arc's ends are where its circle meets the rim, on the sides of the line of centres with these signs. The journal
+/// has a clearance of a billionth.
 fn locks(wheel: &Wheel, journal: f64, sides: &[f64]) -> bool {
     let (rim, distance) = (wheel.wheel_radius_ratio(), wheel.centre_distance_ratio());
     let cosine = (rim * rim + distance * distance - journal * journal) / (2.0 * rim * distance);
     let end = libm::acos(cosine);
+    let surface = journal * (1.0 - 1e-9);
     let inside =
-        |angle: f64| rim * rim + distance * distance - 2.0 * rim * distance * libm::cos(angle) < journal * journal;
-    [1e-3, -1e-3].iter().all(|turn| sides.iter().any(|side| inside(side * end + turn * wheel.half_station())))
+        |angle: f64| rim * rim + distance * distance - 2.0 * rim * distance * libm::cos(angle) < surface * surface;
+    let fits = sides.iter().all(|side| !inside(side * end));
+    let stops = |turn: &f64| sides.iter().any(|side| inside(side * end + turn * wheel.half_station()));
+    fits && [1e-3, -1e-3].iter().all(stops)
 }
 
 /// Whether, whichever way the wheel turns, an end of the arc approaches the driver's axis.

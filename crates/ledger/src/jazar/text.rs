@@ -146,14 +146,15 @@ fn tangent_entry() -> Claim {
             (Vectors, |stated| {
                 for_all_stations(
                     |wheel| {
-                        crossings(wheel, stated.pick(&[0.25, 0.5, 0.75], &[0.0])).all(|(_, crank)| {
-                            // The pin moves in the direction (sin θ, cos θ); the slot is at α on the pin's side.
-                            let slot = wheel.half_station().copysign(crank);
-                            let across = libm::sin(slot) * libm::sin(crank) - libm::cos(slot) * libm::cos(crank);
-                            !vanishes(across)
+                        crossings(wheel, stated.pick(&[0.25, 0.5, 0.75], &[0.0])).all(|(ratio, crank)| {
+                            // The slot is at α on the pin's side; the pin moves in the direction (sin θ, cos θ).
+                            let slot = Turn::from_radians(wheel.half_station().copysign(crank)).direction();
+                            let pin = pin_from_pivot(&ratio, &Turn::from_radians(crank));
+                            let velocity = nalgebra::Vector2::new(libm::sin(crank), libm::cos(crank));
+                            vanishes(slot.perp(&pin)) && !vanishes(slot.perp(&velocity))
                         })
                     },
-                    "the pin's velocity has a component across the slot",
+                    "the pin is in the slot's line, and its velocity has a component across it",
                 )
             }),
         ),
