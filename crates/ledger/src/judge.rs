@@ -41,14 +41,13 @@ impl Judged {
     }
 
     /// What should stand in the place of the printed characters, if something should: as the erratum has it, or the
-    /// right number with as many places as are printed.
+    /// right number, written as the printed one is.
     pub fn corrected(&self) -> Option<String> {
         let erratum = self.claim.erratum.as_ref()?;
         if !erratum.corrected.is_empty() {
             return Some(erratum.corrected.to_owned());
         }
-        let places = self.claim.printed.parse::<Decimal>().ok()?.places();
-        Some(format!("{:.*}", places as usize, self.right_value?))
+        Some(self.claim.printed.parse::<Decimal>().ok()?.like(self.right_value?))
     }
 
     /// What is wrong, a line each; empty if the claim holds.
