@@ -21,8 +21,9 @@ const PEAKS_AT_ENTRY: Slip = Slip {
     reason: "Where a pin enters and the other leaves, the follower stands still but is being accelerated, so that \
              the pin presses and rubs. The driver's acceleration there is (K - μ I_f θ'²/(a² - 1))/I_D, which is \
              zero at one speed only, and the steady speed at entry is another in every run. With six pins the peak \
-             follows so soon that the tables could not show it. With four and three pins the pin is braked hard \
-             before it leaves, where it bears on the trailing flank, and the peak comes before that.",
+             follows so soon that the tables could not show it. With four and three pins the friction exceeds the \
+             spring already before the pin leaves, while it bears on the trailing flank, and the peak comes before \
+             that.",
     witness: "Every mechanism and friction is gone through by steps of the angle.",
     origin: Origin::Concept,
     consequence: Consequence::Conclusion,
@@ -205,7 +206,7 @@ fn at_the_centres() -> Vec<Claim> {
         )
         .read_as(
             "That the follower's speed falls from the line of centres to the exit, to one unit of the tables' \
-                  speeds.",
+             speeds.",
         )
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
@@ -374,4 +375,24 @@ fn falls(speeds: &[f64]) -> bool {
 /// The same speeds in the reverse order.
 fn reversed(speeds: &[f64]) -> Vec<f64> {
     speeds.iter().rev().copied().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_acceleration_at_entry_is_that_of_the_reason_and_never_zero() {
+        let mut signs = [0; 2];
+        for (row, state) in steady() {
+            let of = Hypothesis::TRUE.parameters(row).expect("an escapement");
+            let at = of.acceleration(-of.slots().engagement_half_angle(), state.entry_speed).expect("one acceleration");
+            let square = state.entry_speed * state.entry_speed / (of.slots().ratio_squared() - 1.0);
+            let gain = (of.torque() - of.friction() * of.inertias().follower() * square) / of.inertias().driver();
+            assert!((at.value / gain - 1.0).abs() < 1e-9, "{}: {} {gain}", row.slug(), at.value);
+            signs[usize::from(gain > 0.0)] += 1;
+        }
+        // With six pins and with much friction the speed still rises there, else it falls.
+        assert!(signs[0] > signs[1] && signs[0] + signs[1] == rows().len(), "{signs:?}");
+    }
 }
