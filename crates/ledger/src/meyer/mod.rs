@@ -8,7 +8,9 @@ mod appendix_a;
 mod appendix_b;
 mod appendix_c;
 mod appendix_d;
+mod by_steps;
 mod combinations;
+mod conclusions;
 mod energy;
 mod friction;
 mod front;
@@ -18,7 +20,9 @@ mod inertia;
 mod instants;
 mod inventory;
 mod lagrange;
+mod less_friction;
 mod motion;
+mod peaks;
 mod profile;
 mod rates;
 mod reading;
@@ -62,7 +66,9 @@ pub fn claims() -> Vec<Claim> {
         study::of_parameters(),
         inertia::claims(),
         profile::claims(),
+        peaks::claims(),
         general_statements::claims(),
+        conclusions::claims(),
         recommendations::claims(),
         runs::of_figures(),
         appendix_a::claims(),
