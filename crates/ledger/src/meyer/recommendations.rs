@@ -11,7 +11,7 @@ use geneva_dynamics::program::Program;
 use geneva_dynamics::timer::Sensitivities;
 
 pub fn claims() -> Vec<Claim> {
-    [conclusions(), recommendations()].concat()
+    [conclusions(), hand_over::conclusion(), recommendations()].concat()
 }
 
 fn conclusions() -> Vec<Claim> {
@@ -46,21 +46,6 @@ fn conclusions() -> Vec<Claim> {
                             by steps"
                     ),
                 )
-            }),
-        ),
-        statement(
-            "meyer.conclusion.three",
-            "Conclusion 3",
-            "three combinations of pins and slots, and no more",
-            "Only three geometrical configurations",
-            (LimitCase, || {
-                let pairs = (3..1000_u32).flat_map(|slots| (3..1000_u32).map(move |pins| (slots, pins)));
-                let found: Vec<_> = pairs.filter(|(slots, pins)| 2 * (slots + pins) == slots * pins).collect();
-                Finding::new(found == [(3, 6), (4, 4), (6, 3)], format!("slots and pins tried to 1000: {found:?}"))
-            }),
-            (OtherPlaceInSource, || {
-                let again = combinations::TABLE.map(|(slots, pins)| (printed(slots) as u32, printed(pins) as u32));
-                Finding::new(again.len() == 3 && again.contains(&(4, 4)), "chapter I has the same three")
             }),
         ),
     ]
@@ -127,29 +112,7 @@ origin: Origin::Concept,
 consequence: Consequence::Conclusion,
 changes: "",
 } }),
-        statement(
-            "meyer.page-of-definition",
-            "Recommendation 7",
-            "page of the definition of the average terminal velocity, after Fig. 8 and before Fig. 9",
-            "page 17",
-            (OtherPlaceInSource, || {
-                let pages = numbers("meyer.list-of-figures");
-                let page = |figure: u32| pages.chunks_exact(2).find(|pair| pair[0] == figure).map(|pair| pair[1]);
-                let said = numbers("meyer.page-of-definition").first().copied();
-                Finding::new(
-                    said.is_some() && page(8) < said && said < page(9),
-                    "the list of figures has Fig. 8 on the page before and Fig. 9 on the page after",
-                )
-            }),
-            (LimitCase, || {
-                let at = |id: &str| {
-                    let is_here = |line: &&crate::Line| line.entries.iter().any(|entry| entry.claimed() == Some(id));
-                    inventory().iter().find(is_here).map(|line| line.number)
-                };
-                let [before, here, after] = ["meyer.fig-8", "meyer.fig-8.rise", "meyer.fig-9"].map(at);
-                Finding::new(before < here && here < after, "the lines of the text are in this order")
-            }),
-        ),
+        front::page_of_definition(),
         statement(
             "meyer.better-average",
             "Recommendation 7",
