@@ -29,8 +29,9 @@ pub fn along_the_slot() -> Claim {
 /// The claims of the third conclusion.
 pub fn conclusion() -> Vec<Claim> {
     let locator = "Conclusion 3";
-    let reading = "to work: a pin is always engaged, the follower is neither struck nor turned back, and with the \
-                   friction of the runs there is a terminal velocity";
+    let reading = "to work: a pin is always engaged, the follower is neither struck nor turned back, and with friction \
+                   there is a terminal velocity, which is tried for all pairs up to eight pins and slots, with the \
+                   frictions of the runs and with the inertias of those with six pins";
     vec![
         Claim::statement(
             WORK,
@@ -46,8 +47,8 @@ pub fn conclusion() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .read_as(reading)
         .with_erratum(Erratum {
-            corrected: "Geometrical configurations without end, all with 1/m + 1/n ≤ 1/2, three of them with the \
-                        follower at rest at each hand-over,",
+            corrected: "All geometrical configurations with 1/m + 1/n ≤ 1/2, of which only three have the follower at \
+                        rest at each hand-over,",
             slip: ENTRY_ALONG_THE_SLOT,
         }),
         Claim::statement(
