@@ -166,17 +166,17 @@ fn almost_linear() -> Claim {
         ),
     )
     .read_as(
-        "Over the torques of each graph a straight line, which need not start at zero, accounts for 99 per cent of the \
-         variance of the velocities: the measure on the axes of Figs. 10 and 11.",
+        "Over the torques of each graph a straight line, which need not start at zero, accounts for 99 per cent or \
+         more of the variance of the velocities: the measure on the axes of Figs. 10 and 11.",
     )
 }
 
 /// A start from rest as far as rise times go.
-pub struct Start {
+struct Start {
     /// The average terminal velocity of the source: the mean of peak and minimum.
-    pub speed: f64,
+    speed: f64,
     /// Until the first minimum, an entry within one per cent of the steady one, a peak within one per cent.
-    pub times: [f64; 3],
+    times: [f64; 3],
 }
 
 impl Start {
@@ -276,10 +276,22 @@ mod tests {
     use super::*;
 
     #[test]
-    fn neither_definition_of_the_source_gives_most_of_its_rise_times() {
+    fn no_reading_of_the_axis_nor_of_the_text_gives_most_of_the_rise_times() {
         for (definition, found) in runs::rise_times::explained() {
             let counts = found.map(|of| of.within_one.iter().sum::<usize>());
             assert!(counts.iter().all(|count| 2 * count < rows().len()), "{}: {counts:?}", definition.name);
+        }
+        // Nor does the time at which 99 per cent of the average terminal velocity are first reached.
+        for of in [Hypothesis::TRUE, Hypothesis::BEST] {
+            let near = rows().iter().filter(|row| {
+                let at = of.engagement(row).expect("an escapement");
+                let average = at.steady_state().expect("a steady state").mean_of_extremes();
+                let lines = at.run(runs::interval() / 10.0, runs::duration()).expect("a run");
+                let reached = lines.iter().find(|line| line.speed >= 0.99 * average).expect("in the run");
+                (reached.time - row.number(Column::Rise)).abs() <= 1e-3
+            });
+            let count = near.count();
+            assert!(2 * count < rows().len(), "{count}");
         }
     }
 
