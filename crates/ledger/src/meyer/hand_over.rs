@@ -29,9 +29,9 @@ pub fn along_the_slot() -> Claim {
 /// The claims of the third conclusion.
 pub fn conclusion() -> Vec<Claim> {
     let locator = "Conclusion 3";
-    let reading = "to work: a pin is always engaged, the follower is neither struck nor turned back, and with friction \
-                   there is a terminal velocity, which is tried for all pairs up to eight pins and slots, with the \
-                   frictions of the runs and with the inertias of those with six pins";
+    let reading = "To work: a pin is always engaged, the follower is neither struck nor turned back, and with \
+        friction there is a terminal velocity. The last is tried for all pairs up to eight pins and slots, with the \
+        frictions of the runs and the inertias of those with six pins.";
     vec![
         Claim::statement(
             WORK,

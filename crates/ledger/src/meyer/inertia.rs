@@ -49,7 +49,7 @@ fn material() -> Vec<Claim> {
                 }),
             ),
         )
-        .read_as("steel is iron with little else in it: within one per cent of the density of iron"),
+        .read_as("Steel is iron with little else in it: within one per cent of the density of iron."),
         Claim::statement(
             WORK,
             "meyer.like-discs",
@@ -81,8 +81,8 @@ fn material() -> Vec<Claim> {
             ),
         )
         .read_as(
-            "an assumption for the estimate of the inertias alone; a follower and a driver that end where the pins are \
-             have one size with four slots only",
+            "An assumption for the estimate of the inertias alone; a follower and a driver that end where the pins are \
+             have one size with four slots only.",
         ),
     ]
 }
@@ -109,7 +109,7 @@ fn estimate() -> Vec<Claim> {
                     // In other units, 2, 3 and 5 times as small for length, time and force, the numbers grow so.
                     let grown = |of: Exponents| {
                         [(2.0, of.length), (3.0, of.time), (5.0, of.force)]
-                            .map(|(unit, exponent): (f64, i32)| unit.powi(exponent))
+                            .map(|(unit, exponent): (f64, i32)| libm::pow(unit, f64::from(exponent)))
                             .iter()
                             .product::<f64>()
                     };
@@ -238,8 +238,8 @@ fn estimate() -> Vec<Claim> {
             ),
         )
         .read_as(
-            "about as exact as the size that it is computed from: the diameter is said to be approximately half an \
-                inch, and any diameter that rounds so to the printed place will do",
+            "About as exact as the size that it is computed from: the diameter is said to be approximately half an \
+                inch, and any diameter that rounds so to the printed place will do.",
         ),
     ]
 }

@@ -48,7 +48,7 @@ pub fn of_parameters() -> Vec<Claim> {
                 }),
             ),
         )
-        .read_as("with its sign, as Appendix D has it; chapter I and Appendix A have its size"),
+        .read_as("With its sign, as Appendix D has it; chapter I and Appendix A have its size."),
         spring::no_rate(
             "meyer.parameter.spring",
             LIST,
@@ -85,7 +85,7 @@ pub fn of_parameters() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::Corrected)
-        .read_as("somewhat: by less than a power of ten")
+        .read_as("Somewhat: by less than a power of ten.")
         .with_erratum(Erratum {
             corrected: "were 6 to 100 times this figure",
             slip: Slip {

@@ -77,8 +77,8 @@ pub fn claims() -> Vec<Claim> {
             ),
         )
         .read_as(
-            "as a timing device: its engagements take equal times once the velocity is the terminal one, as long as \
-                torque and friction stay what they are; nothing is said of how exact that is",
+            "As a timing device: its engagements take equal times once the velocity is the terminal one, as long as \
+                torque and friction stay what they are; nothing is said of how exact that is.",
         ),
         Claim::statement(
             WORK,
@@ -114,8 +114,8 @@ pub fn claims() -> Vec<Claim> {
         )
         .expecting(Verdict::Corrected)
         .read_as(
-            "as much as: no run takes longer; to attain: to be within one per cent, as the axes of Figs. 10 and 11 \
-                have it",
+            "As much as: no run takes longer; to attain: to be within one per cent, as the axes of Figs. 10 and 11 \
+                have it.",
         )
         .with_erratum(Erratum {
             corrected: "more than fifty milliseconds, in Appendix E as much as 101",
