@@ -7,15 +7,15 @@ use super::*;
 use crate::Evidence::{Integration, Steps};
 use crate::Stated;
 use geneva_dynamics::steady::Engagement;
-use geneva_dynamics::{Coefficients, Inertias, Parameters};
-use geneva_mimic::runge_kutta_step;
-use nalgebra::Vector1;
+use geneva_dynamics::{Inertias, Parameters};
 
 /// One second in a day: the resolution that the source ascribes to a watch, over a day.
 pub const SECOND_A_DAY: f64 = 1.0 / 86_400.0;
 
 pub fn claims() -> Vec<Claim> {
-    vec![timing(), small_variations(), three()]
+    let mut claims = vec![timing(), small_variations()];
+    claims.extend(hand_over::conclusion());
+    claims
 }
 
 fn timing() -> Claim {
@@ -124,116 +124,4 @@ fn small(stated: Stated, of: fn(&Parameters) -> Option<[f64; 3]>) -> Finding {
              {torque:.2}, {friction:.2}, {driver:.2} or {follower:.2} per cent, in the run where it is most"
         ),
     )
-}
-
-fn three() -> Claim {
-    Claim::statement(
-        WORK,
-        "meyer.conclusion.three",
-        "Conclusion 3",
-        "three combinations of pins and slots, and no more",
-        "Only three geometrical configurations",
-        Check::corrected_statement(
-            (Vectors, |stated| {
-                let found: Vec<_> = pairs().filter(|pair| takes_over(*pair, stated)).collect();
-                Finding::new(
-                    found == THREE,
-                    format!("of pins and slots up to {MOST}, {} pairs: {}", found.len(), listed(&found)),
-                )
-            }),
-            (Steps, |stated| {
-                let found: Vec<_> = pairs().filter(|pair| settles(*pair, stated)).collect();
-                Finding::new(
-                    found == THREE,
-                    format!("by steps of the motion {} pairs: {}", found.len(), listed(&found)),
-                )
-            }),
-        ),
-    )
-    .read_as(
-        "A configuration works in a timing application if pins without width take over from one another without a \
-         blow and the motion comes to a terminal velocity.",
-    )
-    .expecting(Verdict::Corrected)
-    .with_erratum(Erratum {
-        corrected: "Only three geometrical configurations that bring the follower to rest at each hand-over",
-        slip: Slip {
-            id: "",
-            reason: "The follower need not stand still when one pin takes over from another. By Eq. (1-7) φ'/θ' is \
-                     the same at θ and at -θ, so that the leaving pin and the entering one always ask for the same \
-                     speed of it. All that is needed is that the follower turns by 2π/n while the driver turns by \
-                     2π/m, and a = sin(π/m + π/n)/sin(π/n) does that for other numbers too. With five pins and five \
-                     slots the follower never stops.",
-            witness: "Others come to a terminal velocity as well, by steps of the equation of motion.",
-            origin: Origin::Concept,
-            consequence: Consequence::Conclusion,
-            changes: "There are more configurations to choose from than the three that were studied.",
-        },
-    })
-}
-
-/// Pins and slots of the three configurations.
-const THREE: [(u32, u32); 3] = [(3, 6), (4, 4), (6, 3)];
-
-/// The greatest number of pins and of slots that is tried.
-const MOST: u32 = 7;
-
-/// Pins and slots, with which the follower does not turn back.
-fn pairs() -> impl Iterator<Item = (u32, u32)> {
-    let all = (3..=MOST).flat_map(|pins| (3..=MOST).map(move |slots| (pins, slots)));
-    all.filter(|(pins, slots)| 2 * (pins + slots) <= pins * slots)
-}
-
-fn listed(pairs: &[(u32, u32)]) -> String {
-    pairs.iter().map(|(pins, slots)| format!("{pins}/{slots}")).collect::<Vec<_>>().join(", ")
-}
-
-/// Centre distance over crank radius, and the angle from the line of centres at which a pin leaves.
-fn sizes((pins, slots): (u32, u32)) -> (f64, f64) {
-    let [pin, slot] = [pins, slots].map(|count| PI / f64::from(count));
-    (libm::sin(pin + slot) / libm::sin(slot), pin)
-}
-
-/// Whether one pin takes over from another without a blow; and, if that is stated, with the follower at rest.
-fn takes_over(pair: (u32, u32), stated: Stated) -> bool {
-    let (ratio, half) = sizes(pair);
-    // The pin from the follower's axis and its velocity: angle and speed of a slot that holds it.
-    let slot = |angle: f64| {
-        let (sin, cos) = (libm::sin(angle), libm::cos(angle));
-        let (place, velocity) = (Vector2::new(ratio - cos, sin), Vector2::new(sin, cos));
-        (libm::atan2(place.y, place.x), place.perp(&velocity) / place.norm_squared())
-    };
-    let ((leaving, speed), (entering, other)) = (slot(half), slot(-half));
-    let pitch = 2.0 * PI / f64::from(pair.1);
-    vanishes(leaving - entering - pitch) && vanishes(speed - other) && stated.pick(vanishes(speed), true)
-}
-
-/// Whether the motion of a mechanism with these pins and slots comes to repeat itself; and, if that is stated, with the
-/// follower at rest at each hand-over.
-///
-/// With a torque and a follower of one, a driver of half the follower's inertia and a friction of a fifth: any will do.
-fn settles(pair: (u32, u32), stated: Stated) -> bool {
-    let (ratio, half) = sizes(pair);
-    let at = |angle: f64| Coefficients::new(&ratio, &Turn::from_radians(angle), &0.5, &0.2, &1.0);
-    let slope = |angle: f64, state: &Vector1<f64>| {
-        at(angle).acceleration(state[0].max(0.0).sqrt()).map(|found| Vector1::new(2.0 * found.value))
-    };
-    let engagement = |entry: f64| {
-        let place = |k: u32| half * (f64::from(k) / 100.0 - 1.0);
-        (0..200).try_fold(Vector1::new(entry), |state, k| {
-            let first = slope(place(k), &state)?;
-            runge_kutta_step(slope, place(k), place(k + 1), &state, &first)
-        })
-    };
-    let mut square = 0.0;
-    for _ in 0..1000 {
-        let Ok(next) = engagement(square) else { return false };
-        let change = next[0] - square;
-        square = next[0];
-        if change.abs() <= 1e-9 * square {
-            let lead = ratio * libm::cos(half) - 1.0;
-            return square.is_finite() && stated.pick(vanishes(lead * square.sqrt()), true);
-        }
-    }
-    false
 }

@@ -16,12 +16,15 @@ mod friction;
 mod front;
 mod general_statements;
 mod geometry;
+mod hand_over;
 mod inertia;
 mod instants;
 mod inventory;
 mod lagrange;
 mod less_friction;
 mod motion;
+mod newton;
+mod parameters;
 mod peaks;
 mod profile;
 mod rates;
@@ -30,7 +33,9 @@ mod recommendations;
 pub mod runs;
 mod singularity;
 mod slips;
+mod spring;
 mod study;
+mod summary;
 mod symbols;
 
 pub use inventory::inventory;
@@ -38,7 +43,8 @@ pub use symbols::SYMBOLS;
 
 use crate::checks::{agrees, printed, same, vanishes};
 use crate::{
-    Check, Claim, Consequence, Erratum, Evidence, Finding, Kind, Origin, Slip, Verdict, Work, claim, numeric_tokens,
+    Check, Claim, Consequence, Erratum, Evidence, Finding, Kind, Origin, Slip, Stated, Verdict, Work, claim,
+    numeric_tokens,
 };
 use geneva_kinematics::escapement::{Escapement, HandOver, Roots};
 use geneva_kinematics::pin_vectors::quarter_turn;
@@ -52,7 +58,7 @@ const WORK: Work = Work::Meyer1973;
 /// All claims of the project, in the order of the source.
 pub fn claims() -> Vec<Claim> {
     [
-        study::of_abstract(),
+        summary::claims(),
         front::claims(),
         geometry::claims(),
         combinations::claims(),
@@ -64,6 +70,7 @@ pub fn claims() -> Vec<Claim> {
         motion::claims(),
         singularity::claims(),
         study::of_parameters(),
+        parameters::after_the_list(),
         inertia::claims(),
         profile::claims(),
         peaks::claims(),

@@ -4,14 +4,13 @@ use super::by_steps::groups;
 use super::conclusions::SECOND_A_DAY;
 use super::general_statements::with;
 use super::runs::{Column, Hypothesis, Row, rows, series};
-use super::slips::SPRING_RATE;
 use super::study::steady;
 use super::*;
 use crate::Evidence::{Integration, Steps};
 use geneva_dynamics::program::{Contact, Program};
 
 pub fn claims() -> Vec<Claim> {
-    vec![not_fast_enough(), spring_rates(), cyclic_oscillations(), page_of_definition(), better_average()]
+    vec![not_fast_enough(), spring_rates(), cyclic_oscillations(), front::page_of_definition(), better_average()]
 }
 
 fn not_fast_enough() -> Claim {
@@ -44,53 +43,13 @@ fn not_fast_enough() -> Claim {
 }
 
 fn spring_rates() -> Claim {
-    Claim::statement(
-        WORK,
+    spring::no_rate(
         "meyer.recommendation.spring-rates",
         "Recommendation 2",
         "the strength of the spring is a rate, a torque for each radian that it turns",
         "spring rates",
-        Check::corrected_statement(
-            (Integration, |stated| {
-                // Engagements late in a run, with the torque that the spring then has.
-                let periods = rows().iter().filter_map(|row| {
-                    let period = |engagement: f64| {
-                        let turned = engagement * 2.0 * PI / f64::from(row.mechanism.pins());
-                        Some(with(row, stated.pick(1.0, turned), 1.0)?.steady_state().ok()?.period)
-                    };
-                    Some((period(20.0)? / period(21.0)? - 1.0).abs())
-                });
-                let off: Vec<f64> = periods.collect();
-                Finding::new(
-                    off.len() == rows().len() && off.iter().all(|off| *off < SECOND_A_DAY),
-                    format!(
-                        "the twentieth engagement and the next differ by {:.1} per cent: the tables have one period \
-                         for a run",
-                        100.0 * off.iter().copied().fold(0.0, f64::max)
-                    ),
-                )
-            }),
-            (ClosedForm, |stated| {
-                // The work of the spring over an engagement, by Simpson's rule, which is exact for a straight line.
-                let works = rows().iter().map(|row| {
-                    let pitch = 2.0 * PI / f64::from(row.mechanism.pins());
-                    let torque = |turned: f64| row.torque() * stated.pick(1.0, turned);
-                    let work = |number: f64| {
-                        let at = |part: f64| torque(pitch * (number + part));
-                        pitch / 6.0 * (at(0.0) + 4.0 * at(0.5) + at(1.0))
-                    };
-                    work(20.0) / work(19.0) - 1.0
-                });
-                let most = works.map(f64::abs).fold(0.0, f64::max);
-                Finding::new(
-                    vanishes(most),
-                    format!("its work in the next engagement is greater by {:.1} per cent", 100.0 * most),
-                )
-            }),
-        ),
+        "torques of the spring",
     )
-    .expecting(Verdict::Corrected)
-    .with_erratum(Erratum { corrected: "torques of the spring", slip: SPRING_RATE })
 }
 
 fn cyclic_oscillations() -> Claim {
@@ -152,50 +111,6 @@ fn cyclic_oscillations() -> Claim {
             changes: "There is nothing in the mechanism to investigate; closer lines make the oscillations disappear.",
         },
     })
-}
-
-fn page_of_definition() -> Claim {
-    Claim::statement(
-        WORK,
-        "meyer.page-of-definition",
-        "Recommendation 7",
-        "page of the definition of the average terminal velocity",
-        "page 17",
-        Check::statement(
-            "page 18",
-            (OtherPlaceInSource, |stated| {
-                // The figures before and behind the definition in the text, and their pages by the list of figures.
-                let said = numbers("meyer.page-of-definition").first().map(|page| page + stated.pick(0, 1));
-                let line_of = |id: &str| {
-                    let is_here = |line: &&crate::Line| line.entries.iter().any(|entry| entry.claimed() == Some(id));
-                    inventory().iter().find(is_here).map(|line| line.number)
-                };
-                let definition = line_of("meyer.first-minimum");
-                let before =
-                    [8, 9, 10, 11].into_iter().filter(|of| line_of(&format!("meyer.fig-{of}")) < definition).max();
-                let pages = [before, before.map(|figure| figure + 1)].map(|figure| figure.and_then(page_of_figure));
-                Finding::new(
-                    pages[0] < said && said < pages[1],
-                    format!("it stands between the figures on the pages {:?}", pages.map(Option::unwrap_or_default)),
-                )
-            }),
-            (LimitCase, |stated| {
-                // Of the pages of chapter II those that no figure takes; the text with the definition is on the second.
-                let said = numbers("meyer.page-of-definition").first().map(|page| page + stated.pick(0, 1));
-                let contents = numbers("meyer.contents");
-                let (begin, end) = (contents.get(2).copied().unwrap_or(0), contents.get(3).copied().unwrap_or(0));
-                let figures: Vec<u32> = (8..=11).filter_map(page_of_figure).collect();
-                let text: Vec<u32> = (begin..end).filter(|page| !figures.contains(page)).collect();
-                Finding::new(text.get(1).copied() == said, format!("the pages of text of chapter II are {text:?}"))
-            }),
-        ),
-    )
-}
-
-/// The page of a figure by the list of figures.
-fn page_of_figure(figure: u32) -> Option<u32> {
-    let pages = numbers("meyer.list-of-figures");
-    pages.chunks_exact(2).find(|pair| pair[0] == figure).map(|pair| pair[1])
 }
 
 fn better_average() -> Claim {

@@ -48,3 +48,31 @@ pub const SAMPLED_PEAKS: Slip = Slip {
     consequence: Consequence::Result,
     changes: "The oscillations of the peak velocity that are recommended for study are those of the print-out.",
 };
+
+/// A pin is said to have to enter along the slot, so that only three mechanisms are left.
+pub const ENTRY_ALONG_THE_SLOT: Slip = Slip {
+    id: "meyer.along-the-slot",
+    reason: "A pin strikes the follower if it moves across the slot otherwise than the slot itself. Only if the \
+        follower is at rest must the pin move along the slot. The velocity ratio is an even function of the driver's \
+        angle, so the leaving and the entering pin ask the follower for one speed, whatever the numbers of pins and \
+        slots: nothing strikes. Five pins and five slots do so, with the axes a golden ratio of the pins' radius \
+        apart, and the follower never stops. What Eq. (1-3) tells is which mechanisms have the follower at rest at \
+        each hand-over; those are the three.",
+    witness: "Pins and slots by coordinates, and the motion of the other pairs in steps, with friction: it reaches a \
+              terminal velocity.",
+    origin: Origin::Concept,
+    consequence: Consequence::Conclusion,
+    changes: "The choice is not of three mechanisms: there is no end of others in which one pin takes over from the \
+        next without a blow.",
+};
+
+/// The follower's angle φ has become the driver's angle θ.
+pub const PHI_AS_THETA: Slip = Slip {
+    id: "meyer.cosine-substituted",
+    reason: "The follower's angle φ must stand where the copy has the driver's angle θ. Counted as a slip of the copy, \
+             because the displays around each place have φ.",
+    witness: "Angles, lengths and accelerations measured between axes and pin, at instants of all three escapements.",
+    origin: Origin::Copy,
+    consequence: Consequence::Copy,
+    changes: "",
+};

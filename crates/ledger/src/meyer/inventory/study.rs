@@ -4,7 +4,11 @@ use super::{NONE, exception, line};
 use crate::Entry::{Again, Claim, Label};
 use crate::Line;
 
-pub const ABSTRACT: &[Line] = &[line(68, NONE, &[Claim("meyer.abstract.terminal"), Claim("meyer.abstract.fifty")])];
+pub const ABSTRACT: &[Line] = &[line(
+    68,
+    NONE,
+    &[Claim("meyer.abstract.terminal"), Claim("meyer.abstract.consequently"), Claim("meyer.abstract.fifty")],
+)];
 
 pub const PARAMETERS: &[Line] = &[
     line(
@@ -167,7 +171,11 @@ pub const CONCLUSIONS: &[Line] = &[
     line(
         526,
         0xaf63_ae4c_8601_9e62,
-        &[exception("meyer.conclusion.third", "3", "number of the third conclusion"), Claim("meyer.conclusion.three")],
+        &[
+            exception("meyer.conclusion.third", "3", "number of the third conclusion"),
+            Claim("meyer.conclusion.three"),
+            Claim("meyer.conclusion.the-three"),
+        ],
     ),
     line(
         530,
