@@ -41,12 +41,13 @@ pub const SPRING_RATE: Slip = Slip {
 pub const SAMPLED_PEAKS: Slip = Slip {
     id: "meyer.cyclic-oscillations",
     reason: "The lines of a run are a print interval apart, and the peak falls between them, now nearer to one, now \
-             farther. The stronger the spring, the sharper the peak and the more is missed. By the law of similarity the \
-             peak itself grows as the root of the torque, and does not swing.",
-    witness: "The peak of the motion, not of its print-out, in steps of the angle.",
+             farther. The stronger the spring, the shorter the peak and the more is missed. The peaks of the steady motion \
+             themselves are equal, and grow as the root of the torque.",
+    witness: "The program with all its particulars, printing far more often, shows equal peaks.",
     origin: Origin::Concept,
     consequence: Consequence::Result,
-    changes: "The oscillations of the peak velocity that are recommended for study are those of the print-out.",
+    changes: "There is nothing in the mechanism to investigate: closer lines make the oscillations disappear. Printed \
+              peaks are too small where the peak is short.",
 };
 
 /// A pin is said to have to enter along the slot, so that only three mechanisms are left.
