@@ -3,7 +3,7 @@
 use super::inertia::printed_inertia;
 use super::runs::{Column, Hypothesis, Mechanism, Row, rows};
 use super::*;
-use crate::Evidence::{Integration, Steps};
+use crate::Evidence::Integration;
 use geneva_dynamics::steady::SteadyState;
 use std::sync::OnceLock;
 
@@ -101,11 +101,6 @@ pub fn of_parameters() -> Vec<Claim> {
     ]
 }
 
-/// Whether the printed minimum of a row is that of a motion, to one unit of its last place.
-fn is_minimum_of(row: &Row, state: &SteadyState) -> bool {
-    (state.minimum.speed - row.number(Column::Minimum)).abs() <= 1.0
-}
-
 /// The axis of Fig. 11.
 pub fn of_axis() -> Claim {
     spring::no_rate(
@@ -120,72 +115,7 @@ pub fn of_axis() -> Claim {
 /// What the headings of Appendix E say beside their numbers.
 pub fn of_headings() -> Vec<Claim> {
     vec![
-        Claim::statement(
-            WORK,
-            "meyer.app-e.mechanisms",
-            TABLES,
-            "the runs with six and with three pins are of the mechanisms named",
-            "SUMMARY OF COMPUTER RUNS",
-            Check::corrected_equation(
-                (Integration, || {
-                    let others = steady().iter().filter(|(row, _)| row.mechanism != Mechanism::FourPin);
-                    let (all, near) = others.fold((0, 0), |(all, near), (row, state)| {
-                        (all + 1, near + usize::from(is_minimum_of(row, state)))
-                    });
-                    Finding::new(
-                        near == all,
-                        format!("{near} of {all} minima with six and three pins are the mechanism's, to one unit"),
-                    )
-                }),
-                || {
-                    let others = || rows().iter().filter(|row| row.mechanism != Mechanism::FourPin);
-                    let near = others().filter(|row| {
-                        let state = Hypothesis::BEST.engagement(row).and_then(|of| of.steady_state().ok());
-                        state.is_some_and(|state| is_minimum_of(row, &state))
-                    });
-                    let (near, all) = (near.count(), others().count());
-                    Finding::new(near == all, format!("with one fold for all, {near} of {all} are"))
-                },
-                (Steps, || {
-                    let off = [Hypothesis::BEST, Hypothesis::TRUE].map(|of| {
-                        let found =
-                            [(Mechanism::SixPin, ".03"), (Mechanism::ThreePin, ".08")].map(|(mechanism, torque)| {
-                                let row = row(mechanism, ".20", torque)?;
-                                let time = of.cycle_by_steps(row)?[1] / of.parameters(row)?.drive().sqrt();
-                                Some((time - row.number(Column::Period)).abs())
-                            });
-                        found.map(|off| off.unwrap_or(f64::INFINITY))
-                    });
-                    Finding::new(
-                        off[0].iter().all(|off| *off <= 1e-3) && off[1].iter().all(|off| *off > 1e-3),
-                        format!(
-                            "periods by steps differ from the printed ones by {:.1} and {:.1} ms with the fold of 90°, \
-                             and by {:.1} and {:.1} ms without",
-                            1e3 * off[0][0],
-                            1e3 * off[0][1],
-                            1e3 * off[1][0],
-                            1e3 * off[1][1]
-                        ),
-                    )
-                }),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: "SUMMARY OF COMPUTER RUNS, those for six and three pins with the driver \
-                    put back after 90°",
-            slip: Slip {
-                id: "",
-                reason: "The program puts the driver back to the start of an engagement after a quarter turn, \
-                    whatever the number of pins; six pins need 60°, three need 120°. None of the peaks printed \
-                    for six and three pins is one of the mechanism named.",
-                witness: "The periods, computed in steps with the fold of 90°, agree with the tables, and without it \
-                    do not.",
-                origin: Origin::Concept,
-                consequence: Consequence::Conclusion,
-                changes: "",
-            },
-        }),
+        runs::of_headings(),
         spring::no_rate("meyer.app-e.torque-unit", TABLES, "K is per radian", "K in lb/rad", "K in lb"),
     ]
 }
@@ -221,12 +151,6 @@ fn over_estimate_by_periods() -> Vec<[f64; 2]> {
         )
     };
     own.filter_map(of).flatten().collect()
-}
-
-/// The row of Appendix E with this friction and torque, as printed.
-pub fn row(mechanism: Mechanism, friction: &str, torque: &str) -> Option<&'static Row> {
-    let is = |row: &&Row| row.printed(Column::Friction) == friction && row.printed(Column::Torque) == torque;
-    rows().iter().filter(|row| row.mechanism == mechanism).find(is)
 }
 
 /// All rows, each with the steady motion of the mechanism as it is.

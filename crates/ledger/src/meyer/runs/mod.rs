@@ -26,7 +26,7 @@ pub mod steps;
 mod table;
 
 pub use cells::{claims, lines};
-pub use headings::of_figures;
+pub use headings::{of_figures, of_headings};
 pub use hypotheses::{EXPLAINED, Score, delays, scores};
 pub use lagged::Lagged;
 pub use motion::{Constants, Fold, Hypothesis, Reading, Run, SixPin, delay, duration, fitting_interval, interval};
