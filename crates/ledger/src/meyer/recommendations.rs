@@ -4,6 +4,7 @@ use super::by_steps::groups;
 use super::conclusions::SECOND_A_DAY;
 use super::general_statements::with;
 use super::runs::{Column, Hypothesis, Row, rows, series};
+use super::slips::SAMPLED_PEAKS;
 use super::study::steady;
 use super::*;
 use crate::Evidence::{Integration, Steps};
@@ -100,16 +101,7 @@ fn cyclic_oscillations() -> Claim {
     .with_erratum(Erratum {
         corrected: "significant cyclic oscillations in the magnitude of the greatest printed velocity of each \
                     cycle, not of the peak velocity",
-        slip: Slip {
-            id: "",
-            reason: "The lines of a run are 0.0005 s apart, and the peak falls between them, now nearer to one, now \
-                     farther. The stronger the spring, the shorter the peak, and the more is missed. The peaks of \
-                     the steady motion themselves are equal.",
-            witness: "The program with all its particulars, printing a hundred times as often, shows equal peaks.",
-            origin: Origin::Concept,
-            consequence: Consequence::Conclusion,
-            changes: "There is nothing in the mechanism to investigate; closer lines make the oscillations disappear.",
-        },
+        slip: SAMPLED_PEAKS,
     })
 }
 

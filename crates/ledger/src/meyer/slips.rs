@@ -64,3 +64,15 @@ pub const PHI_AS_THETA: Slip = Slip {
     consequence: Consequence::Copy,
     changes: "",
 };
+
+/// The greatest printed speed is taken for the greatest.
+pub const SAMPLED_PEAKS: Slip = Slip {
+    id: "meyer.cyclic-oscillations",
+    reason: "The lines of a run are a print interval apart, and the peak falls between them, now nearer to one, now \
+             farther. The stronger the spring, the sharper the peak and the more is missed. By the law of similarity the \
+             peak itself grows as the root of the torque, and does not swing.",
+    witness: "The peak of the motion, not of its print-out, in steps of the angle.",
+    origin: Origin::Concept,
+    consequence: Consequence::Result,
+    changes: "The oscillations of the peak velocity that are recommended for study are those of the print-out.",
+};

@@ -131,7 +131,7 @@ fn misfit(mechanism: Mechanism, column: Column, pair: [f64; 2]) -> f64 {
             let engagement = Engagement::folded(&parameters, fold, 1e-6).ok()?;
             return Some(engagement.steady_state().ok()?.peak.speed);
         }
-        let [least, _] = steps::cycle(&parameters, fold, STEPS)?;
+        let [least, ..] = steps::cycle(&parameters, fold, STEPS)?;
         Some(least * parameters.drive().sqrt())
     };
     let own = rows().iter().filter(|row| row.mechanism == mechanism);
