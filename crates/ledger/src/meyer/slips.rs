@@ -40,18 +40,17 @@ pub const SPRING_RATE: Slip = Slip {
 /// A pin is said to have to enter along the slot, so that only three mechanisms are left.
 pub const ENTRY_ALONG_THE_SLOT: Slip = Slip {
     id: "meyer.along-the-slot",
-    reason: "A pin strikes the follower if it moves across the slot otherwise than the slot itself. Only if the \
-        follower is at rest must the pin move along the slot. The velocity ratio is an even function of the driver's \
-        angle, so the leaving and the entering pin ask the follower for one speed, whatever the numbers of pins and \
-        slots: nothing strikes. Five pins and five slots do so, with the axes a golden ratio of the pins' radius \
-        apart, and the follower never stops. What Eq. (1-3) tells is which mechanisms have the follower at rest at \
-        each hand-over; those are the three.",
+    reason: "A pin strikes the slot's wall if the two have different velocities across the slot. So the pin must move \
+             along the slot if the follower is at rest; if the follower turns it must not. The velocity ratio is an \
+             even function of the driver's angle: the leaving and the entering pin ask the follower for one speed, \
+             whatever the numbers of pins and slots, and nothing strikes. Five pins and five slots, with the axes a \
+             golden ratio of the pins' radius apart, do so while the follower never stops. Eq. (1-3) tells which \
+             mechanisms have the follower at rest at each hand-over: those are the three.",
     witness: "Pins and slots by coordinates, and the motion of the other pairs in steps, with friction: it reaches a \
               terminal velocity.",
     origin: Origin::Concept,
     consequence: Consequence::Conclusion,
-    changes: "The choice is not of three mechanisms: there is no end of others in which one pin takes over from the \
-        next without a blow.",
+    changes: "The choice is not of three mechanisms: in many others one pin takes over from the next without a blow.",
 };
 
 /// The follower's angle φ has become the driver's angle θ.
