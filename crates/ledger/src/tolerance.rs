@@ -27,6 +27,14 @@ pub const ROUTES: Tolerance = Tolerance {
              three decimal digits of the sixteen; a wrong formula differs in the first few digits",
 };
 
+/// For derivatives that are taken as differences of printed characters evaluated nearby.
+pub const DIFFERENCES: Tolerance = Tolerance {
+    name: "differences",
+    relative: 1e-9,
+    reason: "a difference over a thousandth loses three of the sixteen digits, and where the letters change quickly some \
+             more; a misprint differs in the first few digits",
+};
+
 /// For quantities that must vanish, in units of the mechanism's own size: what is left of rounding.
 pub const CLOSURE: Tolerance = Tolerance {
     name: "closure",
@@ -44,7 +52,7 @@ pub const STEPS: Tolerance = Tolerance {
 };
 
 /// All tolerances.
-pub const TOLERANCES: &[Tolerance] = &[ARITHMETIC, ROUTES, CLOSURE, STEPS];
+pub const TOLERANCES: &[Tolerance] = &[ARITHMETIC, ROUTES, DIFFERENCES, CLOSURE, STEPS];
 
 impl Tolerance {
     /// Whether two numbers agree, relative to the larger.

@@ -31,8 +31,122 @@ pub const SPRING_RATE: Slip = Slip {
     reason: "The torque of the spring is K itself, Eq. (1-15), whatever the angle. A rate or a constant of a spring would \
              have to be multiplied by an angle. An inch-pound per radian can be read as a torque, the work done per \
              radian; only the word is wrong.",
-    witness: "In Eq. (1-17) and in the program K stands alone where a torque must stand.",
+    witness: "In Eq. (1-18) and in the program K stands alone where a torque must stand.",
     origin: Origin::Concept,
     consequence: Consequence::Wording,
     changes: "",
+};
+
+/// φ has become θ, and in two places I_f has become I_P: the follower's letters.
+pub const FOLLOWER_LETTERS: Slip = Slip {
+    id: "meyer.moments",
+    reason: "The follower has the inertia I_f and the angle φ. The display that follows each of these places has its \
+             letters right, so the copy has changed them: φ is read as θ, and the index f as P.",
+    witness: "The corrected characters, read and evaluated, agree with Newton's laws for the two members; the printed \
+              ones do not.",
+    origin: Origin::Copy,
+    consequence: Consequence::Copy,
+    changes: "",
+};
+
+/// 3/2 for other half powers.
+pub const HALF_POWERS: Slip = Slip {
+    id: "meyer.normal-force.substituted",
+    reason: "R has the power 1/2, and two whole powers and a half make 5/2. Three displays in a row have 3/2 for both. \
+             The power 1/2 stands right in the two displays of R before them, and Eq. (1-14), which follows, has the \
+             powers that only the right ones give: so it is counted as the copy's, which no original was at hand to \
+             confirm.",
+    witness: "The corrected characters, read and evaluated, agree with Newton's laws for the two members; the printed \
+              ones do not.",
+    origin: Origin::Copy,
+    consequence: Consequence::Copy,
+    changes: "",
+};
+
+/// I_b for I_D, in five displays.
+pub const DRIVER_INDEX: Slip = Slip {
+    id: "meyer.momentum-rate.quotient.first-line",
+    reason: "The inertia of the driver is I_D, as in Eq. (1-16) before and in Eq. (1-17) after these five displays; the \
+             source has no I_b.",
+    witness: "The corrected characters, read and evaluated, agree with Newton's laws for the two members; the printed \
+              ones do not.",
+    origin: Origin::Copy,
+    consequence: Consequence::Copy,
+    changes: "",
+};
+
+/// The square of a cos θ − 1 is missing twice in a row.
+pub const MISSING_SQUARE: Slip = Slip {
+    id: "meyer.eq-1-17",
+    reason: "The factor of the driver's acceleration is that of the line before, where the bracket is squared; Eq. (1-18) \
+             has the square again. It is missing in two displays, the second of which is put together from the first: \
+             that is how a typist's slip goes on, so it is not counted as the copy's.",
+    witness: "The corrected characters, read and evaluated, agree with Newton's laws for the two members; the printed \
+              ones do not.",
+    origin: Origin::Misprint,
+    consequence: Consequence::Derivation,
+    changes: "Nothing: Eq. (1-18), the factors A to E and the program have the square.",
+};
+
+/// Bars that are lost.
+pub const LOST_BARS: Slip = Slip {
+    id: "meyer.parts-put-in.second-line",
+    reason: "Friction stands between bars in Eq. (1-14), before, and in Eq. (1-19), after. In two displays brackets stand \
+             in their place, which look much alike; in Appendix B they are gone, and two dots with them, where the text \
+             goes on to say how they are dealt with. Without them friction would drive the mechanism wherever the pin \
+             presses on the other flank.",
+    witness: "The corrected characters, read and evaluated, agree with Newton's laws for the two members; the printed \
+              ones do not.",
+    origin: Origin::Copy,
+    consequence: Consequence::Copy,
+    changes: "",
+};
+
+/// a cos θ that has become an inverse cosine.
+pub const ARC: Slip = Slip {
+    id: "meyer.factor-b",
+    reason: "The letters of a and cos run together in the copy, which makes an inverse cosine of a times the cosine, here \
+             and in the display of A.",
+    witness: "The corrected characters, read and evaluated, agree with Newton's laws for the two members; the printed \
+              ones do not.",
+    origin: Origin::Copy,
+    consequence: Consequence::Copy,
+    changes: "",
+};
+
+/// One dot for two.
+pub const LOST_DOTS: Slip = Slip {
+    id: "meyer.app-b.example",
+    reason: "A second derivative has lost one of its two dots. In the example the text asks for the derivative of the \
+             highest order, and the program computes the second; in Appendix D the factor D belongs to the acceleration, \
+             as in Eq. (1-19), and the speed is zero.",
+    witness: "The corrected characters, read and evaluated, hold for a vibration and for the start of the motion; the \
+              printed ones do not.",
+    origin: Origin::Copy,
+    consequence: Consequence::Copy,
+    changes: "",
+};
+
+/// LDX for 1DX.
+pub const ONE_AS_L: Slip = Slip {
+    id: "meyer.app-b.example.second",
+    reason: "The name begins with the order of the derivative, as 2DX does: a one has been read as the letter L. The \
+             listing has it right.",
+    witness: "The program has the name with a one.",
+    origin: Origin::Copy,
+    consequence: Consequence::Copy,
+    changes: "",
+};
+
+/// The denominator of Eq. (1-18) is not the only one that may become zero.
+pub const NO_SINGULARITY: Slip = Slip {
+    id: "meyer.singularity.conclusion",
+    reason: "What is shown is that 1 + a² − 2a cos θ is never zero. But solved for the acceleration the equation is \
+             divided by A + D or A − D, and with enough friction one of them is zero somewhere: from there on no \
+             acceleration fits, or two do. The lighter the driver beside the follower, the less friction this takes.",
+    witness: "Solutions of Eq. (1-19) were counted on either side of the limit.",
+    origin: Origin::Concept,
+    consequence: Consequence::Conclusion,
+    changes: "The friction has a limit, which depends on the mechanism and on the ratio of the inertias; the thesis has \
+              none.",
 };

@@ -2,249 +2,206 @@
 //!
 //! The identities of the formula crates stand for the printed displays, but nothing ties them to the characters.
 //! This does: what is printed, or what the erratum puts in its place, is read character by character and evaluated.
-//! It knows sums, products, fractions, powers, sines, cosines, bars and letters with dots and subscripts. Brackets
-//! may be of any kind; those left open at the end of a line are closed there, and those closed too often are passed
-//! over, because a display may be cut into its lines.
+//! It knows sums, products, fractions, powers, sines, cosines, bars, letters with dots and subscripts, and the
+//! derivatives of Lagrange's equation. Brackets may be of any kind; those left open at the end of a line are closed
+//! there, and those closed too often are passed over, because a display may be cut into its lines.
 
-use std::collections::BTreeMap;
-use std::f64::consts::PI;
+mod number;
+mod tokens;
+mod tree;
+
+pub use number::Number;
+pub use tree::By;
+
+use crate::tolerance::{DIFFERENCES, ROUTES};
+use std::collections::{BTreeMap, BTreeSet};
+use tree::{Function, Joint, Node};
 
 /// What each letter stands for at one instant. A dot over a letter is written behind it: `theta'`, `theta''_0`.
-pub type Letters = BTreeMap<String, f64>;
+pub type Letters<N = f64> = BTreeMap<String, N>;
 
 /// The value of a formula without an equals sign; not a number if it cannot be read or a letter has no value.
 pub fn value(formula: &str, letters: &Letters) -> f64 {
-    let Some(tokens) = tokens(formula) else { return f64::NAN };
-    let mut reader = Reader { tokens: &tokens, at: 0, bars: 0, letters };
-    let value = reader.sum();
-    let rest = &tokens[reader.at.min(tokens.len())..];
-    if rest.iter().all(|token| *token == Token::Close) { value } else { f64::NAN }
+    tree::read(formula).and_then(|node| Moment::of(letters.clone()).value(&node)).unwrap_or(f64::NAN)
 }
 
-#[derive(Clone, Debug, PartialEq)]
-enum Token {
-    Number(f64),
-    Letter(char),
-    Command(String),
-    Sign(char),
-    Open,
-    Close,
-    Bar,
+/// The letters that a formula needs; none if it cannot be read.
+pub fn letters_in(formula: &str) -> BTreeSet<String> {
+    let mut letters = BTreeSet::new();
+    if let Some(node) = tree::read(formula) {
+        node.collect(&mut letters);
+    }
+    letters
 }
 
-/// The characters cut up; `None` if one of them has no meaning here.
-fn tokens(formula: &str) -> Option<Vec<Token>> {
-    let characters: Vec<char> = formula.chars().collect();
-    let (mut tokens, mut at) = (Vec::new(), 0);
-    let run = |from: usize, of: fn(char) -> bool| -> String {
-        characters[from..].iter().copied().take_while(|c| of(*c)).collect()
-    };
-    while let Some(&c) = characters.get(at) {
-        at += 1;
-        match c {
-            ' ' | '&' => {}
-            '0'..='9' | '.' => {
-                let digits = run(at - 1, |c| c.is_ascii_digit() || c == '.');
-                at += digits.len() - 1;
-                tokens.push(Token::Number(digits.parse().ok()?));
-            }
-            '(' | '[' | '{' => tokens.push(Token::Open),
-            ')' | ']' | '}' => tokens.push(Token::Close),
-            '|' => tokens.push(Token::Bar),
-            '+' | '-' | '/' | '^' | '_' => tokens.push(Token::Sign(c)),
-            '\\' => {
-                let name = run(at, |c| c.is_ascii_alphabetic());
-                at += name.len();
-                match name.as_str() {
-                    "" => {
-                        match characters.get(at)? {
-                            '{' => tokens.push(Token::Open),
-                            '}' => tokens.push(Token::Close),
-                            '\\' => {}
-                            _ => return None,
-                        }
-                        at += 1;
-                    }
-                    "left" | "right" => {
-                        // A full stop is the bracket that is not there.
-                        at += usize::from(characters.get(at) == Some(&'.'));
-                    }
-                    "quad" => {}
-                    "begin" | "end" => at += run(at, |c| c != '}').chars().count() + 1,
-                    "text" => {
-                        let inside = run(at + 1, |c| c != '}');
-                        at += inside.chars().count() + 2;
-                        tokens.push(Token::Command(inside));
-                    }
-                    _ => tokens.push(Token::Command(name)),
-                }
-            }
-            c if c.is_alphabetic() => tokens.push(Token::Letter(c)),
-            _ => return None,
-        }
-    }
-    Some(tokens)
+/// What the letters stand for at one instant, and a little beside it.
+pub struct Moment<N = f64> {
+    letters: Letters<N>,
+    /// The letters at steps to either side: later and earlier, at other angles, at other speeds.
+    beside: [Vec<Letters<N>>; 3],
+    /// The slope f(x; y).
+    slope: Option<fn(N, N) -> N>,
 }
 
-struct Reader<'a> {
-    tokens: &'a [Token],
-    at: usize,
-    /// How many bars are open.
-    bars: usize,
-    letters: &'a Letters,
+/// Steps to either side, in units of the difference's own step, that a derivative is made of.
+const STEPS: [f64; 8] = [1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0, -4.0];
+/// Their weights: a difference that is right to the eighth order.
+const WEIGHTS: [f64; 4] = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
+const STEP: f64 = 1.0 / 1024.0;
+
+impl<N: Number> Moment<N> {
+    /// The letters alone.
+    pub fn of(letters: Letters<N>) -> Self {
+        Self { letters, beside: [const { Vec::new() }; 3], slope: None }
+    }
+
+    /// The same with what they stand for at some distance by time, angle or speed.
+    #[must_use]
+    pub fn moving(mut self, there: impl Fn(By, f64) -> Letters<N>) -> Self {
+        self.beside = [By::Time, By::Angle, By::Speed].map(|by| STEPS.map(|step| there(by, step * STEP)).to_vec());
+        self
+    }
+
+    /// The same with a slope that the letter f stands for.
+    #[must_use]
+    pub fn sloping(self, slope: fn(N, N) -> N) -> Self {
+        Self { slope: Some(slope), ..self }
+    }
+
+    /// The letters.
+    pub fn letters(&self) -> &Letters<N> {
+        &self.letters
+    }
+
+    fn value(&self, node: &Node) -> Option<N> {
+        evaluate(node, &self.letters, Some(self))
+    }
+
+    /// How far the sides of an equation are apart, over the largest or one; none if a letter stands for nothing.
+    fn misfit(&self, sides: &[Node]) -> Option<f64> {
+        let values = sides.iter().map(|side| self.value(side)).collect::<Option<Vec<N>>>()?;
+        let misfits = values.windows(2).map(|pair| {
+            let size = pair[0].size().max(pair[1].size()).max(1.0);
+            let misfit = (pair[0] - pair[1]).size() / size;
+            // What has no value agrees with nothing.
+            if misfit.is_nan() { f64::INFINITY } else { misfit }
+        });
+        misfits.reduce(f64::max)
+    }
 }
 
-impl Reader<'_> {
-    fn next(&self) -> Option<&Token> {
-        self.tokens.get(self.at)
+/// An equation: its sides.
+pub struct Equation {
+    sides: Vec<Node>,
+    /// Whether it has derivatives, which are differences here.
+    differs: bool,
+}
+
+impl Equation {
+    /// Reads one; none if it cannot be read or equates nothing.
+    pub fn read(tex: &str) -> Option<Self> {
+        let sides = tex.split('=').map(tree::read).collect::<Option<Vec<_>>>().filter(|sides| sides.len() > 1)?;
+        let differs = sides.iter().any(Node::differs);
+        Some(Self { sides, differs })
     }
 
-    /// Whether the next token is this one; if so, it is passed.
-    fn pass(&mut self, token: &Token) -> bool {
-        let found = self.next() == Some(token);
-        self.at += usize::from(found);
-        found
+    /// Whether it holds at all of these instants; none if a letter stands for nothing.
+    pub fn holds<'a, N: Number>(&self, moments: impl IntoIterator<Item = &'a Moment<N>>) -> Option<bool> {
+        let allowed = if self.differs { DIFFERENCES } else { ROUTES };
+        for moment in moments {
+            if self.misfit(moment)? > allowed.relative {
+                return Some(false);
+            }
+        }
+        Some(true)
     }
 
-    fn sum(&mut self) -> f64 {
-        let mut sum = if self.pass(&Token::Sign('-')) {
-            -self.product()
-        } else {
-            self.pass(&Token::Sign('+'));
-            self.product()
-        };
-        loop {
-            if self.pass(&Token::Sign('+')) {
-                sum += self.product();
-            } else if self.pass(&Token::Sign('-')) {
-                sum -= self.product();
-            } else {
-                return sum;
+    fn misfit<N: Number>(&self, moment: &Moment<N>) -> Option<f64> {
+        moment.misfit(&self.sides)
+    }
+}
+
+/// Whether an equation holds at all of these instants; none if it cannot be read.
+pub fn holds<'a, N: Number>(tex: &str, moments: impl IntoIterator<Item = &'a Moment<N>>) -> Option<bool> {
+    Equation::read(tex)?.holds(moments)
+}
+
+impl Node {
+    fn collect(&self, letters: &mut BTreeSet<String>) {
+        match self {
+            Self::Number(_) => {}
+            Self::Letter(name) => {
+                letters.insert(name.clone());
+            }
+            Self::Minus(of) | Self::Of(_, of) | Self::Rate(_, of) => of.collect(letters),
+            Self::Two(_, left, right) | Self::Slope(left, right) => {
+                left.collect(letters);
+                right.collect(letters);
             }
         }
     }
 
-    fn product(&mut self) -> f64 {
-        let mut product = self.factor();
-        loop {
-            match self.next() {
-                None | Some(Token::Close | Token::Sign('+' | '-')) => return product,
-                Some(Token::Bar) if self.bars > 0 => return product,
-                Some(Token::Sign('/')) => {
-                    self.at += 1;
-                    product /= self.factor();
-                }
-                Some(_) => product *= self.factor(),
-            }
+    fn differs(&self) -> bool {
+        match self {
+            Self::Number(_) | Self::Letter(_) => false,
+            Self::Minus(of) | Self::Of(_, of) => of.differs(),
+            Self::Two(_, left, right) | Self::Slope(left, right) => left.differs() || right.differs(),
+            Self::Rate(..) => true,
         }
     }
+}
 
-    fn factor(&mut self) -> f64 {
-        let base = self.single();
-        if self.pass(&Token::Sign('^')) { libm::pow(base, self.single()) } else { base }
-    }
-
-    /// A number, a letter, a function or something in brackets, without its exponent.
-    fn single(&mut self) -> f64 {
-        let Some(token) = self.next().cloned() else { return f64::NAN };
-        match token {
-            Token::Number(number) => {
-                self.at += 1;
-                number
+/// The value of a formula with these letters. Only at the instant itself are there others beside it.
+fn evaluate<N: Number>(node: &Node, letters: &Letters<N>, at: Option<&Moment<N>>) -> Option<N> {
+    let of = |node: &Node| evaluate(node, letters, at);
+    Some(match node {
+        Node::Number(number) => N::real(*number),
+        Node::Letter(name) => match letters.get(name) {
+            Some(value) => *value,
+            // A dot over a letter that has no value of its own with it.
+            None if name.contains('\'') => {
+                of(&Node::Rate(By::Time, Box::new(Node::Letter(name.replacen('\'', "", 1)))))?
             }
-            Token::Open => {
-                self.at += 1;
-                // Bars open outside the bracket do not close inside it.
-                let bars = std::mem::take(&mut self.bars);
-                let inside = self.sum();
-                self.bars = bars;
-                self.pass(&Token::Close);
-                inside
-            }
-            Token::Bar => {
-                self.at += 1;
-                self.bars += 1;
-                let inside = self.sum();
-                self.bars -= 1;
-                self.pass(&Token::Bar);
-                inside.abs()
-            }
-            Token::Command(name) if name == "frac" => {
-                self.at += 1;
-                let above = self.single();
-                above / self.single()
-            }
-            Token::Command(name) if ["sin", "cos", "tan", "acos"].contains(&name.as_str()) => {
-                self.at += 1;
-                self.function(&name)
-            }
-            Token::Letter(_) | Token::Command(_) => self.letter(),
-            Token::Sign(_) | Token::Close => {
-                self.at += 1;
-                f64::NAN
+            None => return None,
+        },
+        Node::Minus(node) => -of(node)?,
+        Node::Two(joint, left, right) => {
+            let (left, right) = (of(left)?, of(right)?);
+            match joint {
+                Joint::Plus => left + right,
+                Joint::Times => left * right,
+                Joint::Over => left / right,
+                Joint::Power => left.power(right),
             }
         }
-    }
-
-    /// sin x, sin² x or the inverse, with the next single thing for x.
-    fn function(&mut self, name: &str) -> f64 {
-        let exponent = if self.pass(&Token::Sign('^')) { self.single() } else { 1.0 };
-        let argument = self.single();
-        match (name, exponent == -1.0) {
-            ("sin", true) => libm::asin(argument),
-            ("cos", true) | ("acos", _) => libm::acos(argument),
-            ("sin", false) => libm::pow(libm::sin(argument), exponent),
-            ("cos", false) => libm::pow(libm::cos(argument), exponent),
-            ("tan", false) => libm::pow(libm::tan(argument), exponent),
-            _ => f64::NAN,
-        }
-    }
-
-    fn letter(&mut self) -> f64 {
-        let mut name = self.name();
-        if self.pass(&Token::Sign('_')) {
-            name.push('_');
-            if self.pass(&Token::Open) {
-                while !matches!(self.next(), None | Some(Token::Close)) {
-                    name += &self.name();
-                }
-                self.pass(&Token::Close);
-            } else {
-                name += &self.name();
+        Node::Of(function, node) => {
+            let number = of(node)?;
+            match function {
+                Function::Size => N::real(number.size()),
+                Function::Sine => number.sine(),
+                Function::Cosine => number.cosine(),
+                Function::Tangent => number.sine() / number.cosine(),
+                Function::ArcSine => number.arc_sine(),
+                Function::ArcCosine => number.arc_cosine(),
             }
         }
-        match name.as_str() {
-            "pi" => PI,
-            _ => self.letters.get(&name).copied().unwrap_or(f64::NAN),
-        }
-    }
-
-    /// A letter without its subscript, or one token of a subscript.
-    fn name(&mut self) -> String {
-        let token = self.next().cloned();
-        self.at += 1;
-        match token {
-            Some(Token::Letter(letter)) => letter.to_string(),
-            Some(Token::Number(number)) => number.to_string(),
-            Some(Token::Sign(sign)) => sign.to_string(),
-            Some(Token::Command(dots)) if dots == "dot" || dots == "ddot" => {
-                let braced = self.pass(&Token::Open);
-                let mut name = self.name();
-                if braced {
-                    self.pass(&Token::Close);
-                }
-                name += if dots == "dot" { "'" } else { "''" };
-                name
+        Node::Rate(by, node) => {
+            let beside = at.map(|at| &at.beside[*by as usize]).filter(|beside| !beside.is_empty())?;
+            let mut sum = N::real(0.0);
+            for (place, there) in beside.iter().enumerate() {
+                let weight = WEIGHTS[place / 2] * STEPS[place].signum() / STEP;
+                sum = sum + N::real(weight) * evaluate(node, there, None)?;
             }
-            Some(Token::Command(name)) => name,
-            _ => String::new(),
+            sum
         }
-    }
+        Node::Slope(first, second) => (at?.slope?)(of(first)?, of(second)?),
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::PI;
 
     fn read(formula: &str) -> f64 {
         let letters =
@@ -284,8 +241,43 @@ mod tests {
 
     #[test]
     fn what_cannot_be_read_has_no_value() {
-        for formula in ["", "a +", "b", r"\frac{a}", "a = x", "a) x", r"\unknown", "1.2.3", "a!"] {
+        for formula in ["", "a +", "b", r"\frac{a}", "a = x", "a) x", r"\unknown", "1.2.3", "a!", "f(a; x)"] {
             assert!(read(formula).is_nan(), "{formula}: {}", read(formula));
         }
+        assert!(holds("a", &[Moment::of(Letters::from([("a".to_owned(), 1.0)]))]).is_none(), "it equates nothing");
+    }
+
+    #[test]
+    fn derivatives_are_taken_by_what_stands_under_the_line() {
+        // x = t³ + θ² θ'⁴ at t = 2, θ = 3, θ' = 1.5, all three of them free.
+        let letters = |[t, angle, speed]: [f64; 3]| -> Letters {
+            let x = t.powi(3) + angle.powi(2) * speed.powi(4);
+            [("x", x), ("theta", angle), ("theta'", speed), ("dT/dtheta", 5.0)].map(|(n, v)| (n.to_owned(), v)).into()
+        };
+        let here = [2.0, 3.0, 1.5];
+        let moment = Moment::of(letters(here)).moving(|by, step| {
+            let mut there = here;
+            there[by as usize] += step;
+            letters(there)
+        });
+        for (tex, expected) in [
+            (r"\frac{d}{dt} x^2 \frac{\partial T}{\partial \theta} = 1 + 60 (8 + 9 \dot\theta^4) ", Some(false)),
+            (r"\frac{d}{dt} (x) = 12", Some(true)),
+            (r"\frac{\partial}{\partial \theta} (x + \theta) = 2\theta\dot{\theta}^4 + 1", Some(true)),
+            (r"\frac{\partial}{\partial \dot{\theta}} [x] = 4 \theta^2 \dot{\theta}^3", Some(true)),
+            (r"\frac{\partial T}{\partial \theta} = 5", Some(true)),
+            (r"\frac{\partial T}{\partial \dot\theta} = 5", None),
+            (r"\frac{d}{dt} \frac{d}{dt} x = 12", None),
+        ] {
+            assert_eq!(holds(tex, [&moment]), expected, "{tex}");
+        }
+    }
+
+    #[test]
+    fn a_slope_is_a_function_of_two_numbers() {
+        let letters: Letters = [("h", 2.0), ("y_n", 3.0)].map(|(name, value)| (name.to_owned(), value)).into();
+        let moment = Moment::of(letters).sloping(|x, y| x - y);
+        assert_eq!(holds(r"f\left(h + 1; y_n h\right) h = -6", [&moment]), Some(true));
+        assert_eq!(holds(r"f(h) = 1", [&moment]), None);
     }
 }
