@@ -1,11 +1,11 @@
 //! The displays of the chapters hold, and misprints in them would not.
 
 use super::mechanisms::{When, pin, quick_return, step, wheel};
-use super::mutants::mutants;
 use super::state::State;
-use super::tex::{read, read_pieces};
+use super::tex::read;
 use super::value::holds;
 use super::{escapement, joints};
+use geneva_ledger::misprints;
 
 /// A display that is not evaluated: its chapter, how it starts, and why.
 const EXCEPTIONS: &[(&str, &str, &str)] = &[];
@@ -132,11 +132,11 @@ fn a_misprint_would_be_noticed() {
     let displays = displays();
     let (mut refuted, mut survivors) = (0, Vec::new());
     for printed in displays.iter().filter(|printed| !printed.is_excepted()) {
-        for mutant in mutants(&printed.tex) {
+        for misprint in misprints(&printed.tex) {
             // What cannot be read or evaluated any more is noticed as well, but proves nothing about the evaluation.
-            match read_pieces(&mutant.pieces).and_then(|display| holds(&display, &printed.states)) {
+            match read(&misprint.tex).and_then(|display| holds(&display, &printed.states)) {
                 Ok(false) => refuted += 1,
-                Ok(true) => survivors.push((printed, mutant.change)),
+                Ok(true) => survivors.push((printed, misprint.change)),
                 Err(_) => {}
             }
         }
