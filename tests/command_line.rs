@@ -8,7 +8,7 @@ mod quick_return_command;
 mod sweep_command;
 mod wheel_command;
 
-use geneva_ledger::{claims, in_full, verdicts};
+use geneva_ledger::{Consequence, Places, Work, claims, in_full, slips, verdicts};
 use insta_cmd::assert_cmd_snapshot;
 use serde_json::Value;
 use std::fs;
@@ -148,12 +148,16 @@ fn json_says_what_the_ledger_says() {
             ("unit", claim.unit),
             ("verdict", judged.verdict.slug()),
             ("expected", claim.expected.slug()),
+            ("truth", judged.truth().slug()),
         ] {
             assert_eq!(row[key], value, "{} {key}", claim.id);
         }
-        for (key, value) in
-            [("computed", judged.computed), ("witnessed", judged.witnessed), ("from_rounded", judged.from_rounded)]
-        {
+        for (key, value) in [
+            ("computed", judged.computed),
+            ("witnessed", judged.witnessed),
+            ("from_rounded", judged.from_rounded),
+            ("right_value", judged.right_value),
+        ] {
             assert_eq!(row[key].as_f64().map(f64::to_bits), value.map(f64::to_bits), "{} {key}", claim.id);
         }
         let evidence: Vec<_> = claim.check.evidence().iter().map(|evidence| evidence.slug()).collect();
@@ -164,14 +168,15 @@ fn json_says_what_the_ledger_says() {
             Some(erratum) => {
                 for (key, value) in [
                     ("printed", printed.as_str()),
-                    ("corrected", erratum.corrected),
-                    ("reason", erratum.reason),
-                    ("witness", erratum.witness),
-                    ("severity", erratum.severity.slug()),
+                    ("corrected", judged.corrected().unwrap_or_default().as_str()),
+                    ("reason", erratum.slip.reason),
+                    ("witness", erratum.slip.witness),
+                    ("origin", erratum.slip.origin.slug()),
                 ] {
                     assert_eq!(row["erratum"][key], value, "{} {key}", claim.id);
                 }
-                assert_eq!(row["erratum"]["inherited_by"], Value::from(erratum.inherited_by.to_vec()));
+                assert_eq!(row["slip"], erratum.slip.id, "{}", claim.id);
+                assert_eq!(row["consequence"], erratum.slip.consequence.slug(), "{}", claim.id);
             }
         }
     }
@@ -201,8 +206,8 @@ fn csv_has_a_row_for_each_claim_and_all_digits() {
         assert_eq!(&row[column("printed")], in_full(judged.claim));
         assert_eq!(row[column("computed")].parse().ok(), judged.computed);
         assert_eq!(&row[column("verdict")], judged.verdict.slug());
-        let corrected = judged.claim.erratum.as_ref().map_or("", |erratum| erratum.corrected);
-        assert_eq!(&row[column("erratum_corrected")], corrected);
+        assert_eq!(row[column("erratum_corrected")], judged.corrected().unwrap_or_default());
+        assert_eq!(&row[column("truth")], judged.truth().slug());
     }
 }
 
@@ -211,10 +216,34 @@ fn the_errata_are_those_of_the_ledger() {
     pin("errata", &["errata"]);
     pin("errata-json", &["errata", "--format", "json"]);
     pin("errata-markdown", &["errata", "--format", "markdown"]);
-    let expected: Vec<_> =
-        claims().iter().filter(|claim| claim.erratum.is_some()).map(|claim| Value::from(claim.id)).collect();
-    let found: Vec<_> = json(&["errata", "--format", "json"]).into_iter().map(|row| row["id"].clone()).collect();
-    assert_eq!(found, expected);
+    pin("errata-of-jazar-with-copies", &["errata", "--source", "jazar", "--all"]);
+    let ids = |arguments: &[&str]| -> Vec<Value> {
+        let all = [&["errata", "--format", "json"], arguments].concat();
+        json(&all).into_iter().map(|row| row["id"].clone()).collect()
+    };
+    let expected = |wanted: &dyn Fn(&Places) -> bool| -> Vec<Value> {
+        slips().iter().filter(|places| wanted(places)).map(|places| Value::from(places.slip.id)).collect()
+    };
+    assert_eq!(ids(&["--all"]), expected(&|_| true));
+    assert_eq!(ids(&[]), expected(&|places| places.slip.consequence != Consequence::Copy));
+    for consequence in Consequence::ALL {
+        let own = expected(&|places| places.slip.consequence == *consequence);
+        assert_eq!(ids(&["--consequence", consequence.slug()]), own, "{consequence}");
+    }
+    for source in Work::ALL {
+        let own = expected(&|places| places.main().claim.work == *source);
+        assert_eq!(ids(&["--source", source.slug(), "--all"]), own, "{source}");
+    }
+}
+
+#[test]
+fn every_place_of_a_slip_is_listed_with_it() {
+    for row in json(&["errata", "--all", "--format", "json"]) {
+        let places: Vec<_> = row["places"].as_array().expect("places").iter().filter_map(Value::as_str).collect();
+        let of = |claim: &&geneva_ledger::Claim| claim.erratum.is_some_and(|erratum| erratum.slip.id == row["id"]);
+        assert_eq!(places.len(), claims().iter().filter(of).count(), "{}", row["id"]);
+        assert_eq!(row["id"], places[0]);
+    }
 }
 
 #[test]

@@ -7,7 +7,7 @@ use geneva_dynamics::energy::kinetic_energy;
 use geneva_dynamics::equation::{coefficient_a, coefficient_b};
 use geneva_dynamics::existence::critical_friction;
 use geneva_dynamics::{Inertias, Parameters, Pose, Sign, Slots};
-use geneva_kinematics::escapement::{Escapement, possible};
+use geneva_kinematics::escapement::{Continuous, Escapement, possible};
 use geneva_kinematics::{Jet, Turn, pin_slot};
 
 /// All three mechanisms, with many inertias, torques, frictions, angles and speeds.
@@ -28,6 +28,18 @@ pub fn over_the_angle() -> Vec<State> {
         state.with([("u", speed * speed), ("u'", 2.0 * gain), ("q", follower / speed), ("k", slide)])
     };
     states().into_iter().map(squared).collect()
+}
+
+/// Other numbers of pins and slots than those of the three mechanisms too, as one pin takes over from the next.
+pub fn taking_over(number: usize) -> State {
+    let pairs = (2..=8).flat_map(|pins| (3..=8).filter_map(move |slots| Continuous::new(pins, slots)));
+    let pairs: Vec<Continuous> = pairs.collect();
+    let pair = pairs[number % pairs.len()];
+    let (ratio, speed) = (pair.centre_distance_ratio(), 0.2 + 4.0 * spread(number, 5));
+    let follower = pin_slot::velocity_ratio(&ratio, &Turn::from_radians(pair.driver_half_angle())) * speed;
+    State::default()
+        .with([("a", ratio), ("m", f64::from(pair.pins())), ("n", f64::from(pair.slots()))])
+        .with([(r"\dot\theta", speed), (r"\dot\varphi", follower)])
 }
 
 /// What is asked of a state; what is not asked is at random.

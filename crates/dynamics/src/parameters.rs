@@ -142,7 +142,7 @@ impl fmt::Display for ParameterError {
         match self {
             Self::Slots(asked) => write!(
                 f,
-                "{asked} slots: one pin can take over from the next only with 3, 4 or 6 slots (6, 4 or 3 pins), where \
+                "{asked} slots: each pin comes and goes along its slot only with 3, 4 or 6 slots (6, 4 or 3 pins), where \
                  2 n / (n - 2) is a whole number above 2; give one of these"
             ),
             Self::NotPositive { name, asked } => {

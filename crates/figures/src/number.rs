@@ -1,5 +1,7 @@
 //! Numbers as text: rounded explicitly, and zero without a sign.
 
+use geneva_dynamics::Parameters;
+
 /// `value` with so many digits after the point; a value that rounds to zero has no sign.
 pub fn fixed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
@@ -22,6 +24,16 @@ pub fn significant(value: f64, digits: usize) -> String {
     let exponent = scientific.split_once('e').and_then(|(_, e)| e.parse::<i32>().ok()).unwrap_or(0);
     let decimals = usize::try_from(after_first as i32 - exponent).unwrap_or(0);
     fixed(scientific.parse().unwrap_or(value), decimals)
+}
+
+/// Which escapement a figure shows, as its caption ends: pins, friction and the ratio of the inertias.
+pub fn shown(parameters: &Parameters) -> String {
+    format!(
+        "Shown: {} pins, μ = {}, I_D/I_f = {}.",
+        parameters.slots().pins(),
+        trimmed(parameters.friction(), 4),
+        significant(parameters.inertias().ratio(), 2)
+    )
 }
 
 /// `value`, or zero where it is nothing but rounding error beside a value of the size of `scale`.

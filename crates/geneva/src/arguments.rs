@@ -6,7 +6,7 @@ use crate::sweep::SweepArguments;
 use crate::wheel::WheelArguments;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use geneva_ledger::{Verdict, Work};
+use geneva_ledger::{Consequence, Verdict, Work};
 use std::path::PathBuf;
 
 /// Derives the verdict on every claim of the sources, and builds the book.
@@ -51,10 +51,12 @@ Examples:
   geneva claims --verdict corrected
   geneva claims --format json > claims.json")]
     Claims(ClaimsArguments),
-    /// List the errata: for what is printed, what to read, why, and who else says so
+    /// List what is wrong in the sources, the gravest first: printed, right, why, and who else says so
     #[command(after_help = "\
 Examples:
   geneva errata
+  geneva errata --consequence result
+  geneva errata --source jazar --all
   geneva errata --format markdown > errata.md")]
     Errata(ErrataArguments),
     /// Show line by line which claim or exception each number of a source belongs to
@@ -174,15 +176,24 @@ pub enum ClaimsFormat {
     Csv,
 }
 
-/// How to write the errata.
+/// Which slips, and how.
 #[derive(Args, Debug)]
 pub struct ErrataArguments {
+    /// Only those of this source
+    #[arg(long, value_parser = sources())]
+    pub source: Option<Work>,
+    /// Only those with this consequence
+    #[arg(long, value_parser = consequences(), conflicts_with = "all")]
+    pub consequence: Option<Consequence>,
+    /// Also what the copy at hand has lost or changed, of which nobody knows whether the original has it
+    #[arg(long)]
+    pub all: bool,
     /// How to write them
     #[arg(long, value_enum, default_value_t)]
     pub format: ErrataFormat,
 }
 
-/// How to write errata.
+/// How to write slips.
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
 pub enum ErrataFormat {
     /// Paragraphs for reading
@@ -263,6 +274,10 @@ pub enum Question {
 
 fn sources() -> impl TypedValueParser<Value = Work> {
     named(Work::ALL, Work::slug, Work::citation)
+}
+
+fn consequences() -> impl TypedValueParser<Value = Consequence> {
+    named(Consequence::ALL, Consequence::slug, Consequence::meaning)
 }
 
 fn verdicts() -> impl TypedValueParser<Value = Verdict> {

@@ -1,71 +1,140 @@
-//! The list of errata, in the order of the ledger.
+//! What is wrong in the sources: slips, the gravest consequence first.
 
-use crate::arguments::ErrataFormat;
+use crate::arguments::{ErrataArguments, ErrataFormat};
 use crate::claims::with_unit;
-use crate::output::{count, field, heading};
-use crate::record::ErratumRow;
-use geneva_ledger::{Erratum, Judged, Work, in_full};
+use crate::output::{count, field, heading, wrapped};
+use crate::record::SlipRecord;
+use geneva_ledger::{Consequence, Judged, Places, Work, in_full, slips};
 
-/// All errata, as they are wanted.
-pub fn page(format: ErrataFormat) -> anyhow::Result<String> {
-    let verdicts = geneva_ledger::verdicts();
-    match format {
-        ErrataFormat::Text => Ok(text(verdicts)),
+/// The slips that are wanted, as they are wanted.
+pub fn page(wanted: &ErrataArguments) -> anyhow::Result<String> {
+    let of_source = |places: &Places| wanted.source.is_none_or(|source| places.main().claim.work == source);
+    // What the copy at hand has lost is no slip of a source: it is shown when it is asked for.
+    let of_consequence = |places: &Places| match wanted.consequence {
+        Some(consequence) => places.slip.consequence == consequence,
+        None => wanted.all || places.slip.consequence != Consequence::Copy,
+    };
+    let wanted_of = |places: &&Places| of_source(places) && of_consequence(places);
+    let slips: Vec<_> = slips().iter().filter(wanted_of).cloned().collect();
+    match wanted.format {
+        ErrataFormat::Text => Ok(text(&slips)),
         ErrataFormat::Json => {
-            let rows: Vec<_> = verdicts.iter().filter_map(ErratumRow::of).collect();
+            let rows: Vec<_> = slips.iter().map(SlipRecord::from).collect();
             Ok(serde_json::to_string_pretty(&rows)? + "\n")
         }
-        ErrataFormat::Markdown => Ok(markdown(verdicts)),
+        ErrataFormat::Markdown => Ok(markdown(&slips)),
     }
 }
 
-/// The claims that carry an erratum, with it.
-fn errata(verdicts: &[Judged]) -> impl Iterator<Item = (&Judged, &Erratum)> {
-    verdicts.iter().filter_map(|judged| Some((judged, judged.claim.erratum.as_ref()?)))
+/// The slips of each consequence, if there are any.
+fn by_consequence(slips: &[Places]) -> impl Iterator<Item = (Consequence, Vec<&Places>)> {
+    let of = |consequence| slips.iter().filter(|places| places.slip.consequence == consequence).collect::<Vec<_>>();
+    Consequence::ALL.iter().map(move |consequence| (*consequence, of(*consequence))).filter(|(_, of)| !of.is_empty())
 }
 
-fn text(verdicts: &[Judged]) -> String {
+fn text(slips: &[Places]) -> String {
+    let bold = heading();
+    let mut page = overview(slips);
+    for (consequence, of) in by_consequence(slips) {
+        page += &wrapped("", &format!("{}, {}: {}.", consequence, count(of.len(), "slip"), consequence.meaning()));
+        page.push('\n');
+        for places in of {
+            let (slip, main) = (&places.slip, places.main());
+            page += &format!("{bold}{}{bold:#}  {}, {}\n", slip.id, main.claim.work, main.claim.locator);
+            page += &field("printed", &with_unit(&in_full(main.claim), main.claim.unit));
+            page += &field("right", &right(main));
+            if !slip.changes.is_empty() {
+                page += &field("changes", slip.changes);
+            }
+            page += &field("origin", slip.origin.slug());
+            page += &field("reason", slip.reason);
+            page += &field("witness", slip.witness);
+            if places.claims.len() > 1 {
+                page += &field("places", &others(places));
+            }
+            page.push('\n');
+        }
+    }
+    page + &count(slips.len(), "slip") + "\n"
+}
+
+/// What changes a result or a conclusion, some lines each: the first screen.
+fn overview(slips: &[Places]) -> String {
     let bold = heading();
     let mut page = String::new();
-    for (judged, erratum) in errata(verdicts) {
-        let claim = judged.claim;
-        page += &format!("{bold}{}{bold:#}  {}\n", claim.id, claim.locator);
-        page += &field("printed", &with_unit(&in_full(claim), claim.unit));
-        page += &field("corrected", &with_unit(erratum.corrected, claim.unit));
-        page += &field("severity", erratum.severity.slug());
-        page += &field("reason", erratum.reason);
-        page += &field("witness", erratum.witness);
-        if !erratum.inherited_by.is_empty() {
-            page += &field("inherited by", &erratum.inherited_by.join(", "));
+    for (consequence, of) in by_consequence(slips) {
+        if consequence > Consequence::Conclusion {
+            break;
+        }
+        page += &format!("{bold}{}{bold:#}\n", capital(consequence.meaning()));
+        for places in of {
+            let main = places.main();
+            let numbers = places.greatest_change().map_or_else(String::new, |change| {
+                format!("; {}, {} at most", count(places.wrong_numbers().count(), "number"), percent(change))
+            });
+            let says = format!("{} -> {}{numbers}", with_unit(&in_full(main.claim), main.claim.unit), right(main));
+            page += &wrapped(&format!("  {}  ", places.slip.id), &says);
         }
         page.push('\n');
     }
-    let number = errata(verdicts).count();
-    page + &if number == 1 { "1 erratum\n".to_owned() } else { format!("{number} errata\n") }
+    page
 }
 
-fn markdown(verdicts: &[Judged]) -> String {
+fn capital(text: &str) -> String {
+    let mut characters = text.chars();
+    characters.next().map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
+}
+
+/// What should stand in the place of the printed characters.
+fn right(judged: &Judged) -> String {
+    with_unit(&judged.corrected().unwrap_or_default(), judged.claim.unit)
+}
+
+/// A share in per cent, to two significant digits.
+fn percent(share: f64) -> String {
+    let places = if share >= 0.1 {
+        0
+    } else if share >= 0.01 {
+        1
+    } else {
+        2
+    };
+    format!("{:.places$} %", 100.0 * share)
+}
+
+/// The other claims that a slip reaches; of many of one table only how many.
+fn others(places: &Places) -> String {
+    const MOST: usize = 8;
+    let ids: Vec<_> = places.claims.iter().skip(1).map(|judged| judged.claim.id).collect();
+    let (shown, rest) = ids.split_at(ids.len().min(MOST));
+    let more = if rest.is_empty() { String::new() } else { format!(" and {} more", rest.len()) };
+    shown.join(", ") + &more
+}
+
+fn markdown(slips: &[Places]) -> String {
     let mut page = "# Errata\n".to_owned();
     for work in Work::ALL {
-        let of_work: Vec<_> = errata(verdicts).filter(|(judged, _)| judged.claim.work == *work).collect();
-        page += &format!("\n## {work}\n\n{}\n\n", work.citation());
+        page += &format!("\n## {work}\n\n{}\n", work.citation());
+        let of_work: Vec<_> = slips.iter().filter(|places| places.main().claim.work == *work).cloned().collect();
         if of_work.is_empty() {
-            page += &format!("No erratum in {}.\n", count(work.claims().len(), "claim"));
+            page += &format!("\nNothing of the kind in {}.\n", count(work.claims().len(), "claim"));
         }
-        for (judged, erratum) in of_work {
-            let claim = judged.claim;
-            page += &format!("- **{}** ({}, {}). ", claim.locator, code(claim.id), erratum.severity);
-            page += &format!(
-                "For {} read {}. ",
-                code(&with_unit(&in_full(claim), claim.unit)),
-                code(&with_unit(erratum.corrected, claim.unit))
-            );
-            page += &format!("{} *Witness:* {}", erratum.reason, erratum.witness);
-            if !erratum.inherited_by.is_empty() {
-                let ids: Vec<_> = erratum.inherited_by.iter().map(|id| code(id)).collect();
-                page += &format!(" *Inherited by* {}.", ids.join(", "));
+        for (consequence, of) in by_consequence(&of_work) {
+            page += &format!("\n### {}\n\n", capital(consequence.meaning()));
+            for places in of {
+                let (slip, main) = (&places.slip, places.main());
+                let printed = with_unit(&in_full(main.claim), main.claim.unit);
+                page += &format!("- **{}** ({}, {}). ", main.claim.locator, code(slip.id), slip.origin);
+                page += &format!("For {} read {}. {}", code(&printed), code(&right(main)), slip.reason);
+                if !slip.changes.is_empty() {
+                    page += &format!(" *Changes:* {}", slip.changes);
+                }
+                page += &format!(" *Witness:* {}", slip.witness);
+                if places.claims.len() > 1 {
+                    page += &format!(" *Other places:* {}.", others(places));
+                }
+                page.push('\n');
             }
-            page.push('\n');
         }
     }
     page
@@ -81,11 +150,16 @@ fn code(characters: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::code;
+    use super::{code, percent};
 
     #[test]
     fn backticks_in_printed_characters_do_not_end_the_code() {
         assert_eq!(code(r"l=\sqrt{2} R"), r"`l=\sqrt{2} R`");
         assert_eq!(code("a``b"), "``` a``b ```");
+    }
+
+    #[test]
+    fn a_share_keeps_two_digits() {
+        assert_eq!([0.9, 0.0165, 0.0017].map(percent), ["90 %", "1.7 %", "0.17 %"]);
     }
 }

@@ -46,7 +46,7 @@ fn run(arguments: Arguments) -> anyhow::Result<Outcome> {
             Ok(as_recorded())
         }
         Some(Command::Errata(wanted)) => {
-            print(&errata::page(wanted.format)?)?;
+            print(&errata::page(&wanted)?)?;
             Ok(as_recorded())
         }
         Some(Command::Coverage(wanted)) => {

@@ -60,6 +60,7 @@ pub fn style(verdict: Verdict) -> Style {
     let colour = match verdict {
         Verdict::Reproduced => AnsiColor::Green,
         Verdict::Truncated | Verdict::FromRounded | Verdict::ReadOff => AnsiColor::Yellow,
+        Verdict::ReproducedInError => AnsiColor::Magenta,
         Verdict::Corrected => AnsiColor::Cyan,
         Verdict::NotReproduced | Verdict::NotReproducible => AnsiColor::Red,
     };

@@ -1,6 +1,6 @@
-//! Claims and errata as data, for JSON and CSV.
+//! Claims and slips as data, for JSON and CSV.
 
-use geneva_ledger::{Check, Claim, Judged, in_full};
+use geneva_ledger::{Check, Judged, Places, in_full, slips};
 use serde::Serialize;
 
 /// All that is known of a claim.
@@ -23,6 +23,18 @@ pub struct ClaimRecord {
     complaints: Vec<String>,
     evidence: Vec<&'static str>,
     findings: Vec<FindingRecord>,
+    /// Whether what is printed is right: `right`, `wrong` or `open`.
+    truth: &'static str,
+    /// The right number, where the printed one is not right to all its digits, or is the place of a slip.
+    right_value: Option<f64>,
+    /// The id of the slip that reaches the claim, which is that of the claim in which it is made.
+    slip: Option<&'static str>,
+    /// What that slip does.
+    consequence: Option<&'static str>,
+    /// How a vague sentence is read.
+    reading: Option<&'static str>,
+    /// The neighbouring statement that both routes must refute; for a corrected one the printed form is.
+    neighbour: Option<&'static str>,
     /// Which datum is missing and why.
     missing: Option<&'static str>,
     erratum: Option<ErratumRecord>,
@@ -40,31 +52,40 @@ pub struct FindingRecord {
 #[derive(Debug, Serialize)]
 pub struct ErratumRecord {
     printed: String,
-    corrected: &'static str,
+    corrected: String,
     reason: &'static str,
     witness: &'static str,
-    severity: &'static str,
-    inherited_by: &'static [&'static str],
+    origin: &'static str,
+    /// The other claims that the slip reaches, in the record of the one in which it is made.
+    inherited_by: Vec<&'static str>,
 }
 
-/// A claim with an erratum, where only the erratum is of interest.
+/// A slip with its places.
 #[derive(Debug, Serialize)]
-pub struct ErratumRow {
+pub struct SlipRecord {
     id: &'static str,
     source: &'static str,
     locator: &'static str,
-    kind: &'static str,
     meaning: &'static str,
+    consequence: &'static str,
+    origin: &'static str,
+    /// The ids of all claims that it reaches.
+    places: Vec<&'static str>,
+    printed: String,
+    corrected: String,
     unit: &'static str,
-    computed: Option<f64>,
-    verdict: &'static str,
-    #[serde(flatten)]
-    erratum: ErratumRecord,
+    reason: &'static str,
+    witness: &'static str,
+    changes: &'static str,
+    /// How many printed numbers are not right because of it.
+    wrong_numbers: usize,
+    /// The largest of their deviations, relative to what is right.
+    greatest_change: Option<f64>,
 }
 
 impl ClaimRecord {
     /// The columns of [`row`](Self::row).
-    pub const COLUMNS: [&'static str; 23] = [
+    pub const COLUMNS: [&'static str; 29] = [
         "id",
         "source",
         "locator",
@@ -81,12 +102,18 @@ impl ClaimRecord {
         "complaints",
         "evidence",
         "findings",
+        "truth",
+        "right_value",
+        "slip",
+        "consequence",
+        "reading",
+        "neighbour",
         "missing",
         "erratum_printed",
         "erratum_corrected",
         "erratum_reason",
         "erratum_witness",
-        "erratum_severity",
+        "erratum_origin",
         "erratum_inherited_by",
     ];
 
@@ -111,12 +138,18 @@ impl ClaimRecord {
             self.complaints.join("; "),
             self.evidence.join("; "),
             findings.join("; "),
+            self.truth.into(),
+            digits(self.right_value),
+            self.slip.unwrap_or_default().into(),
+            self.consequence.unwrap_or_default().into(),
+            self.reading.unwrap_or_default().into(),
+            self.neighbour.unwrap_or_default().into(),
             self.missing.unwrap_or_default().into(),
             erratum(|erratum| erratum.printed.clone()),
-            erratum(|erratum| erratum.corrected.into()),
+            erratum(|erratum| erratum.corrected.clone()),
             erratum(|erratum| erratum.reason.into()),
             erratum(|erratum| erratum.witness.into()),
-            erratum(|erratum| erratum.severity.into()),
+            erratum(|erratum| erratum.origin.into()),
             erratum(|erratum| erratum.inherited_by.join("; ")),
         ]
     }
@@ -145,11 +178,20 @@ impl From<&Judged> for ClaimRecord {
             findings: findings
                 .map(|(form, finding)| FindingRecord { form, holds: finding.holds, how: finding.how.clone() })
                 .collect(),
+            truth: judged.truth().slug(),
+            right_value: judged.right_value,
+            slip: claim.erratum.as_ref().map(|erratum| erratum.slip.id),
+            consequence: claim.erratum.as_ref().map(|erratum| erratum.slip.consequence.slug()),
+            reading: claim.reading,
+            neighbour: match claim.check {
+                Check::Statement { neighbour, .. } => neighbour,
+                _ => None,
+            },
             missing: match claim.check {
                 Check::Missing { reason } => Some(reason),
                 _ => None,
             },
-            erratum: ErratumRecord::of(claim),
+            erratum: ErratumRecord::of(judged),
         }
     }
 }
@@ -161,33 +203,41 @@ impl FindingRecord {
 }
 
 impl ErratumRecord {
-    fn of(claim: &Claim) -> Option<Self> {
-        claim.erratum.as_ref().map(|erratum| Self {
+    fn of(judged: &Judged) -> Option<Self> {
+        let (claim, slip) = (judged.claim, &judged.claim.erratum.as_ref()?.slip);
+        let places = slips().iter().filter(|places| places.slip.id == claim.id);
+        let others = places.flat_map(|places| &places.claims).map(|judged| judged.claim.id);
+        Some(Self {
             printed: in_full(claim),
-            corrected: erratum.corrected,
-            reason: erratum.reason,
-            witness: erratum.witness,
-            severity: erratum.severity.slug(),
-            inherited_by: erratum.inherited_by,
+            corrected: judged.corrected().unwrap_or_default(),
+            reason: slip.reason,
+            witness: slip.witness,
+            origin: slip.origin.slug(),
+            inherited_by: others.filter(|id| *id != claim.id).collect(),
         })
     }
 }
 
-impl ErratumRow {
-    /// The claim's erratum, if it has one.
-    pub fn of(judged: &Judged) -> Option<Self> {
-        let claim = judged.claim;
-        Some(Self {
-            id: claim.id,
-            source: claim.work.slug(),
-            locator: claim.locator,
-            kind: claim.kind.slug(),
-            meaning: claim.meaning,
-            unit: claim.unit,
-            computed: judged.computed,
-            verdict: judged.verdict.slug(),
-            erratum: ErratumRecord::of(claim)?,
-        })
+impl From<&Places> for SlipRecord {
+    fn from(places: &Places) -> Self {
+        let (slip, main) = (&places.slip, places.main());
+        Self {
+            id: slip.id,
+            source: main.claim.work.slug(),
+            locator: main.claim.locator,
+            meaning: main.claim.meaning,
+            consequence: slip.consequence.slug(),
+            origin: slip.origin.slug(),
+            places: places.claims.iter().map(|judged| judged.claim.id).collect(),
+            printed: in_full(main.claim),
+            corrected: main.corrected().unwrap_or_default(),
+            unit: main.claim.unit,
+            reason: slip.reason,
+            witness: slip.witness,
+            changes: slip.changes,
+            wrong_numbers: places.wrong_numbers().count(),
+            greatest_change: places.greatest_change(),
+        }
     }
 }
 

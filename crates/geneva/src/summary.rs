@@ -2,7 +2,7 @@
 
 use crate::claims::with_unit;
 use crate::output::{count, field, heading, style, wrapped};
-use geneva_ledger::{Judged, Verdict, Work, in_full};
+use geneva_ledger::{Consequence, Judged, Truth, Verdict, Work, in_full, slips};
 
 /// Verdicts by source, and each claim that does not stand as recorded.
 pub fn page(verdicts: &[Judged]) -> String {
@@ -33,18 +33,19 @@ fn table(verdicts: &[Judged]) -> String {
         let row = line(verdict.slug(), &|_, work| tally(&|judged| judged.verdict == *verdict, work));
         table += &format!("{colour}{}{colour:#}{}\n", &row[..verdict.slug().len()], &row[verdict.slug().len()..]);
     }
-    table += &format!("{}\n", line("all claims", &|_, work| tally(&|_| true, work)));
+    table += &format!("\n{bold}{}{bold:#}\n", line("is it right?", &|title, _| title.to_owned()));
+    for truth in Truth::ALL {
+        table += &format!("{}\n", line(truth.slug(), &|_, work| tally(&|judged| judged.truth() == *truth, work)));
+    }
+    table += &format!("\n{}\n", line("all claims", &|_, work| tally(&|_| true, work)));
     table + &format!("{}\n", line("not as recorded", &|_, work| tally(&|judged| !judged.holds(), work)))
 }
 
 fn differences(verdicts: &[Judged]) -> String {
     let differing: Vec<_> = verdicts.iter().filter(|judged| !judged.holds()).collect();
     if differing.is_empty() {
-        let errata = verdicts.iter().filter(|judged| judged.claim.erratum.is_some()).count();
-        return format!(
-            "{}: each stands as recorded. {errata} with an erratum: geneva errata\n",
-            count(verdicts.len(), "claim")
-        );
+        let stands = format!("{}: each stands as recorded.\n", count(verdicts.len(), "claim"));
+        return stands + &wrapped("", &wrong());
     }
     let bold = heading();
     let mut page = format!("{} of {} not as recorded:\n", differing.len(), count(verdicts.len(), "claim"));
@@ -66,6 +67,15 @@ fn differences(verdicts: &[Judged]) -> String {
         }
     }
     page + "\n"
+}
+
+/// How many things are wrong in the sources, by what they do. What the copy at hand has lost is not among them.
+fn wrong() -> String {
+    let of = |consequence| slips().iter().filter(|places| places.slip.consequence == consequence).count();
+    let told = Consequence::ALL.iter().filter(|consequence| **consequence != Consequence::Copy);
+    let all: usize = told.clone().map(|consequence| of(*consequence)).sum();
+    let parts: Vec<_> = told.map(|consequence| format!("{} {consequence}", of(*consequence))).collect();
+    format!("{} in the sources ({}): geneva errata", count(all, "slip"), parts.join(", "))
 }
 
 #[cfg(test)]
@@ -95,6 +105,7 @@ mod tests {
     #[test]
     fn nothing_is_said_of_claims_that_stand() {
         let page = page(&[judged("2.33")]);
-        assert!(page.ends_with("1 claim: each stands as recorded. 0 with an erratum: geneva errata\n"), "{page}");
+        assert!(page.contains("\n1 claim: each stands as recorded.\n"), "{page}");
+        assert!(page.ends_with(": geneva errata\n"), "{page}");
     }
 }

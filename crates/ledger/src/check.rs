@@ -15,7 +15,7 @@ pub enum Check {
         /// What the source's own rounded intermediate results give, if it is computed from any.
         from_rounded: Option<fn() -> f64>,
         /// Resolution of the reading, in the printed unit, if the number was read from a curve or print-out.
-        resolution: Option<f64>,
+        resolution: Option<fn() -> f64>,
         /// The right value by two routes, if what the source did has a slip in it.
         right: Option<[Route<fn() -> f64>; 2]>,
     },
@@ -107,6 +107,8 @@ pub enum Evidence {
     Integration,
     /// The equation of motion solved step by step.
     Steps,
+    /// The program of 1973 as it is listed, on its integrator.
+    Program,
 }
 
 /// Whether a form holds, and how that was found.
@@ -251,6 +253,7 @@ slugs!(Evidence {
     OtherPlaceInSource = "other-place-in-source",
     Integration = "integration",
     Steps = "steps",
+    Program = "program",
 });
 
 impl Evidence {
@@ -262,13 +265,14 @@ impl Evidence {
                 "an identity between rational functions, proven by exact evaluation on a large enough grid"
             }
             Self::Jet => "a derivative taken by power series of where things are",
-            Self::AutomaticDerivative => "the wheel's angle differentiated by another library's dual numbers",
+            Self::AutomaticDerivative => "places and angles differentiated by another library's dual numbers",
             Self::Vectors => "lengths and angles measured between points given by their coordinates",
             Self::LimitCase => "cases in which the answer is known, or all cases of a list gone through",
             Self::Dimension => "the dimensions of the quantities",
             Self::OtherPlaceInSource => "what the same source says elsewhere",
             Self::Integration => "the equation of motion solved over the driver's angle, by integrals",
             Self::Steps => "the equation of motion solved in steps of time or angle",
+            Self::Program => "the program of 1973 run as it is listed, on an integrator like its own",
         }
     }
 }

@@ -1,6 +1,8 @@
 //! Small pieces that the sources' checks are made of.
 
 use crate::{Decimal, Finding, claim, printed_value};
+use geneva_kinematics::Field;
+use nalgebra::Vector2;
 
 /// The number printed in the claim with this id; not a number if there is none, which no verdict survives.
 pub(crate) fn printed(id: &str) -> f64 {
@@ -27,7 +29,23 @@ pub(crate) fn vanishes(x: f64) -> bool {
     x.abs() <= crate::tolerance::CLOSURE.relative
 }
 
+/// Whether two vectors agree as two routes must.
+pub(crate) fn coincide(a: &Vector2<f64>, b: &Vector2<f64>) -> bool {
+    (a - b).norm() <= crate::tolerance::ROUTES.relative * a.norm().max(b.norm())
+}
+
+/// The interval that the digits printed in the claim with this id leave open: half a unit of the last place either way.
+pub(crate) fn interval(id: &str) -> [f64; 2] {
+    let half = decimal(id).map_or(f64::NAN, |decimal| decimal.unit_in_last_place().approximate() / 2.0);
+    [printed(id) - half, printed(id) + half]
+}
+
 /// The same as [`agrees`] as a finding, which says both.
 pub(crate) fn same(a: f64, b: f64) -> Finding {
     Finding::new(agrees(a, b), format!("{a} against {b}"))
+}
+
+/// The same for numbers whose last bits are not the same on every machine: says six places of both.
+pub(crate) fn meets(a: f64, b: f64) -> Finding {
+    Finding::new(agrees(a, b), format!("{a:.6} against {b:.6}"))
 }

@@ -1,6 +1,6 @@
 //! The verdict on a claim, derived.
 
-use crate::tolerance::{ROUTES, STEPS};
+use crate::tolerance::{PROGRAM, ROUTES, STEPS};
 use crate::{Check, Claim, Decimal, Erratum, Evidence, Finding, Route, Stated, Truth, Verdict};
 
 /// A claim with its derived verdict and what was found on the way.
@@ -41,14 +41,13 @@ impl Judged {
     }
 
     /// What should stand in the place of the printed characters, if something should: as the erratum has it, or the
-    /// right number with as many places as are printed.
+    /// right number, written as the printed one is.
     pub fn corrected(&self) -> Option<String> {
         let erratum = self.claim.erratum.as_ref()?;
         if !erratum.corrected.is_empty() {
             return Some(erratum.corrected.to_owned());
         }
-        let places = self.claim.printed.parse::<Decimal>().ok()?.places();
-        Some(format!("{:.*}", places as usize, self.right_value?))
+        Some(self.claim.printed.parse::<Decimal>().ok()?.like(self.right_value?))
     }
 
     /// What is wrong, a line each; empty if the claim holds.
@@ -77,9 +76,10 @@ pub fn judge(claim: &'static Claim) -> Judged {
     match &claim.check {
         Check::Number { computed, witness, from_rounded, resolution, right } => {
             judged.from_rounded = from_rounded.map(|run| run());
-            number(&mut judged, computed, witness, *resolution);
+            let resolution = resolution.map(|run| run());
+            number(&mut judged, computed, witness, resolution);
             if let Some(routes) = right {
-                put_right(&mut judged, routes, *resolution);
+                put_right(&mut judged, routes, resolution);
             } else if judged.verdict.needs_erratum() {
                 judged.right_value = judged.computed;
             }
@@ -129,15 +129,16 @@ fn number(judged: &mut Judged, computed: &Route<fn() -> f64>, witness: &Route<fn
         judged.faults.push(format!("the correction is not what is computed, {value}"));
     }
     let right = stated.and_then(|erratum| erratum.corrected.parse().ok()).unwrap_or(printed);
-    disagreement(judged, witness.evidence, [value, witnessed], &right);
+    disagreement(judged, [computed.evidence, witness.evidence], [value, witnessed], &right);
 }
 
 /// Records a fault if two routes to one number disagree. Another printed number is known only to its digits; any other
 /// route must agree as far as arithmetic goes.
-fn disagreement(judged: &mut Judged, witness: Evidence, [value, witnessed]: [f64; 2], digits: &Decimal) {
-    let agrees = match witness {
-        Evidence::OtherPlaceInSource => digits.is_rounding_of(witnessed),
-        Evidence::Steps => STEPS.agrees(value, witnessed),
+fn disagreement(judged: &mut Judged, [first, witness]: [Evidence; 2], [value, witnessed]: [f64; 2], digits: &Decimal) {
+    let agrees = match (first, witness) {
+        (_, Evidence::OtherPlaceInSource) => digits.is_rounding_of(witnessed),
+        (Evidence::Program, _) => PROGRAM.agrees(value, witnessed),
+        (_, Evidence::Steps) => STEPS.agrees(value, witnessed),
         _ => ROUTES.agrees(value, witnessed),
     };
     if !agrees {
@@ -151,13 +152,12 @@ fn put_right(judged: &mut Judged, routes: &[Route<fn() -> f64>; 2], resolution: 
     let [right, witnessed] = routes.map(|route| (route.run)());
     judged.right_value = Some(right);
     let Ok(printed) = judged.claim.printed.parse::<Decimal>() else { return };
-    disagreement(judged, routes[1].evidence, [right, witnessed], &printed);
-    let bears = |number: f64| {
-        printed.is_rounding_of(number) || resolution.is_some_and(|unit| (number - printed.to_f64()).abs() <= unit)
-    };
-    if judged.truth() == Truth::Right && !bears(right) {
-        judged.verdict = Verdict::ReproducedInError;
+    disagreement(judged, routes.map(|route| route.evidence), [right, witnessed], &printed);
+    if judged.truth() != Truth::Right || printed.is_rounding_of(right) {
+        return;
     }
+    let within = resolution.is_some_and(|unit| (right - printed.to_f64()).abs() <= unit);
+    judged.verdict = if within { Verdict::ReadOff } else { Verdict::ReproducedInError };
 }
 
 fn correction_passes(erratum: &Erratum, value: f64) -> bool {

@@ -60,15 +60,15 @@ fn a_number_from_rounded_intermediates_is_told_from_a_wrong_one() {
 
 #[test]
 fn a_reading_is_right_within_its_resolution() {
-    let check = |resolution| Check::Number {
+    let check = |resolution: fn() -> f64| Check::Number {
         computed: (Evidence::ClosedForm, (|| 2.0 / 3.0) as fn() -> f64).into(),
         witness: (Evidence::Jet, (|| 2.0 / 3.0) as fn() -> f64).into(),
         from_rounded: None,
         resolution: Some(resolution),
         right: None,
     };
-    assert_eq!(judged(number_claim("0.69", check(0.05))).verdict, Verdict::ReadOff);
-    assert_eq!(judged(number_claim("0.69", check(0.01))).verdict, Verdict::NotReproduced);
+    assert_eq!(judged(number_claim("0.69", check(|| 0.05))).verdict, Verdict::ReadOff);
+    assert_eq!(judged(number_claim("0.69", check(|| 0.01))).verdict, Verdict::NotReproduced);
 }
 
 #[test]

@@ -11,6 +11,7 @@ mod check;
 mod checks;
 mod claim;
 mod dimension;
+mod duals;
 mod inventory;
 mod judge;
 mod misprints;

@@ -1,6 +1,6 @@
 //! Printed digits, kept as text and compared exactly.
 
-use crate::tolerance::ARITHMETIC;
+use crate::tolerance::{ARITHMETIC, ROUTES};
 use dashu_base::{Abs, Signed};
 use dashu_int::{IBig, UBig};
 use geneva_kinematics::{Field, Rational, rational};
@@ -15,6 +15,8 @@ pub struct Decimal {
     exact: Rational,
     /// Digits behind the point; a fraction has no last place and is exact.
     places: Option<u32>,
+    /// Whether commas part the thousands.
+    grouped: bool,
 }
 
 /// Text that is not a printed number.
@@ -25,8 +27,8 @@ impl fmt::Display for Unreadable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "`{}` is not a printed number: digits are expected, with an optional sign, thousands commas and one point, or a \
-             fraction of two such whole numbers",
+            "`{}` is not a printed number: digits are expected, with an optional sign, thousands commas and one point, \
+             or a fraction of two such whole numbers",
             self.0
         )
     }
@@ -67,7 +69,7 @@ impl FromStr for Decimal {
             }
         };
         let negative = text.starts_with(['-', '−']);
-        Ok(Self { exact: if negative { -size } else { size }, places })
+        Ok(Self { exact: if negative { -size } else { size }, places, grouped: text.contains(',') })
     }
 }
 
@@ -127,6 +129,25 @@ impl Decimal {
         let same_side = exact.is_negative() == self.exact.is_negative() || self.exact.is_zero();
         let beyond = size - printed;
         same_side && beyond >= -slack(&exact) && beyond < self.unit_in_last_place()
+    }
+
+    /// Another number, written as this one is: with as many places, or as a fraction if it is one of whole numbers.
+    pub fn like(&self, number: f64) -> String {
+        let Some(places) = self.places else {
+            let above = |below: u32| libm::round(number * f64::from(below));
+            let is_exact = |below: &u32| ROUTES.agrees(above(*below) / f64::from(*below), number);
+            let below = (1..=1000).find(is_exact);
+            return below.map_or_else(|| number.to_string(), |below| format!("{:.0}/{below}", above(below)));
+        };
+        let text = format!("{number:.*}", places as usize);
+        let whole = text.trim_start_matches('-').split('.').next().map_or(0, str::len);
+        if !self.grouped {
+            return text;
+        }
+        let sign = text.len() - text.trim_start_matches('-').len();
+        let comma =
+            |at: usize| (at > sign && at < sign + whole && (sign + whole - at).is_multiple_of(3)).then_some(',');
+        text.char_indices().flat_map(|(at, c)| comma(at).into_iter().chain([c])).collect()
     }
 
     /// Marks each character of `text`, as which this number was printed, against `computed`.
@@ -217,6 +238,16 @@ mod tests {
         assert!(printed.is_truncation_of(1.0 / 18.0) && !printed.is_rounding_of(1.0 / 18.0));
         assert!(!printed.is_truncation_of(-1.0 / 18.0));
         assert!(decimal("-1.2").is_truncation_of(-1.29));
+    }
+
+    #[test]
+    fn another_number_is_written_alike() {
+        let alike =
+            [("0.050", 0.1111, "0.111"), ("1/3", 2.0 / 3.0, "2/3"), ("1/18", 1.0 / 9.0, "1/9"), ("2", 7.6, "8")];
+        let grouped = [("1,234", 2345.6, "2,346"), ("1,234", -123_456.7, "-123,457"), ("1,234.5", 99.04, "99.0")];
+        for (text, number, written) in alike.into_iter().chain(grouped) {
+            assert_eq!(decimal(text).like(number), written, "{text}");
+        }
     }
 
     #[test]

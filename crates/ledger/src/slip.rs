@@ -2,6 +2,8 @@
 
 use crate::slugs::slugs;
 use crate::{Judged, Kind, Verdict, verdicts};
+use std::cmp::Reverse;
+use std::sync::OnceLock;
 
 /// What is wrong in one place, and the slip that it comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -101,8 +103,14 @@ pub struct Places {
     pub claims: Vec<&'static Judged>,
 }
 
-/// All slips, the gravest consequence first, then in the order of the sources.
-pub fn slips() -> Vec<Places> {
+/// All slips, the gravest consequence first, then what changes most in printed numbers
+/// (the sum of their relative changes), then as the sources stand.
+pub fn slips() -> &'static [Places] {
+    static SLIPS: OnceLock<Vec<Places>> = OnceLock::new();
+    SLIPS.get_or_init(collected)
+}
+
+fn collected() -> Vec<Places> {
     let mut found: Vec<Places> = Vec::new();
     for judged in verdicts() {
         let Some(erratum) = &judged.claim.erratum else { continue };
@@ -114,7 +122,8 @@ pub fn slips() -> Vec<Places> {
     for places in &mut found {
         places.claims.sort_by_key(|judged| judged.claim.id != places.slip.id);
     }
-    found.sort_by_key(|places| places.slip.consequence);
+    let parts_in_a_million = |of: &Places| (of.changes().sum::<f64>() * 1e6).round() as u64;
+    found.sort_by_key(|of| (of.slip.consequence, Reverse(parts_in_a_million(of))));
     found
 }
 
@@ -126,17 +135,21 @@ impl Places {
 
     /// The printed numbers that are not right because of it.
     pub fn wrong_numbers(&self) -> impl Iterator<Item = &'static Judged> {
-        let wrong = |judged: &&Judged| judged.claim.kind == Kind::Value && judged.right_value.is_some();
+        let wrong = |judged: &&Judged| judged.claim.kind == Kind::Value && judged.verdict.needs_erratum();
         self.claims.iter().copied().filter(wrong)
     }
 
-    /// The largest of their deviations from what is right, relative to that; none if no number is wrong.
-    pub fn greatest_change(&self) -> Option<f64> {
-        let change = |judged: &Judged| {
+    /// Their deviations from what is right, relative to that.
+    fn changes(&self) -> impl Iterator<Item = f64> {
+        self.wrong_numbers().filter_map(|judged| {
             let (printed, right) = (judged.printed_number()?, judged.right_value?);
             Some(((printed - right) / right).abs())
-        };
-        self.wrong_numbers().filter_map(change).max_by(f64::total_cmp)
+        })
+    }
+
+    /// The largest of these deviations; none if no number is wrong.
+    pub fn greatest_change(&self) -> Option<f64> {
+        self.changes().max_by(f64::total_cmp)
     }
 
     /// What contradicts the consequence on record; empty if nothing does.

@@ -51,8 +51,17 @@ pub const STEPS: Tolerance = Tolerance {
              the printed tables have three digits, and a wrong equation differs in the first or second",
 };
 
+/// For a number that the program of 1973 prints, and the same by other steps.
+pub const PROGRAM: Tolerance = Tolerance {
+    name: "program",
+    relative: 3e-4,
+    reason: "the program chooses the sign of friction by an acceleration of a moment before; where that sign changes \
+             within a step, two ways of stepping see it at times that are a part of that moment apart. The printed tables \
+             have three digits, and a wrong equation differs in the first or second",
+};
+
 /// All tolerances.
-pub const TOLERANCES: &[Tolerance] = &[ARITHMETIC, ROUTES, DIFFERENCES, CLOSURE, STEPS];
+pub const TOLERANCES: &[Tolerance] = &[ARITHMETIC, ROUTES, DIFFERENCES, CLOSURE, STEPS, PROGRAM];
 
 impl Tolerance {
     /// Whether two numbers agree, relative to the larger.

@@ -3,7 +3,7 @@
 use super::axes::{along, blank, short, upright};
 use super::engagement::{DrawingError, Engagement, Instant, STEPS};
 use crate::figure::{Figure, Words};
-use crate::number::{degrees, without_noise};
+use crate::number::{degrees, shown, without_noise};
 use crate::plot::{Axis, Curve, Plot, Scale, Side};
 use crate::series::Series;
 use crate::svg::canvas::{Canvas, Kind};
@@ -99,11 +99,12 @@ pub fn normal_force(parameters: &Parameters, entry_speed: f64) -> Result<Figure,
                 format!("The pin changes its flank at θ = {}.", changes.join(" and "))
             }
         ),
-        caption: "One engagement. At first the pin drives the follower; then the follower, running ahead, drives the \
-                  pin, and N changes sign with the flank. The friction acts against the motion on either flank, so its \
-                  torque is |F| in the equation of motion; F also changes sign on the line of centres, where the \
-                  sliding turns round."
-            .to_owned(),
+        caption: format!(
+            "One engagement. At first the pin drives the follower; then the follower, running ahead, drives the pin, and \
+             N changes sign with the flank. The friction acts against the motion on either flank, so its torque is |F| in \
+             the equation of motion; F also changes sign on the line of centres, where the sliding turns round. {}",
+            shown(parameters)
+        ),
     };
     Ok(words.figure(canvas, Kind::Panels, Series::new(columns, rows)))
 }

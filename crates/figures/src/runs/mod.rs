@@ -59,7 +59,7 @@ impl Group {
     }
 
     /// The mechanism's own fold, if it is another.
-    fn own_fold(&self) -> Option<f64> {
+    pub(crate) fn own_fold(&self) -> Option<f64> {
         let own = 2.0 * self.slots.engagement_half_angle();
         ((own - self.fold).abs() > 1e-3 * own).then_some(own)
     }

@@ -18,7 +18,8 @@ const HEIGHTS: [u32; 3] = [314, 314, 344];
 /// Steps of a curve.
 const STEPS: u32 = 32;
 const SIZE: f64 = 8.0;
-const DASHES: [Option<&str>; 3] = [None, Some("11 5"), Some("3 4")];
+/// Of the runs that were put back at another angle than the mechanism's own.
+const DASHES: &str = "5 5";
 
 /// Peak and minimum over √(K / I_f), and period times the same.
 fn scaled(steady: &SteadyState, unit: f64) -> [f64; 3] {
@@ -32,20 +33,25 @@ fn given(run: &Run, unit: f64) -> [f64; 3] {
 /// Peak, minimum and period of every run without scale, over the friction, with the curve of each mechanism.
 ///
 /// Speeds are over √(K / I_f), the period is times that: by the law of similarity nothing but the friction is left in
-/// the runs of one mechanism. Series, a row for each run: slots, friction, then peak, minimum and period as given, and
-/// as computed.
+/// the runs of one mechanism. Where the runs were put back at another angle than the mechanism's own, both curves are
+/// drawn. Series, a row for each run: slots, friction, then peak, minimum and period as given, as computed for the run,
+/// and as computed for the mechanism.
 ///
 /// # Errors
 ///
 /// [`MotionError`] if there is no run, or one without a steady motion.
 pub fn collapse(groups: &[Group]) -> Result<Figure, MotionError> {
-    let mut rows: Vec<[f64; 8]> = Vec::new();
+    let mut rows: Vec<[f64; 11]> = Vec::new();
     for group in groups {
         for run in &group.runs {
             let unit = (run.torque / group.inertias.follower()).sqrt();
             let steady = group.engagement(run.friction, run.torque, group.fold)?.steady_state()?;
-            let ([a, b, c], [d, e, f]) = (given(run, unit), scaled(&steady, unit));
-            rows.push([f64::from(group.slots.count()), run.friction, a, b, c, d, e, f]);
+            let own = match group.own_fold() {
+                Some(fold) => group.engagement(run.friction, run.torque, fold)?.steady_state()?,
+                None => steady.clone(),
+            };
+            let ([a, b, c], [d, e, f], [g, h, i]) = (given(run, unit), scaled(&steady, unit), scaled(&own, unit));
+            rows.push([f64::from(group.slots.count()), run.friction, a, b, c, d, e, f, g, h, i]);
         }
     }
     let frictions = || rows.iter().map(|row| row[1]);
@@ -61,19 +67,28 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, MotionError> {
         range: range.clone(),
         ..level
     };
-    let curves = groups.iter().map(|group| curve(group, range.start, range.end)).collect::<Result<Vec<_>, _>>()?;
+    let drawn = |fold: Option<f64>, group: &Group| -> Result<_, MotionError> {
+        fold.map(|fold| curve(group, fold, [range.start, range.end])).transpose()
+    };
+    let own = |group: &Group| drawn(Some(group.own_fold().unwrap_or(group.fold)), group);
+    let as_run = |group: &Group| drawn(group.own_fold().map(|_| group.fold), group);
+    let curves = groups.iter().map(|of| Ok([own(of)?, as_run(of)?])).collect::<Result<Vec<_>, MotionError>>()?;
     let (corners, height) = Panel::stack(KEY, HEIGHTS);
     let mut canvas = Canvas::new(f64::from(WIDTH), height);
     for (k, (corner, height)) in corners.into_iter().zip(HEIGHTS).enumerate() {
         let values = rows.iter().flat_map(|row| [row[2 + k], row[5 + k]]);
-        let values = values.chain(curves.iter().flatten().map(|(_, values)| values[k]));
+        let values = values.chain(curves.iter().flatten().flatten().flatten().map(|(_, values)| values[k]));
         let panel = Panel::new(corner, height, level.clone(), upright(0.0, values.fold(0.0, f64::max), 4.0));
         panel.draw(&mut canvas, k == 2);
         let mut ends = Vec::new();
-        for ((group, points), dashes) in groups.iter().zip(&curves).zip(DASHES.iter().cycle()) {
+        for (group, both) in groups.iter().zip(&curves) {
             let (shade, mark) = mechanism(group.slots.count());
-            let line: Vec<_> = points.iter().map(|(friction, values)| (*friction, values[k])).collect();
-            panel.curve(&mut canvas, &line, Stroke { shade, width: 2.2, dashes: *dashes, class: "curve" });
+            let mut line = Vec::new();
+            for (points, (width, dashes)) in both.iter().rev().zip([(1.6, Some(DASHES)), (2.2, None)]) {
+                let Some(points) = points else { continue };
+                line = points.iter().map(|(friction, values)| (*friction, values[k])).collect();
+                panel.curve(&mut canvas, &line, Stroke { shade, width, dashes, class: "curve" });
+            }
             let own = rows.iter().filter(|row| row[0] == f64::from(group.slots.count()));
             let own: Vec<_> = own.map(|row| (row[1], row[2 + k])).collect();
             panel.marks(&mut canvas, &own, (shade, mark), SIZE);
@@ -107,6 +122,9 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, MotionError> {
         ("peak printed", "1"),
         ("min printed", "1"),
         ("period printed", "1"),
+        ("peak as run", "1"),
+        ("min as run", "1"),
+        ("period as run", "1"),
         ("peak", "1"),
         ("min", "1"),
         ("period", "1"),
@@ -118,26 +136,27 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, MotionError> {
         title: "All runs without the torque: peak, minimum and period over the friction".to_owned(),
         description: format!(
             "Three panels over the friction μ: peak and minimum over the root of K / I_f, and period times that root. \
-             In each a curve for every mechanism, and on it the {} runs of all torques, one over another. The \
-             farthest from their curves are off by {peak} % for the peaks, {minimum} % for the minima and {period} % \
-             for the periods.",
+             In each an unbroken curve for every mechanism, and a broken one where the program put the driver back at \
+             another angle. On the curves of what was run lie the {} runs of all torques, one over another. The farthest \
+             from these are off by {peak} % for the peaks, {minimum} % for the minima and {period} % for the periods.",
             rows.len()
         ),
         caption:
             "The law of similarity: measured in the units that torque and inertias make, runs of all torques fall \
-             together, and each mechanism has one curve. What is left is rounding and, in the peaks, the time between \
-             two printed lines."
+             together, and each mechanism has one curve (unbroken). The points are the printed rows. Those of six and three \
+             pins lie on the broken curves, for a driver that is put back after 90° as the program does, and not on those of \
+             the mechanisms. What is left is rounding and, in the peaks, the time between two printed lines."
                 .to_owned(),
     };
     Ok(words.figure(canvas, Kind::Panels, Series::new(columns, rows)))
 }
 
-/// A mechanism's results without scale, over the friction.
-fn curve(group: &Group, from: f64, to: f64) -> Result<Vec<(f64, [f64; 3])>, MotionError> {
+/// A mechanism's results without scale, over the friction, if the driver is put back after this angle.
+fn curve(group: &Group, fold: f64, [from, to]: [f64; 2]) -> Result<Vec<(f64, [f64; 3])>, MotionError> {
     let point = |step: u32| {
         let friction = from + (to - from) * f64::from(step) / f64::from(STEPS);
         let torque = group.inertias.follower();
-        Ok((friction, scaled(&group.engagement(friction, torque, group.fold)?.steady_state()?, 1.0)))
+        Ok((friction, scaled(&group.engagement(friction, torque, fold)?.steady_state()?, 1.0)))
     };
     (0..=STEPS).map(point).collect()
 }
@@ -174,7 +193,8 @@ mod tests {
             }
         }
         let document = Document::parse(&figure.svg).expect("well-formed");
-        assert_eq!(named(&document, "curve").len(), 9);
+        // One for four slots, two for six and three, in three panels.
+        assert_eq!(named(&document, "curve").len(), 15);
         assert_eq!(named(&document, "marks").len(), 12);
         assert_eq!(collapse(&[]), Err(MotionError::Nothing));
     }

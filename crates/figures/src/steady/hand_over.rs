@@ -3,7 +3,7 @@
 use super::error::MotionError;
 use crate::escapement::axes::{short, upright};
 use crate::figure::{Figure, Words};
-use crate::number::{significant, trimmed};
+use crate::number::{shown, significant, trimmed};
 use crate::panel::{Panel, Stroke, WIDTH};
 use crate::series::Series;
 use crate::svg::canvas::{Canvas, Kind};
@@ -126,7 +126,8 @@ pub fn hand_over(parameters: &Parameters) -> Result<Figure, MotionError> {
         caption: format!(
             "One engagement takes the square of the speed at entry to that at exit. With friction all motions are \
              drawn to one: near it a difference shrinks to {contraction} of itself each time. Without friction each \
-             engagement adds the same, and there is no terminal speed."
+             engagement adds the same, and there is no terminal speed. {}",
+            shown(parameters)
         ),
     };
     let columns = [("u entry", "1"), ("u exit", "1"), ("without friction", "1")];

@@ -5,7 +5,7 @@ use crate::escapement::axes::upright;
 use crate::escapement::engagement::{Engagement as Followed, Instant};
 use crate::figure::{Figure, Words};
 use crate::markers::Mark;
-use crate::number::{degrees, significant, trimmed};
+use crate::number::{degrees, shown, significant, trimmed};
 use crate::panel::{Panel, Stroke, WIDTH};
 use crate::plot::{Axis, Scale};
 use crate::series::Series;
@@ -174,9 +174,11 @@ fn words(parameters: &Parameters, steady: &geneva_dynamics::steady::SteadyState,
             significant(steady.minimum.speed / unit, 3),
             significant(steady.peak.speed / unit, 3)
         ),
-        caption: "Successive engagements, numbered, from rest and from above: the third can hardly be told from the \
-                  steady cycle. The friction changes its sign on the line of centres and at the diamonds, where the \
-                  follower begins to run ahead of the pin."
-            .to_owned(),
+        caption: format!(
+            "Successive engagements, numbered, from rest and from above: the third can hardly be told from the steady \
+             cycle. The friction changes its sign on the line of centres and at the diamonds, where the follower begins \
+             to run ahead of the pin. {}",
+            shown(parameters)
+        ),
     }
 }

@@ -17,7 +17,7 @@ pub struct Escapement {
 /// An escapement that does not exist, or an angle at which its first pin is in no slot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum EscapementError {
-    /// For so many slots no whole number of pins keeps exactly one engaged.
+    /// For so many slots no whole number of pins has one always engaged and the follower at rest at each hand-over.
     Slots(u32),
     /// What the wheel refuses.
     Wheel(WheelError),
@@ -27,7 +27,7 @@ impl fmt::Display for EscapementError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Slots(asked) => {
-                write!(f, "{asked} slots: to have a pin always engaged, ")?;
+                write!(f, "{asked} slots: to have a pin always engaged that comes and goes along its slot, ")?;
                 match pins_needed(*asked) {
                     Some(pins) => write!(f, "the driver needs 2n/(n − 2) = {pins} pins, which is no whole number")?,
                     None => write!(f, "a follower needs more than two slots")?,
@@ -55,7 +55,8 @@ impl From<WheelError> for EscapementError {
     }
 }
 
-/// How many pins keep exactly one engaged in so many slots: m = 2 n / (n − 2). Meyer 1973, Eq. (1-3).
+/// How many pins keep one engaged in so many slots, if each comes and goes along its slot: m = 2 n / (n − 2). Meyer
+/// 1973, Eq. (1-3).
 ///
 /// In general no whole number. `None` for two slots or fewer, which no number of pins serves.
 pub fn pins_needed(slots: u32) -> Option<Rational> {
@@ -188,8 +189,8 @@ mod tests {
         let message = |slots| Escapement::new(slots).unwrap_err().to_string();
         assert_eq!(
             message(5),
-            "5 slots: to have a pin always engaged, the driver needs 2n/(n − 2) = 10/3 pins, which is no whole number; \
-             give one of 3, 4, 6"
+            "5 slots: to have a pin always engaged that comes and goes along its slot, the driver needs 2n/(n − 2) = \
+             10/3 pins, which is no whole number; give one of 3, 4, 6"
         );
         for slots in [0, 1, 2] {
             assert!(message(slots).contains("more than two slots"), "{slots}");

@@ -1,4 +1,5 @@
-//! The Geneva escapement: a Geneva wheel with so many pins that one is always in a slot.
+//! The Geneva escapement: a Geneva wheel with so many pins that one is always in a slot, and whose follower is at rest
+//! as one pin takes over from the next. [`Continuous`] is the same with any numbers of pins and slots, without that rest.
 //!
 //! Notation: n slots on the follower, m pins on the driver, r radius of the pins' circle, c = a r centre distance, θ
 //! driver angle from the line of centres, φ follower angle from there, R distance of the pin from the follower's axis.
@@ -11,6 +12,7 @@
 //! ([`entry_proofs`], [`angle_proofs`], [`rate_proofs`]).
 
 mod clearance;
+mod continuous;
 mod geometry;
 mod layout;
 
@@ -19,6 +21,7 @@ pub mod entry_proofs;
 pub mod rate_proofs;
 
 pub use clearance::{ApproachCoefficient, RimExcess};
+pub use continuous::{AtHandOver, ContinuityStep, Continuous};
 pub use geometry::{Escapement, EscapementError, pins_needed, possible};
 pub use layout::{HandOver, Layout, Meeting, Roots, Slot};
 

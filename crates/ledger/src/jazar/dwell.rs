@@ -1,60 +1,40 @@
 //! The worked example, part (c): how long the output stands still.
 
 use super::*;
-use crate::{Consequence, Erratum, Origin, Slip, Verdict};
 use geneva_kinematics::wheel::Phase;
-use geneva_kinematics::{Rational, rational};
+use geneva_kinematics::{Field, Rational, rational};
 
 const C: &str = "Ex. (c)";
 
+/// The part of the cycle that moves, in the place of the part that stands still.
+const MOVING_PART: Slip = Slip {
+    id: "jazar.ex-c.formula",
+    reason: "The advance takes 180° − 2α of the driver's turn, as the text says itself; the dwell takes the rest. The \
+        formula gives the part that moves, and the numbers follow it. The decimal is besides cut off, not rounded.",
+    witness: "The caption of Fig. 5.28 has the wheel of four locked for three quarters of the cycle. For six stations, \
+        where the wheel of the power series is at rest, or where the state of the wheel changes, gives the right part.",
+    origin: Origin::Concept,
+    consequence: Consequence::Result,
+    changes: "The answer to (c) is the time for which the output moves; it stands still for twice as long.",
+};
+
 pub fn claims() -> Vec<Claim> {
     vec![
-        Claim::equation(
-            WORK,
-            "jazar.ex-c.formula",
-            C,
-            "part of the cycle in which the output stands still",
-            r"\lambda = \frac{180 - 2\alpha}{360}",
-            Check::corrected_equation(
-                (LimitCase, || same(fraction(-1), locked_part())),
-                || same(fraction(1), locked_part()),
-                // The caption of Fig. 5.28: locked for three quarters of the cycle, with four stations.
-                (OtherPlaceInSource, || {
-                    let alpha = rational(180, 4);
-                    let locked = (rational(180, 1) + rational(2, 1) * alpha) / rational(360, 1);
-                    Finding::new(
-                        locked == Rational::from_parts(3.into(), 4u8.into()),
-                        format!("{locked} for four stations"),
-                    )
-                }),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: r"\lambda = \frac{180 + 2\alpha}{360}",
-            slip: Slip {
-                id: "",
-                reason: "The advance takes 180° − 2α of the driver's turn, as the text says itself; the dwell takes \
-                    the rest. The part that moves was taken for the part that stands still.",
-                witness: "The caption of Fig. 5.28 has the wheel of four locked for three quarters of the cycle.",
-                origin: Origin::Concept,
-                consequence: Consequence::Derivation,
-                changes: "",
-            },
-        }),
+        formula(),
         Claim::value(
             WORK,
             "jazar.ex-c.fraction",
             C,
             "dwelling part of the cycle",
             ("1/3", ""),
-            Check::number(
-                (ClosedForm, || six(Wheel::dwell_fraction)),
-                (Series, || 1.0 - six(entry_crank) / (2.0 * PI)),
+            Check::number_in_error(
+                (ClosedForm, || part(printed("jazar.ex-b.alpha"), -1.0)),
+                (Series, || six(entry_crank) / (2.0 * PI)),
+                [(ClosedForm, || six(Wheel::dwell_fraction)), (LimitCase, || six(locked_part))],
             ),
         )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum { corrected: "2/3", slip: inherits("One third of the cycle is the advance.") }),
+        .expecting(Verdict::ReproducedInError)
+        .affected_by(MOVING_PART),
         Claim::value(
             WORK,
             "jazar.ex-c.cycle",
@@ -73,8 +53,12 @@ pub fn claims() -> Vec<Claim> {
             "the time of the dwell is its part of the cycle's time",
             r"\tau = \lambda T",
             Check::equation(
-                (ClosedForm, || same(dwell_seconds(), six(Wheel::dwell_fraction) * printed("jazar.ex-c.cycle"))),
-                (LimitCase, || same(locked_part() * printed("jazar.ex-c.cycle"), dwell_seconds())),
+                // The driver turns by π + 2α in the dwell.
+                (ClosedForm, || {
+                    let time = (PI + six(|wheel| 2.0 * wheel.half_station())) / example_speed();
+                    same(time, seconds(six(Wheel::dwell_fraction)))
+                }),
+                (LimitCase, || same((2.0 * PI - six(entry_crank)) / example_speed(), seconds(six(locked_part)))),
             ),
         ),
         Claim::value(
@@ -83,83 +67,109 @@ pub fn claims() -> Vec<Claim> {
             C,
             "duration of the dwell, as a fraction",
             ("1/18", "s"),
-            Check::number((ClosedForm, dwell_seconds), (LimitCase, || locked_part() * printed("jazar.ex-c.cycle"))),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: "1/9",
-            slip: inherits("An eighteenth of a second is the time of the advance."),
-        }),
-        Claim::statement(
-            WORK,
-            "jazar.ex-c.division",
-            C,
-            "the decimal is the fraction, rounded",
-            "1/18 = 0.0555",
-            Check::corrected_equation(
-                (ClosedForm, || last_place(rational(0, 1))),
-                || last_place(rational(1, 1)),
-                (ClosedForm, || {
-                    let next = next_digit();
-                    Finding::new(next >= 5, format!("the first digit cut off is {next}"))
-                }),
+            Check::number_in_error(
+                (ClosedForm, || seconds(printed("jazar.ex-c.fraction"))),
+                (Series, || six(entry_crank) / example_speed()),
+                [(ClosedForm, dwell_seconds), (LimitCase, || seconds(six(locked_part)))],
             ),
         )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: "1/18 = 0.0556",
-            slip: Slip {
-                id: "",
-                reason: "The decimal was cut off, not rounded.",
-                witness: "Long division: the first digit that was cut off rounds up.",
-                origin: Origin::Arithmetic,
-                consequence: Consequence::Wording,
-                changes: "",
-            },
-        }),
+        .expecting(Verdict::ReproducedInError)
+        .affected_by(MOVING_PART),
+        division(),
         Claim::value(
             WORK,
             "jazar.ex-c.dwell-seconds",
             C,
-            "duration of the dwell",
+            "duration of the dwell, cut off behind the last place",
             ("0.0555", "s"),
-            Check::number((ClosedForm, dwell_seconds), (LimitCase, || locked_part() * printed("jazar.ex-c.cycle"))),
+            Check::number_in_error(
+                (ClosedForm, || {
+                    let unit = unit_of_the_decimal().approximate();
+                    libm::floor(seconds(part(printed("jazar.ex-b.alpha"), -1.0)) / unit) * unit
+                }),
+                (OtherPlaceInSource, || {
+                    first_digits().iter().rev().fold(0.0, |behind, digit| (f64::from(*digit) + behind) / 10.0)
+                }),
+                [(ClosedForm, dwell_seconds), (LimitCase, || seconds(six(locked_part)))],
+            ),
         )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: "0.1111",
-            slip: inherits("The time of the advance, and cut off rather than rounded."),
-        }),
+        .expecting(Verdict::ReproducedInError)
+        .affected_by(MOVING_PART),
     ]
 }
 
-/// What an erratum of a number says that inherits the wrong fraction.
-fn inherits(reason: &'static str) -> Slip {
-    Slip {
-        id: "",
-        reason,
-        witness: "Where the wheel of the power series comes to rest, or the state of the wheel changes: the rest of the turn is the dwell.",
-        origin: Origin::Concept,
-        consequence: Consequence::Result,
-        changes: "",
-    }
+fn formula() -> Claim {
+    Claim::equation(
+        WORK,
+        "jazar.ex-c.formula",
+        C,
+        "part of the cycle in which the output stands still",
+        r"\lambda = \frac{180 - 2\alpha}{360}",
+        Check::corrected_equation(
+            (LimitCase, || is_the_locked_part(-1.0)),
+            || is_the_locked_part(1.0),
+            // The caption of Fig. 5.28: locked for three quarters of the cycle, with four stations.
+            (OtherPlaceInSource, || {
+                let alpha = rational(180, 4);
+                let locked = (rational(180, 1) + rational(2, 1) * alpha) / rational(360, 1);
+                Finding::new(locked == rational(3, 4), format!("{locked} for four stations"))
+            }),
+        ),
+    )
+    .expecting(Verdict::Corrected)
+    .with_erratum(Erratum { corrected: r"\lambda = \frac{180 + 2\alpha}{360}", slip: MOVING_PART })
 }
 
-/// (180 ± 2α)/360 with the printed α.
-fn fraction(sign: i32) -> f64 {
-    (180.0 + f64::from(sign) * 2.0 * printed("jazar.ex-b.alpha")) / 360.0
+fn division() -> Claim {
+    Claim::statement(
+        WORK,
+        "jazar.ex-c.division",
+        C,
+        "the decimal is the fraction",
+        "1/18 = 0.0555",
+        Check::statement(
+            "the decimal with a last digit that is less by one is the fraction",
+            (ExactIdentity, |stated| {
+                let unit = unit_of_the_decimal();
+                let decimal = exactly("jazar.ex-c.dwell-seconds") - unit.clone() * rational(stated.pick(0, 1), 1);
+                let rest = exactly("jazar.ex-c.dwell") - decimal;
+                Finding::new(rational(0, 1) <= rest && rest < unit, format!("the rest is {rest}"))
+            }),
+            (ClosedForm, |stated| {
+                let mut digits = printed_digits();
+                if let Some(last) = digits.last_mut() {
+                    *last -= stated.pick(0, 1);
+                }
+                let first = first_digits();
+                Finding::new(digits == first, format!("long division gives the digits {first:?}"))
+            }),
+        ),
+    )
+    .read_as("The decimal gives the first digits of the fraction, cut off: it need not be rounded.")
 }
 
-/// Crank angle between entry and exit, from where the wheel of the power series is at rest.
-fn entry_crank(wheel: &Wheel) -> f64 {
-    2.0 * halved(0.0, PI / 2.0, |t| by_series(wheel, t)[1] > 0.0).0
+/// (180 ± 2α)/360 for α in degrees.
+fn part(alpha: f64, sign: f64) -> f64 {
+    (180.0 + sign * 2.0 * alpha) / 360.0
+}
+
+/// Whether that is the locked part of the turn, for all numbers of stations.
+fn is_the_locked_part(sign: f64) -> Finding {
+    for_all_stations(
+        |wheel| agrees(part(180.0 / f64::from(wheel.stations()), sign), locked_part(wheel)),
+        "the part in which the wheel is locked",
+    )
 }
 
 /// Part of a turn in which the wheel is locked, from where its motion ends and begins.
-fn locked_part() -> f64 {
-    let Ok(wheel) = example() else { return f64::NAN };
+fn locked_part(wheel: &Wheel) -> f64 {
     let moves = |t: f64| wheel.at(0, t).is_ok_and(|motion| motion.phase == Phase::Advance);
     1.0 - halved(0.0, PI, moves).0 / PI
+}
+
+/// The time of a part of the cycle.
+fn seconds(part: f64) -> f64 {
+    part * printed("jazar.ex-c.cycle")
 }
 
 fn dwell_seconds() -> f64 {
@@ -174,19 +184,21 @@ fn unit_of_the_decimal() -> Rational {
     decimal("jazar.ex-c.dwell-seconds").map_or(Rational::ZERO, |decimal| decimal.unit_in_last_place())
 }
 
-/// The digit of the printed fraction behind those of the printed decimal, by long division.
-fn next_digit() -> i64 {
-    let places = decimal("jazar.ex-c.dwell-seconds").map_or(0, |decimal| decimal.places());
-    let shifted = exactly("jazar.ex-c.dwell") * Rational::from(10_i64.pow(places + 1));
-    let ten = rational(10, 1);
-    let whole = shifted.trunc();
-    let tens = (Rational::from(whole.clone()) / ten).trunc();
-    i64::try_from(whole - tens * 10).unwrap_or(0)
+/// The digits of the printed decimal behind its point.
+fn printed_digits() -> Vec<u32> {
+    let text = crate::claim("jazar.ex-c.dwell-seconds").map_or("", |claim| claim.printed);
+    text.chars().skip_while(|c| *c != '.').filter_map(|c| c.to_digit(10)).collect()
 }
 
-/// Whether the printed decimal and so many units of its last place are the printed fraction, rounded.
-fn last_place(units: Rational) -> Finding {
-    let off = exactly("jazar.ex-c.dwell") - exactly("jazar.ex-c.dwell-seconds") - units * unit_of_the_decimal();
-    let half = unit_of_the_decimal() / rational(2, 1);
-    Finding::new(-half.clone() <= off && off <= half, format!("the decimal is off by {off}"))
+/// As many digits of the printed fraction behind its point, by long division.
+fn first_digits() -> Vec<u32> {
+    let text = crate::claim("jazar.ex-c.dwell").map_or("", |claim| claim.printed);
+    let numbers: Vec<u32> = text.split('/').filter_map(|number| number.parse().ok()).collect();
+    let [mut rest, divisor] = numbers[..] else { return Vec::new() };
+    let next = |_| {
+        let tenfold = rest % divisor * 10;
+        rest = tenfold;
+        tenfold / divisor
+    };
+    printed_digits().into_iter().map(next).collect()
 }

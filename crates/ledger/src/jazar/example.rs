@@ -1,12 +1,12 @@
 //! The worked example, parts (a), (b) and (d); part (c) has a room of its own.
 
 use super::dwell;
+use super::four::printed_5_32;
+use super::general::printed_angle;
 use super::*;
-use geneva_kinematics::pin_proofs::VelocityRatio;
 use geneva_kinematics::pin_slot::velocity_ratio;
-use geneva_kinematics::wheel::peak_velocity;
-use geneva_kinematics::wheel_proofs::{Printed, Quantity};
-use geneva_kinematics::{prove, rational};
+use geneva_kinematics::wheel::{Phase, peak_velocity};
+use geneva_kinematics::{Field, Identity, pin_vectors, prove, rational};
 
 const DATA: &str = "Example, data";
 const A: &str = "Ex. (a)";
@@ -36,9 +36,16 @@ fn advances() -> Vec<Claim> {
             A,
             "revolutions per second from revolutions per minute",
             "360/60",
-            Check::equation(
-                (ClosedForm, || same(printed("jazar.ex.rpm") / 60.0, printed("jazar.ex-a.advances"))),
-                (OtherPlaceInSource, || same(1.0 / printed("jazar.ex-c.cycle"), printed("jazar.ex.rpm") / 60.0)),
+            Check::statement(
+                "60/360",
+                (OtherPlaceInSource, |stated| {
+                    let rpm = printed("jazar.ex.rpm");
+                    same(stated.pick(rpm / 60.0, 60.0 / rpm) * printed("jazar.ex-c.cycle"), 1.0)
+                }),
+                (LimitCase, |stated| {
+                    let rpm = printed("jazar.ex.rpm");
+                    same(stated.pick(rpm / 60.0, 60.0 / rpm), advances_in_ten_seconds() / 10.0)
+                }),
             ),
         ),
         Claim::value(
@@ -49,13 +56,7 @@ fn advances() -> Vec<Claim> {
             ("6", "per second"),
             Check::number(
                 (ClosedForm, || printed("jazar.ex.rpm") / 60.0 * six(|wheel| f64::from(wheel.pins()))),
-                (LimitCase, || {
-                    // Counted: stations passed in sixty turns of the driver, in ten seconds at its speed.
-                    let turns = printed("jazar.ex.rpm") / 6.0;
-                    let passed =
-                        example().and_then(|w| w.at(turns as i64, 0.0)).map_or(f64::NAN, |m| m.stations as f64);
-                    passed / 10.0
-                }),
+                (LimitCase, || advances_in_ten_seconds() / 10.0),
             ),
         ),
         Claim::equation(
@@ -67,11 +68,19 @@ fn advances() -> Vec<Claim> {
             Check::equation(
                 (ClosedForm, || {
                     for_all_stations(
-                        |w| (2.0 * w.half_station() * f64::from(w.stations()) - 2.0 * PI).abs() < 1e-14,
-                        "2α is a turn over N",
+                        |wheel| {
+                            let alpha = libm::asin(1.0 / wheel.centre_distance_ratio()).to_degrees();
+                            agrees(2.0 * alpha, 360.0 / f64::from(wheel.stations()))
+                        },
+                        "2α is a turn over N, with the crank over the centre distance as sine of α",
                     )
                 }),
-                (Vectors, || same(six(advance).to_degrees(), 360.0 / printed("jazar.ex.stations"))),
+                (Vectors, || {
+                    for_all_stations(
+                        |wheel| agrees(advance(wheel).to_degrees(), 360.0 / f64::from(wheel.stations())),
+                        "the wheel turns by 360°/N from entry to exit",
+                    )
+                }),
             ),
         ),
         Claim::value(
@@ -112,6 +121,7 @@ fn advances() -> Vec<Claim> {
 
 fn velocity() -> Vec<Claim> {
     vec![
+        reference(),
         Claim::value(
             WORK,
             "jazar.ex-d.angle",
@@ -152,11 +162,18 @@ fn velocity() -> Vec<Claim> {
             D,
             "angular velocity of the driver",
             r"2\pi \times 6",
-            Check::equation(
-                (ClosedForm, || same(example_speed(), 2.0 * PI * printed("jazar.ex-a.advances"))),
-                (OtherPlaceInSource, || {
-                    let speed = 2.0 * PI * printed("jazar.ex-a.advances");
-                    Finding::new(rounds("jazar.ex-d.driver-speed", speed), format!("{speed}"))
+            Check::statement(
+                "π × 6: half a turn for a revolution",
+                (ClosedForm, |stated| {
+                    let product = stated.pick(2.0, 1.0) * PI * printed("jazar.ex-a.advances");
+                    Finding::new(rounds("jazar.ex-d.driver-speed", product), format!("{product}"))
+                }),
+                (Vectors, |stated| {
+                    // After the time of a cycle the crank is back where it was.
+                    let speed = stated.pick(2.0, 1.0) * PI * printed("jazar.ex-a.advances");
+                    let angle = speed * printed("jazar.ex-c.cycle");
+                    let (crank, turns) = (Turn::from_radians(angle), angle / (2.0 * PI));
+                    Finding::new(vanishes(crank.sin) && crank.cos > 0.0, format!("{turns} turns in a cycle"))
                 }),
             ),
         ),
@@ -179,43 +196,92 @@ fn velocity() -> Vec<Claim> {
                 (Series, || example_speed() * six(|w| by_series(w, 0.0)[1])),
             ),
         ),
-        Claim::statement(
-            WORK,
-            "jazar.ex-d.senses",
-            "Ex. (d), reference to Fig. 5.29",
-            "positive φ̇ and θ̇ mean that wheel and driver turn in opposite senses",
-            "opposite direction",
-            Check::equation(
-                (ExactIdentity, || prove(&VelocityRatio).into()),
-                (Vectors, || {
-                    // Counter-clockwise is positive for both here: the wheel's speed for a driver of speed one.
-                    let crank = Turn::from_degrees(170.0);
-                    let wheel =
-                        geneva_kinematics::pin_vectors::solve(&1.0, &2.0, &crank, &1.0).map(|m| m.follower_speed);
-                    Finding::new(
-                        wheel.is_some_and(|speed| speed < 0.0),
-                        format!("counter-clockwise driver of speed 1, wheel at {:.3}", wheel.unwrap_or(f64::NAN)),
-                    )
-                }),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "jazar.ex-d.reference",
-            "Ex. (d), reference to Eq. (5.32)",
-            "Eq. (5.32) tells where the velocity of Eq. (5.31) is greatest",
-            "maximum value",
-            Check::equation(
-                (ExactIdentity, || prove(&Printed(Quantity::Acceleration)).into()),
-                (Series, || {
-                    for_all_stations(
-                        |w| by_series(w, -1e-3)[2] > 0.0 && by_series(w, 1e-3)[2] < 0.0,
-                        "φ̈ goes from plus to minus at θ = 0",
-                    )
-                }),
-            ),
-        ),
+        senses(),
     ]
+}
+
+fn reference() -> Claim {
+    Claim::statement(
+        WORK,
+        "jazar.ex-d.reference",
+        "Ex. (d), reference to Eq. (5.32)",
+        "Eq. (5.32) tells where the velocity of Eq. (5.31) is greatest",
+        "maximum value",
+        Check::statement(
+            "Eq. (5.30) tells it",
+            (ClosedForm, |stated| {
+                let formula = stated.pick(printed_5_32 as fn(&Wheel, f64) -> f64, printed_angle);
+                for_all_stations(|wheel| tells_the_maximum(wheel, |t| formula(wheel, t)), "from plus to minus at θ = 0")
+            }),
+            (AutomaticDerivative, |stated| {
+                let order = stated.pick(2, 0);
+                for_all_stations(
+                    |wheel| tells_the_maximum(wheel, |t| by_duals(wheel, t)[order]),
+                    "the derivative goes from plus to minus at θ = 0",
+                )
+            }),
+        ),
+    )
+}
+
+fn senses() -> Claim {
+    Claim::statement(
+        WORK,
+        "jazar.ex-d.senses",
+        "Ex. (d), reference to Fig. 5.29",
+        "positive φ̇ and θ̇ mean that wheel and driver turn in opposite senses",
+        "opposite direction",
+        Check::statement(
+            "they turn in the same sense",
+            (ExactIdentity, |stated| prove(&Senses { sign: stated.pick(1, -1) }).into()),
+            (Vectors, |stated| {
+                for_all_stations(
+                    |wheel| {
+                        within(wheel.engagement_half_angle()).all(|t| {
+                            // The driver turns on, counter-clockwise; so does the wheel if the product is positive.
+                            let place =
+                                |angle: f64| (wheel.centre_distance_ratio() + libm::cos(angle), libm::sin(angle));
+                            let ((x, y), (next_x, next_y)) = (place(PI - t), place(PI - t + 1e-6));
+                            (x * next_y - y * next_x) * stated.pick(-1.0, 1.0) > 0.0
+                        })
+                    },
+                    "the sense of the wheel as the driver turns on counter-clockwise",
+                )
+            }),
+        ),
+    )
+}
+
+/// In one counter-clockwise sense for both, the speed of the wheel and `sign` times the velocity ratio of Eq. (5.31)
+/// are opposite. Variables: k and the tangent of half the crank's angle.
+struct Senses {
+    sign: i64,
+}
+
+impl Identity<2> for Senses {
+    fn difference<S: Field>(&self, [ratio, half]: &[S; 2]) -> S {
+        let crank = Turn::from_half_tangent(half);
+        let formula = S::integer(self.sign) * velocity_ratio(ratio, &crank.supplement());
+        pin_vectors::solve(&S::one(), ratio, &crank, &S::one())
+            .map_or_else(S::one, |motion| motion.follower_speed + formula)
+    }
+}
+
+/// Whether the velocity with this slope rises up to θ = 0 and falls from there.
+fn tells_the_maximum(wheel: &Wheel, slope: impl Fn(f64) -> f64) -> bool {
+    within(wheel.engagement_half_angle()).all(|t| if t == 0.0 { vanishes(slope(t)) } else { slope(t) * t < 0.0 })
+}
+
+/// Advances that begin in ten seconds of the example: from a locked wheel to one that moves, counted.
+fn advances_in_ten_seconds() -> f64 {
+    let Ok(wheel) = example() else { return f64::NAN };
+    let turns = 10.0 * example_speed() / (2.0 * PI);
+    let moves = |eighth: i64| {
+        let crank = PI * (eighth.rem_euclid(8) as f64 - 4.0) / 4.0;
+        wheel.at(eighth.div_euclid(8), crank).is_ok_and(|motion| motion.phase == Phase::Advance)
+    };
+    let eighths = libm::round(8.0 * turns) as i64;
+    (0..eighths).filter(|eighth| !moves(*eighth) && moves(eighth + 1)).count() as f64
 }
 
 /// Angle through which the wheel turns from entry to exit.

@@ -59,15 +59,11 @@ pub const INVENTORY: &[Line] = &[
         &[
             Label("5.28"),
             Claim("jazar.quarter-turn"),
-            exception("jazar.locking", "", "says once more that the journal locks the wheel between advances"),
+            Claim("jazar.locking"),
             Claim("jazar.tangent-entry"),
             Claim("jazar.centre-distance"),
             Claim("jazar.wheel-radius"),
-            exception(
-                "jazar.journal-radius",
-                "",
-                "says that the radius of the locking journal is free: a choice of the designer, not a claim",
-            ),
+            Claim("jazar.journal-radius"),
             Claim("jazar.cutout-centres"),
         ],
     ),
@@ -84,7 +80,18 @@ pub const INVENTORY: &[Line] = &[
             ),
         ],
     ),
-    line(22, NONE, &[Claim("jazar.speeds-up-then-slows-down")]),
+    line(
+        22,
+        NONE,
+        &[
+            exception(
+                "jazar.slider-crank-again",
+                "",
+                "says once more that the advancing wheel is an inverted slider crank, as line 13 does",
+            ),
+            Claim("jazar.speeds-up-then-slows-down"),
+        ],
+    ),
     line(24, 0x9100_d0d0_3285_6553, &[Label("5.29")]),
     line(
         26,
@@ -120,6 +127,7 @@ pub const INVENTORY: &[Line] = &[
             Label("5.29"),
             Claim("jazar.fig-5.30"),
             Label("5.30"),
+            exception("jazar.axes", "", "says in which units angles are drawn in Fig. 5.30, which is not in the copy"),
             Claim("jazar.phi-range"),
             Again("jazar.phi-range"),
             Claim("jazar.velocity-normalisation"),
@@ -137,12 +145,14 @@ pub const INVENTORY: &[Line] = &[
             exception(
                 "jazar.most-stations",
                 "",
-                "says that locking arcs become too short in practice above some number of stations, and names none",
+                "says that locking arcs become too short in practice above some number of stations, and names none: \
+                 what is too short depends on clearances and wear",
             ),
             exception(
                 "jazar.usual",
                 "",
-                "says that in principle any number of stations will do and that one pin is usual: a definition and experience",
+                "calls four stations in a plane the simplest wheel and one pin the usual number: judgement and \
+                 experience",
             ),
             Claim("jazar.more-pins"),
         ],
@@ -156,7 +166,8 @@ pub const INVENTORY: &[Line] = &[
             exception(
                 "jazar.drawings",
                 "",
-                "the drawings of Figs. 5.29, 5.30 and 5.31 are not in the copy; the captions and what the text says of them are claimed",
+                "the drawings of Figs. 5.29, 5.30 and 5.31 are not in the copy; the captions and what the text says of \
+                 them are claimed",
             ),
             Label("5.30"),
             Label("5.28"),
@@ -177,7 +188,8 @@ pub const INVENTORY: &[Line] = &[
             exception(
                 "jazar.gearing",
                 "",
-                "advises against gears behind the mechanism, because of backlash: engineering judgement without a number",
+                "advises against gears behind the mechanism, because of backlash, and names what to weigh: engineering \
+                 judgement without a number; that the acceleration reverses is claimed in line 22",
             ),
         ],
     ),
@@ -215,7 +227,8 @@ pub const INVENTORY: &[Line] = &[
             exception(
                 "jazar.synchronous",
                 "",
-                "says that a synchronous motor keeps to the mains, whose frequency is not given; the driver is taken to turn with it",
+                "says that a synchronous motor keeps to the mains, whose frequency is not given; the driver is taken \
+                 to turn with it",
             ),
         ],
     ),
@@ -262,7 +275,8 @@ pub const INVENTORY: &[Line] = &[
             exception(
                 "jazar.absolute-senses",
                 "",
-                "which of the two angles grows clockwise is a choice of the lost Fig. 5.29; only that they are opposite can be tested",
+                "which of the two angles grows clockwise is a choice of the lost Fig. 5.29; only that they are \
+                 opposite can be tested",
             ),
         ],
     ),
@@ -297,7 +311,14 @@ pub const INVENTORY: &[Line] = &[
     line(
         159,
         0x3d28_5ed2_d1c6_4962,
-        &[Claim("jazar.ex-e.general-validity"), Label("5.33"), Label("5.34"), Again("jazar.ex-d.sine"), Label("5.33")],
+        &[
+            Claim("jazar.ex-e.sign-of-angle"),
+            Claim("jazar.ex-e.general-validity"),
+            Label("5.33"),
+            Label("5.34"),
+            Again("jazar.ex-d.sine"),
+            Label("5.33"),
+        ],
     ),
     line(161, 0x41e1_5cf1_1655_123b, &[Claim("jazar.ex-e.gamma")]),
     line(163, 0x9104_61d0_3288_918d, &[Label("5.34")]),

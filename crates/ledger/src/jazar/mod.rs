@@ -3,11 +3,15 @@
 //! The claims stand in the order of the source: the four-station wheel and its equations, the general wheel, the
 //! example. The wheel of the example is [`example`].
 
+mod curves;
+mod duration;
 mod dwell;
 mod example;
+mod extreme;
 mod four;
 mod general;
 mod inventory;
+mod locking;
 mod peak;
 mod symbols;
 mod text;
@@ -16,7 +20,7 @@ pub use inventory::INVENTORY;
 pub use symbols::SYMBOLS;
 
 use crate::checks::{agrees, decimal, printed, rounds, same, vanishes};
-use crate::{Check, Claim, Evidence, Finding, Work};
+use crate::{Check, Claim, Consequence, Erratum, Evidence, Finding, Origin, Slip, Stated, Verdict, Work};
 use geneva_kinematics::pin_slot::pin_from_pivot;
 use geneva_kinematics::wheel::{Wheel, WheelError};
 use geneva_kinematics::{Jet, Turn, angular_velocity};
@@ -31,7 +35,16 @@ const WORK: Work = Work::Jazar2003;
 
 /// All claims of the handout, in the order of the source.
 pub fn claims() -> Vec<Claim> {
-    [text::claims(), four::claims(), general::claims(), example::claims(), peak::claims()].concat()
+    [
+        text::claims(),
+        four::claims(),
+        curves::claims(),
+        duration::claims(),
+        general::claims(),
+        example::claims(),
+        peak::claims(),
+    ]
+    .concat()
 }
 
 /// The wheel of the example, from the printed number of stations.
@@ -50,17 +63,17 @@ pub fn four_stations() -> Result<Wheel, WheelError> {
 }
 
 /// A quantity of the example's wheel.
-fn six(quantity: fn(&Wheel) -> f64) -> f64 {
+fn six(quantity: impl Fn(&Wheel) -> f64) -> f64 {
     example().map_or(f64::NAN, |wheel| quantity(&wheel))
 }
 
 /// A quantity of a wheel of so many stations.
-fn of(stations: u32, quantity: fn(&Wheel) -> f64) -> f64 {
+fn of(stations: u32, quantity: impl Fn(&Wheel) -> f64) -> f64 {
     Wheel::new(stations).map_or(f64::NAN, |wheel| quantity(&wheel))
 }
 
 /// Whether a property holds for each number of stations from three to sixty.
-fn for_all_stations(holds: fn(&Wheel) -> bool, how: &str) -> Finding {
+fn for_all_stations(holds: impl Fn(&Wheel) -> bool, how: &str) -> Finding {
     let failing: Vec<u32> = (3..=60).filter(|n| !Wheel::new(*n).is_ok_and(|wheel| holds(&wheel))).collect();
     let how = match failing[..] {
         [] => format!("{how}, 3 to 60 stations"),
@@ -70,9 +83,40 @@ fn for_all_stations(holds: fn(&Wheel) -> bool, how: &str) -> Finding {
     Finding::new(failing.is_empty(), how)
 }
 
+/// A finding about the wheel of four.
+fn about_four(holds: impl Fn(&Wheel) -> Finding) -> Finding {
+    four_stations().map_or_else(|error| Finding::new(false, error.to_string()), |wheel| holds(&wheel))
+}
+
+/// Whether both sides of an equation for four stations agree at instants all over the advance.
+fn at_instants(sides: impl Fn(&Wheel, f64) -> (f64, f64)) -> Finding {
+    about_four(|wheel| {
+        let apart = |(a, b): (f64, f64)| (a - b).abs() / a.abs().max(b.abs()).max(1.0);
+        let worst = instants(wheel).map(|t| apart(sides(wheel, t))).fold(0.0, f64::max);
+        let holds = worst <= crate::tolerance::ROUTES.relative;
+        Finding::new(holds, format!("the sides differ by at most {worst:.0e} at 90 instants"))
+    })
+}
+
+/// Ninety crank angles all over the advance, none of them zero and none at its ends.
+fn instants(wheel: &Wheel) -> impl Iterator<Item = f64> {
+    let end = wheel.engagement_half_angle();
+    (-45..45).map(move |step| end * (f64::from(step) + 0.5) / 45.5)
+}
+
+/// Crank angles from minus to plus this one, the ends left out, the middle among them.
+fn within(reach: f64) -> impl Iterator<Item = f64> {
+    (-10..=10).map(move |step| reach * f64::from(step) / 11.0)
+}
+
 /// Wheel angle and its first three derivatives by the crank angle, from the pin's place as a power series.
 fn by_series(wheel: &Wheel, crank: f64) -> [f64; 4] {
-    let turn = Turn::from_radians(crank).moving::<4>(1.0);
+    at_speed(wheel, crank, 1.0)
+}
+
+/// The same by time, for a driver of this speed.
+fn at_speed(wheel: &Wheel, crank: f64, speed: f64) -> [f64; 4] {
+    let turn = Turn::from_radians(crank).moving::<4>(speed);
     let place = pin_from_pivot(&Jet::constant(wheel.centre_distance_ratio()), &turn);
     let angle = libm::atan2(place.y.value(), place.x.value());
     let series = angular_velocity(&place);
@@ -94,9 +138,30 @@ fn by_duals(wheel: &Wheel, crank: f64) -> [f64; 4] {
     [angle, first, second, third]
 }
 
+/// Angular acceleration of the wheel by dual numbers, for a driver of this speed and angular acceleration.
+fn unsteady_by_duals(wheel: &Wheel, crank: f64, speed: f64, gain: f64) -> f64 {
+    let sine = libm::sin(wheel.half_station());
+    let (_, _, acceleration, _) = num_dual::third_derivative(
+        |time| {
+            let (s, c) = (time * speed + time * time * (gain / 2.0) + crank).sin_cos();
+            (s * sine / (-c * sine + 1.0)).atan()
+        },
+        0.0,
+    );
+    acceleration
+}
+
+/// Distance of the pin from the wheel's axis in crank radii, and the wheel's angle, by the law of cosines alone.
+fn by_cosines(ratio: f64, crank: f64) -> (f64, f64) {
+    let square = 1.0 + ratio * ratio - 2.0 * ratio * libm::cos(crank);
+    let distance = square.sqrt();
+    let cosine = (ratio * ratio + square - 1.0) / (2.0 * ratio * distance);
+    (distance, libm::acos(cosine.min(1.0)).copysign(crank))
+}
+
 /// Whether a formula agrees with a derivative by dual numbers, for all numbers of stations and instants all over the
 /// advance.
-fn as_by_duals(order: usize, formula: fn(&Wheel, f64) -> f64) -> Finding {
+fn as_by_duals(order: usize, formula: impl Fn(&Wheel, f64) -> f64 + Copy) -> Finding {
     let worst = (3..=60)
         .filter_map(|stations| Wheel::new(stations).ok())
         .flat_map(|wheel| {
@@ -127,6 +192,11 @@ fn halved(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> (f64, f64
 
 /// Enough to bring an interval around zero below what any comparison can see, and any other to neighbouring numbers.
 const HALVINGS: usize = 80;
+
+/// Crank angle between entry and exit, from where the wheel of the power series is at rest.
+fn entry_crank(wheel: &Wheel) -> f64 {
+    2.0 * halved(0.0, PI / 2.0, |t| by_series(wheel, t)[1] > 0.0).0
+}
 
 /// Angle and size of the greatest acceleration, by halving the interval in which the third derivative changes sign.
 fn peak_by_series(wheel: &Wheel) -> (f64, f64) {

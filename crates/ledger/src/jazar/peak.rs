@@ -1,45 +1,49 @@
 //! The worked example, part (e): where the acceleration is greatest, and how great.
 
+use super::curves::{pure_number, same_at_each_speed};
 use super::four::printed_5_32;
+use super::general::printed_5_31;
 use super::*;
-use crate::{Consequence, Dimension as Exponents, Erratum, Origin, Slip, Verdict};
+use crate::Dimension as Exponents;
 use geneva_kinematics::wheel::{acceleration_peak, gamma};
-use geneva_kinematics::wheel_peak_proofs::{BelowOne, Condition, InsideTheEngagement, Pythagoras, Quadratic, Roots};
-use geneva_kinematics::wheel_proofs::{OddAcceleration, Printed, Quantity};
-use geneva_kinematics::{DegreeBound, Field, Rational, prove, rational};
+use geneva_kinematics::wheel_peak_proofs::{Condition, Pythagoras, Quadratic, Roots};
+use geneva_kinematics::wheel_proofs::{Printed, Quantity};
+use geneva_kinematics::{DegreeBound, Field, prove};
 
 const E: &str = "Ex. (e)";
 
+/// A ratio that Eq. (5.32) does not give.
+const WRONG_RATIO: Slip = Slip {
+    id: "jazar.ex-e.ratio",
+    reason: "It does not follow from Eq. (5.32) at the printed angle, nor at any other: it is larger than the largest \
+        value that the equation takes for six stations. A possible origin, no more: with a 5 for the 9 of the angle, \
+        in the denominator alone, the equation gives the printed digits. The answer is this ratio times the square of \
+        the right speed.",
+    witness: "The pin's place as a power series, its third derivative brought to zero by halving intervals.",
+    origin: Origin::Arithmetic,
+    consequence: Consequence::Result,
+    changes: "The peak of the wheel's angular acceleration, the answer to (e), is smaller.",
+};
+
 pub fn claims() -> Vec<Claim> {
-    [steps(), choice(), numbers()].concat()
+    [steps(), extreme::claims(), numbers()].concat()
 }
 
 fn steps() -> Vec<Claim> {
     vec![
-        Claim::statement(
-            WORK,
-            "jazar.ex-e.plot",
-            "Ex. (e), reference to Fig. 5.30",
-            "the extreme and its angle can be read from a plot of Eq. (5.32)",
-            "read directly",
-            Check::equation(
-                (Series, || {
-                    let (angle, size) = six_pair(peak_by_series);
-                    let (read, top) = six_pair(read_from_a_plot);
-                    Finding::new(
-                        (angle - read).abs() < 0.01 && (size - top).abs() < 1e-3,
-                        format!("{read:.2} rad and {top:.3} from 201 points"),
-                    )
-                }),
-                (ExactIdentity, || prove(&Printed(Quantity::Acceleration)).into()),
-            ),
-        ),
+        plot(),
         Claim::equation(
             WORK,
             "jazar.ex-e.derivative",
             "Ex. (e), derivative of Eq. (5.32)",
             "rate of change of the wheel's acceleration",
-            r"\frac{d\ddot{\phi}}{dt} = \frac{-\dot{\theta}^3 \sin \alpha \cos^2 \alpha}{(1 + \sin^2 \alpha - 2 \sin \alpha \cos \theta)^3} \{ (1 + \sin^2 \alpha - 2 \sin \alpha \cos \theta) \cos \theta - 4 \sin \alpha \sin^2 \theta \}",
+            concat!(
+                r"\frac{d\ddot{\phi}}{dt} = ",
+                r"\frac{-\dot{\theta}^3 \sin \alpha \cos^2 \alpha}",
+                r"{(1 + \sin^2 \alpha - 2 \sin \alpha \cos \theta)^3} ",
+                r"\{ (1 + \sin^2 \alpha - 2 \sin \alpha \cos \theta) \cos \theta ",
+                r"- 4 \sin \alpha \sin^2 \theta \}",
+            ),
             Check::equation(
                 (ExactIdentity, || prove(&Printed(Quantity::Jerk)).into()),
                 (AutomaticDerivative, || as_by_duals(3, printed_derivative)),
@@ -66,7 +70,12 @@ fn steps() -> Vec<Claim> {
             r"\sin^2\theta = 1 - \cos^2\theta",
             Check::equation(
                 (ExactIdentity, || prove(&Pythagoras).into()),
-                (ClosedForm, || same(libm::sin(0.4) * libm::sin(0.4), 1.0 - libm::cos(0.4) * libm::cos(0.4))),
+                (ClosedForm, || {
+                    let off =
+                        |theta: f64| libm::sin(theta) * libm::sin(theta) - (1.0 - libm::cos(theta) * libm::cos(theta));
+                    let worst = (-30..=30).map(|tenths| off(f64::from(tenths) / 10.0).abs()).fold(0.0, f64::max);
+                    Finding::new(vanishes(worst), format!("off by at most {worst:.0e} at 61 angles"))
+                }),
             ),
         ),
         Claim::equation(
@@ -89,39 +98,17 @@ fn steps() -> Vec<Claim> {
             Check::equation(
                 (ExactIdentity, || prove(&Quadratic).into()),
                 (Series, || {
-                    // The γ that makes the peak of the power series a root.
-                    let c = libm::cos(six_pair(peak_by_series).0);
-                    same((2.0 - c * c) / c, six(gamma))
+                    for_all_stations(
+                        |wheel| {
+                            let (c, sine) = (libm::cos(peak_by_series(wheel).0), libm::sin(wheel.half_station()));
+                            agrees((2.0 - c * c) / c, (1.0 + sine * sine) / (2.0 * sine))
+                        },
+                        "it makes the peak of the power series a root",
+                    )
                 }),
             ),
         ),
-        Claim::statement(
-            WORK,
-            "jazar.ex-e.preceding",
-            "Ex. (e), after Eq. (5.33)",
-            "the preceding equation is a quadratic equation in cos θ",
-            "preceding equation",
-            Check::corrected_equation(
-                (ExactIdentity, || {
-                    degree_in_cosine(|_, sine| (S1::integer(1) + sine.clone() * sine.clone()) / (S1::integer(2) * sine))
-                }),
-                || degree_in_cosine(|c, gamma| c.clone() * c.clone() + gamma * c - S1::integer(2)),
-                (ExactIdentity, || prove(&Roots { plus: true }).into()),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: "the equation before Eq. (5.33)",
-            slip: Slip {
-                id: "",
-                reason: "The preceding equation is Eq. (5.33), which has no cos θ in it. Meant is the unnumbered one \
-                    before it.",
-                witness: "The roots that follow are proven to be those of the unnumbered equation.",
-                origin: Origin::Misprint,
-                consequence: Consequence::Wording,
-                changes: "",
-            },
-        }),
+        preceding(),
         Claim::equation(
             WORK,
             "jazar.ex-e.roots",
@@ -129,139 +116,87 @@ fn steps() -> Vec<Claim> {
             "roots of the quadratic",
             r"\cos\theta = \frac{-\gamma \pm \sqrt{\gamma^2 + 8}}{2}",
             Check::equation(
-                (ExactIdentity, || prove(&Roots { plus: true }).into()),
-                (ExactIdentity, || prove(&Roots { plus: false }).into()),
+                (ExactIdentity, || {
+                    let [plus, minus]: [Finding; 2] = [true, false].map(|plus| prove(&Roots { plus }).into());
+                    Finding::new(plus.holds && minus.holds, format!("{}; {}", plus.how, minus.how))
+                }),
+                // Vieta: the sum of the roots is −γ, their product −2.
+                (ClosedForm, || {
+                    for_all_stations(
+                        |wheel| {
+                            let sine = libm::sin(wheel.half_station());
+                            let (plus, minus) = both_roots(sine);
+                            agrees(plus + minus, -(1.0 + sine * sine) / (2.0 * sine)) && agrees(plus * minus, -2.0)
+                        },
+                        "their sum is −γ and their product −2",
+                    )
+                }),
             ),
         ),
     ]
 }
 
-fn choice() -> Vec<Claim> {
-    vec![
-        Claim::statement(
-            WORK,
-            "jazar.ex-e.root-choice",
-            "Ex. (e), choice of the root",
-            "only the positive root gives a cosine of a size between zero and one",
-            "0 and 1",
-            Check::equation(
-                (ExactIdentity, || prove(&BelowOne).into()),
-                (ClosedForm, || {
-                    for_all_stations(
-                        |wheel| {
-                            let (plus, minus) = both_roots(wheel);
-                            (0.0..1.0).contains(&plus) && minus < -1.0
-                        },
-                        "one root lies between 0 and 1, the other below −1",
-                    )
-                }),
-            ),
+fn plot() -> Claim {
+    Claim::statement(
+        WORK,
+        "jazar.ex-e.plot",
+        "Ex. (e), reference to Fig. 5.30",
+        "the extreme and its angle can be read from a plot of Eq. (5.32)",
+        "read directly",
+        Check::statement(
+            "they can be read from a plot of Eq. (5.31)",
+            (Series, |stated| {
+                let curve = stated.pick(printed_5_32 as fn(&Wheel, f64) -> f64, printed_5_31);
+                reads(|wheel, t| curve(wheel, t).abs(), peak_by_series)
+            }),
+            (AutomaticDerivative, |stated| {
+                let order = stated.pick(2, 1);
+                reads(
+                    |wheel, t| by_duals(wheel, t)[order].abs(),
+                    |wheel| (acceleration_peak(wheel).angle, acceleration_peak(wheel).ratio),
+                )
+            }),
         ),
-        Claim::statement(
-            WORK,
-            "jazar.ex-e.alpha-range",
-            "Ex. (e), choice of the root",
-            "the allowable range of α",
-            r"0 < \alpha < 60^{\circ}",
-            Check::corrected_equation(
-                (LimitCase, || for_all_stations(|wheel| exact_alpha(wheel) < rational(60, 1), "α is less than 60°")),
-                || for_all_stations(|wheel| exact_alpha(wheel) <= rational(60, 1), "α is at most 60°"),
-                (Vectors, || same(of(3, |w| by_series(w, w.engagement_half_angle())[0]).to_degrees(), 60.0)),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: r"0 < \alpha \le 60^{\circ}",
-            slip: Slip {
-                id: "",
-                reason: "Three stations have α = 60° exactly, and the text names three as the least number. The \
-                    statement about the root holds there too, and in fact for all α below 90°.",
-                witness: "With three stations the slot is at 60° from the line of centres as the pin leaves.",
-                origin: Origin::Misprint,
-                consequence: Consequence::Wording,
-                changes: "",
-            },
-        }),
-        Claim::statement(
-            WORK,
-            "jazar.ex-e.maximum",
-            "Ex. (e), before Eq. (5.34)",
-            "the angular acceleration has a maximum at both angles ±θ of Eq. (5.34)",
-            "at a maximum",
-            Check::corrected_equation(
-                (Series, || {
-                    let (angle, size) = six_pair(peak_by_series);
-                    let at_plus = six_at(angle)[2];
-                    Finding::new(
-                        at_plus > 0.0,
-                        format!("φ̈ is {at_plus:.3} θ̇² at +θ, while its maximum is {size:.3} θ̇²"),
-                    )
-                }),
-                || {
-                    for_all_stations(
-                        |w| {
-                            let (angle, size) = peak_by_series(w);
-                            let nearby = |t: f64| by_series(w, t - 1e-4)[2].abs().max(by_series(w, t + 1e-4)[2].abs());
-                            agrees(by_series(w, -angle)[2], size)
-                                && agrees(by_series(w, angle)[2], -size)
-                                && nearby(angle) < size
-                                && nearby(-angle) < size
-                        },
-                        "a maximum at −θ, a minimum of the same size at +θ",
-                    )
-                },
-                (ExactIdentity, || prove(&OddAcceleration).into()),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: "its size is at a maximum",
-            slip: Slip {
-                id: "",
-                reason: "The acceleration is an odd function of θ: greatest at −θ, where the wheel speeds up, and \
-                    least at +θ, where it slows down. Its size is greatest at both.",
-                witness: "The acceleration is proven to be odd in θ for every wheel.",
-                origin: Origin::Concept,
-                consequence: Consequence::Conclusion,
-                changes: "",
-            },
-        }),
-        Claim::equation(
-            WORK,
-            "jazar.eq-5.34",
-            "Eq. (5.34)",
-            "crank angles at which the acceleration is greatest in size",
-            r"\theta = \pm \cos^{-1}\left(\frac{-\gamma + \sqrt{\gamma^2 + 8}}{2}\right)",
-            Check::equation(
-                (ExactIdentity, || prove(&Roots { plus: true }).into()),
-                (Series, || {
-                    for_all_stations(
-                        |w| vanishes(libm::cos(peak_by_series(w).0) - both_roots(w).0),
-                        "the power series has its extreme there",
-                    )
-                }),
-            ),
+    )
+    .read_as(
+        "From a plot with a point at each degree, over the second half of the advance: the angle to half a degree, the \
+         greatest value with as many places as the source prints.",
+    )
+}
+
+fn preceding() -> Claim {
+    Claim::statement(
+        WORK,
+        "jazar.ex-e.preceding",
+        "Ex. (e), after Eq. (5.33)",
+        "the preceding equation is a quadratic equation in cos θ",
+        "quadratic equation",
+        Check::statement(
+            "it is a cubic equation",
+            (ExactIdentity, |stated| {
+                let degree = left_side(S1::variable(0), S1::integer(7)).numerator()[0];
+                Finding::new(degree == stated.pick(2, 3), format!("of degree {degree} in cos θ"))
+            }),
+            (ClosedForm, |stated| {
+                // Differences of values at whole numbers: of a polynomial, those of its degree are the last that are
+                // not zero.
+                let degree: usize = stated.pick(2, 3);
+                let difference = |order: usize| {
+                    let mut values: Vec<f64> = (0..=order).map(|c| left_side(c as f64, 7.0)).collect();
+                    while values.len() > 1 {
+                        values = values.windows(2).map(|pair| pair[1] - pair[0]).collect();
+                    }
+                    values[0]
+                };
+                let (own, next) = (difference(degree), difference(degree + 1));
+                Finding::new(
+                    own != 0.0 && next == 0.0,
+                    format!("differences of order {degree}: {own}; of the next: {next}"),
+                )
+            }),
         ),
-        Claim::statement(
-            WORK,
-            "jazar.ex-e.general-validity",
-            "Ex. (e), on Eqs. (5.33) and (5.34)",
-            "Eqs. (5.33) and (5.34) hold for every number of stations",
-            "general validity",
-            Check::equation(
-                (ExactIdentity, || prove(&InsideTheEngagement).into()),
-                (Series, || {
-                    for_all_stations(
-                        |w| {
-                            let peak = acceleration_peak(w);
-                            peak.angle < w.engagement_half_angle() && agrees(peak.ratio, peak_by_series(w).1)
-                        },
-                        "the extreme lies inside the engagement and is that of the power series",
-                    )
-                }),
-            ),
-        ),
-    ]
+    )
+    .read_as("The preceding equation is the one before the words that say what γ is, Eq. (5.33).")
 }
 
 fn numbers() -> Vec<Claim> {
@@ -295,17 +230,15 @@ fn numbers() -> Vec<Claim> {
             WORK,
             "jazar.ex-e.ratio-form",
             "Ex. (e), from Eq. (5.32)",
-            "the acceleration over the square of the driver's speed is a pure number",
+            "the acceleration over the square of the driver's speed is a pure number, the same for each speed",
             r"\frac{\ddot{\phi}}{\dot{\theta}^2}",
-            Check::equation(
-                (Dimension, || {
-                    let exponents =
-                        Exponents::ANGULAR_ACCELERATION / (Exponents::ANGULAR_SPEED * Exponents::ANGULAR_SPEED);
-                    Finding::new(exponents == Exponents::NONE, exponents.to_string())
-                }),
-                (ExactIdentity, || prove(&Printed(Quantity::Acceleration)).into()),
+            Check::statement(
+                "the acceleration over the driver's speed is",
+                (Dimension, |stated| pure_number(Exponents::ANGULAR_ACCELERATION, stated.pick(2, 1))),
+                (Series, |stated| same_at_each_speed(2, stated.pick(2, 1))),
             ),
         ),
+        extreme::signs(),
         Claim::value(
             WORK,
             "jazar.ex-e.ratio",
@@ -318,51 +251,24 @@ fn numbers() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::Corrected)
-        .with_erratum(Erratum { corrected: "±1.350", slip: Slip {
- id: "",
-reason: "It does not follow from Eq. (5.32) at the printed angle, nor at any other: it is larger \
-                    than the largest value that the equation takes for six stations. Where it comes from is not \
-                    known.",
-witness: "The pin's place as a power series, its third derivative brought to zero by halving intervals.",
-origin: Origin::Arithmetic,
-consequence: Consequence::Result,
-changes: "",
-} }),
-        Claim::statement(
-            WORK,
-            "jazar.ex-e.signs",
-            "Ex. (e), from Eq. (5.32)",
-            "the upper sign of the acceleration belongs to the upper sign of the angle",
-            r"\pm",
-            Check::corrected_equation(
-                (ClosedForm, || sign_at_the_upper_angle(1.0)),
-                || sign_at_the_upper_angle(-1.0),
-                (Series, || {
-                    Finding::new(
-                        six_at(six_pair(peak_by_series).0)[2] < 0.0,
-                        "the wheel slows down behind the line of centres",
-                    )
-                }),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum { corrected: r"\mp", slip: Slip {
- id: "",
-reason: "Eq. (5.32) has a minus sign: the acceleration is negative at the positive angle.",
-witness: "The power series of the pin's place, which does not use Eq. (5.32).",
-origin: Origin::Misprint,
-consequence: Consequence::Wording,
-changes: "",
-} }),
+        .with_erratum(Erratum { corrected: "±1.350", slip: WRONG_RATIO }),
         Claim::equation(
             WORK,
             "jazar.ex-e.driver-formula",
             E,
             "angular velocity of the driver once more",
             r"6 \times 2\pi",
-            Check::equation(
-                (ClosedForm, || same(example_speed(), printed("jazar.ex-a.advances") * 2.0 * PI)),
-                (OtherPlaceInSource, || same(2.0 * PI / printed("jazar.ex-c.cycle"), example_speed())),
+            Check::statement(
+                "360 × 2π: revolutions per minute",
+                (ClosedForm, |stated| {
+                    let product = printed(stated.pick("jazar.ex-a.advances", "jazar.ex.rpm")) * 2.0 * PI;
+                    Finding::new(rounds("jazar.ex-d.driver-speed", product), format!("{product}"))
+                }),
+                (LimitCase, |stated| {
+                    // How many radians the driver turns in the time of a cycle.
+                    let product = printed(stated.pick("jazar.ex-a.advances", "jazar.ex.rpm")) * 2.0 * PI;
+                    same(product * printed("jazar.ex-c.cycle"), 2.0 * PI)
+                }),
             ),
         ),
         Claim::value(
@@ -371,38 +277,44 @@ changes: "",
             E,
             "peak angular acceleration of the wheel",
             ("1,950", "rad/s²"),
-            Check::number(
-                (ClosedForm, || example().and_then(|w| w.peaks(example_speed())).map_or(f64::NAN, |peaks| peaks.1)),
-                (Series, || example_speed() * example_speed() * six_pair(peak_by_series).1),
+            Check::number_in_error(
+                (ClosedForm, || printed("jazar.ex-e.ratio") * example_speed() * example_speed()),
+                (OtherPlaceInSource, || {
+                    printed("jazar.ex-e.ratio")
+                        * printed("jazar.ex-d.driver-speed")
+                        * printed("jazar.ex-d.driver-speed")
+                }),
+                [
+                    (ClosedForm, || example().and_then(|w| w.peaks(example_speed())).map_or(f64::NAN, |peaks| peaks.1)),
+                    (Series, || example_speed() * example_speed() * six_pair(peak_by_series).1),
+                ],
             ),
         )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum { corrected: "1,918", slip: Slip {
- id: "",
-reason: "Inherited: it is the wrong ratio times the square of the right speed.",
-witness: "The same power series, with the exact speed.",
-origin: Origin::Arithmetic,
-consequence: Consequence::Result,
-changes: "",
-} }),
+        .expecting(Verdict::ReproducedInError)
+        .affected_by(WRONG_RATIO),
     ]
 }
 
 type S1 = DegreeBound<1>;
 
-fn six_pair(pair: fn(&Wheel) -> (f64, f64)) -> (f64, f64) {
+pub(super) fn six_pair(pair: fn(&Wheel) -> (f64, f64)) -> (f64, f64) {
     example().map_or((f64::NAN, f64::NAN), |wheel| pair(&wheel))
 }
 
-fn six_at(crank: f64) -> [f64; 4] {
-    example().map_or([f64::NAN; 4], |wheel| by_series(&wheel, crank))
-}
-
-/// The tallest of 201 points of Eq. (5.32) over the second half of the advance.
-fn read_from_a_plot(wheel: &Wheel) -> (f64, f64) {
-    let points = (0..=200).map(|k| wheel.engagement_half_angle() * f64::from(k) / 200.0);
-    let points = points.map(|t| (t, printed_5_32(wheel, t).abs()));
-    points.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((f64::NAN, f64::NAN))
+/// Whether the tallest of points at whole degrees tells an extreme: its angle to half a degree, its size as rounded to
+/// the places of the printed ratio.
+fn reads(curve: impl Fn(&Wheel, f64) -> f64, extreme: impl Fn(&Wheel) -> (f64, f64)) -> Finding {
+    let Ok(wheel) = example() else { return Finding::new(false, "no wheel of six") };
+    let last = wheel.engagement_half_angle().to_degrees() as i32;
+    let points = (0..=last).map(|degrees| (degrees, curve(&wheel, f64::from(degrees).to_radians())));
+    let (degrees, read) = points.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, f64::NAN));
+    let (angle, size) = extreme(&wheel);
+    let places = decimal("jazar.ex-e.ratio").map_or(0, |ratio| ratio.places()) as usize;
+    let as_printed = |number: f64| format!("{number:.places$}");
+    Finding::new(
+        (angle.to_degrees() - f64::from(degrees)).abs() <= 0.5 && as_printed(read) == as_printed(size),
+        format!("read: {} at {degrees}°", as_printed(read)),
+    )
 }
 
 /// Whether an equation in sin α and cos θ is zero at the peak of the power series, for all numbers of stations.
@@ -422,23 +334,33 @@ fn printed_derivative(wheel: &Wheel, theta: f64) -> f64 {
     -(sine * cosine * cosine) / (square * square * square) * (square * c - 4.0 * sine * s * s)
 }
 
-/// α in degrees, as an exact fraction.
-fn exact_alpha(wheel: &Wheel) -> Rational {
-    rational(180, i64::from(wheel.stations()))
+/// The roots of the quadratic as they are printed, from the sine of α by Eq. (5.33).
+pub(super) fn both_roots(sine: f64) -> (f64, f64) {
+    let gamma = (1.0 + sine * sine) / (2.0 * sine);
+    let root = (gamma * gamma + 8.0).sqrt();
+    ((-gamma + root) / 2.0, (-gamma - root) / 2.0)
 }
 
-fn both_roots(wheel: &Wheel) -> (f64, f64) {
-    let (gamma, root) = (gamma(wheel), (gamma(wheel) * gamma(wheel) + 8.0).sqrt());
-    ((root - gamma) / 2.0, (-root - gamma) / 2.0)
+/// The left side of the quadratic in cos θ.
+fn left_side<S: Field>(cosine: S, gamma: S) -> S {
+    cosine.clone() * cosine.clone() + gamma * cosine - S::integer(2)
 }
 
-/// Whether an expression in cos θ (and one other letter, taken as constant) is quadratic in cos θ.
-fn degree_in_cosine(expression: fn(S1, S1) -> S1) -> Finding {
-    let [degree] = expression(S1::variable(0), S1::integer(7)).numerator();
-    Finding::new(degree == 2, format!("of degree {degree} in cos θ"))
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-fn sign_at_the_upper_angle(sign: f64) -> Finding {
-    let acceleration = six(|w| w.engaged(acceleration_peak(w).angle).map_or(f64::NAN, |m| m.acceleration));
-    Finding::new(acceleration * sign > 0.0, format!("{acceleration:.3} θ̇² at the positive angle"))
+    #[test]
+    fn the_possible_origin_of_the_ratio_gives_its_digits() {
+        // The reason of the erratum: a 5 for the 9 of the angle, in the denominator alone.
+        let ratio = |numerator: f64, denominator: f64| {
+            let [sine, square] = [six(|w| libm::sin(w.half_station())), six(|w| libm::cos(w.half_station()))];
+            let below = 1.0 + sine * sine - 2.0 * sine * libm::cos(denominator.to_radians());
+            sine * square * square * libm::sin(numerator.to_radians()) / (below * below)
+        };
+        let angle = printed("jazar.ex-e.angle");
+        assert!(rounds("jazar.ex-e.ratio", ratio(angle, angle - 0.4)));
+        assert!(!rounds("jazar.ex-e.ratio", ratio(angle, angle)));
+        assert!(!rounds("jazar.ex-e.ratio", ratio(angle - 0.4, angle - 0.4)));
+    }
 }

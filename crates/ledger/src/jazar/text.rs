@@ -1,209 +1,287 @@
 //! What the text says of Geneva wheels before the first equation.
 
 use super::*;
-use geneva_kinematics::pin_proofs::{StandstillOfFourSlots, four_slot_entry_misfit};
+use geneva_kinematics::pin_proofs::four_slot_entry_misfit;
 use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::wheel::Phase;
-use geneva_kinematics::wheel_proofs::LoopClosure;
-use geneva_kinematics::{Field, Rational, Surd, prove};
+use geneva_kinematics::{Field, Rational, Surd};
 
 const INDEXING: &str = "1st paragraph";
-const VARIETIES: &str = "2nd paragraph";
-const SIMPLE: &str = "Paragraph on Fig. 5.28";
+pub(super) const VARIETIES: &str = "2nd paragraph";
+pub(super) const SIMPLE: &str = "Paragraph on Fig. 5.28";
 const CAPTION: &str = "Fig. 5.28, caption";
 const MODEL: &str = "Paragraph below Fig. 5.28";
 
 pub fn claims() -> Vec<Claim> {
     vec![
-        Claim::statement(
-            WORK,
-            "jazar.one-direction",
-            INDEXING,
-            "the wheel never turns back",
-            "same direction",
-            Check::equation(
-                (Series, || {
-                    for_all_stations(|wheel| engagement(wheel).all(|t| by_series(wheel, t)[1] >= 0.0), "φ̇ ≥ 0")
-                }),
-                (LimitCase, || for_all_stations(never_goes_back, "the wheel's angle never falls over two turns")),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "jazar.slider-crank",
-            VARIETIES,
-            "while it advances it is an inverted slider crank: the pin is on a crank and in a slot through the wheel's axis",
-            "inverted slider crank",
-            Check::equation(
-                (ExactIdentity, || prove(&LoopClosure { along: true }).into()),
-                (Vectors, || {
-                    for_all_stations(|w| engagement(w).all(|t| in_the_slot(w, t)), "the pin lies on the slot's line")
-                }),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "jazar.journal-bearing",
-            VARIETIES,
-            "while it holds, the wheel's arc and the driver's journal are a bearing: they have the same centre",
-            "journal bearing",
-            Check::equation(
-                (Vectors, || for_all_stations(concentric, "an arc has its centre on the driver's axis in the dwell")),
-                (LimitCase, || {
-                    for_all_stations(
-                        |w| w.at(0, PI).is_ok_and(|m| m.phase == Phase::Dwell),
-                        "the wheel is locked when the pin points away",
-                    )
-                }),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "jazar.quarter-turn",
-            SIMPLE,
-            "the wheel of four advances a quarter turn for every turn of the driver",
-            "one-quarter turn",
-            Check::equation(
-                (Vectors, || same(of(4, |wheel| 2.0 * by_series(wheel, wheel.engagement_half_angle())[0]), PI / 2.0)),
-                (ClosedForm, || same(of(4, |wheel| 2.0 * wheel.half_station()), PI / 2.0)),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "jazar.tangent-entry",
-            SIMPLE,
-            "unless the slot is tangent to the pin's circle at entry and exit, the acceleration there is infinite",
-            "tangent",
-            Check::equation(
-                (LimitCase, || {
-                    // A slot at 45° and a centre distance of 1.3 radii: the pin enters across, the wheel starts with a jump.
-                    let jump = start_of_a_quartered_wheel(1.3);
-                    Finding::new(
-                        jump.abs() > 0.1,
-                        format!("at l = 1.3 r the wheel starts with the speed {jump:.3} θ̇ at once"),
-                    )
-                }),
-                (ExactIdentity, || prove(&StandstillOfFourSlots).into()),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "jazar.centre-distance",
-            SIMPLE,
-            "centre distance of the wheel of four",
-            r"\sqrt{2}r",
-            Check::equation(
-                (ExactIdentity, || {
-                    type WithTwo = Surd<Rational, 2>;
-                    let misfit = four_slot_entry_misfit(&WithTwo::root());
-                    Finding::new(
-                        misfit == WithTwo::integer(0),
-                        "with the root exact the pin enters at rest on its circle",
-                    )
-                }),
-                (ClosedForm, || same(of(4, Wheel::centre_distance_ratio), 2f64.sqrt())),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "jazar.wheel-radius",
-            SIMPLE,
-            "outer radius of the wheel of four: the crank radius",
-            "outer radius r",
-            Check::equation(
-                (ClosedForm, || same(of(4, Wheel::wheel_radius_ratio), 1.0)),
-                (Vectors, || same(of(4, |wheel| entry(wheel).norm()), 1.0)),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "jazar.cutout-centres",
-            SIMPLE,
-            "radius of the circle of the locking arcs' centres, four stations",
-            r"\sqrt{2}r",
-            Check::equation(
-                (ClosedForm, || same(of(4, Wheel::locking_centres_ratio), 2f64.sqrt())),
-                (Vectors, || {
-                    // In the dwell an arc is concentric with the driver, which is where the pin's circle has its centre.
-                    same(
-                        of(4, |wheel| {
-                            (entry(wheel) + Turn::from_radians(wheel.engagement_half_angle()).direction()).norm()
-                        }),
-                        2f64.sqrt(),
-                    )
-                }),
-            ),
-        ),
-        Claim::figure(
-            WORK,
-            "jazar.fig-5.28",
-            CAPTION,
-            "a four-station wheel advances for a quarter of the cycle and is locked for three quarters",
-            "one-quarter, three-quarters",
-            Check::equation(
-                (ClosedForm, || same(of(4, Wheel::motion_fraction), 0.25)),
-                (LimitCase, || same(of(4, locked_part), 0.75)),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "jazar.speeds-up-then-slows-down",
-            MODEL,
-            "the wheel accelerates and then decelerates; smoothly, but for the jumps at the ends",
-            "accelerates and then decelerates",
-            Check::equation(
-                (Series, || {
-                    for_all_stations(
-                        |wheel| changes_sign_once(wheel, |w, t| by_series(w, t)[2]),
-                        "φ̈ changes sign once, at θ = 0",
-                    )
-                }),
-                (ClosedForm, || {
-                    for_all_stations(
-                        |wheel| changes_sign_once(wheel, |w, t| w.engaged(t).map_or(f64::NAN, |m| m.acceleration)),
-                        "the same by the formula",
-                    )
-                }),
-            ),
-        ),
+        one_direction(),
+        slider_crank(),
+        locking::journal_bearing(),
+        quarter_turn(),
+        locking::locking(),
+        tangent_entry(),
+        centre_distance(),
+        wheel_radius(),
+        locking::journal_radius(),
+        locking::cutout_centres(),
+        parts_of_the_cycle(),
+        speeds_up_then_slows_down(),
     ]
 }
 
-/// Crank angles over the engagement, the ends left out.
-fn engagement(wheel: &Wheel) -> impl Iterator<Item = f64> {
-    let end = wheel.engagement_half_angle();
-    (-10..=10).map(move |step| end * f64::from(step) / 11.0)
+fn one_direction() -> Claim {
+    Claim::statement(
+        WORK,
+        "jazar.one-direction",
+        INDEXING,
+        "the wheel never turns back",
+        "same direction",
+        Check::statement(
+            "nor does a lever whose slot the pin never leaves",
+            (Series, |stated| {
+                for_all_stations(
+                    |wheel| {
+                        let reach = stated.pick(wheel.engagement_half_angle(), PI);
+                        within(reach).all(|t| by_series(wheel, t)[1] >= 0.0)
+                    },
+                    "φ̇ ≥ 0 while the pin is in the slot",
+                )
+            }),
+            (Vectors, |stated| {
+                for_all_stations(
+                    |wheel| never_goes_back(wheel, stated.pick(wheel.engagement_half_angle(), PI)),
+                    "the angle never falls over two turns",
+                )
+            }),
+        ),
+    )
 }
 
-/// Whether the direction of the pin is that of a slot which turns with the wheel, by the formula's angle.
-fn in_the_slot(wheel: &Wheel, crank: f64) -> bool {
-    let pin = pin_from_pivot(&wheel.centre_distance_ratio(), &Turn::from_radians(crank));
-    let slot = wheel.engaged(crank).map_or(f64::NAN, |motion| motion.angle);
-    vanishes(pin.perp(&Turn::from_radians(slot).direction()))
+fn slider_crank() -> Claim {
+    Claim::statement(
+        WORK,
+        "jazar.slider-crank",
+        VARIETIES,
+        "while it advances it is an inverted slider crank: the pin is on a crank and in a slot through the wheel's \
+         axis",
+        "inverted slider crank",
+        Check::statement(
+            "it is a four-bar linkage: the pin keeps its distance from the wheel's axis",
+            (Vectors, |stated| {
+                // The pin's place in the wheel, which turns as the formulas say.
+                let kept = |wheel: &Wheel, t: f64| {
+                    let pin = pin_from_pivot(&wheel.centre_distance_ratio(), &Turn::from_radians(t));
+                    let slot = wheel.engaged(t).map_or(f64::NAN, |motion| motion.angle);
+                    let slot = Turn::from_radians(slot).direction();
+                    stated.pick(slot.perp(&pin), slot.dot(&pin))
+                };
+                for_all_stations(
+                    |wheel| {
+                        let first = kept(wheel, 0.0);
+                        within(wheel.engagement_half_angle()).all(|t| vanishes(kept(wheel, t) - first))
+                    },
+                    "in the wheel, one coordinate of the pin keeps its value",
+                )
+            }),
+            (AutomaticDerivative, |stated| {
+                // The pin's velocity in the wheel: its own, less that of the wheel's point under it.
+                let moves = |wheel: &Wheel, t: f64| {
+                    let (x, y) = (wheel.centre_distance_ratio() - libm::cos(t), libm::sin(t));
+                    let turning = by_duals(wheel, t)[1];
+                    let velocity = [libm::sin(t) + turning * y, libm::cos(t) - turning * x];
+                    let across = velocity[1] * x - velocity[0] * y;
+                    let along = velocity[0] * x + velocity[1] * y;
+                    stated.pick(across, along)
+                };
+                for_all_stations(
+                    |wheel| within(wheel.engagement_half_angle()).all(|t| vanishes(moves(wheel, t))),
+                    "in the wheel, the pin's velocity has one component only",
+                )
+            }),
+        ),
+    )
 }
 
-/// Whether the centre of the arc between two slots lies on the driver's axis while the wheel is locked.
-fn concentric(wheel: &Wheel) -> bool {
-    // In the wheel the arc is half a station behind the slot that the pin has left.
-    let arc = wheel.at(0, PI).map_or(f64::NAN, |motion| motion.angle.abs()) - wheel.half_station();
-    let centre = Turn::from_radians(arc).direction() * wheel.locking_centres_ratio();
-    vanishes((centre - nalgebra::Vector2::new(wheel.centre_distance_ratio(), 0.0)).norm())
+fn quarter_turn() -> Claim {
+    Claim::statement(
+        WORK,
+        "jazar.quarter-turn",
+        SIMPLE,
+        "the wheel of four advances a quarter turn for every turn of the driver",
+        "one-quarter turn",
+        Check::statement(
+            "it advances half a turn",
+            (Vectors, |stated| {
+                let advance = |wheel: &Wheel| 2.0 * by_series(wheel, wheel.engagement_half_angle())[0];
+                same(of(4, advance), 2.0 * PI * stated.pick(0.25, 0.5))
+            }),
+            (LimitCase, |stated| {
+                // After so many turns of the driver the wheel is back, having passed each of its slots once.
+                let turns = stated.pick(4, 2);
+                let passed = of(4, |wheel| wheel.at(turns, 0.0).map_or(f64::NAN, |motion| motion.stations as f64));
+                Finding::new(passed == 4.0, format!("{passed} of 4 stations passed in {turns} turns"))
+            }),
+        ),
+    )
 }
 
-fn never_goes_back(wheel: &Wheel) -> bool {
-    let angle = |turns: i64, crank: f64| {
-        wheel.at(turns, crank).map_or(f64::NAN, |m| m.stations as f64 * 2.0 * wheel.half_station() + m.angle)
+fn tangent_entry() -> Claim {
+    Claim::statement(
+        WORK,
+        "jazar.tangent-entry",
+        SIMPLE,
+        "unless the slot is tangent to the pin's circle at entry and exit, the acceleration there is infinite",
+        "tangent",
+        Check::statement(
+            "it is infinite with a slot that is tangent, too",
+            (ClosedForm, |stated| {
+                for_all_stations(
+                    |wheel| {
+                        crossings(wheel, stated.pick(&[0.25, 0.5, 0.75], &[0.0]))
+                            .all(|(ratio, crank)| !vanishes(velocity_ratio(&ratio, &Turn::from_radians(crank))))
+                    },
+                    "the wheel's speed is not zero as the pin meets the slot, and jumps",
+                )
+            }),
+            (Vectors, |stated| {
+                for_all_stations(
+                    |wheel| {
+                        crossings(wheel, stated.pick(&[0.25, 0.5, 0.75], &[0.0])).all(|(ratio, crank)| {
+                            // The slot is at α on the pin's side; the pin moves in the direction (sin θ, cos θ).
+                            let slot = Turn::from_radians(wheel.half_station().copysign(crank)).direction();
+                            let pin = pin_from_pivot(&ratio, &Turn::from_radians(crank));
+                            let velocity = nalgebra::Vector2::new(libm::sin(crank), libm::cos(crank));
+                            vanishes(slot.perp(&pin)) && !vanishes(slot.perp(&velocity))
+                        })
+                    },
+                    "the pin is in the slot's line, and its velocity has a component across it",
+                )
+            }),
+        ),
+    )
+}
+
+fn centre_distance() -> Claim {
+    Claim::equation(
+        WORK,
+        "jazar.centre-distance",
+        SIMPLE,
+        "centre distance of the wheel of four",
+        r"\sqrt{2}r",
+        Check::equation(
+            (ExactIdentity, || {
+                type WithTwo = Surd<Rational, 2>;
+                let misfit = four_slot_entry_misfit(&WithTwo::root());
+                Finding::new(misfit == WithTwo::integer(0), "with the root exact the pin enters at rest on its circle")
+            }),
+            (Vectors, || {
+                // Seen from the wheel's axis the pin goes up to the tangent to its circle: 45° at this distance only.
+                let farthest = |ratio: f64| {
+                    let turns_back = halved(0.0, PI / 2.0, |t| {
+                        let (x, y) = (ratio - libm::cos(t), libm::sin(t));
+                        libm::cos(t) * x > libm::sin(t) * y
+                    });
+                    libm::atan2(libm::sin(turns_back.0), ratio - libm::cos(turns_back.0))
+                };
+                same(halved(1.0, 2.0, |ratio| farthest(ratio) > PI / 4.0).0, 2f64.sqrt())
+            }),
+        ),
+    )
+}
+
+fn wheel_radius() -> Claim {
+    Claim::statement(
+        WORK,
+        "jazar.wheel-radius",
+        SIMPLE,
+        "outer radius of the wheel of four: the crank radius",
+        "outer radius",
+        Check::statement(
+            "it is the centre distance",
+            (ClosedForm, |stated| same(of(4, Wheel::wheel_radius_ratio), stated.pick(1.0, 2f64.sqrt()))),
+            (Vectors, |stated| same(of(4, |wheel| entry(wheel).norm()), stated.pick(1.0, 2f64.sqrt()))),
+        ),
+    )
+}
+
+fn parts_of_the_cycle() -> Claim {
+    Claim::figure(
+        WORK,
+        "jazar.fig-5.28",
+        CAPTION,
+        "a four-station wheel advances for a quarter of the cycle and is locked for three quarters",
+        "three-quarters of the cycle",
+        Check::statement(
+            "it is locked for a quarter and advances for three quarters",
+            (ClosedForm, |stated| same(of(4, Wheel::motion_fraction), stated.pick(0.25, 0.75))),
+            (LimitCase, |stated| same(of(4, locked_part), stated.pick(0.75, 0.25))),
+        ),
+    )
+}
+
+fn speeds_up_then_slows_down() -> Claim {
+    Claim::statement(
+        WORK,
+        "jazar.speeds-up-then-slows-down",
+        MODEL,
+        "the wheel accelerates and then decelerates, smoothly",
+        "smoothly accelerates and then decelerates",
+        Check::statement(
+            "it decelerates and then accelerates",
+            (Series, |stated| {
+                let sign = stated.pick(-1.0, 1.0);
+                for_all_stations(
+                    |wheel| {
+                        let accelerates = |t: f64| t == 0.0 || by_series(wheel, t)[2] * t * sign > 0.0;
+                        let end = wheel.engagement_half_angle();
+                        let rests = [-end, end].iter().all(|t| vanishes(by_series(wheel, *t)[1]));
+                        rests && within(end).all(accelerates)
+                    },
+                    "from rest to rest, φ̈ changes its sign once, at θ = 0",
+                )
+            }),
+            (ClosedForm, |stated| {
+                for_all_stations(
+                    |wheel| {
+                        let speed = |step: i32| {
+                            let crank = wheel.engagement_half_angle() * f64::from(step) / 10.0;
+                            wheel.velocity_ratio(crank).unwrap_or(f64::NAN)
+                        };
+                        let gains =
+                            |step: i32| stated.pick(speed(step) > speed(step - 1), speed(step) < speed(step - 1));
+                        let loses =
+                            |step: i32| stated.pick(speed(step) < speed(step - 1), speed(step) > speed(step - 1));
+                        let rests = [-10, 10].iter().all(|step| vanishes(speed(*step)));
+                        rests && (-9..=0).all(gains) && (1..=10).all(loses)
+                    },
+                    "the speed rises from zero up to θ = 0 and falls to zero from there",
+                )
+            }),
+        ),
+    )
+    .read_as("Smoothly: the speed does not jump. That the acceleration does, at both ends, the source says itself.")
+}
+
+/// Whether the angle of a slot, in which the pin is within `reach` of the line of centres, never falls over two turns.
+fn never_goes_back(wheel: &Wheel, reach: f64) -> bool {
+    let at = |crank: f64| libm::atan2(libm::sin(crank), wheel.centre_distance_ratio() - libm::cos(crank));
+    let angle = |step: i32| {
+        let (turns, crank) = (step.div_euclid(50), PI * (f64::from(step.rem_euclid(50)) - 25.0) / 25.0);
+        f64::from(turns) * (at(reach) - at(-reach)) + at(crank.clamp(-reach, reach))
     };
-    let crank = |step: i32| PI * f64::from(step) / 25.0;
-    let angles: Vec<f64> = [0, 1].iter().flat_map(|n| (-25..25).map(move |k| angle(*n, crank(k)))).collect();
-    angles.windows(2).all(|pair| pair[0] <= pair[1] + crate::tolerance::CLOSURE.relative)
+    (1..100).all(|step| angle(step - 1) <= angle(step) + crate::tolerance::CLOSURE.relative)
 }
 
-/// The wheel's speed over the driver's as a pin enters a slot at 45°, for another centre distance.
-fn start_of_a_quartered_wheel(ratio: f64) -> f64 {
-    // k − cos θ = sin θ on the side of the driver: cos θ = (k + √(2 − k²)) / 2.
-    let cos = (ratio + (2.0 - ratio * ratio).sqrt()) / 2.0;
-    velocity_ratio(&ratio, &Turn { cos, sin: cos - ratio })
+/// Centre distances over crank radius, and crank angles at which the pin meets a slot at ±α under an angle: these parts
+/// of the greatest that is possible.
+fn crossings<'a>(wheel: &Wheel, parts: &'a [f64]) -> impl Iterator<Item = (f64, f64)> + 'a {
+    let (alpha, tangent) = (wheel.half_station(), wheel.engagement_half_angle());
+    parts.iter().flat_map(move |part| {
+        // The slot's line passes the driver's axis at the distance k sin α, the cosine of the angle.
+        let angle = part * tangent;
+        let ratio = libm::cos(angle) / libm::sin(alpha);
+        [tangent - angle, tangent + angle, angle - tangent, -tangent - angle].map(|crank| (ratio, crank))
+    })
 }
 
 /// Part of a turn of the driver in which the wheel is locked, by counting.
@@ -212,8 +290,4 @@ fn locked_part(wheel: &Wheel) -> f64 {
     let middles = (0..steps).map(|k| PI * (2.0 * (f64::from(k) + 0.5) / f64::from(steps) - 1.0));
     let locked = middles.filter(|t| wheel.at(0, *t).is_ok_and(|m| m.phase == Phase::Dwell)).count();
     locked as f64 / f64::from(steps)
-}
-
-fn changes_sign_once(wheel: &Wheel, acceleration: fn(&Wheel, f64) -> f64) -> bool {
-    engagement(wheel).all(|t| acceleration(wheel, t) * t <= 0.0)
 }

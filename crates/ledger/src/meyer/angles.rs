@@ -90,17 +90,7 @@ fn angles() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
             corrected: r"\cos \phi = \frac{r \sin \phi}{r \sin \theta} (a - \cos \theta)",
-            slip: Slip {
-                id: "",
-                reason: "With θ in both places the fraction is one. Eq. (1-5) put into Eq. (1-4) \
-                    leaves the sine of φ above the line, and the next display divides by \
-                    it.",
-                witness: "Angles and lengths measured between axes and pin, at instants of all \
-                    three escapements.",
-                origin: Origin::Copy,
-                consequence: Consequence::Copy,
-                changes: "",
-            },
+            slip: slips::PHI_AS_THETA,
         }),
         Claim::equation(
             WORK,

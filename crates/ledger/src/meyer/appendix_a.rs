@@ -49,13 +49,13 @@ fn unit() -> Claim {
         corrected: "r = 1.000",
         slip: Slip {
             id: "",
-            reason: "R is the distance of the pin from the follower's axis, which differs \
-                from mechanism to mechanism; all that follows is computed with the \
-                radius r of the pins' circle as one. With four slots the two are equal. \
-                Whether the copy or the original has the wrong letter cannot be told.",
+            reason: "R is the distance of the pin from the follower's axis, which differs from mechanism to \
+                mechanism; all that follows is computed with the radius r of the pins' circle as one. With four slots \
+                the two are equal. Whether the copy or the author has the capital cannot be told; counted as one of \
+                the copy, because r stands right in the displays below.",
             witness: "The appendix computes R three times, with different results.",
-            origin: Origin::Misprint,
-            consequence: Consequence::Derivation,
+            origin: Origin::Copy,
+            consequence: Consequence::Copy,
             changes: "",
         },
     })
@@ -184,12 +184,13 @@ fn corrected_centre(claim: Claim) -> Claim {
         corrected: "1.155",
         slip: Slip {
             id: "",
-            reason: "One over the sine of 60° is 1.1547. With .865 for the sine, a figure \
-                too low, it would be 1.156; or one digit was misread.",
+            reason: "One over the sine of 60° is 2/√3, a little less than printed. With 1.73 for the root, which the \
+                appendix itself prints to one place more further down, it comes out as printed; a digit may also have \
+                been misread.",
             witness: "The hand-over drawn with the roots exact.",
             origin: Origin::Arithmetic,
-            consequence: Consequence::Derivation,
-            changes: "",
+            consequence: Consequence::Result,
+            changes: "The last digit of one centre distance; nothing is computed from it.",
         },
     })
 }
@@ -199,14 +200,14 @@ fn corrected_radius(claim: Claim) -> Claim {
         corrected: "0.577",
         slip: Slip {
             id: "",
-            reason: "The ratio of the two printed sines is one over the root of three. No \
-                rounding leads to the printed digits, not even from the wrong centre \
-                distance above: one digit is another. Whether the copy or the original \
-                has it cannot be told.",
+            reason: "The ratio of the two printed sines is one over the root of three. No rounding of them gives the \
+                printed digits, nor does the printed centre distance. The middle digit is another: misprinted, or \
+                misread in the copy, which cannot be told.",
             witness: "The hand-over drawn with the roots exact.",
             origin: Origin::Misprint,
-            consequence: Consequence::Derivation,
-            changes: "",
+            consequence: Consequence::Result,
+            changes: "A follower of six pins cut to that radius would be too small: the pins would leave their slots \
+                before the next ones have entered.",
         },
     })
 }

@@ -1,10 +1,12 @@
 //! Which numbers of pins and slots an escapement can have: Eq. (1-3), its table and the remarks on it.
 
+use super::geometry::every;
+use super::hand_over::Drawn;
 use super::*;
 use geneva_kinematics::escapement::entry_proofs::{EntryTriangle, PinsAndSlots};
-use geneva_kinematics::escapement::{ApproachCoefficient, pins_needed, possible};
+use geneva_kinematics::escapement::{pins_needed, possible};
 use geneva_kinematics::pin_slot::velocity_ratio;
-use geneva_kinematics::{Rational, rational};
+use geneva_kinematics::{Jet, Rational, rational};
 
 const TABLE_AT: &str = "Table after Eq. (1-3)";
 const REMARK: &str = "Paragraph after the table of Eq. (1-3)";
@@ -31,7 +33,13 @@ fn angle_sum() -> Vec<Claim> {
             Check::equation(
                 (ExactIdentity, || prove(&EntryTriangle::HalfTurn).into()),
                 (Vectors, || {
-                    for_each(|at| agrees(angles_of_the_triangle(at).iter().sum(), PI), "the three angles measured")
+                    for_each(
+                        |at| {
+                            let [driver, follower, _] = angles_of_the_triangle(at);
+                            agrees(driver + follower + PI / 2.0, PI)
+                        },
+                        "the two angles at the axes measured, and a right angle",
+                    )
                 }),
             ),
         ),
@@ -97,16 +105,25 @@ fn angle_sum() -> Vec<Claim> {
             "Paragraph after Eq. (1-3)",
             "the two conditions make the motion continuous",
             "continuous motion",
-            Check::equation(
-                (ExactIdentity, || {
-                    exactly(
-                        |at| at.gap.iter().chain(&at.follower_speeds).all(is_zero),
-                        "angle and velocity of the follower are the same by either pin",
-                    )
+            Check::statement(
+                "with Eq. (1-1) and a pin more than Eq. (1-3) has it is continuous too",
+                (ClosedForm, |stated| {
+                    let gaps = Escapement::all().into_iter().flat_map(|at| {
+                        let crank = Turn::from_radians(PI / f64::from(at.pins() + stated.pick(0, 1)));
+                        let ratio = at.centre_distance_ratio();
+                        // By Eqs. (1-6) and (1-7): what is missing to a slot, and the jump of the follower's speed.
+                        let angle = 2.0 * libm::atan(crank.sin / (ratio - crank.cos)) - at.follower_advance();
+                        [angle, velocity_ratio(&ratio, &crank) - velocity_ratio(&ratio, &crank.reversed())]
+                    });
+                    every(gaps, vanishes, "jumps of the follower's angle and speed from pin to pin")
                 }),
-                (LimitCase, || {
-                    let holds = (3..=18).all(|n| (2..=18).all(|m| comes_to_rest(m, n) == makes_a_quarter(m, n)));
-                    Finding::new(holds, "of all numbers to 18 no others bring the follower to rest at π/m")
+                (Vectors, |stated| {
+                    let missing = Escapement::all().into_iter().map(|at| {
+                        let (pins, slots) = (at.pins() + stated.pick(0, 1), at.slots());
+                        let drawn = Drawn { pins, slots, axis: 1.0 / libm::sin(PI / f64::from(slots)) };
+                        turned_by_a_pin(&drawn) * f64::from(slots) / (2.0 * PI)
+                    });
+                    every(missing, |slots| (slots - 1.0).abs() < 1e-9, "slots that the follower is carried by each pin")
                 }),
             ),
         ),
@@ -132,15 +149,20 @@ fn combinations() -> Vec<Claim> {
             "Sentence before the table of Eq. (1-3)",
             "three combinations of whole numbers, and no more",
             "only three",
-            Check::equation(
-                (ExactIdentity, || {
+            Check::statement(
+                "four combinations",
+                (ExactIdentity, |stated| {
                     let Finding { holds, how } = prove(&PinsAndSlots::Factors).into();
+                    let found = possible().len();
                     Finding::new(
-                        holds && possible().len() == 3,
-                        format!("(m − 2)(n − 2) = 4, which has three pairs of divisors; {how}"),
+                        holds && found == stated.pick(3, 4),
+                        format!("(m − 2)(n − 2) = 4, which has {found} pairs of divisors; {how}"),
                     )
                 }),
-                (LimitCase, || Finding::new(found_by_trying().len() == 3, "all numbers to 100 tried")),
+                (LimitCase, |stated| {
+                    let found = found_by_trying().len();
+                    Finding::new(found == stated.pick(3, 4), format!("all numbers to 100 tried, {found} found"))
+                }),
             ),
         ),
         value(first.0, "slots of the 1st combination", "3", || listed(0).0, || tried(0).0),
@@ -160,10 +182,27 @@ fn remarks() -> Vec<Claim> {
             REMARK,
             "the more slots, the fewer pins",
             "m decreases",
-            Check::equation(
-                (ExactIdentity, || prove(&PinsAndSlots::NeverTwo).into()),
-                (LimitCase, || {
-                    Finding::new((3..1000).all(|n| pins_needed(n) > pins_needed(n + 1)), "from 3 to 1000 slots")
+            Check::statement(
+                "m increases",
+                (LimitCase, |stated| {
+                    let compare: fn(&Rational, &Rational) -> bool = stated.pick(|a, b| a > b, |a, b| a < b);
+                    let holds = (3..1000).all(|n| {
+                        pins_needed(n).zip(pins_needed(n + 1)).is_some_and(|(fewer, more)| compare(&fewer, &more))
+                    });
+                    Finding::new(holds, "from each number of slots to the next, 3 to 1000")
+                }),
+                (Series, |stated| {
+                    // m = 2n/(n − 2) as a series in n.
+                    let slope = |slots: f64| {
+                        let n = Jet::<f64, 2>::variable(slots);
+                        (Jet::constant(2.0) * n.clone() / (n - Jet::constant(2.0))).rate()
+                    };
+                    let sign = stated.pick(-1.0, 1.0);
+                    let holds = (1..=1000).all(|k| sign * slope(2.0 + f64::from(k) / 10.0) > 0.0);
+                    Finding::new(
+                        holds,
+                        format!("dm/dn is {:.2} for three slots and {:.4} for twenty", slope(3.0), slope(20.0)),
+                    )
                 }),
             ),
         ),
@@ -173,14 +212,27 @@ fn remarks() -> Vec<Claim> {
             REMARK,
             "after three pins come two, for slots without end",
             "2",
-            Check::equation(
-                (ExactIdentity, || {
+            Check::statement(
+                "one pin for slots without end",
+                (ExactIdentity, |stated| {
                     let Finding { holds, how } = prove(&PinsAndSlots::NeverTwo).into();
-                    Finding::new(holds, format!("m − 2 = 4/(n − 2): above zero, and below any bound in the end; {how}"))
+                    let above = [1_000, 1_000_000, 1_000_000_000].map(|n| {
+                        pins_needed(n).map_or(f64::NAN, |pins| (pins - whole(stated.pick(2, 1))).to_f64().value())
+                    });
+                    let falls = above.windows(2).all(|pair| pair[1] > 0.0 && pair[1] < pair[0] / 100.0);
+                    Finding::new(
+                        holds && falls,
+                        format!("pins above it with a thousand, a million and 10⁹ slots: {above:?}; {how}"),
+                    )
                 }),
-                (LimitCase, || {
-                    let between = |n| pins_needed(n).is_some_and(|pins| pins > whole(2) && pins < whole(3));
-                    Finding::new((7..=10_000).all(between), "between 2 and 3 from 7 to 10 000 slots")
+                (Vectors, |stated| {
+                    // The pin's path is along the slot, so the follower's axis is on the tangent of the pins' circle.
+                    let crank = PI / f64::from(stated.pick(2, 1));
+                    let tangent = Drawn::velocity(crank);
+                    Finding::new(
+                        vanishes(tangent.y),
+                        format!("at π/m the pin's path and the line of centres part by {:.3} a unit", tangent.y),
+                    )
                 }),
             ),
         ),
@@ -190,17 +242,43 @@ fn remarks() -> Vec<Claim> {
             REMARK,
             "as it enters and leaves, the pin's path runs along the slot's centre line",
             "coincident with the centerline",
-            Check::equation(
-                (ExactIdentity, || {
-                    exactly(
-                        |at| [&at.leaving, &at.entering].iter().all(|pin| is_zero(&pin.beside) && is_zero(&pin.across)),
-                        "place and velocity of both pins are on the centre line",
-                    )
+            Check::statement(
+                "the path crosses the centre line at right angles",
+                (ExactIdentity, |stated| {
+                    let along: fn(&HandOver) -> bool =
+                        |at| [&at.leaving, &at.entering].iter().all(|pin| is_zero(&pin.beside) && is_zero(&pin.across));
+                    let across: fn(&HandOver) -> bool = |at| {
+                        [&at.leaving, &at.entering].iter().all(|pin| is_zero(&pin.beside) && is_zero(&pin.outward))
+                    };
+                    exactly(stated.pick(along, across), "place and velocity of both pins are on that line")
                 }),
-                (Series, || all_proven(&[ApproachCoefficient::BesideConstant, ApproachCoefficient::BesideLinear])),
+                (Vectors, |stated| {
+                    let parts = Escapement::all().into_iter().flat_map(|at| {
+                        let drawn = Drawn::new(at.pins(), at.slots());
+                        [drawn.half(), -drawn.half()].map(|end| {
+                            // A step of the pin along its path, by its places alone.
+                            let step = 1e-6;
+                            let (here, there) = (drawn.place(end), drawn.place(end + step));
+                            let line = here.normalize();
+                            let off = stated.pick(line.perp(&(there - here)), line.dot(&(there - here)));
+                            off / step
+                        })
+                    });
+                    every(parts, |part| part.abs() < 1e-5, "part of a small step of the pin that is off that line")
+                }),
             ),
         ),
     ]
+}
+
+/// How far a pin carries the follower over its engagement, from π/m before the line of centres to π/m behind it: its
+/// rate summed by Simpson's rule.
+fn turned_by_a_pin(drawn: &Drawn) -> f64 {
+    const STEPS: u32 = 2000;
+    let step = 2.0 * drawn.half() / f64::from(STEPS);
+    let rate = |k: u32| drawn.turning(step * f64::from(k) - drawn.half());
+    let inner: f64 = (1..STEPS).map(|k| f64::from(2 + 2 * (k % 2)) * rate(k)).sum();
+    step / 3.0 * (rate(0) + inner + rate(STEPS))
 }
 
 /// The angles at the driver's axis, the follower's axis and the pin that leaves, between the sides.
@@ -218,12 +296,6 @@ fn angles_of_the_triangle(escapement: &Escapement) -> [f64; 3] {
 /// Whether π/m and π/n make a quarter turn.
 fn makes_a_quarter(pins: u32, slots: u32) -> bool {
     2 * (pins + slots) == pins * slots
-}
-
-/// Whether the follower is at rest at π/m, with the centres at the distance of Eqs. (1-1) and (1-2).
-fn comes_to_rest(pins: u32, slots: u32) -> bool {
-    let ratio = 1.0 / libm::sin(PI / f64::from(slots));
-    vanishes(velocity_ratio(&ratio, &Turn::from_radians(PI / f64::from(pins))))
 }
 
 fn whole(number: u32) -> Rational {

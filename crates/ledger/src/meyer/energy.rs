@@ -3,7 +3,7 @@
 use super::instants::{
     self, display, display_read_by, holds_in_display, instants, miscopied, reads, slip, slip_read_by,
 };
-use super::slips::{DRIVER_INDEX, FOLLOWER_LETTERS};
+use super::slips::{DRIVER_INDEX, PHI_AS_THETA};
 use super::*;
 use geneva_dynamics::derivation::{
     EnergyLine, Form, KineticEnergy, Momentum, MomentumLine, MomentumRate, PositionLine, PositionRate,
@@ -37,7 +37,7 @@ fn energy() -> Vec<Claim> {
             || reads("meyer.kinetic-energy"),
             Erratum {
                 corrected: r"T = \frac{1}{2} I_D \dot{\theta}^2 + \frac{1}{2} I_f \dot{\phi}^2",
-                slip: FOLLOWER_LETTERS,
+                slip: PHI_AS_THETA,
             },
         ),
         Claim::statement(
@@ -52,7 +52,7 @@ fn energy() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::Corrected)
-        .with_erratum(Erratum { corrected: r"\dot{\phi}", slip: FOLLOWER_LETTERS }),
+        .with_erratum(Erratum { corrected: r"\dot{\phi}", slip: PHI_AS_THETA }),
         display(
             "meyer.kinetic-energy.substituted",
             "2nd display of T before Eq. (1-16)",

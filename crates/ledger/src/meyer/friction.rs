@@ -2,7 +2,8 @@
 
 use super::instants::{self, display, equal, letters_of, moments, reads, slip, stated};
 use super::lagrange::{agrees_in_steps, friction, frictionless, opposing};
-use super::slips::{FOLLOWER_LETTERS, HALF_POWERS, SPRING_RATE};
+use super::slips::{HALF_POWERS, PHI_AS_THETA};
+use super::spring::no_rate;
 use super::*;
 use geneva_dynamics::derivation::{
     ForceFromMoment, ForceSubstituted, Form, FrictionLine, FrictionOfMotion, FrictionSubstituted, FrictionTorque,
@@ -81,7 +82,7 @@ fn normal_force() -> Vec<Claim> {
             r"NR = I_P \ddot{\theta}",
             [|| prove(&MomentEquation(Form::Printed)).into(), || prove(&MomentEquation(Form::Corrected)).into()],
             || reads("meyer.moments"),
-            Erratum { corrected: r"NR = I_f \ddot{\phi}", slip: FOLLOWER_LETTERS },
+            Erratum { corrected: r"NR = I_f \ddot{\phi}", slip: PHI_AS_THETA },
         ),
         display(
             "meyer.slot-radius.by-sines",
@@ -106,7 +107,7 @@ fn normal_force() -> Vec<Claim> {
             r"N = \frac{I_P \ddot{\theta}}{R}",
             [|| prove(&ForceFromMoment(Form::Printed)).into(), || prove(&ForceFromMoment(Form::Corrected)).into()],
             || reads("meyer.normal-force"),
-            Erratum { corrected: r"N = \frac{I_f \ddot{\phi}}{R}", slip: FOLLOWER_LETTERS },
+            Erratum { corrected: r"N = \frac{I_f \ddot{\phi}}{R}", slip: PHI_AS_THETA },
         ),
         slip(
             "meyer.normal-force.substituted",
@@ -211,7 +212,7 @@ fn spring() -> Vec<Claim> {
             )
             .read_by(instants::holds),
         ),
-        a_rate(
+        no_rate(
             "meyer.spring-rate",
             "Line after Eq. (1-15)",
             "what K is called",
@@ -219,41 +220,6 @@ fn spring() -> Vec<Claim> {
             "torque of the spring in inch-pounds",
         ),
     ]
-}
-
-/// A place where the torque of the spring is called a rate or a constant.
-pub fn a_rate(
-    id: &'static str,
-    locator: &'static str,
-    meaning: &'static str,
-    printed: &'static str,
-    corrected: &'static str,
-) -> Claim {
-    let check = Check::corrected_statement(
-        (Evidence::Integration, |stated| {
-            // Over two engagements in a row: a torque does the same work in both, a rate three times as much in the
-            // second.
-            let holds = frictionless().all(|(of, advance)| {
-                [0.0, 1.0].iter().all(|turn| {
-                    let [from, to] = [*turn, turn + 1.0].map(|turn| turn * advance);
-                    let work = of.drive() * stated.pick(to - from, (to * to - from * from) / 2.0);
-                    agrees_in_steps(energy_gained(&of), work)
-                })
-            });
-            Finding::new(holds, "the work of the spring in one engagement and in the next, against the energy gained")
-        }),
-        (Vectors, |stated| {
-            // Eq. (1-18), with K as it stands, or times the angle as a rate would stand.
-            let lines = ["meyer.parts-put-in.first-line", "meyer.parts-put-in.second-line"];
-            let right = claim(lines[1]).map_or("", Claim::right_characters);
-            let put = right.replacen("K", stated.pick("K", r"K \theta"), 1);
-            let holds = instants::holds_in_display(&lines, lines[1], &put);
-            Finding::new(holds == Some(true), "the equation of motion, read and evaluated with K in its place")
-        }),
-    );
-    Claim::statement(WORK, id, locator, meaning, printed, check)
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum { corrected, slip: SPRING_RATE })
 }
 
 /// The growth of the kinetic energy over an engagement per unit of the follower's inertia, by the equation of motion.

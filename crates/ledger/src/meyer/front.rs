@@ -1,5 +1,6 @@
 //! The tables of contents and of figures, and the figures of the introduction.
 
+use super::hand_over::Drawn;
 use super::*;
 
 const CONTENTS: &str = "Table of contents";
@@ -10,13 +11,8 @@ const PAGES_OF_PARTS: &str =
     r"1 \ldots 4 \ldots 15 \ldots 22 \ldots 23 \ldots 24 \ldots 28 \ldots 33 \ldots 34 \ldots 35 \ldots 38 \ldots 39";
 /// Number and page of each figure, without its name.
 const FIGURES_AND_PAGES: &str = r"1, 2 \ldots 2, 3 \ldots 3, 4 \ldots 4, 5 \ldots 5, 6 \ldots 6, 9 \ldots 7, 10 \ldots 8, 16 \ldots 9, 18 \ldots 10, 19 \ldots 11, 20 \ldots 12, 25 \ldots 13, 26 \ldots 14, 27 \ldots 15, 33";
-/// The name of figure 8 on its own page.
-const FIGURE_8: &str = "DRIVER AND FOLLOWER ANGULAR VELOCITIES";
-/// The name of figure 2 on its own page.
-const FIGURE_2: &str = "FOUR PIN MECHANISM";
-
 pub fn claims() -> Vec<Claim> {
-    [tables(), names(), mechanisms(), drawings()].concat()
+    [tables(), mechanisms(), drawings()].concat()
 }
 
 fn tables() -> Vec<Claim> {
@@ -27,15 +23,18 @@ fn tables() -> Vec<Claim> {
             CONTENTS,
             "pages of the twelve parts, from the introduction to the author's life",
             PAGES_OF_PARTS,
-            Check::equation(
-                (LimitCase, || {
-                    let pages = numbers("meyer.contents");
+            Check::statement(
+                "the pages of chapter II and of the conclusions exchanged",
+                (LimitCase, |stated| {
+                    let pages = parts(stated.pick(SAME, EXCHANGED_PARTS));
                     Finding::new(
                         pages.len() == 12 && pages.is_sorted_by(|a, b| a < b),
-                        "each part begins on a later page than the one before",
+                        format!("twelve parts, each on a later page than the one before? {pages:?}"),
                     )
                 }),
-                (OtherPlaceInSource, figures_stand_in_their_parts),
+                (OtherPlaceInSource, |stated| {
+                    stand_in_their_parts(&parts(stated.pick(SAME, EXCHANGED_PARTS)), &figures_and_pages())
+                }),
             ),
         ),
         Claim::figure(
@@ -44,122 +43,80 @@ fn tables() -> Vec<Claim> {
             FIGURES,
             "numbers and pages of the fifteen figures",
             FIGURES_AND_PAGES,
-            Check::equation(
-                (LimitCase, || {
-                    let figures = figures_and_pages();
+            Check::statement(
+                "the pages of figures 7 and 8 exchanged",
+                (LimitCase, |stated| {
+                    let figures = listed(stated.pick(SAME, EXCHANGED_FIGURES));
                     let counted = figures.iter().map(|(figure, _)| *figure).eq(1..=15);
                     Finding::new(
                         counted && figures.is_sorted_by(|a, b| a.1 < b.1),
-                        "figures are counted without a gap, each on a later page",
+                        format!("counted without a gap, each on a later page? {figures:?}"),
                     )
                 }),
-                (OtherPlaceInSource, figures_stand_in_their_parts),
+                (OtherPlaceInSource, |stated| {
+                    stand_in_their_parts(&numbers("meyer.contents"), &listed(stated.pick(SAME, EXCHANGED_FIGURES)))
+                }),
             ),
         ),
     ]
 }
 
-fn names() -> Vec<Claim> {
-    vec![
-        Claim::figure(
-            WORK,
-            "meyer.list.fig-2",
-            "List of figures, Fig. 2",
-            "name of figure 2, which has another on its page",
-            "GENEVA MECHANISM",
-            Check::corrected_equation(
-                (OtherPlaceInSource, || on_its_page(printed_characters("meyer.list.fig-2"), FIGURE_2)),
-                || on_its_page(FIGURE_2, FIGURE_2),
-                (OtherPlaceInSource, || {
-                    let scales = ["meyer.fig-2", "meyer.fig-12"].map(numbers);
-                    Finding::new(
-                        scales[0] == scales[1] && !scales[0].is_empty(),
-                        "figure 12, of four pins and four slots, is drawn to the same scale",
-                    )
-                }),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: FIGURE_2,
-            slip: Slip {
-                id: "",
-                reason: "The page names the mechanism by its pins. All figures of mechanisms \
-                    show a Geneva mechanism, so that the name in the list tells nothing.",
-                witness: "The scale is that of figure 12, which is of four pins.",
-                origin: Origin::Misprint,
-                consequence: Consequence::Wording,
-                changes: "",
-            },
-        }),
-        Claim::figure(
-            WORK,
-            "meyer.list.fig-8",
-            "List of figures, Fig. 8",
-            "quantity in figure 8; a word of the name on its page is missing",
-            "DRIVER AND FOLLOWER VELOCITIES",
-            Check::corrected_equation(
-                (OtherPlaceInSource, || on_its_page(printed_characters("meyer.list.fig-8"), FIGURE_8)),
-                || on_its_page(FIGURE_8, FIGURE_8),
-                (OtherPlaceInSource, || {
-                    let rates = printed_characters("meyer.eq-1-7");
-                    Finding::new(
-                        rates.starts_with(r"\dot{\phi}") && rates.ends_with(r"\dot{\theta}"),
-                        "Eq. (1-7) relates the rates of two angles",
-                    )
-                }),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: FIGURE_8,
-            slip: Slip {
-                id: "",
-                reason: "The list leaves out that the velocities are angular; the page has the word.",
-                witness: "The velocities of driver and follower that Eq. (1-7) relates are rates of angles.",
-                origin: Origin::Misprint,
-                consequence: Consequence::Wording,
-                changes: "",
-            },
-        }),
-    ]
+/// Which two rows of a list are exchanged: none, chapter II and the conclusions, figures 7 and 8.
+const SAME: (usize, usize) = (0, 0);
+const EXCHANGED_PARTS: (usize, usize) = (2, 3);
+const EXCHANGED_FIGURES: (usize, usize) = (6, 7);
+
+/// The pages of the parts, with two of them exchanged.
+fn parts((one, other): (usize, usize)) -> Vec<u32> {
+    let mut pages = numbers("meyer.contents");
+    if one.max(other) < pages.len() {
+        pages.swap(one, other);
+    }
+    pages
+}
+
+/// The figures with their pages, two of the pages exchanged.
+fn listed((one, other): (usize, usize)) -> Vec<(u32, u32)> {
+    let mut figures = figures_and_pages();
+    if let (Some(first), Some(second)) = (figures.get(one).copied(), figures.get(other).copied()) {
+        (figures[one].1, figures[other].1) = (second.1, first.1);
+    }
+    figures
 }
 
 fn mechanisms() -> Vec<Claim> {
-    let combination = |id, locator, meaning, printed, listed: fn() -> Finding, counted: fn() -> Finding| {
-        Claim::figure(
-            WORK,
-            id,
-            locator,
-            meaning,
-            printed,
-            Check::equation((OtherPlaceInSource, listed), (LimitCase, counted)),
-        )
-    };
+    let combination =
+        |id, locator, meaning, printed, neighbour, table: fn(Stated) -> Finding, drawn: fn(Stated) -> _| {
+            let check = Check::statement(neighbour, (OtherPlaceInSource, table), (Vectors, drawn));
+            Claim::figure(WORK, id, locator, meaning, printed, check)
+        };
     vec![
         combination(
             "meyer.list.fig-12",
             "List of figures, Fig. 12",
             "the mechanism of figure 12",
             "FOUR PIN / FOUR SLOT",
-            || in_the_table("meyer.list.fig-12"),
-            || fill_a_quarter("meyer.list.fig-12"),
+            "four pins and five slots",
+            |stated| in_the_table("meyer.list.fig-12", stated),
+            |stated| right_at_the_pin("meyer.list.fig-12", stated),
         ),
         combination(
             "meyer.list.fig-13",
             "List of figures, Fig. 13",
             "the mechanism of figure 13, which its page names by the pins alone",
             "SIX PIN / THREE SLOT",
-            || in_the_table("meyer.list.fig-13"),
-            || fill_a_quarter("meyer.list.fig-13"),
+            "six pins and four slots",
+            |stated| in_the_table("meyer.list.fig-13", stated),
+            |stated| right_at_the_pin("meyer.list.fig-13", stated),
         ),
         combination(
             "meyer.list.fig-14",
             "List of figures, Fig. 14",
             "the mechanism of figure 14, which its page names by the pins alone",
             "THREE PIN / SIX SLOT",
-            || in_the_table("meyer.list.fig-14"),
-            || fill_a_quarter("meyer.list.fig-14"),
+            "three pins and seven slots",
+            |stated| in_the_table("meyer.list.fig-14", stated),
+            |stated| right_at_the_pin("meyer.list.fig-14", stated),
         ),
     ]
 }
@@ -195,51 +152,114 @@ fn figures_and_pages() -> Vec<(u32, u32)> {
 }
 
 /// Whether each figure's page is in the part of the source that the figure belongs to.
-fn figures_stand_in_their_parts() -> Finding {
+fn stand_in_their_parts(pages: &[u32], figures: &[(u32, u32)]) -> Finding {
     // Introduction, chapters I and II, appendices A and C: which row of the contents, and its first and last figure.
     let parts = [(0, 1, 2), (1, 3, 7), (2, 8, 11), (5, 12, 14), (7, 15, 15)];
-    let (pages, figures) = (numbers("meyer.contents"), figures_and_pages());
-    let stands = |(figure, page): &(u32, u32)| {
+    let stands = |(figure, page): &&(u32, u32)| {
         parts.iter().any(|&(row, first, last)| {
             let part = pages.get(row).zip(pages.get(row + 1));
             // A figure may stand on the page on which the next part begins.
             (first..=last).contains(figure) && part.is_some_and(|(begin, next)| (begin..=next).contains(&page))
         })
     };
-    let holds = !figures.is_empty() && figures.iter().all(stands);
-    Finding::new(holds, "each figure's page is in the part that the figure belongs to")
+    let inside = figures.iter().filter(stands).count();
+    Finding::new(
+        inside == 15 && figures.len() == 15,
+        format!("{inside} of {} figures are on a page of the part that they belong to", figures.len()),
+    )
+}
+
+/// The claim on the page where the average terminal velocity is defined. The figures before and after it fill a page
+/// each.
+pub fn page_of_definition() -> Claim {
+    Claim::statement(
+        WORK,
+        "meyer.page-of-definition",
+        "Recommendation 7",
+        "page of the definition of the average terminal velocity",
+        "page 17",
+        Check::statement(
+            "the page after",
+            (OtherPlaceInSource, |stated| {
+                let page = |figure: u32| figures_and_pages().iter().find(|row| row.0 == figure).map(|row| row.1);
+                let [before, after] = [page(8), page(9)].map(Option::unwrap_or_default);
+                let said = said_page(stated);
+                Finding::new(
+                    (before + 1..after).contains(&said),
+                    format!("Fig. 8 is on page {before}, Fig. 9 on page {after}; said is {said}"),
+                )
+            }),
+            (LimitCase, |stated| {
+                let (pages, before) = (pages_of_text(), figures_before("meyer.fig-8.rise").unwrap_or(usize::MAX));
+                Finding::new(
+                    pages.get(before) == Some(&said_page(stated)),
+                    format!("text is on the pages {pages:?} of chapter II; figures before the definition: {before}"),
+                )
+            }),
+        ),
+    )
+}
+
+/// The page that is said, or the next.
+fn said_page(stated: Stated) -> u32 {
+    numbers("meyer.page-of-definition").first().map_or(0, |page| page + stated.pick(0, 1))
+}
+
+/// The pages of chapter II that have no figure.
+fn pages_of_text() -> Vec<u32> {
+    let [begin, end] = [2, 3].map(|row| numbers("meyer.contents").get(row).copied().unwrap_or_default());
+    let figures: Vec<_> = figures_and_pages().iter().map(|row| row.1).collect();
+    (begin..end).filter(|page| !figures.contains(page)).collect()
+}
+
+/// How many figures of chapter II stand before a claim: so many stretches of text end before it.
+fn figures_before(id: &str) -> Option<usize> {
+    let line = |id: &str| {
+        let makes = |line: &&crate::Line| line.entries.iter().any(|entry| entry.claimed() == Some(id));
+        inventory().iter().find(makes).map(|line| line.number)
+    };
+    let of = line(id)?;
+    let figures = ["meyer.fig-8", "meyer.fig-9", "meyer.fig-10", "meyer.fig-11"].map(line);
+    figures.iter().all(Option::is_some).then(|| figures.iter().flatten().filter(|figure| **figure < of).count())
 }
 
 fn printed_characters(id: &str) -> &'static str {
     claim(id).map_or("", |claim| claim.printed)
 }
 
-/// Whether the list's name for a figure is the one on the figure's page.
-fn on_its_page(list: &str, page: &str) -> Finding {
-    Finding::new(list == page, format!("the page has “{page}”"))
-}
-
-/// Pins and slots as a name in the list of figures says them.
-fn pins_and_slots(id: &str) -> Option<(u32, u32)> {
-    let count = |word: &str| match word {
-        "THREE" => Some(3),
-        "FOUR" => Some(4),
-        "SIX" => Some(6),
+/// Pins and slots in a text that names mechanisms by them, in the order of the text.
+pub fn pins_and_slots(id: &str) -> Vec<(u32, u32)> {
+    let words: Vec<_> = printed_characters(id).split_whitespace().map(str::to_uppercase).collect();
+    let count = |word: &str| ["ONE", "TWO", "THREE", "FOUR", "FIVE", "SIX"].iter().position(|of| *of == word);
+    let of = |pair: &[String]| match pair {
+        [pins, pin, slash, slots, slot] if pin == "PIN" && slash == "/" && slot == "SLOT" => {
+            Some((count(pins)? as u32 + 1, count(slots)? as u32 + 1))
+        }
         _ => None,
     };
-    let (pins, slots) = printed_characters(id).split_once(" PIN / ")?;
-    Some((count(pins)?, count(slots.strip_suffix(" SLOT")?)?))
+    words.windows(5).filter_map(of).collect()
+}
+
+/// The one mechanism that a name in the list of figures says, or that with a slot more.
+fn named(id: &str, stated: Stated) -> Option<(u32, u32)> {
+    pins_and_slots(id).first().map(|(pins, slots)| (*pins, slots + stated.pick(0, 1)))
 }
 
 /// Whether the table of the possible combinations has it.
-fn in_the_table(id: &str) -> Finding {
+fn in_the_table(id: &str, stated: Stated) -> Finding {
     let rows = combinations::TABLE.map(|(slots, pins)| (printed(pins) as u32, printed(slots) as u32));
-    let asked = pins_and_slots(id);
-    Finding::new(asked.is_some_and(|pair| rows.contains(&pair)), "the table after Eq. (1-3) has this combination")
+    let Some(asked) = named(id, stated) else { return Finding::new(false, "the name cannot be read") };
+    Finding::new(
+        rows.contains(&asked),
+        format!("{} pins and {} slots; the table after Eq. (1-3) has {rows:?}", asked.0, asked.1),
+    )
 }
 
-/// Whether the angles π/m and π/n make a quarter turn.
-fn fill_a_quarter(id: &str) -> Finding {
-    let holds = pins_and_slots(id).is_some_and(|(pins, slots)| 2 * (pins + slots) == pins * slots);
-    Finding::new(holds, "π/m and π/n make a quarter turn")
+/// Whether crank and slot are at right angles at the hand-over, as the drawings are said to show.
+fn right_at_the_pin(id: &str, stated: Stated) -> Finding {
+    let across = named(id, stated).map_or(f64::NAN, |(pins, slots)| {
+        let drawn = Drawn::new(pins, slots);
+        drawn.place(drawn.half()).normalize().perp(&Drawn::velocity(drawn.half()))
+    });
+    Finding::new(vanishes(across), format!("across the slot the leaving pin moves at {across:.3} of its speed"))
 }

@@ -1,12 +1,13 @@
 //! The condition on an escapement and the instant of hand-over: figures 3 and 4, Eqs. (1-1) and (1-2).
 
+use super::hand_over::Drawn;
 use super::*;
 use geneva_kinematics::escapement::entry_proofs::{EntryTriangle, HalfAngle};
-use geneva_kinematics::pin_slot::{pin_from_pivot, velocity_ratio};
+use geneva_kinematics::pin_slot::{PinSlot, pin_from_pivot};
 
 const USUAL: &str = "Chapter I, 1st paragraph";
 const CONDITION: &str = "Chapter I, 2nd paragraph";
-const INSTANT: &str = "Chapter I, paragraph between Figs. 3 and 4";
+pub const INSTANT: &str = "Chapter I, paragraph between Figs. 3 and 4";
 
 pub fn claims() -> Vec<Claim> {
     [conditions(), triangle()].concat()
@@ -20,17 +21,16 @@ fn conditions() -> Vec<Claim> {
             USUAL,
             "a turn of a driver with one pin moves the follower on by one slot of n",
             "1/n",
-            Check::equation(
-                (LimitCase, || {
-                    for_usual(
-                        |wheel| agrees(moved_by_a_turn(wheel), 2.0 * PI / f64::from(wheel.stations())),
-                        "one slot a turn",
-                    )
+            Check::statement(
+                "two slots of n",
+                (LimitCase, |stated| {
+                    moved_on(stated, moved_by_a_turn, "a turn of the driver moves the follower on by as many slots")
                 }),
-                (Vectors, || {
-                    for_usual(
-                        |wheel| agrees(2.0 * angle_at_exit(wheel), 2.0 * PI / f64::from(wheel.stations())),
-                        "from entry to exit the pin's direction turns by one slot",
+                (Vectors, |stated| {
+                    moved_on(
+                        stated,
+                        |wheel| 2.0 * angle_at_exit(wheel),
+                        "from entry to exit the pin's direction turns so far",
                     )
                 }),
             ),
@@ -41,17 +41,15 @@ fn conditions() -> Vec<Claim> {
             CONDITION,
             "with one pin the follower moves by fits and starts",
             "intermittent",
-            Check::equation(
-                (ClosedForm, || for_usual(|wheel| wheel.dwell_fraction() > 0.0, "part of the turn is dwell")),
-                (Vectors, || {
-                    for_usual(
-                        |wheel| {
-                            let away = Turn::from_radians(PI / 2.0).direction()
-                                + Vector2::new(wheel.centre_distance_ratio(), 0.0);
-                            away.norm() > exit(wheel).norm()
-                        },
-                        "a quarter turn from the line of centres the pin is out of reach of the slots",
-                    )
+            Check::statement(
+                "with the pins of the escapement it does so too",
+                (ClosedForm, |stated| {
+                    let dwells = stated.pick(single(), complete(0)).into_iter().map(|(pins, slots)| dwell(pins, slots));
+                    every(dwells, |dwell| dwell > 0.0, "part of the driver's turn that is dwell")
+                }),
+                (Vectors, |stated| {
+                    let fewest = stated.pick(single(), complete(0)).into_iter().map(|pair| fewest_engaged(pair) as f64);
+                    every(fewest, |pins| pins == 0.0, "fewest pins within the rim over a turn")
                 }),
             ),
         ),
@@ -61,21 +59,15 @@ fn conditions() -> Vec<Claim> {
             CONDITION,
             "as an escapement it needs a pin engaged at every instant",
             "at least one pin",
-            Check::equation(
-                (ClosedForm, || {
-                    for_each(
-                        |at| {
-                            let fewer = Wheel::with_pins(at.slots(), at.pins() - 1);
-                            at.wheel().dwell_fraction() == 0.0 && fewer.is_ok_and(|wheel| wheel.dwell_fraction() > 0.0)
-                        },
-                        "no dwell; with a pin fewer there is one",
-                    )
+            Check::statement(
+                "with a pin fewer one is engaged at every instant too",
+                (ClosedForm, |stated| {
+                    let dwells = complete(stated.pick(0, 1)).into_iter().map(|(pins, slots)| dwell(pins, slots));
+                    every(dwells, |dwell| dwell == 0.0, "part of the driver's turn that is dwell")
                 }),
-                (Vectors, || {
-                    for_each(
-                        |at| (0..=200).all(|k| pins_at_the_rim(at, PI * f64::from(k) / 100.0) > 0),
-                        "over a whole turn some pin is within the rim",
-                    )
+                (Vectors, |stated| {
+                    let fewest = complete(stated.pick(0, 1)).into_iter().map(|pair| fewest_engaged(pair) as f64);
+                    every(fewest, |pins| pins >= 1.0, "fewest pins within the rim over a turn")
                 }),
             ),
         ),
@@ -85,13 +77,18 @@ fn conditions() -> Vec<Claim> {
             "Fig. 3, caption",
             "the mechanism drawn has four pins and four slots",
             "four pin, four slot",
-            Check::equation(
-                (OtherPlaceInSource, || {
-                    let (slots, pins) = combinations::TABLE[1];
-                    Finding::new((printed(slots), printed(pins)) == (4.0, 4.0), "the table has this combination")
+            Check::statement(
+                "four pins and five slots",
+                (OtherPlaceInSource, |stated| {
+                    let asked = (4, stated.pick(4, 5));
+                    let table = combinations::TABLE.map(|(slots, pins)| (printed(pins) as u32, printed(slots) as u32));
+                    Finding::new(table.contains(&asked), format!("{asked:?} in the table of pins and slots, {table:?}"))
                 }),
-                (LimitCase, || {
-                    Finding::new(Escapement::new(4).is_ok_and(|at| at.pins() == 4), "four slots need four pins")
+                (Vectors, |stated| {
+                    // As the text below Fig. 4 says of the drawing: crank and slot at right angles.
+                    let drawn = Drawn::new(4, stated.pick(4, 5));
+                    let along = drawn.place(drawn.half()).dot(&Drawn::crank(drawn.half()));
+                    Finding::new(vanishes(along), format!("the product of the two sides at the pin is {along:.3}"))
                 }),
             ),
         ),
@@ -101,50 +98,29 @@ fn conditions() -> Vec<Claim> {
             INSTANT,
             "as one pin leaves its slot the next enters one",
             "must be entering",
-            Check::equation(
-                (ExactIdentity, || {
-                    exactly(
-                        |at| at.leaving.out == at.entering.out && at.gap.iter().all(is_zero),
-                        "both pins are at the rim, one slot apart",
-                    )
+            Check::statement(
+                "with a pin more or fewer the next enters at that instant too",
+                (ClosedForm, |stated| {
+                    let angles = neighbours(stated).into_iter().map(|(pins, slots)| {
+                        let ratio = 1.0 / libm::sin(PI / f64::from(slots));
+                        let engaged = PinSlot::new(1.0, ratio).map_or(f64::NAN, |at| 2.0 * at.engagement_half_angle());
+                        engaged * f64::from(pins) / (2.0 * PI)
+                    });
+                    every(angles, |pitches| agrees(pitches, 1.0), "turn of an engagement over that between two pins")
                 }),
-                (Vectors, || {
-                    for_each(
-                        |at| pins_at_the_rim(at, at.driver_half_angle()) == 2 && pins_at_the_rim(at, 0.0) == 1,
-                        "two pins are within the rim then, one on the line of centres",
-                    )
-                }),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "meyer.along-the-slot",
-            INSTANT,
-            "for the follower not to be jerked the pin must come and go along the slot's centre line",
-            "along the centerline",
-            Check::equation(
-                (ExactIdentity, || {
-                    exactly(
-                        |at| {
-                            [&at.leaving.across, &at.entering.across]
-                                .into_iter()
-                                .chain(&at.follower_speeds)
-                                .all(is_zero)
-                        },
-                        "nothing of the velocity is across the slot, and the follower is at rest",
-                    )
-                }),
-                (LimitCase, || {
-                    for_each(
-                        |at| {
-                            let further = 1.2 * at.centre_distance_ratio();
-                            velocity_ratio(&further, &Turn::from_radians(at.driver_half_angle())) > 0.01
-                        },
-                        "with the centres a fifth further apart the follower starts with a jump of its speed",
-                    )
+                (Vectors, |stated| {
+                    let ahead = neighbours(stated).into_iter().map(|(pins, slots)| {
+                        // The leaving pin is where its circle touches the slot's centre line.
+                        let drawn = Drawn { pins, slots, axis: 1.0 / libm::sin(PI / f64::from(slots)) };
+                        let leaving = libm::atan2(drawn.tangent(), 1.0);
+                        let next = drawn.place(leaving - 2.0 * drawn.half());
+                        next.norm() - drawn.tangent()
+                    });
+                    every(ahead, vanishes, "how far the next pin is outside the rim as one leaves")
                 }),
             ),
         ),
+        hand_over::along_the_slot(),
     ]
 }
 
@@ -188,23 +164,23 @@ fn triangle() -> Vec<Claim> {
             "Fig. 4 and the text below it",
             "at the hand-over crank and slot are at right angles",
             "large right triangle",
-            Check::equation(
-                (ExactIdentity, || {
-                    exactly(
-                        |at| is_zero(&at.layout.pins[0].dot(&(&at.layout.follower_axis - &at.layout.pins[0]))),
-                        "the two sides at the pin",
-                    )
+            Check::statement(
+                "the right angle is at the follower's axis",
+                (ExactIdentity, |stated| {
+                    let at_the_pin: fn(&HandOver) -> bool = |at| is_zero(&sides(at)[0].dot(&sides(at)[1]));
+                    let at_the_axis: fn(&HandOver) -> bool = |at| is_zero(&sides(at)[1].dot(&sides(at)[2]));
+                    exactly(stated.pick(at_the_pin, at_the_axis), "the product of the two sides there is zero")
                 }),
-                (Vectors, || {
-                    for_each(
-                        |at| {
-                            agrees(
-                                leaving(at).place.norm_squared() + 1.0,
-                                at.centre_distance_ratio() * at.centre_distance_ratio(),
-                            )
-                        },
-                        "the squares of the two sides make that of the centre distance",
-                    )
+                (Vectors, |stated| {
+                    // The driver's axis, the pin and the follower's axis; which side is opposite the right angle.
+                    let misfits = Escapement::all().into_iter().map(|at| {
+                        let drawn = Drawn::new(at.pins(), at.slots());
+                        let slot = drawn.place(drawn.half()).norm_squared();
+                        let squares = [1.0, slot, drawn.axis * drawn.axis];
+                        let opposite = stated.pick(2, 0);
+                        squares.iter().sum::<f64>() - 2.0 * squares[opposite]
+                    });
+                    every(misfits, vanishes, "squares of two sides less that of the third")
                 }),
             ),
         ),
@@ -269,6 +245,58 @@ fn triangle() -> Vec<Claim> {
     ]
 }
 
+/// The sides of the triangle at the hand-over: from the driver's axis to the pin, from there to the follower's axis,
+/// and back to the driver's.
+fn sides(at: &HandOver) -> [Vector2<Roots>; 3] {
+    let (pin, axis) = (&at.layout.pins[0], &at.layout.follower_axis);
+    [pin.clone(), axis - pin, -axis.clone()]
+}
+
+/// A driver with one pin, for each usual number of slots: pins and slots.
+fn single() -> Vec<(u32, u32)> {
+    (3..=18).map(|slots| (1, slots)).collect()
+}
+
+/// The three escapements, with so many pins fewer.
+fn complete(fewer: u32) -> Vec<(u32, u32)> {
+    Escapement::all().iter().map(|at| (at.pins() - fewer, at.slots())).collect()
+}
+
+/// The three escapements, or those with a pin more and with a pin fewer at the same distance of the axes.
+fn neighbours(stated: Stated) -> Vec<(u32, u32)> {
+    let with =
+        |more: u32, fewer: u32| Escapement::all().into_iter().map(move |at| (at.pins() + more - fewer, at.slots()));
+    stated.pick(with(0, 0).collect(), with(1, 0).chain(with(0, 1)).collect())
+}
+
+/// The part of the driver's turn in which no pin is in a slot.
+fn dwell(pins: u32, slots: u32) -> f64 {
+    Wheel::with_pins(slots, pins).map_or(f64::NAN, |wheel| wheel.dwell_fraction())
+}
+
+/// The fewest pins inside the rim over a turn of the driver, at the centre distance of Eq. (1-2).
+fn fewest_engaged((pins, slots): (u32, u32)) -> usize {
+    let drawn = Drawn { pins, slots, axis: 1.0 / libm::sin(PI / f64::from(slots)) };
+    drawn.fewest_within(drawn.tangent())
+}
+
+/// Whether a property holds for all of these numbers, of which there must be some; they are told.
+pub fn every(numbers: impl Iterator<Item = f64>, holds: fn(f64) -> bool, what: &str) -> Finding {
+    let numbers: Vec<f64> = numbers.collect();
+    let all = !numbers.is_empty() && numbers.iter().all(|number| holds(*number));
+    Finding::new(all, format!("{what}: {numbers:.3?}"))
+}
+
+/// Whether the follower goes on by a slot or, wrongly stated, by two, for each usual number of slots.
+fn moved_on(stated: Stated, turned: fn(&Wheel) -> f64, what: &str) -> Finding {
+    let failing = (3..=18).find(|slots| {
+        let wanted = stated.pick(1.0, 2.0) * 2.0 * PI / f64::from(*slots);
+        !Wheel::new(*slots).is_ok_and(|wheel| agrees(turned(&wheel), wanted))
+    });
+    let but = failing.map_or(String::new(), |slots| format!(": not with {slots} slots"));
+    Finding::new(failing.is_none(), format!("{what}, for three to eighteen slots{but}"))
+}
+
 /// A Geneva wheel with one pin, for each usual number of slots.
 fn for_usual(holds: fn(&Wheel) -> bool, how: &str) -> Finding {
     let failing = (3..=18).find(|slots| !Wheel::new(*slots).is_ok_and(|wheel| holds(&wheel)));
@@ -293,13 +321,6 @@ fn exit(wheel: &Wheel) -> Vector2<f64> {
 fn angle_at_exit(wheel: &Wheel) -> f64 {
     let place = exit(wheel);
     libm::atan2(place.y, place.x)
-}
-
-/// How many pins are no further from the follower's axis than a pin that leaves, with the first at this angle.
-fn pins_at_the_rim(escapement: &Escapement, crank: f64) -> usize {
-    let rim = leaving(escapement).radius() * (1.0 + crate::tolerance::CLOSURE.relative);
-    let pitch = 2.0 * PI / f64::from(escapement.pins());
-    (0..escapement.pins()).filter(|k| Seen::new(escapement, crank + pitch * f64::from(*k)).radius() <= rim).count()
 }
 
 /// The pin that leaves.

@@ -1,11 +1,9 @@
-//! The parameters of the study, and the estimate of the inertias: two steel discs.
+//! The estimate of the inertias: two steel discs.
 
-use super::instants::statement;
+use super::parameters::AFTER_THE_LIST;
 use super::*;
 use crate::Dimension as Exponents;
-use geneva_kinematics::escapement::pins_needed;
 
-const PARAMETERS: &str = "Chapter II, paragraph after the list of parameters";
 const FORMULA: &str = "Chapter II, 1st display of I";
 const NUMBERS: &str = "Chapter II, 2nd display of I";
 
@@ -14,126 +12,78 @@ const AS_PRINTED: &str = r"I = \frac{1}{2} \pi \left(\frac{.283 \text{ lb/in}}{3
 /// The same with the unit put right.
 const PUT_RIGHT: &str = r"I = \frac{1}{2} \pi \left(\frac{.283 \text{ lb/in}^3}{386 \text{ in/sec}^2} \right) \left(\frac{0.5 \text{ in}}{2} \right)^4 (0.1 \text{ in})";
 
-/// The inch in metres, the pound in kilograms and the pound-force in newtons, by definition.
+/// The inch in metres and the pound in kilograms, by definition.
 const INCH: f64 = 0.0254;
 const POUND: f64 = 0.453_592_37;
-const POUND_FORCE: f64 = 4.448_221_615_260_5;
 
 pub fn claims() -> Vec<Claim> {
-    [parameters(), estimate()].concat()
+    [material(), estimate()].concat()
 }
 
-fn parameters() -> Vec<Claim> {
+fn material() -> Vec<Claim> {
     vec![
-        statement(
-            "meyer.one-geometric-parameter",
-            PARAMETERS,
-            "the number of slots and the angle of entry depend on each other: one \
-                    parameter, the only one of the geometry",
-            "n and θ_0, are not independent",
-            (LimitCase, || {
-                for_each(
-                    |at| {
-                        let (slots, pins) = (f64::from(at.slots()), pins_needed(at.slots()));
-                        let found = pins.map_or(f64::NAN, |pins| pins.approximate());
-                        agrees(at.driver_half_angle(), PI / found)
-                            && agrees(at.driver_half_angle(), PI / 2.0 - PI / slots)
-                    },
-                    "Eq. (1-3) gives the angle from the number of slots",
-                )
-            }),
-            (Vectors, || {
-                exactly(|at| is_zero(&at.leaving.across), "at that angle the leaving pin moves along its slot")
-            }),
-        ),
-        statement(
-            "meyer.four-parameters",
-            PARAMETERS,
-            "for each of the three mechanisms four parameters are left: friction, torque and two inertias",
-            "four parameters",
-            (Dimension, || {
-                // Letters of Eq. (1-18): a follows from n, θ and its rates are the motion.
-                let left = ["I_D", "I_f", "mu", "K"];
-                let [first, second] = ["first", "second"].map(|line| {
-                    claim(&format!("meyer.eq-1-18.{line}-line")).map_or("", |claim| claim.printed).to_owned()
-                });
-                let all = format!("{first} {second}");
-                Finding::new(
-                    left.iter().all(|letter| all.contains(letter)),
-                    "Eq. (1-18) has four letters beside a and θ",
-                )
-            }),
-            (OtherPlaceInSource, || {
-                let others = numbers("meyer.listing.parameters");
-                Finding::new(
-                    !others.is_empty(),
-                    "the program reads six parameters, two of them the number of slots and \
-                        the angle",
-                )
-            }),
-        ),
-        statement(
-            "meyer.steel",
-            PARAMETERS,
-            "weight of a cubic inch of steel in pounds",
-            ".283 lb/in",
-            (ClosedForm, || {
-                let density = steel() * POUND / (INCH * INCH * INCH);
-                let steels = 7700.0..8100.0;
-                Finding::new(steels.contains(&density), format!("{density:.0} kg/m³; steels have 7700 to 8100"))
-            }),
-            (OtherPlaceInSource, || {
-                let used = data().map(|data| data.density);
-                Finding::new(used == Some(steel()), "the numbers of the estimate have it again")
-            }),
-        ),
         Claim::statement(
             WORK,
-            "meyer.like-discs",
-            PARAMETERS,
-            "driver and follower of each mechanism are discs of about one size",
-            "both taken to be approximately 0.5 inch in diameter and 0.1 inch in thickness",
-            Check::corrected_equation(
-                (Vectors, || {
-                    let sizes: Vec<f64> = Escapement::all().iter().map(rim_at_entry).collect();
-                    let holds = sizes.iter().all(|size| (size - 1.0).abs() < 0.1);
+            "meyer.steel",
+            AFTER_THE_LIST,
+            "weight of a cubic inch of steel in pounds",
+            ".283 lb/in",
+            Check::statement(
+                "that of copper",
+                (LimitCase, |stated| {
+                    let density = said_density();
+                    let nearest = METALS.iter().min_by(|a, b| (a.1 - density).abs().total_cmp(&(b.1 - density).abs()));
+                    let name = nearest.map_or("", |metal| metal.0);
                     Finding::new(
-                        holds,
-                        format!("follower over driver: {:.2}, {:.2}, {:.2}", sizes[0], sizes[1], sizes[2]),
+                        name == stated.pick("iron", "copper"),
+                        format!("{density:.0} kg/m³; of the common metals {name} is the nearest"),
                     )
                 }),
-                || {
-                    let holds = Escapement::all().iter().all(|at| agrees(rim_at_entry(at), at.rim_radius()));
-                    let like = Escapement::all().iter().filter(|at| agrees(at.rim_radius(), 1.0)).count();
-                    Finding::new(holds && like == 1, "of the radii cot(π/n) one is that of the driver, for four slots")
-                },
-                (OtherPlaceInSource, || {
-                    let ids = ["three", "four", "six"].map(|n| format!("meyer.app-a.{n}-slots.radius"));
-                    let radii = ids.each_ref().map(|id| printed(id));
+                (ClosedForm, |stated| {
+                    let density = stated.pick(IRON, COPPER).density();
+                    let part = said_density() / density;
                     Finding::new(
-                        radii[1] == 1.0 && radii[0] < 0.6 && radii[2] > 1.7,
-                        format!("Appendix A has {}, {} and {} for the follower's radius", radii[0], radii[1], radii[2]),
+                        (part - 1.0).abs() < 0.01,
+                        format!("the metal's crystal has {density:.0} kg/m³; the printed number is {part:.3} of it"),
                     )
                 }),
             ),
         )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: "the driver approximately 0.5 inch in diameter and the follower cot(π/n) \
-                    times as large: 0.29, 0.5 and 0.87 inch for three, four and six slots, \
-                    and both 0.1 inch in thickness",
-            slip: Slip {
-                id: "",
-                reason: "The sizes of driver and follower are bound by the geometry. They are \
-                    alike for four slots only. As the moment of inertia grows with the \
-                    fourth power of the radius, that of the follower is 1/9 of the driver's \
-                    for three slots and 9 times the driver's for six.",
-                witness: "Appendix A computes the radii of the followers.",
-                origin: Origin::Concept,
-                consequence: Consequence::Conclusion,
-                changes: "",
-            },
-        }),
+        .read_as("Steel is iron with little else in it: within one per cent of the density of iron."),
+        Claim::statement(
+            WORK,
+            "meyer.like-discs",
+            AFTER_THE_LIST,
+            "for the estimate driver and follower are discs of one size",
+            "both taken to be approximately 0.5 inch in diameter and 0.1 inch in thickness",
+            Check::statement(
+                "half an inch is the radius",
+                (OtherPlaceInSource, |stated| {
+                    let [diameter, thickness] = said_sizes().map(|size| size.unwrap_or(f64::NAN));
+                    let [radius, said] = data().map_or([f64::NAN; 2], |data| [data.diameter / 2.0, data.thickness]);
+                    let holds = agrees(diameter / stated.pick(2.0, 1.0), radius) && agrees(thickness, said);
+                    Finding::new(holds, format!("the numbers of the estimate are a radius of {radius} and {said} inch"))
+                }),
+                (ClosedForm, |stated| {
+                    let [diameter, thickness] = said_sizes().map(|size| size.unwrap_or(f64::NAN));
+                    let result = printed_inertia();
+                    let [least, most] = [-0.05, 0.05].map(|rounded| {
+                        let size = diameter + rounded;
+                        disc(2.0 * size / stated.pick(2.0, 1.0), thickness)
+                    });
+                    Finding::new(
+                        least < result && result < most,
+                        format!(
+                            "discs of such a size have {least:.2e} to {most:.2e} in lb sec²; printed is {result:.1e}"
+                        ),
+                    )
+                }),
+            ),
+        )
+        .read_as(
+            "An assumption for the estimate of the inertias alone; a follower and a driver that end where the pins are \
+             have one size with four slots only.",
+        ),
     ]
 }
 
@@ -156,9 +106,21 @@ fn estimate() -> Vec<Claim> {
                     same(reading::value(right_side("meyer.disc"), &letters), sum)
                 }),
                 (Dimension, || {
-                    let density = mass() / volume(3);
-                    let found = density * volume(4) * Exponents::LENGTH;
-                    Finding::new(found == mass() * volume(2), format!("density times length to the fifth is {found}"))
+                    // In other units, 2, 3 and 5 times as small for length, time and force, the numbers grow so.
+                    let grown = |of: Exponents| {
+                        [(2.0, of.length), (3.0, of.time), (5.0, of.force)]
+                            .map(|(unit, exponent): (f64, i32)| libm::pow(unit, f64::from(exponent)))
+                            .iter()
+                            .product::<f64>()
+                    };
+                    let quantities = [("m", 1.5, mass() / volume(3)), ("r", 0.75, volume(1)), ("t", 0.25, volume(1))];
+                    let by = |larger: bool| {
+                        let number = |(name, value, of): (&str, f64, Exponents)| {
+                            (name.to_owned(), if larger { value * grown(of) } else { value })
+                        };
+                        reading::value(right_side("meyer.disc"), &quantities.map(number).into())
+                    };
+                    same(by(true) / by(false), grown(mass() * volume(2)))
                 }),
             ),
         ),
@@ -166,41 +128,30 @@ fn estimate() -> Vec<Claim> {
             WORK,
             "meyer.letter-m",
             FORMULA,
-            "the letter of the mass density",
+            "the letter m, which counts pins in chapter I, is here the mass density",
             "m is the mass density",
-            Check::corrected_equation(
-                (OtherPlaceInSource, || {
-                    let pins = claim("meyer.eq-1-3").is_some_and(|claim| claim.printed.contains('m'));
-                    Finding::new(!pins, "m is the number of pins in Eq. (1-3)")
+            Check::statement(
+                "m is the mass",
+                (Dimension, |stated| {
+                    let letter = stated.pick(mass() / volume(3), mass());
+                    let (found, wanted) = (letter * volume(4) * Exponents::LENGTH, mass() * volume(2));
+                    Finding::new(
+                        found == wanted,
+                        format!(
+                            "the formula is then a {found}; a moment of inertia is \
+                        {wanted}"
+                        ),
+                    )
                 }),
-                || {
-                    let ours: Vec<_> = SYMBOLS.iter().filter(|symbol| symbol.printed == "m").map(|s| s.ours).collect();
-                    Finding::new(
-                        ours.len() == 3,
-                        "pins, density and, in Appendix B, mass have three letters in this book",
-                    )
-                },
-                (Dimension, || {
-                    let density = mass() / volume(3);
-                    Finding::new(
-                        density != Exponents::NONE,
-                        format!("a number of pins has no unit, a density is {density}"),
-                    )
+                (LimitCase, |stated| {
+                    let (density, radius, thickness) = (1.5, 0.75, 0.25);
+                    let whole = density * thickness * PI * radius * radius;
+                    let letters = [("m", stated.pick(density, whole)), ("r", radius), ("t", thickness)];
+                    let letters = letters.map(|(name, value)| (name.to_owned(), value)).into();
+                    same(reading::value(right_side("meyer.disc"), &letters), whole * radius * radius / 2.0)
                 }),
             ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: "ρ is the mass density",
-            slip: Slip {
-                id: "",
-                reason: "The letter m is the number of pins in chapter I, and a mass in Appendix B.",
-                witness: "A number of pins has no unit.",
-                origin: Origin::Misprint,
-                consequence: Consequence::Wording,
-                changes: "",
-            },
-        }),
+        ),
         Claim::equation(
             WORK,
             "meyer.disc.numbers",
@@ -209,11 +160,23 @@ fn estimate() -> Vec<Claim> {
                     gravity is a mass density",
             AS_PRINTED,
             Check::corrected_equation(
-                (Dimension, || unit_of_the_estimate(1)),
-                || unit_of_the_estimate(3),
-                (OtherPlaceInSource, || {
-                    let same = data().is_some_and(|data| data.density == steel());
-                    Finding::new(same, "the paragraph before has the number, in pounds per cubic inch")
+                (Dimension, || unit_of_the_estimate(AS_PRINTED)),
+                || unit_of_the_estimate(PUT_RIGHT),
+                (ClosedForm, || {
+                    // The same disc in kilograms and metres, with the weight of a cubic inch for a mass.
+                    let torque = POUND * 9.806_65 * INCH;
+                    let of = |data: Data| {
+                        let [radius, thickness] = [data.diameter / 2.0, data.thickness].map(|inches| inches * INCH);
+                        PI / 2.0 * said_density() * radius * radius * radius * radius * thickness / torque
+                    };
+                    let [metric, inches] = [data().map(of), data().map(|data| disc(data.diameter, data.thickness))];
+                    let [metric, inches] = [metric, inches].map(|inertia| inertia.unwrap_or(f64::NAN));
+                    // The acceleration of gravity is printed to three digits.
+                    let rounding = data().map_or(f64::NAN, |data| 0.5 / data.gravity);
+                    Finding::new(
+                        (metric / inches - 1.0).abs() < rounding,
+                        format!("{metric:.4e} in lb sec² by way of metres and kilograms, {inches:.4e} as corrected"),
+                    )
                 }),
             ),
         )
@@ -222,8 +185,8 @@ fn estimate() -> Vec<Claim> {
             corrected: PUT_RIGHT,
             slip: Slip {
                 id: "",
-                reason: "The weight is that of a cubic inch. Only so the unit of the result is \
-                    that which is printed with it.",
+                reason: "The weight is that of a cubic inch. Only so the unit of the result is that which is printed \
+                    with it. Counted as a slip of the copy, because the paragraph before the display has the cube.",
                 witness: "The paragraph before the display has the same number in pounds per cubic inch.",
                 origin: Origin::Copy,
                 consequence: Consequence::Copy,
@@ -236,64 +199,127 @@ fn estimate() -> Vec<Claim> {
             NUMBERS,
             "acceleration of gravity in inches per second squared",
             "386 in/sec",
-            Check::equation(
-                (ClosedForm, || {
-                    let gravity = POUND_FORCE / POUND / INCH;
-                    let said = data().map_or(f64::NAN, |data| data.gravity);
-                    Finding::new((said - gravity).abs() <= 0.5, format!("the standard value is {gravity:.2}"))
+            Check::statement(
+                "387",
+                (ClosedForm, |stated| {
+                    // 9.80665 m/s² by definition.
+                    gravity_is(9.806_65 / INCH, stated, "the standard value")
                 }),
-                (LimitCase, || {
-                    // A pound falls so: 9.80665 m/s² by definition.
-                    let gravity = 9.806_65 / INCH;
-                    let said = data().map_or(f64::NAN, |data| data.gravity);
-                    Finding::new(
-                        gravity > said - 0.5 && gravity < said + 0.5,
-                        format!("{gravity:.2} by its definition"),
-                    )
+                (LimitCase, |stated| {
+                    // The normal gravity of the Earth's ellipsoid at 45° of latitude, by Somigliana's formula.
+                    let (equator, growth, flatness) = (9.780_325_335_9, 0.001_931_852_652_41, 0.006_694_379_990_13);
+                    let square = 0.5;
+                    let normal = equator * (1.0 + growth * square) / f64::sqrt(1.0 - flatness * square);
+                    gravity_is(normal / INCH, stated, "that of the Earth's ellipsoid at 45°")
                 }),
             ),
         ),
-        Claim::value(
+        Claim::statement(
             WORK,
             "meyer.disc.inertia",
             "Chapter II, 3rd display of I",
-            "moment of inertia of either disc",
-            ("0.5", r"\times 10^{-6} \text{ in lb sec}^{2}"),
-            Check::number(
-                (ClosedForm, || {
-                    data().map_or(f64::NAN, |data| {
-                        let radius = data.diameter / 2.0;
-                        1e6 * PI / 2.0 * data.density / data.gravity
-                            * radius
-                            * radius
-                            * radius
-                            * radius
-                            * data.thickness
-                    })
+            "moment of inertia of either disc, about",
+            r"I \cong 0.5 \times 10^{-6} \text{ in lb sec}^2",
+            Check::statement(
+                "without the factor ½ of the formula",
+                (ClosedForm, |stated| {
+                    estimate_covers(|diameter, thickness, factor| 2.0 * factor * disc(diameter, thickness), stated)
                 }),
-                (LimitCase, || {
-                    // A disc is a ring without a hole: half its mass times the square of its radius.
-                    data().map_or(f64::NAN, |data| {
-                        let weight = data.density * data.thickness * PI * data.diameter * data.diameter / 4.0;
-                        1e6 * weight / data.gravity * data.diameter * data.diameter / 8.0
-                    })
+                (LimitCase, |stated| {
+                    // A disc is a ring without a hole: a part of its mass times the square of its radius.
+                    estimate_covers(
+                        |diameter, thickness, factor| {
+                            let weight = steel() * thickness * PI * diameter * diameter / 4.0;
+                            factor * weight / data().map_or(f64::NAN, |data| data.gravity) * diameter * diameter / 4.0
+                        },
+                        stated,
+                    )
                 }),
             ),
         )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: "0.45",
-            slip: Slip {
-                id: "",
-                reason: "The numbers give 0.450, a tenth less than printed: it was rounded to \
-                    0.45 and then once more.",
-                witness: "The mass of the disc times the square of its radius, halved, gives the same.",
-                origin: Origin::Arithmetic,
-                consequence: Consequence::Result,
-                changes: "",
-            },
-        }),
+        .read_as(
+            "About as exact as the size that it is computed from: the diameter is said to be approximately half an \
+                inch, and any diameter that rounds so to the printed place will do.",
+        ),
     ]
+}
+
+/// Whether the printed acceleration of gravity, or the next number, is this one rounded.
+fn gravity_is(gravity: f64, stated: Stated, what: &str) -> Finding {
+    let said = data().map_or(f64::NAN, |data| data.gravity) + stated.pick(0.0, 1.0);
+    Finding::new((said - gravity).abs() <= 0.5, format!("{what} is {gravity:.2}; said is {said}"))
+}
+
+/// Whether the printed moment of inertia is one of those of discs whose diameter rounds to the printed one, with the
+/// factor of the formula or with one.
+fn estimate_covers(inertia: fn(f64, f64, f64) -> f64, stated: Stated) -> Finding {
+    let Some(data) = data() else { return Finding::new(false, "no numbers") };
+    let of = |diameter: f64| inertia(diameter, data.thickness, stated.pick(0.5, 1.0));
+    let [least, middle, most] = [-0.05, 0.0, 0.05].map(|rounded| of(data.diameter + rounded));
+    let said = printed_inertia();
+    Finding::new(
+        least < said && said < most,
+        format!("{middle:.3e} in lb sec², and {least:.2e} to {most:.2e} for diameters that round to the printed one"),
+    )
+}
+
+/// Moment of inertia of a disc of the printed density and gravity, in in lb sec².
+fn disc(diameter: f64, thickness: f64) -> f64 {
+    let square = diameter * diameter / 4.0;
+    data().map_or(f64::NAN, |data| PI / 2.0 * data.density / data.gravity * square * square * thickness)
+}
+
+/// The printed moment of inertia, in in lb sec²: a number, and ten to a negative power.
+pub fn printed_inertia() -> f64 {
+    let tokens = claim("meyer.disc.inertia").map_or_else(Vec::new, |claim| numeric_tokens(claim.printed));
+    let number = |at: usize| tokens.get(at).and_then(|number| number.parse().ok()).unwrap_or(f64::NAN);
+    number(0) / libm::pow(number(1), number(2))
+}
+
+/// The diameter and the thickness of the paragraph before the estimate, in inches.
+fn said_sizes() -> [Option<f64>; 2] {
+    let tokens = claim("meyer.like-discs").map_or_else(Vec::new, |claim| numeric_tokens(claim.printed));
+    [0, 1].map(|at| tokens.get(at)?.parse().ok())
+}
+
+/// Densities of common metals in kg/m³, as handbooks have them.
+const METALS: [(&str, f64); 9] = [
+    ("aluminium", 2700.0),
+    ("titanium", 4500.0),
+    ("zinc", 7130.0),
+    ("tin", 7290.0),
+    ("iron", 7870.0),
+    ("brass", 8500.0),
+    ("nickel", 8900.0),
+    ("copper", 8960.0),
+    ("lead", 11340.0),
+];
+
+/// A cubic crystal of one metal.
+#[derive(Clone, Copy)]
+struct Crystal {
+    /// Atoms in a cell.
+    atoms: f64,
+    /// Mass of an atom in atomic units.
+    mass: f64,
+    /// Edge of the cell in 10⁻¹⁰ m.
+    edge: f64,
+}
+
+const IRON: Crystal = Crystal { atoms: 2.0, mass: 55.845, edge: 2.8665 };
+const COPPER: Crystal = Crystal { atoms: 4.0, mass: 63.546, edge: 3.6149 };
+
+impl Crystal {
+    /// In kg/m³.
+    fn density(self) -> f64 {
+        const ATOMIC_UNIT: f64 = 1.660_539_07e-27;
+        self.atoms * self.mass * ATOMIC_UNIT / (self.edge * self.edge * self.edge * 1e-30)
+    }
+}
+
+/// The printed weight of a cubic inch as a density in kg/m³.
+fn said_density() -> f64 {
+    steel() * POUND / (INCH * INCH * INCH)
 }
 
 /// The numbers of the estimate, from the display that has them all.
@@ -321,23 +347,22 @@ fn right_side(id: &str) -> &'static str {
     claim(id).and_then(|claim| claim.printed.split_once('=')).map_or("", |(_, right)| right)
 }
 
-/// Radius of the follower's rim over that of the pins' circle: where the pin is as it enters.
-fn rim_at_entry(escapement: &Escapement) -> f64 {
-    Seen::new(escapement, -escapement.driver_half_angle()).radius()
-}
-
-fn volume(power: u32) -> Exponents {
+pub fn volume(power: u32) -> Exponents {
     (0..power).fold(Exponents::NONE, |product, _| product * Exponents::LENGTH)
 }
 
 /// A force over an acceleration.
-fn mass() -> Exponents {
+pub fn mass() -> Exponents {
     Exponents::FORCE * Exponents::TIME * Exponents::TIME / Exponents::LENGTH
 }
 
-/// Whether the estimate has the unit of its result if the weight is per so many inches multiplied.
-fn unit_of_the_estimate(inches: u32) -> Finding {
-    let density = Exponents::FORCE / volume(inches) / (Exponents::LENGTH / Exponents::TIME / Exponents::TIME);
+/// Whether the estimate has the unit of its result if the weight is per so many inches multiplied as its characters
+/// say.
+fn unit_of_the_estimate(characters: &str) -> Finding {
+    let behind = characters.split_once("lb/in}").map_or("", |(_, behind)| behind);
+    let exponent = behind.strip_prefix('^').and_then(|power| power.chars().next()?.to_digit(10));
+    let density =
+        Exponents::FORCE / volume(exponent.unwrap_or(1)) / (Exponents::LENGTH / Exponents::TIME / Exponents::TIME);
     let found = density * volume(4) * Exponents::LENGTH;
     let wanted = Exponents::FORCE * Exponents::LENGTH * Exponents::TIME * Exponents::TIME;
     Finding::new(found == wanted, format!("the unit is {found}; printed with the result is {wanted}"))

@@ -255,24 +255,6 @@ pub fn miscopied(corrected: &'static str, reason: &'static str) -> Erratum {
     }
 }
 
-/// The same, where the source itself has it so.
-pub fn misprinted(corrected: &'static str, reason: &'static str) -> Erratum {
-    let Erratum { slip, .. } = miscopied(corrected, reason);
-    Erratum { corrected, slip: Slip { origin: Origin::Misprint, consequence: Consequence::Derivation, ..slip } }
-}
-
-/// A statement that holds, with its two routes.
-pub fn statement(
-    id: &'static str,
-    locator: &'static str,
-    meaning: &'static str,
-    printed: &'static str,
-    first: (Evidence, fn() -> Finding),
-    second: (Evidence, fn() -> Finding),
-) -> Claim {
-    Claim::statement(WORK, id, locator, meaning, printed, Check::equation(first, second))
-}
-
 /// A statement that is right as printed, its neighbour that is wrong, and the two routes that tell them apart.
 pub fn stated(
     (id, locator): (&'static str, &'static str),

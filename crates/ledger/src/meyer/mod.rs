@@ -8,17 +8,24 @@ mod appendix_a;
 mod appendix_b;
 mod appendix_c;
 mod appendix_d;
+mod by_steps;
 mod combinations;
+mod conclusions;
 mod energy;
 mod friction;
 mod front;
 mod general_statements;
 mod geometry;
+mod hand_over;
 mod inertia;
 mod instants;
 mod inventory;
 mod lagrange;
+mod less_friction;
 mod motion;
+mod newton;
+mod parameters;
+mod peaks;
 mod profile;
 mod rates;
 mod reading;
@@ -26,7 +33,9 @@ mod recommendations;
 pub mod runs;
 mod singularity;
 mod slips;
+mod spring;
 mod study;
+mod summary;
 mod symbols;
 
 pub use inventory::inventory;
@@ -48,7 +57,7 @@ const WORK: Work = Work::Meyer1973;
 /// All claims of the project, in the order of the source.
 pub fn claims() -> Vec<Claim> {
     [
-        study::of_abstract(),
+        summary::claims(),
         front::claims(),
         geometry::claims(),
         combinations::claims(),
@@ -60,9 +69,12 @@ pub fn claims() -> Vec<Claim> {
         motion::claims(),
         singularity::claims(),
         study::of_parameters(),
+        parameters::after_the_list(),
         inertia::claims(),
         profile::claims(),
+        peaks::claims(),
         general_statements::claims(),
+        conclusions::claims(),
         recommendations::claims(),
         runs::of_figures(),
         appendix_a::claims(),

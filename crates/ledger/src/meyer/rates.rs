@@ -112,19 +112,7 @@ fn acceleration() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: DIFFERENTIATED_CORRECTED,
-            slip: Slip {
-                id: "",
-                reason: "The left side is the follower's acceleration, with φ as in the display \
-                    before; the driver's stands on the right. The right side is correct as \
-                    printed.",
-                witness: "The pin's acceleration across the slot, at instants of all three escapements.",
-                origin: Origin::Copy,
-                consequence: Consequence::Copy,
-                changes: "",
-            },
-        }),
+        .with_erratum(Erratum { corrected: DIFFERENTIATED_CORRECTED, slip: slips::PHI_AS_THETA }),
         Claim::equation(
             WORK,
             "meyer.eq-1-8",
@@ -143,18 +131,7 @@ fn acceleration() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: ACCELERATION_CORRECTED,
-            slip: Slip {
-                id: "",
-                reason: "The same letter on the left as in the line before. The right side is \
-                    correct as printed.",
-                witness: "The pin's acceleration across the slot, at instants of all three escapements.",
-                origin: Origin::Copy,
-                consequence: Consequence::Copy,
-                changes: "",
-            },
-        }),
+        .with_erratum(Erratum { corrected: ACCELERATION_CORRECTED, slip: slips::PHI_AS_THETA }),
     ]
 }
 

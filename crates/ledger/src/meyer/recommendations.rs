@@ -1,239 +1,194 @@
-//! The conclusions and recommendations of the thesis.
+//! The recommendations of the thesis.
 
-use super::general_statements::{spread, strong};
-use super::instants::statement;
-use super::profile::engagement;
-use super::runs::{Column, Hypothesis, Mechanism, Row, rows};
-use super::study::{row, steady};
+use super::by_steps::groups;
+use super::conclusions::SECOND_A_DAY;
+use super::general_statements::with;
+use super::runs::{Column, Hypothesis, Row, rows, series};
+use super::slips::SAMPLED_PEAKS;
+use super::study::steady;
 use super::*;
 use crate::Evidence::{Integration, Steps};
-use geneva_dynamics::program::Program;
-use geneva_dynamics::timer::Sensitivities;
+use geneva_dynamics::program::{Contact, Program};
 
 pub fn claims() -> Vec<Claim> {
-    [conclusions(), recommendations()].concat()
+    vec![not_fast_enough(), spring_rates(), cyclic_oscillations(), front::page_of_definition(), better_average()]
 }
 
-fn conclusions() -> Vec<Claim> {
-    vec![
-        statement(
-            "meyer.small-variations",
-            "Conclusion 2",
-            "small changes of the parameters change the motion little",
-            "will not seriously affect the motion",
-            (Integration, || {
-                let powers = sensitivities();
-                let [torque, friction, driver, follower] = powers;
-                Finding::new(
-                    powers.iter().all(|power| power.abs() < 1.0),
-                    format!(
-                        "one per cent more torque, friction, driver's or follower's inertia changes the mean speed by \
-                         {torque:.2}, {friction:.2}, {driver:.2} or {follower:.2} per cent, in the worst of the runs"
-                    ),
-                )
-            }),
-            (Steps, || {
-                let period = |friction| {
-                    let row = row(Mechanism::FourPin, friction, ".10")?;
-                    Some(Hypothesis::TRUE.cycle_by_steps(row)?[1])
-                };
-                let power =
-                    period(".20").zip(period(".25")).map_or(f64::NAN, |(a, b)| libm::log(b / a) / libm::log(5.0 / 4.0));
-                Finding::new(
-                    power.abs() < 1.0,
-                    format!(
-                        "with four pins the period goes as the friction to the power {power:.2}, \
-                            by steps"
-                    ),
-                )
-            }),
-        ),
-        statement(
-            "meyer.conclusion.three",
-            "Conclusion 3",
-            "three combinations of pins and slots, and no more",
-            "Only three geometrical configurations",
-            (LimitCase, || {
-                let pairs = (3..1000_u32).flat_map(|slots| (3..1000_u32).map(move |pins| (slots, pins)));
-                let found: Vec<_> = pairs.filter(|(slots, pins)| 2 * (slots + pins) == slots * pins).collect();
-                Finding::new(found == [(3, 6), (4, 4), (6, 3)], format!("slots and pins tried to 1000: {found:?}"))
-            }),
-            (OtherPlaceInSource, || {
-                let again = combinations::TABLE.map(|(slots, pins)| (printed(slots) as u32, printed(pins) as u32));
-                Finding::new(again.len() == 3 && again.contains(&(4, 4)), "chapter I has the same three")
-            }),
-        ),
-    ]
-}
-
-fn recommendations() -> Vec<Claim> {
-    vec![
-        statement(
-            "meyer.not-fast-enough",
-            "Recommendation 1",
-            "the rise times are too long for a timer of milliseconds",
-            "not fast enough",
-            (OtherPlaceInSource, || {
+fn not_fast_enough() -> Claim {
+    Claim::statement(
+        WORK,
+        "meyer.not-fast-enough",
+        "Recommendation 1",
+        "the rise times are too long for a timer of milliseconds",
+        "not fast enough",
+        Check::statement(
+            "they are too long for a timer of tenths of a second",
+            (OtherPlaceInSource, |stated| {
                 let least = rows().iter().map(|row| row.number(Column::Rise)).fold(f64::INFINITY, f64::min);
-                Finding::new(least > 0.01, format!("the shortest of Appendix E is {least} s"))
+                Finding::new(least >= stated.pick(0.01, 0.1), format!("the shortest of Appendix E is {least} s"))
             }),
-            (Integration, || {
-                let first = steady().iter().map(|(_, state)| state.period).fold(f64::INFINITY, f64::min);
-                Finding::new(first > 0.01, format!("a single engagement takes {first:.4} s or more"))
-            }),
-        ),
-        Claim::statement(
-            WORK,
-            "meyer.cyclic-oscillations",
-            "Recommendation 2",
-            "a strong spring makes the peak of the speed swing from cycle to cycle",
-            "significant cyclic oscillations in the magnitude of the peak velocity",
-            Check::corrected_equation(
-                (Integration, || {
-                    let peaks = true_peaks();
-                    Finding::new(
-                        is_seen(spread(&peaks)),
-                        format!("true peaks of the last engagements in {:.3} of one another", spread(&peaks)),
-                    )
-                }),
-                || {
-                    let [weak, strong, fine] =
-                        [(".08", 1.0), (".14", 1.0), (".14", 0.1)].map(|(torque, part)| spread(&seen_peaks(torque, part)));
-                    Finding::new(
-                        is_seen(strong) && strong > weak && !is_seen(fine),
-                        format!(
-                            "read from the printed lines the peaks spread by {weak:.3} for K = .08 and {strong:.3} for .14, \
-                             from lines ten times as close by {fine:.4}"
-                        ),
-                    )
-                },
-                (Steps, || {
-                    let [coarse, fine] = [1.0, 0.1].map(|part| spread(&stepped_peaks(part)));
-                    Finding::new(
-                        is_seen(coarse) && !is_seen(fine),
-                        format!("by the program's integrator {coarse:.3}, and {fine:.4} with closer lines"),
-                    )
-                }),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum { corrected: "cyclic oscillations in the printed peak velocity, not in that of the driver", slip: Slip {
- id: "",
-reason: "The lines of a run are 0.0005 s apart, and the peak falls between them, now nearer to one, \
-                    now farther. The stronger the spring, the sharper the peak and the more is missed. The true \
-                    peaks of the steady motion are equal.",
-witness: "The program, printing ten times as often, shows equal peaks.",
-origin: Origin::Concept,
-consequence: Consequence::Conclusion,
-changes: "",
-} }),
-        statement(
-            "meyer.page-of-definition",
-            "Recommendation 7",
-            "page of the definition of the average terminal velocity, after Fig. 8 and before Fig. 9",
-            "page 17",
-            (OtherPlaceInSource, || {
-                let pages = numbers("meyer.list-of-figures");
-                let page = |figure: u32| pages.chunks_exact(2).find(|pair| pair[0] == figure).map(|pair| pair[1]);
-                let said = numbers("meyer.page-of-definition").first().copied();
-                Finding::new(
-                    said.is_some() && page(8) < said && said < page(9),
-                    "the list of figures has Fig. 8 on the page before and Fig. 9 on the page after",
-                )
-            }),
-            (LimitCase, || {
-                let at = |id: &str| {
-                    let is_here = |line: &&crate::Line| line.entries.iter().any(|entry| entry.claimed() == Some(id));
-                    inventory().iter().find(is_here).map(|line| line.number)
-                };
-                let [before, here, after] = ["meyer.fig-8", "meyer.fig-8.rise", "meyer.fig-9"].map(at);
-                Finding::new(before < here && here < after, "the lines of the text are in this order")
-            }),
-        ),
-        statement(
-            "meyer.better-average",
-            "Recommendation 7",
-            "the average should follow from the time of a revolution, not from peak and minimum",
-            "A more appropriate definition would be based on the time",
-            (Integration, || {
-                let parts = steady().iter().map(|(_, state)| state.mean_of_extremes() / state.mean_speed);
-                let (least, most) = parts.fold((f64::INFINITY, 0.0), |(a, b): (f64, f64), x| (a.min(x), b.max(x)));
-                let off = steady().iter().map(|(_, state)| state.mean_of_extremes() - state.mean_speed);
-                Finding::new(
-                    off.fold(f64::INFINITY, f64::min) > 1.0,
-                    format!(
-                        "mean of peak and minimum over angle by time: {least:.2} to {most:.2} in the runs, in none of them \
-                         the same to a printed unit"
-                    ),
-                )
-            }),
-            (Steps, || {
-                // Both from the printed peak and minimum and from the time of a quarter turn by steps.
-                let part = row(Mechanism::FourPin, ".20", ".10").and_then(|row| {
-                    let time = Hypothesis::TRUE.cycle_by_steps(row)?[1] / Hypothesis::TRUE.parameters(row)?.drive().sqrt();
-                    let middle = (row.number(Column::Peak) + row.number(Column::Minimum)) / 2.0;
-                    Some(middle - PI / 2.0 / time)
+            (Steps, |stated| {
+                let first = groups().iter().map(|group| {
+                    let minimum = group.motion.engagements.first().and_then(|first| group.motion.least(first));
+                    minimum.map_or(f64::NAN, |minimum| minimum.time / group.greatest_scale())
                 });
-                let more = part.unwrap_or(f64::NAN);
+                let least = first.fold(f64::INFINITY, f64::min);
                 Finding::new(
-                    more > 1.0,
-                    format!("{more:.0} rad/s more with four pins, by the printed speeds and a period by steps"),
+                    least >= stated.pick(0.01, 0.1),
+                    format!("the shortest time from rest to the first minimum is {least:.4} s"),
                 )
             }),
         ),
-    ]
+    )
+    .read_as("A timer of milliseconds times less than ten of them; a rise longer than that is not fast enough for it.")
 }
 
-/// The powers of the mean speed that are the greatest, by their size, of all runs: to torque, friction, driver's and
-/// follower's inertia.
-fn sensitivities() -> [f64; 4] {
-    let of = |row: &Row| Sensitivities::new(&Hypothesis::TRUE.parameters(row)?).ok();
-    let further = |worst: f64, power: f64| if power.abs() > worst.abs() || power.is_nan() { power } else { worst };
-    rows().iter().fold([0.0; 4], |worst, row| {
-        let powers =
-            of(row).map_or([f64::NAN; 4], |of| [of.torque, of.friction, of.driver_inertia, of.follower_inertia]);
-        std::array::from_fn(|at| further(worst[at], powers[at]))
+fn spring_rates() -> Claim {
+    spring::no_rate(
+        "meyer.recommendation.spring-rates",
+        "Recommendation 2",
+        "the strength of the spring is a rate, a torque for each radian that it turns",
+        "spring rates",
+        "torques of the spring",
+    )
+}
+
+fn cyclic_oscillations() -> Claim {
+    Claim::statement(
+        WORK,
+        "meyer.cyclic-oscillations",
+        "Recommendation 2",
+        "a strong spring makes the peak of the driver's speed swing from cycle to cycle",
+        "significant cyclic oscillations in the magnitude of the peak velocity",
+        Check::corrected_statement(
+            (Integration, |stated| {
+                // The motion of the mechanism, looked at as often as lines are printed, or a hundred times as often.
+                let interval = runs::interval() * stated.pick(1.0, 0.01);
+                swinging(&|row| {
+                    let of = with(row, EXCESSIVE, 1.0)?;
+                    let lines = of.run(interval, runs::duration()).ok()?;
+                    Some(lines.iter().map(|line| (line.engagement, line.speed)).collect())
+                })
+            }),
+            (Steps, |stated| {
+                // The program with its reset angle, its lagged sign and its own π, printing as often.
+                let interval = runs::interval() * stated.pick(1.0, 0.01);
+                swinging(&|row| {
+                    let of = with(row, EXCESSIVE, 1.0)?;
+                    let slots = f64::from(of.parameters().slots().count());
+                    let program = Program {
+                        fold: Hypothesis::BEST.angle(row.mechanism),
+                        ratio: 1.0 / libm::sin(printed("meyer.listing.pi") / slots),
+                        contact: Contact::Delayed(runs::delay()),
+                        ..Program::of(of.parameters())
+                    };
+                    let integrator = geneva_mimic::Parameters {
+                        at_smallest_step: geneva_mimic::AtSmallestStep::Continue,
+                        ..geneva_mimic::Parameters::new(interval, runs::duration())
+                    };
+                    let lines = program.run(&integrator).ok()?.lines;
+                    Some(lines.iter().map(|line| ((line.turned / program.fold) as usize, line.speed)).collect())
+                })
+            }),
+        ),
+    )
+    .read_as(
+        "Excessively high: ten times the greatest torque that the tables have for a mechanism and a friction. \
+         Significant: one unit of the tables' peaks, 1 rad/s, or more between the greatest and the least peak once \
+         the rise is over.",
+    )
+    .expecting(Verdict::Corrected)
+    .with_erratum(Erratum {
+        corrected: "significant cyclic oscillations in the magnitude of the greatest printed velocity of each \
+                    cycle, not of the peak velocity",
+        slip: SAMPLED_PEAKS,
     })
 }
 
-/// Whether peaks that spread so much differ in a printed digit: by a unit of the last place, at the strongest spring.
-fn is_seen(spread: f64) -> bool {
-    let peak = row(Mechanism::FourPin, ".20", ".14").map_or(f64::NAN, |row| row.number(Column::Peak));
-    spread * peak >= 1.0
+fn better_average() -> Claim {
+    Claim::statement(
+        WORK,
+        "meyer.better-average",
+        "Recommendation 7",
+        "the average should follow from the time of a revolution, not from peak and minimum",
+        "A more appropriate definition would be based on the time",
+        Check::statement(
+            "the mean of peak and minimum is as appropriate",
+            (Integration, |stated| {
+                let off = steady().iter().filter_map(|(row, state)| {
+                    let average = stated.pick(state.mean_speed, state.mean_of_extremes());
+                    // A whole revolution, pin after pin, from the steady speed of entry.
+                    let (of, mut speed, mut time) = (Hypothesis::TRUE.engagement(row)?, state.entry_speed, 0.0);
+                    for _ in 0..row.mechanism.pins() {
+                        let passage = of.passage(speed).ok()?;
+                        (speed, time) = (passage.end_speed(), time + passage.duration());
+                    }
+                    Some(2.0 * PI / average / time - 1.0)
+                });
+                tells_the_time(&off.collect::<Vec<_>>(), rows().len())
+            }),
+            (Steps, |stated| {
+                let off = groups().iter().filter_map(|group| {
+                    let (motion, steady) = (&group.motion, group.motion.steady()?);
+                    let fold = motion.angles.last()? - motion.angles.first()?;
+                    let peak = motion.greatest(steady, |_, speed| speed).value;
+                    let middle = f64::midpoint(peak, motion.least(steady)?.value);
+                    let average = stated.pick(fold / steady.duration(), middle);
+                    // The engagement before.
+                    let before = motion.engagements.iter().rev().nth(1)?;
+                    Some(fold / average / before.duration() - 1.0)
+                });
+                tells_the_time(&off.collect::<Vec<_>>(), groups().len())
+            }),
+        ),
+    )
+    .read_as(
+        "An average is appropriate if angle over average gives the time of a revolution, or of the part of one \
+         between two pins, to a second a day.",
+    )
 }
 
-fn true_peaks() -> Vec<f64> {
-    let rise = strong().and_then(|of| of.rise(1e-9).ok());
-    rise.map_or_else(Vec::new, |rise| rise.cycles.iter().skip(3).map(|cycle| cycle.peak.speed).collect())
+/// Whether times by an average are right to a second a day, from the relative differences.
+fn tells_the_time(off: &[f64], count: usize) -> Finding {
+    let (least, most) = off.iter().fold((f64::INFINITY, 0.0_f64), |(a, b), off| (a.min(off.abs()), b.max(off.abs())));
+    Finding::new(
+        off.len() == count && most < SECOND_A_DAY,
+        format!("of {count}, the time by the average is wrong by {:.4} to {:.4} per cent", 100.0 * least, 100.0 * most),
+    )
 }
 
-fn seen_peaks(torque: &str, part: f64) -> Vec<f64> {
-    let interval = runs::interval() * part;
-    let run = engagement(Mechanism::FourPin, ".20", torque).and_then(|of| of.run(interval, runs::duration()).ok());
-    let lines = run.unwrap_or_default();
-    // The last engagement may be cut short.
-    let last = lines.last().map_or(0, |line| line.engagement);
-    let largest = |number: usize| {
-        lines.iter().filter(|line| line.engagement == number).map(|line| line.speed).fold(0.0, f64::max)
-    };
-    (2..last).map(largest).collect()
-}
+/// By how much a torque exceeds the greatest of the tables.
+const EXCESSIVE: f64 = 10.0;
 
-fn stepped_peaks(part: f64) -> Vec<f64> {
-    let interval = runs::interval() * part;
-    let program = strong().map(|of| Program::of(of.parameters()));
-    let integrator = geneva_mimic::Parameters {
-        relative_tolerance: 1e-7,
-        ..geneva_mimic::Parameters::new(interval, runs::duration())
-    };
-    let Some((program, run)) = program.and_then(|program| Some((program, program.run(&integrator).ok()?))) else {
-        return Vec::new();
-    };
-    let number = |turned: f64| (turned / program.fold).floor() as usize;
-    let last = run.lines.last().map_or(0, |line| number(line.turned));
-    let largest = |engagement: usize| {
-        let own = run.lines.iter().filter(|line| number(line.turned) == engagement);
-        own.map(|line| line.speed).fold(0.0, f64::max)
-    };
-    (2..last).map(largest).collect()
+/// Engagements by which a rise is over.
+const RISEN: usize = 8;
+
+/// The engagements and speeds of a run's lines.
+type Lines = Vec<(usize, f64)>;
+
+/// Whether the greatest speeds on the lines of successive engagements differ by a unit of the tables or more, in all
+/// groups of runs, each with an excessive torque.
+fn swinging(lines: &dyn Fn(&Row) -> Option<Lines>) -> Finding {
+    let swings = series().filter_map(|own| {
+        let lines = lines(own.last()?)?;
+        // The last engagement may be cut short.
+        let last = lines.last()?.0;
+        let mut peaks = vec![0.0_f64; last];
+        for (engagement, speed) in lines.into_iter().filter(|(engagement, _)| *engagement < last) {
+            peaks[engagement] = peaks[engagement].max(speed);
+        }
+        let steady = peaks.get(RISEN..)?;
+        let least = steady.iter().copied().fold(f64::INFINITY, f64::min);
+        Some(steady.iter().copied().fold(0.0, f64::max) - least)
+    });
+    let swings: Vec<f64> = swings.collect();
+    let [least, most] =
+        swings.iter().fold([f64::INFINITY, 0.0_f64], |[low, high], swing| [low.min(*swing), high.max(*swing)]);
+    Finding::new(
+        swings.len() == series().count() && least >= 1.0,
+        format!(
+            "from line to line the peaks differ by {least:.2} to {most:.2} rad/s in {} groups of runs",
+            swings.len()
+        ),
+    )
 }

@@ -37,18 +37,6 @@ pub const SPRING_RATE: Slip = Slip {
     changes: "",
 };
 
-/// φ has become θ, and in two places I_f has become I_P: the follower's letters.
-pub const FOLLOWER_LETTERS: Slip = Slip {
-    id: "meyer.moments",
-    reason: "The follower has the inertia I_f and the angle φ. The display that follows each of these places has its \
-             letters right, so the copy has changed them: φ is read as θ, and the index f as P.",
-    witness: "The corrected characters, read and evaluated, agree with Newton's laws for the two members; the printed \
-              ones do not.",
-    origin: Origin::Copy,
-    consequence: Consequence::Copy,
-    changes: "",
-};
-
 /// 3/2 for other half powers.
 pub const HALF_POWERS: Slip = Slip {
     id: "meyer.normal-force.substituted",
@@ -149,4 +137,45 @@ pub const NO_SINGULARITY: Slip = Slip {
     consequence: Consequence::Conclusion,
     changes: "The friction has a limit, which depends on the mechanism and on the ratio of the inertias; the thesis has \
               none.",
+};
+
+/// The greatest printed speed is taken for the greatest.
+pub const SAMPLED_PEAKS: Slip = Slip {
+    id: "meyer.cyclic-oscillations",
+    reason: "The lines of a run are a print interval apart, and the peak falls between them, now nearer to one, now \
+             farther. The stronger the spring, the shorter the peak and the more is missed. The peaks of the steady motion \
+             themselves are equal, and grow as the root of the torque.",
+    witness: "The program with all its particulars, printing far more often, shows equal peaks.",
+    origin: Origin::Concept,
+    consequence: Consequence::Result,
+    changes: "There is nothing in the mechanism to investigate: closer lines make the oscillations disappear. Printed \
+              peaks are too small where the peak is short.",
+};
+
+/// A pin is said to have to enter along the slot, so that only three mechanisms are left.
+pub const ENTRY_ALONG_THE_SLOT: Slip = Slip {
+    id: "meyer.along-the-slot",
+    reason: "A pin strikes the slot's wall if the two have different velocities across the slot. So the pin must move \
+             along the slot if the follower is at rest; if the follower turns it must not. The velocity ratio is an \
+             even function of the driver's angle: the leaving and the entering pin ask the follower for one speed, \
+             whatever the numbers of pins and slots, and nothing strikes. Five pins and five slots, with the axes a \
+             golden ratio of the pins' radius apart, do so while the follower never stops. Eq. (1-3) tells which \
+             mechanisms have the follower at rest at each hand-over: those are the three.",
+    witness: "Pins and slots by coordinates, and the motion of the other pairs in steps, with friction: it reaches a \
+              terminal velocity.",
+    origin: Origin::Concept,
+    consequence: Consequence::Conclusion,
+    changes: "The choice is not of three mechanisms: in many others one pin takes over from the next without a blow.",
+};
+
+/// The follower's angle φ has become the driver's angle θ.
+pub const PHI_AS_THETA: Slip = Slip {
+    id: "meyer.cosine-substituted",
+    reason: "The follower's angle φ must stand where the copy has the driver's angle θ; in the two equations of moments \
+             the index of I_f has become a P as well. Counted as a slip of the copy, because the displays around each \
+             place have φ, and I_f.",
+    witness: "Angles, lengths and accelerations measured between axes and pin, at instants of all three escapements.",
+    origin: Origin::Copy,
+    consequence: Consequence::Copy,
+    changes: "",
 };

@@ -1,16 +1,16 @@
 //! What the problem gives: the data, and how far apart the axes must be.
 
 use super::*;
-use crate::{Check, Consequence, Erratum, Origin, Slip, Verdict};
-use geneva_kinematics::pin_proofs::{StandstillOfFourSlots, four_slot_entry_misfit};
+use geneva_kinematics::pin_proofs::four_slot_entry_misfit;
 use geneva_kinematics::pin_slot::velocity_ratio;
-use geneva_kinematics::{Field, Rational, Surd, prove, rational};
+use geneva_kinematics::{Field, Rational, Surd, rational};
 
 const STATEMENT: &str = "Problem, 1st paragraph";
 const QUESTION: &str = "Problem, 2nd paragraph";
 
 pub fn claims() -> Vec<Claim> {
     vec![
+        signs::letter_v(),
         Claim::value(
             WORK,
             "pin.driver-speed",
@@ -28,11 +28,22 @@ pub fn claims() -> Vec<Claim> {
             STATEMENT,
             "a four-slot wheel stands still as the pin enters and leaves a slot if l is √2 R",
             "four slots",
-            Check::equation(
-                (ExactIdentity, only_the_root_of_two),
-                (Jet, || {
-                    let wheel = entry_of_a_wheel_in_quarters();
-                    Finding::new(wheel == Some(true), "power series at β = ±45° with √2 exact: ω_S is zero at both")
+            Check::statement(
+                "six slots, with the same distance",
+                (ClosedForm, |stated| {
+                    // tan² of the half pitch angle: 45° or 30°.
+                    let (needed, found) = (stated.pick(rational(1, 1), rational(1, 3)), slot_at_standstill(2));
+                    Finding::new(
+                        found == needed,
+                        format!("the wheel stands still where tan² β is {found}; the pin enters where it is {needed}"),
+                    )
+                }),
+                (Jet, |stated| {
+                    let speeds = stated.pick(speeds_of_four(), speeds_of_six());
+                    let still =
+                        speeds.as_ref().is_some_and(|speeds| speeds.iter().all(|speed| *speed == Roots::integer(0)));
+                    let which = if still { "zero at both, exactly" } else { "not zero" };
+                    Finding::new(still, format!("power series at entry and exit, with √2 exact: ω_S is {which}"))
                 }),
             ),
         ),
@@ -54,10 +65,10 @@ pub fn claims() -> Vec<Claim> {
                 }),
                 || Finding::new(is_root_of_two_exact(), "exactly on its circle if l/R is √2"),
                 (OtherPlaceInSource, || {
-                    let found = ratio_from_printed_radius();
+                    let [least, most] = ratio_from_printed_radius();
                     Finding::new(
-                        found.0 <= 2f64.sqrt() && 2f64.sqrt() <= found.1,
-                        format!("the printed r² wants l/R between {:.4} and {:.4}", found.0, found.1),
+                        (least..most).contains(&2f64.sqrt()),
+                        format!("the printed r² wants l/R between {least:.4} and {most:.4}"),
                     )
                 }),
             ),
@@ -67,8 +78,10 @@ pub fn claims() -> Vec<Claim> {
             corrected: r"l=\sqrt{2} R",
             slip: Slip {
                 id: "",
-                reason: "The root sign came out of the copy as the digit one, and its bar over the two.",
-                witness: "The printed value of r² leads back to l/R = √2 within its digits, and to no other reading.",
+                reason: "A digit one and a bar over the two stand where a root sign is needed. The copy has lost signs \
+                         in other places too, so this is put down to the copy.",
+                witness: "The printed value of r² leads back to l/R = √2 within its digits, and to neither reading \
+                          of the printed characters.",
                 origin: Origin::Copy,
                 consequence: Consequence::Copy,
                 changes: "",
@@ -85,39 +98,7 @@ pub fn claims() -> Vec<Claim> {
                 (OtherPlaceInSource, || 90.0 + printed("pin.pin-velocity-direction")),
             ),
         ),
-        Claim::statement(
-            WORK,
-            "pin.letter-f",
-            QUESTION,
-            "the letter f names the crank angle",
-            "f",
-            Check::corrected_equation(
-                (OtherPlaceInSource, || {
-                    Finding::new(
-                        symbols::is_unambiguous("f"),
-                        "the letter f stands for the crank angle and for an arrow",
-                    )
-                }),
-                || Finding::new(symbols::ours_are_unambiguous(), "each of the book's symbols stands for one thing"),
-                (OtherPlaceInSource, || {
-                    let (angle, behind) = (printed("pin.crank-angle"), printed("pin.slot-point-velocity-direction"));
-                    Finding::new(angle != behind, format!("f is {angle}° here and stands before {behind}° there"))
-                }),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: "φ",
-            slip: Slip {
-                id: "",
-                reason: "Greek letters and arrows came out of the copy as Latin letters: f for φ, and f for an arrow \
-                    as well.",
-                witness: "The angle printed behind the second f is another one.",
-                origin: Origin::Copy,
-                consequence: Consequence::Copy,
-                changes: "",
-            },
-        }),
+        signs::letter_f(),
     ]
 }
 
@@ -127,42 +108,57 @@ fn ratio_at_the_instant() -> f64 {
     velocity_ratio(&std::f64::consts::SQRT_2, &crank.supplement())
 }
 
-fn only_the_root_of_two() -> Finding {
-    match prove(&StandstillOfFourSlots) {
-        Ok(proof) => {
-            Finding::new(is_root_of_two_exact(), format!("(k² − 1)(k² − 2) = 0: {proof}; k = 1 is no mechanism"))
-        }
-        refuted => refuted.into(),
-    }
-}
-
 type WithTwo = Surd<Rational, 2>;
 
 fn is_root_of_two_exact() -> bool {
     four_slot_entry_misfit(&WithTwo::root()) == WithTwo::integer(0)
 }
 
-/// Whether the wheel stands still at β = ±45°, where θ is ±45° too, by the pin's place differentiated over √2.
-fn entry_of_a_wheel_in_quarters() -> Option<bool> {
-    let half_root = WithTwo::root() / WithTwo::integer(2);
-    let (one, root) = (WithTwo::integer(1), WithTwo::root());
-    let enters = Turn { cos: -half_root.clone(), sin: half_root };
-    let mut still = true;
-    for crank in [enters.clone(), enters.reversed()] {
-        let motion = pin_vectors::solve(&one, &root, &crank, &one)?;
-        let on_the_diagonal = motion.position.x.clone() * motion.position.x.clone()
-            == motion.position.y.clone() * motion.position.y.clone();
-        still &= on_the_diagonal && motion.follower_speed == WithTwo::integer(0);
-    }
-    Some(still)
+/// tan² of the angle of the slot at which the wheel stands still, for l² over R²: where the pin moves along the slot,
+/// and so cos θ = R / l.
+fn slot_at_standstill(square: i64) -> Rational {
+    let (square, one) = (rational(square, 1), rational(1, 1));
+    let cosine_squared = one.clone() / square.clone();
+    // (l − R cos θ)², in squared crank radii.
+    let along_squared = square - rational(2, 1) + cosine_squared.clone();
+    (one - cosine_squared) / along_squared
+}
+
+type Roots = Surd<WithTwo, 3>;
+
+/// One half, √2 and √3.
+fn roots() -> [Roots; 3] {
+    [Roots::integer(1) / Roots::integer(2), Roots::from_plain(WithTwo::root()), Roots::root()]
+}
+
+/// The wheel's speed where its slots are at ±45°; OP is then R.
+fn speeds_of_four() -> Option<[Roots; 2]> {
+    let [half, two, _] = roots();
+    speeds_at(&Roots::integer(1), &Turn { cos: two.clone() * half.clone(), sin: two * half })
+}
+
+/// The wheel's speed where its slots are at ±30° and the pin in them is nearer to O.
+fn speeds_of_six() -> Option<[Roots; 2]> {
+    let [half, two, three] = roots();
+    let radius = (three.clone() - Roots::integer(1)) * two * half.clone();
+    speeds_at(&radius, &Turn { cos: three * half.clone(), sin: half })
+}
+
+/// The wheel's speed with the pin at this distance from O in slots at this angle and at the opposite one, by the pin's
+/// place differentiated, for l = √2 R. `None` if that is not on the pin's circle.
+fn speeds_at(radius: &Roots, slot: &Turn<Roots>) -> Option<[Roots; 2]> {
+    let [_, root, _] = roots();
+    let speed = |slot: &Turn<Roots>| {
+        let (cos, sin) = (slot.cos.clone() * radius.clone() - root.clone(), slot.sin.clone() * radius.clone());
+        let on_the_circle = cos.clone() * cos.clone() + sin.clone() * sin.clone() == Roots::integer(1);
+        let motion = pin_vectors::solve(&Roots::integer(1), &root, &Turn { cos, sin }, &Roots::integer(1))?;
+        on_the_circle.then_some(motion.follower_speed)
+    };
+    Some([speed(slot)?, speed(&slot.reversed())?])
 }
 
 /// The interval of l/R that the printed digits of r² allow: k² − 2 k cos θ + 1 = r²/R² solved for the larger k.
-fn ratio_from_printed_radius() -> (f64, f64) {
+fn ratio_from_printed_radius() -> [f64; 2] {
     let cosine = Turn::from_degrees(printed("pin.angle-at-driver")).cos;
-    let half_unit =
-        decimal("pin.radius-squared").map_or(f64::NAN, |decimal| decimal.unit_in_last_place().approximate() / 2.0);
-    let ratio = |square: f64| cosine + (square - 1.0 + cosine * cosine).sqrt();
-    let square = printed("pin.radius-squared");
-    (ratio(square - half_unit), ratio(square + half_unit))
+    interval("pin.radius-squared").map(|square| cosine + (square - 1.0 + cosine * cosine).sqrt())
 }

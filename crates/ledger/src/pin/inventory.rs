@@ -19,19 +19,21 @@ pub const INVENTORY: &[Line] = &[
                 numbers: "",
                 reason: "a datum: reversed, it would reverse every velocity and leave every printed number as it is",
             },
+            Claim("pin.letter-v"),
             Claim("pin.driver-speed"),
             Exception {
                 id: "pin.layout",
                 numbers: "",
-                reason: "says which part carries the pin and which the slots: the definition that every computation uses",
+                reason: "says which part carries the pin and which the slots: the definition that every computation \
+                         uses",
             },
             Claim("pin.standstill"),
             Claim("pin.centre-distance"),
             Exception {
                 id: "pin.problem-figure",
                 numbers: "",
-                reason: "the problem's figure is not in the copy; the crank radius, which it must have shown, stands in \
-                         the solution",
+                reason: "the problem's figure is not in the copy; the crank radius, which it must have shown, stands \
+                         in the solution",
             },
         ],
     },
@@ -53,6 +55,7 @@ pub const INVENTORY: &[Line] = &[
         fingerprint: 0x455e_c518_1814_56c1,
         entries: &[
             Claim("pin.position-figure"),
+            Again("pin.letter-f"),
             Again("pin.crank-angle"),
             Exception {
                 id: "pin.triangle-drawings",
@@ -75,7 +78,12 @@ pub const INVENTORY: &[Line] = &[
     Line {
         number: 5,
         fingerprint: 0x1068_5e86_e36e_64bc,
-        entries: &[Claim("pin.law-of-sines"), Claim("pin.sine-at-pivot"), Claim("pin.angle-at-pivot")],
+        entries: &[
+            Claim("pin.letter-b"),
+            Claim("pin.law-of-sines"),
+            Claim("pin.sine-at-pivot"),
+            Claim("pin.angle-at-pivot"),
+        ],
     },
     Line {
         number: 6,
@@ -109,6 +117,7 @@ pub const INVENTORY: &[Line] = &[
         number: 8,
         fingerprint: 0x551c_428f_5e53_8fc1,
         entries: &[
+            Claim("pin.letter-g"),
             Claim("pin.velocity-angle-equation"),
             Again("pin.angle-at-pivot"),
             Again("pin.angle-at-driver"),
@@ -134,7 +143,9 @@ pub const INVENTORY: &[Line] = &[
                 reason: "the copy prints the left side of this equation twice; the repetition says nothing new",
             },
             Claim("pin.sliding-speed"),
+            Again("pin.mark-d"),
             Claim("pin.sliding-velocity-direction"),
+            Again("pin.across-the-slot"),
         ],
     },
     Line {

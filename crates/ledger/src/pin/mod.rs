@@ -3,22 +3,26 @@
 //! The claims stand in the order of the source, a file for each stage: what is given, the position triangle, the
 //! velocity triangle. The instant itself, from the printed data, is [`Instant`].
 
+mod directions;
 mod given;
 mod inventory;
 mod position;
+mod signs;
 mod symbols;
 mod velocity;
 
 pub use inventory::INVENTORY;
 pub use symbols::SYMBOLS;
 
-use crate::checks::{decimal, printed, rounds, same};
-use crate::{Claim, Evidence, Finding, Work};
+use crate::checks::{coincide, interval, meets, printed, rounds, same, vanishes};
+use crate::duals::{Crank, path, turned};
+use crate::{Check, Claim, Consequence, Dimension, Erratum, Evidence, Finding, Origin, Slip, Stated, Verdict, Work};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::PinSlot;
 use geneva_kinematics::pin_triangle::{self, TriangleSolution};
 use geneva_kinematics::pin_vectors::{self, PinMotion};
 use geneva_kinematics::wheel::{Wheel, WheelError};
+use nalgebra::Vector2;
 
 const WORK: Work = Work::Pin;
 
@@ -56,6 +60,22 @@ impl Instant {
         let (radius, distance) = (self.mechanism.crank_radius(), self.mechanism.centre_distance());
         pin_vectors::solve(&radius, &distance, &self.crank, &self.driver_speed)
     }
+
+    /// A third route, for witnesses: dual numbers.
+    fn by_duals(&self) -> Crank {
+        Crank {
+            ground: self.mechanism.centre_distance(),
+            radius: self.mechanism.crank_radius(),
+            angle: self.crank.radians(),
+            speed: self.driver_speed,
+            acceleration: 0.0,
+        }
+    }
+
+    /// The driver's axis B; the origin is the follower's pivot O.
+    fn axis(&self) -> Vector2<f64> {
+        Vector2::new(self.mechanism.centre_distance(), 0.0)
+    }
 }
 
 /// All claims of the problem, in the order of the source.
@@ -73,9 +93,26 @@ fn vectors(quantity: fn(&PinMotion<f64>) -> f64) -> f64 {
     Instant::printed().ok().and_then(|instant| instant.by_vectors()).map_or(f64::NAN, |motion| quantity(&motion))
 }
 
+/// What is found at the printed instant, from the mechanism and its motion by vectors.
+fn at_the_instant(find: impl Fn(&Instant, &PinMotion<f64>) -> Finding) -> Finding {
+    let found = Instant::printed().ok().and_then(|instant| Some(find(&instant, &instant.by_vectors()?)));
+    found.unwrap_or_else(|| Finding::new(false, "no such position"))
+}
+
+/// What is found at the printed instant from where the pin is, by dual numbers.
+fn from_duals(find: impl Fn(&Crank) -> Finding) -> Finding {
+    let found = Instant::printed().map(|instant| find(&instant.by_duals()));
+    found.unwrap_or_else(|_| Finding::new(false, "no such position"))
+}
+
+/// The direction of a vector in degrees, counter-clockwise from the right, from 0° to 360°.
+fn heading(vector: &Vector2<f64>) -> f64 {
+    Turn { cos: vector.x, sin: vector.y }.degrees().rem_euclid(360.0)
+}
+
 /// The sine of an angle in degrees.
 fn sine(degrees: f64) -> f64 {
     Turn::from_degrees(degrees).sin
 }
 
-use Evidence::{ClosedForm, ExactIdentity, Jet, OtherPlaceInSource, Vectors};
+use Evidence::{AutomaticDerivative, ClosedForm, ExactIdentity, Jet, OtherPlaceInSource, Vectors};

@@ -1,10 +1,8 @@
 //! The position triangle OPB: law of cosines, law of sines.
 
 use super::*;
-use crate::Check;
 use geneva_kinematics::pin_proofs::{LawOfCosines, LawOfSines};
 use geneva_kinematics::prove;
-use nalgebra::Vector2;
 
 const COSINES: &str = "Solution, law of cosines";
 const SINES: &str = "Solution, law of sines";
@@ -17,15 +15,35 @@ pub fn claims() -> Vec<Claim> {
             "Solution, 1st sentence",
             "triangle OPB is the position at the given crank angle",
             "OPB",
-            Check::equation(
-                (Vectors, || {
+            Check::statement(
+                "it is the position at a crank angle of 30°",
+                (Vectors, |stated| {
                     // The corner P from the triangle's own side and angle at O, against the crank's end.
                     let radius = triangle(|t| t.slot_radius);
                     let corner = Turn::from_radians(triangle(|t| t.angle_at_pivot)).direction() * radius;
-                    let gap = (corner - Vector2::new(vectors(|m| m.position.x), vectors(|m| m.position.y))).norm();
-                    Finding::new(gap <= 1e-12 * radius, format!("the triangle closes to {gap:.0e} mm"))
+                    let crank = stated.pick(printed("pin.crank-angle"), printed("pin.angle-at-driver"));
+                    at_the_instant(|instant, _| {
+                        let end = Turn::from_degrees(crank).direction() * instant.mechanism.crank_radius();
+                        let gap = (corner - instant.axis() - end).norm();
+                        Finding::new(
+                            vanishes(gap / radius),
+                            format!("with the crank at {crank}° its end is {gap:.1} mm from the corner P"),
+                        )
+                    })
                 }),
-                (ClosedForm, || same(vectors(|motion| motion.position.norm()), triangle(|t| t.slot_radius))),
+                (OtherPlaceInSource, |stated| {
+                    // The angle at B from the three sides, by the digits of the printed r.
+                    let (radius, distance) = (printed("pin.crank-radius"), printed("pin.crank-radius") * 2f64.sqrt());
+                    let [least, most] = interval("pin.radius").map(|side| {
+                        let cosine = (radius * radius + distance * distance - side * side) / (2.0 * radius * distance);
+                        libm::acos(cosine).to_degrees()
+                    });
+                    let crank = stated.pick(printed("pin.crank-angle"), printed("pin.angle-at-driver"));
+                    Finding::new(
+                        (least..most).contains(&(180.0 - crank)),
+                        format!("the printed r wants a crank angle of {:.1}° to {:.1}°", 180.0 - most, 180.0 - least),
+                    )
+                }),
             ),
         ),
         Claim::equation(
@@ -36,7 +54,15 @@ pub fn claims() -> Vec<Claim> {
             r"r^{2}=R^{2}+l^{2}-2 R l \cos \ldots",
             Check::equation(
                 (ExactIdentity, || prove(&LawOfCosines).into()),
-                (Vectors, || same(triangle(|t| t.slot_radius), vectors(|motion| motion.position.norm()))),
+                (Vectors, || {
+                    at_the_instant(|instant, motion| {
+                        let (radius, distance) =
+                            (instant.mechanism.crank_radius(), instant.mechanism.centre_distance());
+                        let cosine = Turn::from_degrees(printed("pin.angle-at-driver")).cos;
+                        let square = radius * radius + distance * distance - 2.0 * radius * distance * cosine;
+                        same(motion.position.norm_squared(), square)
+                    })
+                }),
             ),
         ),
         Claim::value(
@@ -93,6 +119,7 @@ pub fn claims() -> Vec<Claim> {
                 || printed("pin.radius-ratio") * printed("pin.crank-radius"),
             ),
         ),
+        signs::letter_b(),
         Claim::equation(
             WORK,
             "pin.law-of-sines",
@@ -111,9 +138,15 @@ pub fn claims() -> Vec<Claim> {
             "sine of the angle at O, from the rounded r/R",
             r"\sin b=\frac{\sin 30^{\circ}}{0.742}",
             // An equation with a rounded number in it holds if the number is a rounding of what would make it exact.
-            Check::equation(
-                (ClosedForm, || makes_exact(triangle(|t| t.sine_at_pivot))),
-                (Vectors, || makes_exact(vectors(|motion| motion.position.normalize().y))),
+            Check::statement(
+                "the same with one more in the last place of the denominator",
+                (Vectors, |stated| makes_exact(vectors(|motion| motion.position.normalize().y), stated)),
+                (ClosedForm, |stated| {
+                    // The angle at O from the three sides, with r² = (3 − √6) R² and l² = 2 R².
+                    let square = 3.0 - 6f64.sqrt();
+                    let cosine = (1.0 + square) / (2.0 * (2.0 * square).sqrt());
+                    makes_exact((1.0 - cosine * cosine).sqrt(), stated)
+                }),
             ),
         ),
         Claim::value(
@@ -134,8 +167,10 @@ pub fn claims() -> Vec<Claim> {
     ]
 }
 
-/// Whether the printed r/R is a rounding of the denominator that makes sin β exact.
-fn makes_exact(sine_at_pivot: f64) -> Finding {
+/// Whether the printed r/R is a rounding of the denominator that makes sin β exact; or the number next to it.
+fn makes_exact(sine_at_pivot: f64, stated: Stated) -> Finding {
     let exact = sine(printed("pin.angle-at-driver")) / sine_at_pivot;
-    Finding::new(rounds("pin.radius-ratio", exact), format!("exact with {exact} in the denominator"))
+    let [least, most] = interval("pin.radius-ratio");
+    let shift = stated.pick(0.0, most - least);
+    Finding::new((least + shift..most + shift).contains(&exact), format!("exact with {exact:.6} in the denominator"))
 }

@@ -16,12 +16,14 @@ pub const SYMBOLS: &[Symbol] = &[
     Symbol { printed: r"1 \overline{2}", ours: r"\sqrt{2}", meaning: "a root" },
 ];
 
-/// Whether a letter of the source stands for one thing only.
-pub fn is_unambiguous(letter: &str) -> bool {
-    SYMBOLS.iter().filter(|symbol| symbol.printed == letter).count() == 1
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-/// Whether each of the book's symbols stands for one thing only.
-pub fn ours_are_unambiguous() -> bool {
-    SYMBOLS.iter().all(|symbol| SYMBOLS.iter().filter(|other| other.ours == symbol.ours).count() == 1)
+    #[test]
+    fn each_symbol_of_the_book_stands_for_one_thing() {
+        for symbol in SYMBOLS {
+            assert_eq!(SYMBOLS.iter().filter(|other| other.ours == symbol.ours).count(), 1, "{}", symbol.ours);
+        }
+    }
 }

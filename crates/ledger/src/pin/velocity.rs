@@ -1,8 +1,9 @@
 //! The velocity triangle: v_P = v_P′ + v_{P/S}.
 
+use super::signs::{GREEK, dimension};
 use super::*;
-use crate::{Check, Consequence, Dimension, Erratum, Origin, Slip, Verdict};
-use geneva_kinematics::pin_proofs::{PinSpeed, SlidesAlongTheSlot, SlidingSpeed, SlotPointMovesAcross, SlotPointSpeed};
+use geneva_kinematics::pin_proofs::{PinSpeed, SlidesAlongTheSlot, SlidingSpeed, SlotPointSpeed};
+use geneva_kinematics::pin_vectors::quarter_turn;
 use geneva_kinematics::prove;
 use nalgebra::Vector2;
 
@@ -25,15 +26,18 @@ fn pin_speed() -> Vec<Claim> {
             "speed of the pin on its circle",
             r"v_{P}=R \mathrm{v}_{D}",
             Check::corrected_equation(
-                (Evidence::Dimension, || dimensions(Dimension::SPEED)),
+                (Evidence::Dimension, || a_length_times_a_speed("pin.crank-radius")),
                 || prove(&PinSpeed).into(),
-                (Jet, || {
-                    same(vectors(|m| m.pin_velocity.norm()), printed("pin.crank-radius") * printed("pin.driver-speed"))
+                (AutomaticDerivative, || {
+                    from_duals(|crank| {
+                        let speed = printed("pin.crank-radius") * printed("pin.driver-speed");
+                        meets(crank.pin_motion()[1].norm(), speed)
+                    })
                 }),
             ),
         )
         .expecting(Verdict::Corrected)
-        .with_erratum(LETTER_V),
+        .with_erratum(Erratum { corrected: r"v_{P}=R \omega_{D}", slip: GREEK }),
         Claim::value(
             WORK,
             "pin.crank-radius",
@@ -67,20 +71,7 @@ fn pin_speed() -> Vec<Claim> {
                 (Jet, || vectors(|motion| from_horizontal(&motion.pin_velocity))),
             ),
         ),
-        Claim::statement(
-            WORK,
-            "pin.mark-d",
-            PIN,
-            "the velocity of the pin and its sliding velocity bear the same arrow",
-            "d",
-            Check::equation(
-                (Jet, same_quadrant),
-                (ClosedForm, || {
-                    let angle = triangle(|t| t.velocity_angle).to_degrees();
-                    Finding::new((0.0..90.0).contains(&angle), format!("the two are {angle:.1}° apart"))
-                }),
-            ),
-        ),
+        signs::mark_d(),
     ]
 }
 
@@ -94,60 +85,21 @@ fn triangle_of_velocities() -> Vec<Claim> {
             r"\text{v}_{P}=\text{v}_{P'}+\text{v}_{P/S}",
             Check::equation(
                 (ExactIdentity, || prove(&SlidesAlongTheSlot).into()),
-                (ClosedForm, || {
-                    let by_sides = triangle(|t| libm::hypot(t.slot_point_speed, t.sliding_speed));
-                    same(by_sides, vectors(|motion| motion.pin_velocity.norm()))
+                (AutomaticDerivative, || {
+                    from_duals(|crank| {
+                        let [[distance, sliding, _], [slot, turning, _]] = crank.polar();
+                        let along = Turn::from_radians(slot).direction();
+                        let sum = quarter_turn(&along) * (distance * turning) + along * sliding;
+                        let [_, pin, _] = crank.pin_motion();
+                        Finding::new(coincide(&pin, &sum), parts(&pin, &sum))
+                    })
                 }),
             ),
         ),
-        Claim::statement(
-            WORK,
-            "pin.across-the-slot",
-            TRIANGLE,
-            "the slot's point under the pin moves across OP",
-            "perpendicular",
-            Check::equation(
-                (ExactIdentity, || prove(&SlotPointMovesAcross).into()),
-                (Jet, || {
-                    let along = vectors(|motion| (motion.pin_velocity - motion.sliding_velocity).dot(&motion.position));
-                    let scale = vectors(|motion| motion.pin_velocity.norm() * motion.position.norm());
-                    same(scale + along, scale)
-                }),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "pin.along-the-slot",
-            TRIANGLE,
-            "the pin moves along the slot as seen from the wheel",
-            "along the slot",
-            Check::equation(
-                (ExactIdentity, || prove(&SlidesAlongTheSlot).into()),
-                (ClosedForm, || {
-                    same(
-                        triangle(|t| t.sliding_speed),
-                        vectors(|motion| -motion.pin_velocity.dot(&motion.position.normalize())),
-                    )
-                }),
-            ),
-        ),
-        Claim::figure(
-            WORK,
-            "pin.velocity-figure",
-            TRIANGLE,
-            "the velocity triangle has its right angle between the velocity of the slot's point and the sliding velocity",
-            "triangle",
-            Check::equation(
-                (Jet, || {
-                    let squares = vectors(|m| m.slot_point_velocity.norm_squared() + m.sliding_velocity.norm_squared());
-                    same(squares, vectors(|m| m.pin_velocity.norm_squared()))
-                }),
-                (ClosedForm, || {
-                    let squares = triangle(|t| libm::hypot(t.slot_point_speed, t.sliding_speed));
-                    same(squares, triangle(|t| t.pin_speed))
-                }),
-            ),
-        ),
+        directions::across_the_slot(),
+        directions::along_the_slot(),
+        directions::velocity_figure(),
+        signs::letter_g(),
         Claim::equation(
             WORK,
             "pin.velocity-angle-equation",
@@ -161,7 +113,14 @@ fn triangle_of_velocities() -> Vec<Claim> {
                         90.0 - triangle(|t| t.angle_at_pivot).to_degrees() - printed("pin.angle-at-driver"),
                     )
                 }),
-                (ExactIdentity, || prove(&SlotPointSpeed).into()),
+                (AutomaticDerivative, || {
+                    from_duals(|crank| {
+                        let [[distance, sliding, _], [slot, turning, _]] = crank.polar();
+                        let angle = libm::atan2((distance * turning).abs(), sliding.abs()).to_degrees();
+                        let triangle = crank.angle.to_degrees() - 180.0 + 90.0 - slot.to_degrees();
+                        meets(angle, triangle)
+                    })
+                }),
             ),
         ),
         Claim::value(
@@ -189,7 +148,12 @@ fn components() -> Vec<Claim> {
             r"v_{P'}=v_{P} \sin g",
             Check::equation(
                 (ExactIdentity, || prove(&SlotPointSpeed).into()),
-                (Jet, || same(triangle(|t| t.slot_point_speed), vectors(|motion| motion.slot_point_velocity.norm()))),
+                (AutomaticDerivative, || {
+                    from_duals(|crank| {
+                        let [[distance, ..], [_, turning, _]] = crank.polar();
+                        meets((distance * turning).abs(), triangle(|t| t.pin_speed * libm::sin(t.velocity_angle)))
+                    })
+                }),
             ),
         ),
         Claim::value(
@@ -205,18 +169,8 @@ fn components() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::FromRounded)
-        .with_erratum(Erratum {
-            corrected: "151.5",
-            slip: Slip {
-                id: "",
-                reason: "Four digits are printed, but they come from an angle rounded to three; the fourth is not \
-                    right.",
-                witness: "The pin's place differentiated, which uses no angle, gives the corrected digits.",
-                origin: Origin::Arithmetic,
-                consequence: Consequence::Result,
-                changes: "",
-            },
-        }),
+        .affected_by(ROUNDED_ANGLE),
+        signs::mark_f(),
         Claim::value(
             WORK,
             "pin.slot-point-velocity-direction",
@@ -228,31 +182,6 @@ fn components() -> Vec<Claim> {
                 (Jet, || vectors(|motion| 90.0 - from_horizontal(&motion.slot_point_velocity))),
             ),
         ),
-        Claim::statement(
-            WORK,
-            "pin.mark-f",
-            COMPONENTS,
-            "the arrow before the angle of the slot point's velocity says what the angle is measured from",
-            "f",
-            Check::corrected_equation(
-                (Jet, || reads_as(from_horizontal, "horizontal")),
-                || reads_as(|velocity| 90.0 - from_horizontal(velocity), "vertical"),
-                (ExactIdentity, || prove(&SlotPointMovesAcross).into()),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: "↘, angle from the vertical",
-            slip: Slip {
-                id: "",
-                reason: "The arrow came out of the copy as the letter f. Read from the horizontal, as with the other \
-                    two velocities, the printed angle is wrong; it is the angle from the vertical.",
-                witness: "The velocity is across the slot, which makes the same angle with the horizontal.",
-                origin: Origin::Copy,
-                consequence: Consequence::Copy,
-                changes: "",
-            },
-        }),
         Claim::equation(
             WORK,
             "pin.sliding-equation",
@@ -261,7 +190,12 @@ fn components() -> Vec<Claim> {
             r"v_{P/S}=v_{P} \cos g",
             Check::equation(
                 (ExactIdentity, || prove(&SlidingSpeed).into()),
-                (Jet, || same(triangle(|t| t.sliding_speed), vectors(|motion| motion.sliding_velocity.norm()))),
+                (AutomaticDerivative, || {
+                    from_duals(|crank| {
+                        let [[_, sliding, _], _] = crank.polar();
+                        meets(sliding.abs(), triangle(|t| t.pin_speed * libm::cos(t.velocity_angle)))
+                    })
+                }),
             ),
         ),
         Claim::value(
@@ -299,13 +233,20 @@ fn wheel() -> Vec<Claim> {
             "speed of the slot's point from the wheel's angular velocity",
             r"v_{P'}=r \mathrm{v}_{S}",
             Check::corrected_equation(
-                (Evidence::Dimension, || dimensions(Dimension::SPEED)),
+                (Evidence::Dimension, || a_length_times_a_speed("pin.radius")),
                 || prove(&SlotPointSpeed).into(),
-                (ClosedForm, || same(triangle(|t| t.slot_point_speed), triangle(|t| t.slot_radius * t.follower_speed))),
+                (AutomaticDerivative, || {
+                    // What the pin's velocity has across the slot, against the distance times the slot's rate.
+                    from_duals(|crank| {
+                        let ([place, velocity, _], [[distance, ..], [_, turning, _]]) =
+                            (crank.pin_motion(), crank.polar());
+                        meets(place.perp(&velocity) / place.norm(), distance * turning)
+                    })
+                }),
             ),
         )
         .expecting(Verdict::Corrected)
-        .with_erratum(Erratum { corrected: r"v_{P'}=r \omega_{S}", ..LETTER_V }),
+        .with_erratum(Erratum { corrected: r"v_{P'}=r \omega_{S}", slip: GREEK }),
         Claim::value(
             WORK,
             "pin.follower-speed",
@@ -325,7 +266,7 @@ fn wheel() -> Vec<Claim> {
             "sense in which the wheel turns, by an arrow",
             "i",
             Check::Missing {
-                reason: "the arrow came out of the copy as the letter i, which does not say which way it pointed; the \
+                reason: "the copy has the letter i for the arrow, which does not say which way it pointed; the \
                          computation says clockwise, against the driver",
             },
         )
@@ -333,23 +274,26 @@ fn wheel() -> Vec<Claim> {
     ]
 }
 
-const LETTER_V: Erratum = Erratum {
-    corrected: r"v_{P}=R \omega_{D}",
-    slip: Slip {
-        id: "pin.pin-speed-equation",
-        reason: "The Greek letter of the angular velocity came out of the copy as v, which makes the sides of the equation \
-             differ in dimension.",
-        witness: "With an angular velocity the equation gives the computed speed.",
-        origin: Origin::Copy,
-        consequence: Consequence::Copy,
-        changes: "",
-    },
+const ROUNDED_ANGLE: Slip = Slip {
+    id: "pin.slot-point-speed",
+    reason: "Four digits are printed, but they come from the sine of an angle rounded to three; the fourth is not \
+             right.",
+    witness: "The pin's place differentiated, which uses no angle, gives the corrected digits.",
+    origin: Origin::Arithmetic,
+    consequence: Consequence::Result,
+    changes: "The fourth digit of this speed; the wheel's angular velocity, computed from it, keeps its three digits.",
 };
 
-/// Whether a length times this has the dimension of a speed.
-fn dimensions(second: Dimension) -> Finding {
-    let product = Dimension::LENGTH * second;
-    Finding::new(product == Dimension::SPEED, format!("{product} stands for {}", Dimension::SPEED))
+/// Whether the length printed in this claim, times what the letter v names with the pin's velocity, is a speed.
+fn a_length_times_a_speed(length: &str) -> Finding {
+    let product = dimension(length).zip(dimension("pin.pin-speed")).map(|(length, speed)| length * speed);
+    let words = product.map_or("unknown".into(), |product| product.to_string());
+    Finding::new(product == Some(Dimension::SPEED), format!("{words} stands for {}", Dimension::SPEED))
+}
+
+/// Two vectors by their components, in the printed unit.
+fn parts(a: &Vector2<f64>, b: &Vector2<f64>) -> String {
+    format!("({:.1}, {:.1}) against ({:.1}, {:.1})", a.x, a.y, b.x, b.y)
 }
 
 /// The acute angle between a direction and the horizontal, in degrees.
@@ -361,24 +305,4 @@ fn from_horizontal(direction: &Vector2<f64>) -> f64 {
 fn angle_to_slot(motion: &PinMotion<f64>) -> f64 {
     let inward = -motion.position;
     Turn { cos: motion.pin_velocity.dot(&inward), sin: motion.pin_velocity.perp(&inward).abs() }.degrees()
-}
-
-/// Whether the pin's velocity and its sliding velocity point into the same quadrant.
-fn same_quadrant() -> Finding {
-    let Some(motion) = Instant::printed().ok().and_then(|instant| instant.by_vectors()) else {
-        return Finding::new(false, "no such position");
-    };
-    let (a, b) = (motion.pin_velocity, motion.sliding_velocity);
-    let signs = |v: Vector2<f64>| (v.x > 0.0, v.y > 0.0);
-    Finding::new(signs(a) == signs(b), format!("({:.0}, {:.0}) and ({:.0}, {:.0})", a.x, a.y, b.x, b.y))
-}
-
-/// Whether the printed angle of the slot point's velocity is right if measured as `angle` does.
-fn reads_as(angle: fn(&Vector2<f64>) -> f64, from: &str) -> Finding {
-    let Some(motion) = Instant::printed().ok().and_then(|instant| instant.by_vectors()) else {
-        return Finding::new(false, "no such position");
-    };
-    let measured = angle(&motion.slot_point_velocity);
-    let holds = rounds("pin.slot-point-velocity-direction", measured);
-    Finding::new(holds, format!("{measured:.2}° from the {from}"))
 }

@@ -2,52 +2,25 @@
 
 use super::*;
 use geneva_kinematics::prove;
-use geneva_kinematics::quick_return::proofs::{AcrossTheLever, AlongTheLever, Compared, DiagramAgainstSeries};
+use geneva_kinematics::quick_return::proofs::{AcrossTheLever, AlongTheLever};
+use rounding::{LENGTH, RATE};
 
-const ADVICE: &str = "Solution, acceleration, remark";
 const PIN_NORMAL: &str = "Solution, acceleration, normal of P2";
 const PIN_TANGENTIAL: &str = "Solution, acceleration, tangential of P2";
 const LEVER_NORMAL: &str = "Solution, acceleration, normal of P4";
 const SLIDING_NORMAL: &str = "Solution, acceleration, relative normal";
-const CORIOLIS: &str = "Solution, acceleration, Coriolis";
-const SENSE: &str = "Solution, acceleration, direction of Coriolis";
 const SLIDING: &str = "Solution, acceleration, relative tangential";
 const LEVER_TANGENTIAL: &str = "Solution, acceleration, tangential of P4";
 const LEVER: &str = "Solution, last line";
 
 pub fn claims() -> Vec<Claim> {
-    [known(), coriolis(), found()].concat()
+    [known(), coriolis::claims(), found()].concat()
 }
 
 fn known() -> Vec<Claim> {
     vec![
         frames::acceleration_in_a_frame(),
-        Claim::statement(
-            WORK,
-            "quick-return.acceleration-from-the-lever",
-            ADVICE,
-            "normal and tangential relative acceleration are what one sees who holds \
-                the lever still; the Coriolis term is on top of it",
-            "P2 moving, P4 fixed",
-            Check::equation(
-                (ExactIdentity, || prove(&DiagramAgainstSeries(Compared::SlidingAcceleration)).into()),
-                (Vectors, || {
-                    let (seen, whole) = (
-                        diagram(|motion| motion.accelerations.sliding_tangential.norm()),
-                        diagram(|motion| {
-                            (motion.accelerations.sliding_tangential + motion.accelerations.coriolis).norm()
-                        }),
-                    );
-                    Finding::new(
-                        seen < whole,
-                        format!(
-                            "{seen:.3} m/s² are seen from the lever, {whole:.3} m/s² are the \
-                            difference of the two points"
-                        ),
-                    )
-                }),
-            ),
-        ),
+        frames::acceleration_from_the_lever(),
         Claim::equation(
             WORK,
             "quick-return.pin-normal-equation",
@@ -55,13 +28,10 @@ fn known() -> Vec<Claim> {
             "centripetal acceleration of the pin",
             r"A_{P2}^n = \omega_2^2 l_2",
             Check::equation(
-                (Vectors, || {
-                    same(
-                        diagram(|motion| motion.pin_normal.norm()),
-                        Instant::printed().map_or(f64::NAN, |at| at.drive.speed * at.drive.speed * at.linkage.crank()),
-                    )
+                (Series, || at_the_instant(|at| Some(same(given::total(&at.by_series()?), centripetal(at))))),
+                (AutomaticDerivative, || {
+                    at_the_instant(|at| Some(meets(at.by_duals().pin_motion()[2].norm(), centripetal(at))))
                 }),
-                (Series, || same(diagram(|motion| motion.pin_normal.norm()), series(given::total))),
             ),
         ),
         Claim::value(
@@ -81,27 +51,28 @@ fn known() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::FromRounded)
-        .with_erratum(rounded("5.483", "The rate of the crank, rounded to three digits, is squared.")),
+        .affected_by(RATE),
         Claim::equation(
             WORK,
             "quick-return.pin-tangential",
             PIN_TANGENTIAL,
             "no tangential acceleration of the pin at constant speed of the crank",
             r"A_{P2}^t = 0 \text{ since } \omega_2 = \text{constant}",
-            Check::equation(
-                (Vectors, || {
-                    Finding::new(
-                        diagram(|motion| motion.pin_tangential.norm()) == 0.0,
-                        "the crank has no angular acceleration",
-                    )
-                }),
-                (Series, || {
+            Check::statement(
+                "it is zero though the crank gains 1 rad/s in a second",
+                (Series, |stated| {
                     // Along the circle, the polar components of the whole acceleration cancel.
-                    let along = Instant::printed().ok().and_then(|at| Some((at.by_series()?, at.by_diagrams()?)));
-                    let along = along.map_or(f64::NAN, |(rates, motion)| {
-                        given::components(&rates).dot(&motion.velocities.pin_velocity.normalize())
-                    });
-                    Finding::new(vanishes(along), format!("along the circle {along:.0e} m/s² are left"))
+                    at_the_instant(|at| {
+                        let mut at = at.clone();
+                        at.drive.acceleration = stated.pick(0.0, 1.0);
+                        Some(along_the_circle(&at, given::components(&at.by_series()?)))
+                    })
+                }),
+                (AutomaticDerivative, |stated| {
+                    at_the_instant(|at| {
+                        let crank = Crank { acceleration: stated.pick(0.0, 1.0), ..at.by_duals() };
+                        Some(along_the_circle(at, crank.pin_motion()[2]))
+                    })
                 }),
             ),
         ),
@@ -112,17 +83,18 @@ fn known() -> Vec<Claim> {
             "centripetal acceleration of the lever's point",
             r"A_{P4}^n = \omega_4^2 l_4",
             Check::equation(
-                (Vectors, || {
-                    same(
-                        diagram(|motion| motion.accelerations.follower_normal.norm()),
-                        series(|rates| rates.turning * rates.turning * radius(rates)),
-                    )
+                (AutomaticDerivative, || {
+                    // Of a point that the lever carries along, towards the pivot.
+                    from_duals(|crank| {
+                        let inwards = -crank.point_motion()[2].dot(&frames::along_the_slot(crank));
+                        meets(inwards, series(|rates| rates.turning * rates.turning * radius(rates)))
+                    })
                 }),
-                (Series, || {
-                    let squared = diagram(|motion| {
-                        motion.velocities.slot_point_velocity.norm_squared() / motion.velocities.position.norm()
-                    });
-                    same(series(|rates| rates.turning * rates.turning * radius(rates)), squared)
+                (OtherPlaceInSource, || {
+                    let speed = printed("quick-return.lever-speed");
+                    let found = speed * speed * printed("quick-return.lever-length");
+                    let holds = rounds("quick-return.lever-normal", found);
+                    Finding::new(holds, format!("the printed numbers give {found:.4} m/s²"))
                 }),
             ),
         ),
@@ -143,10 +115,7 @@ fn known() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::FromRounded)
-        .with_erratum(rounded(
-            "0.812",
-            "The rounded speed of the lever is squared and multiplied by its rounded length.",
-        )),
+        .affected_by(LENGTH),
         Claim::equation(
             WORK,
             "quick-return.sliding-normal",
@@ -154,103 +123,58 @@ fn known() -> Vec<Claim> {
             "no relative normal acceleration in a straight slot",
             r"A_{P2/P4}^n = \frac{v_{P2/P4}^2}{R} = 0",
             Check::equation(
-                (Vectors, || {
-                    Finding::new(
-                        diagram(|motion| motion.accelerations.sliding_normal.norm()) == 0.0,
-                        "the slot is straight: no term across it but the lever's own and \
-                        Coriolis",
-                    )
-                }),
-                (Series, || {
-                    let across = Instant::printed().ok().and_then(|at| Some((at.by_series()?, at.by_diagrams()?)));
-                    let gap = across.map_or(f64::NAN, |(rates, motion)| {
-                        let rest = (rates.turning_rate + 2.0 * rates.turning * rates.sliding) * radius(&rates);
-                        let whole =
-                            motion.velocities.position.perp(&motion.pin_normal) / motion.velocities.position.norm();
-                        rest - whole
-                    });
-                    Finding::new(vanishes(gap), format!("across the lever {gap:.0e} m/s² are left for it"))
+                (ExactIdentity, || prove(&AcrossTheLever).into()),
+                (AutomaticDerivative, || {
+                    from_duals(|crank| {
+                        let [[distance, sliding, _], [_, turning, growth]] = crank.polar();
+                        let [_, _, pin] = crank.pin_motion();
+                        let across = quarter_turn(&frames::along_the_slot(crank)).dot(&pin);
+                        meets(across, distance * growth + 2.0 * sliding * turning)
+                    })
                 }),
             ),
         ),
         Claim::statement(
             WORK,
-            "quick-return.letter-capital-r",
+            "quick-return.infinite-radius",
             SLIDING_NORMAL,
-            "the letter R names the radius of the relative path",
+            "the radius of the pin's path relative to the lever is infinite: the path is straight",
             "R is infinite",
-            Check::corrected_equation(
-                (OtherPlaceInSource, || {
-                    let vector =
-                        crate::claim("quick-return.sum-of-places").is_some_and(|claim| claim.printed.contains("= R"));
-                    Finding::new(!vector, "the letter R is the vector to the frame's origin too")
+            Check::statement(
+                "that of its path over the ground is infinite",
+                (AutomaticDerivative, |stated| {
+                    from_duals(|crank| {
+                        let slot = crank.polar()[1][0];
+                        let [_, velocity, acceleration] =
+                            path(|t| turned(crank.pin(t), -stated.pick(crank.slot(t) - slot, t * 0.0)));
+                        let curvature = velocity.perp(&acceleration) / velocity.norm().powi(3);
+                        let straight = vanishes(curvature * crank.radius);
+                        let what = if straight { "straight".into() } else { format!("{:.2} m", curvature.recip()) };
+                        Finding::new(straight, format!("radius of curvature: {what}"))
+                    })
                 }),
-                || Finding::new(symbols::ours_are_unambiguous(), "each of the book's symbols stands for one thing"),
-                (LimitCase, || {
-                    let length = series(radius);
-                    Finding::new(length.is_finite(), format!("the vector R is {length:.3} m long, not infinite"))
-                }),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: "ρ is infinite",
-            slip: Slip {
-                id: "",
-                reason: "One letter stands for the vector to the frame's origin and for the \
-                    radius of curvature of the pin's path in the frame.",
-                witness: "The vector has the lever's length, the radius is infinite.",
-                origin: Origin::Misprint,
-                consequence: Consequence::Wording,
-                changes: "",
-            },
-        }),
-    ]
-}
-
-fn coriolis() -> Vec<Claim> {
-    vec![
-        Claim::equation(WORK, "quick-return.coriolis-equation", CORIOLIS, "magnitude of the Coriolis acceleration; its factors are at right angles", r"2\omega_4 v_{P2/P4}",
-            Check::equation(
-                (ExactIdentity, || prove(&DiagramAgainstSeries(Compared::Coriolis)).into()),
-                (Series, || same(series(|rates| 2.0 * (rates.turning * rates.sliding).abs() * radius(rates)), diagram(|motion| motion.accelerations.coriolis.norm()))),
-            ),
-        ),
-        Claim::value(WORK, "quick-return.coriolis", CORIOLIS, "magnitude of the Coriolis acceleration", ("1.960", "m/s^2"),
-            Check::number_from_rounded(
-                (Vectors, || diagram(|motion| motion.accelerations.coriolis.norm())),
-                (Series, || series(|rates| 2.0 * (rates.turning * rates.sliding).abs() * radius(rates))),
-                || 2.0 * printed("quick-return.lever-speed") * printed("quick-return.sliding-speed"),
-            ),
-        )
-        .expecting(Verdict::FromRounded)
-        .with_erratum(rounded("1.958", "The speed of the lever is the rounded one.")),
-        Claim::statement(WORK, "quick-return.coriolis-direction", SENSE, "the direction of the Coriolis acceleration, of which the factors are \
-                given and the result is not", r"\omega_4 \times v_{P2/P4}",
-            Check::Missing {
-                reason: "The line says how to find the direction and does not say which it is; one of the two factors \
-                         is in the lost diagram. Across the lever, clockwise about its pivot if the pin slides \
-                         inwards, counter-clockwise in the mirror image",
-            },
-        )
-        .expecting(Verdict::NotReproducible),
-        Claim::statement(WORK, "quick-return.lever-sense", SENSE, "the lever turns counter-clockwise", "out of the page",
-            Check::equation(
-                (Vectors, || positive(diagram(|motion| motion.velocities.follower_speed))),
-                (Series, || {
-                    let mirrored = Instant::mirrored().ok().and_then(|at| at.by_series());
-                    positive(mirrored.map_or(f64::NAN, |rates| rates.turning))
+                (Vectors, |stated| {
+                    // Three of the pin's places, the second and the third as seen by one who turns with the lever.
+                    at_the_instant(|at| {
+                        let place = |degrees: f64| {
+                            let crank = at.position.crank.plus(&Turn::from_degrees(degrees));
+                            let here = at.linkage.at_crank(&crank).ok()?;
+                            let back = here.lever.reversed().plus(&at.position.lever);
+                            let seen = stated.pick(back.plus(&here.lever), here.lever.clone());
+                            Some(seen.direction() * here.pin_distance)
+                        };
+                        let [first, second, third] = [place(0.0)?, place(20.0)?, place(40.0)?];
+                        let (one, other) = (second - first, third - first);
+                        let sine = one.perp(&other) / (one.norm() * other.norm());
+                        let bend = if vanishes(sine) { 0.0 } else { arcsine(sine) };
+                        Some(Finding::new(
+                            vanishes(sine),
+                            format!("three places, 20° of the crank apart: {bend:.1}° off a line"),
+                        ))
+                    })
                 }),
             ),
         ),
-        Claim::statement(WORK, "quick-return.sense-of-sliding", SENSE, "the sense of the sliding velocity, as in the velocity diagram", "as in velocity diagram",
-            Check::Missing {
-                reason: "The diagram is not in the copy. Towards the lever's pivot if the lever stands where a crank that \
-                         turns counter-clockwise has passed the line of centres; away from it in the mirror image, \
-                         which has the same printed numbers",
-            },
-        )
-        .expecting(Verdict::NotReproducible),
     ]
 }
 
@@ -264,19 +188,17 @@ fn found() -> Vec<Claim> {
             r"A_{P2/P4}^t = A_{P2}^n \cos \ldots - A_{P4}^n",
             Check::equation(
                 (ExactIdentity, || prove(&AlongTheLever).into()),
-                (Vectors, || {
-                    let inwards = diagram(|motion| {
-                        -motion.accelerations.sliding_tangential.dot(&motion.velocities.position.normalize())
-                    });
-                    let beta = Turn::from_radians(position_of(Position::angle_at_pin));
-                    same(
-                        inwards,
-                        diagram(|motion| motion.pin_normal.norm()) * beta.cos
-                            - diagram(|motion| motion.accelerations.follower_normal.norm()),
-                    )
+                (AutomaticDerivative, || {
+                    from_duals(|crank| {
+                        let [[distance, _, outwards], [_, turning, _]] = crank.polar();
+                        let beta = angle_at_pin(printed("quick-return.lever-angle"));
+                        let pin = crank.speed * crank.speed * crank.radius;
+                        meets(-outwards, pin * cosine(beta) - turning * turning * distance)
+                    })
                 }),
             ),
-        ),
+        )
+        .read_as(DEGREES),
         Claim::value(
             WORK,
             "quick-return.sliding-acceleration",
@@ -293,7 +215,7 @@ fn found() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::FromRounded)
-        .with_erratum(rounded("2.689", "Both terms come from rounded steps.")),
+        .affected_by(RATE),
         Claim::equation(
             WORK,
             "quick-return.lever-tangential-equation",
@@ -303,14 +225,17 @@ fn found() -> Vec<Claim> {
             r"A_{P4}^t = A_{P2}^n \sin \ldots - 2\omega_4 v_{P2/P4}",
             Check::equation(
                 (ExactIdentity, || prove(&AcrossTheLever).into()),
-                (Vectors, || {
-                    let beta = Turn::from_radians(position_of(Position::angle_at_pin));
-                    let across = diagram(|motion| motion.pin_normal.norm()) * beta.sin
-                        - diagram(|motion| motion.accelerations.coriolis.norm());
-                    same(across, diagram(|motion| motion.accelerations.follower_tangential.norm()))
+                (AutomaticDerivative, || {
+                    from_duals(|crank| {
+                        let [[distance, sliding, _], [_, turning, growth]] = crank.polar();
+                        let beta = angle_at_pin(printed("quick-return.lever-angle"));
+                        let pin = crank.speed * crank.speed * crank.radius;
+                        meets(-growth * distance, pin * sine(beta) - 2.0 * turning * -sliding)
+                    })
                 }),
             ),
-        ),
+        )
+        .read_as(DEGREES),
         Claim::value(
             WORK,
             "quick-return.lever-tangential",
@@ -327,7 +252,7 @@ fn found() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::FromRounded)
-        .with_erratum(rounded("2.262", "Both terms come from rounded steps.")),
+        .affected_by(RATE),
         Claim::equation(
             WORK,
             "quick-return.lever-acceleration-equation",
@@ -335,17 +260,17 @@ fn found() -> Vec<Claim> {
             "tangential acceleration and angular acceleration of the lever",
             r"A_{P4}^t = \alpha_4 l_4",
             Check::equation(
-                (Vectors, || {
-                    same(
-                        diagram(|motion| motion.accelerations.follower_tangential.norm()),
-                        series(|rates| (rates.turning_rate * radius(rates)).abs()),
-                    )
+                (AutomaticDerivative, || {
+                    // Of a point that the lever carries along, across it.
+                    from_duals(|crank| {
+                        let across = quarter_turn(&frames::along_the_slot(crank)).dot(&crank.point_motion()[2]);
+                        meets(across, series(|rates| rates.turning_rate * radius(rates)))
+                    })
                 }),
-                (Series, || {
-                    same(
-                        series(|rates| rates.turning_rate),
-                        diagram(|motion| motion.accelerations.follower_acceleration),
-                    )
+                (OtherPlaceInSource, || {
+                    let found = printed("quick-return.lever-acceleration") * printed("quick-return.lever-length");
+                    let holds = rounds("quick-return.lever-tangential", found);
+                    Finding::new(holds, format!("the printed numbers give {found:.3} m/s²"))
                 }),
             ),
         ),
@@ -362,7 +287,7 @@ fn found() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::FromRounded)
-        .with_erratum(rounded("4.11", "Numerator and denominator come from rounded steps.")),
+        .affected_by(RATE),
         Claim::statement(
             WORK,
             "quick-return.lever-acceleration-sense",
@@ -378,6 +303,17 @@ fn found() -> Vec<Claim> {
     ]
 }
 
-fn positive(speed: f64) -> Finding {
-    Finding::new(speed > 0.0, format!("{speed:.3} rad/s, counter-clockwise positive"))
+/// How the equations are read whose angle is printed without a unit.
+const DEGREES: &str = "The angle is printed without a unit here; it counts in degrees, as where it was found.";
+
+/// Square of the crank's angular velocity times its radius.
+fn centripetal(at: &Instant) -> f64 {
+    at.drive.speed * at.drive.speed * at.linkage.crank()
+}
+
+/// Whether an acceleration has nothing along the pin's circle.
+fn along_the_circle(at: &Instant, acceleration: Vector2<f64>) -> Finding {
+    let along = quarter_turn(&at.arm()).normalize().dot(&acceleration);
+    let nothing = vanishes(along / acceleration.norm());
+    Finding::new(nothing, format!("along the circle {:.3} m/s²", if nothing { 0.0 } else { along }))
 }

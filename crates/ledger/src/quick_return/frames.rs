@@ -1,134 +1,16 @@
-//! The equations of the moving frame: what locates what, and how the rates of a vector in the frame are counted.
+//! The equations of the moving frame: how the rates of a vector in the frame are counted, and who sees them.
 
 use super::*;
-use crate::claim;
+use geneva_kinematics::Turn;
 use geneva_kinematics::prove;
 use geneva_kinematics::quick_return::frame_proofs::{AccelerationInAFrame, Brackets, VelocityInAFrame};
 use geneva_kinematics::quick_return::proofs::{Compared, DiagramAgainstSeries};
-use nalgebra::Vector2;
 
-const PLACES: &str = "Solution, position, vectors";
 const VELOCITY: &str = "Solution, velocity, 1st line";
 const NAMES: &str = "Solution, velocity, 2nd line";
 const ADVICE: &str = "Solution, velocity, remark";
 
 pub fn claims() -> Vec<Claim> {
-    [places(), rates()].concat()
-}
-
-fn places() -> Vec<Claim> {
-    vec![
-        Claim::statement(
-            WORK,
-            "quick-return.letter-r",
-            PLACES,
-            "the letter r names the vector to the pin",
-            "r",
-            Check::corrected_equation(
-                (OtherPlaceInSource, || {
-                    let length =
-                        claim("quick-return.projections").is_some_and(|claim| claim.printed.starts_with("r ="));
-                    Finding::new(!length, "the letter r is the length of the lever too, two lines before")
-                }),
-                || Finding::new(symbols::ours_are_unambiguous(), "each of the book's symbols stands for one thing"),
-                (Vectors, || {
-                    // The rate of the length and the length of the rate.
-                    let (length, vector) = (
-                        series(|rates| (rates.sliding * radius(rates)).abs()),
-                        diagram(|motion| motion.velocities.pin_velocity.norm()),
-                    );
-                    Finding::new(
-                        !agrees(length, vector),
-                        format!("the length changes at {length:.3} m/s, the vector at {vector:.3} m/s"),
-                    )
-                }),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: r"\vec{r}",
-            slip: Slip {
-                id: "",
-                reason: "One letter stands for the lever's length and for the vector to the pin. \
-                    A dot over it then means two different rates.",
-                witness: "The rate of the length and the length of the rate are different numbers.",
-                origin: Origin::Misprint,
-                consequence: Consequence::Wording,
-                changes: "",
-            },
-        }),
-        Claim::statement(
-            WORK,
-            "quick-return.frame",
-            PLACES,
-            "the frame's origin is the lever's point under the pin",
-            "oxy",
-            Check::equation(
-                (Vectors, || {
-                    let speed = diagram(|motion| motion.velocities.slot_point_velocity.norm());
-                    same(
-                        speed,
-                        diagram(|motion| (motion.velocities.follower_speed * motion.velocities.position.norm()).abs()),
-                    )
-                }),
-                (Series, || {
-                    let origin = series(|rates| rates.turning * radius(rates));
-                    same(origin, diagram(|motion| motion.velocities.slot_point_velocity.norm()))
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "quick-return.p-is-zero",
-            PLACES,
-            "the pin is at the frame's origin at this instant, and does not stay \
-                there",
-            "p = 0",
-            Check::equation(
-                (Vectors, || {
-                    let offset = diagram(|motion| {
-                        motion.velocities.position.perp(&motion.velocities.slot_point_velocity)
-                            - motion.velocities.position.norm() * motion.velocities.slot_point_velocity.norm()
-                    });
-                    Finding::new(vanishes(offset), "the point under the pin is as far from the pivot as the pin")
-                }),
-                (Series, || {
-                    let sliding = series(|rates| rates.sliding * radius(rates));
-                    Finding::new(sliding != 0.0, format!("and leaves it at {:.3} m/s", sliding.abs()))
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "quick-return.sum-of-places",
-            PLACES,
-            "place of the pin: that of the frame's origin and that in the frame",
-            "r = R + p",
-            Check::equation(
-                (ExactIdentity, || velocity_in_a_frame(true)),
-                (ExactIdentity, || velocity_in_a_frame(false)),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "quick-return.sum-of-places-by-points",
-            PLACES,
-            "the same by the names of the points",
-            r"r_{P2} = r_{P4} + r_{P2/P4}",
-            Check::equation(
-                (Vectors, || {
-                    same(
-                        position_of(|position| position.pin_distance),
-                        diagram(|motion| motion.velocities.position.norm()),
-                    )
-                }),
-                (Series, || same(series(radius), diagram(|motion| motion.velocities.position.norm()))),
-            ),
-        ),
-    ]
-}
-
-fn rates() -> Vec<Claim> {
     vec![
         Claim::equation(
             WORK,
@@ -137,8 +19,11 @@ fn rates() -> Vec<Claim> {
             "velocity of a point given in a turning frame",
             r"\dot{r} = \dot{R} + \dot{p} + \omega \times p",
             Check::equation(
-                (ExactIdentity, || velocity_in_a_frame(true)),
-                (ExactIdentity, || velocity_in_a_frame(false)),
+                (ExactIdentity, || both_axes([true, false].map(|first| prove(&VelocityInAFrame { first }).into()))),
+                (AutomaticDerivative, || {
+                    let Moving { whole, origin, inside, speed, .. } = moving();
+                    alike(&whole[1], &(origin[1] + inside[1] + quarter_turn(&inside[0]) * speed))
+                }),
             ),
         ),
         Claim::equation(
@@ -148,26 +33,39 @@ fn rates() -> Vec<Claim> {
             "with p = 0 the last term goes, and the relative velocity is that seen in the frame",
             r"v_{P2} = v_{P4} + v_{P2/P4} = \dot{R} + \dot{p}",
             Check::equation(
-                (ExactIdentity, || prove(&DiagramAgainstSeries(Compared::LeverSpeed)).into()),
-                (ExactIdentity, || prove(&DiagramAgainstSeries(Compared::Sliding)).into()),
+                (ExactIdentity, || {
+                    let parts = [Compared::LeverSpeed, Compared::Sliding];
+                    both_axes(parts.map(|part| prove(&DiagramAgainstSeries(part)).into()))
+                }),
+                (AutomaticDerivative, || {
+                    from_duals(|crank| {
+                        let ([_, pin, _], [_, origin, _]) = (crank.pin_motion(), crank.point_motion());
+                        alike(&pin, &(origin + along_the_slot(crank) * crank.polar()[0][1]))
+                    })
+                }),
             ),
         ),
         Claim::statement(
             WORK,
             "quick-return.seen-from-the-lever",
             ADVICE,
-            "the relative velocity is what one sees who holds the lever still: along the slot",
+            "the relative velocity is that of the pin as one sees it who holds the lever still",
             "P2 moving, P4 fixed",
-            Check::equation(
-                (Vectors, || {
-                    let across = diagram(|motion| motion.velocities.sliding_velocity.perp(&motion.velocities.position));
-                    Finding::new(vanishes(across), "nothing of it is across the lever")
+            Check::statement(
+                "think of P4 moving and of P2, on the crank, as fixed",
+                (AutomaticDerivative, |stated| {
+                    from_duals(|crank| {
+                        let ([_, pin, _], [_, lever, _]) = (crank.pin_motion(), crank.point_motion());
+                        alike(&pin, &(lever + seen(crank, stated)[1]))
+                    })
                 }),
-                (Series, || {
-                    same(
-                        series(|rates| (rates.sliding * radius(rates)).abs()),
-                        diagram(|motion| motion.velocities.sliding_velocity.norm()),
-                    )
+                (Vectors, |stated| {
+                    at_the_instant(|instant| {
+                        let (motion, rates) = (instant.by_diagrams()?.velocities, instant.by_series()?);
+                        let both = [motion.pin_velocity, motion.slot_point_velocity];
+                        let [moving, fixed] = stated.pick(both, [both[1], both[0]]);
+                        Some(alike(&(moving - fixed), &(rates.position * rates.sliding)))
+                    })
                 }),
             ),
         ),
@@ -176,50 +74,119 @@ fn rates() -> Vec<Claim> {
 
 /// The acceleration of a point given in a turning frame, printed without brackets.
 pub fn acceleration_in_a_frame() -> Claim {
-    Claim::equation(WORK, "quick-return.acceleration-in-a-frame", "Solution, acceleration, 1st line", "acceleration of a point given in a turning frame",
-        r"\ddot{r} = \ddot{R} + \ddot{p} + \omega \times \omega \times p + \dot{\omega} \times p + 2\omega \times \dot{p}",
-        Check::corrected_equation(
-            (ExactIdentity, || prove(&AccelerationInAFrame { first: true, brackets: Brackets::FromTheLeft, coriolis: 2 }).into()),
-            || prove(&AccelerationInAFrame { first: true, brackets: Brackets::FromTheRight, coriolis: 2 }).into(),
-            (LimitCase, at_rest_in_a_turning_frame),
+    Claim::equation(
+        WORK,
+        "quick-return.acceleration-in-a-frame",
+        "Solution, acceleration, 1st line",
+        "acceleration of a point given in a turning frame",
+        concat!(
+            r"\ddot{r} = \ddot{R} + \ddot{p} + \omega \times \omega \times p",
+            r" + \dot{\omega} \times p + 2\omega \times \dot{p}"
+        ),
+        Check::equation(
+            (ExactIdentity, || {
+                let along = |first| AccelerationInAFrame { first, brackets: Brackets::FromTheRight, coriolis: 2 };
+                both_axes([true, false].map(|first| prove(&along(first)).into()))
+            }),
+            (AutomaticDerivative, || {
+                let Moving { whole, origin, inside, speed, gain } = moving();
+                let centripetal = -inside[0] * (speed * speed);
+                let turning = quarter_turn(&inside[0]) * gain + quarter_turn(&inside[1]) * (2.0 * speed);
+                alike(&whole[2], &(origin[2] + inside[2] + centripetal + turning))
+            }),
         ),
     )
-    .expecting(Verdict::Corrected)
-    .with_erratum(Erratum { corrected: r"\ddot{r} = \ddot{R} + \ddot{p} + \omega \times (\omega \times p) + \dot{\omega} \times p + 2\omega \times \dot{p}", slip: Slip {
- id: "",
-reason: "A double cross product needs brackets. Read from left to right, ω × ω is zero and the term \
-                    is lost. Here p = 0, and nothing comes of it.",
-witness: "A point at rest in a frame that turns steadily is accelerated towards the centre: three of \
-                    its places, a short time apart, say so.",
-origin: Origin::Misprint,
-consequence: Consequence::Derivation,
-changes: "",
-} })
-}
-
-/// The acceleration of a point at distance 1 in a frame that turns at 1 rad/s, from three of its places.
-fn at_rest_in_a_turning_frame() -> Finding {
-    let inwards = -second_difference(|time| Turn::from_radians(time).direction()).x;
-    Finding::new((inwards - 1.0).abs() < STEP, format!("towards the centre {inwards:.4}, and not 0, in units of ω² p"))
-}
-
-/// A short time, in seconds at 1 rad/s: small enough to see the first digits, large enough for rounding not to show.
-const STEP: f64 = 1e-3;
-
-/// The acceleration at time zero from three places.
-pub fn second_difference(place: impl Fn(f64) -> Vector2<f64>) -> Vector2<f64> {
-    (place(STEP) - place(0.0) * 2.0 + place(-STEP)) / (STEP * STEP)
-}
-
-/// The acceleration across a lever that turns at 1 rad/s, of a bead that slides outwards at 1 m/s, from three places.
-pub fn coriolis_by_finite_turns() -> Finding {
-    let across = second_difference(|time| Turn::from_radians(time).direction() * (1.0 + time)).y;
-    Finding::new(
-        (across - 2.0).abs() < STEP,
-        format!("a bead on a turning lever: {across:.4} times ω v, from three places"),
+    .read_as(
+        "The double product has no brackets and is read from the right, as ω × (ω × p). From the left it would be \
+         zero for every motion, and nobody would write it.",
     )
 }
 
-fn velocity_in_a_frame(first: bool) -> Finding {
-    prove(&VelocityInAFrame { first }).into()
+/// The advice for the accelerations.
+pub fn acceleration_from_the_lever() -> Claim {
+    Claim::statement(
+        WORK,
+        "quick-return.acceleration-from-the-lever",
+        "Solution, acceleration, remark",
+        "normal and tangential relative acceleration are those of the pin as one sees it who holds the lever still; \
+         the Coriolis term is on top of them",
+        "P2 moving, P4 fixed",
+        Check::statement(
+            "think of P4 moving and of P2, on the crank, as fixed",
+            (AutomaticDerivative, |stated| {
+                from_duals(|crank| {
+                    let ([_, _, pin], [_, _, lever]) = (crank.pin_motion(), crank.point_motion());
+                    let [_, velocity, acceleration] = seen(crank, stated);
+                    let coriolis = quarter_turn(&velocity) * (2.0 * crank.polar()[1][1]);
+                    alike(&pin, &(lever + acceleration + coriolis))
+                })
+            }),
+            (Vectors, |stated| {
+                at_the_instant(|instant| {
+                    let (motion, rates) = (instant.by_diagrams()?, instant.by_series()?);
+                    let (velocities, terms) = (&motion.velocities, &motion.accelerations);
+                    let pin = [velocities.pin_velocity, motion.pin_normal + motion.pin_tangential];
+                    let lever = [velocities.slot_point_velocity, terms.follower_normal + terms.follower_tangential];
+                    let [moving, fixed] = stated.pick([pin, lever], [lever, pin]);
+                    let turning = stated.pick(velocities.follower_speed, instant.drive.speed);
+                    // What is left without the Coriolis term of a frame on the fixed link.
+                    let left = moving[1] - fixed[1] - quarter_turn(&(moving[0] - fixed[0])) * (2.0 * turning);
+                    Some(alike(&left, &(rates.position * rates.sliding_rate)))
+                })
+            }),
+        ),
+    )
+}
+
+/// Place, velocity and acceleration of the pin as seen from the lever; or of the lever's point as seen from the crank.
+pub fn seen(crank: &Crank, stated: Stated) -> [Vector2<f64>; 3] {
+    let slot = crank.polar()[1][0];
+    path(|t| {
+        let [x, y] = stated.pick(crank.pin(t), crank.point_under_the_pin(t));
+        let angle = stated.pick(crank.slot(t) - slot, advance(crank.speed, crank.acceleration, t));
+        // The crank turns about its own axis.
+        turned([x - stated.pick(0.0, crank.ground), y], -angle)
+    })
+}
+
+/// The direction of the slot, from the lever's pivot.
+pub fn along_the_slot(crank: &Crank) -> Vector2<f64> {
+    Turn::from_radians(crank.polar()[1][0]).direction()
+}
+
+fn both_axes([first, second]: [Finding; 2]) -> Finding {
+    Finding::new(first.holds && second.holds, format!("{}; {}", first.how, second.how))
+}
+
+/// A point that moves at will in a frame that moves at will; its axes are those of the ground at the instant.
+struct Moving {
+    /// Place, velocity and acceleration of the point, of the frame's origin, and of the point as seen in the frame.
+    whole: [Vector2<f64>; 3],
+    origin: [Vector2<f64>; 3],
+    inside: [Vector2<f64>; 3],
+    /// The frame's angular velocity and angular acceleration.
+    speed: f64,
+    gain: f64,
+}
+
+/// Where the frame's origin is.
+///
+/// A function, and [`inside`] too: closures that are handed the same number twice get it changed in between by
+/// rustc 1.95 (its issue 155241).
+fn origin(t: Time) -> [Time; 2] {
+    [t * t * -0.7 + t * 1.1 + 0.3, t * t * 0.9 + t * 0.4 - 0.2]
+}
+
+/// Where the point is in the frame.
+fn inside(t: Time) -> [Time; 2] {
+    [t * t * 0.6 - t * 0.5 + 0.8, t * t * -0.3 + t * 0.7 + 0.5]
+}
+
+fn moving() -> Moving {
+    let (speed, gain) = (1.3, 0.9);
+    let whole = path(|t| {
+        let ([a, b], [x, y]) = (origin(t), turned(inside(t), advance(speed, gain, t)));
+        [a + x, b + y]
+    });
+    Moving { whole, origin: path(origin), inside: path(inside), speed, gain }
 }

@@ -1,14 +1,13 @@
 //! What the problem gives and asks.
 
 use super::*;
-use geneva_kinematics::pin_vectors::quarter_turn;
 use geneva_kinematics::prove;
 use geneva_kinematics::quick_return::proofs::{Compared, DiagramAgainstSeries, TermsOfTheAcceleration};
-use nalgebra::Vector2;
 
 const DATA: &str = "Problem, 1st paragraph";
 const VELOCITY: &str = "Problem, part (a), equation";
 const ACCELERATION: &str = "Problem, part (b), 1st equation";
+const THREE: &str = "Problem, part (a), question";
 const TERMS: &str = "Problem, part (b), 2nd equation";
 const QUESTION: &str = "Problem, part (b), question";
 const DRAWING: &str = "Figure 7";
@@ -21,26 +20,16 @@ pub fn claims() -> Vec<Claim> {
             DATA,
             "the crank turns counter-clockwise",
             "counter-clockwise",
-            Check::equation(
-                (Vectors, || {
-                    let speed = diagram(|motion| motion.velocities.follower_speed);
-                    Finding::new(
-                        speed > 0.0,
-                        format!(
-                            "then the lever turns counter-clockwise too, at {speed:.3} rad/s: out of \
-                                    the page, as the solution says"
-                        ),
-                    )
+            Check::statement(
+                "the crank turns clockwise",
+                (Vectors, |stated| {
+                    in_both_drawings(|instant| {
+                        let motion = driven(instant, stated).by_diagrams()?;
+                        Some(out_of_the_page(motion.velocities.follower_speed))
+                    })
                 }),
-                (Series, || {
-                    let speed = clockwise().map_or(f64::NAN, |rates| rates.turning);
-                    Finding::new(
-                        speed < 0.0,
-                        format!(
-                            "a crank that turns clockwise would turn it into the page, at {speed:.3} \
-                                rad/s"
-                        ),
-                    )
+                (AutomaticDerivative, |stated| {
+                    in_both_drawings(|instant| Some(out_of_the_page(driven(instant, stated).by_duals().polar()[1][1])))
                 }),
             ),
         ),
@@ -63,9 +52,29 @@ pub fn claims() -> Vec<Claim> {
             r"v_{P_2} = v_{P_4} + v_{P_2P_4}",
             Check::equation(
                 (ExactIdentity, || prove(&DiagramAgainstSeries(Compared::Sliding)).into()),
-                (Vectors, || {
-                    closes(diagram(|motion| motion.velocity_gap().norm() / motion.velocities.pin_velocity.norm()))
+                (AutomaticDerivative, || {
+                    from_duals(|crank| {
+                        let ([_, pin, _], [_, lever, _]) = (crank.pin_motion(), crank.point_motion());
+                        alike(&pin, &(lever + frames::along_the_slot(crank) * crank.polar()[0][1]))
+                    })
                 }),
+            ),
+        ),
+        Claim::statement(
+            WORK,
+            "quick-return.three",
+            THREE,
+            "the equation of the velocities has three terms, and none of them can be spared",
+            "three",
+            Check::statement(
+                "it has two terms",
+                (AutomaticDerivative, |stated| {
+                    from_duals(|crank| {
+                        let Parted { velocities, .. } = parted(crank);
+                        needed(&velocities, stated.pick(3, 2))
+                    })
+                }),
+                (OtherPlaceInSource, |stated| summands("quick-return.velocity-equation", stated.pick(3, 2))),
             ),
         ),
         Claim::equation(
@@ -75,8 +84,20 @@ pub fn claims() -> Vec<Claim> {
             "acceleration of the pin: that of the lever's point and the rest, seen without turning",
             r"a_{P_2} = a_{P_4} + a_{P_2P_4}",
             Check::equation(
-                (Vectors, || closes(diagram(|motion| motion.acceleration_gap().norm() / motion.pin_normal.norm()))),
-                (Series, || same(series(total), diagram(|motion| (motion.pin_normal + motion.pin_tangential).norm()))),
+                (Series, || {
+                    at_the_instant(|instant| {
+                        let speed = instant.drive.speed;
+                        Some(alike(&components(&instant.by_series()?), &(-instant.arm() * (speed * speed))))
+                    })
+                }),
+                (AutomaticDerivative, || {
+                    from_duals(|crank| {
+                        let [[_, sliding, outwards], [_, turning, _]] = crank.polar();
+                        let along = frames::along_the_slot(crank);
+                        let relative = along * outwards + quarter_turn(&along) * (2.0 * sliding * turning);
+                        alike(&crank.pin_motion()[2], &(crank.point_motion()[2] + relative))
+                    })
+                }),
             ),
         ),
         Claim::equation(
@@ -84,31 +105,36 @@ pub fn claims() -> Vec<Claim> {
             "quick-return.seven-terms",
             TERMS,
             "the same by normal, tangential and Coriolis components",
-            r"(a_{P_2}^n + a_{P_2}^t) = (a_{P_4}^n + a_{P_4}^t) + (a_{P_2P_4}^n + a_{P_2P_4}^t + 2\omega_4 \times v_{P_2P_4})",
+            concat!(
+                r"(a_{P_2}^n + a_{P_2}^t) = (a_{P_4}^n + a_{P_4}^t)",
+                r" + (a_{P_2P_4}^n + a_{P_2P_4}^t + 2\omega_4 \times v_{P_2P_4})"
+            ),
             Check::equation(
                 (ExactIdentity, || prove(&TermsOfTheAcceleration { coriolis: 2 }).into()),
-                (LimitCase, frames::coriolis_by_finite_turns),
+                (AutomaticDerivative, || {
+                    from_duals(|crank| {
+                        let Parted { accelerations, .. } = parted(crank);
+                        let left = accelerations[0] + accelerations[1];
+                        alike(&left, &-accelerations[2..].iter().sum::<Vector2<f64>>())
+                    })
+                }),
             ),
         ),
         Claim::statement(
             WORK,
             "quick-return.seven",
             QUESTION,
-            "the equation has seven terms, two of which are zero at constant speed and in a straight slot",
+            "the equation of the accelerations has seven terms, and in general none of them can be spared",
             "seven",
-            Check::equation(
-                (Vectors, || {
-                    let zero = terms().iter().filter(|term| term.is_some_and(|norm| norm == 0.0)).count();
-                    Finding::new(
-                        terms().len() == 7 && zero == 2,
-                        format!("{} terms, {zero} of them zero", terms().len()),
-                    )
+            Check::statement(
+                "it has six terms",
+                (AutomaticDerivative, |stated| {
+                    from_duals(|crank| {
+                        let Parted { accelerations, .. } = parted(crank);
+                        needed(&accelerations, stated.pick(7, 6))
+                    })
                 }),
-                (OtherPlaceInSource, || {
-                    let terms = crate::claim("quick-return.seven-terms")
-                        .map_or(0, |claim| claim.printed.matches("^").count() + claim.printed.matches("times").count());
-                    Finding::new(terms == 7, format!("{terms} terms stand in the equation"))
-                }),
+                (OtherPlaceInSource, |stated| summands("quick-return.seven-terms", stated.pick(7, 6))),
             ),
         ),
         Claim::figure(
@@ -127,34 +153,67 @@ pub fn claims() -> Vec<Claim> {
     ]
 }
 
-/// The rates at the printed position if the crank turned the other way.
-fn clockwise() -> Option<PolarRates<f64>> {
-    let mut instant = Instant::printed().ok()?;
-    instant.drive.speed = -instant.drive.speed;
-    instant.by_series()
+/// The instant with the crank turning counter-clockwise; or clockwise.
+fn driven(instant: &Instant, stated: Stated) -> Instant {
+    let mut instant = instant.clone();
+    instant.drive.speed *= stated.pick(1.0, -1.0);
+    instant
 }
 
-/// Whether a diagram closes: what is missing, as a part of its longest side.
-fn closes(gap: f64) -> Finding {
-    Finding::new(vanishes(gap), format!("closes but for {gap:.0e} of its longest side"))
+/// Whether the lever's angular velocity points out of the page, as the solution says.
+fn out_of_the_page(speed: f64) -> Finding {
+    Finding::new(speed > 0.0, format!("the lever turns at {speed:.3} rad/s, out of the page positive"))
 }
 
-/// The lengths of the seven terms, in the order of the equation.
-fn terms() -> [Option<f64>; 7] {
-    let motion = Instant::printed().ok().and_then(|instant| instant.by_diagrams());
-    let lengths = motion.map(|motion| {
-        let right = &motion.accelerations;
-        [
-            motion.pin_normal.norm(),
-            motion.pin_tangential.norm(),
-            right.follower_normal.norm(),
-            right.follower_tangential.norm(),
-            right.sliding_normal.norm(),
-            right.sliding_tangential.norm(),
-            right.coriolis.norm(),
-        ]
-    });
-    std::array::from_fn(|at| lengths.map(|lengths| lengths[at]))
+/// Every term of the two equations, left sides positive and right sides negative, of a motion in which none is zero.
+struct Parted {
+    velocities: [Vector2<f64>; 3],
+    accelerations: [Vector2<f64>; 7],
+}
+
+/// The crank of the problem, speeding up, and a lever that turns at will: the slot must then be curved.
+fn parted(crank: &Crank) -> Parted {
+    let crank = Crank { acceleration: 7.0, ..*crank };
+    let (turning, growth) = (2.0, -3.0);
+    let ([place, velocity, _], arm) = (crank.pin_motion(), Turn::from_radians(crank.angle).direction() * crank.radius);
+    let [_, relative, seen] = path(|t| turned(crank.pin(t), -advance(turning, growth, t)));
+    let along = relative.normalize();
+    let tangential = along * along.dot(&seen);
+    let [normal, coriolis] = [seen - tangential, quarter_turn(&relative) * (2.0 * turning)];
+    let across = quarter_turn(&place);
+    Parted {
+        velocities: [velocity, -across * turning, -relative],
+        accelerations: [
+            -arm * (crank.speed * crank.speed),
+            quarter_turn(&arm) * crank.acceleration,
+            place * (turning * turning),
+            -across * growth,
+            -normal,
+            -tangential,
+            -coriolis,
+        ],
+    }
+}
+
+/// Whether some choice of so many of the terms adds up to nothing.
+fn needed(terms: &[Vector2<f64>], count: u32) -> Finding {
+    let longest = terms.iter().map(|term| term.norm()).fold(0.0, f64::max);
+    let sum = |choice: u32| -> Vector2<f64> {
+        let chosen = terms.iter().enumerate().filter(|(at, _)| choice >> at & 1 == 1);
+        chosen.map(|(_, term)| *term).sum()
+    };
+    let choices = (0..1 << terms.len()).filter(|choice: &u32| choice.count_ones() == count);
+    let gap = choices.map(|choice| sum(choice).norm() / longest).fold(f64::INFINITY, f64::min);
+    let closes = vanishes(gap);
+    let gap = if closes { 0.0 } else { gap };
+    Finding::new(closes, format!("with {count} terms, the best chosen, {gap:.2} of the longest is left over"))
+}
+
+/// Whether so many terms stand in the printed equation.
+fn summands(equation: &str, count: usize) -> Finding {
+    let printed = crate::claim(equation).map_or("", |claim| claim.printed);
+    let found = printed.split(['=', '+']).filter(|term| !term.trim().is_empty()).count();
+    Finding::new(found == count, format!("{found} terms stand in the printed equation"))
 }
 
 /// The pin's acceleration from its components along the lever and across it, in polar coordinates.

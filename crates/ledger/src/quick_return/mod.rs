@@ -4,11 +4,14 @@
 //! frame, the velocities, the accelerations. The instant itself, from the printed data, is [`Instant`].
 
 mod acceleration;
+mod coriolis;
 mod frames;
 mod given;
 mod had_been;
 mod inventory;
+mod places;
 mod position;
+mod rounding;
 mod symbols;
 mod velocity;
 
@@ -16,11 +19,14 @@ pub use had_been::{HadBeen, had_been};
 pub use inventory::INVENTORY;
 pub use symbols::SYMBOLS;
 
-use crate::checks::{agrees, decimal, printed, rounds, same, vanishes};
-use crate::{Check, Claim, Consequence, Erratum, Evidence, Finding, Origin, Slip, Verdict, Work};
+use crate::checks::{agrees, coincide, interval, meets, printed, rounds, same, vanishes};
+use crate::duals::{Crank, Time, advance, path, turned};
+use crate::{Check, Claim, Consequence, Erratum, Evidence, Finding, Origin, Slip, Stated, Verdict, Work};
 use geneva_kinematics::Turn;
+use geneva_kinematics::pin_vectors::quarter_turn;
 use geneva_kinematics::quick_return::series::{PolarRates, polar_rates};
 use geneva_kinematics::quick_return::{Branch, Drive, LinkageError, Motion, Position, QuickReturn};
+use nalgebra::Vector2;
 use std::f64::consts::PI;
 
 const WORK: Work = Work::QuickReturn;
@@ -68,27 +74,29 @@ impl Instant {
     pub fn by_series(&self) -> Option<PolarRates<f64>> {
         polar_rates(&self.linkage.ground(), &self.linkage.crank(), &self.position.crank, &self.drive)
     }
+
+    /// A third route, for witnesses: dual numbers.
+    fn by_duals(&self) -> Crank {
+        Crank {
+            ground: self.linkage.ground(),
+            radius: self.linkage.crank(),
+            angle: self.position.crank.radians(),
+            speed: self.drive.speed,
+            acceleration: self.drive.acceleration,
+        }
+    }
+
+    /// The vector from the crank's axis to the pin.
+    fn arm(&self) -> Vector2<f64> {
+        self.position.crank.direction() * self.linkage.crank()
+    }
 }
 
 /// All claims of the problem and its solution, in the order of the source.
 pub fn claims() -> Vec<Claim> {
-    [given::claims(), position::claims(), frames::claims(), velocity::claims(), acceleration::claims()].concat()
-}
-
-/// The erratum of a number whose last digits come from rounded steps.
-fn rounded(corrected: &'static str, reason: &'static str) -> Erratum {
-    let witness = "The loop closure differentiated by power series gives the corrected digits too.";
-    Erratum {
-        corrected,
-        slip: Slip {
-            id: "",
-            reason,
-            witness,
-            origin: Origin::Arithmetic,
-            consequence: Consequence::Result,
-            changes: "",
-        },
-    }
+    let parts =
+        [given::claims, position::claims, places::claims, frames::claims, velocity::claims, acceleration::claims];
+    parts.map(|claims| claims()).concat()
 }
 
 /// A quantity of the diagrams at the printed instant.
@@ -99,6 +107,32 @@ fn diagram(quantity: fn(&Motion<f64>) -> f64) -> f64 {
 /// A quantity of the differentiated loop closure at the printed instant.
 fn series(quantity: fn(&PolarRates<f64>) -> f64) -> f64 {
     Instant::printed().ok().and_then(|instant| instant.by_series()).map_or(f64::NAN, |rates| quantity(&rates))
+}
+
+/// What is found at the printed instant.
+fn at_the_instant(find: impl Fn(&Instant) -> Option<Finding>) -> Finding {
+    Instant::printed().ok().and_then(|instant| find(&instant)).unwrap_or_else(nowhere)
+}
+
+/// What is found at the printed instant and at its mirror image; it must hold at both.
+fn in_both_drawings(find: impl Fn(&Instant) -> Option<Finding>) -> Finding {
+    let [drawn, mirrored] = [Instant::printed(), Instant::mirrored()]
+        .map(|instant| instant.ok().and_then(|instant| find(&instant)).unwrap_or_else(nowhere));
+    Finding::new(drawn.holds && mirrored.holds, format!("{}; in the mirror image {}", drawn.how, mirrored.how))
+}
+
+/// What is found at the printed instant from where the pin is, by dual numbers.
+fn from_duals(find: impl Fn(&Crank) -> Finding) -> Finding {
+    at_the_instant(|instant| Some(find(&instant.by_duals())))
+}
+
+fn nowhere() -> Finding {
+    Finding::new(false, "no such position")
+}
+
+/// Two vectors that must agree, by their components.
+fn alike(a: &Vector2<f64>, b: &Vector2<f64>) -> Finding {
+    Finding::new(coincide(a, b), format!("({:.3}, {:.3}) against ({:.3}, {:.3})", a.x, a.y, b.x, b.y))
 }
 
 /// A quantity of the position at the printed instant.
@@ -126,9 +160,24 @@ fn arcsine(sine: f64) -> f64 {
     libm::asin(sine).to_degrees()
 }
 
+/// The angle in degrees between the first two sides of a triangle, by the law of cosines.
+fn angle_opposite_to_third([a, b, opposite]: [f64; 3]) -> f64 {
+    arccosine((a * a + b * b - opposite * opposite) / (2.0 * a * b))
+}
+
+/// β in degrees for a lever angle in degrees, by the law of sines with the printed lengths; the acute one.
+fn angle_at_pin(lever: f64) -> f64 {
+    arcsine(printed("quick-return.ground") * sine(lever) / printed("quick-return.crank"))
+}
+
+/// The lever's length for a lever angle in degrees, by the projections of ground and crank.
+fn projected_length(lever: f64) -> f64 {
+    printed("quick-return.ground") * cosine(lever) + printed("quick-return.crank") * cosine(angle_at_pin(lever))
+}
+
 /// An angle in degrees from its cosine.
 fn arccosine(cosine: f64) -> f64 {
     libm::acos(cosine).to_degrees()
 }
 
-use Evidence::{ClosedForm, ExactIdentity, Jet as Series, LimitCase, OtherPlaceInSource, Vectors};
+use Evidence::{AutomaticDerivative, ClosedForm, ExactIdentity, Jet as Series, LimitCase, OtherPlaceInSource, Vectors};

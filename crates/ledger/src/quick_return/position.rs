@@ -16,9 +16,9 @@ pub fn claims() -> Vec<Claim> {
             WORK,
             "quick-return.ground",
             SINES,
-            "distance of the two axes, a datum of the lost drawing; the printed \
-                    angles and lengths give it back",
-            ("0.45", "m"),
+            "distance of the two axes, a datum of the lost drawing, in metres as the speeds show; the printed angles \
+             and lengths give it back",
+            ("0.45", ""),
             Check::number(
                 (OtherPlaceInSource, || {
                     printed("quick-return.crank") * sine(printed("quick-return.angle-at-pin"))
@@ -52,8 +52,8 @@ pub fn claims() -> Vec<Claim> {
             WORK,
             "quick-return.crank",
             SINES,
-            "radius of the crank, a datum of the lost drawing",
-            ("0.20", "m"),
+            "radius of the crank, a datum of the lost drawing, in metres as the speeds show",
+            ("0.20", ""),
             Check::number(
                 (OtherPlaceInSource, || printed("quick-return.pin-speed") / printed("quick-return.driver-rate")),
                 (OtherPlaceInSource, || {
@@ -70,13 +70,12 @@ pub fn claims() -> Vec<Claim> {
             r"\ldots \sin \ldots^\circ = \ldots \sin \beta",
             Check::equation(
                 (ExactIdentity, || prove(&LawOfSinesAtThePin).into()),
-                (Vectors, || {
-                    let height = diagram(|motion| motion.velocities.position.y * motion.velocities.position.norm());
-                    let area = diagram(|motion| motion.velocities.position.perp(&motion.crank));
-                    same(
-                        printed("quick-return.ground") * height,
-                        area * diagram(|motion| motion.velocities.position.norm()),
-                    )
+                (ClosedForm, || {
+                    // Both angles from the three sides.
+                    let [ground, crank, lever] = sides();
+                    let pivot = angle_opposite_to_third([ground, lever, crank]);
+                    let pin = angle_opposite_to_third([crank, lever, ground]);
+                    same(ground * sine(pivot), crank * sine(pin))
                 }),
             ),
         ),
@@ -103,19 +102,24 @@ pub fn claims() -> Vec<Claim> {
             "of the two angles with this sine the acute one is meant: the pin is at \
                     the far point of its circle",
             "beta",
-            Check::equation(
-                (OtherPlaceInSource, || {
-                    let [far, near] = both(|position| position.pin_distance);
-                    let holds = rounds("quick-return.lever-length", far) && !rounds("quick-return.lever-length", near);
+            Check::statement(
+                "the obtuse one is meant: the pin is at the near point",
+                (OtherPlaceInSource, |stated| {
+                    let at = Instant::on(stated.pick(Branch::Far, Branch::Near));
+                    let length = at.map_or(f64::NAN, |at| at.position.pin_distance);
                     Finding::new(
-                        holds,
-                        format!("the lever would be {near:.3} m long on the other branch, not {far:.3} m"),
+                        rounds("quick-return.lever-length", length),
+                        format!("the lever would be {length:.3} m long"),
                     )
                 }),
-                (Vectors, || {
-                    let speed = Instant::on(Branch::Near).ok().and_then(|instant| instant.by_diagrams());
-                    let speed = speed.map_or(f64::NAN, |motion| motion.velocities.follower_speed);
-                    Finding::new(speed < 0.0, format!("and would turn into the page there, at {speed:.3} rad/s"))
+                (ClosedForm, |stated| {
+                    let lever = printed("quick-return.lever-angle");
+                    let beta = angle_at_pin(lever);
+                    let left = 180.0 - lever - stated.pick(beta, 180.0 - beta);
+                    Finding::new(
+                        rounds("quick-return.angle-at-axis", left),
+                        format!("the angle at the crank's axis would be {left:.2}°"),
+                    )
                 }),
             ),
         ),
@@ -127,12 +131,11 @@ pub fn claims() -> Vec<Claim> {
             r"r = \ldots \cos \ldots^\circ + \ldots \cos \beta",
             Check::equation(
                 (ExactIdentity, || prove(&LeverAsProjections).into()),
-                (Vectors, || {
-                    let projected = diagram(|motion| {
-                        let along = motion.velocities.position.normalize();
-                        (motion.velocities.position - motion.crank).dot(&along) + motion.crank.dot(&along)
-                    });
-                    same(projected, position_of(|position| position.pin_distance))
+                (ClosedForm, || {
+                    same(
+                        projected_length(printed("quick-return.lever-angle")),
+                        position_of(|position| position.pin_distance),
+                    )
                 }),
             ),
         ),
@@ -142,22 +145,34 @@ pub fn claims() -> Vec<Claim> {
             PROJECTIONS,
             "distance of the pin from the lever's pivot; later called l with the index 4",
             ("0.55", ""),
-            Check::number((ClosedForm, || position_of(|position| position.pin_distance)), (Series, || series(radius))),
+            Check::number(
+                (ClosedForm, || projected_length(printed("quick-return.lever-angle"))),
+                (Vectors, || position_of(|position| position.pin_distance)),
+            ),
         ),
         Claim::equation(
             WORK,
             "quick-return.rate-conversion",
             SPEED,
             "revolutions per minute to radians per second",
-            r"\frac{\text{rev}}{\text{min}} \cdot \frac{2\pi \text{ rad}}{1 \text{ rev}} \cdot \frac{\text{min}}{60 \text{ s}}",
+            concat!(
+                r"\frac{\text{rev}}{\text{min}} \cdot \frac{2\pi \text{ rad}}{1 \text{ rev}}",
+                r" \cdot \frac{\text{min}}{60 \text{ s}}"
+            ),
             Check::equation(
-                (ClosedForm, || {
-                    let drive = Instant::printed().map_or(f64::NAN, |instant| instant.drive.speed);
-                    same(drive, printed("quick-return.driver-speed") * 2.0 * PI / 60.0)
+                (Vectors, || {
+                    // The crank is back in its place after one of so many parts of a minute, and at no half of it.
+                    let turns = printed("quick-return.driver-speed");
+                    let rate = turns * 2.0 * PI / 60.0;
+                    let [half, whole] = [30.0, 60.0].map(|seconds| Turn::from_radians(rate * seconds / turns));
+                    let back = vanishes(whole.sin) && agrees(whole.cos, 1.0) && agrees(half.cos, -1.0);
+                    Finding::new(back, format!("{rate:.3} rad/s make {turns} turns in a minute"))
                 }),
-                (LimitCase, || {
-                    let revolution = Instant::printed().map_or(f64::NAN, |instant| 2.0 * PI / instant.drive.speed);
-                    same(revolution * printed("quick-return.driver-speed"), 60.0)
+                (OtherPlaceInSource, || {
+                    let circumference = 2.0 * PI * printed("quick-return.crank");
+                    let turns = printed("quick-return.pin-speed") * 60.0 / circumference;
+                    let holds = rounds("quick-return.driver-speed", turns);
+                    Finding::new(holds, format!("at the printed speed the pin runs {turns:.2} circles in a minute"))
                 }),
             ),
         ),
@@ -169,7 +184,7 @@ pub fn claims() -> Vec<Claim> {
             ("5.24", "rad/s"),
             Check::number(
                 (ClosedForm, || Instant::printed().map_or(f64::NAN, |instant| instant.drive.speed)),
-                (Vectors, || diagram(|motion| motion.velocities.pin_velocity.norm() / motion.crank.norm())),
+                (OtherPlaceInSource, || printed("quick-return.pin-speed") / printed("quick-return.crank")),
             ),
         ),
         Claim::equation(
@@ -179,7 +194,11 @@ pub fn claims() -> Vec<Claim> {
             "the third angle of the triangle",
             r"\gamma = 180^\circ - \ldots^\circ - \beta",
             Check::equation(
-                (Vectors, || same(position_of(|position| interior(position).iter().sum()), 180.0)),
+                (ClosedForm, || {
+                    let [ground, crank, lever] = sides();
+                    let corners = [[ground, lever, crank], [crank, lever, ground], [ground, crank, lever]];
+                    same(corners.map(angle_opposite_to_third).iter().sum(), 180.0)
+                }),
                 (OtherPlaceInSource, || {
                     let left = 180.0 - printed("quick-return.lever-angle") - printed("quick-return.angle-at-pin");
                     Finding::new(
@@ -211,11 +230,10 @@ pub fn claims() -> Vec<Claim> {
             "what is left of γ to the half turn is the angle of the crank from the line of centres",
             r"180^\circ - \gamma",
             Check::equation(
-                (Vectors, || {
-                    same(
-                        position_of(|position| 180.0 - interior(position)[2]),
-                        diagram(|motion| Turn { cos: motion.crank.x, sin: motion.crank.y }.degrees()),
-                    )
+                (ClosedForm, || {
+                    let [ground, crank, lever] = sides();
+                    let left = 180.0 - angle_opposite_to_third([ground, crank, lever]);
+                    same(left, position_of(|position| position.crank.degrees()))
                 }),
                 (OtherPlaceInSource, || {
                     let left = 180.0 - printed("quick-return.angle-at-axis");
@@ -241,12 +259,7 @@ pub fn claims() -> Vec<Claim> {
     ]
 }
 
-/// A quantity of the position on the far branch and on the near one.
-fn both(quantity: fn(&Position) -> f64) -> [f64; 2] {
-    [Branch::Far, Branch::Near].map(|branch| Instant::on(branch).map_or(f64::NAN, |at| quantity(&at.position)))
-}
-
-/// The three angles of the triangle in degrees: at the lever's pivot, at the pin, at the crank's axis.
-fn interior(position: &Position) -> [f64; 3] {
-    [position.lever.degrees(), position.angle_at_pin().to_degrees(), position.crank.supplement().degrees()]
+/// Ground, crank and lever: the sides of the triangle.
+fn sides() -> [f64; 3] {
+    [printed("quick-return.ground"), printed("quick-return.crank"), position_of(|position| position.pin_distance)]
 }

@@ -20,7 +20,14 @@ pub const SYMBOLS: &[Symbol] = &[
     Symbol { printed: "n, t", ours: r"\mathrm{n}, \mathrm{t}", meaning: "normal to a path and along it" },
 ];
 
-/// Whether each of the book's symbols stands for one thing only.
-pub fn ours_are_unambiguous() -> bool {
-    SYMBOLS.iter().all(|symbol| SYMBOLS.iter().filter(|other| other.ours == symbol.ours).count() == 1)
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_symbol_of_the_book_stands_for_one_thing() {
+        for symbol in SYMBOLS {
+            assert_eq!(SYMBOLS.iter().filter(|other| other.ours == symbol.ours).count(), 1, "{}", symbol.ours);
+        }
+    }
 }

@@ -22,15 +22,12 @@ fn pin() -> Vec<Claim> {
             "speed of the pin on its circle",
             r"v_{P2} = \omega_2 l_2",
             Check::equation(
-                (Vectors, || {
-                    same(
-                        diagram(|motion| motion.velocities.pin_velocity.norm()),
-                        Instant::printed().map_or(f64::NAN, |at| at.drive.speed * at.linkage.crank()),
-                    )
-                }),
                 (Series, || {
                     let polar = series(|rates| libm::hypot(rates.sliding, rates.turning) * radius(rates));
-                    same(polar, diagram(|motion| motion.velocities.pin_velocity.norm()))
+                    at_the_instant(|at| Some(same(polar, at.drive.speed * at.linkage.crank())))
+                }),
+                (AutomaticDerivative, || {
+                    from_duals(|crank| meets(crank.pin_motion()[1].norm(), crank.speed * crank.radius))
                 }),
             ),
         ),
@@ -47,7 +44,7 @@ fn pin() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::FromRounded)
-        .with_erratum(rounded("1.047", "The rate of the crank is used with the three digits it was printed with.")),
+        .affected_by(rounding::RATE),
     ]
 }
 
@@ -66,20 +63,7 @@ fn across() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: r"v_{P4} = v_{P2} \cos\beta",
-            slip: Slip {
-                id: "",
-                reason: "The angle between v(P2), which is at right angles to the crank, and \
-                    v(P4), which is at right angles to the lever, is that between crank and \
-                    lever: β, at the pin. The printed angle is that between the crank and \
-                    the line of centres. The printed speed was computed with β.",
-                witness: "The two printed speeds alone: the angle with that cosine is β within their digits.",
-                origin: Origin::Misprint,
-                consequence: Consequence::Derivation,
-                changes: "",
-            },
-        }),
+        .with_erratum(Erratum { corrected: r"v_{P4} = v_{P2} \cos\beta", slip: OTHER_ANGLE }),
         Claim::value(
             WORK,
             "quick-return.lever-point-speed",
@@ -99,21 +83,20 @@ fn across() -> Vec<Claim> {
             "angular velocity of the lever",
             r"\omega_4 = v_{P4} / l_4",
             Check::equation(
-                (Vectors, || {
-                    same(
-                        diagram(|motion| motion.velocities.follower_speed),
-                        diagram(|motion| {
-                            motion.velocities.slot_point_velocity.norm() / motion.velocities.position.norm()
-                        }),
-                    )
-                }),
                 (Series, || {
-                    same(
-                        series(|rates| rates.turning),
-                        diagram(|motion| {
-                            motion.velocities.slot_point_velocity.norm() / motion.velocities.position.norm()
-                        }),
-                    )
+                    // What the pin's velocity has across the lever, over the pin's distance.
+                    at_the_instant(|at| {
+                        let pin = Vector2::new(at.linkage.ground(), 0.0) + at.arm();
+                        let across = pin.normalize().perp(&(quarter_turn(&at.arm()) * at.drive.speed));
+                        Some(same(at.by_series()?.turning, across / pin.norm()))
+                    })
+                }),
+                (AutomaticDerivative, || {
+                    from_duals(|crank| {
+                        let lever = printed("quick-return.lever-angle");
+                        let across = crank.speed * crank.radius * cosine(angle_at_pin(lever));
+                        meets(crank.polar()[1][1], across / projected_length(lever))
+                    })
                 }),
             ),
         ),
@@ -130,7 +113,7 @@ fn across() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::FromRounded)
-        .with_erratum(rounded("1.215", "The length of the lever is used with the two digits it was printed with.")),
+        .affected_by(rounding::LENGTH),
     ]
 }
 
@@ -149,17 +132,7 @@ fn along() -> Vec<Claim> {
             ),
         )
         .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: r"v_{P2/P4} = v_{P2} \sin\beta",
-            slip: Slip {
-                id: "",
-                reason: "The same angle for another as two lines before; the printed speed was computed with β.",
-                witness: "The two printed speeds alone: the angle with that sine is β within their digits.",
-                origin: Origin::Misprint,
-                consequence: Consequence::Derivation,
-                changes: "",
-            },
-        }),
+        .with_erratum(Erratum { corrected: r"v_{P2/P4} = v_{P2} \sin\beta", slip: OTHER_ANGLE }),
         Claim::value(
             WORK,
             "quick-return.sliding-speed",
@@ -175,19 +148,25 @@ fn along() -> Vec<Claim> {
     ]
 }
 
+const OTHER_ANGLE: Slip = Slip {
+    id: "quick-return.lever-point-speed-equation",
+    reason: "v(P2) is at right angles to the crank and v(P4) to the lever, so the angle between them is that between \
+             crank and lever: β, at the pin. The printed angle is that between the crank and the line of centres. It \
+             stands in two equations and is a result of the solution, so it is not put down to the copy.",
+    witness: "The printed speeds alone: the angles with that cosine and that sine are β within their digits.",
+    origin: Origin::Misprint,
+    consequence: Consequence::Derivation,
+    changes: "No number: both speeds were computed with β.",
+};
+
 fn resolved(by: ResolvedBy, part: Part) -> Finding {
     prove(&ResolvedSpeed { by, part }).into()
 }
 
 /// Whether the ratio of a printed speed to the printed speed of the pin has β for its angle and not the printed one.
 fn printed_speeds_point_to(part: &str, angle_of: fn(f64) -> f64) -> Finding {
-    let half = |id: &str| {
-        decimal(id)
-            .map_or(f64::NAN, |decimal| geneva_kinematics::Field::approximate(&decimal.unit_in_last_place()) / 2.0)
-    };
-    let whole = "quick-return.pin-speed";
-    let lowest = (printed(part) - half(part)) / (printed(whole) + half(whole));
-    let highest = (printed(part) + half(part)) / (printed(whole) - half(whole));
+    let [part, whole] = [part, "quick-return.pin-speed"].map(interval);
+    let [lowest, highest] = [part[0] / whole[1], part[1] / whole[0]];
     let [a, b] = [angle_of(lowest), angle_of(highest)];
     let allowed = a.min(b)..a.max(b);
     let (beta, other) = (printed("quick-return.angle-at-pin"), printed("quick-return.crank-angle"));

@@ -1,47 +1,105 @@
-//! Errata: one in its chapter, and the page of all.
+//! What is wrong in the sources: one erratum in its chapter, and the pages of all slips by what they do.
 
 use super::forms::how;
 use super::inline::{badge, linked_id, rounded, with_unit};
 use super::lookup;
 use crate::html::{Cells, escape, table, tex_or_text};
-use anyhow::anyhow;
-use geneva_ledger::{Erratum, Judged, Severity, in_full, verdicts};
+use anyhow::{anyhow, ensure};
+use geneva_ledger::{Consequence, Judged, Places, in_full, slips};
 
-/// One erratum, as a box.
+/// The erratum of a claim, as a box.
 pub fn one(id: &str) -> anyhow::Result<String> {
     let judged = lookup::judged(id)?;
     let erratum = judged.claim.erratum.as_ref().ok_or_else(|| anyhow!("claim `{id}` has no erratum"))?;
-    boxed(judged, erratum)
+    let places = slips().iter().find(|places| places.slip.id == erratum.slip.id);
+    boxed(judged, places.ok_or_else(|| anyhow!("slip `{}` has no places", erratum.slip.id))?)
 }
 
-/// All errata of the sources with these slugs, with spaces between.
-pub fn page(slugs: &str) -> anyhow::Result<String> {
+/// All slips with these consequences, with spaces between, each under a heading that says what it does.
+pub fn page(consequences: &str) -> anyhow::Result<String> {
     let mut out = String::new();
-    for slug in slugs.split_whitespace() {
-        let work = lookup::work(slug)?;
-        out.push_str(&format!("\n\n## Source {work}\n\n{}\n", escape(work.citation())));
-        for judged in lookup::of_work(work) {
-            if let Some(erratum) = &judged.claim.erratum {
-                out.push_str(&format!("\n{}\n", boxed(judged, erratum)?));
-            }
+    for slug in consequences.split_whitespace() {
+        let consequence = lookup::consequence(slug)?;
+        out.push_str(&format!("\n\n## {}\n", capital(consequence.meaning())));
+        for places in of(consequence) {
+            out.push_str(&format!("\n{}\n", boxed(places.main(), places)?));
         }
     }
     Ok(out)
 }
 
-fn boxed(judged: &Judged, erratum: &Erratum) -> anyhow::Result<String> {
-    let claim = judged.claim;
+/// What changes a result or a conclusion, a row each.
+pub fn grave() -> anyhow::Result<String> {
+    let grave = [Consequence::Result, Consequence::Conclusion].into_iter().flat_map(of);
+    let rows = grave
+        .map(|places| {
+            let (claim, slip) = (places.main().claim, &places.slip);
+            Ok(vec![
+                format!("<a href=\"#slip-{}\">{}, {}</a>", slip.id, claim.work, escape(claim.locator)),
+                with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?,
+                right(places.main())?,
+                escape(slip.changes) + &numbers(places),
+            ])
+        })
+        .collect::<anyhow::Result<Vec<_>>>()?;
+    ensure!(!rows.is_empty(), "no slip changes a result");
+    Ok(table(
+        "What changes a result or a conclusion",
+        Cells::Words,
+        &["Where", "Printed", "Right", "What it does"],
+        &rows,
+    ))
+}
+
+/// The page that tells the slips of a consequence.
+pub fn page_of(consequence: Consequence) -> &'static str {
+    match consequence {
+        Consequence::Result | Consequence::Conclusion => "errata",
+        Consequence::Derivation | Consequence::Wording => "errata-small",
+        Consequence::Copy => "errata-copy",
+    }
+}
+
+/// How many slips there are of each consequence, and how many without those of the copy.
+pub fn summary() -> String {
+    let row = |consequence: &Consequence| {
+        let (slips, places) = (of(*consequence).count(), of(*consequence).map(|of| of.claims.len()).sum::<usize>());
+        vec![consequence.to_string(), consequence.meaning().to_owned(), slips.to_string(), places.to_string()]
+    };
+    let rows: Vec<_> = Consequence::ALL.iter().filter(|of| **of != Consequence::Copy).map(row).collect();
+    table("Slips by what they do", Cells::Words, &["Consequence", "What it means", "Slips", "Claims reached"], &rows)
+}
+
+/// How many slips there are of a consequence, or of all but those of the copy.
+pub fn count(of_what: &str) -> anyhow::Result<String> {
+    let number = match of_what {
+        "all" => slips().iter().filter(|places| places.slip.consequence != Consequence::Copy).count(),
+        slug => of(lookup::consequence(slug)?).count(),
+    };
+    Ok(number.to_string())
+}
+
+fn of(consequence: Consequence) -> impl Iterator<Item = &'static Places> {
+    slips().iter().filter(move |places| places.slip.consequence == consequence)
+}
+
+fn boxed(judged: &Judged, places: &Places) -> anyhow::Result<String> {
+    let (claim, slip) = (judged.claim, &places.slip);
+    let anchor = if claim.id == slip.id { format!(" id=\"slip-{}\"", slip.id) } else { String::new() };
     let mut out = format!(
-        "<aside class=\"erratum\" aria-label=\"Erratum {}\">\n<p><strong>Erratum, {}.</strong> {}: {}. {}</p>\n<dl>\n",
+        "<aside class=\"erratum\"{anchor} aria-label=\"Erratum {}\">\n<p><strong>Erratum ({}).</strong> {}: {}. {}</p>\n<dl>\n",
         claim.id,
-        erratum.severity,
+        slip.consequence,
         escape(claim.locator),
         escape(claim.meaning),
         badge(judged.verdict),
     );
     let mut entry = |term: &str, text: String| out.push_str(&format!("<dt>{term}</dt><dd>{text}</dd>\n"));
     entry("Printed", with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?);
-    entry("Should be", with_unit(&tex_or_text(erratum.corrected)?, claim.unit)?);
+    entry("Right", right(judged)?);
+    if !slip.changes.is_empty() {
+        entry("What it does", escape(slip.changes) + &numbers(places));
+    }
     let evidence = claim.check.evidence();
     for (term, number, kind) in [
         ("Computed", judged.computed, evidence.first()),
@@ -51,39 +109,46 @@ fn boxed(judged: &Judged, erratum: &Erratum) -> anyhow::Result<String> {
             entry(term, format!("{} ({kind})", with_unit(&rounded(judged, number), claim.unit)?));
         }
     }
-    entry("Why", escape(erratum.reason));
-    entry("Second witness", escape(erratum.witness));
+    entry("Why", escape(slip.reason));
+    entry("Second witness", escape(slip.witness));
+    if let Some(reading) = claim.reading {
+        entry("Read as", escape(reading));
+    }
     if !judged.findings.is_empty() {
         entry("How it was found", how(judged));
     }
-    if !erratum.inherited_by.is_empty() {
-        let links: Vec<_> = erratum.inherited_by.iter().map(|id| linked_id(id)).collect();
-        entry("Inherited by", links.join(", "));
+    if places.claims.len() > 1 {
+        entry("Other places", others(judged, places));
     }
     out.push_str(&format!("</dl>\n<p>{}</p>\n</aside>", linked_id(claim.id)));
     Ok(out)
 }
 
-/// How many errata there are of each severity.
-pub fn summary() -> String {
-    let rows: Vec<_> = Severity::ALL
-        .iter()
-        .map(|severity| {
-            let graded = verdicts().iter().filter_map(|judged| judged.claim.erratum.as_ref());
-            let count = graded.filter(|erratum| erratum.severity == *severity).count();
-            vec![severity.to_string(), meaning(*severity).to_owned(), count.to_string()]
-        })
-        .collect();
-    table("Errata by kind of slip", Cells::Words, &["Kind of slip", "What it means", "Errata"], &rows)
+/// What should stand in the place of the printed characters.
+fn right(judged: &Judged) -> anyhow::Result<String> {
+    with_unit(&tex_or_text(&judged.corrected().unwrap_or_default())?, judged.claim.unit)
 }
 
-fn meaning(severity: Severity) -> &'static str {
-    match severity {
-        Severity::Transcription => "the copy lost or changed a character; the original is not to blame",
-        Severity::Typographical => {
-            "a slip of the pen or a misprint of the source: a wrong or missing word, sign or symbol"
-        }
-        Severity::Arithmetical => "a wrong or carelessly rounded computation",
-        Severity::Conceptual => "a wrong idea",
-    }
+/// How many printed numbers a slip makes wrong, and by how much.
+fn numbers(places: &Places) -> String {
+    let number = places.wrong_numbers().count();
+    let of = if number == 1 { "one printed number".to_owned() } else { format!("{number} printed numbers") };
+    places.greatest_change().map_or_else(String::new, |change| {
+        let decimals = if change < 0.1 { 1 } else { 0 };
+        format!(" ({of}, off by {:.decimals$}&nbsp;% at most)", 100.0 * change)
+    })
+}
+
+/// The other claims that a slip reaches; of many in one table only the first.
+fn others(judged: &Judged, places: &Places) -> String {
+    const MOST: usize = 8;
+    let ids = places.claims.iter().map(|other| other.claim.id).filter(|id| *id != judged.claim.id);
+    let links: Vec<_> = ids.clone().take(MOST).map(linked_id).collect();
+    let more = ids.count() - links.len();
+    links.join(", ") + &if more > 0 { format!(" and {more} more") } else { String::new() }
+}
+
+fn capital(text: &str) -> String {
+    let mut characters = text.chars();
+    characters.next().map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
 }

@@ -29,11 +29,11 @@ pub fn how(judged: &Judged) -> String {
     }
     let evidence = judged.claim.check.evidence();
     let kind = |role: &str| match role {
-        "as printed" => evidence.first(),
-        "witness" => evidence.last(),
+        "as printed" | "corrected" | "neighbour" => evidence.first(),
+        "witness" | "neighbour by the witness" | "as printed by the witness" => evidence.last(),
         _ => None,
     };
-    let parts: Vec<_> = judged
+    let mut parts: Vec<_> = judged
         .findings
         .iter()
         .map(|(role, finding)| {
@@ -42,5 +42,11 @@ pub fn how(judged: &Judged) -> String {
             format!("{role}{kind} {says}: {}", escape(&finding.how))
         })
         .collect();
+    if let Check::Statement { neighbour: Some(words), .. } = &judged.claim.check {
+        parts.push(format!("the neighbour: {}", escape(words)));
+    }
+    if let Some(reading) = judged.claim.reading {
+        parts.insert(0, format!("read as: {}", escape(reading)));
+    }
     parts.join(";<br>")
 }

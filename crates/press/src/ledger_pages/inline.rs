@@ -22,6 +22,13 @@ pub fn value(id: &str) -> anyhow::Result<String> {
     Ok(format!("<span class=\"claim\">{}</span>", with_unit(&number, judged.claim.unit)?))
 }
 
+/// The right number with its unit, where the printed one is not right.
+pub fn right(id: &str) -> anyhow::Result<String> {
+    let judged = lookup::judged(id)?;
+    let right = judged.right_value.ok_or_else(|| anyhow!("claim `{id}` has no other number that is right"))?;
+    Ok(format!("<span class=\"claim\">{}</span>", with_unit(&rounded(judged, right), judged.claim.unit)?))
+}
+
 /// The printed characters with their unit and verdict.
 pub fn claim(id: &str) -> anyhow::Result<String> {
     Ok(format!("{}&nbsp;({})", printed(id)?, verdict(id)?))

@@ -1,8 +1,8 @@
 //! Lists: all claims, the classes of verdict, the tolerances, the letters of a source.
 
 use super::forms::how;
-use super::inline::{badge, computed, with_unit};
-use super::{lookup, pages};
+use super::inline::{badge, computed, rounded, with_unit};
+use super::{errata, lookup, pages};
 use crate::html::{Cells, escape, table, tex_or_text};
 use crate::maths;
 use anyhow::ensure;
@@ -29,10 +29,24 @@ fn row(judged: &Judged) -> anyhow::Result<Vec<String>> {
         escape(claim.locator),
         format!("{}: {}", claim.kind, escape(claim.meaning)),
         with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?,
-        computed(judged).unwrap_or_else(|| "–".to_owned()),
+        numbers(judged),
         if judged.computed.is_some() { evidence.join(", ") } else { how(judged) },
-        badge(judged.verdict),
+        badge(judged.verdict) + &slip(judged),
     ])
+}
+
+/// What was computed and, where the printed number is not right, what is.
+fn numbers(judged: &Judged) -> String {
+    let computed = computed(judged).unwrap_or_else(|| "–".to_owned());
+    let in_error = judged.right_value.filter(|right| judged.computed != Some(*right));
+    in_error.map_or(computed.clone(), |right| format!("{computed}; right: {}", rounded(judged, right)))
+}
+
+/// The slip that reaches a claim, as a link to where it is told.
+fn slip(judged: &Judged) -> String {
+    let Some(erratum) = &judged.claim.erratum else { return String::new() };
+    let page = errata::page_of(erratum.slip.consequence);
+    format!(" <a href=\"{page}.html#slip-{}\">{}</a>", erratum.slip.id, erratum.slip.consequence)
 }
 
 /// The classes of verdict with their meaning and how many claims have each.
@@ -41,10 +55,10 @@ pub fn verdicts() -> String {
         .iter()
         .map(|verdict| {
             let count = judged().iter().filter(|judged| judged.verdict == *verdict).count();
-            vec![badge(*verdict), escape(verdict.meaning()), count.to_string()]
+            vec![badge(*verdict), escape(verdict.meaning()), verdict.truth().to_string(), count.to_string()]
         })
         .collect();
-    table("Classes of verdict", Cells::Words, &["Verdict", "What it means", "Claims"], &rows)
+    table("Classes of verdict", Cells::Words, &["Verdict", "What it means", "Is it right?", "Claims"], &rows)
 }
 
 /// The kinds of evidence and how many claims use each.

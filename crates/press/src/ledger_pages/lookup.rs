@@ -1,7 +1,7 @@
 //! Finding claims and sources by name, with the nearest name in the error.
 
 use anyhow::anyhow;
-use geneva_ledger::{Judged, Work, verdict, verdicts};
+use geneva_ledger::{Consequence, Judged, Work, verdict, verdicts};
 
 /// The judged claim with this id.
 pub fn judged(id: &str) -> anyhow::Result<&'static Judged> {
@@ -17,6 +17,13 @@ pub fn work(slug: &str) -> anyhow::Result<Work> {
     found
         .copied()
         .ok_or_else(|| anyhow!("no source `{slug}`{}", nearest(slug, Work::ALL.iter().map(|work| work.slug()))))
+}
+
+/// The consequence with this slug.
+pub fn consequence(slug: &str) -> anyhow::Result<Consequence> {
+    let found = Consequence::ALL.iter().find(|consequence| consequence.slug() == slug);
+    let slugs = Consequence::ALL.iter().map(|consequence| consequence.slug());
+    found.copied().ok_or_else(|| anyhow!("no consequence `{slug}`{}", nearest(slug, slugs)))
 }
 
 /// The judged claims of a source.

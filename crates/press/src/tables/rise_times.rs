@@ -2,7 +2,7 @@
 
 use super::signed;
 use crate::html::{Cells, escape, table};
-use geneva_ledger::meyer::runs::rise_times::{explained, groups as all_groups};
+use geneva_ledger::meyer::runs::rise_times::{Misread, explained, groups as all_groups};
 
 /// How many rows each definition explains.
 pub fn definitions() -> anyhow::Result<String> {
@@ -44,13 +44,26 @@ pub fn groups() -> anyhow::Result<String> {
         .map(|group| {
             let scaled: Vec<String> = group.scaled.iter().map(|time| format!("{:.1}", 1e3 * time)).collect();
             let possible = if group.possible { "yes" } else { "no" };
+            let misread: Vec<String> = group.misread.iter().map(misread).collect();
+            let misread = match (group.possible, misread.is_empty()) {
+                (true, _) => "–".to_owned(),
+                (false, true) => "no".to_owned(),
+                (false, false) => misread.join("; or "),
+            };
             vec![
                 format!("{} pins, μ = {}", group.mechanism.pins(), group.friction),
                 scaled.join(", "),
                 possible.to_owned(),
+                misread,
             ]
         })
         .collect();
-    let head = ["Rows", "1000 t √K, by rising K", "one number for all?"];
+    let head = ["Rows", "1000 t √K, by rising K", "one number for all?", "if one row is misread?"];
     Ok(table("Printed rise times and the law of similarity", Cells::NamedNumbers, &head, &rows))
+}
+
+/// A row that may be misread, and what it should have been.
+fn misread(row: &Misread) -> String {
+    let [low, high] = row.between.map(|time| format!("{time:.4}"));
+    format!("K = {}, for {low} to {high} s", row.torque)
 }

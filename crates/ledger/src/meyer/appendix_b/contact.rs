@@ -2,11 +2,11 @@
 
 use super::program::{self, DELAY_PARTS, by_coefficients};
 use super::*;
-use crate::meyer::friction::a_rate;
 use crate::meyer::instants::slip;
 use crate::meyer::reading::Letters;
 use crate::meyer::runs::{self, Hypothesis, Score};
 use crate::meyer::slips::LOST_BARS;
+use crate::meyer::spring::no_rate;
 use geneva_dynamics::Sign;
 use geneva_dynamics::derivation::{BarsOpened, BarsReprinted, Form, Opening};
 use std::collections::{BTreeMap, BTreeSet};
@@ -169,7 +169,7 @@ fn described() -> Vec<Claim> {
             },
         )
         .expecting(Verdict::NotReproducible),
-        a_rate("meyer.app-b.spring-constant", PROGRAM, "what K is called", "spring constant", "torque of the spring"),
+        no_rate("meyer.app-b.spring-constant", PROGRAM, "what K is called", "spring constant", "torque of the spring"),
         stated(
             ("meyer.app-b.letters", PROGRAM),
             "the program's letters G to L are the factors of Eq. (1-18), A to E those of Eq. (1-19)",

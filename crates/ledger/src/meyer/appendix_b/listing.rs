@@ -6,8 +6,8 @@ use super::contact::delay_explains;
 use super::fold::fold;
 use super::program::{self, DELAY_PARTS, SPEED, by_coefficients};
 use super::*;
-use crate::meyer::friction::a_rate;
 use crate::meyer::runs::{self, Column, Mechanism};
+use crate::meyer::spring::no_rate;
 use geneva_dynamics::Slots;
 
 const PROGRAM: &str = "Appendix B, program";
@@ -18,7 +18,7 @@ pub fn claims() -> Vec<Claim> {
 
 fn constants() -> Vec<Claim> {
     vec![
-        a_rate(
+        no_rate(
             "meyer.listing.comment-k",
             "Appendix B, program, comment on K",
             "what K is called",

@@ -224,6 +224,11 @@ pub const INERTIA: &[Line] = &[
         &[
             Claim("meyer.one-geometric-parameter"),
             Claim("meyer.four-parameters"),
+            exception(
+                "meyer.inertias-fixed",
+                "",
+                "says that the inertias are not varied: a choice, to which the tables keep",
+            ),
             Claim("meyer.like-discs"),
             Claim("meyer.steel"),
         ],

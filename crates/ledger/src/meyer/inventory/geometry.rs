@@ -12,13 +12,26 @@ pub const LINES: &[Line] = &[
             exception(
                 "meyer.usual-slots",
                 "",
-                "says that followers have three to eighteen slots: a custom; geometry asks for three or more",
+                "says that followers have three to eighteen slots and what they are mostly used for: a custom; \
+                    geometry asks for three or more",
             ),
             Claim("meyer.indexing"),
             exception("meyer.usual-driver", "", "says that analyses take the driver's speed as constant: a custom"),
         ],
     ),
-    line(138, NONE, &[Claim("meyer.intermittent"), Claim("meyer.always-engaged")]),
+    line(
+        138,
+        NONE,
+        &[
+            exception(
+                "meyer.simple-to-analyse",
+                "",
+                "calls the mechanism with one pin simple to analyse, and its motion undesirable for timing: judgements",
+            ),
+            Claim("meyer.intermittent"),
+            Claim("meyer.always-engaged"),
+        ],
+    ),
     line(
         141,
         0xaf63_ae4c_8601_9e62,

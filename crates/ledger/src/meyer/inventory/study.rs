@@ -4,7 +4,11 @@ use super::{NONE, exception, line};
 use crate::Entry::{Again, Claim, Label};
 use crate::Line;
 
-pub const ABSTRACT: &[Line] = &[line(68, NONE, &[Claim("meyer.abstract.terminal"), Claim("meyer.abstract.fifty")])];
+pub const ABSTRACT: &[Line] = &[line(
+    68,
+    NONE,
+    &[Claim("meyer.abstract.terminal"), Claim("meyer.abstract.consequently"), Claim("meyer.abstract.fifty")],
+)];
 
 pub const PARAMETERS: &[Line] = &[
     line(
@@ -13,7 +17,8 @@ pub const PARAMETERS: &[Line] = &[
         &[exception(
             "meyer.to-be-shown",
             "",
-            "says what the chapter is to show; what it finds are claims of their own",
+            "says what the chapter is to show: a terminal velocity, which is a claim of the abstract, and small \
+             effects of the parameters, which are the second conclusion",
         )],
     ),
     line(432, NONE, &[Claim("meyer.six-parameters")]),
@@ -55,7 +60,7 @@ pub const FIGURES: &[Line] = &[
         )],
     ),
     line(457, 0xaf63_b54c_8601_aa47, &[Claim("meyer.fig-8")]),
-    line(459, 0xaf63_b54c_8601_aa47, &[Claim("meyer.shape"), Label("8")]),
+    line(459, 0xaf63_b54c_8601_aa47, &[Claim("meyer.shape"), Claim("meyer.scales"), Label("8")]),
     line(
         461,
         0xbb39_62b0_e741_ba2c,
@@ -65,7 +70,7 @@ pub const FIGURES: &[Line] = &[
             exception(
                 "meyer.averages-defined",
                 "",
-                "defines average terminal velocity and period; Recommendation 7 comes back to the former",
+                "defines average terminal velocity, period and resolution; Recommendation 7 comes back to the first",
             ),
         ],
     ),
@@ -77,7 +82,9 @@ pub const FIGURES: &[Line] = &[
             Claim("meyer.peaks-at-entry"),
             Claim("meyer.still-at-entry"),
             Claim("meyer.peaks-at-rest"),
+            Claim("meyer.driver-slows"),
             Claim("meyer.extremes-on-centres"),
+            Claim("meyer.follower-decreases"),
             Claim("meyer.peaks-at-exit"),
             Claim("meyer.leaves-as-entered"),
         ],
@@ -120,7 +127,7 @@ pub const FIGURES: &[Line] = &[
         &[exception(
             "meyer.least-rise-time.reason",
             "",
-            "ends the first statement with a reason for the least rise time, which there is not",
+            "ends the first statement: a reason for the least rise time, which does not exist",
         )],
     ),
     line(
@@ -143,16 +150,15 @@ pub const FIGURES: &[Line] = &[
 ];
 
 pub const CONCLUSIONS: &[Line] = &[
-    line(522, NONE, &[exception("meyer.conclusions", "", "announces three conclusions, of which two are claims")]),
+    line(
+        522,
+        NONE,
+        &[exception("meyer.conclusions", "", "announces three conclusions, which are claims of their own")],
+    ),
     line(
         524,
         0xaf63_ac4c_8601_9afc,
-        &[exception(
-            "meyer.conclusion.timing",
-            "1",
-            "a judgement of use: that there is a terminal velocity is a claim of the abstract, how exact it would be is \
-             not said",
-        )],
+        &[exception("meyer.conclusion.first", "1", "number of the first conclusion"), Claim("meyer.conclusion.timing")],
     ),
     line(
         525,
@@ -165,15 +171,28 @@ pub const CONCLUSIONS: &[Line] = &[
     line(
         526,
         0xaf63_ae4c_8601_9e62,
-        &[exception("meyer.conclusion.third", "3", "number of the third conclusion"), Claim("meyer.conclusion.three")],
+        &[
+            exception("meyer.conclusion.third", "3", "number of the third conclusion"),
+            Claim("meyer.conclusion.three"),
+            Claim("meyer.conclusion.the-three"),
+        ],
     ),
-    line(530, NONE, &[exception("meyer.recommendations", "", "announces what further work should look at")]),
+    line(
+        530,
+        NONE,
+        &[exception(
+            "meyer.recommendations",
+            "",
+            "repeats the first conclusion and announces what further work should look at",
+        )],
+    ),
     line(
         532,
         0xaf63_ac4c_8601_9afc,
         &[
             exception("meyer.recommendation.first", "1", "number of the first recommendation"),
             Claim("meyer.not-fast-enough"),
+            exception("meyer.recommendation.masses", "", "asks for work on the masses, to make the rise times smaller"),
         ],
     ),
     line(
@@ -181,6 +200,7 @@ pub const CONCLUSIONS: &[Line] = &[
         0xaf63_af4c_8601_a015,
         &[
             exception("meyer.recommendation.second", "2", "number of the second recommendation"),
+            Claim("meyer.recommendation.spring-rates"),
             Claim("meyer.cyclic-oscillations"),
         ],
     ),
@@ -191,8 +211,8 @@ pub const CONCLUSIONS: &[Line] = &[
             exception(
                 "meyer.recommendation.third",
                 "3",
-                "asks for finite pins, slots and friction of bearings: what is not in \
-                        the equation cannot be tested by it",
+                "asks for finite pins and slots and for friction in the bearings, of which it says what may be, not \
+                 what is",
             ),
             Label("1-14"),
         ],
@@ -208,8 +228,7 @@ pub const CONCLUSIONS: &[Line] = &[
         &[exception(
             "meyer.recommendation.fifth",
             "5",
-            "calls the accelerations high without a number; in the steady motion of the runs the driver's reaches seven \
-             thousand to a hundred and fifty thousand rad/s²",
+            "has the impression that accelerations are high, without a number, and asks for work on them",
         )],
     ),
     line(

@@ -5,7 +5,8 @@
 
 use super::cells::leaked;
 use super::*;
-use crate::meyer::slips::SWAPPED_INERTIAS;
+use crate::Evidence::{Integration, Steps};
+use crate::meyer::slips::{RESET_ANGLE, SWAPPED_INERTIAS};
 use crate::{Entry, Line};
 use geneva_dynamics::steady::Engagement;
 use std::sync::OnceLock;
@@ -53,6 +54,44 @@ pub fn claims(mechanism: Mechanism) -> Vec<Claim> {
             }
         })
         .collect()
+}
+
+/// What the headings say the tables are of.
+pub fn of_headings() -> Claim {
+    let check = Check::corrected_statement(
+        (Integration, |stated| {
+            counted(&stated.pick(Hypothesis::BEST, Hypothesis::TRUE), "minima", 1.0, |of, row| {
+                Some(of.engagement(row)?.steady_state().ok()?.minimum.speed - row.number(Column::Minimum))
+            })
+        }),
+        (Steps, |stated| {
+            counted(&stated.pick(Hypothesis::BEST, Hypothesis::TRUE), "periods", 1e-3, |of, row| {
+                let [_, time, _] = of.cycle_by_steps(row)?;
+                Some(time / motion::unit_of_speed(of, row) - row.number(Column::Period))
+            })
+        }),
+    );
+    Claim::statement(
+        WORK,
+        "meyer.app-e.mechanisms",
+        "Appendix E, headings of the six-pin and the three-pin mechanism",
+        "the tables for six and three pins are of the mechanisms named above them",
+        "SUMMARY OF COMPUTER RUNS",
+        check,
+    )
+    .read_as("The runs that are summed up are of the mechanisms that the headings of the tables name.")
+    .expecting(Verdict::Corrected)
+    .with_erratum(Erratum {
+        corrected: "SUMMARY OF COMPUTER RUNS, those for six and three pins with the driver put back after 90°",
+        slip: RESET_ANGLE,
+    })
+}
+
+/// Whether all rows with six and three pins come out to one unit.
+fn counted(of: &Hypothesis, what: &str, unit: f64, off: fn(&Hypothesis, &Row) -> Option<f64>) -> Finding {
+    let others = || rows().iter().filter(|row| row.mechanism != Mechanism::FourPin);
+    let near = others().filter(|row| off(of, row).is_some_and(|off| off.abs() <= unit * (1.0 + 1e-9))).count();
+    Finding::new(near == others().count(), format!("{near} of {} {what} come out to one unit", others().count()))
 }
 
 /// The claims of the axes of Figs. 10 and 11.
@@ -131,7 +170,7 @@ fn misfit(mechanism: Mechanism, column: Column, pair: [f64; 2]) -> f64 {
             let engagement = Engagement::folded(&parameters, fold, 1e-6).ok()?;
             return Some(engagement.steady_state().ok()?.peak.speed);
         }
-        let [least, _] = steps::cycle(&parameters, fold, STEPS)?;
+        let [least, ..] = steps::cycle(&parameters, fold, STEPS)?;
         Some(least * parameters.drive().sqrt())
     };
     let own = rows().iter().filter(|row| row.mechanism == mechanism);

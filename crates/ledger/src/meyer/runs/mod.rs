@@ -8,7 +8,7 @@
 //! - `rise_times`: which definition could be that of the rise times.
 //! - `integrator`: whether the tables depend on what is not known of the integrator.
 //! - `cells`: the claims, one for each printed result.
-//! - `steps`: the second route to the motion.
+//! - `steps`, `lagged`: the second routes, to the motion of the mechanism and to the runs with the lagged sign.
 //! - `record`: the verdicts and fingerprints on record.
 //! - `headings`: the inertias above the tables.
 
@@ -16,6 +16,7 @@ mod cells;
 mod headings;
 mod hypotheses;
 pub mod integrator;
+mod lagged;
 mod motion;
 mod printout;
 mod record;
@@ -25,8 +26,9 @@ pub mod steps;
 mod table;
 
 pub use cells::{claims, lines};
-pub use headings::of_figures;
+pub use headings::{of_figures, of_headings};
 pub use hypotheses::{EXPLAINED, Score, delays, scores};
+pub use lagged::Lagged;
 pub use motion::{Constants, Fold, Hypothesis, Reading, Run, SixPin, delay, duration, fitting_interval, interval};
 pub use scores::{Fit, Law, Likelihood};
 pub use table::{Column, Mechanism, Row, rows, series};

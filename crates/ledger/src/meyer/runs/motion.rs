@@ -68,6 +68,8 @@ pub struct Run {
     pub minimum: f64,
     /// Time from one engagement to the next in the steady cycle.
     pub period: f64,
+    /// Time of the first minimum of the driver's speed: the rise time, as the text has it.
+    pub first_minimum: f64,
 }
 
 impl Run {
@@ -77,13 +79,15 @@ impl Run {
             Column::Peak => self.peak,
             Column::Minimum => self.minimum,
             Column::Period => self.period,
+            Column::Rise => self.first_minimum,
             _ => f64::NAN,
         }
     }
 }
 
 impl Hypothesis {
-    /// The one that explains the tables: one fold for all, the inertias of Fig. 11, peaks as printed, the sign exact.
+    /// The one that explains the tables: one fold for all, the inertias of Fig. 11, peaks as printed. With the sign
+    /// exact it has a solution over the angle; see [`as_run`](Self::as_run) for what the program adds.
     pub const BEST: Self = Self {
         fold: Fold::OneForAll,
         six_pin: SixPin::AsDrawn,
@@ -94,6 +98,11 @@ impl Hypothesis {
 
     /// The mechanism as it is.
     pub const TRUE: Self = Self { fold: Fold::OfTheMechanism, reading: Reading::True, ..Self::BEST };
+
+    /// What was run: the same with the constants of the listing and its lagged sign. Every cell is judged by it.
+    pub fn as_run() -> Self {
+        Self { constants: Constants::AsListed, delay: Some(delay()), ..Self::BEST }
+    }
 
     /// The parameters of a row.
     pub fn parameters(&self, row: &Row) -> Option<Parameters> {
@@ -133,7 +142,8 @@ impl Hypothesis {
             Reading::True => steady.peak.speed,
             Reading::OnTheGrid => largest_printed(&engagement, interval())?,
         };
-        Some(Run { peak, minimum: steady.minimum.speed, period: steady.period })
+        let first_minimum = engagement.first_minimum().ok()?.map_or(f64::NAN, |minimum| minimum.time);
+        Some(Run { peak, minimum: steady.minimum.speed, period: steady.period, first_minimum })
     }
 
     /// The same, read off the lines that the program prints; the true peak is not among them.
@@ -148,7 +158,7 @@ impl Hypothesis {
     }
 
     /// The program of the thesis with a row's cards.
-    fn program(&self, row: &Row) -> Option<Program> {
+    pub fn program(&self, row: &Row) -> Option<Program> {
         let exact = Program::of(&self.parameters(row)?);
         let ratio = match self.constants {
             Constants::Exact => exact.ratio,
@@ -158,15 +168,10 @@ impl Hypothesis {
         Some(Program { fold: self.angle(row.mechanism), ratio, contact, ..exact })
     }
 
-    /// The largest printed speed by the second route: the program on its integrator, with small errors.
-    pub fn peak_by_steps(&self, row: &Row) -> Option<f64> {
-        let integrator = geneva_mimic::Parameters { relative_tolerance: 1e-9, ..usual() };
-        Some(self.program(row)?.run(&integrator).ok()?.largest())
-    }
-
-    /// The least speed and the period by the second route, for a torque and a follower of one: by equal steps of θ.
-    pub fn cycle_by_steps(&self, row: &Row) -> Option<[f64; 2]> {
-        type Known = Mutex<HashMap<(Mechanism, String, Fold, SixPin), Option<[f64; 2]>>>;
+    /// The least speed, the period and the greatest speed of the steady cycle by the second route, for a torque and a
+    /// follower of one: by equal steps of θ.
+    pub fn cycle_by_steps(&self, row: &Row) -> Option<[f64; 3]> {
+        type Known = Mutex<HashMap<(Mechanism, String, Fold, SixPin), Option<[f64; 3]>>>;
         static KNOWN: OnceLock<Known> = OnceLock::new();
         let key = (row.mechanism, row.printed(Column::Friction).to_owned(), self.fold, self.six_pin);
         let known = KNOWN.get_or_init(Known::default);

@@ -15,8 +15,17 @@ impl Run {
             lines.iter().filter(|line| line.time >= start && line.time <= end).map(|line| line.speed).collect();
         // Between the lines by a parabola: at its lowest the speed is smooth.
         let minimum = own.windows(3).map(|w| steps::lowest(w[0], w[1], w[2])).fold(f64::INFINITY, f64::min);
-        (last >= 2.0).then_some(Self { peak: printout.largest(), minimum, period: end - start })
+        let first_minimum = slowest(lines)?;
+        (last >= 2.0).then_some(Self { peak: printout.largest(), minimum, period: end - start, first_minimum })
     }
+}
+
+/// When the driver is first at its slowest: where the printed acceleration changes to plus, as if it were straight
+/// between two lines.
+fn slowest(lines: &[Line]) -> Option<f64> {
+    let pair = lines.windows(2).find(|w| w[0].acceleration < 0.0 && w[1].acceleration >= 0.0)?;
+    let part = pair[0].acceleration / (pair[0].acceleration - pair[1].acceleration);
+    Some(pair[0].time + part * (pair[1].time - pair[0].time))
 }
 
 /// When the driver has turned so far: between two lines by the cubic through angles and speeds.

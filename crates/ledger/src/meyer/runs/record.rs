@@ -5,28 +5,53 @@ use super::*;
 /// Rows by the line of the source's text.
 type Lines = &'static [u32];
 
-/// Results that are right to one unit of the last place, not to the half: read from a print-out.
-const READ_OFF: [(Column, Lines); 3] = [
-    (Column::Peak, &[795, 799, 808, 813, 815, 821, 829, 831, 832, 836, 837, 839, 842, 843]),
-    (Column::Minimum, &[791]),
-    (Column::Period, &[784, 785, 787, 792, 793, 795, 796, 806, 814, 815, 829, 832, 833, 834, 841, 843]),
+/// The verdicts on record.
+const RECORD: &[(Verdict, Column, Lines)] = &[
+    (Verdict::ReadOff, Column::Peak, &[807, 808, 813, 821]),
+    (Verdict::ReadOff, Column::Minimum, &[784, 788, 795, 796, 797]),
+    (Verdict::ReadOff, Column::Rise, &[818, 819]),
+    (Verdict::ReadOff, Column::Period, &[806, 814, 815, 834, 838, 840, 842]),
+    (
+        Verdict::ReproducedInError,
+        Column::Peak,
+        &[
+            784, 785, 786, 787, 788, 789, 790, 791, 792, 793, 794, 795, 796, 797, 798, 799, 817, 828, 829, 830, 831,
+            832, 833, 834, 835, 836, 837, 838, 839, 840, 841, 842, 843,
+        ],
+    ),
+    (
+        Verdict::ReproducedInError,
+        Column::Minimum,
+        &[
+            785, 786, 787, 789, 790, 791, 793, 794, 798, 799, 828, 829, 830, 831, 832, 833, 834, 835, 836, 837, 838,
+            839, 840, 841, 842, 843,
+        ],
+    ),
+    (
+        Verdict::ReproducedInError,
+        Column::Period,
+        &[
+            784, 785, 786, 787, 788, 789, 790, 791, 792, 793, 794, 795, 796, 797, 798, 799, 828, 829, 830, 831, 832,
+            833, 835, 841, 843,
+        ],
+    ),
+    (Verdict::NotReproduced, Column::Peak, &[815, 822]),
+    (
+        Verdict::NotReproduced,
+        Column::Rise,
+        &[
+            784, 785, 786, 787, 788, 789, 790, 791, 792, 793, 794, 795, 796, 797, 798, 799, 806, 807, 808, 809, 810,
+            811, 812, 813, 814, 815, 816, 817, 828, 829, 830, 831, 832, 833, 834, 835, 836, 837, 838, 839, 840, 841,
+            842, 843,
+        ],
+    ),
+    (Verdict::Corrected, Column::Rise, &[822]),
 ];
-
-/// Results that the run does not give.
-const NOT_REPRODUCED: [(Column, Lines); 1] = [(Column::Peak, &[791, 807, 822, 838])];
 
 /// The verdict on record.
 pub fn verdict(row: &Row, column: Column) -> Verdict {
-    let listed = |lists: &[(Column, Lines)]| lists.iter().any(|(of, lines)| *of == column && lines.contains(&row.line));
-    if column == Column::Rise {
-        Verdict::NotReproducible
-    } else if listed(&READ_OFF) {
-        Verdict::ReadOff
-    } else if listed(&NOT_REPRODUCED) {
-        Verdict::NotReproduced
-    } else {
-        Verdict::Reproduced
-    }
+    let listed = RECORD.iter().find(|(_, of, lines)| *of == column && lines.contains(&row.line));
+    listed.map_or(Verdict::Reproduced, |(verdict, ..)| *verdict)
 }
 
 /// The fingerprint on record of a row's line; zero for a line that is no row.

@@ -121,19 +121,42 @@ pub struct Group {
     pub scaled: Vec<f64>,
     /// Whether some number fits all rows to within a unit of the last place and a print interval either way.
     pub possible: bool,
+    /// The rows of which one must be misread, any of them, for some number to fit all others. Empty if not even that
+    /// helps, or if nothing needs to be misread.
+    pub misread: Vec<Misread>,
+}
+
+/// A row that may be misread: the others say between which times its own must lie.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Misread {
+    /// The printed torque of the row.
+    pub torque: &'static str,
+    /// Least and greatest time that goes with the other rows, in s.
+    pub between: [f64; 2],
 }
 
 /// All groups. By the law of similarity a time that only the motion defines goes as 1/√K within each.
 pub fn groups() -> Vec<Group> {
     let slack = scores::unit(Column::Rise) + interval();
+    // The times √K that all of these rows allow.
+    let allowed = |rows: &[&Row]| {
+        rows.iter().fold([0.0_f64, f64::INFINITY], |[low, high], row| {
+            let (time, root) = (row.number(Column::Rise), row.torque().sqrt());
+            [low.max((time - slack) * root), high.min((time + slack) * root)]
+        })
+    };
     let group = |own: &'static [Row]| {
         let (mechanism, friction) = own.first().map(|row| (row.mechanism, row.printed(Column::Friction)))?;
-        let times = own.iter().map(|row| (row.number(Column::Rise), row.torque().sqrt()));
-        let bounds = times.clone().fold([0.0_f64, f64::INFINITY], |[low, high], (time, root)| {
-            [low.max((time - slack) * root), high.min((time + slack) * root)]
-        });
-        let scaled = times.map(|(time, root)| time * root).collect();
-        Some(Group { mechanism, friction, scaled, possible: bounds[0] <= bounds[1] })
+        let scaled = own.iter().map(|row| row.number(Column::Rise) * row.torque().sqrt()).collect();
+        let [low, high] = allowed(&own.iter().collect::<Vec<_>>());
+        let possible = low <= high;
+        let without = |left_out: &'static Row| {
+            let [low, high] = allowed(&own.iter().filter(|row| row.line != left_out.line).collect::<Vec<_>>());
+            let between = [low, high].map(|scaled| scaled / left_out.torque().sqrt());
+            (low <= high).then(|| Misread { torque: left_out.printed(Column::Torque), between })
+        };
+        let misread = if possible { Vec::new() } else { own.iter().filter_map(without).collect() };
+        Some(Group { mechanism, friction, scaled, possible, misread })
     };
     series().filter_map(group).collect()
 }

@@ -36,16 +36,19 @@ fn slope(parameters: &Parameters, angle: f64, square: f64) -> f64 {
     2.0 * terms.acceleration_with(&speed, Sign::from_number(terms.sign_decider(&speed)))
 }
 
-/// Least speed and duration of the engagement that repeats itself, for a torque and a follower of one; none if the
-/// steps are too long for the equation.
-pub fn cycle(parameters: &Parameters, fold: f64, steps: u32) -> Option<[f64; 2]> {
+/// Least speed, duration and greatest speed of the engagement that repeats itself, for a torque and a follower of one;
+/// none if the steps are too long for the equation.
+pub fn cycle(parameters: &Parameters, fold: f64, steps: u32) -> Option<[f64; 3]> {
     let ratio = Inertias::new(parameters.inertias().ratio(), 1.0).ok()?;
     let unit = Parameters::new(parameters.slots(), ratio, 1.0, parameters.friction()).ok()?;
     let angles = angles(&unit, fold, steps);
     let squares = repeated(&unit, &angles)?;
     let least = squares.windows(3).map(|w| lowest(w[0], w[1], w[2]));
     let least = squares.iter().copied().chain(least).fold(f64::INFINITY, f64::min);
-    let found = [least.sqrt(), duration(&unit, &angles, &squares)];
+    // The greatest stands upside down.
+    let greatest = squares.windows(3).map(|w| -lowest(-w[0], -w[1], -w[2]));
+    let greatest = squares.iter().copied().chain(greatest).fold(0.0, f64::max);
+    let found = [least.sqrt(), duration(&unit, &angles, &squares), greatest.sqrt()];
     found.iter().all(|number| number.is_finite()).then_some(found)
 }
 

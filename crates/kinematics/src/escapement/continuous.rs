@@ -1,0 +1,227 @@
+//! Any numbers of pins and slots with a pin always engaged: how far apart the axes must be, and how the follower turns.
+//!
+//! m pins stand 2π/m apart, n slots 2π/n. One pin leaves at the driver angle π/m as the next enters at −π/m; the
+//! follower's angle must then differ by one slot between the two: φ(π/m) = π/n. By the law of sines that fixes the
+//! centre distance, a = sin(π/m + π/n) / sin(π/n). The velocity ratio is even in θ, so both pins ask the follower for
+//! the same speed, whatever m and n are: nothing strikes ([`ContinuityStep`]).
+//!
+//! The pin enters along the slot only where the follower is at rest, π/m + π/n = π/2. Those are the three of
+//! [`Escapement`](super::Escapement); there a = 1 / sin(π/n). With a smaller sum the follower never stops, with a
+//! larger one it turns back a little at each hand-over. Pins are taken as thin.
+
+use crate::pin_slot::{pin_from_pivot, velocity_ratio};
+use crate::{Field, Identity, Turn};
+use std::cmp::Ordering;
+use std::f64::consts::PI;
+
+/// m pins and n slots with one pin always engaged; lengths are in radii of the pins' circle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Continuous {
+    pins: u32,
+    slots: u32,
+}
+
+/// What the follower does as one pin takes over from the next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AtHandOver {
+    /// It turns on: 1/m + 1/n is below one half.
+    TurnsOn,
+    /// It is at rest for an instant: 1/m + 1/n is one half.
+    Rests,
+    /// It turns back: 1/m + 1/n is above one half.
+    TurnsBack,
+}
+
+impl Continuous {
+    /// So many pins and slots; `None` unless the follower's axis is outside the circle of the pins, 1/m + 2/n < 1.
+    ///
+    /// a > 1 is sin(π/m + π/n) > sin(π/n), so π/m + 2π/n < π.
+    pub fn new(pins: u32, slots: u32) -> Option<Self> {
+        let [m, n] = [pins, slots].map(u64::from);
+        (n + 2 * m < m * n).then_some(Self { pins, slots })
+    }
+
+    /// Number of pins on the driver, m.
+    pub fn pins(&self) -> u32 {
+        self.pins
+    }
+
+    /// Number of slots on the follower, n.
+    pub fn slots(&self) -> u32 {
+        self.slots
+    }
+
+    /// π/m, the driver angle in radians at which a pin leaves.
+    pub fn driver_half_angle(&self) -> f64 {
+        PI / f64::from(self.pins)
+    }
+
+    /// π/n, the follower angle in radians at which a pin leaves.
+    pub fn follower_half_angle(&self) -> f64 {
+        PI / f64::from(self.slots)
+    }
+
+    /// a = sin(π/m + π/n) / sin(π/n), centre distance over radius of the pins' circle.
+    pub fn centre_distance_ratio(&self) -> f64 {
+        let slot = self.follower_half_angle();
+        libm::sin(self.driver_half_angle() + slot) / libm::sin(slot)
+    }
+
+    /// sin(π/m) / sin(π/n), distance of a pin from the follower's axis as it enters and leaves: the follower's rim.
+    ///
+    /// A pin is the nearer to that axis the nearer it is to the line of centres, so no other pin is inside the rim.
+    pub fn rim_radius(&self) -> f64 {
+        libm::sin(self.driver_half_angle()) / libm::sin(self.follower_half_angle())
+    }
+
+    /// cos(π/m + π/n) sin(π/n) / sin(π/m), the follower's angular velocity over the driver's at the hand-over: the
+    /// least of the motion.
+    pub fn hand_over_ratio(&self) -> f64 {
+        let (crank, slot) = (self.driver_half_angle(), self.follower_half_angle());
+        libm::cos(crank + slot) * libm::sin(slot) / libm::sin(crank)
+    }
+
+    /// What the follower does at the hand-over, by whole numbers: 2 (m + n) against m n.
+    pub fn at_hand_over(&self) -> AtHandOver {
+        let [m, n] = [self.pins, self.slots].map(u64::from);
+        match (2 * (m + n)).cmp(&(m * n)) {
+            Ordering::Less => AtHandOver::TurnsOn,
+            Ordering::Equal => AtHandOver::Rests,
+            Ordering::Greater => AtHandOver::TurnsBack,
+        }
+    }
+}
+
+/// Why one pin takes over from the next without a gap and without a blow. Variables: the tangents of θ₀/2 and φ₀/2, with
+/// θ₀ = π/m and φ₀ = π/n, or any other angles; a = sin(θ₀ + φ₀) / sin φ₀.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ContinuityStep {
+    /// The leaving pin is in the direction φ₀ from the follower's axis: no gap in the follower's angle.
+    Angle,
+    /// Leaving and entering pin ask for one speed of the follower: no jump.
+    Speed,
+    /// That speed over the driver's is cos(θ₀ + φ₀) sin φ₀ / sin θ₀, zero only at a quarter turn.
+    HandOverRatio,
+    /// The square of the pin's distance is then (sin θ₀ / sin φ₀)².
+    Rim,
+}
+
+impl ContinuityStep {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Angle, Self::Speed, Self::HandOverRatio, Self::Rim];
+}
+
+impl Identity<2> for ContinuityStep {
+    fn difference<S: Field>(&self, [half_crank, half_slot]: &[S; 2]) -> S {
+        let (crank, slot) = (Turn::from_half_tangent(half_crank), Turn::from_half_tangent(half_slot));
+        let sum = crank.plus(&slot);
+        let ratio = sum.sin.clone() / slot.sin.clone();
+        let leaving = pin_from_pivot(&ratio, &crank);
+        match self {
+            Self::Angle => leaving.perp(&slot.direction()),
+            Self::Speed => velocity_ratio(&ratio, &crank) - velocity_ratio(&ratio, &crank.reversed()),
+            Self::HandOverRatio => velocity_ratio(&ratio, &crank) - sum.cos * slot.sin / crank.sin,
+            Self::Rim => {
+                let rim = crank.sin.clone() / slot.sin.clone();
+                leaving.dot(&leaving) - rim.clone() * rim
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Escapement, possible};
+    use super::*;
+    use crate::{Rational, Surd, prove};
+
+    fn all() -> impl Iterator<Item = Continuous> {
+        (2..=24).flat_map(|pins| (3..=24).filter_map(move |slots| Continuous::new(pins, slots)))
+    }
+
+    #[test]
+    fn every_step_is_proven_for_all_angles() {
+        for step in ContinuityStep::ALL {
+            println!("{step:?}: {}", prove(&step).expect("an identity"));
+        }
+    }
+
+    /// The centre distance of the escapements at rest, for other numbers: the gap must be seen.
+    struct WithAGap;
+
+    impl Identity<2> for WithAGap {
+        fn difference<S: Field>(&self, [half_crank, half_slot]: &[S; 2]) -> S {
+            let (crank, slot) = (Turn::from_half_tangent(half_crank), Turn::from_half_tangent(half_slot));
+            pin_from_pivot(&(S::one() / slot.sin.clone()), &crank).perp(&slot.direction())
+        }
+    }
+
+    #[test]
+    fn the_distance_of_the_three_leaves_a_gap_with_other_numbers() {
+        assert!(prove(&WithAGap).is_err());
+    }
+
+    #[test]
+    fn the_axes_are_apart_exactly_where_a_pair_exists() {
+        for (pins, slots) in (1..=40).flat_map(|pins| (1..=40).map(move |slots| (pins, slots))) {
+            let [crank, slot] = [pins, slots].map(|count: u32| PI / f64::from(count));
+            let apart = (crank + slot).sin() / slot.sin() > 1.0 + 1e-12;
+            assert_eq!(Continuous::new(pins, slots).is_some(), apart, "{pins} pins, {slots} slots");
+        }
+        // Here the follower's axis would be on the circle of the pins.
+        assert_eq!(Continuous::new(3, 3), None);
+    }
+
+    #[test]
+    fn the_three_escapements_are_those_at_rest() {
+        let resting: Vec<_> = all().filter(|at| at.at_hand_over() == AtHandOver::Rests).collect();
+        let pairs: Vec<_> = resting.iter().rev().map(|at| (at.slots(), at.pins())).collect();
+        assert_eq!(pairs, possible());
+        for at in resting {
+            let escapement = Escapement::new(at.slots()).expect("one of the three");
+            let close = |one: f64, other: f64| approx::assert_relative_eq!(one, other, max_relative = 1e-15);
+            close(at.centre_distance_ratio(), escapement.centre_distance_ratio());
+            close(at.rim_radius(), escapement.rim_radius());
+            approx::assert_abs_diff_eq!(at.hand_over_ratio(), 0.0, epsilon = 1e-15);
+        }
+    }
+
+    #[test]
+    fn the_follower_turns_on_stops_or_turns_back_by_the_sum_of_the_angles() {
+        for at in all() {
+            let (ratio, half) = (at.centre_distance_ratio(), at.driver_half_angle());
+            let speed = |part: f64| velocity_ratio(&ratio, &Turn::from_radians(half * part));
+            approx::assert_abs_diff_eq!(speed(1.0), at.hand_over_ratio(), epsilon = 1e-13 * speed(0.0));
+            // The least speed of the engagement is that of its ends.
+            let least = (-50..=50).map(|k| speed(f64::from(k) / 50.0)).fold(f64::INFINITY, f64::min);
+            assert!(least > speed(1.0) - 1e-13 * speed(0.0));
+            let sign = match at.at_hand_over() {
+                AtHandOver::TurnsOn => speed(1.0) > 1e-9,
+                AtHandOver::Rests => speed(1.0).abs() < 1e-13,
+                AtHandOver::TurnsBack => speed(1.0) < -1e-9,
+            };
+            assert!(sign, "{at:?}: {}", speed(1.0));
+            // The rim keeps out all pins but the engaged one.
+            for pin in 1..at.pins() {
+                let place = pin_from_pivot(&ratio, &Turn::from_radians(half * (0.9 + 2.0 * f64::from(pin))));
+                assert!(place.norm() > at.rim_radius(), "{at:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn five_pins_and_five_slots_are_a_golden_ratio_apart_exactly() {
+        type Root = Surd<Rational, 5>;
+        let golden = (Root::integer(1) + Root::root()) / Root::integer(2);
+        // sin 2x / sin x = 2 cos x, and cos 36° is half the golden ratio.
+        let cos = golden.clone() / Root::integer(2);
+        let at = Continuous::new(5, 5).expect("a pair");
+        approx::assert_relative_eq!(at.centre_distance_ratio(), golden.approximate(), max_relative = 1e-15);
+        // Both pins give the follower cos 72° = (√5 − 1)/4; the sine stands in the ratio only by its sign.
+        let speed = (golden.clone() * cos.clone() - Root::integer(1))
+            / (Root::integer(1) + golden.clone() * golden.clone() - Root::integer(2) * golden * cos);
+        assert_eq!(speed, (Root::root() - Root::integer(1)) / Root::integer(4));
+        approx::assert_relative_eq!(at.hand_over_ratio(), speed.approximate(), max_relative = 1e-14);
+        assert_eq!(at.at_hand_over(), AtHandOver::TurnsOn);
+    }
+}

@@ -1,0 +1,163 @@
+//! The arcs and the journal that lock the wheel between two advances.
+
+use super::text::{SIMPLE, VARIETIES};
+use super::*;
+use nalgebra::Vector2;
+
+pub(super) fn journal_bearing() -> Claim {
+    Claim::statement(
+        WORK,
+        "jazar.journal-bearing",
+        VARIETIES,
+        "while it holds, the wheel's arc and the driver's journal are a bearing: they have the same centre",
+        "journal bearing",
+        Check::statement(
+            "the arcs have their centres on the wheel's rim",
+            (ClosedForm, |stated| {
+                for_all_stations(
+                    |wheel| {
+                        // Law of cosines: the pin, a crank radius from the driver's axis, enters at the rim, and the
+                        // slot is half a pitch from the arc's middle.
+                        let (rim, centres) = (wheel.wheel_radius_ratio(), centres(wheel, stated));
+                        let cosine = libm::cos(wheel.half_station());
+                        agrees(rim * rim + centres * centres - 2.0 * rim * centres * cosine, 1.0)
+                    },
+                    "the mouth of a slot is a crank radius from the centre of the arc beside it",
+                )
+            }),
+            (Vectors, |stated| {
+                for_all_stations(
+                    |wheel| {
+                        let end = wheel.engagement_half_angle();
+                        // The pin from the end of one engagement to the beginning of the next, the wheel at rest.
+                        (0..=20).map(|step| end + (2.0 * PI - 2.0 * end) * f64::from(step) / 20.0).all(|crank| {
+                            let pin = pin_from_pivot(&wheel.centre_distance_ratio(), &Turn::from_radians(crank));
+                            agrees((pin - Vector2::new(centres(wheel, stated), 0.0)).norm(), 1.0)
+                        })
+                    },
+                    "in the dwell the driver turns about the centre of an arc",
+                )
+            }),
+        ),
+    )
+}
+
+pub(super) fn locking() -> Claim {
+    Claim::statement(
+        WORK,
+        "jazar.locking",
+        SIMPLE,
+        "a journal in an arc of the wheel locks it, whichever way it is pushed",
+        "to lock the star wheel",
+        Check::statement(
+            "half of the arc, on one side of the line of centres, locks it as well",
+            (ClosedForm, |stated| {
+                for_all_stations(
+                    |wheel| locks(wheel, between_rim_and_pin(wheel, 0.5), stated.pick(&[1.0, -1.0], &[1.0])),
+                    "turned a little either way, an end of the arc would be inside the journal",
+                )
+            }),
+            (Vectors, |stated| {
+                for_all_stations(
+                    |wheel| holds(wheel, between_rim_and_pin(wheel, 0.5), stated.pick(&[1.0, -1.0], &[1.0])),
+                    "turning either way, an end of the arc would approach the driver's axis",
+                )
+            }),
+        ),
+    )
+}
+
+pub(super) fn journal_radius() -> Claim {
+    Claim::statement(
+        WORK,
+        "jazar.journal-radius",
+        SIMPLE,
+        "the radius of the journal can be chosen",
+        "flexible",
+        Check::statement(
+            "a journal that does not reach the wheel's rim locks it as well",
+            (ClosedForm, |stated| {
+                for_all_stations(
+                    |wheel| radii(wheel, stated).all(|journal| locks(wheel, journal, &[1.0, -1.0])),
+                    "turned a little either way, an end of the arc would be inside the journal",
+                )
+            }),
+            (Vectors, |stated| {
+                for_all_stations(
+                    |wheel| radii(wheel, stated).all(|journal| holds(wheel, journal, &[1.0, -1.0])),
+                    "turning either way, an end of the arc would approach the driver's axis",
+                )
+            }),
+        ),
+    )
+    .read_as("Any journal that reaches the wheel's rim and leaves room for the pin's path locks the wheel.")
+}
+
+pub(super) fn cutout_centres() -> Claim {
+    Claim::equation(
+        WORK,
+        "jazar.cutout-centres",
+        SIMPLE,
+        "radius of the circle of the locking arcs' centres, four stations",
+        r"\sqrt{2}r",
+        Check::equation(
+            (ClosedForm, || {
+                // Rim and crank are equal: an isosceles triangle with 45° at its base, which is the radius wanted.
+                same(2.0 * libm::cos(PI / 4.0), 2f64.sqrt())
+            }),
+            (Vectors, || {
+                // In the dwell an arc is concentric with the driver, which is where the pin's circle has its centre.
+                let crank = |wheel: &Wheel| Turn::from_radians(wheel.engagement_half_angle()).direction();
+                same(of(4, |wheel| (entry(wheel) + crank(wheel)).norm()), 2f64.sqrt())
+            }),
+        ),
+    )
+}
+
+/// Radius of the circle of the arcs' centres, or that of the rim.
+fn centres(wheel: &Wheel, stated: Stated) -> f64 {
+    stated.pick(wheel.locking_centres_ratio(), wheel.wheel_radius_ratio())
+}
+
+/// A journal's radius between the least, which touches the rim, and the pin's circle; below it for a part below zero.
+fn between_rim_and_pin(wheel: &Wheel, part: f64) -> f64 {
+    libm::pow(wheel.centre_distance_ratio() - wheel.wheel_radius_ratio(), 1.0 - part)
+}
+
+/// Nine radii all over that range, or one that is too small.
+fn radii(wheel: &Wheel, stated: Stated) -> impl Iterator<Item = f64> {
+    let parts: &[f64] = stated.pick(&[0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9], &[-0.1]);
+    parts.iter().map(|part| between_rim_and_pin(wheel, *part))
+}
+
+/// Whether the journal fits in the arc, and the wheel, turned by a thousandth of half a pitch either way, would have an
+/// end of the arc inside the journal.
+///
+/// The arc's ends are where its circle meets the rim, on the sides of the line of centres with these signs. The journal
+/// has a clearance of a billionth.
+fn locks(wheel: &Wheel, journal: f64, sides: &[f64]) -> bool {
+    let (rim, distance) = (wheel.wheel_radius_ratio(), wheel.centre_distance_ratio());
+    let cosine = (rim * rim + distance * distance - journal * journal) / (2.0 * rim * distance);
+    let end = libm::acos(cosine);
+    let surface = journal * (1.0 - 1e-9);
+    let inside =
+        |angle: f64| rim * rim + distance * distance - 2.0 * rim * distance * libm::cos(angle) < surface * surface;
+    let fits = sides.iter().all(|side| !inside(side * end));
+    let stops = |turn: &f64| sides.iter().any(|side| inside(side * end + turn * wheel.half_station()));
+    fits && [1e-3, -1e-3].iter().all(stops)
+}
+
+/// Whether, whichever way the wheel turns, an end of the arc approaches the driver's axis.
+///
+/// The ends are looked for along the journal, from the line of centres to the rim.
+fn holds(wheel: &Wheel, journal: f64, sides: &[f64]) -> bool {
+    let axis = Vector2::new(wheel.centre_distance_ratio(), 0.0);
+    let on_the_journal = |angle: f64| axis - Turn::from_radians(angle).direction() * journal;
+    let in_the_wheel = |angle: f64| on_the_journal(angle).norm() < wheel.wheel_radius_ratio();
+    let end = halved(0.0, PI, in_the_wheel).0;
+    let approach = |side: &f64| {
+        let place = on_the_journal(side * end);
+        Vector2::new(-place.y, place.x).dot(&(axis - place))
+    };
+    in_the_wheel(0.0) && [1.0, -1.0].iter().all(|way| sides.iter().any(|side| approach(side) * way > 0.0))
+}

@@ -1,0 +1,328 @@
+//! Which numbers of pins and slots have one pin take over from the next without a blow: the condition before Fig. 4 and
+//! the third conclusion.
+
+use super::newton::Newton;
+use super::runs::{Column, rows};
+use super::slips::ENTRY_ALONG_THE_SLOT;
+use super::*;
+use crate::Evidence::Steps;
+use geneva_kinematics::escapement::{ContinuityStep, Continuous};
+use geneva_kinematics::pin_slot::{pin_from_pivot, velocity_ratio};
+use geneva_kinematics::{Jet, angular_velocity};
+use std::sync::OnceLock;
+
+/// The claim on how a pin must enter.
+pub fn along_the_slot() -> Claim {
+    Claim::statement(
+        WORK,
+        "meyer.along-the-slot",
+        geometry::INSTANT,
+        "for the motion to be continuous the velocity of the pin must be along the slot's centre line as it enters and \
+         leaves",
+        "along the centerline",
+        Check::corrected_statement((Series, entry_by_series), (Vectors, entry_by_places)),
+    )
+    .expecting(Verdict::Corrected)
+    .with_erratum(Erratum { corrected: "along the centerline, seen from the follower", slip: ENTRY_ALONG_THE_SLOT })
+}
+
+/// The claims of the third conclusion.
+pub fn conclusion() -> Vec<Claim> {
+    let locator = "Conclusion 3";
+    let reading = "To work: a pin is always engaged, the follower is neither struck nor turned back, and with \
+        friction there is a terminal velocity. The last is tried for all pairs up to eight pins and slots, with the \
+        frictions of the runs and the inertias of those with six pins.";
+    vec![
+        Claim::statement(
+            WORK,
+            "meyer.conclusion.three",
+            locator,
+            "three combinations of pins and slots work, and no more",
+            "Only three geometrical configurations",
+            Check::corrected_statement(
+                (ClosedForm, |stated| said_of_pairs(stated, FORMULA_TO, works_by_formula)),
+                (Steps, |stated| said_of_pairs(stated, STEPS_TO, works_by_steps)),
+            ),
+        )
+        .expecting(Verdict::Corrected)
+        .read_as(reading)
+        .with_erratum(Erratum {
+            corrected: "All geometrical configurations with 1/m + 1/n ≤ 1/2, of which only three have the follower at \
+                        rest at each hand-over,",
+            slip: ENTRY_ALONG_THE_SLOT,
+        }),
+        Claim::statement(
+            WORK,
+            "meyer.conclusion.the-three",
+            locator,
+            "the three that are named work",
+            "three pin / six slot mechanism; the four pin / four slot mechanism; and the six pin / three slot",
+            Check::statement(
+                "each of the three with a slot fewer",
+                (ClosedForm, |stated| named_work(stated, works_by_formula)),
+                (Steps, |stated| named_work(stated, works_by_steps)),
+            ),
+        )
+        .read_as(reading),
+    ]
+}
+
+/// Driver and follower by coordinates, for any numbers; lengths in radii of the pins' circle.
+#[derive(Clone, Copy)]
+pub struct Drawn {
+    pub pins: u32,
+    pub slots: u32,
+    /// Distance of the follower's axis from the driver's.
+    pub axis: f64,
+}
+
+impl Drawn {
+    /// The slot of the pin at π/m leaves the follower's axis at the angle π/n: so its axis is where that line meets the
+    /// line of centres.
+    pub fn new(pins: u32, slots: u32) -> Self {
+        let [crank, slot] = [pins, slots].map(|count| Turn::from_radians(PI / f64::from(count)));
+        Self { pins, slots, axis: crank.cos + crank.sin * slot.cos / slot.sin }
+    }
+
+    /// π/m.
+    pub fn half(&self) -> f64 {
+        PI / f64::from(self.pins)
+    }
+
+    /// A pin at this angle from the follower's axis, first coordinate towards the driver.
+    pub fn place(&self, angle: f64) -> Vector2<f64> {
+        Vector2::new(self.axis - libm::cos(angle), libm::sin(angle))
+    }
+
+    /// The same pin from the driver's axis.
+    pub fn crank(angle: f64) -> Vector2<f64> {
+        Vector2::new(-libm::cos(angle), libm::sin(angle))
+    }
+
+    /// Its velocity for a driver of angular velocity one.
+    pub fn velocity(angle: f64) -> Vector2<f64> {
+        Vector2::new(libm::sin(angle), libm::cos(angle))
+    }
+
+    /// Its direction from the follower's axis.
+    pub fn direction(&self, angle: f64) -> f64 {
+        let place = self.place(angle);
+        libm::atan2(place.y, place.x)
+    }
+
+    /// The angular velocity of a follower that it carries.
+    pub fn turning(&self, angle: f64) -> f64 {
+        let place = self.place(angle);
+        place.perp(&Self::velocity(angle)) / place.norm_squared()
+    }
+
+    /// How many pins are no further from the follower's axis than this, with the first at an angle.
+    pub fn within(&self, rim: f64, angle: f64) -> usize {
+        let inside = rim * (1.0 + crate::tolerance::CLOSURE.relative);
+        let place = |k: u32| self.place(angle + 2.0 * self.half() * f64::from(k));
+        (0..self.pins).filter(|k| place(*k).norm() <= inside).count()
+    }
+
+    /// Distance of the pin from the follower's axis where it moves along its slot: the length of the tangent.
+    pub fn tangent(&self) -> f64 {
+        (self.axis * self.axis - 1.0).sqrt()
+    }
+
+    /// The fewest pins inside a rim over a turn of the driver, of so many instants.
+    pub fn fewest_within(&self, rim: f64) -> usize {
+        const INSTANTS: u32 = 997;
+        let counts = (0..INSTANTS).map(|k| self.within(rim, 2.0 * PI * f64::from(k) / f64::from(INSTANTS)));
+        counts.min().unwrap_or(0)
+    }
+}
+
+/// A pin that comes into a slot.
+struct Coming {
+    drawn: Drawn,
+    /// Angle of the pin that leaves at that instant; none if the follower is at rest.
+    leaving: Option<f64>,
+    entering: f64,
+}
+
+/// Pairs with one pin always engaged; single pins that come to a follower at rest, at the distance of Eq. (1-2); and
+/// the same with the axes a tenth nearer.
+fn comings() -> impl Iterator<Item = Coming> {
+    let pairs = (2..=12).flat_map(|pins| (3..=12).map(move |slots| Drawn::new(pins, slots)));
+    let taking_over = pairs.filter(|drawn| drawn.axis > 1.0 + 1e-9).map(|drawn| {
+        let half = drawn.half();
+        Coming { drawn, leaving: Some(half), entering: -half }
+    });
+    let single = (3..=18_u32).flat_map(|slots| {
+        let slot = PI / f64::from(slots);
+        [1.0, 0.9].map(|part| Coming {
+            drawn: Drawn { pins: 1, slots, axis: part / libm::sin(slot) },
+            leaving: None,
+            // The outer of the two places where the circle of the pin meets the slot's centre line.
+            entering: -(PI - libm::asin(part) - slot),
+        })
+    });
+    taking_over.chain(single)
+}
+
+/// Whether the follower's speed is without a jump exactly where the velocity of the pin is along the slot: that seen
+/// from the follower, or that of the pin itself.
+fn entry(stated: Stated, jump: fn(&Coming) -> f64, across: fn(&Coming, f64) -> f64) -> Finding {
+    let (mut all, mut smooth, mut wrong) = (0, 0, Vec::new());
+    for coming in comings() {
+        let continuous = jump(&coming).abs() < SMALL;
+        let along = across(&coming, stated.pick(1.0, 0.0)).abs() < SMALL;
+        all += 1;
+        smooth += usize::from(continuous);
+        if continuous != along {
+            wrong.push((coming.drawn.pins, coming.drawn.slots));
+        }
+    }
+    let holds = wrong.is_empty() && smooth > 0 && smooth < all;
+    let but = wrong.first().map_or(String::new(), |(pins, slots)| {
+        format!("; not so in {} of them, as with {pins} pins and {slots} slots", wrong.len())
+    });
+    Finding::new(holds, format!("{smooth} of {all} entries are without a jump of the follower's speed{but}"))
+}
+
+/// A jump that is none: of an angular velocity over the driver's, and of quotients of small differences.
+const SMALL: f64 = 1e-6;
+
+fn entry_by_series(stated: Stated) -> Finding {
+    entry(
+        stated,
+        |coming| {
+            let speed = |angle: f64| {
+                let crank = Turn::from_radians(angle).moving::<2>(1.0);
+                let place = pin_from_pivot(&Jet::constant(coming.drawn.axis), &crank);
+                angular_velocity(&place).map_or(f64::NAN, |series| series.value())
+            };
+            speed(coming.entering) - coming.leaving.map_or(0.0, speed)
+        },
+        |coming, follower| {
+            let ratio = |angle: f64| velocity_ratio(&coming.drawn.axis, &Turn::from_radians(angle));
+            ratio(coming.entering) - follower * coming.leaving.map_or(0.0, ratio)
+        },
+    )
+}
+
+fn entry_by_places(stated: Stated) -> Finding {
+    entry(
+        stated,
+        |coming| {
+            // How far the follower turns in a short time before and after; twice, for the limit of shorter and shorter.
+            let speed = |angle: f64, time: f64| {
+                let over = |time: f64| (coming.drawn.direction(angle + time) - coming.drawn.direction(angle)) / time;
+                2.0 * over(time / 2.0) - over(time)
+            };
+            speed(coming.entering, 1e-5) - coming.leaving.map_or(0.0, |leaving| speed(leaving, -1e-5))
+        },
+        |coming, follower| {
+            let turning = follower * coming.leaving.map_or(0.0, |leaving| coming.drawn.turning(leaving));
+            let place = coming.drawn.place(coming.entering);
+            let relative = Drawn::velocity(coming.entering) - quarter_turn(&place) * turning;
+            place.normalize().perp(&relative)
+        },
+    )
+}
+
+/// Up to how many pins and slots the formulas and the steps go.
+const FORMULA_TO: u32 = 60;
+const STEPS_TO: u32 = 8;
+
+/// Whether the pairs that work are those that are said to.
+fn said_of_pairs(stated: Stated, most: u32, works: fn(u32, u32) -> bool) -> Finding {
+    let said = |pins: u32, slots: u32| {
+        let (sum, product) = (2 * (pins + slots), pins * slots);
+        stated.pick(sum <= product, sum == product)
+    };
+    let pairs = || (2..=most).flat_map(|pins| (2..=most).map(move |slots| (pins, slots)));
+    let working = pairs().filter(|&(pins, slots)| works(pins, slots)).count();
+    let other = pairs().find(|&(pins, slots)| works(pins, slots) != said(pins, slots));
+    let resting = pairs().filter(|(pins, slots)| 2 * (pins + slots) == pins * slots).count();
+    let but = other.map_or(String::new(), |(pins, slots)| format!("; not as said: {pins} pins and {slots} slots"));
+    Finding::new(
+        other.is_none(),
+        format!("of the pairs up to {most} pins and slots {working} work, {resting} with the follower at rest{but}"),
+    )
+}
+
+fn works_by_formula(pins: u32, slots: u32) -> bool {
+    static PROVEN: OnceLock<bool> = OnceLock::new();
+    let proven = *PROVEN.get_or_init(|| all_proven(&ContinuityStep::ALL).holds);
+    proven
+        && Continuous::new(pins, slots).is_some_and(|pair| {
+            let forwards = (0..=40).map(|k| {
+                let crank = Turn::from_radians(pair.driver_half_angle() * f64::from(k) / 40.0);
+                velocity_ratio(&pair.centre_distance_ratio(), &crank)
+            });
+            let least = forwards.fold(pair.hand_over_ratio(), f64::min);
+            least > -SMALL
+        })
+}
+
+/// The same by coordinates, and with a terminal velocity by steps, for the printed frictions and for the two inertias
+/// of the runs with six pins, with which the motion of all these pairs is well defined.
+fn works_by_steps(pins: u32, slots: u32) -> bool {
+    static FOUND: OnceLock<Vec<(u32, u32)>> = OnceLock::new();
+    let found = FOUND.get_or_init(|| {
+        let pairs = (2..=STEPS_TO).flat_map(|pins| (2..=STEPS_TO).map(move |slots| (pins, slots)));
+        pairs.filter(|&(pins, slots)| keeps_turning(&Drawn::new(pins, slots)) && settles(pins, slots)).collect()
+    });
+    found.contains(&(pins, slots))
+}
+
+/// Whether a pin is always within the rim and never two but at the hand-over, where both give the follower the same
+/// angle and speed, and whether the follower is never turned back.
+fn keeps_turning(drawn: &Drawn) -> bool {
+    if drawn.axis <= 1.0 + 1e-9 {
+        return false;
+    }
+    let half = drawn.half();
+    let rim = drawn.place(half).norm();
+    let one_slot = 2.0 * PI / f64::from(drawn.slots);
+    let [leaving, entering] = [half, -half].map(|angle| (drawn.direction(angle), drawn.turning(angle)));
+    let inside = |part: i32| drawn.within(rim, half * f64::from(part) / 20.0);
+    (leaving.0 - entering.0 - one_slot).abs() < SMALL
+        && (leaving.1 - entering.1).abs() < SMALL
+        && (-19..=19).all(|part| inside(part) == 1 && drawn.turning(half * f64::from(part) / 20.0) > -SMALL)
+        && leaving.1 > -SMALL
+        && inside(20) == 2
+}
+
+fn settles(pins: u32, slots: u32) -> bool {
+    let drawn = Drawn::new(pins, slots);
+    let [driver, follower] = ["meyer.fig-11.driver", "meyer.fig-11.follower"].map(printed);
+    let mut frictions: Vec<f64> = rows().iter().map(|row| row.number(Column::Friction)).collect();
+    frictions.sort_by(f64::total_cmp);
+    frictions.dedup();
+    frictions.iter().all(|friction| {
+        let pair = Newton { radius: 1.0, distance: drawn.axis, friction: *friction, driver, follower };
+        has_terminal_speed(&pair, drawn.half())
+    })
+}
+
+/// Whether there is an engagement that ends as it starts, and starts from near it and from rest come nearer to it.
+fn has_terminal_speed(pair: &Newton, half: f64) -> bool {
+    const STEPS: u32 = 60;
+    // A torque of the follower's inertia: speeds are then of the size of one.
+    let next = |square: f64| pair.engagement(half, square, &|_| pair.follower, STEPS).map_or(f64::NAN, |to| to.end);
+    let mut fixed = next(0.0);
+    for _ in 0..40 {
+        let (once, twice) = (next(fixed), next(next(fixed)));
+        let (gain, next_gain) = (once - fixed, twice - once);
+        if gain.abs() <= 1e-10 * fixed {
+            break;
+        }
+        fixed = once + next_gain / (1.0 - next_gain / gain);
+    }
+    let nearer = |from: f64| (next(from) - fixed).abs() < 0.999 * (from - fixed).abs();
+    fixed > 0.0 && (next(fixed) - fixed).abs() < 1e-6 * fixed && [0.0, 0.9 * fixed, 1.1 * fixed].into_iter().all(nearer)
+}
+
+/// Whether the three that the conclusion names work, or the same with a slot fewer.
+fn named_work(stated: Stated, works: fn(u32, u32) -> bool) -> Finding {
+    let named = front::pins_and_slots("meyer.conclusion.the-three");
+    let pairs: Vec<_> = named.iter().map(|(pins, slots)| (*pins, slots - stated.pick(0, 1))).collect();
+    let working = pairs.iter().filter(|(pins, slots)| works(*pins, *slots)).count();
+    Finding::new(working == 3 && pairs.len() == 3, format!("{working} of {} work: {pairs:?}", pairs.len()))
+}

@@ -1,0 +1,398 @@
+//! Chapter II's paragraph on the curves of Fig. 8: where in an engagement driver and follower are fastest and slowest.
+
+use super::by_steps::{Group, groups};
+use super::runs::{Hypothesis, Mechanism, Row, rows};
+use super::study::steady;
+use super::*;
+use crate::Evidence::{Integration, Steps};
+use crate::{Decimal, Stated};
+use geneva_dynamics::steady::{Printed, SteadyState};
+use geneva_kinematics::escapement::pins_needed;
+use geneva_kinematics::pin_slot::velocity_ratio;
+
+const PEAKS: &str = "Chapter II, paragraph on the peaks in Fig. 8";
+
+/// One unit of the speeds in the tables, in rad/s: they have no decimals.
+const UNIT: f64 = 1.0;
+
+/// The driver's peaks are put where a pin enters and the next one leaves.
+const PEAKS_AT_ENTRY: Slip = Slip {
+    id: "meyer.peaks-at-entry",
+    reason: "Where a pin enters and the other leaves, the follower stands still but is being accelerated, so that \
+             the pin presses and rubs. The driver's acceleration there is (K - μ I_f θ'²/(a² - 1))/I_D, which is \
+             zero at one speed only, and the steady speed at entry is another in every run. With six pins the peak \
+             follows so soon that the tables could not show it. With four and three pins the friction exceeds the \
+             spring already before the pin leaves, while it bears on the trailing flank, and the peak comes before \
+             that.",
+    witness: "Every mechanism and friction is gone through by steps of the angle.",
+    origin: Origin::Concept,
+    consequence: Consequence::Conclusion,
+    changes: "With four and three pins the peaks of the driver's speed do not mark where a pin enters, and the \
+              follower turns while the driver is fastest.",
+};
+
+/// The extremes between two peaks are put on the line of centres.
+const EXTREMES_ON_CENTRES: Slip = Slip {
+    id: "meyer.extremes-on-centres",
+    reason: "On the line of centres the pin does not slide, so that the spring acts unbraked: A θ'' = E, and θ'' is \
+             positive. The driver has its minimum before it. There the follower turns at the greatest multiple of \
+             the driver's speed, so that φ'' is as many times θ'' and positive as well. The follower is fastest \
+             where the pin goes over to the trailing flank of its slot.",
+    witness: "Every mechanism and friction is gone through by steps of the angle.",
+    origin: Origin::Concept,
+    consequence: Consequence::Conclusion,
+    changes: "The follower goes on to gain speed past the line of centres, and the driver gains some before it.",
+};
+
+pub fn claims() -> Vec<Claim> {
+    [at_entry(), at_the_centres(), at_exit()].concat()
+}
+
+fn at_entry() -> Vec<Claim> {
+    vec![
+        Claim::value(
+            WORK,
+            "meyer.fig-8.quarter",
+            PEAKS,
+            "turn of the driver between two peaks, with four slots",
+            ("90", "°"),
+            Check::number(
+                (ClosedForm, || Escapement::all()[1].driver_half_angle().to_degrees() * 2.0),
+                (LimitCase, || pins_needed(4).map_or(f64::NAN, |pins| 360.0 / pins.approximate())),
+            ),
+        ),
+        beside_the_hand_over(
+            "meyer.peaks-at-entry",
+            "the driver is fastest when a pin enters",
+            "the driver velocity is a maximum at pin entry",
+            "with six pins the driver velocity is a maximum at pin entry, to one unit of the tables; with four and \
+             three pins it is one 7.7 to 14° before pin entry",
+        ),
+        Claim::statement(
+            WORK,
+            "meyer.still-at-entry",
+            PEAKS,
+            "the follower stands still when a pin enters or leaves",
+            "the follower must be instantaneously stationary",
+            Check::statement(
+                "the follower stands still on the line of centres",
+                (Vectors, |stated| {
+                    let ends: &[f64] = stated.pick(&[-1.0, 1.0], &[0.0]);
+                    let still = |at: &Escapement| {
+                        let turning = |part| Seen::new(at, part * at.driver_half_angle()).turning();
+                        ends.iter().all(|part| vanishes(turning(part)))
+                    };
+                    let count = Escapement::all().iter().filter(|at| still(at)).count();
+                    Finding::new(count == 3, format!("with {count} of 3 mechanisms the pin moves along its slot there"))
+                }),
+                (ClosedForm, |stated| {
+                    let ends: &[f64] = stated.pick(&[-1.0, 1.0], &[0.0]);
+                    let ratio = |at: &Escapement, part: f64| {
+                        let crank = Turn::from_radians(part * PI / f64::from(at.pins()));
+                        velocity_ratio(&(1.0 / libm::sin(PI / f64::from(at.slots()))), &crank)
+                    };
+                    let still = |at: &&Escapement| ends.iter().all(|part| vanishes(ratio(at, *part)));
+                    let count = Escapement::all().iter().filter(still).count();
+                    Finding::new(count == 3, format!("with {count} of 3 mechanisms φ'/θ' of Eq. (1-7) is zero there"))
+                }),
+            ),
+        )
+        .read_as("Of the three mechanisms, in which a pin enters and leaves along its slot."),
+        beside_the_hand_over(
+            "meyer.peaks-at-rest",
+            "the driver is fastest when the follower stands still",
+            "the peaks in driver velocity coincide with the zero points",
+            "with six pins the peaks in driver velocity coincide with the zero points, to one unit of the tables; \
+             with four and three pins they come 7.7 to 14° before them",
+        ),
+        Claim::statement(
+            WORK,
+            "meyer.driver-slows",
+            PEAKS,
+            "after an entry the driver slows down while the follower picks up speed",
+            "the driver, transferring its energy to the follower, slows down",
+            Check::statement(
+                "the driver's speed falls and the follower's rises from the driver's minimum to the exit",
+                (Integration, |stated| {
+                    let found = rows().iter().filter_map(|row| {
+                        let of = Hypothesis::TRUE.engagement(row)?;
+                        let (lines, at) = (of.steady_cycle(INSTANTS).ok()?, of.steady_state().ok()?.minimum.angle);
+                        let own = |line: &&Printed| stated.pick(line.angle <= at, line.angle >= at);
+                        let [driver, follower] = [|line: &Printed| line.speed, |line: &Printed| line.follower_speed]
+                            .map(|of| lines.iter().filter(own).map(of).collect::<Vec<_>>());
+                        Some(falls(&driver) && falls(&reversed(&follower)))
+                    });
+                    all_of(found.collect(), rows().len(), "runs, to one unit of the tables")
+                }),
+                (Steps, |stated| {
+                    // The energies of the two members at the ends of the stretch.
+                    let found = groups().iter().filter_map(|group| {
+                        let (motion, steady) = (&group.motion, group.motion.steady()?);
+                        let (at, inertias) = (motion.least(steady)?.angle, motion.parameters.inertias());
+                        let energies = |inertia: f64, speeds: Vec<f64>| {
+                            speeds.into_iter().map(move |speed| inertia * speed * speed).collect::<Vec<_>>()
+                        };
+                        let driver = energies(inertias.driver(), motion.values(steady, |_, speed| speed));
+                        let follower = energies(inertias.follower(), motion.values(steady, motion.follower()));
+                        let middle = motion.angles.iter().position(|angle| *angle >= at)?;
+                        let [from, to] = stated.pick([0, middle], [middle, driver.len() - 1]);
+                        Some(driver[to] < driver[from] && follower[to] > follower[from])
+                    });
+                    all_of(found.collect(), groups().len(), "groups of runs, by the energies at the ends")
+                }),
+            ),
+        )
+        .read_as("From the entry until the driver is slowest, to one unit of the tables' speeds."),
+    ]
+}
+
+fn at_the_centres() -> Vec<Claim> {
+    vec![
+        Claim::statement(
+            WORK,
+            "meyer.extremes-on-centres",
+            PEAKS,
+            "on the line of centres the driver is slowest and the follower fastest",
+            "the driver velocity is a minimum and the follower velocity is a maximum",
+            Check::corrected_statement(
+                (Integration, |stated| {
+                    let of = |state: &SteadyState| [-state.minimum.angle, state.switch_angle.unwrap_or(f64::NAN)];
+                    extremes(stated, steady().iter().map(|(_, state)| of(state)).collect())
+                }),
+                (Steps, |stated| {
+                    let places = groups().iter().filter_map(|group| {
+                        let (motion, steady) = (&group.motion, group.motion.steady()?);
+                        Some([-motion.least(steady)?.angle, motion.greatest(steady, motion.follower()).angle])
+                    });
+                    extremes(stated, places.collect())
+                }),
+            ),
+        )
+        .expecting(Verdict::Corrected)
+        .with_erratum(Erratum {
+            corrected: "the driver velocity has been a minimum 0.48 to 5.8° before, and the follower velocity \
+                        becomes a maximum 9.3 to 25° later",
+            slip: EXTREMES_ON_CENTRES,
+        }),
+        Claim::statement(
+            WORK,
+            "meyer.follower-decreases",
+            PEAKS,
+            "from the line of centres on the follower's speed falls",
+            "(and the follower velocity decreases)",
+            Check::corrected_statement(
+                (Integration, |stated| {
+                    let found = rows().iter().filter_map(|row| {
+                        let of = Hypothesis::TRUE.engagement(row)?;
+                        let change = of.steady_state().ok()?.switch_angle?;
+                        let lines = of.steady_cycle(INSTANTS).ok()?;
+                        let own = lines.iter().filter(|line| line.angle >= stated.pick(change, 0.0));
+                        Some(falls(&own.map(|line| line.follower_speed).collect::<Vec<_>>()))
+                    });
+                    all_of(found.collect(), rows().len(), "runs, to one unit of the tables")
+                }),
+                (Steps, |stated| {
+                    let found = groups().iter().filter_map(|group| {
+                        let (motion, steady) = (&group.motion, group.motion.steady()?);
+                        let speeds = motion.values(steady, motion.follower());
+                        let fastest = motion.greatest(steady, motion.follower()).angle;
+                        let from = stated.pick(fastest, 0.0);
+                        let at = motion.angles.iter().position(|angle| *angle >= from)?;
+                        Some(speeds[at..].windows(2).all(|pair| pair[1] < pair[0]))
+                    });
+                    all_of(found.collect(), groups().len(), "groups of runs, from step to step")
+                }),
+            ),
+        )
+        .read_as(
+            "That the follower's speed falls from the line of centres to the exit, to one unit of the tables' \
+             speeds.",
+        )
+        .expecting(Verdict::Corrected)
+        .with_erratum(Erratum {
+            corrected: "(and the follower velocity increases until the pin goes over to the trailing flank of the \
+                        slot, and then decreases)",
+            slip: EXTREMES_ON_CENTRES,
+        }),
+    ]
+}
+
+fn at_exit() -> Vec<Claim> {
+    vec![
+        beside_the_hand_over(
+            "meyer.peaks-at-exit",
+            "the driver's speed rises from the line of centres until the pin leaves",
+            "until it again reaches a maximum as the pin leaves the slot",
+            "until it again reaches a maximum, with six pins as the pin leaves the slot, to one unit of the tables, \
+             with four and three pins 7.7 to 14° before",
+        ),
+        Claim::statement(
+            WORK,
+            "meyer.leaves-as-entered",
+            PEAKS,
+            "in the steady motion the speed at the exit is that at the entry",
+            "the same as when it entered",
+            Check::statement(
+                "so it is from the first engagement on",
+                (Integration, |stated| {
+                    let found = rows().iter().filter_map(|row| {
+                        let of = Hypothesis::TRUE.engagement(row)?;
+                        let mut ends = [0.0, of.hand_over(0.0).ok()?];
+                        for _ in 0..stated.pick(LONG, 0) {
+                            ends = [ends[1], of.hand_over(ends[1]).ok()?];
+                        }
+                        Some((ends[0] / ends[1] - 1.0).abs() < 1e-9)
+                    });
+                    all_of(found.collect(), rows().len(), "runs, by handing on the speed from rest")
+                }),
+                (Steps, |stated| {
+                    let found = groups().iter().filter_map(|group| {
+                        let first = group.motion.engagements.first()?;
+                        let [entry, exit] = stated.pick(group.motion.steady()?, first).ends();
+                        Some((entry / exit - 1.0).abs() < 1e-9)
+                    });
+                    all_of(found.collect(), groups().len(), "groups of runs")
+                }),
+            ),
+        ),
+    ]
+}
+
+/// Engagements after which a start from rest is over in all runs.
+const LONG: usize = 60;
+
+/// Instants of a cycle.
+const INSTANTS: usize = 1000;
+
+/// A place that has the peak of the driver at a hand-over.
+fn beside_the_hand_over(
+    id: &'static str,
+    meaning: &'static str,
+    printed: &'static str,
+    corrected: &'static str,
+) -> Claim {
+    let check = Check::corrected_statement(
+        (Integration, |stated| {
+            let of = |(row, state): &(&Row, SteadyState)| Peak {
+                mechanism: row.mechanism,
+                angle: state.peak.angle,
+                lost: state.peak.speed - state.entry_speed,
+            };
+            peaks(stated, steady().iter().map(of).collect())
+        }),
+        (Steps, |stated| {
+            let of = |group: &Group| {
+                let (motion, steady) = (&group.motion, group.motion.steady()?);
+                let peak = motion.greatest(steady, |_, speed| speed);
+                let lost = (peak.value - steady.ends()[0]) * group.greatest_scale();
+                Some(Peak { mechanism: group.rows.first()?.mechanism, angle: peak.angle, lost })
+            };
+            peaks(stated, groups().iter().filter_map(of).collect())
+        }),
+    );
+    Claim::statement(WORK, id, PEAKS, meaning, printed, check)
+        .read_as(
+            "In every run, in steady motion. At entry or exit is a peak if the driver is as fast there, to one unit \
+             of the tables' speeds.",
+        )
+        .expecting(Verdict::Corrected)
+        .with_erratum(Erratum { corrected, slip: PEAKS_AT_ENTRY })
+}
+
+/// Where the driver is fastest, and by how much it is slower at the hand-over, in rad/s.
+struct Peak {
+    mechanism: Mechanism,
+    angle: f64,
+    lost: f64,
+}
+
+/// Whether the peaks are at the hand-over with six pins and as far before it as is stated with four and three.
+fn peaks(stated: Stated, found: Vec<Peak>) -> Finding {
+    let (six, others): (Vec<&Peak>, Vec<&Peak>) = found.iter().partition(|peak| peak.mechanism == Mechanism::SixPin);
+    let lost = |of: &[&Peak]| range(of.iter().map(|peak| peak.lost));
+    let before = range(others.iter().map(|peak| 180.0 / f64::from(peak.mechanism.pins()) - peak.angle.to_degrees()));
+    let said = ["meyer.peaks-at-entry", "meyer.peaks-at-rest", "meyer.peaks-at-exit"].map(corrected_numbers);
+    let alike = said.iter().all(|numbers| *numbers == said[0]);
+    let ([_, six_most], [least, most]) = (lost(&six), lost(&others));
+    Finding::new(
+        alike && six_most < UNIT && rounds_to(&before, &stated.pick(said[0].clone(), vec!["0".into(), "0".into()])),
+        format!(
+            "at entry the driver is slower than at its peak by at most {six_most:.2} rad/s with six pins and by \
+             {least:.0} to {most:.0} with four and three, where the peak is {:.2} to {:.2}° before the exit",
+            before[0], before[1]
+        ),
+    )
+}
+
+/// Whether the extremes are as far from the line of centres as is stated, the driver's before it, the follower's past
+/// it.
+fn extremes(stated: Stated, places: Vec<[f64; 2]>) -> Finding {
+    let [before, after] = [0, 1].map(|which| range(places.iter().map(|place| place[which].to_degrees())));
+    let said = stated.pick(corrected_numbers("meyer.extremes-on-centres"), vec!["0".into(); 4]);
+    let found = [before, after].concat();
+    Finding::new(
+        rounds_to(&found, &said),
+        format!(
+            "the driver is slowest {:.2} to {:.2}° before the line, the follower fastest {:.1} to {:.1}° past it",
+            found[0], found[1], found[2], found[3]
+        ),
+    )
+}
+
+/// The numbers in the correction of a claim.
+fn corrected_numbers(id: &str) -> Vec<String> {
+    claim(id).and_then(|claim| claim.erratum).map_or_else(Vec::new, |erratum| numeric_tokens(erratum.corrected))
+}
+
+/// Whether each number rounds to the digits that are stated for it.
+fn rounds_to(found: &[f64], said: &[String]) -> bool {
+    let rounds = |(found, said): (&f64, &String)| said.parse::<Decimal>().is_ok_and(|said| said.is_rounding_of(*found));
+    found.len() == said.len() && found.iter().zip(said).all(rounds)
+}
+
+/// The least and the greatest.
+fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| [low.min(value), high.max(value)])
+}
+
+/// Whether something was found for so many and is so for all of them.
+fn all_of(found: Vec<bool>, count: usize, of: &str) -> Finding {
+    let right = found.iter().filter(|right| **right).count();
+    Finding::new(right == count && found.len() == count, format!("so it is in {right} of {count} {of}"))
+}
+
+/// Whether a speed falls all the way: it is nowhere more than a unit above its least before.
+fn falls(speeds: &[f64]) -> bool {
+    let mut least = f64::INFINITY;
+    speeds.len() > 1
+        && speeds.first() > speeds.last()
+        && speeds.iter().all(|speed| {
+            least = least.min(*speed);
+            *speed <= least + UNIT
+        })
+}
+
+/// The same speeds in the reverse order.
+fn reversed(speeds: &[f64]) -> Vec<f64> {
+    speeds.iter().rev().copied().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_acceleration_at_entry_is_that_of_the_reason_and_never_zero() {
+        let mut signs = [0; 2];
+        for (row, state) in steady() {
+            let of = Hypothesis::TRUE.parameters(row).expect("an escapement");
+            let at = of.acceleration(-of.slots().engagement_half_angle(), state.entry_speed).expect("one acceleration");
+            let square = state.entry_speed * state.entry_speed / (of.slots().ratio_squared() - 1.0);
+            let gain = (of.torque() - of.friction() * of.inertias().follower() * square) / of.inertias().driver();
+            assert!((at.value / gain - 1.0).abs() < 1e-9, "{}: {} {gain}", row.slug(), at.value);
+            signs[usize::from(gain > 0.0)] += 1;
+        }
+        // With six pins and with much friction the speed still rises there, else it falls.
+        assert!(signs[0] > signs[1] && signs[0] + signs[1] == rows().len(), "{signs:?}");
+    }
+}

@@ -1,0 +1,86 @@
+//! Is K a rate of the spring? Places that call the torque a rate or a constant of the spring.
+
+use super::newton::Newton;
+use super::runs::{Column, Hypothesis, Mechanism, Row, rows};
+use super::slips::SPRING_RATE;
+use super::*;
+use crate::Evidence::Steps;
+use std::sync::OnceLock;
+
+/// A place that calls K a rate, to be multiplied by an angle. It is the torque.
+pub fn no_rate(
+    id: &'static str,
+    locator: &'static str,
+    meaning: &'static str,
+    printed: &'static str,
+    corrected: &'static str,
+) -> Claim {
+    Claim::statement(
+        WORK,
+        id,
+        locator,
+        meaning,
+        printed,
+        Check::corrected_statement((Steps, |stated| gives_the_periods(stated)), (OtherPlaceInSource, in_the_equation)),
+    )
+    .expecting(Verdict::Corrected)
+    .with_erratum(Erratum { corrected, slip: SPRING_RATE })
+}
+
+/// Whether the four-pin runs, driven from rest with the torque K or with K times the angle turned, come to the periods
+/// that are printed for them.
+fn gives_the_periods(stated: Stated) -> Finding {
+    static BOTH: OnceLock<[(usize, usize); 2]> = OnceLock::new();
+    let both = BOTH.get_or_init(|| {
+        [0.0, 1.0].map(|power| {
+            let own = || rows().iter().filter(|row| row.mechanism == Mechanism::FourPin);
+            (own().filter(|row| has_its_period(row, power).unwrap_or(false)).count(), own().count())
+        })
+    });
+    let (near, all) = stated.pick(both[0], both[1]);
+    Finding::new(
+        near == all,
+        format!(
+            "driven with {}, {near} of {all} runs with four pins have their printed period after {ENGAGEMENTS} \
+             engagements",
+            stated.pick("the torque K", "K times the angle turned")
+        ),
+    )
+}
+
+const ENGAGEMENTS: u32 = 20;
+
+/// Whether the last engagement takes the printed time, to a unit of its last place, if the torque is K times a power of
+/// the angle that the driver has turned.
+fn has_its_period(row: &Row, power: f64) -> Option<bool> {
+    const STEPS: u32 = 300;
+    let at = Hypothesis::TRUE.parameters(row)?;
+    let (half, inertias) = (at.slots().engagement_half_angle(), at.inertias());
+    let pair = Newton {
+        radius: 1.0,
+        distance: at.slots().ratio(),
+        friction: at.friction(),
+        driver: inertias.driver(),
+        follower: inertias.follower(),
+    };
+    let mut last = None;
+    for engagement in 0..ENGAGEMENTS {
+        let before = 2.0 * half * f64::from(engagement);
+        let torque = |turned: f64| at.torque() * libm::pow(before + turned, power);
+        let entry = last.map_or(0.0, |passage: newton::Passage| passage.end);
+        last = Some(pair.engagement(half, entry, &torque, STEPS)?);
+    }
+    Some((last?.duration - row.number(Column::Period)).abs() <= 1e-3)
+}
+
+/// What Eq. (1-15) sets equal to the torque of the spring, with K for the torque or for a rate.
+fn in_the_equation(stated: Stated) -> Finding {
+    const TORQUE: f64 = 1.25;
+    let right = claim("meyer.eq-1-15").and_then(|claim| claim.printed.split_once('=')).map_or("", |(_, right)| right);
+    let agrees = [0.5, 1.0, 2.0].map(|turned| {
+        let letters = [("K".to_owned(), TORQUE / stated.pick(1.0, turned)), ("theta".to_owned(), turned)].into();
+        agrees(reading::value(right, &letters), TORQUE)
+    });
+    let what = stated.pick("a torque", "a torque over an angle");
+    Finding::new(agrees == [true; 3], format!("Eq. (1-15) has one torque at all angles, with {what} for K: {agrees:?}"))
+}

@@ -1,0 +1,183 @@
+//! What the abstract says was found: a terminal velocity, its use, and the time that it takes.
+
+use super::general_statements::with;
+use super::newton::Newton;
+use super::runs::{Column, Hypothesis, Row, rows};
+use super::*;
+use crate::Evidence::{Integration, Steps};
+
+const ABSTRACT: &str = "Abstract, last paragraph";
+
+/// The claims of the abstract.
+pub fn claims() -> Vec<Claim> {
+    vec![
+        Claim::statement(
+            WORK,
+            "meyer.abstract.terminal",
+            ABSTRACT,
+            "the mechanism reaches a terminal velocity",
+            "does reach a terminal velocity",
+            Check::statement(
+                "without friction it does so too",
+                (Integration, |stated| {
+                    let of = |row: &Row| Some(with(row, 1.0, stated.pick(1.0, 0.0))?.steady_state().ok()?.contraction);
+                    let left: Vec<f64> = rows().iter().filter_map(of).collect();
+                    let worst = left.iter().copied().fold(0.0, f64::max);
+                    Finding::new(
+                        left.len() == rows().len() && worst < 1.0,
+                        format!(
+                            "{} of {} runs have a steady motion; an engagement leaves {worst:.2} or less of a \
+                                difference of speeds",
+                            left.len(),
+                            rows().len()
+                        ),
+                    )
+                }),
+                (Steps, |stated| {
+                    let settled = |row: &&Row| {
+                        let [before, last] = last_two(row, stated.pick(1.0, 0.0));
+                        (before.1 / last.1 - 1.0).abs() <= crate::tolerance::STEPS.relative
+                    };
+                    let count = rows().iter().filter(settled).count();
+                    Finding::new(
+                        count == rows().len(),
+                        format!("{count} of {} runs repeat their speed after {ENGAGEMENTS} engagements", rows().len()),
+                    )
+                }),
+            ),
+        ),
+        Claim::statement(
+            WORK,
+            "meyer.abstract.consequently",
+            ABSTRACT,
+            "because of its terminal velocity it can be used as a timing device",
+            "consequently can be used as a timing device",
+            Check::statement(
+                "from the first engagement on, before there is a terminal velocity",
+                (Integration, |stated| {
+                    let times = |row: &Row| {
+                        let of = Hypothesis::TRUE.engagement(row)?;
+                        let mut speed = 0.0;
+                        for _ in 0..stated.pick(ENGAGEMENTS - 2, 0) {
+                            speed = of.passage(speed).ok()?.end_speed();
+                        }
+                        let one = of.passage(speed).ok()?;
+                        Some([one.duration(), of.passage(one.end_speed()).ok()?.duration()])
+                    };
+                    takes_equal_times(rows().iter().filter_map(times).collect())
+                }),
+                (Steps, |stated| {
+                    let times = |row: &Row| {
+                        let all = from_rest(row, 1.0);
+                        let at = stated.pick(ENGAGEMENTS - 2, 0);
+                        Some([all.get(at)?.0, all.get(at + 1)?.0])
+                    };
+                    takes_equal_times(rows().iter().filter_map(times).collect())
+                }),
+            ),
+        )
+        .read_as(
+            "As a timing device: its engagements take equal times once the velocity is the terminal one, as long as \
+                torque and friction stay what they are; nothing is said of how exact that is.",
+        ),
+        Claim::statement(
+            WORK,
+            "meyer.abstract.fifty",
+            ABSTRACT,
+            "the longest time to the terminal velocity",
+            "as much as fifty milliseconds",
+            Check::corrected_statement(
+                (OtherPlaceInSource, |stated| {
+                    let said = stated.pick(corrected_number("meyer.abstract.fifty"), FIFTY);
+                    let times = rows().iter().map(|row| 1e3 * row.number(Column::Rise));
+                    let (longest, beyond) =
+                        (times.clone().fold(0.0, f64::max), times.filter(|time| *time > said + 0.5));
+                    let beyond = beyond.count();
+                    Finding::new(
+                        beyond == 0 && (longest - said).abs() <= 0.5,
+                        format!("{beyond} of {} rise times of Appendix E are above {said} ms", rows().len()),
+                    )
+                }),
+                (Integration, |stated| {
+                    let slow = |row: &&Row| {
+                        let time = Hypothesis::TRUE.rise(row).and_then(|rise| rise.until_entry_speed(0.01));
+                        time.is_none_or(|time| 1e3 * time > FIFTY)
+                    };
+                    let count = rows().iter().filter(slow).count();
+                    let compare: fn(&usize, &usize) -> bool = stated.pick(usize::gt, usize::le);
+                    Finding::new(
+                        compare(&count, &0),
+                        format!("in {count} runs the speed at entry is within one per cent only after {FIFTY} ms"),
+                    )
+                }),
+            ),
+        )
+        .expecting(Verdict::Corrected)
+        .read_as(
+            "As much as: no run takes longer; to attain: to be within one per cent, as the axes of Figs. 10 and 11 \
+                have it.",
+        )
+        .with_erratum(Erratum {
+            corrected: "more than fifty milliseconds, in Appendix E as much as 101",
+            slip: Slip {
+                id: "",
+                reason: "It disagrees with the thesis's own table: a good part of the rise times of Appendix E is \
+                    longer, with six pins and with four. What is right cannot be told from that column, whose \
+                    definition is not known; but some of the motions take longer than that to come within one per \
+                    cent of the terminal velocity.",
+                witness: "The equation of motion, solved for the mechanisms as they are.",
+                origin: Origin::Misprint,
+                consequence: Consequence::Conclusion,
+                changes: "Who plans with the abstract's time allows too little: the longest rise of the tables is \
+                    twice as long.",
+            },
+        }),
+    ]
+}
+
+/// The rise time of the abstract, in ms; printed in a word.
+const FIFTY: f64 = 50.0;
+
+/// The last number in a correction.
+fn corrected_number(id: &str) -> f64 {
+    let corrected = claim(id).and_then(|claim| claim.erratum).map_or("", |erratum| erratum.corrected);
+    numeric_tokens(corrected).last().and_then(|number| number.parse().ok()).unwrap_or(f64::NAN)
+}
+
+/// Whether two engagements, one after the other, take the same time in all runs.
+fn takes_equal_times(pairs: Vec<[f64; 2]>) -> Finding {
+    let equal = pairs.iter().filter(|[one, next]| crate::tolerance::STEPS.agrees(*one, *next)).count();
+    Finding::new(
+        equal == rows().len(),
+        format!("in {equal} of {} runs an engagement takes as long as the one before", rows().len()),
+    )
+}
+
+/// Engagements from rest that are followed by steps.
+const ENGAGEMENTS: usize = 24;
+
+/// Duration and end speed of each of the engagements of a run from rest, by Newton's laws in steps, with the friction
+/// times a factor; of the mechanism as it is.
+fn from_rest(row: &Row, friction: f64) -> Vec<(f64, f64)> {
+    const STEPS: u32 = 200;
+    let Some(at) = Hypothesis::TRUE.parameters(row) else { return Vec::new() };
+    let (half, inertias) = (at.slots().engagement_half_angle(), at.inertias());
+    let pair = Newton {
+        radius: 1.0,
+        distance: at.slots().ratio(),
+        friction: friction * at.friction(),
+        driver: inertias.driver(),
+        follower: inertias.follower(),
+    };
+    let next = |entry: f64| pair.engagement(half, entry, &|_| at.torque(), STEPS);
+    let passages = std::iter::successors(next(0.0), |before| next(before.end));
+    passages.take(ENGAGEMENTS).map(|passage| (passage.duration, passage.end.sqrt())).collect()
+}
+
+/// The last two of them; not numbers if the driver does not come so far.
+fn last_two(row: &Row, friction: f64) -> [(f64, f64); 2] {
+    let all = from_rest(row, friction);
+    let [before, last] = [2, 1].map(|back| all.len().checked_sub(back).and_then(|at| all.get(at).copied()));
+    let none = (f64::NAN, f64::NAN);
+    if all.len() == ENGAGEMENTS { [before.unwrap_or(none), last.unwrap_or(none)] } else { [none; 2] }
+}

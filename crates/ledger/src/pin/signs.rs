@@ -1,0 +1,234 @@
+//! Letters and arrows: what the copy made of them, and what they stand for.
+//!
+//! Two kinds of damage, one slip each: Greek letters that have become Latin ones, and arrows that have become letters.
+//! Where a letter has only one meaning in the text, nothing is wrong with it; then the claim says what it names.
+
+use super::*;
+
+/// Latin letters where Greek ones are needed.
+pub const GREEK: Slip = Slip {
+    id: "pin.letter-v",
+    reason: "The copy has Latin letters for Greek ones: V and v for ω, f for φ. So v is an angular velocity in one \
+             place and a speed in the next, and f is an angle and an arrow. The same is done all over the copy, so it \
+             is put down to it. (The letters b and g look like β and γ, but each of them names one angle throughout.)",
+    witness: "The units printed behind the two v differ, and so do the numbers printed behind the two f.",
+    origin: Origin::Copy,
+    consequence: Consequence::Copy,
+    changes: "",
+};
+
+/// Letters where arrows are needed.
+pub const ARROWS: Slip = Slip {
+    id: "pin.mark-d",
+    reason: "The copy has the letters d, f and i for arrows. Without its arrow an angle counts counter-clockwise \
+             from the right, and none of the three velocities points there. Which arrows are needed is inferred from \
+             the computed directions. For the letter i, a sense of rotation, the text gives nothing to compare with.",
+    witness: "The angles of the crank and of the slot alone give the same directions.",
+    origin: Origin::Copy,
+    consequence: Consequence::Copy,
+    changes: "",
+};
+
+pub fn letter_v() -> Claim {
+    Claim::statement(
+        WORK,
+        "pin.letter-v",
+        "Problem, 1st paragraph",
+        "the letter V names the angular velocity of the driver",
+        "V_D",
+        Check::corrected_statement(
+            (Evidence::Dimension, |stated| {
+                // As an angular velocity, or as what the letter v names with the pin's velocity: a speed.
+                let named = stated.pick(Some(Dimension::ANGULAR_SPEED), dimension("pin.pin-speed"));
+                let printed = dimension("pin.driver-speed");
+                let words = |dimension: Option<Dimension>| dimension.map_or("unknown".into(), |d| d.to_string());
+                Finding::new(
+                    printed.is_some() && printed == named,
+                    format!("the printed unit is {}, the letter stands for {}", words(printed), words(named)),
+                )
+            }),
+            (Jet, |stated| {
+                at_the_instant(|instant, motion| {
+                    let crank = motion.position - instant.axis();
+                    let turning = crank.perp(&motion.pin_velocity) / crank.norm_squared();
+                    let named = stated.pick(turning, motion.pin_velocity.norm());
+                    Finding::new(rounds("pin.driver-speed", named), format!("what the letter stands for is {named:.1}"))
+                })
+            }),
+        ),
+    )
+    .expecting(Verdict::Corrected)
+    .with_erratum(Erratum { corrected: r"\omega_{D}", slip: GREEK })
+}
+
+pub fn letter_f() -> Claim {
+    Claim::statement(
+        WORK,
+        "pin.letter-f",
+        "Problem, 2nd paragraph",
+        "the letter f names the crank angle, here and where it stands again, with the velocity of the slot's point",
+        "f",
+        Check::corrected_statement(
+            (Jet, |stated| {
+                at_the_instant(|instant, motion| {
+                    let crank = heading(&(motion.position - instant.axis()));
+                    let direction = heading(&motion.slot_point_velocity) - 270.0;
+                    behind_the_two([crank, stated.pick(direction, crank)])
+                })
+            }),
+            (OtherPlaceInSource, |stated| {
+                let crank = 180.0 - printed("pin.angle-at-driver");
+                behind_the_two([crank, stated.pick(printed("pin.angle-at-pivot"), crank)])
+            }),
+        ),
+    )
+    .expecting(Verdict::Corrected)
+    .with_erratum(Erratum { corrected: "φ", slip: GREEK })
+}
+
+/// Whether the numbers printed behind the letter f in its two places are these angles.
+fn behind_the_two([here, there]: [f64; 2]) -> Finding {
+    Finding::new(
+        rounds("pin.crank-angle", here) && rounds("pin.slot-point-velocity-direction", there),
+        format!("{here:.1}° here and {there:.1}° there"),
+    )
+}
+
+pub fn letter_b() -> Claim {
+    Claim::statement(
+        WORK,
+        "pin.letter-b",
+        "Solution, law of sines",
+        "the letter b (β, it seems) names the angle of the triangle at O, opposite to the crank; the text does not \
+         say so",
+        "b",
+        Check::statement(
+            "it names the angle at P, opposite to the line of centres",
+            (Vectors, |stated| {
+                at_the_instant(|instant, motion| {
+                    let (pivot, axis, pin) = (Vector2::zeros(), instant.axis(), motion.position);
+                    let [corner, one, other] = stated.pick([pivot, axis, pin], [pin, pivot, axis]);
+                    let angle = between(&(one - corner), &(other - corner));
+                    Finding::new(rounds("pin.angle-at-pivot", angle), format!("that angle is {angle:.2}°"))
+                })
+            }),
+            (OtherPlaceInSource, |stated| {
+                // r sin b / sin 30° is the side opposite to b, by the printed digits.
+                let [[r_least, r_most], [b_least, b_most]] = ["pin.radius", "pin.angle-at-pivot"].map(interval);
+                let scale = sine(printed("pin.angle-at-driver"));
+                let [least, most] = [r_least * sine(b_least) / scale, r_most * sine(b_most) / scale];
+                let side = printed("pin.crank-radius") * stated.pick(1.0, 2f64.sqrt());
+                Finding::new(
+                    (least..most).contains(&side),
+                    format!("the side opposite is {side:.1} mm; the printed r and b want {least:.1} to {most:.1} mm"),
+                )
+            }),
+        ),
+    )
+}
+
+pub fn letter_g() -> Claim {
+    Claim::statement(
+        WORK,
+        "pin.letter-g",
+        "Solution, angle in the velocity triangle",
+        "the letter g (γ, it seems) names the angle between the pin's velocity and the slot; the text does not say so",
+        "g",
+        Check::statement(
+            "it names the angle between the pin's velocity and that of the slot's point",
+            (Jet, |stated| {
+                at_the_instant(|_, motion| {
+                    let side = stated.pick(motion.sliding_velocity, motion.slot_point_velocity);
+                    let angle = between(&motion.pin_velocity, &side);
+                    Finding::new(rounds("pin.velocity-angle", angle), format!("that angle is {angle:.2}°"))
+                })
+            }),
+            (OtherPlaceInSource, |stated| {
+                let opposite = printed(stated.pick("pin.slot-point-speed", "pin.sliding-speed"));
+                let angle = libm::asin(opposite / printed("pin.pin-speed")).to_degrees();
+                Finding::new(
+                    rounds("pin.velocity-angle", angle),
+                    format!("by the printed speeds the angle opposite to that side is {angle:.2}°"),
+                )
+            }),
+        ),
+    )
+}
+
+pub fn mark_d() -> Claim {
+    Claim::statement(
+        WORK,
+        "pin.mark-d",
+        "Solution, velocity of the pin",
+        "the arrow before the angles of the pin's velocity and of its sliding velocity, one and the same",
+        "d",
+        Check::corrected_statement(
+            (Jet, |stated| {
+                at_the_instant(|_, motion| {
+                    arrow_of_two([heading(&motion.pin_velocity), heading(&motion.sliding_velocity)], stated)
+                })
+            }),
+            (ClosedForm, |stated| {
+                // Across the crank, and from the pin to O.
+                let slot = triangle(|t| t.angle_at_pivot).to_degrees();
+                arrow_of_two([printed("pin.crank-angle") + 90.0, slot + 180.0], stated)
+            }),
+        ),
+    )
+    .expecting(Verdict::Corrected)
+    .with_erratum(Erratum { corrected: "↙, angle from the horizontal", slip: ARROWS })
+}
+
+/// Whether two velocities point as printed if the arrow is ↙ and the angle from the horizontal; or without an arrow.
+fn arrow_of_two([pin, sliding]: [f64; 2], stated: Stated) -> Finding {
+    let from = stated.pick(180.0, 0.0);
+    let holds =
+        rounds("pin.pin-velocity-direction", pin - from) && rounds("pin.sliding-velocity-direction", sliding - from);
+    Finding::new(holds, format!("{:.1}° and {:.1}° beyond {from}° from the right", pin - from, sliding - from))
+}
+
+pub fn mark_f() -> Claim {
+    Claim::statement(
+        WORK,
+        "pin.mark-f",
+        "Solution, components of the velocity",
+        "the arrow before the angle of the slot point's velocity, which says what the angle is measured from",
+        "f",
+        Check::corrected_statement(
+            (Jet, |stated| at_the_instant(|_, motion| arrow_of_one(heading(&motion.slot_point_velocity), stated))),
+            (ClosedForm, |stated| {
+                // Across the slot, clockwise about O.
+                arrow_of_one(270.0 + triangle(|t| t.angle_at_pivot).to_degrees(), stated)
+            }),
+        ),
+    )
+    .expecting(Verdict::Corrected)
+    .with_erratum(Erratum { corrected: "↘, angle from the vertical", slip: ARROWS })
+}
+
+/// Whether the velocity points as printed if the arrow is ↘ and the angle from the vertical; or without an arrow.
+fn arrow_of_one(direction: f64, stated: Stated) -> Finding {
+    let from = stated.pick(270.0, 0.0);
+    let angle = direction - from;
+    Finding::new(
+        rounds("pin.slot-point-velocity-direction", angle),
+        format!("{angle:.1}° beyond {from}° from the right"),
+    )
+}
+
+/// The angle between two vectors in degrees, from 0° to 180°.
+fn between(a: &Vector2<f64>, b: &Vector2<f64>) -> f64 {
+    Turn { cos: a.dot(b), sin: a.perp(b).abs() }.degrees()
+}
+
+/// The dimension of the unit printed with the number in the claim with this id.
+pub fn dimension(id: &str) -> Option<Dimension> {
+    let mut parts = crate::claim(id)?.unit.split('/').map(|unit| match unit {
+        "mm" => Some(Dimension::LENGTH),
+        "s" => Some(Dimension::TIME),
+        "rad" => Some(Dimension::NONE),
+        _ => None,
+    });
+    let above = parts.next()??;
+    parts.try_fold(above, |quotient, below| Some(quotient / below?))
+}

@@ -1,0 +1,123 @@
+//! The Coriolis term: how large it is, which way it points, and what the text says of its factors.
+
+use super::*;
+use geneva_kinematics::prove;
+use geneva_kinematics::quick_return::proofs::TermsOfTheAcceleration;
+
+const CORIOLIS: &str = "Solution, acceleration, Coriolis";
+const SENSE: &str = "Solution, acceleration, direction of Coriolis";
+
+pub fn claims() -> Vec<Claim> {
+    vec![
+        Claim::equation(
+            WORK,
+            "quick-return.coriolis-equation",
+            CORIOLIS,
+            "magnitude of the Coriolis acceleration; its factors are at right angles",
+            r"2\omega_4 v_{P2/P4}",
+            Check::equation(
+                (ExactIdentity, || prove(&TermsOfTheAcceleration { coriolis: 2 }).into()),
+                (AutomaticDerivative, || {
+                    from_duals(|crank| {
+                        let [[_, sliding, _], [_, turning, _]] = crank.polar();
+                        meets(term(crank).norm(), 2.0 * (turning * sliding).abs())
+                    })
+                }),
+            ),
+        ),
+        Claim::value(
+            WORK,
+            "quick-return.coriolis",
+            CORIOLIS,
+            "magnitude of the Coriolis acceleration",
+            ("1.960", "m/s^2"),
+            Check::number_from_rounded(
+                (Vectors, || diagram(|motion| motion.accelerations.coriolis.norm())),
+                (Series, || series(|rates| 2.0 * (rates.turning * rates.sliding).abs() * radius(rates))),
+                || 2.0 * printed("quick-return.lever-speed") * printed("quick-return.sliding-speed"),
+            ),
+        )
+        .expecting(Verdict::FromRounded)
+        .affected_by(rounding::LENGTH),
+        Claim::statement(
+            WORK,
+            "quick-return.coriolis-direction",
+            SENSE,
+            "the Coriolis acceleration has the direction of this product; which way that is, the text does not say",
+            r"\omega_4 \times v_{P2/P4}",
+            Check::statement(
+                "it has the direction of the product with its factors exchanged",
+                (AutomaticDerivative, |stated| {
+                    in_both_drawings(|instant| {
+                        let crank = instant.by_duals();
+                        let [[_, sliding, _], [_, turning, _]] = crank.polar();
+                        let product = product(turning, frames::along_the_slot(&crank) * sliding, stated);
+                        let part = term(&crank).normalize().dot(&product.normalize());
+                        Some(Finding::new(agrees(part, 1.0), format!("its part in that direction is {part:.3} of it")))
+                    })
+                }),
+                (LimitCase, |stated| {
+                    let bead = across_by_finite_turns();
+                    let product = product(1.0, Vector2::new(1.0, 0.0), stated);
+                    let how = format!("a bead that slides outwards: {bead:.4}, the product: {:.0}", product.y);
+                    Finding::new(bead * product.y > 0.0, how)
+                }),
+            ),
+        ),
+        Claim::statement(
+            WORK,
+            "quick-return.lever-sense",
+            SENSE,
+            "the lever turns counter-clockwise",
+            "out of the page",
+            Check::statement(
+                "it is directed into the page",
+                (Vectors, |stated| {
+                    in_both_drawings(|instant| Some(points(instant.by_diagrams()?.velocities.follower_speed, stated)))
+                }),
+                (Series, |stated| in_both_drawings(|instant| Some(points(instant.by_series()?.turning, stated)))),
+            ),
+        ),
+        Claim::statement(
+            WORK,
+            "quick-return.sense-of-sliding",
+            SENSE,
+            "the sense of the sliding velocity, as in the velocity diagram",
+            "as in velocity diagram",
+            Check::Missing {
+                reason: "The diagram is not in the copy. Towards the lever's pivot if the lever stands where a crank \
+                         that turns counter-clockwise has passed the line of centres; away from it in the mirror \
+                         image, which has the same printed numbers. The sense of the Coriolis acceleration goes with \
+                         it",
+            },
+        )
+        .expecting(Verdict::NotReproducible),
+    ]
+}
+
+/// ω × v for an angular velocity, counter-clockwise positive; or v × ω.
+fn product(turning: f64, velocity: Vector2<f64>, stated: Stated) -> Vector2<f64> {
+    let [x, y] = [velocity.x * turning, velocity.y * turning];
+    stated.pick(Vector2::new(-y, x), Vector2::new(y, -x))
+}
+
+/// Whether an angular velocity, counter-clockwise positive, points out of the page; or into it.
+fn points(speed: f64, stated: Stated) -> Finding {
+    let axis = stated.pick(1.0, -1.0);
+    Finding::new(speed * axis > 0.0, format!("{speed:.3} rad/s, counter-clockwise positive"))
+}
+
+/// What the pin's acceleration has beside that of the lever's point and that seen from the lever.
+fn term(crank: &Crank) -> Vector2<f64> {
+    let ([_, _, pin], [_, _, lever]) = (crank.pin_motion(), crank.point_motion());
+    pin - lever - frames::seen(crank, Stated::Right)[2]
+}
+
+/// A short time, in seconds at 1 rad/s: small enough to see the first digits, large enough for rounding not to show.
+const STEP: f64 = 1e-3;
+
+/// The acceleration across a lever that turns at 1 rad/s, of a bead that slides outwards at 1 m/s, from three places.
+fn across_by_finite_turns() -> f64 {
+    let place = |time: f64| Turn::from_radians(time).direction() * (1.0 + time);
+    ((place(STEP) - place(0.0) * 2.0 + place(-STEP)) / (STEP * STEP)).y
+}
