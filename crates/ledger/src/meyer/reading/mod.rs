@@ -159,7 +159,7 @@ fn evaluate<N: Number>(node: &Node, letters: &Letters<N>, at: Option<&Moment<N>>
         Node::Letter(name) => match letters.get(name) {
             Some(value) => *value,
             // A dot over a letter that has no value of its own with it.
-            None if name.contains('\'') => {
+            None if name.contains('\'') && !name.contains('/') => {
                 of(&Node::Rate(By::Time, Box::new(Node::Letter(name.replacen('\'', "", 1)))))?
             }
             None => return None,
