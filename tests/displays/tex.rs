@@ -124,7 +124,11 @@ impl<'a> Reader<'a> {
         loop {
             let joint = match self.next() {
                 Some("/") => Joint::Over,
-                Some(r"\times") => Joint::Cross,
+                // A row of crosses is worked from the right.
+                Some(r"\times") => {
+                    self.at += 1;
+                    return Ok(join(Joint::Cross, product, self.product()?));
+                }
                 Some(r"\cdot") => Joint::Times,
                 Some(piece) if self.starts_factor(piece) => {
                     product = join(Joint::Times, product, self.power()?);

@@ -138,8 +138,9 @@ impl Made<'_> {
         }
         // A minus before a whole side that is not zero.
         let opens = at == 0 || self.text(at - 1) == "=";
-        let signed = ["+", "-", r"\pm", "=", "0"].contains(&self.text(at)) || self.text(at).starts_with(r"\begin");
-        if opens && !signed {
+        let signed = ["+", "-", r"\pm", "="].contains(&self.text(at)) || self.text(at).starts_with(r"\begin");
+        let zero = self.text(at).trim_end_matches('.') == "0";
+        if opens && !signed && !zero {
             self.put(Class::Sign, (at, at), "-", "a minus is put before it");
         }
     }
@@ -183,14 +184,20 @@ impl Made<'_> {
         (piece.is_letter() || piece.text.starts_with(r"\text{")) && !inside
     }
 
+    /// Whether the letter is an index, below or raised.
     fn is_index(&self, at: usize) -> bool {
         let before = |back: usize| at.checked_sub(back).map_or("", |at| self.text(at));
-        before(1) == "_" || (before(1) == "{" && before(2) == "_")
+        let marks = ["_", "^"];
+        marks.contains(&before(1)) || (before(1) == "{" && marks.contains(&before(2)))
     }
 
-    /// A letter with its index, as it stands.
+    /// A letter with what hangs on it, as it stands: its index, and a raised letter.
     fn name(&self, at: usize) -> (usize, &str) {
-        let end = if self.text(at + 1) == "_" { self.group_end(at + 2) } else { at + 1 };
+        let mut end = if self.text(at + 1) == "_" { self.group_end(at + 2) } else { at + 1 };
+        let raised = if self.text(end + 1) == "{" { end + 2 } else { end + 1 };
+        if self.text(end) == "^" && self.pieces.get(raised).is_some_and(Piece::is_letter) {
+            end = self.group_end(end + 1);
+        }
         (end, &self.tex[self.pieces[at].start..self.pieces[end - 1].end])
     }
 
@@ -206,7 +213,9 @@ impl Made<'_> {
         let alike = |other: &usize| self.is_letter(*other) && self.is_index(*other) == index;
         let names: BTreeSet<String> = (0..self.pieces.len()).filter(alike).map(|at| named(at).1.to_owned()).collect();
         let (end, name) = (named(at).0, named(at).1.to_owned());
-        for other in names.iter().filter(|other| **other != name) {
+        // Blanks in a word say nothing.
+        let plain = |name: &str| name.replace(' ', "");
+        for other in names.iter().filter(|other| plain(other) != plain(&name)) {
             self.put(Class::Letter, (at, end), other, &format!("{name} becomes {other}"));
         }
         if index {

@@ -31,8 +31,8 @@ pub const ROUTES: Tolerance = Tolerance {
 pub const DIFFERENCES: Tolerance = Tolerance {
     name: "differences",
     relative: 1e-9,
-    reason: "a difference over a thousandth loses three of the sixteen digits, and where the letters change quickly some \
-             more; a misprint differs in the first few digits",
+    reason: "a difference over a thousandth loses three of the sixteen digits, and where the letters change quickly \
+             some more; a misprint differs in the first few digits",
 };
 
 /// For quantities that must vanish, in units of the mechanism's own size: what is left of rounding.
@@ -47,8 +47,8 @@ pub const CLOSURE: Tolerance = Tolerance {
 pub const STEPS: Tolerance = Tolerance {
     name: "steps",
     relative: 1e-5,
-    reason: "a step over a place where the friction changes its sign is less accurate than others, whatever the method; \
-             the printed tables have three digits, and a wrong equation differs in the first or second",
+    reason: "a step over a place where the friction changes its sign is less accurate than others, whatever the \
+             method; the printed tables have three digits, and a wrong equation differs in the first or second",
 };
 
 /// For a number that the program of 1973 prints, and the same by other steps.
@@ -56,8 +56,8 @@ pub const PROGRAM: Tolerance = Tolerance {
     name: "program",
     relative: 3e-4,
     reason: "the program chooses the sign of friction by an acceleration of a moment before; where that sign changes \
-             within a step, two ways of stepping see it at times that are a part of that moment apart. The printed tables \
-             have three digits, and a wrong equation differs in the first or second",
+             within a step, two ways of stepping see it at times that are a part of that moment apart. The printed \
+             tables have three digits, and a wrong equation differs in the first or second",
 };
 
 /// All tolerances.

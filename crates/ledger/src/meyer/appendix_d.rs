@@ -102,8 +102,8 @@ fn equations() -> Vec<Claim> {
         ),
         stated(
             ("meyer.app-d.letters", LETTERS),
-            "R is A at the start and V is D there, in the program its size; D is zero there, because a pin enters where \
-             a cos θ = 1",
+            "R is A at the start and V is D there, in the program its size; D is zero there, because a pin enters \
+             where a cos θ = 1",
             "V be the value of D",
             "V is the value of C there",
             (ClosedForm, |stated| {
@@ -259,8 +259,8 @@ fn of_slots(slots: Slots) -> impl Iterator<Item = (reading::Letters, Coefficient
     })
 }
 
-/// Whether a display of the appendix holds from rest. The start itself has D = 0, which would hide every slip: so at all
-/// angles.
+/// Whether a display of the appendix holds from rest, at all angles. The start itself has D = 0, which would hide every
+/// slip.
 fn from_rest(tex: &str) -> Option<bool> {
     static RESTS: OnceLock<Vec<Moment>> = OnceLock::new();
     let rests = RESTS.get_or_init(|| {

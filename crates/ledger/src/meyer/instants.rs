@@ -172,7 +172,8 @@ pub fn holds_of(tex: &str, operator: &str, this: &str) -> Option<bool> {
     }
 }
 
-/// Whether the right characters of the claim hold, read and evaluated, and the printed ones do not if they are corrected.
+/// Whether the right characters of the claim hold, read and evaluated; and the printed ones do not, if they are
+/// corrected.
 pub fn reads(id: &str) -> Finding {
     let Some((claim, reader)) = claim(id).and_then(|claim| Some((claim, claim.check.reader()?))) else {
         return Finding::new(false, "no claim whose characters are read");

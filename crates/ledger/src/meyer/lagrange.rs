@@ -152,8 +152,8 @@ fn vector_sum() -> Claim {
                     let brake = letter("I_f") / 2.0;
                     // The normal force passes the driver's axis at the distance r cos(θ + φ).
                     let arm = letter("r") * libm::cos(letter("theta") + letter("phi"));
-                    let driving =
-                        letter("I_D") * letter("theta''") + (letter("I_f") * letter("phi''") + brake) / letter("R") * arm;
+                    let driving = letter("I_D") * letter("theta''")
+                        + (letter("I_f") * letter("phi''") + brake) / letter("R") * arm;
                     let factor = stated.pick(letter("phi'") / letter("theta'"), 1.0);
                     let force = driving - brake * factor;
                     let asked = letter("I_D") * letter("theta''")
@@ -184,14 +184,15 @@ fn vector_sum() -> Claim {
                     φ'/θ'",
         slip: Slip {
             id: "",
-            reason: "By virtual work a torque on the follower counts with the angle by which the follower turns, not with \
-                     the driver's. For the torques on the driver itself the sum is right, and no other is kept in what \
-                     follows.",
-            witness: "Over an engagement a torque on the follower does the work of its torque times the follower's angle, \
-                      which is the driver's for four slots only.",
+            reason: "By virtual work a torque on the follower counts with the angle by which the follower turns, not \
+                     with the driver's. For the torques on the driver itself the sum is right, and no other is kept in \
+                     what follows.",
+            witness: "Over an engagement a torque on the follower does the work of its torque times the follower's \
+                      angle, which is the driver's for four slots only.",
             origin: Origin::Concept,
             consequence: Consequence::Wording,
-            changes: "Nothing in the thesis, which leaves out the bearings; whoever adds the follower's needs the factor.",
+            changes: "Nothing in the thesis, which leaves out the bearings; whoever adds the follower's needs the \
+                      factor.",
         },
     })
 }

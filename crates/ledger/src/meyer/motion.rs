@@ -105,8 +105,8 @@ fn factors() -> Vec<Claim> {
             || reads("meyer.factor-a"),
             miscopied(
                 r"A = \left[ \frac{I_D}{I_f} + \frac{(a\cos\theta-1)^2}{(1+a^2-2a\cos\theta)^2} \right]",
-                "Eq. (1-18), from which the display is taken, has the inertia of the driver above the line, and so has the \
-                 program. The letters of a and cos run together here as in the next three displays.",
+                "Eq. (1-18), from which the display is taken, has the inertia of the driver above the line, and so has \
+                 the program. The letters of a and cos run together here as in the next three displays.",
             ),
         ),
         arc(

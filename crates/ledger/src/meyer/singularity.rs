@@ -13,7 +13,8 @@ use std::sync::OnceLock;
 
 const FLAW: &str = "Line after Eq. (1-18)";
 const END: &str = "Paragraph before the substitutions of Eq. (1-19)";
-/// Driver's inertia over the follower's, for the question how much friction there can be: a light driver, and like discs.
+/// Driver's inertia over the follower's, for the question how much friction there can be: a light driver, and like
+/// discs.
 const INERTIA_RATIOS: [f64; 2] = [0.1, 1.0];
 
 pub fn claims() -> Vec<Claim> {
@@ -31,8 +32,8 @@ fn quantity() -> Vec<Claim> {
         ),
         stated(
             ("meyer.singularity.quantity", "Display after Eq. (1-18)"),
-            "the quantity whose powers Eq. (1-18) divides by: the square of the pin's distance from the follower's axis, \
-             over r²",
+            "the quantity whose powers Eq. (1-18) divides by: the square of the pin's distance from the follower's \
+             axis, over r²",
             r"(1 + a^2 - 2a \cos \theta)",
             "the same with a plus before its last term",
             (Vectors, |stated| {

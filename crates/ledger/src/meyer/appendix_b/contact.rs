@@ -301,7 +301,8 @@ pub fn small_time(time: f64, stated: Stated) -> bool {
     time < 0.0 || stated.pick(time == 0.0, false)
 }
 
-/// Which lines of the motion cannot be put in an order in which each has all it needs, if F is made of this acceleration.
+/// Which lines of the motion cannot be put in an order in which each has all it needs, if F is made of this
+/// acceleration.
 fn cannot_be_sorted(acceleration: &str) -> Vec<String> {
     let between = program::F.replace("OLD2DX", acceleration);
     let said = [program::G, program::H, program::I, program::J, program::L, program::A, program::B, program::C];

@@ -56,8 +56,8 @@ fn constants() -> Vec<Claim> {
             WORK,
             "meyer.listing.print-interval",
             PROGRAM,
-            "time between printed lines, a datum: of a half, once and twice as much it is the one whose largest printed \
-             speeds are those of the tables",
+            "time between printed lines, a datum: of a half, once and twice as much it is the one whose largest \
+             printed speeds are those of the tables",
             (".0005", "s"),
             Check::number(
                 (Evidence::Integration, || runs::fitting_interval(Mechanism::SixPin)),

@@ -8,6 +8,7 @@ mod listing;
 mod listing_start;
 mod method;
 mod program;
+mod stages;
 
 pub use listing_start::start_solves;
 pub use program::{DELAY_PARTS, start_line};

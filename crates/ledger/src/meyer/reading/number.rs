@@ -1,6 +1,7 @@
 //! What a letter may stand for: a real number, or a complex one for an angle whose cosine is greater than one.
 
 use nalgebra::Complex;
+use std::f64::consts::PI;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// Numbers with the functions that the displays need.
@@ -59,26 +60,51 @@ impl Number for Complex<f64> {
     }
 
     fn size(self) -> f64 {
-        self.norm()
+        libm::hypot(self.re, self.im)
     }
 
     fn power(self, exponent: Self) -> Self {
-        self.powc(exponent)
+        if self.size() == 0.0 { self } else { exponential(exponent * logarithm(self)) }
     }
 
     fn sine(self) -> Self {
-        self.sin()
+        Self::new(libm::sin(self.re) * libm::cosh(self.im), libm::cos(self.re) * libm::sinh(self.im))
     }
 
     fn cosine(self) -> Self {
-        self.cos()
+        Self::new(libm::cos(self.re) * libm::cosh(self.im), -libm::sin(self.re) * libm::sinh(self.im))
     }
 
     fn arc_sine(self) -> Self {
-        self.asin()
+        Self::real(PI / 2.0) - self.arc_cosine()
     }
 
     fn arc_cosine(self) -> Self {
-        self.acos()
+        // The angle φ with cos φ + i sin φ = e^(iφ).
+        let sine = (Self::real(1.0) - self * self).power(Self::real(0.5));
+        -Self::i() * logarithm(self + Self::i() * sine)
+    }
+}
+
+fn logarithm(number: Complex<f64>) -> Complex<f64> {
+    Complex::new(libm::log(number.size()), libm::atan2(number.im, number.re))
+}
+
+fn exponential(number: Complex<f64>) -> Complex<f64> {
+    Complex::new(libm::cos(number.im), libm::sin(number.im)) * libm::exp(number.re)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_angle_and_its_cosine_belong_together_also_beyond_one() {
+        for number in [0.25, 1.0, 1.25, -0.5].map(Complex::real).into_iter().chain([Complex::new(0.5, -2.0)]) {
+            for there in [number.arc_cosine().cosine(), number.arc_sine().sine(), number.power(Complex::real(1.0))] {
+                assert!((there - number).size() < 1e-12, "{number}: {there}");
+            }
+        }
+        assert!((Complex::real(1.25).arc_cosine() - Complex::new(0.0, libm::log(2.0))).size() < 1e-12);
     }
 }
