@@ -7,7 +7,7 @@ use super::*;
 use crate::Evidence::Integration;
 use crate::Stated;
 use geneva_dynamics::steady::Engagement;
-use geneva_dynamics::{Coefficients, Parameters, Sign};
+use geneva_dynamics::{Coefficients, Inertias, Parameters, Sign};
 
 const FIRST: &str = "Chapter II, 1st general statement";
 const THIRD: &str = "Chapter II, 3rd general statement";
@@ -196,6 +196,28 @@ pub fn with(row: &Row, torque: f64, friction: f64) -> Option<Engagement> {
     let at = Hypothesis::TRUE.parameters(row)?;
     let changed = Parameters::new(at.slots(), at.inertias(), at.torque() * torque, at.friction() * friction).ok()?;
     Engagement::with_tolerance(&changed, 1e-11).ok()
+}
+
+/// Relative changes of three quantities in each group of runs, for each set of factors of torque, friction and the two
+/// inertias.
+pub type Responses = Vec<Vec<[f64; 3]>>;
+
+/// Those to these sets of factors; not numbers where the quantities cannot be found.
+pub fn responses(factors: &[[f64; 4]], of: fn(&Parameters) -> Option<[f64; 3]>) -> Responses {
+    let before: Vec<_> = series()
+        .filter_map(|own| {
+            let at = Hypothesis::TRUE.parameters(own.first()?)?;
+            Some((at, of(&at)?))
+        })
+        .collect();
+    let response = |[torque, friction, driver, follower]: &[f64; 4], at: &Parameters, before: &[f64; 3]| {
+        let inertias = Inertias::new(at.inertias().driver() * driver, at.inertias().follower() * follower).ok()?;
+        let changed = Parameters::new(at.slots(), inertias, at.torque() * torque, at.friction() * friction).ok()?;
+        let after = of(&changed)?;
+        Some(std::array::from_fn(|k| (after[k] / before[k] - 1.0).abs()))
+    };
+    let all = |set: &[f64; 4]| before.iter().map(|(at, old)| response(set, at, old).unwrap_or([f64::NAN; 3])).collect();
+    factors.iter().map(all).collect()
 }
 
 /// Whether κ² times the torque only makes all speeds κ^p times as large, and all times shorter by as much.

@@ -1,12 +1,14 @@
 //! Fig. 8 and what chapter II says of its curve: its shape, its scales, and when it is steady.
 
 use super::by_steps::{Group, Motion, groups};
+use super::general_statements::{Responses, responses};
 use super::runs::{Column, Hypothesis, Mechanism, Row, rows, series};
 use super::*;
 use crate::Evidence::{Integration, Steps};
 use crate::Stated;
+use geneva_dynamics::Parameters;
 use geneva_dynamics::steady::Engagement;
-use geneva_dynamics::{Inertias, Parameters};
+use std::sync::OnceLock;
 
 const BEFORE: &str = "Chapter II, sentence around Fig. 8";
 const RISE: &str = "Chapter II, paragraph on the rise time in Fig. 8";
@@ -114,20 +116,12 @@ fn scales() -> Claim {
         Check::statement(
             "torque and both inertias, changed in one proportion, will change them",
             (Integration, |stated| {
-                changed(stated, |parameters| {
-                    let of = Engagement::with_tolerance(parameters, 1e-11).ok()?;
-                    let steady = of.steady_state().ok()?;
-                    Some([steady.mean_of_extremes(), steady.period, of.first_minimum().ok()??.time])
-                })
+                static FOUND: OnceLock<Responses> = OnceLock::new();
+                changed(stated, FOUND.get_or_init(|| responses(&TENTHS, scales_by_integrals)))
             }),
             (Steps, |stated| {
-                changed(stated, |parameters| {
-                    let motion = Motion::of(parameters)?;
-                    let (first, steady) = (motion.engagements.first()?, motion.steady()?);
-                    let peak = motion.greatest(steady, |_, speed| speed).value;
-                    let middle = f64::midpoint(peak, motion.least(steady)?.value);
-                    Some([middle, steady.duration(), motion.least(first)?.time])
-                })
+                static FOUND: OnceLock<Responses> = OnceLock::new();
+                changed(stated, FOUND.get_or_init(|| responses(&TENTHS, scales_by_steps)))
             }),
         ),
     )
@@ -213,31 +207,36 @@ fn quotient(set: &[&Row]) -> [f64; 2] {
     })
 }
 
-/// Whether all of some quantities change in every group of runs, with each of the parameters that are said to change
-/// them: one after the other, or torque and inertias together.
-fn changed(stated: Stated, of: impl Fn(&Parameters) -> Option<[f64; 3]>) -> Finding {
-    // Factors of torque, friction and the two inertias.
-    let tenth = 1.1;
-    let alone: &[[f64; 4]] =
-        &[[tenth, 1.0, 1.0, 1.0], [1.0, tenth, 1.0, 1.0], [1.0, 1.0, tenth, 1.0], [1.0, 1.0, 1.0, tenth]];
-    let together: &[[f64; 4]] = &[[tenth, 1.0, tenth, tenth]];
-    let factors = stated.pick(alone, together);
-    let least = series().filter_map(|own| {
-        let at = Hypothesis::TRUE.parameters(own.first()?)?;
-        let before = of(&at)?;
-        let changes = factors.iter().map(|[torque, friction, driver, follower]| {
-            let inertias = Inertias::new(at.inertias().driver() * driver, at.inertias().follower() * follower).ok()?;
-            let changed = Parameters::new(at.slots(), inertias, at.torque() * torque, at.friction() * friction).ok()?;
-            let after = of(&changed)?;
-            Some((0..3).map(|k| (after[k] / before[k] - 1.0).abs()).fold(f64::INFINITY, f64::min))
-        });
-        Some(changes.map(|change| change.unwrap_or(0.0)).fold(f64::INFINITY, f64::min))
-    });
-    let least: Vec<f64> = least.collect();
-    let worst = least.iter().copied().fold(f64::INFINITY, f64::min);
+/// Factors of torque, friction and the two inertias: each alone a tenth greater, and all but the friction together.
+const TENTHS: [[f64; 4]; 5] =
+    [[1.1, 1.0, 1.0, 1.0], [1.0, 1.1, 1.0, 1.0], [1.0, 1.0, 1.1, 1.0], [1.0, 1.0, 1.0, 1.1], [1.1, 1.0, 1.1, 1.1]];
+
+/// Mean of peak and minimum, period, and the time of the first minimum.
+fn scales_by_integrals(parameters: &Parameters) -> Option<[f64; 3]> {
+    let of = Engagement::with_tolerance(parameters, 1e-11).ok()?;
+    let steady = of.steady_state().ok()?;
+    Some([steady.mean_of_extremes(), steady.period, of.first_minimum().ok()??.time])
+}
+
+/// The same.
+fn scales_by_steps(parameters: &Parameters) -> Option<[f64; 3]> {
+    let motion = Motion::of(parameters)?;
+    let (first, steady) = (motion.engagements.first()?, motion.steady()?);
+    let peak = motion.greatest(steady, |_, speed| speed).value;
+    let middle = f64::midpoint(peak, motion.least(steady)?.value);
+    Some([middle, steady.duration(), motion.least(first)?.time])
+}
+
+/// Whether all three quantities change in every group of runs: with each parameter alone, or with torque and inertias
+/// together.
+fn changed(stated: Stated, found: &Responses) -> Finding {
+    let (alone, together) = found.split_at(found.len() - 1);
+    let changes = stated.pick(alone, together).concat().concat();
+    let least = changes.iter().copied().fold(f64::INFINITY, f64::min);
+    let complete = found.iter().all(|groups| groups.len() == series().count());
     Finding::new(
-        least.len() == series().count() && worst > crate::tolerance::STEPS.relative,
-        format!("a tenth more changes each by {:.2} per cent or more in all groups", 100.0 * worst),
+        complete && changes.iter().all(|change| *change > crate::tolerance::STEPS.relative),
+        format!("a tenth more changes each by {:.2} per cent or more in all groups", 100.0 * least),
     )
 }
 
