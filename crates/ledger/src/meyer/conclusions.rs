@@ -6,8 +6,8 @@ use super::runs::{rows, series};
 use super::*;
 use crate::Evidence::{Integration, Steps};
 use crate::Stated;
-use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::Parameters;
+use geneva_dynamics::steady::Engagement;
 use std::sync::OnceLock;
 
 /// One second in a day: the resolution that the source ascribes to a watch, over a day.

@@ -42,9 +42,9 @@ pub const SPRING_RATE: Slip = Slip {
 pub const HALF_POWERS: Slip = Slip {
     id: "meyer.normal-force.substituted",
     reason: "R has the power 1/2, and two whole powers and a half make 5/2. Three displays in a row have 3/2 for both. \
-             The power 1/2 stands right in the two displays of R before them, and Eq. (1-14), which follows, has the \
-             powers that only the right ones give: so it is counted as the copy's, which no original was at hand to \
-             confirm.",
+             Whether the typist or the copy has put it there cannot be told. It is counted as the copy's, because 1/2 \
+             stands right in the two displays of R just before, and Eq. (1-14), just after, has the powers that only \
+             the right ones give.",
     witness: "The corrected characters, read and evaluated, agree with Newton's laws for the two members; the printed \
               ones do not.",
     origin: Origin::Copy,
@@ -68,8 +68,8 @@ pub const DRIVER_INDEX: Slip = Slip {
 pub const MISSING_SQUARE: Slip = Slip {
     id: "meyer.eq-1-17",
     reason: "The factor of the driver's acceleration is that of the line before, where the bracket is squared; Eq. \
-             (1-18) has the square again. It is missing in two displays, the second of which is put together from the \
-             first: that is how a typist's slip goes on, so it is not counted as the copy's.",
+             (1-18) has the square again. Whether the typist or the copy has lost it cannot be told. It is counted as a \
+             misprint, because it is missing in two displays, of which the second is put together from the first.",
     witness: "The corrected characters, read and evaluated, agree with Newton's laws for the two members; the printed \
               ones do not.",
     origin: Origin::Misprint,
