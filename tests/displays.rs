@@ -7,8 +7,6 @@ mod factors;
 mod joints;
 mod letters;
 mod mechanisms;
-mod mutants;
-mod pieces;
 mod state;
 mod tex;
 mod tree;

@@ -2,6 +2,7 @@
 
 use super::tex::{Reader, plain};
 use super::tree::{Function, Joint, Node, at, join};
+use geneva_ledger::GREEK;
 
 impl<'a> Reader<'a> {
     /// A factor without its powers.
@@ -149,12 +150,6 @@ impl<'a> Reader<'a> {
         }
     }
 }
-
-/// The Greek letters and the like that are names.
-pub const GREEK: [&str; 16] = [
-    r"\alpha", r"\beta", r"\gamma", r"\delta", r"\theta", r"\lambda", r"\mu", r"\rho", r"\tau", r"\phi", r"\varphi",
-    r"\psi", r"\omega", r"\ldots", r"\sigma", r"\kappa",
-];
 
 fn strs(pieces: &[String]) -> Vec<&str> {
     pieces.iter().map(String::as_str).collect()

@@ -85,12 +85,12 @@ fn of_quick_return(id: &str, number: usize) -> State {
         "quick-return.velocity-by-points" => {
             frame(number, 0.0).called([("v_{P2}", r"\dot{r}"), ("v_{P4}", r"\dot{R}"), ("v_{P2/P4}", r"\dot{p}")])
         }
-        // Angles count in radians, times in seconds.
+        // Units of any size.
         "quick-return.rate-conversion" => State::default().with([
-            (r"\text{rev}", 2.0 * PI),
-            (r"\text{rad}", 1.0),
-            (r"\text{min}", 60.0),
-            (r"\text{s}", 1.0),
+            (r"\text{rev}", 2.0 * PI * 3.0),
+            (r"\text{rad}", 3.0),
+            (r"\text{min}", 60.0 * 5.0),
+            (r"\text{s}", 5.0),
         ]),
         // The path in the slot is straight.
         "quick-return.sliding-normal" => state

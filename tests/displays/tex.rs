@@ -3,17 +3,13 @@
 //! Only what displays of mechanics use. A letter with its index and its raised letters is one name; raised numbers are
 //! powers. A function takes the next factor. What is not understood is named.
 
-use super::pieces::pieces;
 use super::tree::{Display, Function, Joint, Node, join};
+use geneva_ledger::pieces;
 
 /// Reads a display.
 pub fn read(tex: &str) -> Result<Display, String> {
-    read_pieces(&pieces(tex))
-}
-
-/// Reads a display that is already cut to pieces.
-pub fn read_pieces(pieces: &[String]) -> Result<Display, String> {
-    let mut reader = Reader { pieces, at: 0, bars: 0 };
+    let pieces: Vec<String> = pieces(tex).into_iter().map(|piece| piece.text).collect();
+    let mut reader = Reader { pieces: &pieces, at: 0, bars: 0 };
     let mut display = Display { tag: None, chains: Vec::new() };
     while let Some(piece) = reader.next() {
         match piece {
@@ -128,7 +124,11 @@ impl<'a> Reader<'a> {
         loop {
             let joint = match self.next() {
                 Some("/") => Joint::Over,
-                Some(r"\times") => Joint::Cross,
+                // A row of crosses is worked from the right.
+                Some(r"\times") => {
+                    self.at += 1;
+                    return Ok(join(Joint::Cross, product, self.product()?));
+                }
                 Some(r"\cdot") => Joint::Times,
                 Some(piece) if self.starts_factor(piece) => {
                     product = join(Joint::Times, product, self.power()?);

@@ -27,6 +27,8 @@ pub enum Check {
         corrected: Option<fn() -> Finding>,
         /// Another route to the equation that is right: the corrected one if there is one, else the printed one.
         witness: Route<fn() -> Finding>,
+        /// How its characters are read, if the ledger itself reads them.
+        reader: Option<Reader>,
     },
     /// A statement or a figure. Each route is asked twice: for what is right and for a neighbour that is wrong.
     Statement {
@@ -42,6 +44,15 @@ pub enum Check {
         /// Which, and why nothing in the source replaces it.
         reason: &'static str,
     },
+}
+
+/// How the characters of an equation are read and evaluated.
+#[derive(Clone, Copy, Debug)]
+pub struct Reader {
+    /// The same in the letters of mathematics, if the source's characters are not ours to print.
+    pub said: Option<&'static str>,
+    /// Whether these characters would hold in the place of the right ones; none if they cannot be read.
+    pub holds: fn(&str) -> Option<bool>,
 }
 
 /// A way to a result, with the kind of evidence that it is.
@@ -139,7 +150,7 @@ impl Check {
 
     /// An equation that is right as printed, and its witness.
     pub fn equation(printed: (Evidence, fn() -> Finding), witness: (Evidence, fn() -> Finding)) -> Self {
-        Self::Equation { printed: printed.into(), corrected: None, witness: witness.into() }
+        Self::Equation { printed: printed.into(), corrected: None, witness: witness.into(), reader: None }
     }
 
     /// An equation that fails as printed, its correction, and the correction's witness.
@@ -148,7 +159,37 @@ impl Check {
         corrected: fn() -> Finding,
         witness: (Evidence, fn() -> Finding),
     ) -> Self {
-        Self::Equation { printed: printed.into(), corrected: Some(corrected), witness: witness.into() }
+        let (printed, witness) = (printed.into(), witness.into());
+        Self::Equation { printed, corrected: Some(corrected), witness, reader: None }
+    }
+
+    /// An equation whose characters the ledger reads: whether given ones hold in their place, if they can be read.
+    #[must_use]
+    pub fn read_by(self, holds: fn(&str) -> Option<bool>) -> Self {
+        self.with_reader(Reader { said: None, holds })
+    }
+
+    /// The same for characters that are not ours to print: what they say, in the letters of mathematics.
+    #[must_use]
+    pub fn saying(self, said: &'static str, holds: fn(&str) -> Option<bool>) -> Self {
+        self.with_reader(Reader { said: Some(said), holds })
+    }
+
+    fn with_reader(self, reader: Reader) -> Self {
+        match self {
+            Self::Equation { printed, corrected, witness, .. } => {
+                Self::Equation { printed, corrected, witness, reader: Some(reader) }
+            }
+            other => other,
+        }
+    }
+
+    /// How the characters of the equation are read, if it is one and the ledger reads it.
+    pub fn reader(&self) -> Option<Reader> {
+        match self {
+            Self::Equation { reader, .. } => *reader,
+            _ => None,
+        }
     }
 
     /// A statement that is right as printed, a neighbour that is wrong, and two routes that tell them apart.

@@ -99,6 +99,15 @@ impl Claim {
         Self { expected, ..self }
     }
 
+    /// The characters that are right: those of the correction, if there is one; what they say, if they are not printed.
+    pub fn right_characters(&self) -> &'static str {
+        match (self.check.reader().and_then(|reader| reader.said), &self.erratum) {
+            (Some(said), _) => said,
+            (None, Some(erratum)) => erratum.corrected,
+            (None, None) => self.printed,
+        }
+    }
+
     /// Says how a vague sentence is read.
     #[must_use]
     pub fn read_as(self, reading: &'static str) -> Self {

@@ -84,7 +84,7 @@ pub fn judge(claim: &'static Claim) -> Judged {
                 judged.right_value = judged.computed;
             }
         }
-        Check::Equation { printed, corrected, witness } => equation(&mut judged, printed, *corrected, witness),
+        Check::Equation { printed, corrected, witness, .. } => equation(&mut judged, printed, *corrected, witness),
         Check::Statement { first, witness, neighbour } => statement(&mut judged, first, witness, *neighbour),
         Check::Missing { .. } => {}
     }

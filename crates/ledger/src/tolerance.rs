@@ -27,6 +27,14 @@ pub const ROUTES: Tolerance = Tolerance {
              three decimal digits of the sixteen; a wrong formula differs in the first few digits",
 };
 
+/// For derivatives that are taken as differences of printed characters evaluated nearby.
+pub const DIFFERENCES: Tolerance = Tolerance {
+    name: "differences",
+    relative: 1e-9,
+    reason: "a difference over a thousandth loses three of the sixteen digits, and where the letters change quickly \
+             some more; a misprint differs in the first few digits",
+};
+
 /// For quantities that must vanish, in units of the mechanism's own size: what is left of rounding.
 pub const CLOSURE: Tolerance = Tolerance {
     name: "closure",
@@ -39,8 +47,8 @@ pub const CLOSURE: Tolerance = Tolerance {
 pub const STEPS: Tolerance = Tolerance {
     name: "steps",
     relative: 1e-5,
-    reason: "a step over a place where the friction changes its sign is less accurate than others, whatever the method; \
-             the printed tables have three digits, and a wrong equation differs in the first or second",
+    reason: "a step over a place where the friction changes its sign is less accurate than others, whatever the \
+             method; the printed tables have three digits, and a wrong equation differs in the first or second",
 };
 
 /// For a number that the program of 1973 prints, and the same by other steps.
@@ -48,12 +56,12 @@ pub const PROGRAM: Tolerance = Tolerance {
     name: "program",
     relative: 3e-4,
     reason: "the program chooses the sign of friction by an acceleration of a moment before; where that sign changes \
-             within a step, two ways of stepping see it at times that are a part of that moment apart. The printed tables \
-             have three digits, and a wrong equation differs in the first or second",
+             within a step, two ways of stepping see it at times that are a part of that moment apart. The printed \
+             tables have three digits, and a wrong equation differs in the first or second",
 };
 
 /// All tolerances.
-pub const TOLERANCES: &[Tolerance] = &[ARITHMETIC, ROUTES, CLOSURE, STEPS, PROGRAM];
+pub const TOLERANCES: &[Tolerance] = &[ARITHMETIC, ROUTES, DIFFERENCES, CLOSURE, STEPS, PROGRAM];
 
 impl Tolerance {
     /// Whether two numbers agree, relative to the larger.

@@ -126,12 +126,14 @@ fn a_wrong_route_is_noticed() {
                     broken.push(with(computed, witness, Some([one, number(other.evidence)])));
                 }
             }
-            Check::Equation { printed, corrected, witness } => {
+            Check::Equation { printed, corrected, witness, reader } => {
                 let (first, second) = (fails(printed.evidence), fails(witness.evidence));
-                broken.push(Check::Equation { printed, corrected, witness: second });
+                broken.push(Check::Equation { printed, corrected, witness: second, reader });
                 match corrected {
-                    None => broken.push(Check::Equation { printed: first, corrected, witness }),
-                    Some(_) => broken.push(Check::Equation { printed, corrected: Some(first.run), witness }),
+                    None => broken.push(Check::Equation { printed: first, corrected, witness, reader }),
+                    Some(_) => {
+                        broken.push(Check::Equation { printed, corrected: Some(first.run), witness, reader });
+                    }
                 }
             }
             Check::Statement { first, witness, neighbour } => {

@@ -1,10 +1,13 @@
 //! Appendix D: the acceleration at the start.
 
-use super::instants::{display, slip, statement};
-use super::reading::{Letters, value};
+use super::appendix_b::{start_line, start_solves};
+use super::instants::{display_read_by, equal, reads, slip_read_by, stated};
+use super::reading::Moment;
+use super::slips::LOST_DOTS;
 use super::*;
-use geneva_dynamics::derivation::{Form, StartAtEntry, StartingAcceleration, StartingEquation, StartingLine};
+use geneva_dynamics::derivation::{Form, StartingAcceleration, StartingEquation, StartingLine};
 use geneva_dynamics::{Coefficients, Pose, Sign, Slots};
+use std::sync::OnceLock;
 
 const LETTERS: &str = "Appendix D, line after the 1st equation";
 const SIGN: &str = "Appendix D, lines after the 2nd equation";
@@ -15,230 +18,264 @@ pub fn claims() -> Vec<Claim> {
 
 fn given() -> Vec<Claim> {
     vec![
-        statement(
-            "meyer.app-d.from-rest",
-            "Appendix D, 1st display",
+        stated(
+            ("meyer.app-d.from-rest", "Appendix D, 1st display"),
             "the driver starts from rest",
             r"\dot{\theta}_0 = 0",
-            (OtherPlaceInSource, || {
-                Finding::new(numbers("meyer.app-b.from-rest") == [0], "Appendix B has it after the program")
+            "it starts at the speed one",
+            (OtherPlaceInSource, |stated| {
+                let said = numbers("meyer.app-b.from-rest");
+                Finding::new(said == [stated.pick(0, 1)], format!("Appendix B has {said:?} after the program"))
             }),
-            (ExactIdentity, || prove(&StartAtEntry).into()),
+            (ClosedForm, |stated| start_solves(stated.pick(0.0, 1.0))),
         ),
-        statement(
-            "meyer.app-d.angles",
-            "Appendix D, 2nd display",
-            "driver's angle at the start",
+        stated(
+            ("meyer.app-d.angles", "Appendix D, 2nd display"),
+            "driver's angle at the start for six, four and three pins",
             r"\theta_0 = -30^\circ, -45^\circ, -60^\circ",
-            (LimitCase, || {
-                let printed = numbers("meyer.app-d.angles");
-                let same = Escapement::all()
-                    .iter()
-                    .zip(printed.iter().skip(1))
-                    .all(|(at, angle)| agrees(180.0 / f64::from(at.pins()), f64::from(*angle)));
-                Finding::new(same && printed.len() == 4, "180° over the number of pins, for six, four and three")
-            }),
-            (Vectors, || {
-                let printed = numbers("meyer.app-d.angles");
-                let still = Escapement::all()
-                    .iter()
-                    .zip(printed.iter().skip(1))
-                    .all(|(at, angle)| vanishes(Seen::new(at, -f64::from(*angle).to_radians()).turning()));
-                Finding::new(still, "the pin moves along its slot at these angles")
-            }),
+            OTHER_ANGLE,
+            (LimitCase, |stated| of_the_pins("meyer.app-d.angles", stated)),
+            (Vectors, |stated| along_the_slots("meyer.app-d.angles", stated)),
         ),
-        Claim::statement(
-            WORK,
-            "meyer.app-d.order",
-            "Appendix D, line after the 2nd display",
-            "numbers of pins, in the order of the angles",
+        stated(
+            ("meyer.app-d.order", "Appendix D, line after the 2nd display"),
+            "the angle at the start depends on the mechanism, of which there are three",
             "three, four, or six pins",
-            Check::corrected_equation(
-                (LimitCase, || in_the_order_of_the_angles([3, 4, 6])),
-                || in_the_order_of_the_angles([6, 4, 3]),
-                (OtherPlaceInSource, || {
-                    let angle = |pins: &str| numbers(&format!("meyer.app-a.{pins}-slots.theta")).last().copied();
-                    let given = ["three", "four", "six"].map(angle);
-                    let here: Vec<_> = numbers("meyer.app-d.angles").into_iter().skip(1).take(3).map(Some).collect();
-                    Finding::new(given[..] == here[..], "Appendix A has 30°, 45° and 60° for three, four and six slots")
-                }),
-            ),
+            "three, four, or five pins",
+            (LimitCase, |stated| {
+                let pins = stated.pick([3, 4, 6], [3, 4, 5]);
+                let mut angles = pins.map(|pins| 180.0 / f64::from(pins));
+                angles.sort_by(f64::total_cmp);
+                let mut said: Vec<f64> = start_angles("meyer.app-d.angles").collect();
+                said.sort_by(f64::total_cmp);
+                Finding::new(angles[..] == said[..], format!("180° over the number of pins: {angles:?}"))
+            }),
+            (Vectors, |stated| {
+                let pins = stated.pick([3, 4, 6], [3, 4, 5]);
+                let angles = pins.map(|pins| PI / f64::from(pins));
+                // Each number of pins has an escapement whose pin enters at its own angle along the slot.
+                let holds = angles.iter().all(|angle| {
+                    Escapement::all().iter().filter(|at| vanishes(Seen::new(at, -angle).turning())).count() == 1
+                });
+                Finding::new(holds, "the pin moves along its slot, each angle in one of the three escapements")
+            }),
         )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: "six, four, or three pins",
-            slip: Slip {
-                id: "",
-                reason: "The angle is 180° over the number of pins: 30° belongs to six pins and \
-                    60° to three. The numbers are those of the slots.",
-                witness: "Appendix A gives the angles by the number of slots.",
-                origin: Origin::Misprint,
-                consequence: Consequence::Wording,
-                changes: "",
-            },
-        }),
+        .read_as("in no order: the sentence does not say which angle belongs to which number of pins"),
     ]
+}
+
+/// The neighbour of a place that gives the three angles.
+pub const OTHER_ANGLE: &str = "36°, the angle of five pins, for 45°";
+
+/// The angles that a claim gives, in degrees.
+fn said_angles(id: &str, stated: Stated) -> Vec<f64> {
+    let said = numbers(id).into_iter().filter(|angle| *angle > 0).map(f64::from);
+    said.map(|angle| if angle == 45.0 { stated.pick(45.0, 36.0) } else { angle }).collect()
+}
+
+/// Whether the angles of a claim are half the angle between two pins, for six, four and three of them.
+pub fn of_the_pins(id: &str, stated: Stated) -> Finding {
+    let said = said_angles(id, stated);
+    let angles: Vec<f64> = Escapement::all().iter().map(|at| 180.0 / f64::from(at.pins())).collect();
+    Finding::new(said == angles, format!("180° over the number of pins: {angles:?}"))
+}
+
+/// Whether a pin moves along its slot at these angles, at each in another of the escapements.
+pub fn along_the_slots(id: &str, stated: Stated) -> Finding {
+    let said = said_angles(id, stated);
+    let still = Escapement::all()
+        .iter()
+        .zip(&said)
+        .all(|(at, angle)| [1.0, -1.0].iter().all(|side| vanishes(Seen::new(at, side * angle.to_radians()).turning())));
+    Finding::new(still && said.len() == 3, format!("the pin moves along its slot at {said:?} degrees"))
 }
 
 fn equations() -> Vec<Claim> {
     vec![
         starting(
-            "meyer.app-d.at-rest",
-            "Appendix D, 1st equation",
+            ("meyer.app-d.at-rest", "Appendix D, 1st equation"),
             "Eq. (1-19) at rest",
             r"A\ddot{\theta} + |D\dot{\theta}| = E",
             [|| proven(StartingLine::Bars, Form::Printed), || proven(StartingLine::Bars, Form::Corrected)],
-            || at_the_start("meyer.app-d.at-rest"),
+            || reads("meyer.app-d.at-rest"),
             r"A\ddot{\theta} + |D\ddot{\theta}| = E",
         ),
-        statement(
-            "meyer.app-d.letters",
-            LETTERS,
-            "V is D at the start; in the program it is the size of D. Both are zero, \
-                    because a pin enters where a cos θ = 1",
+        stated(
+            ("meyer.app-d.letters", LETTERS),
+            "R is A at the start and V is D there, in the program its size; D is zero there, because a pin enters \
+             where a cos θ = 1",
             "V be the value of D",
-            (ExactIdentity, || prove(&StartAtEntry).into()),
-            (Vectors, || exactly(|at| is_zero(&at.entering.across), "where the pin moves along its slot, D is zero")),
+            "V is the value of C there",
+            (ClosedForm, |stated| {
+                // At every angle, as D vanishes at the start itself.
+                let holds = poses().all(|(at, c)| {
+                    let [r, v] = ["R", "V"].map(|name| start_line(name, &at));
+                    agrees(r, c.a) && vanishes(v - stated.pick(c.d, c.c).abs())
+                });
+                Finding::new(holds, "the program's lines of R and V against the factors of the equation of motion")
+            }),
+            (Vectors, |stated| {
+                for_each(
+                    |at| {
+                        // At the entry from rest: what friction takes of the torque goes with the acceleration only if
+                        // the follower is accelerated, and with the square of the speed always.
+                        let seen = Seen::new(at, -at.driver_half_angle());
+                        let with_the_acceleration = seen.turning() / DRIVER.0;
+                        let with_the_square = seen.turning_rate() - with_the_acceleration * DRIVER.1;
+                        vanishes(stated.pick(with_the_acceleration, with_the_square))
+                    },
+                    "what it multiplies is zero where the pin moves along its slot, as V is in the program",
+                )
+            }),
+        ),
+        stated(
+            ("meyer.app-d.constant", LETTERS),
+            "E is the same at all angles",
+            "constant of the motion",
+            "so is A",
+            (ClosedForm, |stated| {
+                let holds = Slots::ALL.iter().all(|slots| {
+                    let own: Vec<f64> = of_slots(*slots).map(|(_, c)| stated.pick(c.e, c.a)).collect();
+                    own.iter().all(|factor| agrees(*factor, own[0]))
+                });
+                Finding::new(holds, "the factor all over the engagement of each mechanism")
+            }),
+            (OtherPlaceInSource, |stated| {
+                let line = stated.pick("meyer.factor-e", "meyer.factor-a");
+                let right =
+                    claim(line).and_then(|claim| claim.right_characters().split_once('=')).map_or("", |(_, r)| r);
+                let at = |angle: f64| {
+                    let letters = [("a", 2.0), ("theta", angle), ("I_D", 1.0), ("I_f", 2.0), ("K", 1.5)];
+                    reading::value(right, &letters.map(|(name, value)| (name.to_owned(), value)).into())
+                };
+                let holds = (0..=9).all(|k| agrees(at(f64::from(k) / 9.0), at(0.0)));
+                Finding::new(holds, "the substitution before Eq. (1-19), read and evaluated at ten angles")
+            }),
         ),
         starting(
-            "meyer.app-d.with-letters",
-            "Appendix D, 2nd equation",
+            ("meyer.app-d.with-letters", "Appendix D, 2nd equation"),
             "the same with the letters of the start",
             r"R\ddot{\theta} + |V\dot{\theta}| = E",
             [
                 || proven(StartingLine::StartingLetters, Form::Printed),
                 || proven(StartingLine::StartingLetters, Form::Corrected),
             ],
-            || at_the_start("meyer.app-d.with-letters"),
+            || reads("meyer.app-d.with-letters"),
             r"R\ddot{\theta} + |V\ddot{\theta}| = E",
         ),
-        statement(
-            "meyer.app-d.forwards",
-            SIGN,
+        stated(
+            ("meyer.app-d.forwards", SIGN),
             "the driver starts in the direction of the torque",
             "must always be positive",
-            (ClosedForm, || {
-                let holds = poses().all(|c| c.acceleration(0.0).is_ok_and(|found| found.value > 0.0));
-                Finding::new(holds, "from rest the acceleration is positive at every angle of the engagement")
+            "it starts against the torque",
+            (ClosedForm, |stated| {
+                let way = stated.pick(1.0, -1.0);
+                let holds = poses().all(|(_, c)| c.acceleration(0.0).is_ok_and(|found| found.value * way > 0.0));
+                Finding::new(holds, "the acceleration from rest, at 63 poses")
             }),
-            (LimitCase, || {
-                // Going back, both terms on the left would be less than E: A θ'' + |D θ''| = (A − |D|) θ'' < 0 there.
+            (LimitCase, |stated| {
+                // The left side from rest, along accelerations of this sign: does it come to E anywhere?
+                let way = stated.pick(1.0, -1.0);
+                let reaches = |c: &Coefficients<f64>| {
+                    (0..=600).any(|k| {
+                        let gain = way * libm::pow(10.0, f64::from(k) / 100.0 - 3.0);
+                        c.a * gain + (c.d * gain).abs() >= c.e
+                    })
+                };
                 Finding::new(
-                    poses().all(|c| c.a > c.d.abs() && c.e > 0.0),
-                    "going back, the left side would be negative",
+                    poses().all(|(_, c)| reaches(&c)),
+                    "the left side was followed along accelerations of this sign",
                 )
             }),
-        ),
+        )
+        .read_as("at the start, and with less friction than the critical one: A > |D|"),
         starting(
-            "meyer.app-d.outside",
-            "Appendix D, 3rd equation",
+            ("meyer.app-d.outside", "Appendix D, 3rd equation"),
             "the same with the acceleration outside the bars",
             r"R\ddot{\theta} + |V|\dot{\theta} = E",
             [|| proven(StartingLine::Outside, Form::Printed), || proven(StartingLine::Outside, Form::Corrected)],
-            || at_the_start("meyer.app-d.outside"),
+            || reads("meyer.app-d.outside"),
             r"R\ddot{\theta} + |V|\ddot{\theta} = E",
         ),
-        display(
-            "meyer.app-d.acceleration",
-            "Appendix D, 4th equation",
+        display_read_by(
+            from_rest,
+            ("meyer.app-d.acceleration", "Appendix D, 4th equation"),
             "the acceleration at the start; with V = 0 it is K over the driver's inertia",
             r"\ddot{\theta}_0 = \frac{E}{R + |V|}",
             || all_proven(&Sign::BOTH.map(|sign| StartingAcceleration { sign })),
-            || {
-                let read = claim("meyer.app-d.acceleration").and_then(|claim| claim.printed.split_once('='));
-                let holds = read
-                    .is_some_and(|(_, right)| rests().iter().all(|rest| agrees(value(right, rest), rest["theta''"])));
-                Finding::new(holds, "the printed characters, read and evaluated from rest")
-            },
+            || reads("meyer.app-d.acceleration"),
         ),
-        statement(
-            "meyer.app-d.always-positive",
-            "Appendix D, last sentence",
+        stated(
+            ("meyer.app-d.always-positive", "Appendix D, last sentence"),
             "R is positive, so that the first acceleration is in the direction of the torque",
             "in the direction of the torque K",
-            (ClosedForm, || Finding::new(poses().all(|c| c.a > 0.0), "a ratio of inertias and a square")),
-            (ExactIdentity, || prove(&StartAtEntry).into()),
+            "V, without bars, is always positive too",
+            (ClosedForm, |stated| {
+                let holds = poses().all(|(_, c)| stated.pick(c.a, c.d) > 0.0);
+                Finding::new(holds, "the factor at 63 poses")
+            }),
+            (Vectors, |stated| {
+                equal(
+                    |letter| {
+                        let factor = letter(stated.pick("A", "D"));
+                        (factor.abs(), factor)
+                    },
+                    "the size of the factor, from Newton's laws, and the factor",
+                )
+            }),
         ),
     ]
 }
 
 /// A display that has one dot for two.
 fn starting(
-    id: &'static str,
-    locator: &'static str,
+    place: (&'static str, &'static str),
     meaning: &'static str,
     printed: &'static str,
     proofs: [fn() -> Finding; 2],
     read: fn() -> Finding,
     corrected: &'static str,
 ) -> Claim {
-    slip(
-        id,
-        locator,
-        meaning,
-        printed,
-        proofs,
-        read,
-        Erratum {
-            corrected,
-            slip: Slip {
-                id: "",
-                reason: "D multiplies the acceleration in Eq. (1-19); one of its two dots is \
-                    lost. The speed is zero here, and the term with it.",
-                witness: "The last equation of the appendix, read and evaluated, follows from the \
-                    corrected one only.",
-                origin: Origin::Copy,
-                consequence: Consequence::Copy,
-                changes: "",
-            },
-        },
-    )
+    slip_read_by(from_rest, place, meaning, printed, proofs, read, Erratum { corrected, slip: LOST_DOTS })
 }
 
 fn proven(line: StartingLine, dots: Form) -> Finding {
     all_proven(&Sign::BOTH.map(|sign| StartingEquation { line, dots, sign }))
 }
 
-/// Coefficients all over the engagements, for some friction.
-fn poses() -> impl Iterator<Item = Coefficients<f64>> {
-    Slots::ALL.into_iter().flat_map(|slots| {
-        (-10..=10).map(move |k| {
-            let angle = slots.engagement_half_angle() * f64::from(k) / 10.0;
-            let pose = Pose::new(&slots.ratio(), &Turn::from_radians(angle));
-            Coefficients::of_pose(&pose, &0.75, &0.25, &1.5)
-        })
+/// Coefficients all over the engagements, for some friction, with the letters of the program's start.
+fn poses() -> impl Iterator<Item = (reading::Letters, Coefficients<f64>)> {
+    Slots::ALL.into_iter().flat_map(of_slots)
+}
+
+fn of_slots(slots: Slots) -> impl Iterator<Item = (reading::Letters, Coefficients<f64>)> {
+    (-10..=10).map(move |k| {
+        let [driver, follower, friction, torque] = [1.5, 2.0, 0.25, 3.0];
+        let angle = slots.engagement_half_angle() * f64::from(k) / 10.0;
+        let pose = Pose::new(&slots.ratio(), &Turn::from_radians(angle));
+        let cards = [("G", slots.ratio()), ("X0", angle), ("U", friction), ("IC", driver), ("IW", follower)];
+        let letters = cards.map(|(name, value)| (name.to_owned(), value)).into();
+        (letters, Coefficients::of_pose(&pose, &(driver / follower), &friction, &(torque / follower)))
     })
 }
 
-/// The letters of the appendix at rest. The start itself has D = 0, which would hide every slip: so all angles.
-fn rests() -> Vec<Letters> {
-    poses()
-        .map(|c| {
+/// Whether a display of the appendix holds from rest, at all angles. The start itself has D = 0, which would hide every
+/// slip.
+fn from_rest(tex: &str) -> Option<bool> {
+    static RESTS: OnceLock<Vec<Moment>> = OnceLock::new();
+    let rests = RESTS.get_or_init(|| {
+        let rest = |(_, c): (_, Coefficients<f64>)| {
             let gain = c.acceleration(0.0).map_or(f64::NAN, |found| found.value);
-            [("A", c.a), ("R", c.a), ("D", c.d), ("V", c.d), ("E", c.e), ("theta'", 0.0), ("theta''", gain)]
-                .map(|(name, value)| (name.to_owned(), value))
-                .into()
-        })
-        .collect()
+            let letters = [("A", c.a), ("R", c.a), ("D", c.d), ("V", c.d), ("E", c.e), ("theta'", 0.0)];
+            let gains = [("theta''", gain), ("theta''_0", gain)];
+            Moment::of(letters.into_iter().chain(gains).map(|(name, value)| (name.to_owned(), value)).collect())
+        };
+        poses().map(rest).collect()
+    });
+    reading::holds(tex, rests)
 }
 
-/// Whether the corrected characters hold from rest at all angles, and the printed ones do not.
-fn at_the_start(id: &str) -> Finding {
-    let holds = |formula: &str| {
-        formula
-            .split_once('=')
-            .is_some_and(|(left, right)| rests().iter().all(|rest| vanishes(value(left, rest) - value(right, rest))))
-    };
-    let found = claim(id).and_then(|claim| Some((claim.printed, claim.erratum.as_ref()?.corrected)));
-    Finding::new(
-        found.is_some_and(|(printed, corrected)| !holds(printed) && holds(corrected)),
-        "the corrected characters, read and evaluated from rest at 63 poses, hold; the printed ones do not",
-    )
-}
-
-/// Whether these numbers of pins go with the printed angles.
-fn in_the_order_of_the_angles(pins: [u32; 3]) -> Finding {
-    let angles = numbers("meyer.app-d.angles");
-    let fit = pins.iter().zip(angles.iter().skip(1)).all(|(pins, angle)| pins * angle == 180);
-    Finding::new(fit && angles.len() == 4, "180° over the number of pins")
+/// The angles at the start, in degrees, without their sign.
+fn start_angles(id: &str) -> impl Iterator<Item = f64> {
+    numbers(id).into_iter().filter(|angle| *angle > 0).map(f64::from)
 }

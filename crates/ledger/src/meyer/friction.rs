@@ -1,14 +1,25 @@
 //! The torque of friction and the normal force that makes it, up to the spring: Eqs. (1-11) to (1-15).
 
-use super::instants::{display, equal, miscopied, reads, reads_as, slip, statement};
-use super::lagrange::{friction, opposing};
+use super::instants::{self, display, equal, letters_of, moments, reads, slip, stated};
+use super::lagrange::{agrees_in_steps, friction, frictionless, opposing};
+use super::slips::{HALF_POWERS, PHI_AS_THETA};
+use super::spring::no_rate;
 use super::*;
-use crate::Dimension as Exponents;
-use geneva_dynamics::Sign;
 use geneva_dynamics::derivation::{
     ForceFromMoment, ForceSubstituted, Form, FrictionLine, FrictionOfMotion, FrictionSubstituted, FrictionTorque,
     MomentEquation, NormalForce, SineOfFollower, SlotRadius, SlotRadiusBySines,
 };
+use geneva_dynamics::{Parameters, Sign};
+use std::sync::OnceLock;
+
+// Displays too long for a line.
+const SUBSTITUTED: &str = r"N = \frac{I_f \left[\frac{a \sin \theta (1-a^2)}{(1+a^2-2a \cos \theta)^2} \dot{\theta}^2 + \frac{a \cos \theta - 1}{(1+a^2-2a \cos \theta)} \ddot{\theta} \right]}{r(1+a^2-2a \cos \theta)^{3/2}}";
+const SUBSTITUTED_CORRECTED: &str = r"N = \frac{I_f \left[\frac{a \sin \theta (1-a^2)}{(1+a^2-2a \cos \theta)^2} \dot{\theta}^2 + \frac{a \cos \theta - 1}{(1+a^2-2a \cos \theta)} \ddot{\theta} \right]}{r(1+a^2-2a \cos \theta)^{1/2}}";
+const NORMAL_FORCE: &str = r"N = \frac{I_f}{r} \left[\frac{a \sin \theta (1-a^2)}{(1+a^2-2a \cos \theta)^{3/2}} \dot{\theta}^2 + \frac{a \cos \theta - 1}{(1+a^2-2a \cos \theta)^{3/2}} \ddot{\theta} \right]";
+const NORMAL_FORCE_CORRECTED: &str = r"N = \frac{I_f}{r} \left[\frac{a \sin \theta (1-a^2)}{(1+a^2-2a \cos \theta)^{5/2}} \dot{\theta}^2 + \frac{a \cos \theta - 1}{(1+a^2-2a \cos \theta)^{3/2}} \ddot{\theta} \right]";
+const FRICTION_SUBSTITUTED: &str = r"\tau_2 = -ar\mu \left| \frac{\sin \theta}{(1+a^2-2a \cos \theta)^{3/2}} \frac{I_f}{r} \left[\frac{a \sin \theta (1-a^2)}{(1+a^2-2a \cos \theta)^{3/2}} \dot{\theta}^2 + \frac{a \cos \theta - 1}{(1+a^2-2a \cos \theta)^{3/2}} \ddot{\theta} \right] \right|";
+const FRICTION_SUBSTITUTED_CORRECTED: &str = r"\tau_2 = -ar\mu \left| \frac{\sin \theta}{(1+a^2-2a \cos \theta)^{1/2}} \frac{I_f}{r} \left[\frac{a \sin \theta (1-a^2)}{(1+a^2-2a \cos \theta)^{5/2}} \dot{\theta}^2 + \frac{a \cos \theta - 1}{(1+a^2-2a \cos \theta)^{3/2}} \ddot{\theta} \right] \right|";
+const FRICTION_OF_MOTION: &str = r"\tau_2 = -a\mu I_f \left| \frac{a \sin^2 \theta (1-a^2)}{(1+a^2-2a \cos \theta)^3} \dot{\theta}^2 + \frac{\sin \theta (a \cos \theta - 1)}{(1+a^2-2a \cos \theta)^2} \ddot{\theta} \right|";
 
 pub fn claims() -> Vec<Claim> {
     [torque(), normal_force(), substituted(), spring()].concat()
@@ -17,20 +28,15 @@ pub fn claims() -> Vec<Claim> {
 fn torque() -> Vec<Claim> {
     vec![
         lost_drawing("meyer.fig-6", "Fig. 6", "the moment arm of the friction about the driver's axis", "Figure 6"),
-        display(
-            "meyer.friction-torque",
-            "1st display after Fig. 6",
+        instants::display_read_by(
+            as_size,
+            ("meyer.friction-torque", "1st display after Fig. 6"),
             "size of the torque of friction: its moment arm c sin φ is how far the pin slides per radian",
             r"\tau_2 = h\mu N = c \sin \phi \mu N",
             || prove(&FrictionTorque { line: FrictionLine::Arm, contact: Sign::Plus }).into(),
-            || reads_as("meyer.friction-torque", "=", "friction"),
+            || reads("meyer.friction-torque"),
         ),
-        opposing(
-            "meyer.friction-opposes-again",
-            "Sentence after τ_2 = hμN",
-            "the torque of friction is against the driving torque",
-            "must always oppose the driving torque",
-        ),
+        opposing("meyer.friction-opposes-again", "Sentence after τ_2 = hμN", "must always oppose the driving torque"),
         display(
             "meyer.friction-torque.opposing",
             "2nd display after Fig. 6",
@@ -76,12 +82,7 @@ fn normal_force() -> Vec<Claim> {
             r"NR = I_P \ddot{\theta}",
             [|| prove(&MomentEquation(Form::Printed)).into(), || prove(&MomentEquation(Form::Corrected)).into()],
             || reads("meyer.moments"),
-            miscopied(
-                r"NR = I_f \ddot{\phi}",
-                "The follower has the inertia I_f and the acceleration of φ. An index P \
-                            is not known to the source, and the next step puts the follower's \
-                            acceleration, Eq. (1-8), in its place.",
-            ),
+            Erratum { corrected: r"NR = I_f \ddot{\phi}", slip: PHI_AS_THETA },
         ),
         display(
             "meyer.slot-radius.by-sines",
@@ -106,40 +107,28 @@ fn normal_force() -> Vec<Claim> {
             r"N = \frac{I_P \ddot{\theta}}{R}",
             [|| prove(&ForceFromMoment(Form::Printed)).into(), || prove(&ForceFromMoment(Form::Corrected)).into()],
             || reads("meyer.normal-force"),
-            miscopied(
-                r"N = \frac{I_f \ddot{\phi}}{R}",
-                "The same two letters as in the equation of moments; the next display \
-                        has I_f and the acceleration of φ.",
-            ),
+            Erratum { corrected: r"N = \frac{I_f \ddot{\phi}}{R}", slip: PHI_AS_THETA },
         ),
         slip(
             "meyer.normal-force.substituted",
             "2nd display of N before Eq. (1-13)",
             "the same with Eq. (1-8) and R put in",
-            r"N = \frac{I_f \left[\frac{a \sin \theta (1-a^2)}{(1+a^2-2a \cos \theta)^2} \dot{\theta}^2 + \frac{a \cos \theta - 1}{(1+a^2-2a \cos \theta)} \ddot{\theta} \right]}{r(1+a^2-2a \cos \theta)^{3/2}}",
+            SUBSTITUTED,
             [
                 || prove(&ForceSubstituted::of(Form::Printed)).into(),
                 || prove(&ForceSubstituted::of(Form::Corrected)).into(),
             ],
             || reads("meyer.normal-force.substituted"),
-            miscopied(
-                r"N = \frac{I_f \left[\frac{a \sin \theta (1-a^2)}{(1+a^2-2a \cos \theta)^2} \dot{\theta}^2 + \frac{a \cos \theta - 1}{(1+a^2-2a \cos \theta)} \ddot{\theta} \right]}{r(1+a^2-2a \cos \theta)^{1/2}}",
-                "The denominator is R, which stands two displays before with the \
-                        exponent 1/2. The copy has 3/2 for each half power of this page.",
-            ),
+            Erratum { corrected: SUBSTITUTED_CORRECTED, slip: HALF_POWERS },
         ),
         slip(
             "meyer.eq-1-13",
             "Eq. (1-13)",
             "the same with R drawn into the brackets",
-            r"N = \frac{I_f}{r} \left[\frac{a \sin \theta (1-a^2)}{(1+a^2-2a \cos \theta)^{3/2}} \dot{\theta}^2 + \frac{a \cos \theta - 1}{(1+a^2-2a \cos \theta)^{3/2}} \ddot{\theta} \right]",
+            NORMAL_FORCE,
             [|| prove(&NormalForce::of(Form::Printed)).into(), || prove(&NormalForce::of(Form::Corrected)).into()],
             || reads("meyer.eq-1-13"),
-            miscopied(
-                r"N = \frac{I_f}{r} \left[\frac{a \sin \theta (1-a^2)}{(1+a^2-2a \cos \theta)^{5/2}} \dot{\theta}^2 + \frac{a \cos \theta - 1}{(1+a^2-2a \cos \theta)^{3/2}} \ddot{\theta} \right]",
-                "Two whole powers and a half are 5/2. Eq. (1-14), which follows from \
-                        this, has the third power there and is right.",
-            ),
+            Erratum { corrected: NORMAL_FORCE_CORRECTED, slip: HALF_POWERS },
         ),
     ]
 }
@@ -150,37 +139,55 @@ fn substituted() -> Vec<Claim> {
             "meyer.friction-torque.substituted",
             "Display before Eq. (1-14)",
             "torque of friction with the normal force put in",
-            r"\tau_2 = -ar\mu \left| \frac{\sin \theta}{(1+a^2-2a \cos \theta)^{3/2}} \frac{I_f}{r} \left[\frac{a \sin \theta (1-a^2)}{(1+a^2-2a \cos \theta)^{3/2}} \dot{\theta}^2 + \frac{a \cos \theta - 1}{(1+a^2-2a \cos \theta)^{3/2}} \ddot{\theta} \right] \right|",
+            FRICTION_SUBSTITUTED,
             [|| friction_substituted(Form::Printed), || friction_substituted(Form::Corrected)],
             || reads("meyer.friction-torque.substituted"),
-            miscopied(
-                r"\tau_2 = -ar\mu \left| \frac{\sin \theta}{(1+a^2-2a \cos \theta)^{1/2}} \frac{I_f}{r} \left[\frac{a \sin \theta (1-a^2)}{(1+a^2-2a \cos \theta)^{5/2}} \dot{\theta}^2 + \frac{a \cos \theta - 1}{(1+a^2-2a \cos \theta)^{3/2}} \ddot{\theta} \right] \right|",
-                "Two of the three half powers are wrong: 1/2 under sin θ, as in Eq. \
-                        (1-12), and 5/2 under the square of the speed. Their errors cancel in \
-                        the term with the speed, not in the one with the acceleration.",
-            ),
+            Erratum { corrected: FRICTION_SUBSTITUTED_CORRECTED, slip: HALF_POWERS },
         ),
         display(
             "meyer.eq-1-14",
             "Eq. (1-14)",
             "torque of friction from the motion of the driver alone",
-            r"\tau_2 = -a\mu I_f \left| \frac{a \sin^2 \theta (1-a^2)}{(1+a^2-2a \cos \theta)^3} \dot{\theta}^2 + \frac{\sin \theta (a \cos \theta - 1)}{(1+a^2-2a \cos \theta)^2} \ddot{\theta} \right|",
+            FRICTION_OF_MOTION,
             || all_proven(&Sign::BOTH.map(|contact| FrictionOfMotion { contact })),
             || reads("meyer.eq-1-14"),
         ),
-        statement(
-            "meyer.outside-the-bars",
-            "Line after Eq. (1-14)",
+        stated(
+            ("meyer.outside-the-bars", "Line after Eq. (1-14)"),
             "r and the follower's inertia are positive and may stand outside the bars",
             "always positive",
-            (ExactIdentity, || all_proven(&Sign::BOTH.map(|contact| FrictionOfMotion { contact }))),
-            (ClosedForm, || {
+            "the normal force is always positive too, and may stand outside them",
+            (Vectors, |stated| {
                 equal(
                     |letter| {
-                        let signed = letter("friction") / (letter("r") * letter("I_f"));
-                        (letter("friction").abs(), letter("r") * letter("I_f") * signed.abs())
+                        let factor = letter("r") * letter("I_f") * stated.pick(1.0, letter("N"));
+                        (letter("friction").abs(), factor * (letter("friction") / factor).abs())
                     },
                     "bars around all, and around what is left of them",
+                )
+            }),
+            (ClosedForm, |stated| {
+                // Follower inertia, and the normal force by the equation of motion.
+                let sizes = |parameters: Parameters, angle: f64, speed: f64| {
+                    let gain = parameters.acceleration(angle, speed).map_or(f64::NAN, |found| found.value);
+                    let inertia = parameters.inertias().follower();
+                    let force = inertia * parameters.pose(angle).follower_acceleration(&speed, &gain);
+                    let between = inertia * parameters.coefficients(angle).between_the_bars(&speed, &gain);
+                    let factor = stated.pick(inertia, force);
+                    (between.abs(), factor * (between / factor).abs())
+                };
+                let holds = rubbing().all(|parameters| {
+                    (-9..=9).filter(|k| *k != 0).all(|k| {
+                        let angle = parameters.slots().engagement_half_angle() * f64::from(k) / 10.0;
+                        [0.25, 1.0, 4.0].iter().all(|speed| {
+                            let (around_all, outside) = sizes(parameters, angle, *speed);
+                            vanishes((around_all - outside) / around_all.max(1.0))
+                        })
+                    })
+                });
+                Finding::new(
+                    holds,
+                    "what stands between the bars by the equation of motion, at 18 angles and three speeds",
                 )
             }),
         ),
@@ -196,55 +203,65 @@ fn spring() -> Vec<Claim> {
             "the driving torque is constant",
             r"\tau_1 = K",
             Check::equation(
-                (Dimension, || {
-                    // The unit that chapter II prints with an inertia, times an angular acceleration.
-                    let inertia = Exponents::FORCE * Exponents::LENGTH * Exponents::TIME * Exponents::TIME;
-                    let found = inertia * Exponents::ANGULAR_ACCELERATION;
-                    Finding::new(found == Exponents::FORCE * Exponents::LENGTH, format!("K must be a {found}"))
+                (Evidence::Integration, || {
+                    let holds =
+                        frictionless().all(|(of, advance)| agrees_in_steps(energy_gained(&of), of.drive() * advance));
+                    Finding::new(holds, "the energy gained over an engagement without friction is K times its angle")
                 }),
                 (Vectors, || reads("meyer.eq-1-15")),
-            ),
+            )
+            .read_by(instants::holds),
         ),
-        Claim::statement(
-            WORK,
+        no_rate(
             "meyer.spring-rate",
             "Line after Eq. (1-15)",
-            "K is a rate of the spring, per radian, and constant",
+            "what K is called",
             "torsional spring rate in inch-pounds per radian",
-            Check::corrected_equation(
-                (ClosedForm, || {
-                    // With a rate K the torque after two radians is twice that after one.
-                    let torque = |rate: f64, angle: f64| rate * angle;
-                    let holds = torque(1.0, 1.0) == torque(1.0, 2.0);
-                    Finding::new(
-                        holds,
-                        "the torque of a spring with a rate grows with its angle; this one is \
-                            constant",
-                    )
-                }),
-                || equal(|letter| (letter("K"), letter("Q_theta") - letter("tau_2")), "K is what balances the torques"),
-                (OtherPlaceInSource, || {
-                    let said =
-                        claim("meyer.app-d.always-positive").is_some_and(|claim| claim.printed.contains("torque K"));
-                    Finding::new(said, "Appendix D calls K a torque")
-                }),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: "torque in inch-pounds",
-            slip: Slip {
-                id: "",
-                reason: "The torque of the spring is K itself, Eq. (1-15). A rate per radian \
-                    would have to be multiplied by an angle, and the torque would not be \
-                    constant.",
-                witness: "Appendix D speaks of the torque K.",
-                origin: Origin::Concept,
-                consequence: Consequence::Conclusion,
-                changes: "",
-            },
-        }),
+            "torque of the spring in inch-pounds",
+        ),
     ]
+}
+
+/// The growth of the kinetic energy over an engagement per unit of the follower's inertia, by the equation of motion.
+///
+/// The square of the speed grows with the angle by twice the acceleration. At both ends the follower stands still.
+pub fn energy_gained(parameters: &Parameters) -> f64 {
+    let half = parameters.slots().engagement_half_angle();
+    let parts = 2000;
+    let step = 2.0 * half / f64::from(parts);
+    let growth = |angle: f64, square: f64| {
+        2.0 * parameters.acceleration(angle, libm::sqrt(square)).map_or(f64::NAN, |found| found.value)
+    };
+    let start = 1.0;
+    let end = (0..parts).fold(start, |square, k| {
+        let angle = -half + step * f64::from(k);
+        let first = growth(angle, square);
+        let second = growth(angle + step / 2.0, square + first * step / 2.0);
+        let third = growth(angle + step / 2.0, square + second * step / 2.0);
+        let fourth = growth(angle + step, square + third * step);
+        square + step / 6.0 * (first + 2.0 * second + 2.0 * third + fourth)
+    });
+    parameters.inertias().ratio() * (end - start) / 2.0
+}
+
+/// Escapements with friction.
+fn rubbing() -> impl Iterator<Item = Parameters> {
+    frictionless().filter_map(|(of, _)| Parameters::new(of.slots(), of.inertias(), of.torque(), 0.25).ok())
+}
+
+/// Whether a display of the torque's size holds where the friction has a positive sign: it stands without bars there.
+fn as_size(tex: &str) -> Option<bool> {
+    static WITH_SIZE: OnceLock<Vec<reading::Moment>> = OnceLock::new();
+    let with_size = WITH_SIZE.get_or_init(|| {
+        let pressing = moments().iter().filter(|moment| letters_of(moment)("friction") > 0.0);
+        let with_size = |moment: &reading::Moment| {
+            let mut letters = moment.letters().clone();
+            letters.insert("tau_2".to_owned(), letters_of(moment)("friction"));
+            reading::Moment::of(letters)
+        };
+        pressing.map(with_size).collect()
+    });
+    reading::holds(tex, with_size)
 }
 
 /// A drawing of which the copy has the caption only.

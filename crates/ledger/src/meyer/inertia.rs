@@ -97,10 +97,8 @@ fn estimate() -> Vec<Claim> {
             r"I = \frac{1}{2} \pi m r^4 t",
             Check::equation(
                 (ClosedForm, || {
-                    // Rings of a disc: their mass times the square of their radius, by Simpson's rule, exact for cubes.
                     let (density, radius, thickness) = (1.5, 0.75, 0.25);
-                    let ring = |at: f64| density * thickness * 2.0 * PI * at * at * at;
-                    let sum = radius / 6.0 * (ring(0.0) + 4.0 * ring(radius / 2.0) + ring(radius));
+                    let sum = of_rings(density, radius, thickness);
                     let letters =
                         [("m", density), ("r", radius), ("t", thickness)].map(|(n, v)| (n.to_owned(), v)).into();
                     same(reading::value(right_side("meyer.disc"), &letters), sum)
@@ -122,7 +120,8 @@ fn estimate() -> Vec<Claim> {
                     };
                     same(by(true) / by(false), grown(mass() * volume(2)))
                 }),
-            ),
+            )
+            .read_by(holds_for_a_disc),
         ),
         Claim::statement(
             WORK,
@@ -178,7 +177,8 @@ fn estimate() -> Vec<Claim> {
                         format!("{metric:.4e} in lb sec² by way of metres and kilograms, {inches:.4e} as corrected"),
                     )
                 }),
-            ),
+            )
+            .read_by(holds_for_the_estimate),
         )
         .expecting(Verdict::Corrected)
         .with_erratum(Erratum {
@@ -280,6 +280,34 @@ pub fn printed_inertia() -> f64 {
 fn said_sizes() -> [Option<f64>; 2] {
     let tokens = claim("meyer.like-discs").map_or_else(Vec::new, |claim| numeric_tokens(claim.printed));
     [0, 1].map(|at| tokens.get(at)?.parse().ok())
+}
+
+/// Whether a formula for the moment of inertia holds for a disc made of rings.
+fn holds_for_a_disc(tex: &str) -> Option<bool> {
+    let moments = [(1.5, 0.75, 0.25), (0.5, 1.25, 2.0)].map(|(density, radius, thickness)| {
+        let letters = [("m", density), ("r", radius), ("t", thickness), ("I", of_rings(density, radius, thickness))];
+        reading::Moment::of(letters.map(|(name, value)| (name.to_owned(), value)).into())
+    });
+    reading::holds(tex, &moments)
+}
+
+/// The same for the estimate: the numbers of the text around it, in units of any size.
+fn holds_for_the_estimate(tex: &str) -> Option<bool> {
+    let [Some(diameter), Some(thickness)] = said_sizes() else { return None };
+    let gravity = claim("meyer.gravity").and_then(|claim| claim.printed.split(' ').next()?.parse::<f64>().ok())?;
+    let (inch, pound, second) = (2.0, 3.0, 5.0);
+    // By discs of so many inches, in pounds, seconds and inches.
+    let inertia = of_rings(steel() / gravity, diameter / 2.0, thickness) * pound * second * second * inch;
+    let letters = [("in", inch), ("lb", pound), ("sec", second), ("I", inertia)];
+    let letters = letters.map(|(name, value)| (name.to_owned(), value)).into();
+    reading::holds(tex, &[reading::Moment::of(letters)])
+}
+
+/// Moment of inertia of a disc: the mass of its rings times the square of their radius, by Simpson's rule, which is
+/// exact for cubes.
+fn of_rings(density: f64, radius: f64, thickness: f64) -> f64 {
+    let ring = |at: f64| density * thickness * 2.0 * PI * at * at * at;
+    radius / 6.0 * (ring(0.0) + 4.0 * ring(radius / 2.0) + ring(radius))
 }
 
 /// Densities of common metals in kg/m³, as handbooks have them.

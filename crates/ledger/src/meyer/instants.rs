@@ -3,7 +3,7 @@
 //! Places, velocities and accelerations of the pin are vectors ([`Seen`]); forces follow from Newton's laws for the
 //! two members. Nothing here is a display of the source: what a display says is read from its characters.
 
-use super::reading::{Letters, value};
+use super::reading::{By, Letters, Moment};
 use super::*;
 use std::sync::OnceLock;
 
@@ -19,18 +19,39 @@ const FOLLOWER_INERTIA: f64 = 1.75;
 const FRICTION: f64 = 0.375;
 /// What stands for a letter that the copy has put in the place of another.
 const ODD: f64 = 2.25;
+/// A small turn of the driver: a virtual displacement, in radians.
+const TURN: f64 = 0.03125;
 
-/// The letters of chapter I at instants of all three escapements, on both sides of the line of centres.
-pub fn instants() -> &'static [Letters] {
-    static INSTANTS: OnceLock<Vec<Letters>> = OnceLock::new();
-    INSTANTS.get_or_init(|| {
+/// The letters of chapter I at instants of all three escapements, on both sides of the line of centres; and shortly
+/// before and after each, at other angles and at other speeds.
+pub fn moments() -> &'static [Moment] {
+    static MOMENTS: OnceLock<Vec<Moment>> = OnceLock::new();
+    MOMENTS.get_or_init(|| {
         let each = |escapement: Escapement| {
             [-9, -5, -1, 0, 4, 8].into_iter().flat_map(move |k| {
-                DRIVERS.map(|driver| letters(escapement.centre_distance_ratio(), instant(&escapement, k), driver))
+                let (ratio, angle) = (escapement.centre_distance_ratio(), instant(&escapement, k));
+                DRIVERS.map(|driver| {
+                    Moment::of(letters(ratio, angle, driver)).moving(|by, step| {
+                        let (speed, gain) = driver;
+                        match by {
+                            By::Time => {
+                                let there = angle + speed * step + gain * step * step / 2.0;
+                                letters(ratio, there, (speed + gain * step, gain))
+                            }
+                            By::Angle => letters(ratio, angle + step, driver),
+                            By::Speed => letters(ratio, angle, (speed + step, gain)),
+                        }
+                    })
+                })
             })
         };
         Escapement::all().into_iter().flat_map(each).collect()
     })
+}
+
+/// The letters of chapter I at all instants.
+pub fn instants() -> impl ExactSizeIterator<Item = &'static Letters> {
+    moments().iter().map(Moment::letters)
 }
 
 /// The pin at an angle and a motion of the driver.
@@ -66,11 +87,10 @@ fn letters(ratio: f64, angle: f64, driver: (f64, f64)) -> Letters {
     };
     let torque = asked(gain) + friction(gain).abs();
     let moving_inertia = DRIVER_INERTIA + FOLLOWER_INERTIA * turning * turning;
-    // h = a cos θ − 1 and l = R²/r², from the pin's place, with their derivatives by θ.
-    let square = unit.place.norm_squared();
-    let square_change = 2.0 * unit.place.dot(&unit.velocity);
-    let (lead, lead_change) = (turning * square, change * square + turning * square_change);
     let square_speed = speed * speed;
+    // The growth of the kinetic energy, and what is lost by sliding: per radian of the driver.
+    let grown = DRIVER_INERTIA * gain + FOLLOWER_INERTIA * now.turning() * now.turning_rate() / speed;
+    let lost = FRICTION * normal(gain).abs() * (RADIUS * now.place.normalize().dot(&now.velocity)).abs() / speed;
     let over_follower = |torque: f64| torque / FOLLOWER_INERTIA;
     [
         ("a", ratio),
@@ -90,30 +110,28 @@ fn letters(ratio: f64, angle: f64, driver: (f64, f64)) -> Letters {
         ("mu", FRICTION),
         ("h", sliding),
         ("N", normal(gain)),
+        // By forces, and by energy.
         ("K", torque),
-        ("tau_1", torque),
+        ("tau_1", grown + lost),
         ("tau_2", -friction(gain).abs()),
-        ("Q_theta", torque - friction(gain).abs()),
+        ("Q_theta", grown),
+        // The one coordinate that there is, by its general name.
+        ("q_k", angle),
+        ("q'_k", speed),
+        ("q''_k", gain),
+        ("Q_k", grown),
+        ("dT/dq'_k", moving_inertia * speed),
+        ("dT/dq_k", FOLLOWER_INERTIA * turning * change * square_speed),
         ("tau", torque - friction(gain).abs()),
+        // A small turn, and the work of the inertias in it.
+        ("delta theta", TURN),
+        ("delta W", DRIVER_INERTIA * gain * TURN + FOLLOWER_INERTIA * now.turning_rate() * turning * TURN),
         ("T", moving_inertia * square_speed / 2.0),
         ("friction", friction(gain)),
-        // d/dt ∂T/∂θ', ∂T/∂θ' and ∂T/∂θ.
-        (MOMENTUM_RATE.1, moving_inertia * gain + 2.0 * FOLLOWER_INERTIA * turning * change * square_speed),
-        (MOMENTUM.1, moving_inertia * speed),
-        (POSITION_RATE.1, FOLLOWER_INERTIA * turning * change * square_speed),
-        // Parts of displays that are cut into lines.
-        ("inertia-term", moving_inertia * gain),
-        ("moving-inertia", moving_inertia),
-        ("ratio-squared", turning * turning),
-        ("speed-term", 2.0 * FOLLOWER_INERTIA * turning * change * square_speed),
-        ("half-speed-term", FOLLOWER_INERTIA * turning * change * square_speed),
-        ("quotient-lead", speed * FOLLOWER_INERTIA * 2.0 * lead * lead_change * speed / (square * square)),
-        ("quotient-square", -lead * lead * 2.0 * square * square_change * speed / (square * square * square * square)),
-        ("driving-side", torque - friction(gain).abs()),
-        ("inertia-side", asked(gain)),
-        ("inertia-side-over", over_follower(asked(gain))),
-        ("friction-over", over_follower(friction(gain).abs())),
-        ("square", square),
+        ("dT/dtheta'", moving_inertia * speed),
+        ("dT/dtheta", FOLLOWER_INERTIA * turning * change * square_speed),
+        // The square of the pin's distance, in crank radii.
+        ("square", unit.place.norm_squared()),
         // Eq. (1-19): what multiplies θ'' and θ'², outside the bars and between them.
         ("A", over_follower(asked(1.0) - asked(0.0))),
         ("B", over_follower(asked(0.0)) / square_speed),
@@ -127,49 +145,45 @@ fn letters(ratio: f64, angle: f64, driver: (f64, f64)) -> Letters {
     .into()
 }
 
-/// The three derivatives of the kinetic energy, as printed, and the letters that they are read as.
-const MOMENTUM_RATE: (&str, &str) = (r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right)", "X");
-const MOMENTUM: (&str, &str) = (r"\frac{\partial T}{\partial \dot{\theta}}", "Y");
-const POSITION_RATE: (&str, &str) = (r"\frac{\partial T}{\partial \theta}", "Z");
+/// What each letter stands for at one instant; not a number if it stands for nothing.
+pub fn letters_of(moment: &Moment) -> impl Fn(&str) -> f64 {
+    |name: &str| moment.letters().get(name).copied().unwrap_or(f64::NAN)
+}
 
-/// Whether all sides of the equation in this claim are equal at all instants: of the correction, if there is one.
-///
-/// If there is, the printed characters must not hold.
+/// Whether an equation holds at all instants; none if it cannot be read.
+pub fn holds(tex: &str) -> Option<bool> {
+    reading::holds(tex, moments())
+}
+
+/// Whether a display that is cut into lines, each a claim of its own, holds with these characters for one of its lines.
+pub fn holds_in_display(lines: &[&str], own: &str, tex: &str) -> Option<bool> {
+    let right = |id: &str| claim(id).map_or("", |claim| claim.right_characters());
+    let whole: Vec<&str> = lines.iter().map(|id| if *id == own { tex } else { right(id) }).collect();
+    holds(&whole.join(" "))
+}
+
+/// Whether an equation holds at all instants, and what stands behind the last of these operators is this.
+pub fn holds_of(tex: &str, operator: &str, this: &str) -> Option<bool> {
+    let Some((_, of)) = tex.rsplit_once(operator) else { return holds(tex) };
+    match [holds(tex), holds(&format!("{this} = {of}"))] {
+        [Some(true), Some(true)] => Some(true),
+        [Some(false), _] | [_, Some(false)] => Some(false),
+        _ => None,
+    }
+}
+
+/// Whether the right characters of the claim hold, read and evaluated; and the printed ones do not, if they are
+/// corrected.
 pub fn reads(id: &str) -> Finding {
-    characters(id, &|formula, letters| {
-        let sides: Vec<f64> = formula.split('=').map(|side| value(side, letters)).collect();
-        (sides.len() > 1).then(|| sides.windows(2).map(|pair| apart(pair[0], pair[1])).fold(0.0, f64::max))
-    })
-}
-
-/// Whether what stands in this claim behind the last of these characters has the value of a letter at all instants.
-pub fn reads_as(id: &str, behind: &str, letter: &str) -> Finding {
-    characters(id, &|formula, letters| {
-        let part = if behind.is_empty() { formula } else { formula.rsplit_once(behind)?.1 };
-        Some(apart(value(part, letters), *letters.get(letter)?))
-    })
-}
-
-/// The greatest misfit over all instants decides; `None` is a formula that cannot be read.
-fn characters(id: &str, misfit: &dyn Fn(&str, &Letters) -> Option<f64>) -> Finding {
-    let Some(claim) = claim(id) else { return Finding::new(false, "no such claim") };
-    let holds = |formula: &str| {
-        let formula = [MOMENTUM_RATE, MOMENTUM, POSITION_RATE]
-            .iter()
-            .fold(formula.to_owned(), |formula, (printed, letter)| formula.replace(printed, letter));
-        instants()
-            .iter()
-            .all(|letters| misfit(&formula, letters).is_some_and(|m| m <= crate::tolerance::ROUTES.relative))
+    let Some((claim, reader)) = claim(id).and_then(|claim| Some((claim, claim.check.reader()?))) else {
+        return Finding::new(false, "no claim whose characters are read");
     };
-    let count = instants().len();
+    let right = (reader.holds)(claim.right_characters()) == Some(true);
     match &claim.erratum {
-        None => Finding::new(
-            holds(claim.printed),
-            format!("the printed characters, read and evaluated at {count} instants"),
-        ),
-        Some(erratum) => Finding::new(
-            holds(erratum.corrected) && !holds(claim.printed),
-            format!("the corrected characters hold at {count} instants, the printed ones do not"),
+        None => Finding::new(right, "the printed characters, read and evaluated wherever they must hold"),
+        Some(_) => Finding::new(
+            right && (reader.holds)(claim.printed) != Some(true),
+            "the corrected characters, read and evaluated, hold; the printed ones do not",
         ),
     }
 }
@@ -180,7 +194,7 @@ fn apart(a: f64, b: f64) -> f64 {
     if misfit.is_nan() { f64::INFINITY } else { misfit }
 }
 
-/// A display that holds: an identity, and its characters evaluated.
+/// A display that holds at all instants: an identity, and its characters evaluated.
 pub fn display(
     id: &'static str,
     locator: &'static str,
@@ -189,7 +203,20 @@ pub fn display(
     proof: fn() -> Finding,
     read: fn() -> Finding,
 ) -> Claim {
-    Claim::equation(WORK, id, locator, meaning, printed, Check::equation((ExactIdentity, proof), (ClosedForm, read)))
+    display_read_by(holds, (id, locator), meaning, printed, proof, read)
+}
+
+/// A display that is not read at the instants, but in a way of its own.
+pub fn display_read_by(
+    holds: fn(&str) -> Option<bool>,
+    (id, locator): (&'static str, &'static str),
+    meaning: &'static str,
+    printed: &'static str,
+    proof: fn() -> Finding,
+    read: fn() -> Finding,
+) -> Claim {
+    let check = Check::equation((ExactIdentity, proof), (ClosedForm, read)).read_by(holds);
+    Claim::equation(WORK, id, locator, meaning, printed, check)
 }
 
 /// A display with a slip: refuted as printed, proven as corrected, and the characters of both evaluated.
@@ -198,11 +225,24 @@ pub fn slip(
     locator: &'static str,
     meaning: &'static str,
     printed: &'static str,
+    proofs: [fn() -> Finding; 2],
+    read: fn() -> Finding,
+    erratum: Erratum,
+) -> Claim {
+    slip_read_by(holds, (id, locator), meaning, printed, proofs, read, erratum)
+}
+
+/// The same for one that is not read at the instants, but in a way of its own.
+pub fn slip_read_by(
+    holds: fn(&str) -> Option<bool>,
+    (id, locator): (&'static str, &'static str),
+    meaning: &'static str,
+    printed: &'static str,
     [as_printed, put_right]: [fn() -> Finding; 2],
     read: fn() -> Finding,
     erratum: Erratum,
 ) -> Claim {
-    let check = Check::corrected_equation((ExactIdentity, as_printed), put_right, (ClosedForm, read));
+    let check = Check::corrected_equation((ExactIdentity, as_printed), put_right, (ClosedForm, read)).read_by(holds);
     Claim::equation(WORK, id, locator, meaning, printed, check).expecting(Verdict::Corrected).with_erratum(erratum)
 }
 
@@ -216,30 +256,24 @@ pub fn miscopied(corrected: &'static str, reason: &'static str) -> Erratum {
     }
 }
 
-/// The same, where the source itself has it so.
-pub fn misprinted(corrected: &'static str, reason: &'static str) -> Erratum {
-    let Erratum { slip, .. } = miscopied(corrected, reason);
-    Erratum { corrected, slip: Slip { origin: Origin::Misprint, consequence: Consequence::Derivation, ..slip } }
-}
-
-/// A statement that holds, with its two routes.
-pub fn statement(
-    id: &'static str,
-    locator: &'static str,
+/// A statement that is right as printed, its neighbour that is wrong, and the two routes that tell them apart.
+pub fn stated(
+    (id, locator): (&'static str, &'static str),
     meaning: &'static str,
     printed: &'static str,
-    first: (Evidence, fn() -> Finding),
-    second: (Evidence, fn() -> Finding),
+    neighbour: &'static str,
+    first: (Evidence, fn(Stated) -> Finding),
+    witness: (Evidence, fn(Stated) -> Finding),
 ) -> Claim {
-    Claim::statement(WORK, id, locator, meaning, printed, Check::equation(first, second))
+    Claim::statement(WORK, id, locator, meaning, printed, Check::statement(neighbour, first, witness))
 }
 
 /// The value of a letter at one instant.
 pub type Value<'a> = dyn Fn(&str) -> f64 + 'a;
 
 /// Whether two numbers made of the letters are equal at all instants.
-pub fn equal(both: fn(&Value) -> (f64, f64), how: &str) -> Finding {
-    let worst = instants().iter().map(|letters| {
+pub fn equal(both: impl Fn(&Value) -> (f64, f64), how: &str) -> Finding {
+    let worst = instants().map(|letters| {
         let letter = |name: &str| letters.get(name).copied().unwrap_or(f64::NAN);
         let (a, b) = both(&letter);
         apart(a, b)

@@ -1,15 +1,18 @@
 //! Lagrange's equation, the generalised force, and what is left out of it: Eqs. (1-9) and (1-10).
 
-use super::instants::{display, equal, reads, statement};
+use super::friction::energy_gained;
+use super::instants::{display, equal, moments, reads, stated};
 use super::*;
 use geneva_dynamics::derivation::{FrictionLine, FrictionTorque, LagrangeIsPower, MomentArm};
 use geneva_dynamics::energy::MomentArmIsSliding;
 use geneva_dynamics::{Inertias, Parameters, Sign, Slots};
-use geneva_kinematics::pin_vectors;
+use geneva_kinematics::{Jet, angular_velocity, pin_slot};
+use nalgebra::SMatrix;
 use std::sync::OnceLock;
 
 const FORCES: &str = "Definition of Q_k after Eq. (1-9)";
 const FREEDOM: &str = "Sentence after the definition of Q_k";
+const TAU: &str = "Line after Q_θ = τ";
 const TORQUES: &str = "Paragraph before Eq. (1-10)";
 
 pub fn claims() -> Vec<Claim> {
@@ -21,11 +24,11 @@ fn equations() -> Vec<Claim> {
         display(
             "meyer.eq-1-9",
             "Eq. (1-9)",
-            "Lagrange's equation for forces with and without a potential; here for \
-                    one coordinate, where it is the balance of power",
+            "Lagrange's equation for forces with and without a potential; here for one coordinate, where it is the \
+             balance of power",
             r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{q}_k} \right) - \frac{\partial T}{\partial q_k} = Q_k",
             lagrange_is_power,
-            newton_is_lagrange,
+            || reads("meyer.eq-1-9"),
         ),
         display(
             "meyer.lagrange-for-theta",
@@ -40,64 +43,79 @@ fn equations() -> Vec<Claim> {
 
 fn forces() -> Vec<Claim> {
     vec![
-        statement(
-            "meyer.constraint-forces",
-            FORCES,
+        stated(
+            ("meyer.constraint-forces", FORCES),
             "the normal forces of the constraint do no work together",
             "drop out",
-            (Vectors, || {
-                let across = |ratio: f64, angle: f64| {
-                    let crank = Turn::from_radians(PI - angle);
-                    pin_vectors::solve(&1.0, &ratio, &crank, &-1.0)
-                        .map_or(f64::NAN, |pin| pin.sliding_velocity.perp(&pin.position))
-                };
-                let holds = Escapement::all().iter().all(|escapement| {
-                    (-10..10).all(|k| vanishes(across(escapement.centre_distance_ratio(), instant(escapement, k))))
+            "the forces along the slot drop out too",
+            (Vectors, |stated| {
+                at_instants(|seen| {
+                    // The velocity of pin against slot, with the follower's velocity by Eq. (1-7).
+                    let turning = pin_slot::velocity_ratio(&seen.ratio, &seen.crank) * DRIVER.0;
+                    let sliding = seen.velocity - quarter_turn(&seen.place) * turning;
+                    (direction_of_a_force(seen, stated).dot(&sliding), 0.0)
+                })
+            }),
+            (Series, |stated| {
+                at_instants(|seen| {
+                    // The torques of the pair about the two axes, each with the rate at which its member turns.
+                    let force = direction_of_a_force(seen, stated);
+                    let from_driver = seen.place - Vector2::new(seen.ratio, 0.0);
+                    let place = pin_slot::pin_from_pivot(&Jet::constant(seen.ratio), &seen.crank.moving::<2>(1.0));
+                    let follower = angular_velocity(&place).map_or(f64::NAN, |turning| turning.value().abs());
+                    let inner = follower * seen.place.perp(&force) * seen.turning().signum();
+                    let outer = from_driver.perp(&force) * from_driver.perp(&seen.velocity).signum();
+                    (inner, outer)
+                })
+            }),
+        ),
+        stated(
+            ("meyer.no-potential", FORCES),
+            "no force is left to a potential energy: the spring stands among the torques instead",
+            "no potential energy",
+            "the spring's potential −K θ stands in the equation beside its torque",
+            (Vectors, |stated| {
+                equal(
+                    |letter| {
+                        let growth = letter("I_D") * letter("theta'") * letter("theta''")
+                            + letter("I_f") * letter("phi'") * letter("phi''");
+                        let potential = stated.pick(0.0, -letter("K") * letter("theta'"));
+                        (growth + potential, letter("tau") * letter("theta'"))
+                    },
+                    "growth of the energies and power of the torques",
+                )
+            }),
+            (Evidence::Integration, |stated| {
+                let holds = frictionless().all(|(parameters, advance)| {
+                    let potential = stated.pick(0.0, -parameters.drive() * advance);
+                    agrees_in_steps(energy_gained(&parameters) + potential, parameters.drive() * advance)
                 });
                 Finding::new(
                     holds,
-                    "the pin does not move against the slot in the direction of the normal \
-                        force",
-                )
-            }),
-            (ClosedForm, newton_is_lagrange),
-        ),
-        statement(
-            "meyer.no-potential",
-            FORCES,
-            "no force is left to a potential energy; the spring stands among the \
-                    torques instead, and the equation is the same as with the spring's \
-                    potential −K θ",
-            "no potential energy",
-            (Vectors, newton_is_lagrange),
-            (ClosedForm, || {
-                // −∂V/∂θ for V = −K θ, by a difference over one radian: exact for a straight line.
-                equal(
-                    |letter| {
-                        let potential = |angle: f64| -letter("K") * angle;
-                        let theta = letter("theta");
-                        (potential(theta) - potential(theta + 1.0), letter("tau_1"))
-                    },
-                    "the slope of the spring's energy is its torque",
+                    "energy over an engagement without friction, against the work of the spring's torque",
                 )
             }),
         ),
-        statement(
-            "meyer.one-degree",
-            FREEDOM,
+        stated(
+            ("meyer.one-degree", FREEDOM),
             "the mechanism has one degree of freedom",
             "one degree of freedom",
-            (LimitCase, || {
+            "it has two",
+            (LimitCase, |stated| {
                 // Grübler's count for a frame and two members on pivots, with a pin in a slot.
                 let (members, pivots, pins_in_slots) = (3, 2, 1);
                 let freedom = 3 * (members - 1) - 2 * pivots - pins_in_slots;
-                Finding::new(freedom == 1, format!("Grübler's count for plane linkages gives {freedom}"))
+                Finding::new(
+                    freedom == stated.pick(1, 2),
+                    format!("Grübler's count for plane linkages gives {freedom}"),
+                )
             }),
-            (Vectors, || {
-                at_instants(|at| {
-                    let (across, along) = (at.place.y, at.place.x);
-                    (at.angle(), libm::atan(across / along))
-                })
+            (Vectors, |stated| {
+                let freedom = stated.pick(1, 2);
+                for_each(
+                    |at| (-10..10).all(|k| 6 - constraints(&Seen::new(at, instant(at, k))).rank(1e-9) == freedom),
+                    "two members in the plane less the rank of their constraints",
+                )
             }),
         ),
         display(
@@ -106,7 +124,7 @@ fn forces() -> Vec<Claim> {
             "work of all torques on the driver in a small turn",
             r"\delta W = Q_\theta \delta\theta = \tau \delta\theta",
             || prove(&MomentArmIsSliding).into(),
-            newton_is_lagrange,
+            || reads("meyer.virtual-work"),
         ),
         display(
             "meyer.generalised-torque",
@@ -116,7 +134,67 @@ fn forces() -> Vec<Claim> {
             || prove(&MomentArm).into(),
             || reads("meyer.generalised-torque"),
         ),
+        vector_sum(),
     ]
+}
+
+fn vector_sum() -> Claim {
+    Claim::statement(
+        WORK,
+        "meyer.vector-sum",
+        TAU,
+        "how the torques of the system make the generalised force",
+        "vector sum of the driving torque and all frictional torques",
+        Check::corrected_statement(
+            (Vectors, |stated| {
+                // A brake on the follower's axis beside its inertia; no friction in the slot.
+                let holds = moments().iter().map(instants::letters_of).all(|letter| {
+                    let brake = letter("I_f") / 2.0;
+                    // The normal force passes the driver's axis at the distance r cos(θ + φ).
+                    let arm = letter("r") * libm::cos(letter("theta") + letter("phi"));
+                    let driving = letter("I_D") * letter("theta''")
+                        + (letter("I_f") * letter("phi''") + brake) / letter("R") * arm;
+                    let factor = stated.pick(letter("phi'") / letter("theta'"), 1.0);
+                    let force = driving - brake * factor;
+                    let asked = letter("I_D") * letter("theta''")
+                        + letter("I_f") * letter("phi''") * letter("phi'") / letter("theta'");
+                    vanishes((force - asked) / force.abs().max(asked.abs()).max(1.0))
+                });
+                Finding::new(holds, "with a torque on the follower, by the forces between pin and slot")
+            }),
+            (Evidence::Integration, |stated| {
+                for_each(
+                    |at| {
+                        // The work of a unit torque on the follower over an engagement is the angle it turns by.
+                        let ratio = at.centre_distance_ratio();
+                        let factor =
+                            |angle: f64| stated.pick(pin_slot::velocity_ratio(&ratio, &Turn::from_radians(angle)), 1.0);
+                        let work = simpson(factor, -at.driver_half_angle(), at.driver_half_angle());
+                        agrees_in_steps(work, at.follower_advance())
+                    },
+                    "work of a torque on the follower over an engagement, against the angle that the follower turns by",
+                )
+            }),
+        ),
+    )
+    .read_as("all three frictional torques that the next sentence names, that of the follower's bearing among them")
+    .expecting(Verdict::Corrected)
+    .with_erratum(Erratum {
+        corrected: "sum of the driving torque and all frictional torques, that of the follower's bearing multiplied by \
+                    φ'/θ'",
+        slip: Slip {
+            id: "",
+            reason: "By virtual work a torque on the follower counts with the angle by which the follower turns, not \
+                     with the driver's. For the torques on the driver itself the sum is right, and no other is kept in \
+                     what follows.",
+            witness: "Over an engagement a torque on the follower does the work of its torque times the follower's \
+                      angle, which is the driver's for four slots only.",
+            origin: Origin::Concept,
+            consequence: Consequence::Wording,
+            changes: "Nothing in the thesis, which leaves out the bearings; whoever adds the follower's needs the \
+                      factor.",
+        },
+    })
 }
 
 fn torques() -> Vec<Claim> {
@@ -129,12 +207,7 @@ fn torques() -> Vec<Claim> {
             || friction(FrictionLine::Opposing),
             || reads("meyer.resultant-torque"),
         ),
-        opposing(
-            "meyer.friction-opposes",
-            TORQUES,
-            "the torque of friction is against the driving torque",
-            "always oppose the driving torque",
-        ),
+        opposing("meyer.friction-opposes", TORQUES, "always oppose the driving torque"),
         display(
             "meyer.eq-1-10",
             "Eq. (1-10)",
@@ -146,62 +219,111 @@ fn torques() -> Vec<Claim> {
     ]
 }
 
-/// Friction is against the motion. That comes to the same only while the driver turns as it is driven.
-pub fn opposing(id: &'static str, locator: &'static str, meaning: &'static str, printed: &'static str) -> Claim {
-    Claim::statement(
-        WORK,
-        id,
-        locator,
-        meaning,
+/// Friction is against the motion, and so against the driving torque while the driver turns as it is driven.
+pub fn opposing(id: &'static str, locator: &'static str, printed: &'static str) -> Claim {
+    stated(
+        (id, locator),
+        "the torque of friction is against the driving torque",
         printed,
-        Check::corrected_equation(
-            (Vectors, || {
-                let holds = [1.0, -1.0].iter().all(|speed| power(-1.0, *speed) < 0.0);
-                Finding::new(
-                    holds,
-                    "a torque against the driving one, were the driver turned back against \
-                            its spring, would do work",
-                )
-            }),
-            || {
-                let holds = [1.0, -1.0].iter().all(|speed: &f64| power(-speed.signum(), *speed) < 0.0);
-                Finding::new(holds, "a torque against the motion takes power in both senses")
-            },
-            (ClosedForm, || {
-                let parameters =
-                    Inertias::new(1.0, 4.0).and_then(|both| Parameters::new(Slots::Four, both, 1.0, 0.125));
-                let refused = parameters.is_ok_and(|parameters| parameters.acceleration(0.5, -1.0).is_err());
-                Finding::new(
-                    refused,
-                    "the equation of motion, with the bars as they are, is for forward \
-                        motion only",
-                )
-            }),
-        ),
+        "it opposes the driving torque while the pin presses on one flank of the slot, and helps it on the other",
+        (Vectors, |stated| {
+            let holds = Escapement::all().iter().all(|escapement| {
+                (-10..10).all(|k| {
+                    let seen = Seen::new(escapement, instant(escapement, k));
+                    [1.0_f64, -1.0].iter().all(|normal| {
+                        let said = stated.pick(-1.0, -normal.signum());
+                        torque_of_friction(&seen, *normal).signum() == said
+                    })
+                })
+            });
+            Finding::new(
+                holds,
+                "friction against the sliding of the pin, on either flank, at 20 instants of each escapement",
+            )
+        }),
+        (ClosedForm, |stated| {
+            // The equation of motion with its bars, or with what stands between them.
+            let holds = Slots::ALL.iter().all(|slots| {
+                let parameters = Inertias::new(1.0, 2.0).and_then(|both| Parameters::new(*slots, both, 1.0, 0.25));
+                parameters.is_ok_and(|parameters| {
+                    (-9..=9).all(|k| {
+                        let angle = slots.engagement_half_angle() * f64::from(k) / 10.0;
+                        [0.25, 0.5, 1.0, 2.0, 4.0]
+                            .iter()
+                            .all(|speed| lost(&parameters, angle, *speed, stated) >= -1e-12)
+                    })
+                })
+            });
+            Finding::new(holds, "power of the spring less the growth of the kinetic energy is never negative")
+        }),
     )
-    .expecting(Verdict::Corrected)
-    .with_erratum(Erratum {
-        corrected: "always oppose the motion",
-        slip: Slip {
-            id: "meyer.friction-opposes",
-            reason: "Friction is against the sliding, and so against the motion of the \
-                driver, whatever the driving torque. The sign that follows is right, \
-                because the driver never turns back.",
-            witness: "The equation of motion holds for forward motion only: for a driver \
-                turned back, both signs of the bars change.",
-            origin: Origin::Concept,
-            consequence: Consequence::Conclusion,
-            changes: "",
-        },
+    .read_as("while the driver turns forwards, as it does from the start on")
+}
+
+/// What friction takes per unit of time and inertia of the follower, by the equation of motion.
+fn lost(parameters: &Parameters, angle: f64, speed: f64, stated: Stated) -> f64 {
+    let (factors, pose) = (parameters.coefficients(angle), parameters.pose(angle));
+    let signed = factors.acceleration_with(&speed, Sign::Plus);
+    let gain = stated.pick(factors.acceleration(speed).map_or(f64::NAN, |found| found.value), signed);
+    let follower = pose.velocity_ratio() * speed * pose.follower_acceleration(&speed, &gain);
+    parameters.drive() * speed - parameters.inertias().ratio() * speed * gain - follower
+}
+
+/// Torque on the driver, positive as it turns, of a friction of the size of this normal force on the pin.
+fn torque_of_friction(seen: &Seen, normal: f64) -> f64 {
+    let slot = seen.place.normalize();
+    let force = -slot * slot.dot(&seen.velocity).signum() * normal.abs();
+    let arm = seen.place - Vector2::new(seen.ratio, 0.0);
+    arm.perp(&force) * arm.perp(&seen.velocity).signum()
+}
+
+/// A unit force between pin and slot: across the slot, as the constraint has it, or along it.
+fn direction_of_a_force(seen: &Seen, stated: Stated) -> Vector2<f64> {
+    let along = seen.place.normalize();
+    stated.pick(quarter_turn(&along), along)
+}
+
+/// How the constraints change with the places and angles of the two members: two pivots, and the pin in its slot.
+///
+/// Each member has the coordinates of its point on its own pivot and its angle; angles count alike for both.
+fn constraints(seen: &Seen) -> SMatrix<f64, 5, 6> {
+    let mut rows = SMatrix::<f64, 5, 6>::zeros();
+    for (row, column) in [(0, 0), (1, 1), (2, 3), (3, 4)] {
+        rows[(row, column)] = 1.0;
+    }
+    let across = quarter_turn(&seen.place.normalize());
+    let from_driver = quarter_turn(&(seen.place - Vector2::new(seen.ratio, 0.0)));
+    let moved = [across.x, across.y, across.dot(&from_driver), -across.x, -across.y, -seen.radius()];
+    for (column, change) in moved.into_iter().enumerate() {
+        rows[(4, column)] = change;
+    }
+    rows
+}
+
+/// An escapement without friction for each number of slots, and the angle between two of its pins.
+pub fn frictionless() -> impl Iterator<Item = (Parameters, f64)> {
+    Slots::ALL.into_iter().filter_map(|slots| {
+        let parameters = Inertias::new(1.0, 2.0).and_then(|both| Parameters::new(slots, both, 1.5, 0.0)).ok()?;
+        Some((parameters, 2.0 * slots.engagement_half_angle()))
     })
 }
 
-/// Power of a torque of friction with this sign on a driver of this speed, for a normal force times friction of one.
-fn power(sign: f64, speed: f64) -> f64 {
-    let escapement = Escapement::all()[0];
-    let seen = Seen::new(&escapement, instant(&escapement, 4));
-    let sliding = seen.place.normalize().dot(&seen.velocity) / DRIVER.0;
-    sign * sliding.abs() * speed
+/// Whether two numbers agree as numbers do that were computed in steps.
+pub fn agrees_in_steps(a: f64, b: f64) -> bool {
+    crate::tolerance::STEPS.agrees(a, b)
+}
+
+/// An integral by Simpson's rule.
+fn simpson(of: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
+    let parts = 1000;
+    let step = (to - from) / f64::from(parts);
+    let weight = |k: u32| match k {
+        0 => 1.0,
+        k if k == parts => 1.0,
+        k if k.is_multiple_of(2) => 2.0,
+        _ => 4.0,
+    };
+    (0..=parts).map(|k| weight(k) * of(from + step * f64::from(k))).sum::<f64>() * step / 3.0
 }
 
 /// One proof for the three displays of Lagrange's equation.
@@ -213,16 +335,4 @@ fn lagrange_is_power() -> Finding {
 /// A display of the torque of friction, for both signs of what stands between the bars.
 pub fn friction(line: FrictionLine) -> Finding {
     all_proven(&Sign::BOTH.map(|contact| FrictionTorque { line, contact }))
-}
-
-/// Newton's laws for the two members give the power of spring and friction as the growth of the kinetic energy.
-fn newton_is_lagrange() -> Finding {
-    equal(
-        |letter| {
-            let growth =
-                letter("I_D") * letter("theta'") * letter("theta''") + letter("I_f") * letter("phi'") * letter("phi''");
-            (growth, letter("Q_theta") * letter("theta'"))
-        },
-        "growth of the kinetic energy and power of the torques",
-    )
 }

@@ -43,8 +43,7 @@ pub use symbols::SYMBOLS;
 
 use crate::checks::{agrees, printed, same, vanishes};
 use crate::{
-    Check, Claim, Consequence, Erratum, Evidence, Finding, Kind, Origin, Slip, Stated, Verdict, Work, claim,
-    numeric_tokens,
+    Check, Claim, Consequence, Erratum, Evidence, Finding, Origin, Slip, Stated, Verdict, Work, claim, numeric_tokens,
 };
 use geneva_kinematics::escapement::{Escapement, HandOver, Roots};
 use geneva_kinematics::pin_vectors::quarter_turn;
@@ -146,7 +145,7 @@ impl Seen {
 }
 
 /// Whether two numbers agree for the three escapements at twenty instants each, none of them on the line of centres.
-fn at_instants(both: fn(&Seen) -> (f64, f64)) -> Finding {
+fn at_instants(both: impl Fn(&Seen) -> (f64, f64)) -> Finding {
     let worst = Escapement::all()
         .iter()
         .flat_map(|escapement| (-10..10).map(|k| Seen::new(escapement, instant(escapement, k))))
@@ -165,7 +164,7 @@ fn instant(escapement: &Escapement, k: i32) -> f64 {
 }
 
 /// Whether a property holds for each of the three escapements.
-fn for_each(holds: fn(&Escapement) -> bool, how: &str) -> Finding {
+fn for_each(holds: impl Fn(&Escapement) -> bool, how: &str) -> Finding {
     let failing = Escapement::all().into_iter().find(|escapement| !holds(escapement));
     match failing {
         None => Finding::new(true, format!("{how}, for each of the three")),
@@ -174,7 +173,7 @@ fn for_each(holds: fn(&Escapement) -> bool, how: &str) -> Finding {
 }
 
 /// Whether a property of the hand-over without rounding holds for each of the three escapements.
-fn exactly(holds: fn(&HandOver) -> bool, how: &str) -> Finding {
+fn exactly(holds: impl Fn(&HandOver) -> bool, how: &str) -> Finding {
     let failing = Escapement::all().into_iter().find(|escapement| !holds(&escapement.hand_over()));
     match failing {
         None => Finding::new(true, format!("{how}, with the roots exact, for each of the three")),

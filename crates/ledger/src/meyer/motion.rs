@@ -1,6 +1,7 @@
 //! The equation of motion put together, and its five factors: Eqs. (1-17) to (1-19).
 
-use super::instants::{display, miscopied, misprinted, reads, reads_as, slip};
+use super::instants::{self, display, display_read_by, holds_in_display, miscopied, reads, slip, slip_read_by};
+use super::slips::{ARC, LOST_BARS, MISSING_SQUARE};
 use super::*;
 use geneva_dynamics::Sign;
 use geneva_dynamics::derivation::{
@@ -8,9 +9,9 @@ use geneva_dynamics::derivation::{
 };
 use std::sync::OnceLock;
 
-/// What the copy has made of a cos θ in four displays.
-const ARC: &str = "The letters of a and cos run together in the copy, which makes an \
-        inverse cosine of a times the cosine.";
+// Displays that are cut into lines.
+const PARTS_PUT_IN: [&str; 2] = ["meyer.parts-put-in.first-line", "meyer.parts-put-in.second-line"];
+const EQUATION_OF_MOTION: [&str; 2] = ["meyer.eq-1-18.first-line", "meyer.eq-1-18.second-line"];
 
 pub fn claims() -> Vec<Claim> {
     [left_side(), together(), factors()].concat()
@@ -36,64 +37,59 @@ fn left_side() -> Vec<Claim> {
                 || prove(&LeftSide(LeftSideLine::Closed(Form::Corrected))).into(),
             ],
             || reads("meyer.eq-1-17"),
-            misprinted(
-                r"\begin{aligned} \frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) - \frac{\partial T}{\partial \theta} &= \left[I_D + \frac{(a \cos \theta - 1)^2 I_f}{(1 + a^2 - 2a \cos \theta)^2} \right] \ddot{\theta} \\ &\quad - I_f \dot{\theta}^2 \left[\frac{a(a^2 - 1) \sin \theta (a \cos \theta - 1)}{(1 + a^2 - 2a \cos \theta)^3} \right] \end{aligned}",
-                "The factor of the driver's acceleration is unchanged from the line \
-                            before, where the bracket is squared; Eq. (1-18) has the square again. \
-                            Two displays running lack it, so the slip may be the typist's and not \
-                            the copy's.",
-            ),
+            Erratum {
+                corrected: r"\begin{aligned} \frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) - \frac{\partial T}{\partial \theta} &= \left[I_D + \frac{(a \cos \theta - 1)^2 I_f}{(1 + a^2 - 2a \cos \theta)^2} \right] \ddot{\theta} \\ &\quad - I_f \dot{\theta}^2 \left[\frac{a(a^2 - 1) \sin \theta (a \cos \theta - 1)}{(1 + a^2 - 2a \cos \theta)^3} \right] \end{aligned}",
+                slip: MISSING_SQUARE,
+            },
         ),
     ]
 }
 
 fn together() -> Vec<Claim> {
     vec![
-        slip(
-            "meyer.parts-put-in.first-line",
-            "Display before Eq. (1-18), 1st line",
+        slip_read_by(
+            |tex| holds_in_display(&PARTS_PUT_IN, PARTS_PUT_IN[0], tex),
+            (PARTS_PUT_IN[0], "Display before Eq. (1-18), 1st line"),
             "left side of the equation of motion",
             r"\left[I_D + \frac{(a \cos \theta - 1) I_f}{(1 + a^2 - 2a \cos \theta)^2} \right] \ddot{\theta} - \left[\frac{a(a^2 - 1) \sin \theta (a \cos \theta - 1)}{(1 + a^2 - 2a \cos \theta)^3} \right] I_f \dot{\theta}^2",
             [|| motion(MotionLine::Substituted { square: Form::Printed, bars: Form::Corrected }), parts_put_in],
-            || reads_as("meyer.parts-put-in.first-line", "", "inertia-side"),
-            misprinted(
-                r"\left[I_D + \frac{(a \cos \theta - 1)^2 I_f}{(1 + a^2 - 2a \cos \theta)^2} \right] \ddot{\theta} - \left[\frac{a(a^2 - 1) \sin \theta (a \cos \theta - 1)}{(1 + a^2 - 2a \cos \theta)^3} \right] I_f \dot{\theta}^2",
-                "The square is missing here as in Eq. (1-17), from which the line is taken.",
-            ),
+            || reads("meyer.parts-put-in.first-line"),
+            Erratum {
+                corrected: r"\left[I_D + \frac{(a \cos \theta - 1)^2 I_f}{(1 + a^2 - 2a \cos \theta)^2} \right] \ddot{\theta} - \left[\frac{a(a^2 - 1) \sin \theta (a \cos \theta - 1)}{(1 + a^2 - 2a \cos \theta)^3} \right] I_f \dot{\theta}^2",
+                slip: MISSING_SQUARE,
+            },
         ),
-        slip(
-            "meyer.parts-put-in.second-line",
-            "Display before Eq. (1-18), 2nd line",
+        slip_read_by(
+            |tex| holds_in_display(&PARTS_PUT_IN, PARTS_PUT_IN[1], tex),
+            (PARTS_PUT_IN[1], "Display before Eq. (1-18), 2nd line"),
             "right side of the equation of motion",
             r"= K - a \mu I_f \left[\frac{a \sin^2 \theta (1 - a^2) \dot{\theta}^2}{(1 + a^2 - 2a \cos \theta)^3} + \frac{\sin \theta (a \cos \theta - 1)}{(1 + a^2 - 2a \cos \theta)^2} \ddot{\theta} \right]",
             [|| motion(MotionLine::Substituted { square: Form::Corrected, bars: Form::Printed }), parts_put_in],
-            || reads_as("meyer.parts-put-in.second-line", "=", "driving-side"),
-            miscopied(
-                r"= K - a \mu I_f \left| \frac{a \sin^2 \theta (1 - a^2) \dot{\theta}^2}{(1 + a^2 - 2a \cos \theta)^3} + \frac{\sin \theta (a \cos \theta - 1)}{(1 + a^2 - 2a \cos \theta)^2} \ddot{\theta} \right|",
-                "The bars of Eq. (1-14) have become brackets. Without them friction \
-                        would drive the mechanism wherever the pin presses on the other flank.",
-            ),
+            || reads("meyer.parts-put-in.second-line"),
+            Erratum {
+                corrected: r"= K - a \mu I_f \left| \frac{a \sin^2 \theta (1 - a^2) \dot{\theta}^2}{(1 + a^2 - 2a \cos \theta)^3} + \frac{\sin \theta (a \cos \theta - 1)}{(1 + a^2 - 2a \cos \theta)^2} \ddot{\theta} \right|",
+                slip: LOST_BARS,
+            },
         ),
-        display(
-            "meyer.eq-1-18.first-line",
-            "Eq. (1-18), 1st line",
+        display_read_by(
+            |tex| holds_in_display(&EQUATION_OF_MOTION, EQUATION_OF_MOTION[0], tex),
+            (EQUATION_OF_MOTION[0], "Eq. (1-18), 1st line"),
             "equation of motion over the follower's inertia, without friction",
             r"\left[\frac{I_D}{I_f} + \frac{(a \cos \theta - 1)^2}{(1 + a^2 - 2a \cos \theta)^2} \right] \ddot{\theta} + \left[\frac{a(1 - a^2) \sin \theta (a \cos \theta - 1)}{(1 + a^2 - 2a \cos \theta)^3} \right] \dot{\theta}^2",
             divided,
-            || reads_as("meyer.eq-1-18.first-line", "", "inertia-side-over"),
+            || reads("meyer.eq-1-18.first-line"),
         ),
-        slip(
-            "meyer.eq-1-18.second-line",
-            "Eq. (1-18), 2nd line",
+        slip_read_by(
+            |tex| holds_in_display(&EQUATION_OF_MOTION, EQUATION_OF_MOTION[1], tex),
+            (EQUATION_OF_MOTION[1], "Eq. (1-18), 2nd line"),
             "its friction, and the drive",
             r"+ a \mu \left[\frac{a \sin^2 \theta (1 - a^2)}{(1 + a^2 - 2a \cos \theta)^3} \dot{\theta}^2 + \frac{\sin \theta (a \cos \theta - 1)}{(1 + a^2 - 2a \cos \theta)^2} \ddot{\theta} \right] = \frac{K}{I_f}",
             [|| motion(MotionLine::Divided { bars: Form::Printed }), divided],
-            || reads_before_the_equals_sign("meyer.eq-1-18.second-line"),
-            miscopied(
-                r"+ a \mu \left| \frac{a \sin^2 \theta (1 - a^2)}{(1 + a^2 - 2a \cos \theta)^3} \dot{\theta}^2 + \frac{\sin \theta (a \cos \theta - 1)}{(1 + a^2 - 2a \cos \theta)^2} \ddot{\theta} \right| = \frac{K}{I_f}",
-                "The bars have become brackets again. Eq. (1-19), the same equation with \
-                        short names, has them, and all of Appendix B is about them.",
-            ),
+            || reads("meyer.eq-1-18.second-line"),
+            Erratum {
+                corrected: r"+ a \mu \left| \frac{a \sin^2 \theta (1 - a^2)}{(1 + a^2 - 2a \cos \theta)^3} \dot{\theta}^2 + \frac{\sin \theta (a \cos \theta - 1)}{(1 + a^2 - 2a \cos \theta)^2} \ddot{\theta} \right| = \frac{K}{I_f}",
+                slip: LOST_BARS,
+            },
         ),
     ]
 }
@@ -109,10 +105,8 @@ fn factors() -> Vec<Claim> {
             || reads("meyer.factor-a"),
             miscopied(
                 r"A = \left[ \frac{I_D}{I_f} + \frac{(a\cos\theta-1)^2}{(1+a^2-2a\cos\theta)^2} \right]",
-                "Eq. (1-18) has the inertia of the driver above the line, and so has the \
-                        program. In this display and the three that are like it the letters of \
-                        a and cos run together, which makes an inverse cosine of a times the \
-                        cosine.",
+                "Eq. (1-18), from which the display is taken, has the inertia of the driver above the line, and so has \
+                 the program. The letters of a and cos run together here as in the next three displays.",
             ),
         ),
         arc(
@@ -171,37 +165,17 @@ fn arc(
     read: fn() -> Finding,
     corrected: &'static str,
 ) -> Claim {
-    let check = Check::corrected_equation((ClosedForm, as_printed), put_right, (ClosedForm, read));
+    let check =
+        Check::corrected_equation((ClosedForm, as_printed), put_right, (ClosedForm, read)).read_by(instants::holds);
     Claim::equation(WORK, id, locator, meaning, printed, check)
         .expecting(Verdict::Corrected)
-        .with_erratum(miscopied(corrected, ARC))
+        .with_erratum(Erratum { corrected, slip: ARC })
 }
 
 /// Whether the printed characters hold, of a display whose slip no identity can express.
 fn reads_printed(id: &str) -> Finding {
-    let holds = claim(id).is_some_and(|claim| {
-        claim.printed.split_once('=').is_some_and(|(left, right)| {
-            instants::instants()
-                .iter()
-                .all(|letters| agrees(reading::value(left, letters), reading::value(right, letters)))
-        })
-    });
+    let holds = claim(id).is_some_and(|claim| instants::holds(claim.printed) == Some(true));
     Finding::new(holds, "with an inverse cosine, read and evaluated")
-}
-
-/// Whether the friction on the left is that of the mechanism.
-fn reads_before_the_equals_sign(id: &str) -> Finding {
-    let holds = |formula: &str| {
-        let left = formula.split('=').next().unwrap_or_default();
-        instants::instants().iter().all(|letters| {
-            letters.get("friction-over").is_some_and(|truth| agrees(reading::value(left, letters), *truth))
-        })
-    };
-    let found = claim(id).and_then(|claim| Some((claim.printed, claim.erratum.as_ref()?.corrected)));
-    Finding::new(
-        found.is_some_and(|(printed, corrected)| !holds(printed) && holds(corrected)),
-        format!("the corrected characters hold at {} instants, the printed ones do not", instants::instants().len()),
-    )
 }
 
 /// The display before Eq. (1-18), put right: one proof for its two lines.

@@ -1,15 +1,21 @@
 //! Why a denominator is never zero, and what that does not say: the text between Eqs. (1-18) and (1-19).
 
-use super::instants::{display, statement};
+use super::instants::{display_read_by, moments, reads, stated};
+use super::reading::{Letters, Moment};
+use super::slips::NO_SINGULARITY;
 use super::*;
-use geneva_dynamics::derivation::{AtOne, BoundAsSquare, OffTheSingularity, SingularAngle};
-use geneva_dynamics::equation_proofs::{SignDecider, Slope};
-use geneva_dynamics::existence::{critical_friction, least_margin};
-use geneva_dynamics::{Coefficients, Pose, Sign, Slots};
+use geneva_dynamics::derivation::{AtOne, BoundAsSquare, SingularAngle};
+use geneva_dynamics::existence::critical_friction;
+use geneva_dynamics::{Coefficients, Pose, Slots};
+use geneva_kinematics::escapement::pins_needed;
+use nalgebra::Complex;
+use std::sync::OnceLock;
 
+const FLAW: &str = "Line after Eq. (1-18)";
 const END: &str = "Paragraph before the substitutions of Eq. (1-19)";
-/// Driver's inertia over the follower's, for the question how much friction there can be: like discs.
-const INERTIA_RATIO: f64 = 1.0;
+/// Driver's inertia over the follower's, for the question how much friction there can be: a light driver, and like
+/// discs.
+const INERTIA_RATIOS: [f64; 2] = [0.1, 1.0];
 
 pub fn claims() -> Vec<Claim> {
     [quantity(), bounds(), slots()].concat()
@@ -17,36 +23,66 @@ pub fn claims() -> Vec<Claim> {
 
 fn quantity() -> Vec<Claim> {
     vec![
-        statement(
-            "meyer.singularity.quantity",
-            "Display after Eq. (1-18)",
-            "the quantity whose powers Eq. (1-18) divides by: the square of the \
-                    pin's distance from the follower's axis, over r²",
+        no_other_flaw(
+            "meyer.possible-flaw",
+            FLAW,
+            "the equation of motion has one possible flaw, the denominator that is looked at",
+            "one possible flaw",
+            "two possible flaws, of which the other is A ≤ |D|",
+        ),
+        stated(
+            ("meyer.singularity.quantity", "Display after Eq. (1-18)"),
+            "the quantity whose powers Eq. (1-18) divides by: the square of the pin's distance from the follower's \
+             axis, over r²",
             r"(1 + a^2 - 2a \cos \theta)",
-            (ClosedForm, || instants::reads_as("meyer.singularity.quantity", "", "square")),
-            (OtherPlaceInSource, || {
-                let id = ["meyer.singularity.quantity", "meyer.eq-1-18.first-line", "meyer.eq-1-18.second-line"];
-                let [quantity, lines @ ..] = id.map(|id| claim(id).map_or("", |claim| claim.printed));
-                Finding::new(lines.iter().all(|line| line.contains(quantity)), "both lines of Eq. (1-18) have it")
+            "the same with a plus before its last term",
+            (Vectors, |stated| {
+                let holds = moments().iter().all(|moment| {
+                    agrees(
+                        reading::value(quantity_with(stated), moment.letters()),
+                        instants::letters_of(moment)("square"),
+                    )
+                });
+                Finding::new(holds, "read and evaluated, against the pin's distance by coordinates")
+            }),
+            (ClosedForm, |stated| {
+                // A less the ratio of the inertias is the square of a cos θ − 1 over that of the quantity.
+                let holds = Slots::ALL.iter().all(|slots| {
+                    (-9..=9).all(|k| {
+                        let angle = slots.engagement_half_angle() * f64::from(k) / 10.0;
+                        let factors = factors(*slots, 1.0, angle, 0.0);
+                        let letters = [("a", slots.ratio()), ("theta", angle)].map(named).into();
+                        let divisor = reading::value(quantity_with(stated), &letters);
+                        let above = reading::value(r"a \cos \theta - 1", &letters);
+                        vanishes((factors.a - 1.0) * divisor * divisor - above * above)
+                    })
+                });
+                Finding::new(holds, "the factor A of the equation of motion has its square below the line")
             }),
         ),
-        display(
-            "meyer.singularity.assumed",
-            "1st display of θ_∞",
+        display_read_by(
+            with_imaginary_angles,
+            ("meyer.singularity.assumed", "1st display of θ_∞"),
             "condition for an angle at which it would be zero",
             r"1 + a^2 - 2a \cos \theta_\infty = 0",
             || prove(&SingularAngle).into(),
-            || at_the_only_ratio("meyer.singularity.assumed"),
+            || reads("meyer.singularity.assumed"),
         ),
-        display(
-            "meyer.singularity.angle",
-            "2nd display of θ_∞",
+        display_read_by(
+            with_imaginary_angles,
+            ("meyer.singularity.angle", "2nd display of θ_∞"),
             "that angle",
             r"\theta_\infty = \cos^{-1} \left(\frac{1 + a^2}{2a} \right)",
             || prove(&SingularAngle).into(),
-            || at_the_only_ratio("meyer.singularity.angle"),
+            || reads("meyer.singularity.angle"),
         ),
     ]
+}
+
+/// The printed quantity, or its neighbour.
+fn quantity_with(stated: Stated) -> &'static str {
+    let printed = claim("meyer.singularity.quantity").map_or("", |claim| claim.printed);
+    stated.pick(printed, r"(1 + a^2 + 2a \cos \theta)")
 }
 
 fn bounds() -> Vec<Claim> {
@@ -56,124 +92,161 @@ fn bounds() -> Vec<Claim> {
             "1st inequality",
             "a cosine is at most one",
             r"\left(\frac{1 + a^2}{2a} \right) \leq 1",
-            || only_at_one("meyer.singularity.bound"),
+            || reads("meyer.singularity.bound"),
         ),
         bound("meyer.singularity.cleared", "2nd inequality", "the same times 2a", r"1 + a^2 \leq 2a", || {
-            only_at_one("meyer.singularity.cleared")
+            reads("meyer.singularity.cleared")
         }),
         bound("meyer.singularity.collected", "3rd inequality", "the same on one side", r"a^2 - 2a + 1 \leq 0", || {
-            only_at_one("meyer.singularity.collected")
+            reads("meyer.singularity.collected")
         }),
         bound("meyer.singularity.square", "4th inequality", "the same as a square", r"(a - 1)^2 \leq 0", || {
-            only_at_one("meyer.singularity.square")
+            reads("meyer.singularity.square")
         }),
-        statement(
-            "meyer.singularity.only-one",
-            "Line after the inequalities",
+        stated(
+            ("meyer.singularity.only-one", "Line after the inequalities"),
             "only the ratio one allows it",
             "a = 1",
-            (ExactIdentity, || prove(&AtOne).into()),
-            (ExactIdentity, || prove(&OffTheSingularity).into()),
+            "only the ratio two",
+            (ClosedForm, |stated| {
+                let square = claim("meyer.singularity.square").map_or("", |claim| claim.printed);
+                let found: Vec<f64> = ratios().filter(|ratio| allows(square, *ratio) == Some(true)).collect();
+                Finding::new(found == [stated.pick(1.0, 2.0)], format!("the last inequality holds for {found:?}"))
+            }),
+            (Vectors, |stated| {
+                // How near the follower's axis a pin comes.
+                let nearest = |ratio: &f64| {
+                    let place = |k: u32| Turn::from_radians(2.0 * PI * f64::from(k) / 720.0).direction();
+                    (0..720).map(|k| (place(k) - Vector2::new(*ratio, 0.0)).norm()).fold(f64::INFINITY, f64::min)
+                };
+                let found: Vec<f64> = ratios().filter(|ratio| vanishes(nearest(ratio))).collect();
+                Finding::new(
+                    found == [stated.pick(1.0, 2.0)],
+                    format!("of 80 distances of the axes the pin comes onto the follower's axis at {found:?}"),
+                )
+            }),
         ),
     ]
 }
 
 fn slots() -> Vec<Claim> {
     vec![
-        display(
-            "meyer.singularity.ratio",
-            "1st display before the substitutions of Eq. (1-19)",
+        display_read_by(
+            only_for_two,
+            ("meyer.singularity.ratio", "1st display before the substitutions of Eq. (1-19)"),
             "the ratio one by Eq. (1-2)",
             r"a = \frac{1}{\sin(\pi/n)} = 1",
             || prove(&AtOne).into(),
-            || slots_of("meyer.singularity.ratio"),
+            || reads("meyer.singularity.ratio"),
         ),
-        display(
-            "meyer.singularity.sine",
-            "2nd display before the substitutions of Eq. (1-19)",
+        display_read_by(
+            only_for_two,
+            ("meyer.singularity.sine", "2nd display before the substitutions of Eq. (1-19)"),
             "the same for the sine",
             r"\sin\left(\frac{\pi}{n}\right) = 1",
             || prove(&AtOne).into(),
-            || slots_of("meyer.singularity.sine"),
+            || reads("meyer.singularity.sine"),
         ),
-        statement(
-            "meyer.singularity.two-slots",
-            END,
+        stated(
+            ("meyer.singularity.two-slots", END),
             "only two slots would give it",
             "n=2",
-            (ClosedForm, || slots_of("meyer.singularity.sine")),
-            (Vectors, || {
-                let ratios = (3..=60).filter_map(|slots| Wheel::new(slots).ok()).map(|w| w.centre_distance_ratio());
+            "only three slots",
+            (ClosedForm, |stated| {
+                let found = slots_that_satisfy(claim("meyer.singularity.sine").map_or("", |claim| claim.printed));
                 Finding::new(
-                    ratios.into_iter().all(|ratio| ratio > 1.0),
-                    "the axes of 3 to 60 slots are farther apart than r",
+                    found.as_deref() == Some(&[stated.pick(2, 3)]),
+                    format!("read and evaluated for 1 to 100 slots, the sine is one for {found:?}"),
+                )
+            }),
+            (Vectors, |stated| {
+                // A pin that enters along its slot, half the angle between two slots from the line of centres: how far
+                // the follower's axis then is from the driver's.
+                let distance = |slots: u32| {
+                    let (sin, cos) = libm::sincos(PI / f64::from(slots));
+                    // The right angle at the pin: R = r cot φ.
+                    let pin = Vector2::new(cos, sin) * (cos / sin);
+                    let to_driver = quarter_turn(&pin.normalize()) * -cos.signum();
+                    (pin + to_driver).norm()
+                };
+                let found: Vec<u32> = (2..=100).filter(|slots| agrees(distance(*slots), 1.0)).collect();
+                Finding::new(found == [stated.pick(2, 3)], format!("the axes are r apart for {found:?} slots"))
+            }),
+        ),
+        stated(
+            ("meyer.singularity.ruled-out", END),
+            "two slots are ruled out by Eq. (1-3)",
+            "previously ruled out",
+            "four slots are",
+            (ClosedForm, |stated| {
+                let right =
+                    claim("meyer.eq-1-3").and_then(|claim| claim.printed.split_once('=')).map_or("", |(_, m)| m);
+                let letters = [named(("n", stated.pick(2.0, 4.0)))].into();
+                let pins = reading::value(right, &letters);
+                let ruled_out = !(pins.is_finite() && pins >= 1.0 && agrees(pins, pins.round()));
+                Finding::new(ruled_out, format!("Eq. (1-3), read and evaluated, gives {pins} pins"))
+            }),
+            (LimitCase, |stated| {
+                let slots = stated.pick(2, 4);
+                let fits = |pins: &u32| vanishes(PI / f64::from(*pins) + PI / f64::from(slots) - PI / 2.0);
+                let found = (1..=1000).find(fits);
+                Finding::new(
+                    found.is_none() && pins_needed(slots).is_none(),
+                    format!("of 1 to 1000 pins the angles at the hand-over make a right angle for {found:?}"),
                 )
             }),
         ),
-        conclusion(),
+        no_other_flaw(
+            "meyer.singularity.conclusion",
+            END,
+            "the equation of motion has no singularities",
+            "contains no singularities",
+            "contains no zero denominators; it has one solution at every angle if and only if A > |D| there",
+        )
+        .read_as("at no angle and for no friction the equation fails to give one acceleration"),
     ]
 }
 
-fn conclusion() -> Claim {
-    Claim::statement(
-        WORK,
-        "meyer.singularity.conclusion",
-        END,
-        "the equation of motion has no singularities",
-        "contains no singularities",
-        Check::corrected_equation(
-            (ClosedForm, || {
-                let [_, beyond] = solutions_about_the_limit();
-                Finding::new(
-                    beyond == [1, 1],
-                    format!(
-                        "with a little more than the critical friction there are {} to {} solutions",
-                        beyond[0], beyond[1]
-                    ),
-                )
-            }),
-            || {
-                // A − |D| in closed form at the limit, and why its sign decides.
-                let at_the_limit = Slots::ALL.iter().all(|slots| {
-                    critical_friction(*slots, INERTIA_RATIO).is_ok_and(|critical| {
-                        [(0.99, true), (1.01, false)].iter().all(|(part, sound)| {
-                            least_margin(*slots, INERTIA_RATIO, part * critical.friction)
-                                .is_ok_and(|least| (least.margin > 0.0) == *sound)
-                        })
-                    })
-                });
-                let slopes = all_proven(&Sign::BOTH.map(Slope));
-                let signs = all_proven(&Sign::BOTH.map(SignDecider));
-                let holds = at_the_limit && slopes.holds && signs.holds;
-                Finding::new(holds, format!("the left side grows with the acceleration by A ± D: {}", slopes.how))
-            },
-            (LimitCase, || {
-                let [below, beyond] = solutions_about_the_limit();
-                Finding::new(
-                    below == [1, 1] && beyond != [1, 1],
-                    "counted at 400 angles: one solution everywhere below the critical \
-                            friction, none or two beyond it",
-                )
-            }),
-        ),
-    )
-    .expecting(Verdict::Corrected)
-    .with_erratum(Erratum {
-        corrected: "contains no zero denominators; it has one solution at every angle if \
-                and only if A > |D| there",
-        slip: Slip {
-            id: "",
-            reason: "What is shown is that nothing is divided by zero. But the factor of the \
-                driver's acceleration is A + D or A − D, and with enough friction one \
-                of them is zero somewhere: then there is no acceleration, or more than \
-                one. The lighter the driver beside the follower, the less friction this \
-                takes.",
-            witness: "Solutions of Eq. (1-19) were counted on either side of the limit.",
-            origin: Origin::Concept,
-            consequence: Consequence::Conclusion,
-            changes: "",
-        },
-    })
+/// A place that has the equation of motion without a flaw, if only one denominator is not zero.
+fn no_other_flaw(
+    id: &'static str,
+    locator: &'static str,
+    meaning: &'static str,
+    printed: &'static str,
+    corrected: &'static str,
+) -> Claim {
+    let check = Check::corrected_statement(
+        (ClosedForm, |stated| {
+            // From rest, each sign of the friction tried out: which frictions leave one acceleration at all angles.
+            static SINGLE: OnceLock<Vec<Vec<bool>>> = OnceLock::new();
+            let limit = |slots: Slots, inertia: f64| {
+                let quotients = angles(slots).map(|at| factors(slots, inertia, at, 1.0)).map(|c| c.a / c.d.abs());
+                quotients.fold(f64::INFINITY, f64::min)
+            };
+            let holds = below(SINGLE.get_or_init(|| single(consistent_signs)), |slots, inertia| {
+                stated.pick(limit(slots, inertia), f64::INFINITY)
+            });
+            let bound = stated.pick("those below the least A/|D| of a friction of one", "all");
+            Finding::new(
+                holds,
+                format!("of 40 frictions {bound} leave one acceleration from rest at each of 100 angles"),
+            )
+        }),
+        (LimitCase, |stated| {
+            // The left side of Eq. (1-19) over the acceleration: how often it passes E.
+            static SINGLE: OnceLock<Vec<Vec<bool>>> = OnceLock::new();
+            let critical = |slots: Slots, inertia: f64| {
+                critical_friction(slots, inertia).map_or(f64::NAN, |critical| critical.friction)
+            };
+            let holds = below(SINGLE.get_or_init(|| single(passages)), |slots, inertia| {
+                stated.pick(critical(slots, inertia), f64::INFINITY)
+            });
+            Finding::new(holds, "how often the left side passes E was counted along 800 accelerations at 100 angles")
+        }),
+    );
+    Claim::statement(WORK, id, locator, meaning, printed, check)
+        .expecting(Verdict::Corrected)
+        .with_erratum(Erratum { corrected, slip: NO_SINGULARITY })
 }
 
 /// One of the four inequalities; all are one statement.
@@ -184,66 +257,117 @@ fn bound(
     printed: &'static str,
     read: fn() -> Finding,
 ) -> Claim {
-    display(id, locator, meaning, printed, || prove(&BoundAsSquare).into(), read)
+    display_read_by(only_for_one, (id, locator), meaning, printed, || prove(&BoundAsSquare).into(), read)
 }
 
-/// Whether the two sides of a display about θ_∞ agree for the one ratio for which there is such an angle, 0.
-fn at_the_only_ratio(id: &str) -> Finding {
-    let letters = [("a", 1.0), ("theta_infty", 0.0)].map(|(name, value)| (name.to_owned(), value)).into();
-    let printed = claim(id).map_or("", |claim| claim.printed);
-    let sides: Vec<f64> = printed.split('=').map(|side| reading::value(side, &letters)).collect();
-    Finding::new(
-        sides.len() == 2 && vanishes(sides[0] - sides[1]),
-        "the printed characters, read and evaluated for the one ratio that has such an angle, a = 1",
-    )
+fn named((name, value): (&str, f64)) -> (String, f64) {
+    (name.to_owned(), value)
 }
 
-/// Whether an inequality, read and evaluated, holds for the ratio one and for no other of many.
-fn only_at_one(id: &str) -> Finding {
-    let printed = claim(id).map_or("", |claim| claim.printed);
-    let holds = |ratio: f64| {
-        let letters = [("a".to_owned(), ratio)].into();
-        printed
-            .split_once(r"\leq")
-            .is_some_and(|(left, right)| reading::value(left, &letters) <= reading::value(right, &letters))
+/// Ratios of the axes' distance to the pins' radius, from 1/16 to 5.
+fn ratios() -> impl Iterator<Item = f64> {
+    (1..=80).map(|k| f64::from(k) / 16.0)
+}
+
+/// Whether an inequality allows a ratio; none if it cannot be read.
+fn allows(inequality: &str, ratio: f64) -> Option<bool> {
+    let letters: Letters = [named(("a", ratio))].into();
+    let sides = |relation: &str| {
+        let (left, right) = inequality.split_once(relation)?;
+        let values = [left, right].map(|side| reading::value(side, &letters));
+        values.iter().all(|value| value.is_finite()).then_some(values)
     };
-    let found: Vec<f64> = (1..=80).map(|k| f64::from(k) / 16.0).filter(|ratio| holds(*ratio)).collect();
-    Finding::new(found == [1.0], "read and evaluated for 80 ratios from 1/16 to 5, it holds for 1 only")
+    match (sides(r"\leq"), sides(r"\geq")) {
+        (Some([left, right]), _) => Some(left <= right),
+        (_, Some([left, right])) => Some(left >= right),
+        _ => None,
+    }
 }
 
-/// Whether a display about the number of slots, read and evaluated, holds for two slots and for no other of many.
-fn slots_of(id: &str) -> Finding {
-    let printed = claim(id).map_or("", |claim| claim.printed);
+/// Whether an inequality allows the ratio one and no other.
+fn only_for_one(inequality: &str) -> Option<bool> {
+    let allowed: Vec<bool> = ratios().map(|ratio| allows(inequality, ratio)).collect::<Option<_>>()?;
+    Some(ratios().zip(allowed).all(|(ratio, allowed)| allowed == (ratio == 1.0)))
+}
+
+/// Whether a display of θ_∞ holds. The cosine of that angle is greater than one unless a = 1, so it is imaginary.
+fn with_imaginary_angles(tex: &str) -> Option<bool> {
+    let moments = [1.0, 1.25, 1.5, 2.0, 3.5].map(|ratio: f64| {
+        // cosh(ln a) = (a + 1/a)/2.
+        let letters = [("a", Complex::new(ratio, 0.0)), ("theta_infty", Complex::new(0.0, libm::log(ratio)))];
+        Moment::of(letters.map(|(name, value)| (name.to_owned(), value)).into())
+    });
+    reading::holds(tex, &moments)
+}
+
+/// For which numbers of slots, of 1 to 100, a display holds if the ratio is one; none if it cannot be read.
+fn slots_that_satisfy(display: &str) -> Option<Vec<u32>> {
     let holds = |slots: u32| {
-        let letters = [("a", 1.0), ("n", f64::from(slots))].map(|(name, value)| (name.to_owned(), value)).into();
-        let sides: Vec<f64> = printed.split('=').map(|side| reading::value(side, &letters)).collect();
-        sides.windows(2).all(|pair| agrees(pair[0], pair[1]))
+        let letters = [("a", 1.0), ("n", f64::from(slots))].map(named).into();
+        reading::holds(display, &[Moment::of(letters)])
     };
-    let found: Vec<u32> = (1..=100).filter(|slots| holds(*slots)).collect();
-    Finding::new(found == [2], "read and evaluated for 1 to 100 slots, it holds for 2 only")
+    let found: Vec<(u32, bool)> = (1..=100).map(|slots| Some((slots, holds(slots)?))).collect::<Option<_>>()?;
+    Some(found.into_iter().filter(|(_, holds)| *holds).map(|(slots, _)| slots).collect())
 }
 
-/// The least and the greatest number of solutions at rest while a pin is engaged: just below the friction at which A
-/// reaches |D|, and just above. The least A − |D| over the angles gives that friction.
-fn solutions_about_the_limit() -> [[usize; 2]; 2] {
-    let angles = || (0..400).map(|k| Slots::Four.engagement_half_angle() * f64::from(k) / 400.0);
-    let at = |angle: f64, friction: f64| {
-        let pose = Pose::new(&Slots::Four.ratio(), &Turn::from_radians(angle));
-        Coefficients::of_pose(&pose, &INERTIA_RATIO, &friction, &1.0)
+/// Whether a display holds for two slots and for no other number, if the ratio is one.
+fn only_for_two(display: &str) -> Option<bool> {
+    slots_that_satisfy(display).map(|found| found == [2])
+}
+
+/// The factors of the equation of motion for a torque of one.
+fn factors(slots: Slots, inertia: f64, angle: f64, friction: f64) -> Coefficients<f64> {
+    let pose = Pose::new(&slots.ratio(), &Turn::from_radians(angle));
+    Coefficients::of_pose(&pose, &inertia, &friction, &1.0)
+}
+
+fn angles(slots: Slots) -> impl Iterator<Item = f64> {
+    (0..100).map(move |k| slots.engagement_half_angle() * f64::from(k) / 100.0)
+}
+
+/// Frictions from below any limit to above it.
+fn frictions() -> impl Iterator<Item = f64> {
+    (1..=40).map(|k| f64::from(k) * 0.153)
+}
+
+/// Each mechanism with each ratio of the inertias.
+fn mechanisms() -> impl Iterator<Item = (Slots, f64)> {
+    Slots::ALL.into_iter().flat_map(|slots| INERTIA_RATIOS.map(|inertia| (slots, inertia)))
+}
+
+/// For each of them and each friction, whether a way of counting the accelerations from rest finds one at all angles.
+fn single(count: fn(&Coefficients<f64>) -> usize) -> Vec<Vec<bool>> {
+    let of = |(slots, inertia): (Slots, f64)| {
+        let one = |friction: f64| angles(slots).all(|at| count(&factors(slots, inertia, at, friction)) == 1);
+        frictions().map(one).collect()
     };
-    // D is proportional to the friction.
-    let limit = angles().map(|angle| at(angle, 1.0)).map(|c| c.a / c.d.abs()).fold(f64::INFINITY, f64::min);
-    [0.99, 1.01].map(|part| {
-        let counts: Vec<usize> = angles().map(|angle| count(&at(angle, part * limit))).collect();
-        [counts.iter().copied().min().unwrap_or(0), counts.iter().copied().max().unwrap_or(0)]
+    mechanisms().map(of).collect()
+}
+
+/// Whether there is a single acceleration below this friction of a mechanism and not above it.
+fn below(single: &[Vec<bool>], bound: impl Fn(Slots, f64) -> f64) -> bool {
+    mechanisms().zip(single).all(|((slots, inertia), single)| {
+        let bound = bound(slots, inertia);
+        frictions().zip(single).all(|(friction, single)| *single == (friction < bound))
     })
 }
 
 /// How many accelerations from rest obey the equation with the sign that their own friction has.
-fn count(c: &Coefficients<f64>) -> usize {
+fn consistent_signs(c: &Coefficients<f64>) -> usize {
     let obeys = |sign: f64| {
         let gain = c.e / (c.a + sign * c.d);
         sign * c.d * gain > 0.0
     };
     if c.d == 0.0 { 1 } else { [1.0, -1.0].iter().filter(|sign| obeys(**sign)).count() }
+}
+
+/// How often the left side of the equation from rest passes E, along accelerations of either sign from 10⁻⁸ to 10⁸.
+fn passages(c: &Coefficients<f64>) -> usize {
+    let excess = |gain: f64| c.a * gain + (c.d * gain).abs() > c.e;
+    let forwards = (-200..=200).map(|k| libm::pow(10.0, f64::from(k) / 25.0));
+    let one_way = |way: f64| {
+        let above: Vec<bool> = forwards.clone().map(|gain| excess(way * gain)).collect();
+        above.windows(2).filter(|pair| pair[0] != pair[1]).count()
+    };
+    one_way(1.0) + one_way(-1.0)
 }

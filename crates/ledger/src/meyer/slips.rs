@@ -5,9 +5,9 @@ use crate::{Consequence, Origin, Slip};
 /// The program puts the driver back after a quarter of a turn, whatever the number of pins.
 pub const RESET_ANGLE: Slip = Slip {
     id: "meyer.listing.fold",
-    reason: "The next pin takes over after 2π/m of the driver: 90° for four pins, but 60° for six and 120° for three. With \
-             90° the pin of six is followed to 60°, 30° beyond the end of its slot, and that of three is dropped at 30° \
-             while the follower turns.",
+    reason: "The next pin takes over after 2π/m of the driver: 90° for four pins, but 60° for six and 120° for three. \
+             With 90° the pin of six is followed to 60°, 30° beyond the end of its slot, and that of three is dropped \
+             at 30° while the follower turns.",
     witness: "Of all pins by their coordinates, the one next to the follower's axis is where the corrected angle says.",
     origin: Origin::Concept,
     consequence: Consequence::Result,
@@ -19,7 +19,8 @@ pub const SWAPPED_INERTIAS: Slip = Slip {
     id: "meyer.app-e.6-pin.driver",
     reason: "The heading has the two members the other way round from Fig. 11. Only Fig. 11's choice gives the table's \
              peaks, minima and periods.",
-    witness: "Fig. 11 prints the two the other way round, and the minima of the table, computed in steps, agree with it.",
+    witness: "Fig. 11 prints the two the other way round, and the minima of the table, computed in steps, agree with \
+              it.",
     origin: Origin::Misprint,
     consequence: Consequence::Result,
     changes: "Who recomputes the table with the inertias of its heading does not find it.",
@@ -28,21 +29,123 @@ pub const SWAPPED_INERTIAS: Slip = Slip {
 /// The spring's torque is called a rate or a constant.
 pub const SPRING_RATE: Slip = Slip {
     id: "meyer.spring-rate",
-    reason: "The torque of the spring is K itself, Eq. (1-15), whatever the angle. A rate or a constant of a spring would \
-             have to be multiplied by an angle. An inch-pound per radian can be read as a torque, the work done per \
-             radian; only the word is wrong.",
-    witness: "In Eq. (1-17) and in the program K stands alone where a torque must stand.",
+    reason: "The torque of the spring is K itself, Eq. (1-15), whatever the angle. A rate or a constant of a spring \
+             would have to be multiplied by an angle. An inch-pound per radian can be read as a torque, the work done \
+             per radian; only the word is wrong.",
+    witness: "In Eq. (1-18) and in the program K stands alone where a torque must stand.",
     origin: Origin::Concept,
     consequence: Consequence::Wording,
     changes: "",
+};
+
+/// 3/2 for other half powers.
+pub const HALF_POWERS: Slip = Slip {
+    id: "meyer.normal-force.substituted",
+    reason: "R has the power 1/2, and two whole powers and a half make 5/2. Three displays in a row have 3/2 for both. \
+             Whether the typist or the copy has put it there cannot be told. It is counted as the copy's, because 1/2 \
+             stands right in the two displays of R just before, and Eq. (1-14), just after, has the powers that only \
+             the right ones give.",
+    witness: "The corrected characters, read and evaluated, agree with Newton's laws for the two members; the printed \
+              ones do not.",
+    origin: Origin::Copy,
+    consequence: Consequence::Copy,
+    changes: "",
+};
+
+/// I_b for I_D, in five displays.
+pub const DRIVER_INDEX: Slip = Slip {
+    id: "meyer.momentum-rate.quotient.first-line",
+    reason: "The inertia of the driver is I_D, as in Eq. (1-16) before and in Eq. (1-17) after these five displays; \
+             the source has no I_b.",
+    witness: "The corrected characters, read and evaluated, agree with Newton's laws for the two members; the printed \
+              ones do not.",
+    origin: Origin::Copy,
+    consequence: Consequence::Copy,
+    changes: "",
+};
+
+/// The square of a cos θ − 1 is missing twice in a row.
+pub const MISSING_SQUARE: Slip = Slip {
+    id: "meyer.eq-1-17",
+    reason: "The factor of the driver's acceleration is that of the line before, where the bracket is squared; Eq. \
+             (1-18) has the square again. Whether the typist or the copy has lost it cannot be told. It is counted as a \
+             misprint, because it is missing in two displays, of which the second is put together from the first.",
+    witness: "The corrected characters, read and evaluated, agree with Newton's laws for the two members; the printed \
+              ones do not.",
+    origin: Origin::Misprint,
+    consequence: Consequence::Derivation,
+    changes: "Nothing: Eq. (1-18), the factors A to E and the program have the square.",
+};
+
+/// Bars that are lost.
+pub const LOST_BARS: Slip = Slip {
+    id: "meyer.parts-put-in.second-line",
+    reason: "Friction stands between bars in Eq. (1-14), before, and in Eq. (1-19), after. In two displays brackets \
+             stand in their place, which look much alike; in Appendix B they are gone, and two dots with them, where \
+             the text goes on to say how they are dealt with. Without them friction would drive the mechanism wherever \
+             the pin presses on the other flank.",
+    witness: "The corrected characters, read and evaluated, agree with Newton's laws for the two members; the printed \
+              ones do not.",
+    origin: Origin::Copy,
+    consequence: Consequence::Copy,
+    changes: "",
+};
+
+/// a cos θ that has become an inverse cosine.
+pub const ARC: Slip = Slip {
+    id: "meyer.factor-b",
+    reason: "The letters of a and cos run together in the copy, which makes an inverse cosine of a times the cosine, \
+             here and in the display of A.",
+    witness: "The corrected characters, read and evaluated, agree with Newton's laws for the two members; the printed \
+              ones do not.",
+    origin: Origin::Copy,
+    consequence: Consequence::Copy,
+    changes: "",
+};
+
+/// One dot for two.
+pub const LOST_DOTS: Slip = Slip {
+    id: "meyer.app-b.example",
+    reason: "A second derivative has lost one of its two dots. In the example the text asks for the derivative of the \
+             highest order, and the program computes the second; in Appendix D the factor D belongs to the \
+             acceleration, as in Eq. (1-19), and the speed is zero.",
+    witness: "The corrected characters, read and evaluated, hold for a vibration and for the start of the motion; the \
+              printed ones do not.",
+    origin: Origin::Copy,
+    consequence: Consequence::Copy,
+    changes: "",
+};
+
+/// LDX for 1DX.
+pub const ONE_AS_L: Slip = Slip {
+    id: "meyer.app-b.example.second",
+    reason: "The name begins with the order of the derivative, as 2DX does: a one has been read as the letter L. The \
+             listing has it right.",
+    witness: "The program has the name with a one.",
+    origin: Origin::Copy,
+    consequence: Consequence::Copy,
+    changes: "",
+};
+
+/// The denominator of Eq. (1-18) is not the only one that may become zero.
+pub const NO_SINGULARITY: Slip = Slip {
+    id: "meyer.singularity.conclusion",
+    reason: "What is shown is that 1 + a² − 2a cos θ is never zero. But solved for the acceleration the equation is \
+             divided by A + D or A − D, and with enough friction one of them is zero somewhere: from there on no \
+             acceleration fits, or two do. The lighter the driver beside the follower, the less friction this takes.",
+    witness: "Solutions of Eq. (1-19) were counted on either side of the limit.",
+    origin: Origin::Concept,
+    consequence: Consequence::Conclusion,
+    changes: "The friction has a limit, which depends on the mechanism and on the ratio of the inertias; the thesis \
+              has none.",
 };
 
 /// The greatest printed speed is taken for the greatest.
 pub const SAMPLED_PEAKS: Slip = Slip {
     id: "meyer.cyclic-oscillations",
     reason: "The lines of a run are a print interval apart, and the peak falls between them, now nearer to one, now \
-             farther. The stronger the spring, the shorter the peak and the more is missed. The peaks of the steady motion \
-             themselves are equal, and grow as the root of the torque.",
+             farther. The stronger the spring, the shorter the peak and the more is missed. The peaks of the steady \
+             motion themselves are equal, and grow as the root of the torque.",
     witness: "The program with all its particulars, printing far more often, shows equal peaks.",
     origin: Origin::Concept,
     consequence: Consequence::Result,
@@ -69,8 +172,9 @@ pub const ENTRY_ALONG_THE_SLOT: Slip = Slip {
 /// The follower's angle φ has become the driver's angle θ.
 pub const PHI_AS_THETA: Slip = Slip {
     id: "meyer.cosine-substituted",
-    reason: "The follower's angle φ must stand where the copy has the driver's angle θ. Counted as a slip of the copy, \
-             because the displays around each place have φ.",
+    reason: "The follower's angle φ must stand where the copy has the driver's angle θ; in the two equations of \
+             moments the index of I_f has become a P as well. Counted as a slip of the copy, because the displays \
+             around each place have φ, and I_f.",
     witness: "Angles, lengths and accelerations measured between axes and pin, at instants of all three escapements.",
     origin: Origin::Copy,
     consequence: Consequence::Copy,

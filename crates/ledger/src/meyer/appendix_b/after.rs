@@ -1,64 +1,135 @@
 //! What the text after the program says of its start, its angle and the way from pin to pin.
 
+use super::contact::{small_time, times};
 use super::example::first_derivative;
 use super::fold::fold;
-use super::listing_start::start_solves;
-use super::program::{as_letters, by_coefficients};
+use super::listing::long_enough;
+use super::program;
 use super::*;
-use crate::meyer::runs;
+use crate::meyer::appendix_d::{OTHER_ANGLE, along_the_slots, of_the_pins};
+use crate::meyer::runs::{Hypothesis, Row, duration, interval, rows};
+use geneva_dynamics::program::Program;
 use geneva_dynamics::{Inertias, Parameters, Slots};
 
 const AFTER: &str = "Appendix B, paragraphs after the program";
 
 pub fn claims() -> Vec<Claim> {
+    [start(), lines(), angle(), end()].concat()
+}
+
+fn start() -> Vec<Claim> {
     vec![
-        statement(
-            "meyer.app-b.initial-angles",
-            AFTER,
+        stated(
+            ("meyer.app-b.initial-angles", AFTER),
             "driver's angle at the start for six, four and three pins",
             r"-30° , -45° , or -60°",
-            (LimitCase, || angles("meyer.app-b.initial-angles")),
-            (Vectors, at_entry),
+            OTHER_ANGLE,
+            (LimitCase, |stated| of_the_pins("meyer.app-b.initial-angles", stated)),
+            (Vectors, |stated| along_the_slots("meyer.app-b.initial-angles", stated)),
         ),
-        statement(
-            "meyer.app-b.from-rest",
-            AFTER,
+        stated(
+            ("meyer.app-b.from-rest", AFTER),
             "the driver starts from rest",
             "0 rad/sec",
-            (OtherPlaceInSource, || {
-                let zero = |id: &str| numbers(id).last() == Some(&0);
-                Finding::new(zero("meyer.app-d.from-rest") && zero("meyer.app-b.from-rest"), "Appendix D has it")
+            "it starts at 1 rad/s",
+            (OtherPlaceInSource, |stated| {
+                let said = numbers("meyer.app-d.from-rest");
+                Finding::new(said.last() == Some(&stated.pick(0, 1)), format!("Appendix D has {:?}", said.last()))
             }),
-            (ClosedForm, || start_solves(0.0)),
+            (ClosedForm, |stated| start_solves(stated.pick(0.0, 1.0))),
         ),
-        statement(
-            "meyer.app-b.large-time",
-            AFTER,
-            "the equation of motion is shut off at the start, where the acceleration has its own line",
+    ]
+}
+
+fn lines() -> Vec<Claim> {
+    vec![
+        stated(
+            ("meyer.app-b.large-time", AFTER),
+            "LGT shuts off the equation of motion at the start, where the acceleration has its own line",
             "LGT (\"large time\")",
-            (ClosedForm, || start_solves(0.0)),
-            (OtherPlaceInSource, || {
-                let opposite = claim("meyer.app-b.small-time").is_some_and(|claim| claim.printed == "SMT");
-                Finding::new(opposite, "the program has it as the opposite of SMT")
+            "LGT leaves it on at the start",
+            (LimitCase, |stated| {
+                // How many of the two lines of the acceleration are in force at each time.
+                let single = times().all(|time| {
+                    let time = f64::from(time);
+                    let in_force = [small_time(time, Stated::Right), large_time(time, stated)];
+                    in_force.iter().filter(|is| **is).count() == 1
+                });
+                Finding::new(single, "the two lines of the acceleration were counted at each print interval of a run")
+            }),
+            (OtherPlaceInSource, |stated| {
+                // The listing has LGT as the opposite of SMT.
+                let opposite = [0.0, 1.0, 2.0].map(|time| large_time(time, stated) != small_time(time, Stated::Right));
+                Finding::new(opposite == [true; 3], "at the start and after it, against the opposite of SMT")
             }),
         ),
-        statement(
-            "meyer.app-b.primary",
-            AFTER,
+        stated(
+            ("meyer.app-b.primary", AFTER),
             "the program's line for the acceleration is the equation derived",
             "identical to the equation derived",
-            (ClosedForm, || by_coefficients(|lines, at| (lines.acceleration, at.acceleration))),
-            (Vectors, || as_letters(|lines| lines.acceleration, "theta''")),
+            "it is that equation without S",
+            (ClosedForm, |stated| {
+                let derived = claim("meyer.app-b.solved").and_then(|claim| claim.printed.split_once('='));
+                let derived = derived.map_or(String::new(), |(_, right)| right.replace('S', stated.pick("S", "1")));
+                let line = program::named(program::ACCELERATION).1;
+                // Any numbers at all: the two must be the same formula.
+                let holds = (1..=20_u32).all(|k| {
+                    let number = |factor: f64| libm::sin(factor * f64::from(k)) + 3.0;
+                    let letters = [("A", number(1.0)), ("B", number(2.0)), ("C", number(3.0)), ("D", number(5.0))];
+                    let motion = [("E", number(7.0)), ("S", if k % 2 == 0 { 1.0 } else { -1.0 })];
+                    let speed = ["theta'", "1DX"].map(|name| (name, number(11.0)));
+                    let letters = letters.into_iter().chain(motion).chain(speed);
+                    let letters = letters.map(|(name, value)| (name.to_owned(), value)).collect();
+                    agrees(reading::value(line, &letters), reading::value(&derived, &letters))
+                });
+                Finding::new(holds, "both formulas, read and evaluated for 20 sets of numbers")
+            }),
+            (Vectors, |stated| {
+                let line = program::ACCELERATION.replace('S', stated.pick("S", "1"));
+                let holds = program::holds(&line);
+                Finding::new(holds == Some(true), "read and evaluated, against the mechanism by coordinates")
+            }),
         ),
-        first_derivative(Kind::Statement, "meyer.app-b.speed-name", AFTER, "name of the driver's speed", "LDX", "1DX"),
-        first_derivative(Kind::Statement, "meyer.app-b.angle-name", AFTER, "name of the driver's speed", "LDX", "1DX"),
-        statement(
-            "meyer.app-b.engaged",
-            AFTER,
+        first_derivative(("meyer.app-b.speed-name", AFTER), "name of the driver's speed", ["LDX", "1DX"]),
+        first_derivative(("meyer.app-b.angle-name", AFTER), "name of the driver's speed", ["LDX", "1DX"]),
+    ]
+}
+
+/// Whether LGT is true at a time: after zero, or from zero on.
+fn large_time(time: f64, stated: Stated) -> bool {
+    time > 0.0 || stated.pick(false, time == 0.0)
+}
+
+fn angle() -> Vec<Claim> {
+    vec![
+        stated(
+            ("meyer.app-b.increases", AFTER),
+            "the driver's angle grows as long as the program runs",
+            "increase for as long as the program runs",
+            "so does its speed",
+            (Evidence::Steps, |stated| {
+                grows(stated, |hypothesis, row| {
+                    let program =
+                        Program { fold: hypothesis.angle(row.mechanism), ..Program::of(&hypothesis.parameters(row)?) };
+                    let integrator = geneva_mimic::Parameters::new(interval(), duration());
+                    let lines = program.run(&integrator).ok()?.lines;
+                    Some(lines.iter().map(|line| [line.turned, line.speed]).collect())
+                })
+            }),
+            (Evidence::Integration, |stated| {
+                grows(stated, |hypothesis, row| {
+                    let lines = hypothesis.engagement(row)?.run(interval(), duration()).ok()?;
+                    Some(lines.iter().map(|line| [line.turned, line.speed]).collect())
+                })
+            }),
+        ),
+        stated(
+            ("meyer.app-b.engaged", AFTER),
             "a pin is in its slot within these angles, for six, four and three pins",
             "±30°, ±45°, or ±60°",
-            (LimitCase, || angles("meyer.app-b.engaged")),
-            (Vectors, at_entry),
+            OTHER_ANGLE,
+            (LimitCase, |stated| of_the_pins("meyer.app-b.engaged", stated)),
+            (Vectors, |stated| along_the_slots("meyer.app-b.engaged", stated)),
         ),
         fold(
             "meyer.app-b.fold",
@@ -67,93 +138,108 @@ pub fn claims() -> Vec<Claim> {
             r"90° , minus either 30° , 45° , or 60°",
             "60°, 90° or 120°, minus 30°, 45° or 60°",
         ),
-        statement(
-            "meyer.app-b.hand-over",
-            AFTER,
-            "the next pin takes over the driver's speed and acceleration; the \
-                    follower's acceleration changes sign",
+        stated(
+            ("meyer.app-b.hand-over", AFTER),
+            "the next pin takes over the driver's speed and acceleration",
             "initial values of velocity and acceleration",
-            (ClosedForm, || {
+            "it takes over the follower's acceleration too",
+            (ClosedForm, |stated| {
                 let holds = Slots::ALL.iter().all(|slots| {
                     let sound = Inertias::new(1.0, 2.0).and_then(|both| Parameters::new(*slots, both, 1.0, 0.25));
                     sound.is_ok_and(|sound| {
                         let end = slots.engagement_half_angle();
-                        let [last, first] =
-                            [end, -end].map(|at| sound.acceleration(at, 1.5).map_or(f64::NAN, |a| a.value));
+                        let [last, first] = [end, -end].map(|at| {
+                            let driver = sound.acceleration(at, 1.5).map_or(f64::NAN, |found| found.value);
+                            stated.pick(driver, sound.pose(at).follower_acceleration(&1.5, &driver))
+                        });
                         agrees(last, first)
                     })
                 });
-                Finding::new(
-                    holds,
-                    "the driver's acceleration is the same as a pin leaves and as the next \
-                        enters",
-                )
+                Finding::new(holds, "by the equation of motion as a pin leaves and as the next enters")
             }),
-            (Vectors, || {
+            (Vectors, |stated| {
                 for_each(
                     |at| {
                         let end = at.driver_half_angle();
-                        let [leaving, entering] = [end, -end].map(|angle| Seen::new(at, angle));
-                        let still = [&leaving, &entering].iter().all(|pin| vanishes(pin.turning()));
-                        still && agrees(leaving.turning_rate(), -entering.turning_rate())
+                        let [leaving, entering] = [end, -end].map(|angle| {
+                            // The torque that this motion of the driver asks for at the hand-over, by both members.
+                            let seen = Seen::new(at, angle);
+                            let normal = seen.turning_rate() / seen.radius();
+                            let sliding = seen.place.normalize().dot(&seen.velocity) / DRIVER.0;
+                            let arm = seen.radius() * seen.turning() / DRIVER.0;
+                            let torque = DRIVER.1 + normal * arm + 0.25 * (normal * sliding).abs();
+                            stated.pick(torque, seen.turning_rate())
+                        });
+                        agrees(leaving, entering)
                     },
-                    "the follower stands still by either pin, and its acceleration changes sign",
+                    "with one speed and acceleration of the driver for both pins, by coordinates",
                 )
             }),
         ),
-        statement(
-            "meyer.app-b.one-pin-at-a-time",
-            AFTER,
+        stated(
+            ("meyer.app-b.one-pin-at-a-time", AFTER),
             "the motion is a row of engagements of one pin each",
             "discrete, single pin engagements",
-            (Vectors, || {
+            "of two pins each",
+            (Vectors, |stated| {
+                let engaged = stated.pick(1, 2);
                 for_each(
                     |at| {
                         (-9..=9).all(|k| {
                             let layout = at.layout(at.driver_half_angle() * f64::from(k) / 10.0);
-                            layout.is_ok_and(|layout| layout.engaged.len() == 1)
+                            layout.is_ok_and(|layout| layout.engaged.len() == engaged)
                         })
                     },
-                    "one pin is in a slot between two hand-overs",
+                    "pins in slots between two hand-overs were counted",
                 )
             }),
-            (ExactIdentity, || exactly(|at| at.layout.engaged.len() == 2, "two at the hand-over itself")),
-        ),
-        statement(
-            "meyer.app-b.run-length",
-            AFTER,
-            "time at which a run ends",
-            "0.2 seconds",
-            (OtherPlaceInSource, || {
-                let end = claim("meyer.listing.run-length").and_then(|claim| claim.printed.parse::<f64>().ok());
-                let said =
-                    claim("meyer.app-b.run-length").and_then(|claim| claim.printed.split(' ').next()?.parse().ok());
-                Finding::new(end.is_some() && end == said, "the program ends there")
-            }),
-            (LimitCase, || {
-                let said = claim("meyer.app-b.run-length")
-                    .and_then(|claim| claim.printed.split(' ').next()?.parse::<f64>().ok());
-                let points = said.map_or(f64::NAN, |said| said / runs::interval());
-                Finding::new(agrees(points, points.round()), format!("{points:.0} print intervals"))
+            (ClosedForm, |stated| {
+                let engaged = stated.pick(1, 2);
+                for_each(
+                    |at| {
+                        // Within the follower's rim are the pins that are in slots.
+                        (-9..=9).all(|k| {
+                            let first = at.driver_half_angle() * f64::from(k) / 10.0;
+                            let within = (0..at.pins()).filter(|pin| {
+                                let crank = Turn::from_radians(first + at.driver_advance() * f64::from(*pin));
+                                at.pin_distance(&crank) < at.rim_radius()
+                            });
+                            within.count() == engaged
+                        })
+                    },
+                    "pins nearer to the follower's axis than its rim were counted",
+                )
             }),
         ),
     ]
 }
 
-/// Whether the printed angles are, in order, those of three, four and six slots.
-fn angles(id: &str) -> Finding {
-    let printed = numbers(id);
-    let degrees = |at: &Escapement| 180.0 / f64::from(at.pins());
-    let same = Escapement::all().iter().zip(&printed).all(|(at, angle)| agrees(degrees(at), f64::from(*angle)));
-    Finding::new(same && printed.len() == 3, "180° over the number of pins, for six, four and three")
+/// Whether what is printed at each interval of a run grows from line to line: the angle, or the speed. In all runs.
+fn grows(stated: Stated, run: impl Fn(&Hypothesis, &Row) -> Option<Vec<[f64; 2]>>) -> Finding {
+    let grows = |lines: Vec<[f64; 2]>| {
+        let printed = lines.into_iter().map(|[angle, speed]| stated.pick(angle, speed)).collect::<Vec<_>>();
+        printed.windows(2).all(|pair| pair[0] < pair[1])
+    };
+    let growing = rows().iter().filter(|row| run(&Hypothesis::BEST, row).is_some_and(grows)).count();
+    Finding::new(growing == rows().len(), format!("it grows from line to line in {growing} of {} runs", rows().len()))
 }
 
-/// Whether the follower stands still at the printed angles.
-fn at_entry() -> Finding {
-    let printed = numbers("meyer.app-b.initial-angles");
-    let still = Escapement::all()
-        .iter()
-        .zip(&printed)
-        .all(|(at, angle)| vanishes(Seen::new(at, -f64::from(*angle).to_radians()).turning()));
-    Finding::new(still && printed.len() == 3, "the pin moves along its slot at these angles")
+fn end() -> Vec<Claim> {
+    vec![stated(
+        ("meyer.app-b.run-length", AFTER),
+        "time at which a run ends",
+        "0.2 seconds",
+        "it ends at half of that",
+        (OtherPlaceInSource, |stated| {
+            let listed = printed("meyer.listing.run-length");
+            Finding::new(said_length() * stated.pick(1.0, 0.5) == listed, format!("the program ends at {listed} s"))
+        }),
+        (OtherPlaceInSource, |stated| long_enough(said_length() * stated.pick(1.0, 0.5))),
+    )]
+}
+
+/// How long a run is, in s, as the text has it.
+fn said_length() -> f64 {
+    let said = claim("meyer.app-b.run-length").and_then(|claim| claim.printed.split(' ').next()?.parse().ok());
+    said.unwrap_or(f64::NAN)
 }

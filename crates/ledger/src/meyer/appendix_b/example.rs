@@ -1,7 +1,9 @@
 //! The demonstration: a vibration with damping, and the name of its first derivative.
 
 use super::*;
-use crate::meyer::reading::{Letters, value};
+use crate::meyer::instants::slip_read_by;
+use crate::meyer::reading::{self, By, Letters, Moment};
+use crate::meyer::slips::{LOST_DOTS, ONE_AS_L};
 use geneva_dynamics::derivation::{Demonstration, Form};
 use geneva_mimic::{Parameters, integrate};
 
@@ -14,107 +16,86 @@ pub fn claims() -> Vec<Claim> {
 fn equations() -> Vec<Claim> {
     vec![
         dots(
-            "meyer.app-b.example",
-            "Appendix B, 1st display",
+            ("meyer.app-b.example", "Appendix B, 1st display"),
             "the example: a mass on a spring with damping",
             r"m\dot{x} + c\dot{x} + kx = 0",
-            || of_a_vibration("meyer.app-b.example"),
-            miscopied(
-                r"m\ddot{x} + c\dot{x} + kx = 0",
-                "The first term needs two dots: the text looks for the derivative of the \
-                    highest order, and the program computes the second.",
-            ),
+            || reads("meyer.app-b.example"),
+            r"m\ddot{x} + c\dot{x} + kx = 0",
         ),
         dots(
-            "meyer.app-b.example.solved",
-            "Appendix B, 2nd display",
+            ("meyer.app-b.example.solved", "Appendix B, 2nd display"),
             "the example solved for its highest derivative",
             r"\dot{x} = -(c\dot{x} + kx)/m",
-            || of_a_vibration("meyer.app-b.example.solved"),
-            miscopied(
-                r"\ddot{x} = -(c\dot{x} + kx)/m",
-                "The left side needs two dots, as in the first line of program below it.",
-            ),
+            || reads("meyer.app-b.example.solved"),
+            r"\ddot{x} = -(c\dot{x} + kx)/m",
         ),
     ]
 }
 
 fn lines() -> Vec<Claim> {
     vec![
-        first_derivative(
-            Kind::Equation,
-            "meyer.app-b.example.second",
-            "Appendix B, 3rd display",
+        line(
+            ("meyer.app-b.example.second", "Appendix B, 3rd display"),
             "the second derivative from the first and the place",
-            r"2DX = -(C*LDX + K*X)/M",
-            r"2DX = -(C*1DX + K*X)/M",
+            ["2DX = -(C*LDX + K*X)/M", "2DX = -(C*1DX + K*X)/M"],
+            [|| read_line("meyer.app-b.example.second", false), || read_line("meyer.app-b.example.second", true)],
         ),
-        first_derivative(
-            Kind::Equation,
-            "meyer.app-b.example.first",
-            "Appendix B, 4th display",
+        line(
+            ("meyer.app-b.example.first", "Appendix B, 4th display"),
             "the first derivative is the integral of the second",
-            r"LDX = INT(2DX, A)",
-            r"1DX = INT(2DX, A)",
+            ["LDX = INT(2DX, A)", "1DX = INT(2DX, A)"],
+            [|| read_line("meyer.app-b.example.first", false), || read_line("meyer.app-b.example.first", true)],
         ),
-        first_derivative(
-            Kind::Equation,
-            "meyer.app-b.example.place",
-            "Appendix B, 5th display",
+        line(
+            ("meyer.app-b.example.place", "Appendix B, 5th display"),
             "the place is the integral of the first derivative",
-            r"X = INT(LDX, B)",
-            r"X = INT(1DX, B)",
+            ["X = INT(LDX, B)", "X = INT(1DX, B)"],
+            [|| read_line("meyer.app-b.example.place", false), || read_line("meyer.app-b.example.place", true)],
         ),
         first_derivative(
-            Kind::Statement,
-            "meyer.app-b.example.names",
-            TEXT,
+            ("meyer.app-b.example.names", TEXT),
             "names of the first and the second derivative",
-            "LDX and 2DX",
-            "1DX and 2DX",
+            ["LDX and 2DX", "1DX and 2DX"],
         ),
-        statement(
-            "meyer.app-b.example.initial",
-            TEXT,
+        stated(
+            ("meyer.app-b.example.initial", TEXT),
             "A and B are the values of the first derivative and of the place at the start",
             "A and B are the initial",
-            (ClosedForm, || {
-                let start = vibration(0.0);
-                let found = integrated(start["x"], start["x'"]);
-                let end = vibration(1.0);
-                Finding::new((found - end["x"]).abs() < 1e-5, "integrated from these two, the closed form is met")
+            "the two the other way round",
+            (Evidence::Steps, |stated| {
+                let [end, found] = [vibration(1.0)["x"], integrated(stated.pick(["x'", "x"], ["x", "x'"]))];
+                Finding::new((found - end).abs() < 1e-5, format!("integrated from these two: {found:.5}, not {end:.5}"))
             }),
-            (LimitCase, || {
-                let start = vibration(0.0);
-                let end = vibration(1.0)["x"];
-                let exchanged = integrated(start["x'"], start["x"]);
-                Finding::new((exchanged - end).abs() > 0.1, "with the two exchanged it is not")
+            (ClosedForm, |stated| {
+                let [speed, place] = stated.pick(["x'", "x"], ["x", "x'"]);
+                let holds = ["1DX = INT(2DX, A)", "X = INT(1DX, B)"].map(|line| vibrates_from([speed, place], line));
+                Finding::new(
+                    holds == [Some(true); 2],
+                    "the lines that integrate, read and evaluated for a vibration in closed form",
+                )
             }),
         ),
         first_derivative(
-            Kind::Statement,
-            "meyer.app-b.method.name",
-            "Appendix B, paragraph on the steps",
+            ("meyer.app-b.method.name", "Appendix B, paragraph on the steps"),
             "name of the first derivative",
-            "LDX",
-            "1DX",
+            ["LDX", "1DX"],
         ),
     ]
 }
 
-/// The place after one unit of time, integrated.
-fn integrated(place: f64, speed: f64) -> f64 {
-    let letters = vibration(0.0);
+/// The place after one unit of time, integrated from what the letters A and B stand for.
+fn integrated([speed, place]: [&str; 2]) -> f64 {
+    let start = vibration(0.0);
     let mut system = |_: f64, state: &Vector2<f64>| {
-        Vector2::new(state[1], -(letters["c"] * state[1] + letters["k"] * state[0]) / letters["m"])
+        Vector2::new(state[1], -(start["c"] * state[1] + start["k"] * state[0]) / start["m"])
     };
-    let run = integrate(&mut system, Vector2::new(place, speed), &Parameters::new(1.0, 1.0), |_| ());
+    let run = integrate(&mut system, Vector2::new(start[place], start[speed]), &Parameters::new(1.0, 1.0), |_| ());
     run.map_or(f64::NAN, |run| run.last.state[0])
 }
 
 /// An overdamped vibration in closed form: two exponentials.
 fn vibration(time: f64) -> Letters {
-    let (mass, rates) = (1.5, [-0.5, -2.0]);
+    let (mass, rates) = (1.5, [-0.5, -3.0]);
     let sum = |order: i32| -> f64 {
         rates
             .iter()
@@ -128,73 +109,120 @@ fn vibration(time: f64) -> Letters {
         .into()
 }
 
-/// Whether the corrected characters hold for the vibration, and the printed ones do not.
-fn of_a_vibration(id: &str) -> Finding {
-    let holds = |formula: &str| {
-        formula.split_once('=').is_some_and(|(left, right)| {
-            (0..9).all(|k| {
-                let letters = vibration(f64::from(k) / 4.0);
-                vanishes(value(left, &letters) - value(right, &letters))
-            })
-        })
-    };
-    let found = claim(id).and_then(|claim| Some((claim.printed, claim.erratum.as_ref()?.corrected)));
-    Finding::new(
-        found.is_some_and(|(printed, corrected)| !holds(printed) && holds(corrected)),
-        "a vibration in closed form, put into the corrected characters and into the printed ones",
-    )
+/// Whether a display holds for the vibration.
+fn vibrates(tex: &str) -> Option<bool> {
+    let moments: Vec<Moment> = (0..9).map(|k| Moment::of(vibration(f64::from(k) / 4.0))).collect();
+    reading::holds(tex, &moments)
 }
 
-/// A display whose first term has one dot for two.
+/// Whether a line of the program holds for the vibration, if A and B are its speed and its place at the start.
+fn vibrates_as_a_program(line: &str) -> Option<bool> {
+    vibrates_from(["x'", "x"], line)
+}
+
+/// Whether a line of the program holds for the vibration. What INT integrates, and from what, are names between
+/// brackets.
+fn vibrates_from([speed, place]: [&str; 2], line: &str) -> Option<bool> {
+    let letters = |time: f64| -> Letters {
+        let (now, start) = (vibration(time), vibration(0.0));
+        let named = [("M", now["m"]), ("C", now["c"]), ("K", now["k"]), ("X", now["x"]), ("1DX", now["x'"])];
+        let rest = [("2DX", now["x''"]), ("A", start[speed]), ("B", start[place])];
+        named.into_iter().chain(rest).map(|(name, value)| (name.to_owned(), value)).collect()
+    };
+    let times = (0..9).map(|k| f64::from(k) / 4.0);
+    let Some((result, inside)) = line.split_once("INT(").and_then(|(before, rest)| {
+        Some((before.trim().strip_suffix('=')?, rest.trim().strip_suffix(')')?.split_once(',')?))
+    }) else {
+        let moments: Vec<Moment> = times.map(|time| Moment::of(letters(time))).collect();
+        return reading::holds(&as_formula(line), &moments);
+    };
+    // d/dt of the result is what is integrated, and at the start the result is what it starts from.
+    let moving = |time: f64| {
+        Moment::of(letters(time)).moving(|by, step| if by == By::Time { letters(time + step) } else { Letters::new() })
+    };
+    let moments: Vec<Moment> = times.map(moving).collect();
+    let [result, of, from] = [result, inside.0, inside.1].map(as_formula);
+    let rate = reading::holds(&format!(r"\frac{{d}}{{dt}} {result} = {of}"), &moments)?;
+    let start = reading::holds(&format!("{result} = {from}"), &[Moment::of(letters(0.0))])?;
+    Some(rate && start)
+}
+
+/// A line of the program as a formula: its names are words, and its stars are left out.
+fn as_formula(line: &str) -> String {
+    let mut formula = String::new();
+    let mut word = String::new();
+    for c in line.chars().chain([' ']) {
+        if c.is_ascii_alphanumeric() {
+            word.push(c);
+            continue;
+        }
+        let is_name = word.contains(|c: char| c.is_ascii_alphabetic());
+        formula += &if is_name { format!(r"\text{{{word}}}") } else { std::mem::take(&mut word) };
+        word.clear();
+        if c != '*' {
+            formula.push(c);
+        }
+    }
+    formula
+}
+
+/// A display whose second derivative has one dot for two.
 fn dots(
-    id: &'static str,
-    locator: &'static str,
+    place: (&'static str, &'static str),
     meaning: &'static str,
     printed: &'static str,
     read: fn() -> Finding,
-    erratum: Erratum,
+    corrected: &'static str,
 ) -> Claim {
     let proofs: [fn() -> Finding; 2] =
         [|| prove(&Demonstration(Form::Printed)).into(), || prove(&Demonstration(Form::Corrected)).into()];
-    let witness = "A vibration in closed form satisfies the corrected equation and not the printed one.";
-    slip(id, locator, meaning, printed, proofs, read, Erratum { slip: Slip { witness, ..erratum.slip }, ..erratum })
+    slip_read_by(vibrates, place, meaning, printed, proofs, read, Erratum { corrected, slip: LOST_DOTS })
 }
 
-/// A place where the copy has LDX: a typewriter's one, read as an L.
-pub fn first_derivative(
-    kind: Kind,
-    id: &'static str,
-    locator: &'static str,
+/// A line of program that has LDX for 1DX: as printed and put right, and read so.
+fn line(
+    (id, locator): (&'static str, &'static str),
     meaning: &'static str,
-    printed: &'static str,
-    corrected: &'static str,
+    [printed, corrected]: [&'static str; 2],
+    [as_printed, put_right]: [fn() -> Finding; 2],
 ) -> Claim {
-    let check = Check::corrected_equation(
-        (LimitCase, || {
-            Finding::new(order("LDX").is_some(), "the names of derivatives begin with their order, as 2DX does")
-        }),
-        || {
-            let below = order("2DX").and_then(|order| order.checked_sub(1));
-            Finding::new(order("1DX") == below, "the integral of 2DX has the order one less")
-        },
-        (OtherPlaceInSource, || {
-            let named = claim("meyer.listing.speed").is_some_and(|claim| claim.printed == "1DX");
-            Finding::new(named, "the program below calls the integral of 2DX so")
-        }),
-    );
-    Claim { kind, ..Claim::statement(WORK, id, locator, meaning, printed, check) }
+    let named = (OtherPlaceInSource, (|| named_in_the_listing("1DX")) as fn() -> Finding);
+    let check = Check::corrected_equation((ClosedForm, as_printed), put_right, named).read_by(vibrates_as_a_program);
+    Claim::equation(WORK, id, locator, meaning, printed, check)
         .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected,
-            slip: Slip {
-                id: "",
-                reason: "A typewriter's one has been read as the letter L.",
-                witness: "The program has the name with a one.",
-                origin: Origin::Copy,
-                consequence: Consequence::Copy,
-                changes: "",
-            },
-        })
+        .with_erratum(Erratum { corrected, slip: ONE_AS_L })
+}
+
+/// Whether a line holds for a vibration, as printed or put right.
+fn read_line(id: &str, put_right: bool) -> Finding {
+    let line = claim(id).map_or("", |claim| if put_right { claim.right_characters() } else { claim.printed });
+    let holds = vibrates_as_a_program(line) == Some(true);
+    Finding::new(holds, "the line, read and evaluated for a vibration in closed form")
+}
+
+/// A place in the text where the copy has LDX.
+pub fn first_derivative(
+    (id, locator): (&'static str, &'static str),
+    meaning: &'static str,
+    [printed, corrected]: [&'static str; 2],
+) -> Claim {
+    let check = Check::corrected_statement(
+        (LimitCase, |stated| {
+            let [name, above] = [stated.pick("1DX", "LDX"), "2DX"].map(order);
+            let holds = name.is_some() && name == above.and_then(|above| above.checked_sub(1));
+            Finding::new(holds, format!("the name begins with an order, one less than that of 2DX: {name:?}"))
+        }),
+        (OtherPlaceInSource, |stated| named_in_the_listing(stated.pick("1DX", "LDX"))),
+    );
+    Claim::statement(WORK, id, locator, meaning, printed, check)
+        .expecting(Verdict::Corrected)
+        .with_erratum(Erratum { corrected, slip: ONE_AS_L })
+}
+
+/// Whether the listing calls the integral of 2DX so.
+fn named_in_the_listing(name: &str) -> Finding {
+    let listed = claim("meyer.listing.speed").map_or("", |claim| claim.printed);
+    Finding::new(listed == name, format!("the listing calls the integral of 2DX {listed}"))
 }
 
 /// The order of the derivative that a name of the program stands for.

@@ -17,25 +17,22 @@ pub fn fold(
         locator,
         meaning,
         said,
-        Check::corrected_equation(
-            (ClosedForm, || folds(|_| printed("meyer.listing.quarter-turn"))),
-            || folds(Escapement::driver_advance),
-            (Vectors, || {
-                let agree = |at: &Escapement, modulus: f64| {
+        Check::corrected_statement(
+            (ClosedForm, |stated| folds(|at| modulus(at, stated))),
+            (Vectors, |stated| {
+                let agree = |at: &&Escapement| {
                     (0..100).all(|k| {
                         let angle = (f64::from(k) + 0.5) * 0.0625;
-                        let crank = Turn::from_radians(angle % modulus - at.driver_half_angle());
-                        (at.pin_distance(&crank) - nearest_pin(at, angle)).abs() < 1e-9
+                        let crank = Turn::from_radians(angle % modulus(at, stated) - at.driver_half_angle());
+                        // The modulus is printed to four places.
+                        (at.pin_distance(&crank) - nearest_pin(at, angle)).abs() < 1e-3
                     })
                 };
-                let own = Escapement::all().iter().all(|at| agree(at, at.driver_advance()));
-                let quarter: Vec<u32> =
-                    Escapement::all().iter().filter(|at| agree(at, PI / 2.0)).map(Escapement::pins).collect();
+                let all = Escapement::all();
+                let pins: Vec<u32> = all.iter().filter(agree).map(Escapement::pins).collect();
                 Finding::new(
-                    own && quarter == [4],
-                    "the pin next to the follower's axis, of all pins by coordinates, is \
-                            where 2π/m puts it; a quarter of a turn puts it there for four pins \
-                            only",
+                    pins.len() == all.len(),
+                    format!("the nearest to the follower's axis of all pins by coordinates is there for {pins:?} pins"),
                 )
             }),
         ),
@@ -44,8 +41,13 @@ pub fn fold(
     .with_erratum(Erratum { corrected, slip: RESET_ANGLE })
 }
 
+/// After which angle the driver is put back: that between two pins, or as printed.
+fn modulus(at: &Escapement, stated: Stated) -> f64 {
+    stated.pick(at.driver_advance(), printed("meyer.listing.quarter-turn"))
+}
+
 /// Whether the folded angle runs from entry to exit and no farther, for each escapement with its modulus.
-fn folds(modulus: fn(&Escapement) -> f64) -> Finding {
+fn folds(modulus: impl Fn(&Escapement) -> f64) -> Finding {
     let ends: Vec<String> = Escapement::all()
         .iter()
         .filter(|at| {

@@ -1,12 +1,14 @@
 //! The program line by line: its constants, its factors, and the angle it folds.
 //!
-//! The text of the program is not printed here. What its lines compute is a fact, and [`Program`] computes it too.
+//! The text of the program is not printed here. What its lines compute is a fact, and [`program`] computes it too.
 
+use super::contact::delay_explains;
 use super::fold::fold;
-use super::program::{Program, SPEED, as_letters, by_coefficients};
+use super::program::{self, DELAY_PARTS, SPEED, by_coefficients};
 use super::*;
-use crate::meyer::runs::{self, Mechanism};
-use geneva_dynamics::{Sign, Slots};
+use crate::meyer::runs::{self, Column, Mechanism};
+use crate::meyer::spring::no_rate;
+use geneva_dynamics::Slots;
 
 const PROGRAM: &str = "Appendix B, program";
 
@@ -16,22 +18,30 @@ pub fn claims() -> Vec<Claim> {
 
 fn constants() -> Vec<Claim> {
     vec![
-        statement(
-            "meyer.listing.parameters",
-            PROGRAM,
-            "six parameters are read, the angle at the start (in radians, negative) among them",
+        no_rate(
+            "meyer.listing.comment-k",
+            "Appendix B, program, comment on K",
+            "what K is called",
+            "SPRING RATE",
+            "TORQUE OF THE SPRING",
+        ),
+        stated(
+            ("meyer.listing.parameters", PROGRAM),
+            "the angle at the start is read as a parameter beside the number of slots: in radians, and negative",
             "X0",
-            (OtherPlaceInSource, || {
-                // Beside the four of the study: N and X0.
-                let four = claim("meyer.four-parameters").is_some_and(|claim| claim.printed.starts_with("four"));
-                Finding::new(four, "the study has four, beside the number of slots and this angle")
+            "it is read in degrees",
+            (ClosedForm, |stated| {
+                let holds =
+                    Slots::ALL.iter().all(|slots| vanishes(program::at(*slots, start_angle(*slots, stated))["H"]));
+                Finding::new(holds, "the line of H, read and evaluated there, is zero: a pin enters along its slot")
             }),
-            (ClosedForm, || {
+            (LimitCase, |stated| {
+                // The folded angle starts at X0 and ends as far on the other side.
                 let holds = Slots::ALL.iter().all(|slots| {
-                    let start = -slots.engagement_half_angle();
-                    vanishes(Program::at(*slots, start).h)
+                    let start = start_angle(*slots, stated);
+                    agrees(start + 2.0 * PI / f64::from(slots.pins()), -start)
                 });
-                Finding::new(holds, "H is zero at the start for an angle in radians")
+                Finding::new(holds, "the angle from one pin to the next takes it as far to the other side")
             }),
         ),
         Claim::value(
@@ -46,13 +56,27 @@ fn constants() -> Vec<Claim> {
             WORK,
             "meyer.listing.print-interval",
             PROGRAM,
-            "time between printed lines, a datum: of a half, once and twice as much it is the one whose largest printed \
-             speeds are those of the tables",
+            "time between printed lines, a datum: of a half, once and twice as much it is the one whose largest \
+             printed speeds are those of the tables",
             (".0005", "s"),
             Check::number(
                 (Evidence::Integration, || runs::fitting_interval(Mechanism::SixPin)),
                 (Evidence::Steps, || runs::fitting_interval(Mechanism::FourPin)),
             ),
+        ),
+        stated(
+            ("meyer.listing.delay", PROGRAM),
+            "the old acceleration is that of a tenth of the print interval before; what the hundred does is not said",
+            "DT/10.,100.",
+            "it is that of a whole print interval before",
+            (OtherPlaceInSource, |stated| {
+                let said = numbers("meyer.app-b.delay");
+                Finding::new(
+                    said == [stated.pick(DELAY_PARTS, 1)],
+                    format!("the text divides the interval by {said:?}"),
+                )
+            }),
+            (Evidence::Steps, delay_explains),
         ),
         Claim::value(
             WORK,
@@ -70,23 +94,34 @@ fn constants() -> Vec<Claim> {
             ("1.5708", ""),
             Check::number((ClosedForm, || 2.0 * Slots::Four.engagement_half_angle()), (LimitCase, || machin() / 2.0)),
         ),
-        statement(
-            "meyer.listing.run-length",
-            PROGRAM,
+        stated(
+            ("meyer.listing.run-length", PROGRAM),
             "time at which a run ends, in seconds",
             ".2",
-            (OtherPlaceInSource, || {
-                let said = claim("meyer.app-b.run-length").map_or("", |claim| claim.printed);
-                let here = claim("meyer.listing.run-length").map_or("-", |claim| claim.printed);
-                Finding::new(said.starts_with(&format!("0{here}")), "the text says so")
+            "it ends at half of that",
+            (OtherPlaceInSource, |stated| {
+                let said =
+                    claim("meyer.app-b.run-length").and_then(|claim| claim.printed.split(' ').next()?.parse().ok());
+                let here = claim("meyer.listing.run-length").and_then(|claim| claim.printed.parse::<f64>().ok());
+                let same = here.zip(said).is_some_and(|(here, said): (f64, f64)| here * stated.pick(1.0, 0.5) == said);
+                Finding::new(same, format!("the text says {} s", said.unwrap_or(f64::NAN)))
             }),
-            (LimitCase, || {
-                let end = claim("meyer.listing.run-length").and_then(|claim| claim.printed.parse::<f64>().ok());
-                let points = end.map_or(f64::NAN, |end| end / runs::interval());
-                Finding::new(agrees(points, points.round()), format!("{points:.0} print intervals"))
-            }),
+            (OtherPlaceInSource, |stated| long_enough(printed("meyer.listing.run-length") * stated.pick(1.0, 0.5))),
         ),
     ]
+}
+
+/// The angle at the start of a run.
+fn start_angle(slots: Slots, stated: Stated) -> f64 {
+    let radians = -slots.engagement_half_angle();
+    stated.pick(radians, radians.to_degrees())
+}
+
+/// Whether a run of this length, in s, shows what the tables give of it: the rise, and a period after it.
+pub fn long_enough(length: f64) -> Finding {
+    let needed = |row: &runs::Row| row.number(Column::Rise) + row.number(Column::Period);
+    let longest = runs::rows().iter().map(needed).fold(0.0, f64::max);
+    Finding::new(length >= longest, format!("the longest rise of Appendix E and a period after it take {longest:.3} s"))
 }
 
 fn factors() -> Vec<Claim> {
@@ -95,92 +130,125 @@ fn factors() -> Vec<Claim> {
             "meyer.listing.g",
             "the ratio a, Eq. (1-2); with the printed 3.1416 it is off by less than five millionths",
             "G",
+            program::G,
             || {
                 let rounded = |slots: &Slots| 1.0 / libm::sin(printed("meyer.listing.pi") / f64::from(slots.count()));
                 let near = Slots::ALL.iter().all(|slots| (rounded(slots) / slots.ratio() - 1.0).abs() < 5e-6);
-                let found = by_coefficients(|lines, at| (lines.g, at.ratio));
+                let found = by_coefficients(|lines, at| [(lines["G"], at.ratio)]);
                 Finding::new(near && found.holds, found.how)
             },
-            || as_letters(|lines| lines.g, "a"),
+            || reads("meyer.listing.g"),
         ),
         line(
             "meyer.listing.h",
             "a cos θ − 1",
             "H",
-            || by_coefficients(|lines, at| (lines.h, at.pose.lead)),
-            || equal(|letter| (Program::of(letter).h, letter("phi'") / letter("theta'") * letter("square")), "H"),
+            program::H,
+            || by_coefficients(|lines, at| [(lines["H"], at.pose.lead)]),
+            || reads("meyer.listing.h"),
         ),
         line(
             "meyer.listing.i",
             "a sin θ",
             "I",
-            || by_coefficients(|lines, at| (lines.i, at.pose.cross)),
-            || equal(|letter| (Program::of(letter).i, letter("h") * letter("R") / (letter("r") * letter("r"))), "I"),
+            program::I,
+            || by_coefficients(|lines, at| [(lines["I"], at.pose.cross)]),
+            || reads("meyer.listing.i"),
         ),
         line(
             "meyer.listing.j",
             "1 − a²",
             "J",
-            || by_coefficients(|lines, at| (lines.j, at.pose.shape)),
-            || equal(|letter| (Program::of(letter).j, -(letter("square") + 2.0 * Program::of(letter).h)), "J"),
+            program::J,
+            || by_coefficients(|lines, at| [(lines["J"], at.pose.shape)]),
+            || reads("meyer.listing.j"),
         ),
         line(
             "meyer.listing.l",
             "1 + a² − 2 a cos θ",
             "L",
-            || by_coefficients(|lines, at| (lines.l, at.pose.square)),
-            || as_letters(|lines| lines.l, "square"),
+            program::L,
+            || by_coefficients(|lines, at| [(lines["L"], at.pose.square)]),
+            || reads("meyer.listing.l"),
         ),
         line(
             "meyer.listing.a",
             "A, with the driver's inertia above the line and with the square",
             "A",
-            || by_coefficients(|lines, at| (lines.a, at.coefficients.a)),
-            || as_letters(|lines| lines.a, "A"),
+            program::A,
+            || by_coefficients(|lines, at| [(lines["A"], at.coefficients.a)]),
+            || reads("meyer.listing.a"),
         ),
         line(
             "meyer.listing.b",
             "B",
             "B",
-            || by_coefficients(|lines, at| (lines.b, at.coefficients.b)),
-            || as_letters(|lines| lines.b, "B"),
+            program::B,
+            || by_coefficients(|lines, at| [(lines["B"], at.coefficients.b)]),
+            || reads("meyer.listing.b"),
         ),
         line(
             "meyer.listing.c",
             "C",
             "C",
-            || by_coefficients(|lines, at| (lines.c, at.coefficients.c)),
-            || as_letters(|lines| lines.c, "C"),
+            program::C,
+            || by_coefficients(|lines, at| [(lines["C"], at.coefficients.c)]),
+            || reads("meyer.listing.c"),
         ),
         line(
             "meyer.listing.d",
             "D",
             "D",
-            || by_coefficients(|lines, at| (lines.d, at.coefficients.d)),
-            || as_letters(|lines| lines.d, "D"),
+            program::D,
+            || by_coefficients(|lines, at| [(lines["D"], at.coefficients.d)]),
+            || reads("meyer.listing.d"),
         ),
         line(
             "meyer.listing.e",
             "E",
             "E",
-            || by_coefficients(|lines, at| (lines.e, at.coefficients.e)),
-            || as_letters(|lines| lines.e, "E"),
+            program::E,
+            || by_coefficients(|lines, at| [(lines["E"], at.coefficients.e)]),
+            || reads("meyer.listing.e"),
         ),
         line(
             "meyer.listing.f",
             "F, with the acceleration of a moment before",
             "F",
-            || by_coefficients(|lines, at| (lines.f, at.coefficients.between_the_bars(&SPEED, &at.acceleration))),
-            || as_letters(|lines| lines.f, "F"),
+            program::F,
+            || by_coefficients(|lines, at| [(lines["F"], at.coefficients.between_the_bars(&SPEED, &at.acceleration))]),
+            || reads("meyer.listing.f"),
         ),
-        line(
+        Claim::equation(
+            WORK,
             "meyer.listing.s",
+            PROGRAM,
             "S, by the sign of F; plus one where F is zero",
             "S",
-            || by_coefficients(|lines, at| (lines.s, Sign::of(at.sign, 1.0))),
-            || as_letters(|lines| lines.s, "S"),
+            Check::statement(
+                "minus one where F is positive, plus one where it is negative",
+                (ClosedForm, |stated| by_coefficients(|lines, at| [(switched(lines["F"], stated), at.sign.of(1.0))])),
+                (Vectors, |stated| {
+                    equal(
+                        |letter| (switched(letter("F"), stated) * letter("F"), letter("F").abs()),
+                        "S F and the size of F",
+                    )
+                }),
+            ),
         ),
     ]
+}
+
+/// What the line of S picks by the sign of a number, from its values for less than nothing, nothing and more.
+fn switched(number: f64, stated: Stated) -> f64 {
+    let [less, nothing, more] = stated.pick([-1.0, 1.0, 1.0], [1.0, -1.0, -1.0]);
+    if number < 0.0 {
+        less
+    } else if number > 0.0 {
+        more
+    } else {
+        nothing
+    }
 }
 
 fn motion() -> Vec<Claim> {
@@ -189,25 +257,25 @@ fn motion() -> Vec<Claim> {
             "meyer.listing.acceleration",
             "the driver's acceleration, as derived in this appendix",
             "2DX",
-            || by_coefficients(|lines, at| (lines.acceleration, at.acceleration)),
-            || as_letters(|lines| lines.acceleration, "theta''"),
+            program::ACCELERATION,
+            || by_coefficients(|lines, at| [(lines["2DX"], at.acceleration)]),
+            || reads("meyer.listing.acceleration"),
         ),
-        statement(
-            "meyer.listing.speed",
-            PROGRAM,
+        stated(
+            ("meyer.listing.speed", PROGRAM),
             "the driver's speed, integrated from zero",
             "1DX",
-            (OtherPlaceInSource, || {
-                let zero = numbers("meyer.app-b.from-rest") == [0];
-                Finding::new(zero, "the text has the driver start from rest")
+            "it is integrated from one",
+            (OtherPlaceInSource, |stated| {
+                let said = numbers("meyer.app-b.from-rest");
+                Finding::new(said == [stated.pick(0, 1)], format!("the text has the driver start at {said:?}"))
             }),
-            (ClosedForm, || listing_start::start_solves(0.0)),
+            (ClosedForm, |stated| start_solves(stated.pick(0.0, 1.0))),
         ),
         fold(
             "meyer.listing.fold",
             PROGRAM,
-            "the angle in the slot: the driver's angle modulo a quarter of a turn, \
-                    plus the angle at the start",
+            "the angle in the slot: the driver's angle modulo a quarter of a turn, plus the angle at the start",
             "MOD",
             "the modulus 2π/m: 1.5708 for four pins only, 1.0472 for six and 2.0944 for three",
         ),
@@ -215,8 +283,9 @@ fn motion() -> Vec<Claim> {
             "meyer.listing.phidot",
             "the follower's speed, Eq. (1-7)",
             "PHIDOT",
-            || by_coefficients(|lines, at| (lines.follower_speed, at.pose.velocity_ratio() * SPEED)),
-            || as_letters(|lines| lines.follower_speed, "phi'"),
+            program::FOLLOWER_SPEED,
+            || by_coefficients(|lines, at| [(lines["PHIDOT"], at.pose.velocity_ratio() * SPEED)]),
+            || reads("meyer.listing.phidot"),
         ),
     ]
 }
@@ -226,10 +295,12 @@ fn line(
     id: &'static str,
     meaning: &'static str,
     printed: &'static str,
+    said: &'static str,
     first: fn() -> Finding,
-    second: fn() -> Finding,
+    read: fn() -> Finding,
 ) -> Claim {
-    Claim::equation(WORK, id, PROGRAM, meaning, printed, Check::equation((ClosedForm, first), (Vectors, second)))
+    let check = Check::equation((ClosedForm, first), (Vectors, read)).saying(said, program::holds);
+    Claim::equation(WORK, id, PROGRAM, meaning, printed, check)
 }
 
 /// π by Machin's series.

@@ -1,107 +1,130 @@
 //! The program's lines for the start: P, Q, R, V and the first acceleration.
 
+use super::program::{self, by_coefficients};
 use super::*;
-use geneva_dynamics::derivation::{StartAtEntry, StartingAcceleration};
+use crate::meyer::reading::Letters;
+use geneva_dynamics::derivation::StartingAcceleration;
 use geneva_dynamics::{Coefficients, Pose, Sign, Slots};
 
 const PROGRAM: &str = "Appendix B, program, lines of SMT";
 
 pub fn claims() -> Vec<Claim> {
     vec![
-        statement(
+        line(
             "meyer.listing.p",
-            PROGRAM,
             "P is L at the start",
             "P",
-            (ClosedForm, || at_start(|start| (start.p, start.pose.square))),
-            (Vectors, || {
-                for_each(
-                    |at| agrees(start_of(at).p, Seen::new(at, -at.driver_half_angle()).place.norm_squared()),
-                    "the pin's distance from the follower's axis, squared",
-                )
-            }),
+            program::P,
+            (ClosedForm, || by_coefficients(|lines, at| [(at_the_angle("P", lines), at.pose.square)])),
+            || reads("meyer.listing.p"),
         ),
-        statement(
+        line(
             "meyer.listing.q",
-            PROGRAM,
             "Q is H at the start, which is zero",
             "Q",
-            (ClosedForm, || at_start(|start| (start.q, 0.0))),
-            (Vectors, || exactly(|at| is_zero(&at.entering.across), "the entering pin moves along its slot")),
+            program::Q,
+            (ClosedForm, || by_coefficients(|lines, at| [(at_the_angle("Q", lines), at.pose.lead)])),
+            || reads("meyer.listing.q"),
         ),
-        statement(
+        line(
             "meyer.listing.r",
-            PROGRAM,
             "R is A at the start, which is the ratio of the inertias",
             "R",
-            (ClosedForm, || at_start(|start| (start.r, start.coefficients.a))),
-            (ExactIdentity, || prove(&StartAtEntry).into()),
+            program::R,
+            (ClosedForm, || by_coefficients(|lines, at| [(at_the_angle("R", lines), at.coefficients.a)])),
+            || reads("meyer.listing.r"),
         ),
-        statement(
+        line(
             "meyer.listing.v",
-            PROGRAM,
             "V is the size of D at the start, which is zero",
             "V",
-            (ClosedForm, || at_start(|start| (start.v, start.coefficients.d.abs()))),
-            (Vectors, || exactly(|at| is_zero(&at.entering.across), "where the pin moves along its slot, D is zero")),
+            program::V,
+            (ClosedForm, || by_coefficients(|lines, at| [(at_the_angle("V", lines), at.coefficients.d.abs())])),
+            || reads("meyer.listing.v"),
         ),
-        statement(
+        line(
             "meyer.listing.start",
-            PROGRAM,
-            "the first acceleration; with V = 0 it is the torque over the driver's \
-                    inertia, whatever the friction",
+            "the first acceleration; with V = 0 it is the torque over the driver's inertia, whatever the friction",
             "2DX",
-            (ClosedForm, || start_solves(0.0)),
+            program::START,
             (ExactIdentity, || all_proven(&Sign::BOTH.map(|sign| StartingAcceleration { sign }))),
+            || reads("meyer.listing.start"),
+        ),
+        stated(
+            ("meyer.app-b.start-lines", "Appendix B, first sentence after the program"),
+            "the lines of SMT are the equation of motion for the start, solved for the acceleration",
+            "simply equation 1-18",
+            "they are the equation without its friction",
+            (ClosedForm, |stated| {
+                // At all angles: at the start itself friction asks for nothing.
+                let holds = poses(0.25).all(|(letters, c)| {
+                    let friction = stated.pick(start_line("V", &letters), 0.0);
+                    let gain = DRIVE / (start_line("R", &letters) + friction);
+                    c.acceleration(0.0).is_ok_and(|solved| agrees(gain, solved.value))
+                });
+                Finding::new(holds, "what they give satisfies Eq. (1-18) from rest, at all angles")
+            }),
+            (Vectors, |stated| {
+                let line = program::named(program::START).1.replace('V', stated.pick("V", "0"));
+                let holds = program::holds_from_rest(&format!(r"\text{{2DX}} = {line}"));
+                Finding::new(
+                    holds == Some(true),
+                    "read and evaluated, against the torque that both members ask for from rest",
+                )
+            }),
         ),
     ]
 }
 
-const FRICTION: f64 = 0.25;
+/// A line of the program that computes something at the start. It is compared at all angles, as most of it vanishes at
+/// the start itself.
+fn line(
+    id: &'static str,
+    meaning: &'static str,
+    printed: &'static str,
+    said: &'static str,
+    first: (Evidence, fn() -> Finding),
+    read: fn() -> Finding,
+) -> Claim {
+    let check = Check::equation(first, (Vectors, read)).saying(said, program::holds_from_rest);
+    Claim::equation(WORK, id, PROGRAM, meaning, printed, check)
+}
+
+/// What a line of the start computes if the start is at the angle of the others.
+fn at_the_angle(name: &str, lines: &Letters) -> f64 {
+    let mut letters = lines.clone();
+    letters.insert("X0".to_owned(), lines["X"]);
+    start_line(name, &letters)
+}
+
 const INERTIA_RATIO: f64 = 0.625;
 const DRIVE: f64 = 1.5;
 
-/// What the lines compute for the printed start.
-struct Start {
-    p: f64,
-    q: f64,
-    r: f64,
-    v: f64,
-    acceleration: f64,
-    pose: Pose<f64>,
-    coefficients: Coefficients<f64>,
+/// The factors of the equation of motion, and the letters of the program's start.
+fn pose(slots: Slots, angle: f64, friction: f64) -> (Letters, Coefficients<f64>) {
+    let pose = Pose::new(&slots.ratio(), &Turn::from_radians(angle));
+    let cards = [("G", slots.ratio()), ("X0", angle), ("U", friction), ("IC", INERTIA_RATIO), ("IW", 1.0)];
+    let letters = cards.map(|(name, value)| (name.to_owned(), value)).into();
+    (letters, Coefficients::of_pose(&pose, &INERTIA_RATIO, &friction, &DRIVE))
 }
 
-fn start(ratio: f64, angle: f64) -> Start {
-    let (sin, cos) = (libm::sin(angle), libm::cos(angle));
-    let p = 1.0 + ratio * ratio - 2.0 * ratio * cos;
-    let q = ratio * cos - 1.0;
-    let r = INERTIA_RATIO + (q * q) / (p * p);
-    let v = ((FRICTION * ratio * q * sin) / (p * p)).abs();
-    let pose = Pose::new(&ratio, &Turn::from_radians(angle));
-    let coefficients = Coefficients::of_pose(&pose, &INERTIA_RATIO, &FRICTION, &DRIVE);
-    Start { p, q, r, v, acceleration: DRIVE / (r + v), pose, coefficients }
+fn poses(friction: f64) -> impl Iterator<Item = (Letters, Coefficients<f64>)> {
+    Slots::ALL.into_iter().flat_map(move |slots| {
+        (-9..=9).map(move |k| pose(slots, slots.engagement_half_angle() * f64::from(k) / 10.0, friction))
+    })
 }
 
-fn start_of(at: &Escapement) -> Start {
-    start(at.centre_distance_ratio(), -at.driver_half_angle())
-}
-
-fn at_start(both: fn(&Start) -> (f64, f64)) -> Finding {
-    let holds = Slots::ALL.iter().all(|slots| {
-        let (a, b) = both(&start(slots.ratio(), -slots.engagement_half_angle()));
-        vanishes((a - b) / a.abs().max(1.0))
-    });
-    Finding::new(holds, "at the entry of each of the three mechanisms")
-}
-
-/// Whether the first acceleration satisfies the equation of motion at this speed, and is the torque over the driver's
-/// inertia.
+/// Whether the first acceleration satisfies the equation of motion at the entry at this speed, whatever the friction.
 pub fn start_solves(speed: f64) -> Finding {
     let holds = Slots::ALL.iter().all(|slots| {
-        let found = start(slots.ratio(), -slots.engagement_half_angle());
-        let solved = found.coefficients.acceleration(speed).map_or(f64::NAN, |solved| solved.value);
-        agrees(found.acceleration, solved) && agrees(solved, DRIVE / INERTIA_RATIO)
+        [0.0, 0.125, 0.25].iter().all(|friction| {
+            let (letters, c) = pose(*slots, -slots.engagement_half_angle(), *friction);
+            let gain = DRIVE / (start_line("R", &letters) + start_line("V", &letters));
+            c.acceleration(speed).is_ok_and(|solved| agrees(gain, solved.value))
+        })
     });
-    Finding::new(holds, "the equation of motion at the start, from rest")
+    Finding::new(
+        holds,
+        format!("the program's first acceleration and the equation of motion at entry, at the speed {speed}"),
+    )
 }

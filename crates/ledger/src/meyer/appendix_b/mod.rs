@@ -8,10 +8,12 @@ mod listing;
 mod listing_start;
 mod method;
 mod program;
+mod stages;
 
-pub use program::DELAY_PARTS;
+pub use listing_start::start_solves;
+pub use program::{DELAY_PARTS, start_line};
 
-use super::instants::{Value, display, equal, instants, miscopied, reads, slip, statement};
+use super::instants::{display, display_read_by, equal, instants, letters_of, moments, reads, stated};
 use super::*;
 
 pub fn claims() -> Vec<Claim> {

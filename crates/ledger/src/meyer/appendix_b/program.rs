@@ -1,75 +1,78 @@
 //! What the lines of the program compute, beside the equation of motion and the mechanism by coordinates.
 
 use super::*;
+use crate::meyer::reading::{self, Letters, Moment};
 use geneva_dynamics::{Coefficients, Pose, Sign, Slots};
+use std::sync::OnceLock;
 
 /// The part of the print interval by which the old acceleration is late.
 pub const DELAY_PARTS: u32 = 10;
 
-/// What the lines of the program compute at one instant.
-pub struct Program {
-    pub g: f64,
-    pub h: f64,
-    pub i: f64,
-    pub j: f64,
-    pub l: f64,
-    pub a: f64,
-    pub b: f64,
-    pub c: f64,
-    pub d: f64,
-    pub e: f64,
-    pub f: f64,
-    pub s: f64,
-    pub acceleration: f64,
-    pub follower_speed: f64,
-}
+// What the lines say, in the letters of mathematics; the names are the program's.
+pub const G: &str = r"G = \frac{1}{\sin(\pi/N)}";
+pub const H: &str = r"H = G \cos X - 1";
+pub const I: &str = r"I = G \sin X";
+pub const J: &str = r"J = 1 - G^2";
+pub const L: &str = r"L = 1 + G^2 - 2 G \cos X";
+pub const A: &str = r"A = \frac{\text{IC}}{\text{IW}} + \frac{H^2}{L^2}";
+pub const B: &str = r"B = \frac{I J H}{L^3}";
+pub const C: &str = r"C = \frac{I^2 U J}{L^3}";
+pub const D: &str = r"D = \frac{I U H}{L^2}";
+pub const E: &str = r"E = \frac{K}{\text{IW}}";
+pub const F: &str = r"F = C (\text{1DX})^2 + D \text{OLD2DX}";
+pub const ACCELERATION: &str = r"\text{2DX} = \frac{E - (B + S C) (\text{1DX})^2}{A + S D}";
+pub const FOLLOWER_SPEED: &str = r"\text{PHIDOT} = \frac{H \text{1DX}}{L}";
+pub const P: &str = r"P = 1 + G^2 - 2 G \cos \text{X0}";
+pub const Q: &str = r"Q = G \cos \text{X0} - 1";
+pub const R: &str = r"R = \frac{\text{IC}}{\text{IW}} + \frac{Q^2}{P^2}";
+pub const V: &str = r"V = \left| \frac{U G Q \sin \text{X0}}{P^2} \right|";
+pub const START: &str = r"\text{2DX} = \frac{E}{R + V}";
 
-/// What the program reads, beside the number of slots and the angle.
-struct Cards {
-    friction: f64,
-    torque: f64,
-    follower: f64,
-    driver: f64,
-}
-
-/// Any will do.
-const CARDS: Cards = Cards { friction: 0.25, torque: 1.5, follower: 2.0, driver: 1.25 };
+/// What the program reads, beside the number of slots and the angle. Any will do.
+const CARDS: [(&str, f64); 4] = [("U", 0.25), ("K", 1.5), ("IW", 2.0), ("IC", 1.25)];
 /// Speed of the driver in the comparison with the equation of motion.
 pub const SPEED: f64 = 1.25;
 
-impl Program {
-    /// The lines in their order; the old acceleration is given.
-    fn run(slots: f64, x: f64, cards: &Cards, speed: f64, old: f64) -> Self {
-        let g = 1.0 / libm::sin(PI / slots);
-        let h = g * libm::cos(x) - 1.0;
-        let i = g * libm::sin(x);
-        let j = 1.0 - g * g;
-        let l = 1.0 + g * g - 2.0 * g * libm::cos(x);
-        let a = cards.driver / cards.follower + (h * h) / (l * l);
-        let b = (i * j * h) / (l * l * l);
-        let c = (i * i * cards.friction * j) / (l * l * l);
-        let d = (i * cards.friction * h) / (l * l);
-        let e = cards.torque / cards.follower;
-        let f = c * speed * speed + d * old;
-        let s = if f < 0.0 { -1.0 } else { 1.0 };
-        let acceleration = (e - (b + s * c) * (speed * speed)) / (a + s * d);
-        let follower_speed = h * speed / l;
-        Self { g, h, i, j, l, a, b, c, d, e, f, s, acceleration, follower_speed }
-    }
+/// The name that a line gives to what it computes, and the formula.
+pub fn named(line: &str) -> (String, &str) {
+    let (name, formula) = line.split_once('=').unwrap_or_default();
+    (name.trim().trim_start_matches(r"\text{").trim_end_matches('}').to_owned(), formula)
+}
 
-    /// With the acceleration of the instant itself for the old one.
-    pub fn at(slots: Slots, x: f64) -> Self {
-        let old = Truth::at(slots, x).acceleration;
-        Self::run(f64::from(slots.count()), x, &CARDS, SPEED, old)
-    }
+/// Evaluates a line, and adds what it computes to the letters.
+fn run(line: &str, letters: &mut Letters) {
+    let (name, formula) = named(line);
+    let value = reading::value(formula, letters);
+    letters.insert(name, value);
+}
 
-    /// At an instant of chapter I.
-    pub fn of(letter: &Value) -> Self {
-        let cards =
-            Cards { friction: letter("mu"), torque: letter("K"), follower: letter("I_f"), driver: letter("I_D") };
-        let slots = PI / libm::asin(1.0 / letter("a"));
-        Self::run(slots, letter("theta"), &cards, letter("theta'"), letter("theta''"))
+/// What the lines of the motion compute, in their order; the old acceleration is given.
+fn motion(mut letters: Letters) -> Letters {
+    for line in [G, H, I, J, L, A, B, C, D, E, F] {
+        run(line, &mut letters);
     }
+    let sign = if letters["F"] < 0.0 { -1.0 } else { 1.0 };
+    letters.insert("S".to_owned(), sign);
+    for line in [ACCELERATION, FOLLOWER_SPEED] {
+        run(line, &mut letters);
+    }
+    letters
+}
+
+/// What a line of the start computes, from the ratio G, the angle X0 and the cards.
+pub fn start_line(name: &str, letters: &Letters) -> f64 {
+    let mut letters = letters.clone();
+    for line in [P, Q, R, V] {
+        run(line, &mut letters);
+    }
+    letters.get(name).copied().unwrap_or(f64::NAN)
+}
+
+/// What the lines of the motion compute at an angle, with the acceleration of the instant itself for the old one.
+pub fn at(slots: Slots, x: f64) -> Letters {
+    let old = Truth::at(slots, x).acceleration;
+    let motion_of = [("N", f64::from(slots.count())), ("X", x), ("1DX", SPEED), ("OLD2DX", old)];
+    motion(CARDS.into_iter().chain(motion_of).map(|(name, value)| (name.to_owned(), value)).collect())
 }
 
 /// The same from the equation of motion.
@@ -85,69 +88,92 @@ impl Truth {
     fn at(slots: Slots, x: f64) -> Self {
         let ratio = slots.ratio();
         let pose = Pose::new(&ratio, &Turn::from_radians(x));
-        let (inertia, drive) = (CARDS.driver / CARDS.follower, CARDS.torque / CARDS.follower);
-        let coefficients = Coefficients::of_pose(&pose, &inertia, &CARDS.friction, &drive);
+        let [friction, torque, follower, driver] = CARDS.map(|(_, value)| value);
+        let coefficients = Coefficients::of_pose(&pose, &(driver / follower), &friction, &(torque / follower));
         let (acceleration, sign) =
             coefficients.acceleration(SPEED).map_or((f64::NAN, Sign::Plus), |found| (found.value, found.sign));
         Self { ratio, pose, coefficients, acceleration, sign }
     }
 }
 
-/// Whether a line agrees with the equation of motion, all over the engagements of the three mechanisms.
-pub fn by_coefficients(both: fn(&Program, &Truth) -> (f64, f64)) -> Finding {
+/// Whether lines agree with the equation of motion, all over the engagements of the three mechanisms.
+pub fn by_coefficients<const N: usize>(pairs: impl Fn(&Letters, &Truth) -> [(f64, f64); N]) -> Finding {
     let holds = Slots::ALL.iter().all(|slots| {
         (-9..=9).all(|k| {
             let x = slots.engagement_half_angle() * f64::from(k) / 10.0;
-            let (a, b) = both(&Program::at(*slots, x), &Truth::at(*slots, x));
-            vanishes((a - b) / a.abs().max(b.abs()).max(1.0))
+            let pairs = pairs(&at(*slots, x), &Truth::at(*slots, x));
+            pairs.iter().all(|(a, b)| vanishes((a - b) / a.abs().max(b.abs()).max(1.0)))
         })
     });
     let how = if holds { "agrees" } else { "differs" };
     Finding::new(holds, format!("{how} at 19 angles of each mechanism"))
 }
 
-/// Whether a line agrees with a letter of chapter I at all its instants.
-pub fn as_letters(line: fn(&Program) -> f64, name: &'static str) -> Finding {
-    let holds = instants().iter().all(|letters| {
-        let letter = |name: &str| letters.get(name).copied().unwrap_or(f64::NAN);
-        let (a, b) = (line(&Program::of(&letter)), letter(name));
-        vanishes((a - b) / a.abs().max(b.abs()).max(1.0))
+/// The program's letters at an instant of chapter I: what its lines must compute, by coordinates and Newton's laws.
+fn letters(moment: &Moment) -> Letters {
+    let letter = letters_of(moment);
+    let square = letter("square");
+    let lead = letter("phi'") / letter("theta'") * square;
+    let mut letters: Letters = [
+        ("N", PI / libm::asin(letter("r") / letter("c"))),
+        ("G", letter("c") / letter("r")),
+        ("X", letter("theta")),
+        ("X0", letter("theta")),
+        ("H", lead),
+        ("Q", lead),
+        ("I", letter("h") * letter("R") / (letter("r") * letter("r"))),
+        // The law of cosines.
+        ("J", -(square + 2.0 * lead)),
+        ("L", square),
+        ("P", square),
+        ("R", letter("A")),
+        ("V", letter("D").abs()),
+        ("U", letter("mu")),
+        ("IC", letter("I_D")),
+        ("IW", letter("I_f")),
+        ("1DX", letter("theta'")),
+        ("2DX", letter("theta''")),
+        ("OLD2DX", letter("theta''")),
+        ("PHIDOT", letter("phi'")),
+    ]
+    .map(|(name, value)| (name.to_owned(), value))
+    .into();
+    letters.extend(["A", "B", "C", "D", "E", "F", "S", "K"].map(|name| (name.to_owned(), letter(name))));
+    letters
+}
+
+/// The program's letters at all instants.
+pub fn lines() -> &'static [Moment] {
+    static LINES: OnceLock<Vec<Moment>> = OnceLock::new();
+    LINES.get_or_init(|| moments().iter().map(|moment| Moment::of(letters(moment))).collect())
+}
+
+/// Whether a line of the program holds at all instants.
+pub fn holds(line: &str) -> Option<bool> {
+    reading::holds(line, lines())
+}
+
+/// The same for a line of the start: the acceleration is that from rest, where both members and the friction between
+/// them ask for the torque.
+pub fn holds_from_rest(line: &str) -> Option<bool> {
+    static RESTS: OnceLock<Vec<Moment>> = OnceLock::new();
+    let rests = RESTS.get_or_init(|| {
+        let rest = |moment: &Moment| {
+            let mut letters = moment.letters().clone();
+            let asked = |gain: f64| letters["A"] * gain + (letters["D"] * gain).abs();
+            let (mut low, mut high) = (0.0, 1.0);
+            while asked(high) < letters["E"] {
+                high *= 2.0;
+            }
+            for _ in 0..200 {
+                let middle = f64::midpoint(low, high);
+                *(if asked(middle) < letters["E"] { &mut low } else { &mut high }) = middle;
+            }
+            letters.insert("2DX".to_owned(), low);
+            Moment::of(letters)
+        };
+        // A torque that drives backwards has no start.
+        lines().iter().filter(|moment| moment.letters()["E"] > 0.0).map(rest).collect()
     });
-    Finding::new(holds, format!("against the mechanism by coordinates at {} instants", instants().len()))
-}
-
-/// All factors at once, against the equation of motion.
-pub fn all_by_coefficients() -> Finding {
-    by_coefficients(|lines, at| {
-        let c = &at.coefficients;
-        let pairs = [
-            (lines.h, at.pose.lead),
-            (lines.i, at.pose.cross),
-            (lines.j, at.pose.shape),
-            (lines.l, at.pose.square),
-            (lines.a, c.a),
-            (lines.b, c.b),
-            (lines.c, c.c),
-            (lines.d, c.d),
-            (lines.e, c.e),
-        ];
-        (worst(&pairs), 0.0)
-    })
-}
-
-/// All factors at once, against the mechanism by coordinates.
-pub fn all_as_letters() -> Finding {
-    equal(
-        |letter| {
-            let lines = Program::of(letter);
-            let factors = [("A", lines.a), ("B", lines.b), ("C", lines.c), ("D", lines.d), ("E", lines.e)];
-            (worst(&factors.map(|(name, value)| (value, letter(name)))), 0.0)
-        },
-        "A to E",
-    )
-}
-
-/// The greatest difference of a pair, over the larger of the two or one.
-fn worst(pairs: &[(f64, f64)]) -> f64 {
-    pairs.iter().map(|(a, b)| (a - b).abs() / a.abs().max(b.abs()).max(1.0)).fold(0.0, f64::max)
+    reading::holds(line, rests)
 }

@@ -121,7 +121,7 @@ pub const TEXT: &[Line] = &[
             "says that this form can be programmed, as the program below shows",
         )],
     ),
-    line(672, NONE, &[Claim("meyer.app-b.first-seven-cards")]),
+    line(672, NONE, &[Claim("meyer.app-b.first-seven-cards"), Claim("meyer.app-b.spring-constant")]),
     line(
         674,
         0x7f0b_1c0c_b785_236d,
@@ -143,7 +143,7 @@ pub const AFTER: &[Line] = &[
         0x425f_1f4d_36a5_e5a1,
         &[
             exception("meyer.app-b.start-acceleration-named", "2", "name of the acceleration"),
-            Label("1-18"),
+            Claim("meyer.app-b.start-lines"),
             Claim("meyer.app-b.initial-angles"),
             Claim("meyer.app-b.from-rest"),
         ],
@@ -169,6 +169,7 @@ pub const AFTER: &[Line] = &[
         0x5bd0_81fc_fa76_1e42,
         &[
             Claim("meyer.app-b.angle-name"),
+            Claim("meyer.app-b.increases"),
             Claim("meyer.app-b.engaged"),
             Claim("meyer.app-b.fold"),
             Claim("meyer.app-b.hand-over"),

@@ -12,8 +12,8 @@ pub const LINES: &[Line] = &[
         &[exception(
             "meyer.app-d.needed",
             "0 2",
-            "says that the program needs a first acceleration for its loop; that no \
-            loop is needed is a claim of Appendix B",
+            "says that the program needs a first acceleration for its loop, of which \
+            Appendix B tells",
         )],
     ),
     line(752, 0xaf63_ad4c_8601_9caf, &[exception("meyer.app-d.known", "0", "the time at the start")]),
@@ -47,6 +47,7 @@ pub const LINES: &[Line] = &[
         &[
             exception("meyer.app-d.start-named", "0 0", "the time at the start, twice"),
             Claim("meyer.app-d.letters"),
+            Claim("meyer.app-d.constant"),
             exception("meyer.app-d.start-named-again", "0", "the time at the start"),
         ],
     ),

@@ -27,11 +27,7 @@ pub const LINES: &[Line] = &[
     line(240, NONE, &[Claim("meyer.lagrange-for-theta")]),
     line(244, NONE, &[Claim("meyer.virtual-work")]),
     line(246, NONE, &[Claim("meyer.generalised-torque")]),
-    line(
-        248,
-        NONE,
-        &[exception("meyer.tau-named", "", "says what τ stands for: the sum that the next display writes down")],
-    ),
+    line(248, NONE, &[Claim("meyer.vector-sum")]),
     line(
         250,
         NONE,
@@ -78,7 +74,18 @@ pub const LINES: &[Line] = &[
     line(273, 0xaf63_af4c_8601_a015, &[Claim("meyer.friction-torque.opposing")]),
     line(275, 0x459f_3818_184a_fe1f, &[Label("1-1")]),
     line(277, 0xaf63_af4c_8601_a015, &[Claim("meyer.friction-torque.by-ratio")]),
-    line(279, 0x459f_3518_184a_f906, &[Label("1-6")]),
+    line(
+        279,
+        0x459f_3518_184a_f906,
+        &[
+            Label("1-6"),
+            exception(
+                "meyer.triangle-lost",
+                "",
+                "announces a drawing without a caption that the copy has lost; the sine that is read off it is a claim",
+            ),
+        ],
+    ),
     line(285, 0x65eb_7266_df19_aaac, &[Claim("meyer.eq-1-11"), Label("1-11")]),
     line(289, 0x9c7b_ad24_3b59_8bef, &[Claim("meyer.eq-1-12"), Label("1-12")]),
     line(294, 0xaf63_aa4c_8601_9796, &[Claim("meyer.fig-7")]),
@@ -160,11 +167,7 @@ pub const LINES: &[Line] = &[
         0x361e_fdf4_fef3_1ed4,
         &[Claim("meyer.eq-1-18.first-line"), Claim("meyer.eq-1-18.second-line"), Label("1-18")],
     ),
-    line(
-        380,
-        0x988a_77f1_476d_dc45,
-        &[Label("1-18"), exception("meyer.possible-flaw", "", "announces the question of the next displays")],
-    ),
+    line(380, 0x988a_77f1_476d_dc45, &[Label("1-18"), Claim("meyer.possible-flaw")]),
     line(382, 0xaa20_ecfc_64da_3ecc, &[Claim("meyer.singularity.quantity")]),
     line(
         384,
@@ -190,6 +193,7 @@ pub const LINES: &[Line] = &[
         &[
             Claim("meyer.singularity.two-slots"),
             Again("meyer.singularity.two-slots"),
+            Claim("meyer.singularity.ruled-out"),
             Label("1-3"),
             Label("1-18"),
             Claim("meyer.singularity.conclusion"),

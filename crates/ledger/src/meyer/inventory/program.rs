@@ -15,16 +15,7 @@ pub const LINES: &[Line] = &[
         NONE,
         &[exception("meyer.listing.comment-u", "", "a comment: says what a letter of the program stands for")],
     ),
-    line(
-        684,
-        NONE,
-        &[exception(
-            "meyer.listing.comment-k",
-            "",
-            "a comment: says what a letter of the program stands for; that K is a \
-            torque and no rate is a claim at Eq. (1-15)",
-        )],
-    ),
+    line(684, NONE, &[Claim("meyer.listing.comment-k")]),
     line(
         685,
         NONE,
@@ -125,12 +116,10 @@ pub const LINES: &[Line] = &[
     line(
         701,
         0x2527_e0ee_af7c_1ccd,
-        &[exception(
-            "meyer.listing.old",
-            "2 2 10.,100",
-            "the acceleration of a moment before, as the text says; what the last \
-            number does, a hundred, is not said",
-        )],
+        &[
+            exception("meyer.listing.old", "2 2", "names of the old acceleration and of the acceleration"),
+            Claim("meyer.listing.delay"),
+        ],
     ),
     line(702, NONE, &[exception("meyer.listing.smt", "", "the control variable, which the text describes")]),
     line(

@@ -1,0 +1,116 @@
+//! One step by the printed formulas of the method, and one by an implementation of it.
+
+use super::*;
+use crate::meyer::reading::{self, Letters, Moment, value};
+use geneva_mimic::runge_kutta_step;
+use nalgebra::Vector1;
+use std::convert::Infallible;
+
+/// Claims of the four slopes, in order.
+const STAGES: [&str; 4] =
+    ["meyer.app-b.method.f1", "meyer.app-b.method.f2", "meyer.app-b.method.f3", "meyer.app-b.method.f4"];
+/// The length of a step.
+pub const STEP: f64 = 0.125;
+
+/// Whether a formula of the method holds for the steps of an implementation of the classical method.
+pub fn holds_in_a_step(tex: &str) -> Option<bool> {
+    let slopes: [Slope; 3] = [|x, y| x * y, |x, y| y * y - x, |x, y| x + 1.0 / y];
+    let moments = slopes.iter().flat_map(|slope| {
+        [(0.5, 1.25, STEP), (0.75, 0.5, 2.0 * STEP)].map(|(x, y, h)| {
+            let places = places_of_mimic(*slope, x, y, h);
+            let next = step_of_mimic(*slope, x, y, h);
+            let letters = [("x_n", x), ("y_n", y), ("h", h), ("y_n+1", next)].map(|(n, v)| (n.to_owned(), v));
+            let slopes = (1..).zip(places).map(|(k, (x, y))| (format!("f_{k}"), slope(x, y)));
+            Moment::of(letters.into_iter().chain(slopes).collect()).sloping(*slope)
+        })
+    });
+    reading::holds(tex, &moments.collect::<Vec<_>>())
+}
+
+/// What y' is made of: x and y.
+pub type Slope = fn(f64, f64) -> f64;
+
+/// Where the printed formulas ask for the slope, one after the other.
+pub fn printed_places(slope: Slope, x: f64, y: f64, h: f64) -> Option<[(f64, f64); 4]> {
+    printed_stages(slope, x, y, h).map(|(places, _)| places)
+}
+
+/// The next value by the printed formulas.
+pub fn printed_step(slope: Slope, x: f64, y: f64, h: f64) -> Option<f64> {
+    let (_, letters) = printed_stages(slope, x, y, h)?;
+    Some(value(right_side("meyer.app-b.method.step"), &letters))
+}
+
+fn printed_stages(slope: Slope, x: f64, y: f64, h: f64) -> Option<([(f64, f64); 4], Letters)> {
+    let mut letters: Letters = [("x_n", x), ("y_n", y), ("h", h)].map(|(name, value)| (name.to_owned(), value)).into();
+    let mut places = [(0.0, 0.0); 4];
+    for (k, id) in STAGES.into_iter().enumerate() {
+        let inside = right_side(id).trim().strip_prefix('f')?.trim_start_matches(r"\left").strip_prefix('(')?;
+        let (first, second) = inside.split_once(';')?;
+        places[k] = (value(first, &letters), value(second, &letters));
+        letters.insert(format!("f_{}", k + 1), slope(places[k].0, places[k].1));
+    }
+    Some((places, letters))
+}
+
+pub fn right_side(id: &str) -> &'static str {
+    claim(id).and_then(|claim| claim.printed.split_once('=')).map_or("", |(_, right)| right)
+}
+
+/// Where an implementation of the classical method asks for the slope.
+pub fn places_of_mimic(slope: Slope, x: f64, y: f64, h: f64) -> [(f64, f64); 4] {
+    let mut places = vec![(x, y)];
+    let rate = |x: f64, y: &Vector1<f64>| {
+        places.push((x, y[0]));
+        Ok::<_, Infallible>(Vector1::new(slope(x, y[0])))
+    };
+    let first = Vector1::new(slope(x, y));
+    let end = runge_kutta_step(rate, x, x + h, &Vector1::new(y), &first);
+    debug_assert!(end.is_ok());
+    places.try_into().unwrap_or([(f64::NAN, f64::NAN); 4])
+}
+
+/// One step of an implementation of the classical method.
+pub fn step_of_mimic(slope: Slope, x: f64, y: f64, h: f64) -> f64 {
+    let rate = |x: f64, y: &Vector1<f64>| Ok::<_, Infallible>(Vector1::new(slope(x, y[0])));
+    runge_kutta_step(rate, x, x + h, &Vector1::new(y), &Vector1::new(slope(x, y))).map_or(f64::NAN, |end| end[0])
+}
+
+/// How many times smaller the error of one printed step is for half its length.
+fn halved(slope: Slope, exact: fn(f64, f64, f64) -> f64) -> f64 {
+    let (x, y) = (0.5, 1.0);
+    let error = |h: f64| printed_step(slope, x, y, h).unwrap_or(f64::NAN) - exact(x, y, h);
+    // Shorter than elsewhere: the next power of h is then small.
+    error(STEP / 8.0) / error(STEP / 16.0)
+}
+
+/// The same for two equations that are not linear in both variables.
+pub fn halvings() -> [f64; 2] {
+    [
+        halved(|x, y| x * y, |x, y, h| y * libm::exp(h * (x + h / 2.0))),
+        halved(|_, y| y * y, |_, y, h| 1.0 / (1.0 / y - h)),
+    ]
+}
+
+/// Whether the error of a step by the printed formulas is of the fifth order.
+pub fn thirty_second() -> Finding {
+    let found = halvings();
+    Finding::new(
+        found.iter().all(|ratio| power_of_two(*ratio) == Some(5)),
+        format!("for half the step the error is {:.0} and {:.0} times smaller", found[0], found[1]),
+    )
+}
+
+/// Which power of two a number is nearest to, if it is near to one.
+pub fn power_of_two(ratio: f64) -> Option<i32> {
+    let power = libm::log2(ratio);
+    ((power - power.round()).abs() < 0.25).then_some(power.round() as i32)
+}
+
+/// Whether the error of a run falls with half the step as this order has it.
+pub fn of_order(order: i32, ratio: f64) -> Finding {
+    Finding::new(
+        power_of_two(ratio) == Some(order),
+        format!("with half the step the error of a run is {ratio:.1} times smaller"),
+    )
+}
