@@ -28,13 +28,13 @@ impl Crank {
     /// Where the pin is.
     pub fn pin(&self, t: Time) -> [Time; 2] {
         let angle = advance(self.speed, self.acceleration, t) + self.angle;
-        [angle.cos() * self.radius + self.ground, angle.sin() * self.radius]
+        let (sine, cosine) = sine_and_cosine(angle);
+        [cosine * self.radius + self.ground, sine * self.radius]
     }
 
     /// The angle of the slot, from the direction pivot to crank's axis, in radians.
     pub fn slot(&self, t: Time) -> Time {
-        let [x, y] = self.pin(t);
-        y.atan2(x)
+        direction(self.pin(t))
     }
 
     /// The distance of the pin from the follower's pivot.
@@ -46,7 +46,8 @@ impl Crank {
     /// Where the follower's point is that lies under the pin at time zero.
     pub fn point_under_the_pin(&self, t: Time) -> [Time; 2] {
         let (slot, distance) = (self.slot(t), self.distance(Time::from_re(0.0)).re);
-        [slot.cos() * distance, slot.sin() * distance]
+        let (sine, cosine) = sine_and_cosine(slot);
+        [cosine * distance, sine * distance]
     }
 
     /// Distance and slot angle at time zero, each with its two rates.
@@ -78,8 +79,21 @@ pub(crate) fn path(place: impl Fn(Time) -> [Time; 2]) -> [Vector2<f64>; 3] {
 
 /// A place turned about the origin, counter-clockwise.
 pub(crate) fn turned([x, y]: [Time; 2], angle: Time) -> [Time; 2] {
-    let (sin, cos) = angle.sin_cos();
-    [x * cos - y * sin, x * sin + y * cos]
+    let (sine, cosine) = sine_and_cosine(angle);
+    [x * cosine - y * sine, x * sine + y * cosine]
+}
+
+/// Sine and cosine by the addition theorem: their values from the portable library, their rates from the dual numbers.
+fn sine_and_cosine(angle: Time) -> (Time, Time) {
+    let (sine, cosine) = (libm::sin(angle.re), libm::cos(angle.re));
+    let (small_sine, small_cosine) = (angle - angle.re).sin_cos();
+    (small_cosine * sine + small_sine * cosine, small_cosine * cosine - small_sine * sine)
+}
+
+/// The angle of a direction from the first axis; in the same manner.
+fn direction([x, y]: [Time; 2]) -> Time {
+    let turned = (y * x.re - x * y.re) / (x * x.re + y * y.re);
+    turned.atan() + libm::atan2(y.re, x.re)
 }
 
 #[cfg(test)]

@@ -12,7 +12,7 @@ pub fn one(id: &str) -> anyhow::Result<String> {
     let judged = lookup::judged(id)?;
     let erratum = judged.claim.erratum.as_ref().ok_or_else(|| anyhow!("claim `{id}` has no erratum"))?;
     let places = slips().iter().find(|places| places.slip.id == erratum.slip.id);
-    boxed(judged, places.ok_or_else(|| anyhow!("slip `{}` has no places", erratum.slip.id))?)
+    boxed(judged, places.ok_or_else(|| anyhow!("slip `{}` has no places", erratum.slip.id))?, false)
 }
 
 /// All slips with these consequences, with spaces between, each under a heading that says what it does.
@@ -22,7 +22,7 @@ pub fn page(consequences: &str) -> anyhow::Result<String> {
         let consequence = lookup::consequence(slug)?;
         out.push_str(&format!("\n\n## {}\n", capital(consequence.meaning())));
         for places in of(consequence) {
-            out.push_str(&format!("\n{}\n", boxed(places.main(), places)?));
+            out.push_str(&format!("\n{}\n", boxed(places.main(), places, true)?));
         }
     }
     Ok(out)
@@ -83,9 +83,10 @@ fn of(consequence: Consequence) -> impl Iterator<Item = &'static Places> {
     slips().iter().filter(move |places| places.slip.consequence == consequence)
 }
 
-fn boxed(judged: &Judged, places: &Places) -> anyhow::Result<String> {
+/// An erratum as its chapter shows it; in full also how it was found, and where else the slip shows.
+fn boxed(judged: &Judged, places: &Places, in_full_detail: bool) -> anyhow::Result<String> {
     let (claim, slip) = (judged.claim, &places.slip);
-    let anchor = if claim.id == slip.id { format!(" id=\"slip-{}\"", slip.id) } else { String::new() };
+    let anchor = if in_full_detail { format!(" id=\"slip-{}\"", slip.id) } else { String::new() };
     let mut out = format!(
         "<aside class=\"erratum\"{anchor} aria-label=\"Erratum {}\">\n<p><strong>Erratum ({}).</strong> {}: {}. {}</p>\n<dl>\n",
         claim.id,
@@ -100,7 +101,20 @@ fn boxed(judged: &Judged, places: &Places) -> anyhow::Result<String> {
     if !slip.changes.is_empty() {
         entry("What it does", escape(slip.changes) + &numbers(places));
     }
-    let evidence = claim.check.evidence();
+    entry("Why", escape(slip.reason));
+    entry("Second witness", escape(slip.witness));
+    if in_full_detail {
+        found(judged, places, &mut entry)?;
+    }
+    let more = format!("<a href=\"{}.html#slip-{}\">how it was found</a>", page_of(slip.consequence), slip.id);
+    let more = if in_full_detail { String::new() } else { format!(", {more}") };
+    out.push_str(&format!("</dl>\n<p>{}{more}</p>\n</aside>", linked_id(claim.id)));
+    Ok(out)
+}
+
+/// How an erratum was found.
+fn found(judged: &Judged, places: &Places, entry: &mut impl FnMut(&str, String)) -> anyhow::Result<()> {
+    let (claim, evidence) = (judged.claim, judged.claim.check.evidence());
     for (term, number, kind) in [
         ("Computed", judged.computed, evidence.first()),
         ("Second witness's number", judged.witnessed, evidence.last()),
@@ -109,8 +123,6 @@ fn boxed(judged: &Judged, places: &Places) -> anyhow::Result<String> {
             entry(term, format!("{} ({kind})", with_unit(&rounded(judged, number), claim.unit)?));
         }
     }
-    entry("Why", escape(slip.reason));
-    entry("Second witness", escape(slip.witness));
     if let Some(reading) = claim.reading {
         entry("Read as", escape(reading));
     }
@@ -120,8 +132,7 @@ fn boxed(judged: &Judged, places: &Places) -> anyhow::Result<String> {
     if places.claims.len() > 1 {
         entry("Other places", others(judged, places));
     }
-    out.push_str(&format!("</dl>\n<p>{}</p>\n</aside>", linked_id(claim.id)));
-    Ok(out)
+    Ok(())
 }
 
 /// What should stand in the place of the printed characters.
