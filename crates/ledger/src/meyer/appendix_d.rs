@@ -115,17 +115,19 @@ fn equations() -> Vec<Claim> {
                 Finding::new(holds, "the program's lines of R and V against the factors of the equation of motion")
             }),
             (Vectors, |stated| {
-                for_each(
-                    |at| {
-                        // At the entry from rest: what friction takes of the torque goes with the acceleration only if
-                        // the follower is accelerated, and with the square of the speed always.
-                        let seen = Seen::new(at, -at.driver_half_angle());
-                        let with_the_acceleration = seen.turning() / DRIVER.0;
-                        let with_the_square = seen.turning_rate() - with_the_acceleration * DRIVER.1;
-                        vanishes(stated.pick(with_the_acceleration, with_the_square))
-                    },
-                    "what it multiplies is zero where the pin moves along its slot, as V is in the program",
-                )
+                at_instants(|seen| {
+                    // What friction takes of the torque with the acceleration, and with the square of the speed.
+                    const FRICTION: f64 = 0.25;
+                    let (speed, gain) = DRIVER;
+                    let with_the_gain = seen.turning() / speed;
+                    let with_the_square = (seen.turning_rate() - with_the_gain * gain) / (speed * speed);
+                    let sliding = seen.place.normalize().dot(&seen.velocity) / speed;
+                    let said = FRICTION * stated.pick(with_the_gain, with_the_square) / seen.radius() * sliding;
+                    let angle = libm::atan2(seen.crank.sin, seen.crank.cos);
+                    let cards = [("G", seen.ratio), ("X0", angle), ("U", FRICTION), ("IC", 1.0), ("IW", 1.0)];
+                    let letters = cards.map(|(name, value)| (name.to_owned(), value)).into();
+                    (start_line("V", &letters), said.abs())
+                })
             }),
         ),
         stated(

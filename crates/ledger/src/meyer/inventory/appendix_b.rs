@@ -36,8 +36,8 @@ pub const TEXT: &[Line] = &[
         &[
             exception("meyer.app-b.steps-named", "2 0", "names of the derivative and of the first times"),
             Claim("meyer.app-b.method.name"),
+            exception("meyer.app-b.next-time-named", "2 1", "names of the derivative and of the time after the step"),
             Claim("meyer.app-b.method.one-value"),
-            exception("meyer.app-b.next-time-named", "1", "name of the time after the step"),
             exception(
                 "meyer.app-b.increment",
                 "",
