@@ -147,7 +147,7 @@ fn known() -> Vec<Claim> {
                         let slot = crank.polar()[1][0];
                         let [_, velocity, acceleration] =
                             path(|t| turned(crank.pin(t), -stated.pick(crank.slot(t) - slot, t * 0.0)));
-                        let curvature = velocity.perp(&acceleration) / velocity.norm().powi(3);
+                        let curvature = velocity.perp(&acceleration) / (velocity.norm() * velocity.norm_squared());
                         let straight = vanishes(curvature * crank.radius);
                         let what = if straight { "straight".into() } else { format!("{:.2} m", curvature.recip()) };
                         Finding::new(straight, format!("radius of curvature: {what}"))

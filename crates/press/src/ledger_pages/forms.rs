@@ -19,11 +19,25 @@ pub fn table(slug: &str) -> anyhow::Result<String> {
 
 fn row(judged: &Judged) -> anyhow::Result<Vec<String>> {
     let claim = judged.claim;
-    Ok(vec![escape(claim.meaning), tex_or_text(&in_full(claim))?, linked_badge(judged), how(judged)])
+    Ok(vec![escape(claim.meaning), tex_or_text(&in_full(claim))?, linked_badge(judged), briefly(judged)])
+}
+
+/// How a form was found to hold or to fail, without the neighbours that it was told from.
+fn briefly(judged: &Judged) -> String {
+    told(judged, |role| !role.contains("neighbour") && role != "as printed by the witness")
 }
 
 /// How a form was found to hold or to fail; for a missing datum, what is missing.
 pub fn how(judged: &Judged) -> String {
+    let mut how = told(judged, |_| true);
+    if let Check::Statement { neighbour: Some(words), .. } = &judged.claim.check {
+        how.push_str(&format!(";<br>the neighbour: {}", escape(words)));
+    }
+    how
+}
+
+/// The findings of these roles, with the reading.
+fn told(judged: &Judged, wanted: fn(&str) -> bool) -> String {
     if let Check::Missing { reason } = &judged.claim.check {
         return escape(reason);
     }
@@ -36,15 +50,13 @@ pub fn how(judged: &Judged) -> String {
     let mut parts: Vec<_> = judged
         .findings
         .iter()
+        .filter(|(role, _)| wanted(role))
         .map(|(role, finding)| {
             let kind = kind(role).map_or_else(String::new, |kind| format!(" ({kind})"));
             let says = if finding.holds { "holds" } else { "fails" };
             format!("{role}{kind} {says}: {}", escape(&finding.how))
         })
         .collect();
-    if let Check::Statement { neighbour: Some(words), .. } = &judged.claim.check {
-        parts.push(format!("the neighbour: {}", escape(words)));
-    }
     if let Some(reading) = judged.claim.reading {
         parts.insert(0, format!("read as: {}", escape(reading)));
     }
