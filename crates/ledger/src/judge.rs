@@ -90,8 +90,6 @@ pub fn judge(claim: &'static Claim) -> Judged {
     }
     match (&claim.erratum, judged.verdict.needs_erratum()) {
         (None, true) => judged.faults.push(format!("{} without an erratum", judged.verdict)),
-        // The place of a slip by which its number happens not to change.
-        (Some(_), false) if judged.right_value.is_some() => {}
         (Some(_), false) => judged.faults.push(format!("an erratum is on record, but the claim is {}", judged.verdict)),
         _ => {}
     }

@@ -59,27 +59,38 @@ fn alpha_range() -> Claim {
         "Ex. (e), choice of the root",
         "the allowable range of α",
         r"0 < \alpha < 60^{\circ}",
-        Check::statement(
-            "it ends at 90°",
+        Check::corrected_statement(
             (ExactIdentity, |stated| {
-                let alpha = |stations: i64| rational(180, stations);
-                let end = rational(stated.pick(60, 90), 1);
-                let inside = (3..=1000).all(|stations| rational(0, 1) < alpha(stations) && alpha(stations) <= end);
-                let to_the_ends = alpha(3) == end && alpha(1000) < rational(1, 1);
-                let (least, greatest) = (alpha(1000), alpha(3));
-                Finding::new(inside && to_the_ends, format!("from {least}° to {greatest}°, 3 to 1000 stations"))
+                let (alpha, end) = (|stations: i64| rational(180, stations), rational(60, 1));
+                let outside = (3..=1000).find(|stations| {
+                    let alpha = alpha(*stations);
+                    alpha <= rational(0, 1) || stated.pick(alpha > end, alpha >= end)
+                });
+                let but = outside.map_or("none".to_owned(), |stations| stations.to_string());
+                Finding::new(outside.is_none(), format!("stations of 3 to 1000 that are outside: {but}"))
             }),
             (Vectors, |stated| {
                 let slot = |stations: u32| of(stations, |w| by_series(w, w.engagement_half_angle())[0]).to_degrees();
                 let greatest = (3..=60).map(slot).fold(0.0, f64::max);
-                same(greatest, stated.pick(60.0, 90.0))
+                let at_the_end = agrees(greatest, 60.0);
+                let holds = stated.pick(at_the_end || greatest < 60.0, !at_the_end && greatest < 60.0);
+                Finding::new(holds, format!("the slot of three stations enters at {greatest:.4}°"))
             }),
         ),
     )
-    .read_as(
-        "The signs give the ends of the range, not whether they belong to it: with three stations, which the text \
-         allows, α is at the upper end, and what is said of the root holds there too.",
-    )
+    .expecting(Verdict::Corrected)
+    .with_erratum(Erratum {
+        corrected: r"0 < \alpha \le 60^{\circ}",
+        slip: Slip {
+            id: "",
+            reason: "Three stations, the least number that the text allows, have α = 60° exactly. What is said of the \
+                     root holds there too.",
+            witness: "The angle at which the pin enters the slot of a wheel of three, by its coordinates.",
+            origin: Origin::Misprint,
+            consequence: Consequence::Wording,
+            changes: "",
+        },
+    })
 }
 
 fn maximum() -> Claim {

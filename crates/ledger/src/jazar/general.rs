@@ -39,16 +39,15 @@ fn sizes() -> Vec<Claim> {
             WORK,
             "jazar.wheel-radius-ratio",
             RATIOS,
-            "1/tan α is the outside diameter of the wheel over the diameter of the pin's circle",
+            "1/tan α is the outside diameter of the wheel over the pin's radius",
             r"1/\tan \alpha",
-            Check::statement(
-                "it is the outside diameter over the radius of the pin's circle",
+            Check::corrected_statement(
                 (Vectors, |stated| {
                     for_all_stations(
                         |wheel| {
                             let (pins_radius, alpha) = (1.0, wheel.half_station());
-                            let over = pins_radius * stated.pick(2.0, 1.0);
-                            agrees(2.0 * entry(wheel).norm() / over, 1.0 / libm::tan(alpha))
+                            let outside = entry(wheel).norm() * stated.pick(1.0, 2.0);
+                            agrees(outside / pins_radius, 1.0 / libm::tan(alpha))
                         },
                         "the rim is where the pin enters",
                     )
@@ -56,10 +55,20 @@ fn sizes() -> Vec<Claim> {
                 (ExactIdentity, |stated| prove(&RimByPythagoras { over: stated.pick(2, 1) }).into()),
             ),
         )
-        .read_as(
-            "Like is compared with like: the diameter with that of the pin's circle. The words do not say with what; \
-             over the radius of the pin's circle the diameter is twice as large.",
-        ),
+        .expecting(Verdict::Corrected)
+        .with_erratum(Erratum {
+            corrected: "outside radius: 1/tan α",
+            slip: Slip {
+                id: "",
+                reason: "The text compares the outside diameter with the radius of the pin's circle, which it names just \
+                         before. The ratio is that of two radii, or of two diameters; the diameter over the radius is twice \
+                         as large.",
+                witness: "The rim is where the pin enters: its distance from the wheel's axis, by coordinates.",
+                origin: Origin::Misprint,
+                consequence: Consequence::Wording,
+                changes: "",
+            },
+        }),
         Claim::equation(
             WORK,
             "jazar.alpha-radians",

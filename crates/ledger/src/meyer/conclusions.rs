@@ -94,7 +94,8 @@ fn small_variations() -> Claim {
     .read_as(
         "An effect is not serious if it is less than its cause: one per cent more of torque, friction or an inertia \
          changes peak, minimum and period of the steady motion by less than one per cent each, in every run. The \
-         three are what Appendix E tabulates of it.",
+         three are what Appendix E tabulates of it. The numbers of pins and slots, and the angles that go with them, \
+         cannot vary by per cents.",
     )
 }
 

@@ -21,7 +21,7 @@ fn tables() -> Vec<Claim> {
             WORK,
             "meyer.contents",
             CONTENTS,
-            "pages of the twelve parts, from the introduction to the author's life",
+            "pages of the twelve parts, from the introduction to the author's life, in order",
             PAGES_OF_PARTS,
             Check::statement(
                 "the pages of chapter II and of the conclusions exchanged",
@@ -36,7 +36,8 @@ fn tables() -> Vec<Claim> {
                     stand_in_their_parts(&parts(stated.pick(SAME, EXCHANGED_PARTS)), &figures_and_pages())
                 }),
             ),
-        ),
+        )
+        .read_as("What can be checked without the pages: they rise, and agree with those of the figures."),
         Claim::figure(
             WORK,
             "meyer.list-of-figures",

@@ -75,7 +75,7 @@ fn conditions() -> Vec<Claim> {
             WORK,
             "meyer.fig-3",
             "Fig. 3, caption",
-            "the mechanism drawn has four pins and four slots",
+            "the mechanism has four pins and four slots, which belong together; the drawing is not in the copy",
             "four pin, four slot",
             Check::statement(
                 "four pins and five slots",

@@ -31,7 +31,8 @@ pub fn conclusion() -> Vec<Claim> {
     let locator = "Conclusion 3";
     let reading = "To work: a pin is always engaged, the follower is neither struck nor turned back, and with \
         friction there is a terminal velocity. The last is tried for all pairs up to eight pins and slots, with the \
-        frictions of the runs and the inertias of those with six pins.";
+        frictions of the runs and the inertias of those with six pins. (With other inertias and more friction some \
+        have no terminal velocity, and so have the three.)";
     vec![
         Claim::statement(
             WORK,
@@ -47,8 +48,8 @@ pub fn conclusion() -> Vec<Claim> {
         .expecting(Verdict::Corrected)
         .read_as(reading)
         .with_erratum(Erratum {
-            corrected: "All geometrical configurations with 1/m + 1/n ≤ 1/2, of which only three have the follower at \
-                        rest at each hand-over,",
+            corrected: "All geometrical configurations with 1/m + 1/n ≤ 1/2 and inertias that suit the friction, of which \
+                        only three have the follower at rest at each hand-over,",
             slip: ENTRY_ALONG_THE_SLOT,
         }),
         Claim::statement(

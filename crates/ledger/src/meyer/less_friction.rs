@@ -24,7 +24,7 @@ fn less_friction() -> Claim {
         "The more frictionless the system, the greater is the rise time",
         Check::corrected_statement(
             (Integration, |stated| {
-                let readings = stated.pick::<&[Reading]>(&[ENGAGEMENTS], &RISE_TIMES);
+                let readings = stated.pick::<&[Reading]>(&[DECAY], &RISE_TIMES);
                 let found: Vec<[bool; 3]> = readings
                     .iter()
                     .map(|(_, reading)| {
@@ -49,7 +49,7 @@ fn less_friction() -> Claim {
                 )
             }),
             (Steps, |stated| {
-                let readings = stated.pick::<&[SteppedReading]>(&[engagements_by_steps], &RISE_TIMES_BY_STEPS);
+                let readings = stated.pick::<&[SteppedReading]>(&[decay_by_steps], &RISE_TIMES_BY_STEPS);
                 let found: Vec<[Vec<f64>; 3]> = readings.iter().map(|of| by_friction(*of)).collect();
                 let some = found.iter().any(|reading| reading.iter().all(|times| always_falls(times)));
                 let four: Vec<_> = found.iter().map(|of| format!("{:.4?}", of[Mechanism::FourPin as usize])).collect();
@@ -58,26 +58,25 @@ fn less_friction() -> Claim {
         ),
     )
     .read_as(
-        "With each of the three mechanisms the rise time, in some one sense, grows from each friction to the next \
-         smaller one. The senses: until the first minimum, as in the text; until entry speed, peak, minimum, mean \
+        "With each of the three mechanisms the rise time, in some one sense that the source's two definitions bear, grows \
+         from each friction to the next smaller one. The senses: until the first minimum, as in the text; until entry speed, peak, minimum, mean \
          of both or mean over an engagement are within one per cent of the steady ones; until 99 per cent of one of \
          these are first reached.",
     )
     .expecting(Verdict::Corrected)
     .with_erratum(Erratum {
-        corrected: "The more frictionless the system, the greater is the number of engagements in which a \
-                    difference from the terminal velocity dies away",
+        corrected: "The more frictionless the system, the greater is the time in which a small difference from the \
+                    terminal velocity dies away",
         slip: Slip {
             id: "",
-            reason: "With less friction an engagement leaves more of a difference from the steady motion, so that \
-                     more of them are needed; but each takes less time. In time the one does not always outweigh \
-                     the other: a rise time in whole engagements rises with the friction and drops by one \
-                     engagement now and then, and the time of the first minimum only rises. As a trend, from little \
-                     friction to much, it is right.",
+            reason: "With less friction an engagement leaves more of a difference from the steady motion. Each takes less \
+                     time, but not so much less: the time constant grows, and in that sense the sentence is right. The \
+                     source's rise times are others. The time of the first minimum shortens with less friction; a time \
+                     until some per cent are left shortens too, and grows by a whole engagement now and then.",
             witness: "By steps, with the frictions of the runs.",
             origin: Origin::Concept,
             consequence: Consequence::Conclusion,
-            changes: "More friction does not shorten every rise; the first minimum it delays.",
+            changes: "By the source's definitions more friction does not shorten every rise; the first minimum it delays.",
         },
     })
 }
@@ -157,7 +156,10 @@ impl Start {
 
     /// When 99 per cent of a speed are first reached.
     fn reaches(&self, speed: f64) -> Option<f64> {
-        self.lines.iter().find(|line| line.speed >= 0.99 * speed).map(|line| line.time)
+        let after = self.lines.iter().position(|line| line.speed >= 0.99 * speed)?;
+        let [a, b] = [self.lines.get(after.checked_sub(1)?)?, self.lines.get(after)?];
+        // Between two lines as if it were straight.
+        Some(a.time + (0.99 * speed - a.speed) / (b.speed - a.speed) * (b.time - a.time))
     }
 }
 
@@ -182,9 +184,10 @@ fn starts() -> &'static [Start] {
 /// What a rise is measured by, and its name.
 type Reading = (&'static str, fn(&Start) -> Option<f64>);
 
-/// Engagements until a small difference from the steady speed is down to a hundredth.
-const ENGAGEMENTS: Reading = ("engagements until a difference is down to a hundredth", |start| {
-    Some(libm::log(0.01) / libm::log(start.rise.steady.contraction))
+/// The time in which a small difference from the steady speed is down to a hundredth.
+const DECAY: Reading = ("a small difference down to a hundredth", |start| {
+    let steady = &start.rise.steady;
+    Some(steady.period * libm::log(0.01) / libm::log(steady.contraction))
 });
 
 /// The senses of the rise time that the source's two definitions have.
@@ -237,9 +240,9 @@ fn by_friction(reading: SteppedReading) -> [Vec<f64>; 3] {
     })
 }
 
-/// Engagements until a small difference is down to a hundredth, from what the steady engagement leaves of one.
-fn engagements_by_steps(motion: &Motion) -> Option<f64> {
-    Some(libm::log(0.01) / libm::log(left_over(motion)?))
+/// The time in which a small difference is down to a hundredth, from what the steady engagement leaves of one.
+fn decay_by_steps(motion: &Motion) -> Option<f64> {
+    Some(motion.steady()?.duration() * unit(motion) * libm::log(0.01) / libm::log(left_over(motion)?))
 }
 
 /// Whether numbers fall from each to the next.

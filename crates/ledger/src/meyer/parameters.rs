@@ -25,7 +25,7 @@ pub fn six() -> Claim {
             (Dimension, |stated| count_that_may_enter(stated.pick(6, 7), &Quantity::ALL)),
         ),
     )
-    .read_as("A parameter: a quantity that can be chosen by itself, as on the program's card, and changes the motion.")
+    .read_as("A parameter: a quantity that stands on the program's card and changes the motion if it alone is changed.")
 }
 
 /// The claims of the paragraph after the list.
@@ -76,7 +76,7 @@ pub fn after_the_list() -> Vec<Claim> {
 }
 
 /// What a parameter is.
-const PARAMETER: &str = "A parameter: a quantity that can be chosen by itself and changes the motion.";
+const PARAMETER: &str = "A parameter: a quantity that changes the motion if it alone is changed.";
 
 /// A quantity that the motion might depend on.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -21,7 +21,7 @@ const PEAKS_AT_ENTRY: Slip = Slip {
     reason: "Where a pin enters and the other leaves, the follower stands still but is being accelerated, so that \
              the pin presses and rubs. The driver's acceleration there is (K - μ I_f θ'²/(a² - 1))/I_D, which is \
              zero at one speed only, and the steady speed at entry is another in every run. With six pins the peak \
-             follows so soon that the tables could not show it. With four and three pins the friction exceeds the \
+             follows so soon that it is no more than a unit of the tables higher. With four and three pins the friction exceeds the \
              spring already before the pin leaves, while it bears on the trailing flank, and the peak comes before \
              that.",
     witness: "Every mechanism and friction is gone through by steps of the angle.",
@@ -37,7 +37,9 @@ const EXTREMES_ON_CENTRES: Slip = Slip {
     reason: "On the line of centres the pin does not slide, so that the spring acts unbraked: A θ'' = E, and θ'' is \
              positive. The driver has its minimum before it. There the follower turns at the greatest multiple of \
              the driver's speed, so that φ'' is as many times θ'' and positive as well. The follower is fastest \
-             where the pin goes over to the trailing flank of its slot.",
+             where the pin goes over to the trailing flank of its slot. With six and four pins the driver's minimum is \
+             so flat that on the line of centres it is passed by less than a unit of the tables; the follower's maximum \
+             is not.",
     witness: "Every mechanism and friction is gone through by steps of the angle.",
     origin: Origin::Concept,
     consequence: Consequence::Conclusion,

@@ -47,7 +47,7 @@ fn spring_rates() -> Claim {
     spring::no_rate(
         "meyer.recommendation.spring-rates",
         "Recommendation 2",
-        "the strength of the spring is a rate, a torque for each radian that it turns",
+        "the strength of the spring is called a rate, which is a torque for each radian of winding",
         "spring rates",
         "torques of the spring",
     )

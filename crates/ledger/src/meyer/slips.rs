@@ -29,9 +29,9 @@ pub const SWAPPED_INERTIAS: Slip = Slip {
 /// The spring's torque is called a rate or a constant.
 pub const SPRING_RATE: Slip = Slip {
     id: "meyer.spring-rate",
-    reason: "The torque of the spring is K itself, Eq. (1-15), whatever the angle. A rate or a constant of a spring \
-             would have to be multiplied by an angle. An inch-pound per radian can be read as a torque, the work done \
-             per radian; only the word is wrong.",
+    reason: "The torque of the spring is K itself, Eq. (1-15), whatever the angle, and the text uses it so. A rate or a \
+             constant of a spring is a torque for each radian of winding. An inch-pound per radian can be read as a \
+             torque, the work done per radian; only the word is wrong.",
     witness: "In Eq. (1-18) and in the program K stands alone where a torque must stand.",
     origin: Origin::Concept,
     consequence: Consequence::Wording,
@@ -159,7 +159,7 @@ pub const ENTRY_ALONG_THE_SLOT: Slip = Slip {
     reason: "A pin strikes the slot's wall if the two have different velocities across the slot. So the pin must move \
              along the slot if the follower is at rest; if the follower turns it must not. The velocity ratio is an \
              even function of the driver's angle: the leaving and the entering pin ask the follower for one speed, \
-             whatever the numbers of pins and slots, and nothing strikes. Five pins and five slots, with the axes a \
+             whatever the numbers of pins and slots, and nothing strikes (few of either do not make a mechanism). Five pins and five slots, with the axes a \
              golden ratio of the pins' radius apart, do so while the follower never stops. Eq. (1-3) tells which \
              mechanisms have the follower at rest at each hand-over: those are the three.",
     witness: "Pins and slots by coordinates, and the motion of the other pairs in steps, with friction: it reaches a \

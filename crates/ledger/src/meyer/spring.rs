@@ -27,6 +27,20 @@ pub fn no_rate(
     .with_erratum(Erratum { corrected, slip: SPRING_RATE })
 }
 
+/// A place that has K in inch-pounds per radian, and no word for it: a torque may be so measured.
+pub fn torque_per_radian(
+    id: &'static str,
+    locator: &'static str,
+    meaning: &'static str,
+    printed: &'static str,
+) -> Claim {
+    let neighbour = "a rate: the torque is K times the angle turned";
+    let check =
+        Check::statement(neighbour, (Steps, |stated| gives_the_periods(stated)), (OtherPlaceInSource, in_the_equation));
+    Claim::statement(WORK, id, locator, meaning, printed, check)
+        .read_as("An inch-pound per radian is a unit of torque, as a joule per radian is.")
+}
+
 /// Whether the four-pin runs, driven from rest with the torque K or with K times the angle turned, come to the periods
 /// that are printed for them.
 fn gives_the_periods(stated: Stated) -> Finding {

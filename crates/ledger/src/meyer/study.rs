@@ -52,7 +52,7 @@ pub fn of_parameters() -> Vec<Claim> {
         spring::no_rate(
             "meyer.parameter.spring",
             LIST,
-            "K is a constant of the spring that is multiplied by an angle",
+            "K is called a constant of the spring, which is a torque for each radian of winding",
             "K: the torsional spring constant of the driving spring",
             "K: the torque of the driving spring",
         ),
@@ -90,12 +90,14 @@ pub fn of_parameters() -> Vec<Claim> {
             corrected: "were 6 to 100 times this figure",
             slip: Slip {
                 id: "",
-                reason: "The runs have 3, 6, 10, 40 and 50 × 10^-6 in lb sec²; the estimate is 0.5 × 10^-6.",
+                reason: "The least inertia of the tables is several times the estimate, the greatest a hundred times. How \
+                         the estimate came to stand beside them is not known.",
                 witness: "The periods of the four-pin table, to a unit of their last place, are those of inertias so \
                     large.",
-                origin: Origin::Misprint,
-                consequence: Consequence::Wording,
-                changes: "",
+                origin: Origin::Concept,
+                consequence: Consequence::Conclusion,
+                changes: "The tables are not of parts like those described: discs as thick would have to be up to three \
+                          times as wide.",
             },
         }),
     ]
@@ -116,7 +118,12 @@ pub fn of_axis() -> Claim {
 pub fn of_headings() -> Vec<Claim> {
     vec![
         runs::of_headings(),
-        spring::no_rate("meyer.app-e.torque-unit", TABLES, "K is per radian", "K in lb/rad", "K in lb"),
+        spring::torque_per_radian(
+            "meyer.app-e.torque-unit",
+            TABLES,
+            "K, in inch-pounds per radian, is a torque: the work done per radian",
+            "K in lb/rad",
+        ),
     ]
 }
 

@@ -122,8 +122,8 @@ pub fn claims() -> Vec<Claim> {
             slip: Slip {
                 id: "",
                 reason: "It disagrees with the thesis's own table: a good part of the rise times of Appendix E is \
-                    longer, with six pins and with four. What is right cannot be told from that column, whose \
-                    definition is not known; but some of the motions take longer than that to come within one per \
+                    longer, with six pins and with four. What is right cannot be told from that column, which \
+                    the text's definition explains for one friction of four pins only; but some of the motions take longer than that to come within one per \
                     cent of the terminal velocity.",
                 witness: "The equation of motion, solved for the mechanisms as they are.",
                 origin: Origin::Misprint,

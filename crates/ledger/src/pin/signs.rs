@@ -19,10 +19,10 @@ pub const GREEK: Slip = Slip {
 
 /// Letters where arrows are needed.
 pub const ARROWS: Slip = Slip {
-    id: "pin.mark-d",
-    reason: "The copy has the letters d, f and i for arrows. Without its arrow an angle counts counter-clockwise \
-             from the right, and none of the three velocities points there. Which arrows are needed is inferred from \
-             the computed directions. For the letter i, a sense of rotation, the text gives nothing to compare with.",
+    id: "pin.mark-f",
+    reason: "The copy has the letters d, f and i for arrows. With the arrow before the slot point's velocity it is lost that \
+             its angle counts from the vertical; the angle from the horizontal is another. Which way the arrows pointed \
+             cannot be told without the drawing.",
     witness: "The angles of the crank and of the slot alone give the same directions.",
     origin: Origin::Copy,
     consequence: Consequence::Copy,
@@ -66,7 +66,7 @@ pub fn letter_f() -> Claim {
         WORK,
         "pin.letter-f",
         "Problem, 2nd paragraph",
-        "the letter f names the crank angle, here and where it stands again, with the velocity of the slot's point",
+        "the letter f names the crank angle, here and where it stands again, before the direction of the slot point's velocity",
         "f",
         Check::corrected_statement(
             (Jet, |stated| {
@@ -160,31 +160,34 @@ pub fn mark_d() -> Claim {
         WORK,
         "pin.mark-d",
         "Solution, velocity of the pin",
-        "the arrow before the angles of the pin's velocity and of its sliding velocity, one and the same",
+        "one and the same arrow stands before the angles of the pin's velocity and of its sliding velocity: they point \
+         into one quadrant; the copy has a letter for it",
         "d",
-        Check::corrected_statement(
+        Check::statement(
+            "it stands before the velocity of the slot's point",
             (Jet, |stated| {
                 at_the_instant(|_, motion| {
-                    arrow_of_two([heading(&motion.pin_velocity), heading(&motion.sliding_velocity)], stated)
+                    let other = stated.pick(&motion.sliding_velocity, &motion.slot_point_velocity);
+                    one_quadrant([heading(&motion.pin_velocity), heading(other)])
                 })
             }),
             (ClosedForm, |stated| {
-                // Across the crank, and from the pin to O.
+                // Across the crank, and from the pin to O or across the slot.
                 let slot = triangle(|t| t.angle_at_pivot).to_degrees();
-                arrow_of_two([printed("pin.crank-angle") + 90.0, slot + 180.0], stated)
+                one_quadrant([printed("pin.crank-angle") + 90.0, slot + stated.pick(180.0, 270.0)])
             }),
         ),
     )
-    .expecting(Verdict::Corrected)
-    .with_erratum(Erratum { corrected: "↙, angle from the horizontal", slip: ARROWS })
 }
 
-/// Whether two velocities point as printed if the arrow is ↙ and the angle from the horizontal; or without an arrow.
-fn arrow_of_two([pin, sliding]: [f64; 2], stated: Stated) -> Finding {
-    let from = stated.pick(180.0, 0.0);
-    let holds =
-        rounds("pin.pin-velocity-direction", pin - from) && rounds("pin.sliding-velocity-direction", sliding - from);
-    Finding::new(holds, format!("{:.1}° and {:.1}° beyond {from}° from the right", pin - from, sliding - from))
+/// Whether the two velocities point into one quadrant, as far from its first side as is printed.
+fn one_quadrant([pin, sliding]: [f64; 2]) -> Finding {
+    let quadrant = |angle: f64| (angle / 90.0).floor();
+    let inside = |angle: f64| angle - 90.0 * quadrant(angle);
+    let holds = quadrant(pin) == quadrant(sliding)
+        && rounds("pin.pin-velocity-direction", inside(pin))
+        && rounds("pin.sliding-velocity-direction", inside(sliding));
+    Finding::new(holds, format!("{pin:.1}° and {sliding:.1}° from the right"))
 }
 
 pub fn mark_f() -> Claim {
@@ -203,7 +206,7 @@ pub fn mark_f() -> Claim {
         ),
     )
     .expecting(Verdict::Corrected)
-    .with_erratum(Erratum { corrected: "↘, angle from the vertical", slip: ARROWS })
+    .with_erratum(Erratum { corrected: "an arrow; the angle is from the vertical", slip: ARROWS })
 }
 
 /// Whether the velocity points as printed if the arrow is ↘ and the angle from the vertical; or without an arrow.

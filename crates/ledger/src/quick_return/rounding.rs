@@ -7,7 +7,7 @@ pub const RATE: Slip = Slip {
     id: "quick-return.pin-speed",
     reason: "The rate of the crank is used with the three digits it was printed with, and three or four digits are \
              printed of what follows. The centripetal acceleration of the pin takes its square, and the last three \
-             results are found from that.",
+             results are found from that; for these the rounded length of the lever counts as well.",
     witness: "The loop closure differentiated by power series gives the corrected digits too.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Result,

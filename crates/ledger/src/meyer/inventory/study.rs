@@ -248,7 +248,6 @@ pub const CONCLUSIONS: &[Line] = &[
 ];
 
 pub const HEADINGS: &[Line] = &[
-    line(778, NONE, &[Claim("meyer.app-e.mechanisms")]),
     line(783, NONE, &[Claim("meyer.app-e.torque-unit")]),
     line(
         804,

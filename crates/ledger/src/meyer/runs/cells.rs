@@ -100,18 +100,28 @@ fn of_row(row: &'static Row, routes: [Routes; 4]) -> Vec<Claim> {
             ]),
         };
         let claim = Claim::value(WORK, id, place, meaning, (row.printed(column), unit), check);
-        let claim = claim.expecting(record::verdict(row, column));
+        let claim = claim.read_as(reading(column)).expecting(record::verdict(row, column));
         match (row.mechanism, column) {
             (_, Column::Rise) if claim.expected == Verdict::Corrected => claim.with_erratum(MISREAD_RISE),
             (_, Column::Rise) => claim,
-            _ if claim.expected == Verdict::NotReproduced => claim,
+            _ if claim.expected != Verdict::ReproducedInError => claim,
             // With four pins the reset is right; what is not is a peak between two lines of the print-out.
-            (Mechanism::FourPin, _) if claim.expected != Verdict::ReproducedInError => claim,
             (Mechanism::FourPin, _) => claim.affected_by(SAMPLED_PEAKS),
             _ => claim.affected_by(RESET_ANGLE),
         }
     };
     RESULTS.into_iter().zip(routes).map(of).collect()
+}
+
+/// How finely a cell was read.
+fn reading(column: Column) -> &'static str {
+    match column {
+        Column::Rise => {
+            "The first minimum of the speed, as the text has it; read from a print-out to a unit of the last place and a \
+             print interval."
+        }
+        _ => "Read from a print-out to a unit of the last place.",
+    }
 }
 
 /// A digit of the last rise time of four pins.

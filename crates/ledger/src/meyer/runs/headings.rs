@@ -76,13 +76,13 @@ pub fn of_headings() -> Claim {
         "meyer.app-e.mechanisms",
         "Appendix E, headings of the six-pin and the three-pin mechanism",
         "the tables for six and three pins are of the mechanisms named above them",
-        "SUMMARY OF COMPUTER RUNS",
+        "Six Pin Mechanism",
         check,
     )
-    .read_as("The runs that are summed up are of the mechanisms that the headings of the tables name.")
+    .read_as("The runs summed up below a heading, this one and that of three pins, are of the mechanism that it names.")
     .expecting(Verdict::Corrected)
     .with_erratum(Erratum {
-        corrected: "SUMMARY OF COMPUTER RUNS, those for six and three pins with the driver put back after 90°",
+        corrected: "Six Pin Mechanism, with the driver put back after 90° (and so the Three Pin Mechanism)",
         slip: RESET_ANGLE,
     })
 }
@@ -110,6 +110,9 @@ pub fn of_figures() -> Vec<Claim> {
         .collect()
 }
 
+/// The line of the first heading.
+const NAMED: u32 = 780;
+
 /// The lines of the headings.
 pub fn lines() -> Vec<Line> {
     let claim = |id: &str| Entry::Claim(leaked(id.to_owned()));
@@ -120,7 +123,11 @@ pub fn lines() -> Vec<Line> {
             numbers: "10 6",
             reason: "the unit of the number before it, printed once more",
         };
-        let entries = if matches!(entry, Entry::Again(_)) { vec![entry, unit] } else { vec![entry] };
+        let entries = match (number, entry) {
+            (NAMED, entry) => vec![claim("meyer.app-e.mechanisms"), entry],
+            (_, Entry::Again(_)) => vec![entry, unit],
+            _ => vec![entry],
+        };
         Line { number, fingerprint, entries: entries.leak() }
     };
     vec![
@@ -128,7 +135,7 @@ pub fn lines() -> Vec<Line> {
         line(477, 0x9795_8101_b175_9687, claim("meyer.fig-10.follower")),
         line(495, 0xc084_6427_101c_d2c8, claim("meyer.fig-11.driver")),
         line(496, 0x7fd1_dea1_3259_cc9b, claim("meyer.fig-11.follower")),
-        line(780, 0x7fd1_dea1_3259_cc9b, claim("meyer.app-e.6-pin.driver")),
+        line(NAMED, 0x7fd1_dea1_3259_cc9b, claim("meyer.app-e.6-pin.driver")),
         line(781, 0xc084_6427_101c_d2c8, claim("meyer.app-e.6-pin.follower")),
         line(801, 0x808d_4231_d03c_1901, claim("meyer.app-e.4-pin.driver")),
         line(802, 0x9795_8101_b175_9687, claim("meyer.app-e.4-pin.follower")),
