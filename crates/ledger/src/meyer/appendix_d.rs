@@ -190,7 +190,7 @@ fn equations() -> Vec<Claim> {
                 )
             }),
         )
-        .read_as("at the start, and with less friction than the critical one: A > |D|"),
+        .read_as("at the start, with less friction than the critical one, A > |D|, or with any: D is zero there"),
         starting(
             ("meyer.app-d.outside", "Appendix D, 3rd equation"),
             "the same with the acceleration outside the bars",

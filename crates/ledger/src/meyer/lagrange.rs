@@ -95,6 +95,10 @@ fn forces() -> Vec<Claim> {
                     "energy over an engagement without friction, against the work of the spring's torque",
                 )
             }),
+        )
+        .read_as(
+            "No force is treated as conservative. (A constant torque could be: its potential is −K θ, and then it would \
+             not stand among the torques.)",
         ),
         stated(
             ("meyer.one-degree", FREEDOM),

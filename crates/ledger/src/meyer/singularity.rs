@@ -196,18 +196,39 @@ fn slots() -> Vec<Claim> {
                 )
             }),
         ),
-        no_other_flaw(
-            "meyer.singularity.conclusion",
-            END,
-            "the equation of motion has no singularities",
+        stated(
+            ("meyer.singularity.conclusion", END),
+            "the quantity that Eq. (1-18) divides by is zero nowhere",
             "contains no singularities",
-            "contains no zero denominators; it has one solution at every angle if and only if A > |D| there",
+            "it is zero nowhere with the axes one radius of the pins apart, either",
+            (ClosedForm, |stated| {
+                let of = |ratio: f64, angle: f64| 1.0 + ratio * ratio - 2.0 * ratio * libm::cos(angle);
+                let least = Slots::ALL.map(|slots| {
+                    let ratio = stated.pick(slots.ratio(), 1.0);
+                    (-180..=180).map(|k| of(ratio, f64::from(k) * PI / 180.0)).fold(f64::INFINITY, f64::min)
+                });
+                Finding::new(
+                    least.iter().all(|least| !vanishes(*least)),
+                    format!("its least values for three, four and six slots are {least:.3?}"),
+                )
+            }),
+            (Vectors, |stated| {
+                let nearest = Slots::ALL.map(|slots| {
+                    let axis = Vector2::new(stated.pick(slots.ratio(), 1.0), 0.0);
+                    let place = |k: u32| Turn::from_radians(2.0 * PI * f64::from(k) / 720.0).direction();
+                    (0..720).map(|k| (place(k) - axis).norm()).fold(f64::INFINITY, f64::min)
+                });
+                Finding::new(
+                    nearest.iter().all(|distance| !vanishes(*distance)),
+                    format!("a pin comes as near to the follower's axis as {nearest:.3?} radii"),
+                )
+            }),
         )
-        .read_as("at no angle and for no friction the equation fails to give one acceleration"),
+        .read_as("A singularity as the paragraph has it: a zero of what is divided by."),
     ]
 }
 
-/// A place that has the equation of motion without a flaw, if only one denominator is not zero.
+/// The place that has the equation of motion without a flaw but for one denominator.
 fn no_other_flaw(
     id: &'static str,
     locator: &'static str,

@@ -109,7 +109,7 @@ pub const LOST_DOTS: Slip = Slip {
     reason: "A second derivative has lost one of its two dots. In the example the text asks for the derivative of the \
              highest order, and the program computes the second; in Appendix D the factor D belongs to the \
              acceleration, as in Eq. (1-19), and the speed is zero.",
-    witness: "The corrected characters, read and evaluated, hold for a vibration and for the start of the motion; the \
+    witness: "The corrected characters, read and evaluated, hold for a vibration, and Appendix D's go with Eq. (1-19); the \
               printed ones do not.",
     origin: Origin::Copy,
     consequence: Consequence::Copy,
@@ -119,8 +119,8 @@ pub const LOST_DOTS: Slip = Slip {
 /// LDX for 1DX.
 pub const ONE_AS_L: Slip = Slip {
     id: "meyer.app-b.example.second",
-    reason: "The name begins with the order of the derivative, as 2DX does: a one has been read as the letter L. The \
-             listing has it right.",
+    reason: "The name begins with the order of the derivative, as 2DX does: here stands the letter L for the one. \
+             The listing has a one throughout. Whether the copy or the typist put the L cannot be told.",
     witness: "The program has the name with a one.",
     origin: Origin::Copy,
     consequence: Consequence::Copy,
@@ -129,7 +129,7 @@ pub const ONE_AS_L: Slip = Slip {
 
 /// The denominator of Eq. (1-18) is not the only one that may become zero.
 pub const NO_SINGULARITY: Slip = Slip {
-    id: "meyer.singularity.conclusion",
+    id: "meyer.possible-flaw",
     reason: "What is shown is that 1 + a² − 2a cos θ is never zero. But solved for the acceleration the equation is \
              divided by A + D or A − D, and with enough friction one of them is zero somewhere: from there on no \
              acceleration fits, or two do. The lighter the driver beside the follower, the less friction this takes.",

@@ -46,7 +46,7 @@ fn lines() -> Vec<Claim> {
         stated(
             ("meyer.app-b.large-time", AFTER),
             "LGT shuts off the equation of motion at the start, where the acceleration has its own line",
-            "LGT (\"large time\")",
+            "\"large time\"",
             "LGT leaves it on at the start",
             (LimitCase, |stated| {
                 // How many of the two lines of the acceleration are in force at each time.

@@ -164,8 +164,9 @@ fn described() -> Vec<Claim> {
             "seven control cards come first, and data cards at the end",
             "first seven cards",
             Check::Missing {
-                reason: "The program in the copy begins with five comments and the parameters and ends without data. \
-                         Control cards and data cards are either lost or were not printed",
+                reason: "The program in the copy has seven lines before its first equation, if five comments are counted \
+                         as cards, and ends without data. Whether these are the seven meant is not said, and no data \
+                         cards are there",
             },
         )
         .expecting(Verdict::NotReproducible),
