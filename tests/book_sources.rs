@@ -77,6 +77,6 @@ fn every_slip_is_told_in_some_chapter() {
         let is_told = |judged: &&geneva_ledger::Judged| {
             told(judged.claim.id) || judged.verdict == Verdict::FromRounded && shown(judged.claim.id)
         };
-        assert!(places.claims.iter().any(|judged| is_told(&judged)), "{} is not told", places.slip.id);
+        assert!(places.claims.iter().any(is_told), "{} is not told", places.slip.id);
     }
 }

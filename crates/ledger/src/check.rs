@@ -9,15 +9,15 @@ pub enum Check {
     /// A number: computed, and computed again by a witness.
     Number {
         /// What the source says it did gives this value, in the printed unit.
-        computed: Route<fn() -> f64>,
+        computed: Computation,
         /// The same by a route that shares no code with the first.
-        witness: Route<fn() -> f64>,
+        witness: Computation,
         /// What the source's own rounded intermediate results give, if it is computed from any.
         from_rounded: Option<fn() -> f64>,
         /// Resolution of the reading, in the printed unit, if the number was read from a curve or print-out.
         resolution: Option<fn() -> f64>,
         /// The right value by two routes, if what the source did has a slip in it.
-        right: Option<[Route<fn() -> f64>; 2]>,
+        right: Option<[Computation; 2]>,
     },
     /// An equation that holds or fails. What each route must refuse are misprints of its characters, made by program.
     Equation {
@@ -54,6 +54,9 @@ pub struct Reader {
     /// Whether these characters would hold in the place of the right ones; none if they cannot be read.
     pub holds: fn(&str) -> Option<bool>,
 }
+
+/// A way to a number.
+pub type Computation = Route<fn() -> f64>;
 
 /// A way to a result, with the kind of evidence that it is.
 #[derive(Clone, Copy, Debug)]

@@ -1,7 +1,7 @@
 //! The verdict on a claim, derived.
 
 use crate::tolerance::{PROGRAM, ROUTES, STEPS};
-use crate::{Check, Claim, Decimal, Erratum, Evidence, Finding, Route, Stated, Truth, Verdict};
+use crate::{Check, Claim, Computation, Decimal, Erratum, Evidence, Finding, Route, Stated, Truth, Verdict};
 
 /// A claim with its derived verdict and what was found on the way.
 #[derive(Clone, Debug)]
@@ -96,7 +96,7 @@ pub fn judge(claim: &'static Claim) -> Judged {
     judged
 }
 
-fn number(judged: &mut Judged, computed: &Route<fn() -> f64>, witness: &Route<fn() -> f64>, resolution: Option<f64>) {
+fn number(judged: &mut Judged, computed: &Computation, witness: &Computation, resolution: Option<f64>) {
     let claim = judged.claim;
     let (value, witnessed) = ((computed.run)(), (witness.run)());
     (judged.computed, judged.witnessed) = (Some(value), Some(witnessed));
@@ -146,7 +146,7 @@ fn disagreement(judged: &mut Judged, [first, witness]: [Evidence; 2], [value, wi
 
 /// The right number beside one that the source's slip gives. If the printed digits bear it too, the slip changes nothing
 /// here, and the verdict stays.
-fn put_right(judged: &mut Judged, routes: &[Route<fn() -> f64>; 2], resolution: Option<f64>) {
+fn put_right(judged: &mut Judged, routes: &[Computation; 2], resolution: Option<f64>) {
     let [right, witnessed] = routes.map(|route| (route.run)());
     judged.right_value = Some(right);
     let Ok(printed) = judged.claim.printed.parse::<Decimal>() else { return };

@@ -28,7 +28,7 @@ pub mod meyer;
 pub mod pin;
 pub mod quick_return;
 
-pub use check::{Check, Evidence, Finding, Reader, Route, Stated};
+pub use check::{Check, Computation, Evidence, Finding, Reader, Route, Stated};
 pub use claim::{Claim, Kind};
 pub use dimension::Dimension;
 pub use inventory::{Entry, Line, Symbol, fingerprint, in_full, numeric_tokens};

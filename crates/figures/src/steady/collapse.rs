@@ -48,7 +48,7 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, MotionError> {
             let steady = group.engagement(run.friction, run.torque, group.fold)?.steady_state()?;
             let own = match group.own_fold() {
                 Some(fold) => group.engagement(run.friction, run.torque, fold)?.steady_state()?,
-                None => steady.clone(),
+                None => steady,
             };
             let ([a, b, c], [d, e, f], [g, h, i]) = (given(run, unit), scaled(&steady, unit), scaled(&own, unit));
             rows.push([f64::from(group.slots.count()), run.friction, a, b, c, d, e, f, g, h, i]);
