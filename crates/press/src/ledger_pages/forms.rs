@@ -58,7 +58,7 @@ fn told(judged: &Judged, wanted: fn(&str) -> bool) -> String {
         })
         .collect();
     if let Some(reading) = judged.claim.reading {
-        parts.insert(0, format!("read as: {}", escape(reading)));
+        parts.insert(0, format!("read as: {}", escape(reading.trim_end_matches('.'))));
     }
     parts.join(";<br>")
 }

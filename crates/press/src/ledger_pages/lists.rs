@@ -46,7 +46,7 @@ fn numbers(judged: &Judged) -> String {
 fn slip(judged: &Judged) -> String {
     let Some(erratum) = &judged.claim.erratum else { return String::new() };
     let page = errata::page_of(erratum.slip.consequence);
-    format!(" <a href=\"{page}.html#slip-{}\">{}</a>", erratum.slip.id, erratum.slip.consequence)
+    format!("<br><a href=\"{page}.html#slip-{}\">{}</a>", erratum.slip.id, erratum.slip.consequence)
 }
 
 /// The classes of verdict with their meaning and how many claims have each.
