@@ -66,7 +66,7 @@ fn overview(slips: &[Places]) -> String {
         if consequence > Consequence::Conclusion {
             break;
         }
-        page += &format!("{bold}{}{bold:#}\n", capital(consequence.meaning()));
+        page += &format!("{bold}{}{bold:#}\n", consequence.heading());
         for places in of {
             let main = places.main();
             let numbers = places.greatest_change().map_or_else(String::new, |change| {
@@ -78,11 +78,6 @@ fn overview(slips: &[Places]) -> String {
         page.push('\n');
     }
     page
-}
-
-fn capital(text: &str) -> String {
-    let mut characters = text.chars();
-    characters.next().map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
 }
 
 /// What should stand in the place of the printed characters.
@@ -120,7 +115,7 @@ fn markdown(slips: &[Places]) -> String {
             page += &format!("\nNothing of the kind in {}.\n", count(work.claims().len(), "claim"));
         }
         for (consequence, of) in by_consequence(&of_work) {
-            page += &format!("\n### {}\n\n", capital(consequence.meaning()));
+            page += &format!("\n### {}\n\n", consequence.heading());
             for places in of {
                 let (slip, main) = (&places.slip, places.main());
                 let printed = with_unit(&in_full(main.claim), main.claim.unit);

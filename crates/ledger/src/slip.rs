@@ -92,6 +92,12 @@ impl Consequence {
             Self::Copy => "a character of the copy is wrong; nothing is said of the original",
         }
     }
+
+    /// The same as a heading.
+    pub fn heading(self) -> String {
+        let mut characters = self.meaning().chars();
+        characters.next().map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
+    }
 }
 
 /// A slip with all its places.

@@ -20,7 +20,7 @@ pub fn page(consequences: &str) -> anyhow::Result<String> {
     let mut out = String::new();
     for slug in consequences.split_whitespace() {
         let consequence = lookup::consequence(slug)?;
-        out.push_str(&format!("\n\n## {}\n", capital(consequence.meaning())));
+        out.push_str(&format!("\n\n## {}\n", consequence.heading()));
         for places in of(consequence) {
             out.push_str(&format!("\n{}\n", boxed(places.main(), places, true)?));
         }
@@ -35,7 +35,13 @@ pub fn grave() -> anyhow::Result<String> {
         .map(|places| {
             let (claim, slip) = (places.main().claim, &places.slip);
             Ok(vec![
-                format!("<a href=\"#slip-{}\">{}, {}</a>", slip.id, claim.work, escape(claim.locator)),
+                format!(
+                    "<a href=\"#slip-{}\">{}, {}</a>: {}",
+                    slip.id,
+                    claim.work,
+                    escape(claim.locator),
+                    escape(claim.meaning)
+                ),
                 with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?,
                 right(places.main())?,
                 escape(slip.changes) + &numbers(places),
@@ -46,7 +52,7 @@ pub fn grave() -> anyhow::Result<String> {
     Ok(table(
         "What changes a result or a conclusion",
         Cells::Words,
-        &["Where", "Printed", "Right", "What it does"],
+        &["Where, and what it says", "Printed", "Right", "What it does"],
         &rows,
     ))
 }
@@ -157,9 +163,4 @@ fn others(judged: &Judged, places: &Places) -> String {
     let links: Vec<_> = ids.clone().take(MOST).map(linked_id).collect();
     let more = ids.count() - links.len();
     links.join(", ") + &if more > 0 { format!(" and {more} more") } else { String::new() }
-}
-
-fn capital(text: &str) -> String {
-    let mut characters = text.chars();
-    characters.next().map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
 }

@@ -4,6 +4,7 @@
 //! changes over to the other flank in the program's belief, and where the driver is put back.
 
 use super::{Hypothesis, Row, interval};
+use geneva_dynamics::program::Program;
 use nalgebra::Vector2;
 
 /// What a run has whose sign is chosen by the acceleration of a moment before: speeds in rad/s, times in s.
@@ -76,6 +77,19 @@ impl Pin {
 }
 
 impl Card {
+    /// What a program reads, with the lag of its sign.
+    fn of(program: &Program, delay: f64) -> Self {
+        Self {
+            ratio: program.ratio,
+            start: program.start,
+            reset: program.fold,
+            inertias: [program.inertias.driver(), program.inertias.follower()],
+            torque: program.torque,
+            friction: program.friction,
+            delay,
+        }
+    }
+
     /// The driver's acceleration if the pin is believed to press on this flank (1 or −1).
     fn acceleration(&self, state: &State, flank: f64) -> f64 {
         let pin = Pin::at(self.ratio, state.angle);
@@ -147,17 +161,8 @@ impl History {
 impl Lagged {
     /// Of a row as the program ran it; none if it has no two engagements.
     pub fn of(row: &Row) -> Option<Self> {
-        let (program, duration) = (Hypothesis::as_run().program(row)?, super::duration());
-        let card = Card {
-            ratio: program.ratio,
-            start: program.start,
-            reset: program.fold,
-            inertias: [program.inertias.driver(), program.inertias.follower()],
-            torque: program.torque,
-            friction: program.friction,
-            delay: super::delay(),
-        };
-        run(&card, interval(), duration)
+        let card = Card::of(&Hypothesis::as_run().program(row)?, super::delay());
+        run(&card, interval(), super::duration())
     }
 }
 
@@ -234,16 +239,7 @@ mod tests {
 
     /// A row's card with another delay.
     fn card(delay: f64) -> Card {
-        let program = Hypothesis::as_run().program(&rows()[16]).expect("a program");
-        Card {
-            ratio: program.ratio,
-            start: program.start,
-            reset: program.fold,
-            inertias: [program.inertias.driver(), program.inertias.follower()],
-            torque: program.torque,
-            friction: program.friction,
-            delay,
-        }
+        Card::of(&Hypothesis::as_run().program(&rows()[16]).expect("a program"), delay)
     }
 
     #[test]
