@@ -59,7 +59,7 @@ pub fn extremes(stations: RangeInclusive<u32>) -> Figure {
             crossing(&rows)
         ),
         caption: "More stations, gentler motion: peak velocity over the driver's speed; peak acceleration and \
-                  acceleration at entry over its square. The broken lines only lead the eye."
+                  acceleration at entry over its square. The dotted lines only lead the eye."
             .to_owned(),
     };
     words.figure(canvas, Kind::Plot, Series::new(columns, rows))
