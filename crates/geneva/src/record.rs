@@ -1,6 +1,6 @@
 //! Claims and slips as data, for JSON and CSV.
 
-use geneva_ledger::{Check, Judged, Places, in_full, slips};
+use geneva_ledger::{Check, Judged, Places, in_full, slip as slip_of};
 use serde::Serialize;
 
 /// All that is known of a claim.
@@ -205,8 +205,7 @@ impl FindingRecord {
 impl ErratumRecord {
     fn of(judged: &Judged) -> Option<Self> {
         let (claim, slip) = (judged.claim, &judged.claim.erratum.as_ref()?.slip);
-        let places = slips().iter().filter(|places| places.slip.id == claim.id);
-        let others = places.flat_map(|places| &places.claims).map(|judged| judged.claim.id);
+        let others = slip_of(claim.id).into_iter().flat_map(|places| &places.claims).map(|judged| judged.claim.id);
         Some(Self {
             printed: in_full(claim),
             corrected: judged.corrected().unwrap_or_default(),

@@ -2,7 +2,7 @@
 
 use crate::claims::with_unit;
 use crate::output::{count, field, heading, style, wrapped};
-use geneva_ledger::{Consequence, Judged, Truth, Verdict, Work, in_full, slips};
+use geneva_ledger::{Consequence, Judged, Truth, Verdict, Work, in_full, slips_of};
 
 /// Verdicts by source, and each claim that does not stand as recorded.
 pub fn page(verdicts: &[Judged]) -> String {
@@ -71,7 +71,7 @@ fn differences(verdicts: &[Judged]) -> String {
 
 /// How many things are wrong in the sources, by what they do. What the copy at hand has lost is not among them.
 fn wrong() -> String {
-    let of = |consequence| slips().iter().filter(|places| places.slip.consequence == consequence).count();
+    let of = |consequence| slips_of(consequence).count();
     let told = Consequence::ALL.iter().filter(|consequence| **consequence != Consequence::Copy);
     let all: usize = told.clone().map(|consequence| of(*consequence)).sum();
     let parts: Vec<_> = told.map(|consequence| format!("{} {consequence}", of(*consequence))).collect();

@@ -35,7 +35,7 @@ pub use inventory::{Entry, Line, Symbol, fingerprint, in_full, numeric_tokens};
 pub use judge::{Judged, judge};
 pub use misprints::{Class, Misprint, misprints};
 pub use printed::{Decimal, Mark, Marked, Unreadable};
-pub use slip::{Consequence, Erratum, Origin, Places, Slip, slips};
+pub use slip::{Consequence, Erratum, Origin, Places, Slip, slip, slips, slips_of};
 pub use tex::{GREEK, Piece, pieces};
 pub use tolerance::{TOLERANCES, Tolerance};
 pub use verdict::{Truth, Verdict};

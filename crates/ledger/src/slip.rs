@@ -116,6 +116,16 @@ pub fn slips() -> &'static [Places] {
     SLIPS.get_or_init(collected)
 }
 
+/// The slips with this consequence.
+pub fn slips_of(consequence: Consequence) -> impl Iterator<Item = &'static Places> {
+    slips().iter().filter(move |places| places.slip.consequence == consequence)
+}
+
+/// The slip of this id with its places.
+pub fn slip(id: &str) -> Option<&'static Places> {
+    slips().iter().find(|places| places.slip.id == id)
+}
+
 fn collected() -> Vec<Places> {
     let mut found: Vec<Places> = Vec::new();
     for judged in verdicts() {

@@ -5,13 +5,13 @@ use super::inline::{badge, linked_id, rounded, with_unit};
 use super::lookup;
 use crate::html::{Cells, escape, table, tex_or_text};
 use anyhow::{anyhow, ensure};
-use geneva_ledger::{Consequence, Judged, Places, in_full, slips};
+use geneva_ledger::{Consequence, Judged, Places, in_full, slip, slips, slips_of};
 
 /// The erratum of a claim, as a box.
 pub fn one(id: &str) -> anyhow::Result<String> {
     let judged = lookup::judged(id)?;
     let erratum = judged.claim.erratum.as_ref().ok_or_else(|| anyhow!("claim `{id}` has no erratum"))?;
-    let places = slips().iter().find(|places| places.slip.id == erratum.slip.id);
+    let places = slip(erratum.slip.id);
     boxed(judged, places.ok_or_else(|| anyhow!("slip `{}` has no places", erratum.slip.id))?, false)
 }
 
@@ -21,7 +21,7 @@ pub fn page(consequences: &str) -> anyhow::Result<String> {
     for slug in consequences.split_whitespace() {
         let consequence = lookup::consequence(slug)?;
         out.push_str(&format!("\n\n## {}\n", consequence.heading()));
-        for places in of(consequence) {
+        for places in slips_of(consequence) {
             out.push_str(&format!("\n{}\n", boxed(places.main(), places, true)?));
         }
     }
@@ -30,7 +30,7 @@ pub fn page(consequences: &str) -> anyhow::Result<String> {
 
 /// What changes a result or a conclusion, a row each.
 pub fn grave() -> anyhow::Result<String> {
-    let grave = [Consequence::Result, Consequence::Conclusion].into_iter().flat_map(of);
+    let grave = [Consequence::Result, Consequence::Conclusion].into_iter().flat_map(slips_of);
     let rows = grave
         .map(|places| {
             let (claim, slip) = (places.main().claim, &places.slip);
@@ -69,7 +69,8 @@ pub fn page_of(consequence: Consequence) -> &'static str {
 /// How many slips there are of each consequence, and how many without those of the copy.
 pub fn summary() -> String {
     let row = |consequence: &Consequence| {
-        let (slips, places) = (of(*consequence).count(), of(*consequence).map(|of| of.claims.len()).sum::<usize>());
+        let (slips, places) =
+            (slips_of(*consequence).count(), slips_of(*consequence).map(|of| of.claims.len()).sum::<usize>());
         vec![consequence.to_string(), consequence.meaning().to_owned(), slips.to_string(), places.to_string()]
     };
     let rows: Vec<_> = Consequence::ALL.iter().filter(|of| **of != Consequence::Copy).map(row).collect();
@@ -80,13 +81,9 @@ pub fn summary() -> String {
 pub fn count(of_what: &str) -> anyhow::Result<String> {
     let number = match of_what {
         "all" => slips().iter().filter(|places| places.slip.consequence != Consequence::Copy).count(),
-        slug => of(lookup::consequence(slug)?).count(),
+        slug => slips_of(lookup::consequence(slug)?).count(),
     };
     Ok(number.to_string())
-}
-
-fn of(consequence: Consequence) -> impl Iterator<Item = &'static Places> {
-    slips().iter().filter(move |places| places.slip.consequence == consequence)
 }
 
 /// An erratum as its chapter shows it; in full also how it was found, and where else the slip shows.
