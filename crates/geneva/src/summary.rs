@@ -81,13 +81,15 @@ fn wrong() -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use geneva_ledger::{Check, Claim, Evidence, judge};
+    use geneva_ledger::{Evidence, Place, judge};
 
     /// A claim that no source makes, with these digits for seven thirds.
     fn judged(printed: &'static str) -> Judged {
-        let check = Check::number((Evidence::ClosedForm, || 7.0 / 3.0), (Evidence::LimitCase, || 7.0 / 3.0));
-        let says = "seven thirds";
-        let claim = Claim::value(Work::Pin, "pin.made-up", "Nowhere, line 1", says, (printed, "mm"), check);
+        let place = Place::new(Work::Pin, "Nowhere, line 1");
+        let claim = place
+            .value("pin.made-up", printed, "mm", "seven thirds")
+            .by(Evidence::ClosedForm, || 7.0 / 3.0)
+            .by(Evidence::LimitCase, || 7.0 / 3.0);
         judge(Box::leak(Box::new(claim)))
     }
 

@@ -2,40 +2,51 @@
 
 use crate::slugs::slugs;
 use geneva_kinematics::{Proof, Refutation};
+use std::fmt;
+use std::sync::Arc;
+
+/// A way to a number.
+pub type Number = dyn Fn() -> f64 + Send + Sync;
+
+/// A way to find whether an equation holds.
+pub type Test = dyn Fn() -> Finding + Send + Sync;
+
+/// A way to find whether a statement holds, which is asked for the right one and for its neighbour.
+pub type Choice = dyn Fn(Stated) -> Finding + Send + Sync;
 
 /// How a claim is checked.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub enum Check {
     /// A number: computed, and computed again by a witness.
     Number {
         /// What the source says it did gives this value, in the printed unit.
-        computed: Computation,
+        computed: Route<Number>,
         /// The same by a route that shares no code with the first.
-        witness: Computation,
+        witness: Route<Number>,
         /// What the source's own rounded intermediate results give, if it is computed from any.
-        from_rounded: Option<fn() -> f64>,
+        from_rounded: Option<Arc<Number>>,
         /// Resolution of the reading, in the printed unit, if the number was read from a curve or print-out.
-        resolution: Option<fn() -> f64>,
+        resolution: Option<Arc<Number>>,
         /// The right value by two routes, if what the source did has a slip in it.
-        right: Option<[Computation; 2]>,
+        right: Option<[Route<Number>; 2]>,
     },
     /// An equation that holds or fails. What each route must refuse are misprints of its characters, made by program.
     Equation {
         /// The equation as printed.
-        printed: Route<fn() -> Finding>,
+        printed: Route<Test>,
         /// The corrected equation, if the printed one fails.
-        corrected: Option<fn() -> Finding>,
+        corrected: Option<Arc<Test>>,
         /// Another route to the equation that is right: the corrected one if there is one, else the printed one.
-        witness: Route<fn() -> Finding>,
+        witness: Route<Test>,
         /// How its characters are read, if the ledger itself reads them.
         reader: Option<Reader>,
     },
     /// A statement or a figure. Each route is asked twice: for what is right and for a neighbour that is wrong.
     Statement {
         /// The first route.
-        first: Route<fn(Stated) -> Finding>,
+        first: Route<Choice>,
         /// A route that shares no code with the first.
-        witness: Route<fn(Stated) -> Finding>,
+        witness: Route<Choice>,
         /// The neighbour in words; none if it is the printed form, which is wrong.
         neighbour: Option<&'static str>,
     },
@@ -55,16 +66,12 @@ pub struct Reader {
     pub holds: fn(&str) -> Option<bool>,
 }
 
-/// A way to a number.
-pub type Computation = Route<fn() -> f64>;
-
 /// A way to a result, with the kind of evidence that it is.
-#[derive(Clone, Copy, Debug)]
-pub struct Route<F> {
+pub struct Route<R: ?Sized> {
     /// The kind of evidence.
     pub evidence: Evidence,
     /// Computes the result.
-    pub run: F,
+    pub run: Arc<R>,
 }
 
 /// Which of two neighbouring statements is put to a route. A check that cannot fail is not a check: a route that
@@ -124,92 +131,12 @@ pub struct Finding {
 }
 
 impl Check {
-    /// A number and its witness.
-    pub fn number(computed: (Evidence, fn() -> f64), witness: (Evidence, fn() -> f64)) -> Self {
-        let (computed, witness) = (computed.into(), witness.into());
-        Self::Number { computed, witness, from_rounded: None, resolution: None, right: None }
-    }
-
-    /// The same, with what the source's rounded intermediate results give.
-    pub fn number_from_rounded(
-        computed: (Evidence, fn() -> f64),
-        witness: (Evidence, fn() -> f64),
-        rounded: fn() -> f64,
-    ) -> Self {
-        let (computed, witness) = (computed.into(), witness.into());
-        Self::Number { computed, witness, from_rounded: Some(rounded), resolution: None, right: None }
-    }
-
-    /// A number to which a slip of the source leads, by two routes that take it along, and the right number by two that
-    /// do not.
-    pub fn number_in_error(
-        computed: (Evidence, fn() -> f64),
-        witness: (Evidence, fn() -> f64),
-        right: [(Evidence, fn() -> f64); 2],
-    ) -> Self {
-        let (computed, witness, right) = (computed.into(), witness.into(), Some(right.map(Route::from)));
-        Self::Number { computed, witness, from_rounded: None, resolution: None, right }
-    }
-
-    /// An equation that is right as printed, and its witness.
-    pub fn equation(printed: (Evidence, fn() -> Finding), witness: (Evidence, fn() -> Finding)) -> Self {
-        Self::Equation { printed: printed.into(), corrected: None, witness: witness.into(), reader: None }
-    }
-
-    /// An equation that fails as printed, its correction, and the correction's witness.
-    pub fn corrected_equation(
-        printed: (Evidence, fn() -> Finding),
-        corrected: fn() -> Finding,
-        witness: (Evidence, fn() -> Finding),
-    ) -> Self {
-        let (printed, witness) = (printed.into(), witness.into());
-        Self::Equation { printed, corrected: Some(corrected), witness, reader: None }
-    }
-
-    /// An equation whose characters the ledger reads: whether given ones hold in their place, if they can be read.
-    #[must_use]
-    pub fn read_by(self, holds: fn(&str) -> Option<bool>) -> Self {
-        self.with_reader(Reader { said: None, holds })
-    }
-
-    /// The same for characters that are not ours to print: what they say, in the letters of mathematics.
-    #[must_use]
-    pub fn saying(self, said: &'static str, holds: fn(&str) -> Option<bool>) -> Self {
-        self.with_reader(Reader { said: Some(said), holds })
-    }
-
-    fn with_reader(self, reader: Reader) -> Self {
-        match self {
-            Self::Equation { printed, corrected, witness, .. } => {
-                Self::Equation { printed, corrected, witness, reader: Some(reader) }
-            }
-            other => other,
-        }
-    }
-
     /// How the characters of the equation are read, if it is one and the ledger reads it.
     pub fn reader(&self) -> Option<Reader> {
         match self {
             Self::Equation { reader, .. } => *reader,
             _ => None,
         }
-    }
-
-    /// A statement that is right as printed, a neighbour that is wrong, and two routes that tell them apart.
-    pub fn statement(
-        neighbour: &'static str,
-        first: (Evidence, fn(Stated) -> Finding),
-        witness: (Evidence, fn(Stated) -> Finding),
-    ) -> Self {
-        Self::Statement { first: first.into(), witness: witness.into(), neighbour: Some(neighbour) }
-    }
-
-    /// A statement that is wrong as printed, and two routes that tell it from its correction.
-    pub fn corrected_statement(
-        first: (Evidence, fn(Stated) -> Finding),
-        witness: (Evidence, fn(Stated) -> Finding),
-    ) -> Self {
-        Self::Statement { first: first.into(), witness: witness.into(), neighbour: None }
     }
 
     /// The kinds of evidence used, the first route's first.
@@ -223,9 +150,15 @@ impl Check {
     }
 }
 
-impl<F> From<(Evidence, F)> for Route<F> {
-    fn from((evidence, run): (Evidence, F)) -> Self {
-        Self { evidence, run }
+impl fmt::Debug for Check {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Check").field(&self.evidence()).finish()
+    }
+}
+
+impl<R: ?Sized> Clone for Route<R> {
+    fn clone(&self) -> Self {
+        Self { evidence: self.evidence, run: Arc::clone(&self.run) }
     }
 }
 

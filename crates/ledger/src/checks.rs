@@ -49,3 +49,19 @@ pub(crate) fn same(a: f64, b: f64) -> Finding {
 pub(crate) fn meets(a: f64, b: f64) -> Finding {
     Finding::new(agrees(a, b), format!("{a:.6} against {b:.6}"))
 }
+
+/// Whether the right characters of the claim hold, read and evaluated; and the printed ones do not, if they are
+/// corrected.
+pub(crate) fn reads(id: &str) -> Finding {
+    let Some((claim, reader)) = claim(id).and_then(|claim| Some((claim, claim.check.reader()?))) else {
+        return Finding::new(false, "no claim whose characters are read");
+    };
+    let right = (reader.holds)(claim.right_characters()) == Some(true);
+    match &claim.erratum {
+        None => Finding::new(right, "the printed characters, read and evaluated wherever they must hold"),
+        Some(_) => Finding::new(
+            right && (reader.holds)(claim.printed) != Some(true),
+            "the corrected characters, read and evaluated, hold; the printed ones do not",
+        ),
+    }
+}

@@ -1,7 +1,11 @@
 //! One row of the ledger.
 
+use crate::checks::reads;
 use crate::slugs::slugs;
-use crate::{Check, Erratum, Slip, Verdict, Work};
+use crate::{Check, Choice, Erratum, Evidence, Finding, Number, Reader, Route, Slip, Stated, Test, Verdict, Work};
+use geneva_kinematics::{Identity, prove};
+use std::marker::PhantomData;
+use std::sync::Arc;
 
 /// What a source says in one place, how it is checked, and the verdict on record.
 #[derive(Clone, Debug)]
@@ -43,60 +47,269 @@ pub enum Kind {
     Statement,
 }
 
-impl Claim {
-    /// A printed number with its unit. Like all claims, expected to be reproduced, and without an erratum.
+/// A place in a source, at which its claims are made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    work: Work,
+    locator: &'static str,
+}
+
+/// A claim of which it is not yet said how it is checked. Two routes make it whole.
+pub struct Unchecked<R: ?Sized> {
+    claim: Claim,
+    routes: PhantomData<Arc<R>>,
+}
+
+/// A claim that has one route and wants a witness.
+pub struct Unwitnessed<R: ?Sized> {
+    claim: Claim,
+    first: Route<R>,
+    corrected: Option<Arc<R>>,
+}
+
+impl Place {
+    /// A place in the source, in the manner of a printed errata list.
+    pub const fn new(work: Work, locator: &'static str) -> Self {
+        Self { work, locator }
+    }
+
+    /// A printed number with its unit.
     pub fn value(
-        work: Work,
+        self,
         id: &'static str,
-        locator: &'static str,
+        printed: &'static str,
+        unit: &'static str,
         meaning: &'static str,
-        (printed, unit): (&'static str, &'static str),
-        check: Check,
-    ) -> Self {
-        let (kind, expected) = (Kind::Value, Verdict::Reproduced);
-        Self { id, work, locator, kind, meaning, printed, unit, check, expected, reading: None, erratum: None }
+    ) -> Unchecked<Number> {
+        let unchecked = self.claim(Kind::Value, id, printed, meaning);
+        Unchecked { claim: Claim { unit, ..unchecked.claim }, ..unchecked }
     }
 
     /// An equation or a formula.
-    pub fn equation(
-        work: Work,
-        id: &'static str,
-        locator: &'static str,
-        meaning: &'static str,
-        printed: &'static str,
-        check: Check,
-    ) -> Self {
-        Self { kind: Kind::Equation, ..Self::value(work, id, locator, meaning, (printed, ""), check) }
+    pub fn equation(self, id: &'static str, printed: &'static str, meaning: &'static str) -> Unchecked<Test> {
+        self.claim(Kind::Equation, id, printed, meaning)
+    }
+
+    /// A formula of which the claim is a sentence: that it is of a kind, has a sign, stands for a quantity.
+    pub fn formula(self, id: &'static str, printed: &'static str, meaning: &'static str) -> Unchecked<Choice> {
+        self.claim(Kind::Equation, id, printed, meaning)
     }
 
     /// A figure, or what a text says of one.
-    pub fn figure(
-        work: Work,
-        id: &'static str,
-        locator: &'static str,
-        meaning: &'static str,
-        printed: &'static str,
-        check: Check,
-    ) -> Self {
-        Self { kind: Kind::Figure, ..Self::value(work, id, locator, meaning, (printed, ""), check) }
+    pub fn figure(self, id: &'static str, printed: &'static str, meaning: &'static str) -> Unchecked<Choice> {
+        self.claim(Kind::Figure, id, printed, meaning)
     }
 
     /// A sentence that can be checked.
-    pub fn statement(
-        work: Work,
+    pub fn statement(self, id: &'static str, printed: &'static str, meaning: &'static str) -> Unchecked<Choice> {
+        self.claim(Kind::Statement, id, printed, meaning)
+    }
+
+    fn claim<R: ?Sized>(
+        self,
+        kind: Kind,
         id: &'static str,
-        locator: &'static str,
-        meaning: &'static str,
         printed: &'static str,
-        check: Check,
+        meaning: &'static str,
+    ) -> Unchecked<R> {
+        let claim = Claim {
+            id,
+            work: self.work,
+            locator: self.locator,
+            kind,
+            meaning,
+            printed,
+            unit: "",
+            check: Check::Missing { reason: "" },
+            expected: Verdict::Reproduced,
+            reading: None,
+            erratum: None,
+        };
+        Unchecked { claim, routes: PhantomData }
+    }
+}
+
+impl<R: ?Sized> Unchecked<R> {
+    /// It cannot be checked: a datum is missing from the source.
+    pub fn missing(self, reason: &'static str) -> Claim {
+        Claim { check: Check::Missing { reason }, expected: Verdict::NotReproducible, ..self.claim }
+    }
+
+    fn first(self, evidence: Evidence, run: Arc<R>) -> Unwitnessed<R> {
+        Unwitnessed { claim: self.claim, first: Route { evidence, run }, corrected: None }
+    }
+}
+
+impl Unchecked<Number> {
+    /// What the source says it did gives this number, in the printed unit.
+    pub fn by(self, evidence: Evidence, run: impl Fn() -> f64 + Send + Sync + 'static) -> Unwitnessed<Number> {
+        self.first(evidence, Arc::new(run))
+    }
+}
+
+impl Unwitnessed<Number> {
+    /// A route to the same number that shares no code with the first.
+    pub fn by(self, evidence: Evidence, run: impl Fn() -> f64 + Send + Sync + 'static) -> Claim {
+        let witness = Route { evidence, run: Arc::new(run) as Arc<Number> };
+        let check = Check::Number { computed: self.first, witness, from_rounded: None, resolution: None, right: None };
+        Claim { check, ..self.claim }
+    }
+}
+
+impl Unchecked<Test> {
+    /// Whether the printed equation holds.
+    pub fn by(self, evidence: Evidence, run: impl Fn() -> Finding + Send + Sync + 'static) -> Unwitnessed<Test> {
+        self.first(evidence, Arc::new(run))
+    }
+
+    /// The printed equation is this identity.
+    pub fn proven<const V: usize>(self, identity: impl Identity<V> + Send + Sync + 'static) -> Unwitnessed<Test> {
+        self.by(Evidence::ExactIdentity, move || prove(&identity).into())
+    }
+}
+
+impl Unwitnessed<Test> {
+    /// Whether the corrected equation holds, if the printed one fails.
+    #[must_use]
+    pub fn corrected_form(self, run: impl Fn() -> Finding + Send + Sync + 'static) -> Self {
+        Self { corrected: Some(Arc::new(run)), ..self }
+    }
+
+    /// Whether the right equation holds, by a route that shares no code with the first.
+    pub fn by(self, evidence: Evidence, run: impl Fn() -> Finding + Send + Sync + 'static) -> Claim {
+        let witness = Route { evidence, run: Arc::new(run) as Arc<Test> };
+        let check = Check::Equation { printed: self.first, corrected: self.corrected, witness, reader: None };
+        Claim { check, ..self.claim }
+    }
+
+    /// The right characters hold wherever they are read and evaluated, and the printed ones do not if they are corrected.
+    pub fn read(self, evidence: Evidence, holds: fn(&str) -> Option<bool>) -> Claim {
+        let id = self.claim.id;
+        self.by(evidence, move || reads(id)).read_by(holds)
+    }
+
+    /// The right equation is this identity.
+    pub fn proven<const V: usize>(self, identity: impl Identity<V> + Send + Sync + 'static) -> Claim {
+        self.by(Evidence::ExactIdentity, move || prove(&identity).into())
+    }
+}
+
+impl Unchecked<Choice> {
+    /// Whether the right statement holds, and its neighbour.
+    pub fn by(
+        self,
+        evidence: Evidence,
+        run: impl Fn(Stated) -> Finding + Send + Sync + 'static,
+    ) -> Unwitnessed<Choice> {
+        self.first(evidence, Arc::new(run))
+    }
+}
+
+impl Unwitnessed<Choice> {
+    /// The same by a route that shares no code with the first. Until it is said what else is wrong
+    /// ([`Claim::but_not`]), the wrong statement is the printed one.
+    pub fn by(self, evidence: Evidence, run: impl Fn(Stated) -> Finding + Send + Sync + 'static) -> Claim {
+        let witness = Route { evidence, run: Arc::new(run) as Arc<Choice> };
+        Claim { check: Check::Statement { first: self.first, witness, neighbour: None }, ..self.claim }
+    }
+}
+
+impl Claim {
+    /// What the source's own rounded intermediate results give.
+    #[must_use]
+    pub fn rounded(mut self, run: impl Fn() -> f64 + Send + Sync + 'static) -> Self {
+        let Check::Number { from_rounded, .. } = &mut self.check else { self.has_no("the source's rounded results") };
+        *from_rounded = Some(Arc::new(run));
+        self
+    }
+
+    /// How finely the number could be read, in the printed unit.
+    #[must_use]
+    pub fn read_to(mut self, unit: impl Fn() -> f64 + Send + Sync + 'static) -> Self {
+        let Check::Number { resolution, .. } = &mut self.check else { self.has_no("a resolution") };
+        *resolution = Some(Arc::new(unit));
+        self
+    }
+
+    /// The right number by two routes, where those to the printed one take a slip of the source along.
+    #[must_use]
+    pub fn right(
+        mut self,
+        evidence: Evidence,
+        run: impl Fn() -> f64 + Send + Sync + 'static,
+        other: Evidence,
+        again: impl Fn() -> f64 + Send + Sync + 'static,
     ) -> Self {
-        Self { kind: Kind::Statement, ..Self::value(work, id, locator, meaning, (printed, ""), check) }
+        let Check::Number { right, .. } = &mut self.check else { self.has_no("a right number") };
+        let first = Route { evidence, run: Arc::new(run) as Arc<Number> };
+        *right = Some([first, Route { evidence: other, run: Arc::new(again) }]);
+        self
+    }
+
+    /// An equation whose characters the ledger reads: whether given ones hold in their place, if they can be read.
+    #[must_use]
+    pub fn read_by(mut self, holds: fn(&str) -> Option<bool>) -> Self {
+        let Check::Equation { reader, .. } = &mut self.check else { self.has_no("a reader") };
+        *reader = Some(Reader { said: None, holds });
+        self
+    }
+
+    /// What characters that are not ours to print say, in the letters of mathematics; these are read.
+    #[must_use]
+    pub fn saying(mut self, said: &'static str) -> Self {
+        let Check::Equation { reader: Some(reader), .. } = &mut self.check else { self.has_no("what is read") };
+        reader.said = Some(said);
+        self
+    }
+
+    /// The neighbour of a statement that is right as printed: what both routes must refuse.
+    #[must_use]
+    pub fn but_not(mut self, wrong: &'static str) -> Self {
+        let Check::Statement { neighbour, .. } = &mut self.check else { self.has_no("a neighbour") };
+        *neighbour = Some(wrong);
+        self
+    }
+
+    /// Says how a vague sentence is read.
+    #[must_use]
+    pub fn read_as(self, reading: &'static str) -> Self {
+        Self { reading: Some(reading), ..self }
     }
 
     /// Records another verdict than `reproduced`.
     #[must_use]
     pub fn expecting(self, expected: Verdict) -> Self {
         Self { expected, ..self }
+    }
+
+    /// Records that what is printed is wrong, and what should stand there.
+    #[must_use]
+    pub fn corrected(self, corrected: &'static str, slip: Slip) -> Self {
+        self.expecting(Verdict::Corrected).with_erratum(Erratum { corrected, slip })
+    }
+
+    /// Records that the printed digits are what a slip of the source gives.
+    #[must_use]
+    pub fn in_error(self, slip: Slip) -> Self {
+        self.expecting(Verdict::ReproducedInError).affected_by(slip)
+    }
+
+    /// Records that the claim is a place of a slip of which the right number tells whether it changes anything here.
+    #[must_use]
+    pub fn affected_by(self, slip: Slip) -> Self {
+        self.with_erratum(Erratum { corrected: "", slip })
+    }
+
+    /// A claim is written down once, in the source text; a part that its check does not have is a mistake there.
+    fn has_no(&self, part: &str) -> ! {
+        panic!("{}: its check has no place for {part}", self.id)
+    }
+
+    /// Records an erratum. A slip without an id is one of this place and gets the claim's.
+    #[must_use]
+    fn with_erratum(self, erratum: Erratum) -> Self {
+        let slip = if erratum.slip.id.is_empty() { Slip { id: self.id, ..erratum.slip } } else { erratum.slip };
+        Self { erratum: Some(Erratum { slip, ..erratum }), ..self }
     }
 
     /// The characters that are right: those of the correction, if there is one; what they say, if they are not printed.
@@ -106,25 +319,6 @@ impl Claim {
             (None, Some(erratum)) => erratum.corrected,
             (None, None) => self.printed,
         }
-    }
-
-    /// Says how a vague sentence is read.
-    #[must_use]
-    pub fn read_as(self, reading: &'static str) -> Self {
-        Self { reading: Some(reading), ..self }
-    }
-
-    /// Records an erratum. A slip without an id is one of this place and gets the claim's.
-    #[must_use]
-    pub fn with_erratum(self, erratum: Erratum) -> Self {
-        let slip = if erratum.slip.id.is_empty() { Slip { id: self.id, ..erratum.slip } } else { erratum.slip };
-        Self { erratum: Some(Erratum { slip, ..erratum }), ..self }
-    }
-
-    /// Records that the claim is a place of a slip of which the right number tells whether it changes anything here.
-    #[must_use]
-    pub fn affected_by(self, slip: Slip) -> Self {
-        self.with_erratum(Erratum { corrected: "", slip })
     }
 }
 

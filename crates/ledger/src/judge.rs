@@ -1,7 +1,7 @@
 //! The verdict on a claim, derived.
 
 use crate::tolerance::{PROGRAM, ROUTES, STEPS};
-use crate::{Check, Claim, Computation, Decimal, Erratum, Evidence, Finding, Route, Stated, Truth, Verdict};
+use crate::{Check, Choice, Claim, Decimal, Erratum, Evidence, Finding, Number, Route, Stated, Test, Truth, Verdict};
 
 /// A claim with its derived verdict and what was found on the way.
 #[derive(Clone, Debug)]
@@ -75,8 +75,8 @@ pub fn judge(claim: &'static Claim) -> Judged {
     };
     match &claim.check {
         Check::Number { computed, witness, from_rounded, resolution, right } => {
-            judged.from_rounded = from_rounded.map(|run| run());
-            let resolution = resolution.map(|run| run());
+            judged.from_rounded = from_rounded.as_ref().map(|run| run());
+            let resolution = resolution.as_ref().map(|run| run());
             number(&mut judged, computed, witness, resolution);
             if let Some(routes) = right {
                 put_right(&mut judged, routes, resolution);
@@ -84,7 +84,9 @@ pub fn judge(claim: &'static Claim) -> Judged {
                 judged.right_value = judged.computed;
             }
         }
-        Check::Equation { printed, corrected, witness, .. } => equation(&mut judged, printed, *corrected, witness),
+        Check::Equation { printed, corrected, witness, .. } => {
+            equation(&mut judged, printed, corrected.as_deref(), witness)
+        }
         Check::Statement { first, witness, neighbour } => statement(&mut judged, first, witness, *neighbour),
         Check::Missing { .. } => {}
     }
@@ -96,7 +98,7 @@ pub fn judge(claim: &'static Claim) -> Judged {
     judged
 }
 
-fn number(judged: &mut Judged, computed: &Computation, witness: &Computation, resolution: Option<f64>) {
+fn number(judged: &mut Judged, computed: &Route<Number>, witness: &Route<Number>, resolution: Option<f64>) {
     let claim = judged.claim;
     let (value, witnessed) = ((computed.run)(), (witness.run)());
     (judged.computed, judged.witnessed) = (Some(value), Some(witnessed));
@@ -146,11 +148,11 @@ fn disagreement(judged: &mut Judged, [first, witness]: [Evidence; 2], [value, wi
 
 /// The right number beside one that the source's slip gives. If the printed digits bear it too, the slip changes nothing
 /// here, and the verdict stays.
-fn put_right(judged: &mut Judged, routes: &[Computation; 2], resolution: Option<f64>) {
-    let [right, witnessed] = routes.map(|route| (route.run)());
+fn put_right(judged: &mut Judged, routes: &[Route<Number>; 2], resolution: Option<f64>) {
+    let [right, witnessed] = routes.each_ref().map(|route| (route.run)());
     judged.right_value = Some(right);
     let Ok(printed) = judged.claim.printed.parse::<Decimal>() else { return };
-    disagreement(judged, routes.map(|route| route.evidence), [right, witnessed], &printed);
+    disagreement(judged, routes.each_ref().map(|route| route.evidence), [right, witnessed], &printed);
     if judged.truth() != Truth::Right || printed.is_rounding_of(right) {
         return;
     }
@@ -162,12 +164,7 @@ fn correction_passes(erratum: &Erratum, value: f64) -> bool {
     erratum.corrected.parse::<Decimal>().is_ok_and(|corrected| corrected.is_rounding_of(value))
 }
 
-fn equation(
-    judged: &mut Judged,
-    printed: &Route<fn() -> Finding>,
-    corrected: Option<fn() -> Finding>,
-    witness: &Route<fn() -> Finding>,
-) {
+fn equation(judged: &mut Judged, printed: &Route<Test>, corrected: Option<&Test>, witness: &Route<Test>) {
     let (as_printed, correction, witnessed) = ((printed.run)(), corrected.map(|run| run()), (witness.run)());
     judged.verdict = verdict(as_printed.holds, correction.as_ref().map(|finding| finding.holds));
     if as_printed.holds && correction.is_some() {
@@ -181,18 +178,13 @@ fn equation(
     judged.findings.push(("witness", witnessed));
 }
 
-fn statement(
-    judged: &mut Judged,
-    first: &Route<fn(Stated) -> Finding>,
-    witness: &Route<fn(Stated) -> Finding>,
-    neighbour: Option<&'static str>,
-) {
-    let [right, wrong] = [Stated::Right, Stated::Wrong].map(first.run);
+fn statement(judged: &mut Judged, first: &Route<Choice>, witness: &Route<Choice>, neighbour: Option<&'static str>) {
+    let [right, wrong] = [Stated::Right, Stated::Wrong].map(&*first.run);
     judged.verdict = match neighbour {
         Some(_) => verdict(right.holds, None),
         None => verdict(wrong.holds, Some(right.holds)),
     };
-    let [witnessed, refused] = [Stated::Right, Stated::Wrong].map(witness.run);
+    let [witnessed, refused] = [Stated::Right, Stated::Wrong].map(&*witness.run);
     for (route, accepts) in [("first route", wrong.holds), ("witness", refused.holds)] {
         if accepts {
             let what = neighbour.unwrap_or("the printed form");

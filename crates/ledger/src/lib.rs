@@ -28,8 +28,8 @@ pub mod meyer;
 pub mod pin;
 pub mod quick_return;
 
-pub use check::{Check, Computation, Evidence, Finding, Reader, Route, Stated};
-pub use claim::{Claim, Kind};
+pub use check::{Check, Choice, Evidence, Finding, Number, Reader, Route, Stated, Test};
+pub use claim::{Claim, Kind, Place};
 pub use dimension::Dimension;
 pub use inventory::{Entry, Line, Symbol, fingerprint, in_full, numeric_tokens};
 pub use judge::{Judged, judge};

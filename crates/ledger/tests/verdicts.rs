@@ -1,9 +1,11 @@
 //! Does every claim stand as recorded, and would it be noticed if it did not?
 
 use geneva_ledger::{
-    Check, Claim, Decimal, Entry, Evidence, Finding, Kind, Route, Stated, Verdict, Work, claims, judge, slips, verdicts,
+    Check, Choice, Claim, Decimal, Entry, Evidence, Finding, Kind, Number, Route, Test, Verdict, Work, claims, judge,
+    slips, verdicts,
 };
 use std::collections::HashSet;
+use std::sync::Arc;
 
 #[test]
 fn every_claim_stands_as_recorded() {
@@ -80,7 +82,7 @@ fn a_wrong_digit_in_a_number_is_noticed() {
     // The neighbouring digit in each place; in the last one of a reading the next that is out of its reach.
     let mut tried = 0;
     for claim in claims().iter().filter(|claim| claim.kind == Kind::Value) {
-        let Check::Number { resolution, .. } = claim.check else { continue };
+        let Check::Number { resolution, .. } = &claim.check else { continue };
         let last = claim.printed.rfind(|c: char| c.is_ascii_digit());
         for (at, digit) in claim.printed.char_indices().filter(|(_, c)| c.is_ascii_digit()) {
             let step = if resolution.is_some() && Some(at) == last { 3 } else { 1 };
@@ -105,44 +107,50 @@ fn a_wrong_route_is_noticed() {
     // that accepts everything.
     let leaked =
         |claim: &Claim, check: Check| -> &'static Claim { Box::leak(Box::new(Claim { check, ..claim.clone() })) };
-    let number = |evidence: Evidence| Route { evidence, run: (|| 0.123_456_789) as fn() -> f64 };
+    let number = |evidence: Evidence| Route { evidence, run: Arc::new(|| 0.123_456_789) as Arc<Number> };
     let fails =
-        |evidence: Evidence| Route { evidence, run: (|| Finding::new(false, "made to fail")) as fn() -> Finding };
+        |evidence: Evidence| Route { evidence, run: Arc::new(|| Finding::new(false, "made to fail")) as Arc<Test> };
     let decides = |evidence: Evidence| {
-        let refuses: fn(Stated) -> Finding = |_| Finding::new(false, "made to fail");
-        let accepts: fn(Stated) -> Finding = |_| Finding::new(true, "made to hold");
-        [refuses, accepts].map(|run| Route { evidence, run })
+        [false, true].map(|holds| {
+            let run: Arc<Choice> = Arc::new(move |_| Finding::new(holds, "made up"));
+            Route { evidence, run }
+        })
     };
     for claim in claims() {
         let mut broken = Vec::new();
         match claim.check.clone() {
             Check::Number { computed, witness, from_rounded, resolution, right } => {
-                let with =
-                    |computed, witness, right| Check::Number { computed, witness, from_rounded, resolution, right };
-                broken.push(with(number(computed.evidence), witness, right));
-                broken.push(with(computed, number(witness.evidence), right));
+                let with = |computed: &Route<Number>, witness: &Route<Number>, right| {
+                    let [computed, witness] = [computed, witness].map(Route::clone);
+                    let (from_rounded, resolution) = (from_rounded.clone(), resolution.clone());
+                    Check::Number { computed, witness, from_rounded, resolution, right }
+                };
+                broken.push(with(&number(computed.evidence), &witness, right.clone()));
+                broken.push(with(&computed, &number(witness.evidence), right.clone()));
                 if let Some([one, other]) = right {
-                    broken.push(with(computed, witness, Some([number(one.evidence), other])));
-                    broken.push(with(computed, witness, Some([one, number(other.evidence)])));
+                    broken.push(with(&computed, &witness, Some([number(one.evidence), other.clone()])));
+                    broken.push(with(&computed, &witness, Some([one, number(other.evidence)])));
                 }
             }
             Check::Equation { printed, corrected, witness, reader } => {
+                let with = |printed: &Route<Test>, corrected, witness: &Route<Test>| {
+                    let [printed, witness] = [printed, witness].map(Route::clone);
+                    Check::Equation { printed, corrected, witness, reader }
+                };
                 let (first, second) = (fails(printed.evidence), fails(witness.evidence));
-                broken.push(Check::Equation { printed, corrected, witness: second, reader });
-                match corrected {
-                    None => broken.push(Check::Equation { printed: first, corrected, witness, reader }),
-                    Some(_) => {
-                        broken.push(Check::Equation { printed, corrected: Some(first.run), witness, reader });
-                    }
-                }
+                broken.push(with(&printed, corrected.clone(), &second));
+                broken.push(match corrected {
+                    None => with(&first, None, &witness),
+                    Some(_) => with(&printed, Some(first.run), &witness),
+                });
             }
             Check::Statement { first, witness, neighbour } => {
-                for route in decides(first.evidence) {
-                    broken.push(Check::Statement { first: route, witness, neighbour });
-                }
-                for route in decides(witness.evidence) {
-                    broken.push(Check::Statement { first, witness: route, neighbour });
-                }
+                let with = |first: &Route<Choice>, witness: &Route<Choice>| {
+                    let [first, witness] = [first, witness].map(Route::clone);
+                    Check::Statement { first, witness, neighbour }
+                };
+                broken.extend(decides(first.evidence).iter().map(|route| with(route, &witness)));
+                broken.extend(decides(witness.evidence).iter().map(|route| with(&first, route)));
             }
             Check::Missing { .. } => {}
         }

@@ -5,23 +5,15 @@ use super::*;
 use crate::Dimension as Exponents;
 use geneva_kinematics::rational;
 
-const PLOT: &str = "Paragraph on Fig. 5.30";
-const STATIONS: &str = "2nd paragraph on Fig. 5.30";
+const PLOT: Place = at("Paragraph on Fig. 5.30");
+const STATIONS: Place = at("2nd paragraph on Fig. 5.30");
 
 pub fn claims() -> Vec<Claim> {
     vec![
         plotted(),
-        Claim::value(
-            WORK,
-            "jazar.phi-range",
-            PLOT,
-            "wheel angle at entry and exit",
-            ("-45", "°"),
-            Check::number(
-                (ClosedForm, || -of(4, Wheel::half_station).to_degrees()),
-                (Vectors, || of(4, |wheel| by_series(wheel, -wheel.engagement_half_angle())[0]).to_degrees()),
-            ),
-        ),
+        PLOT.value("jazar.phi-range", "-45", "°", "wheel angle at entry and exit")
+            .by(ClosedForm, || -of(4, Wheel::half_station).to_degrees())
+            .by(Vectors, || of(4, |wheel| by_series(wheel, -wheel.engagement_half_angle())[0]).to_degrees()),
         velocity_normalisation(),
         acceleration_normalisation(),
         smooth_inside(),
@@ -32,236 +24,191 @@ pub fn claims() -> Vec<Claim> {
 }
 
 fn plotted() -> Claim {
-    Claim::figure(
-        WORK,
+    PLOT.figure(
         "jazar.fig-5.30",
-        PLOT,
-        "Eqs. (5.27), (5.28) and (5.29) give the wheel's angle, velocity and acceleration over the advance",
         "plotted",
-        Check::corrected_statement(
-            (Series, |stated| equations_give(by_series, stated)),
-            (AutomaticDerivative, |stated| equations_give(by_duals, stated)),
-        ),
+        "Eqs. (5.27), (5.28) and (5.29) give the wheel's angle, velocity and acceleration over the advance",
     )
-    .expecting(Verdict::Corrected)
-    .with_erratum(Erratum { corrected: "plotted, Eq. (5.29) with its minus sign", slip: LOST_SIGN })
+    .by(Series, |stated| equations_give(by_series, stated))
+    .by(AutomaticDerivative, |stated| equations_give(by_duals, stated))
+    .corrected("plotted, Eq. (5.29) with its minus sign", LOST_SIGN)
 }
 
 fn velocity_normalisation() -> Claim {
-    Claim::statement(
-        WORK,
+    PLOT.statement(
         "jazar.velocity-normalisation",
-        PLOT,
-        "the velocity curve is a pure number, the same for each speed of the driver",
         r"\dot{\phi}/\dot{\theta}",
-        Check::statement(
-            "the velocity over the square of the driver's speed is",
-            (Dimension, |stated| pure_number(Exponents::ANGULAR_SPEED, stated.pick(1, 2))),
-            (Series, |stated| same_at_each_speed(1, stated.pick(1, 2))),
-        ),
+        "the velocity curve is a pure number, the same for each speed of the driver",
     )
+    .by(Dimension, |stated| pure_number(Exponents::ANGULAR_SPEED, stated.pick(1, 2)))
+    .by(Series, |stated| same_at_each_speed(1, stated.pick(1, 2)))
+    .but_not("the velocity over the square of the driver's speed is")
 }
 
 fn acceleration_normalisation() -> Claim {
-    Claim::statement(
-        WORK,
+    PLOT.statement(
         "jazar.acceleration-normalisation",
-        PLOT,
-        "the acceleration curve is a pure number, the same for each speed of the driver",
         r"\ddot{\phi}/\dot{\theta}",
-        Check::corrected_statement(
-            (Dimension, |stated| pure_number(Exponents::ANGULAR_ACCELERATION, stated.pick(2, 1))),
-            (Series, |stated| same_at_each_speed(2, stated.pick(2, 1))),
-        ),
+        "the acceleration curve is a pure number, the same for each speed of the driver",
     )
-    .expecting(Verdict::Corrected)
-    .with_erratum(Erratum {
-        corrected: r"\ddot{\phi}/\dot{\theta}^2",
-        slip: Slip {
+    .by(Dimension, |stated| pure_number(Exponents::ANGULAR_ACCELERATION, stated.pick(2, 1)))
+    .by(Series, |stated| same_at_each_speed(2, stated.pick(2, 1)))
+    .corrected(
+        r"\ddot{\phi}/\dot{\theta}^2",
+        Slip {
             id: "",
-            reason: "The square is lost. The quotient as printed still has the unit of an angular speed, and could \
-                not be drawn on one axis with the velocity curve. Whether the handout or the copy at hand lost it \
-                cannot be told.",
+            reason: "The square is lost. The quotient as printed still has the unit of an angular speed, and could not \
+                     be drawn on one axis with the velocity curve. Whether the handout or the copy at hand lost it \
+                     cannot be told.",
             witness: "The caption of Fig. 5.30 says that the square is meant, and only with it the curve is the same \
-                for each speed of the driver.",
+                      for each speed of the driver.",
             origin: Origin::Misprint,
             consequence: Consequence::Wording,
             changes: "",
         },
-    })
+    )
 }
 
 fn smooth_inside() -> Claim {
-    Claim::statement(
-        WORK,
-        "jazar.smooth-inside",
-        STATIONS,
-        "velocity and acceleration are smooth inside the advance",
-        "smooth",
-        Check::statement(
-            "they are smooth over the whole turn, the ends of the advance included",
-            (ClosedForm, |stated| {
-                for_all_stations(
-                    |wheel| {
-                        // A jump stays as large when the points are twice as dense; another step is halved.
-                        let reach = stated.pick(wheel.engagement_half_angle() * (1.0 - 1e-9), PI);
-                        let [coarse, fine] = [60, 120].map(|points| greatest_steps(wheel, reach, points));
-                        coarse.iter().zip(fine).all(|(coarse, fine)| fine < 0.75 * coarse)
-                    },
-                    "between points twice as dense the steps of φ̇ and φ̈ are half as large",
-                )
-            }),
-            (AutomaticDerivative, |stated| {
-                for_all_stations(
-                    |wheel| {
-                        let end = wheel.engagement_half_angle();
-                        let inside: Vec<f64> = within(end).collect();
-                        stated.pick(inside, vec![-end, end]).iter().all(|t| {
-                            // The mean slope over a short way is the slope in its middle.
-                            let (way, slope) = (1e-5 * end, by_duals(wheel, *t)[3]);
-                            let [before, after] = [t - way, t + way].map(|t| acceleration_by_duals(wheel, t));
-                            ((after - before) / (2.0 * way) - slope).abs() <= 1e-3 * slope.abs().max(1.0)
-                        })
-                    },
-                    "φ̈ has everywhere the slope of its formula",
-                )
-            }),
-        ),
-    )
-    .read_as(
-        "Between the two ends, for every number of stations: no jump and no kink. Of the ends the source itself says \
-         that the jerk is infinite there.",
-    )
+    STATIONS
+        .statement("jazar.smooth-inside", "smooth", "velocity and acceleration are smooth inside the advance")
+        .by(ClosedForm, |stated| {
+            for_all_stations(
+                |wheel| {
+                    // A jump stays as large when the points are twice as dense; another step is halved.
+                    let reach = stated.pick(wheel.engagement_half_angle() * (1.0 - 1e-9), PI);
+                    let [coarse, fine] = [60, 120].map(|points| greatest_steps(wheel, reach, points));
+                    coarse.iter().zip(fine).all(|(coarse, fine)| fine < 0.75 * coarse)
+                },
+                "between points twice as dense the steps of φ̇ and φ̈ are half as large",
+            )
+        })
+        .by(AutomaticDerivative, |stated| {
+            for_all_stations(
+                |wheel| {
+                    let end = wheel.engagement_half_angle();
+                    let inside: Vec<f64> = within(end).collect();
+                    stated.pick(inside, vec![-end, end]).iter().all(|t| {
+                        // The mean slope over a short way is the slope in its middle.
+                        let (way, slope) = (1e-5 * end, by_duals(wheel, *t)[3]);
+                        let [before, after] = [t - way, t + way].map(|t| acceleration_by_duals(wheel, t));
+                        ((after - before) / (2.0 * way) - slope).abs() <= 1e-3 * slope.abs().max(1.0)
+                    })
+                },
+                "φ̈ has everywhere the slope of its formula",
+            )
+        })
+        .but_not("they are smooth over the whole turn, the ends of the advance included")
+        .read_as(
+            "Between the two ends, for every number of stations: no jump and no kink. Of the ends the source itself \
+             says that the jerk is infinite there.",
+        )
 }
 
 fn infinite_jerk() -> Claim {
-    Claim::statement(
-        WORK,
-        "jazar.infinite-jerk",
-        STATIONS,
-        "the jerk is infinite where the advance begins and ends",
-        "infinite",
-        Check::statement(
-            "it is infinite on the line of centres, too",
-            (ClosedForm, |stated| {
-                for_all_stations(
-                    |wheel| {
-                        jerks(wheel, stated).iter().all(|t| {
-                            // The mean jerk over a thousandth of the way is a thousand times as great.
-                            let jerk = |way: f64| {
-                                let at = |t| wheel.at(0, t).map_or(f64::NAN, |motion| motion.acceleration);
-                                ((at(t + way) - at(t - way)) / (2.0 * way)).abs()
-                            };
-                            jerk(1e-9) > 900.0 * jerk(1e-6)
-                        })
-                    },
-                    "the shorter the time, the greater the mean jerk",
-                )
-            }),
-            (AutomaticDerivative, |stated| {
-                for_all_stations(
-                    |wheel| {
-                        jerks(wheel, stated).iter().all(|t| {
-                            let [before, after] = [-1e-12, 1e-12].map(|way| acceleration_by_duals(wheel, t + way));
-                            let jump = (after - before).abs();
-                            (jump - libm::tan(wheel.half_station())).abs() < 1e-6
-                        })
-                    },
-                    "the acceleration jumps by tan α",
-                )
-            }),
-        ),
-    )
+    STATIONS
+        .statement("jazar.infinite-jerk", "infinite", "the jerk is infinite where the advance begins and ends")
+        .by(ClosedForm, |stated| {
+            for_all_stations(
+                |wheel| {
+                    jerks(wheel, stated).iter().all(|t| {
+                        // The mean jerk over a thousandth of the way is a thousand times as great.
+                        let jerk = |way: f64| {
+                            let at = |t| wheel.at(0, t).map_or(f64::NAN, |motion| motion.acceleration);
+                            ((at(t + way) - at(t - way)) / (2.0 * way)).abs()
+                        };
+                        jerk(1e-9) > 900.0 * jerk(1e-6)
+                    })
+                },
+                "the shorter the time, the greater the mean jerk",
+            )
+        })
+        .by(AutomaticDerivative, |stated| {
+            for_all_stations(
+                |wheel| {
+                    jerks(wheel, stated).iter().all(|t| {
+                        let [before, after] = [-1e-12, 1e-12].map(|way| acceleration_by_duals(wheel, t + way));
+                        let jump = (after - before).abs();
+                        (jump - libm::tan(wheel.half_station())).abs() < 1e-6
+                    })
+                },
+                "the acceleration jumps by tan α",
+            )
+        })
+        .but_not("it is infinite on the line of centres, too")
 }
 
 fn least_stations() -> Claim {
-    Claim::statement(
-        WORK,
-        "jazar.least-stations",
-        STATIONS,
-        "any number of stations from three on is possible, and none below",
-        "three",
-        Check::statement(
-            "two is the least",
-            (ExactIdentity, |stated| {
-                // The engagement to either side, π/2 − π/N, as a part of π.
-                let engagement = |stations: i64| rational(1, 2) - rational(1, stations);
-                let least: i64 = stated.pick(3, 2);
-                let possible = (least..=1000).all(|stations| engagement(stations) > rational(0, 1));
-                let part = engagement(least);
-                Finding::new(
-                    possible && engagement(least - 1) <= rational(0, 1),
-                    format!("with {least} stations the engagement is {part} of half a turn to either side"),
-                )
-            }),
-            (Vectors, |stated| {
-                // The pin must pass the wheel's axis at a distance, and a slot must reach from there to the rim.
-                let sizes = |stations: u32| {
-                    let alpha = PI / f64::from(stations);
-                    let (distance, rim) = (1.0 / libm::sin(alpha), libm::cos(alpha) / libm::sin(alpha));
-                    [distance - 1.0, rim, rim - (distance - 1.0)]
-                };
-                let positive = |stations| sizes(stations).iter().all(|size| *size > crate::tolerance::CLOSURE.relative);
-                let least: u32 = stated.pick(3, 2);
-                Finding::new(
-                    (least..=1000).all(positive) && !positive(least - 1),
-                    format!("{least} stations: way past the axis, rim and slot {:.3?} crank radii", sizes(least)),
-                )
-            }),
-        ),
-    )
+    STATIONS
+        .statement("jazar.least-stations", "three", "any number of stations from three on is possible, and none below")
+        .by(ExactIdentity, |stated| {
+            // The engagement to either side, π/2 − π/N, as a part of π.
+            let engagement = |stations: i64| rational(1, 2) - rational(1, stations);
+            let least: i64 = stated.pick(3, 2);
+            let possible = (least..=1000).all(|stations| engagement(stations) > rational(0, 1));
+            let part = engagement(least);
+            Finding::new(
+                possible && engagement(least - 1) <= rational(0, 1),
+                format!("with {least} stations the engagement is {part} of half a turn to either side"),
+            )
+        })
+        .by(Vectors, |stated| {
+            // The pin must pass the wheel's axis at a distance, and a slot must reach from there to the rim.
+            let sizes = |stations: u32| {
+                let alpha = PI / f64::from(stations);
+                let (distance, rim) = (1.0 / libm::sin(alpha), libm::cos(alpha) / libm::sin(alpha));
+                [distance - 1.0, rim, rim - (distance - 1.0)]
+            };
+            let positive = |stations| sizes(stations).iter().all(|size| *size > crate::tolerance::CLOSURE.relative);
+            let least: u32 = stated.pick(3, 2);
+            Finding::new(
+                (least..=1000).all(positive) && !positive(least - 1),
+                format!("{least} stations: way past the axis, rim and slot {:.3?} crank radii", sizes(least)),
+            )
+        })
+        .but_not("two is the least")
 }
 
 fn more_pins() -> Claim {
-    Claim::statement(
-        WORK,
-        "jazar.more-pins",
-        STATIONS,
-        "drivers with two or more pins are possible",
-        "two or more",
-        Check::statement(
-            "three pins are possible with any number of stations",
-            (ClosedForm, |stated| {
-                for_all_stations(
-                    |wheel| {
-                        let more = Wheel::with_pins(wheel.stations(), stated.pick(2, 3));
-                        more.is_ok_and(|more| more.dwell_fraction() > 0.0)
-                    },
-                    "so many pins leave a dwell",
-                )
-            }),
-            (Series, |stated| {
-                for_all_stations(
-                    |wheel| entry_crank(wheel) < 2.0 * PI / stated.pick(2.0, 3.0),
-                    "a pin leaves before the next enters",
-                )
-            }),
-        ),
-    )
-    .read_as("Two pins are possible with any number of stations; three or more with some.")
+    STATIONS
+        .statement("jazar.more-pins", "two or more", "drivers with two or more pins are possible")
+        .by(ClosedForm, |stated| {
+            for_all_stations(
+                |wheel| {
+                    let more = Wheel::with_pins(wheel.stations(), stated.pick(2, 3));
+                    more.is_ok_and(|more| more.dwell_fraction() > 0.0)
+                },
+                "so many pins leave a dwell",
+            )
+        })
+        .by(Series, |stated| {
+            for_all_stations(
+                |wheel| entry_crank(wheel) < 2.0 * PI / stated.pick(2.0, 3.0),
+                "a pin leaves before the next enters",
+            )
+        })
+        .but_not("three pins are possible with any number of stations")
+        .read_as("Two pins are possible with any number of stations; three or more with some.")
 }
 
 /// The caption of Fig. 5.30, which stands among the paragraphs on Fig. 5.31.
 pub(super) fn caption() -> Claim {
-    Claim::figure(
-        WORK,
-        "jazar.fig-5.30-caption",
-        "Fig. 5.30, caption",
-        "the curves are normalised by the driver's speed and by its square",
-        "driver angular velocity squared",
-        Check::statement(
-            "both are normalised by the driver's speed",
-            (Dimension, |stated| {
-                let velocity = pure_number(Exponents::ANGULAR_SPEED, 1);
-                let acceleration = pure_number(Exponents::ANGULAR_ACCELERATION, stated.pick(2, 1));
-                Finding::new(velocity.holds && acceleration.holds, format!("{}; {}", velocity.how, acceleration.how))
-            }),
-            (Series, |stated| {
-                let (velocity, acceleration) = (same_at_each_speed(1, 1), same_at_each_speed(2, stated.pick(2, 1)));
-                Finding::new(velocity.holds && acceleration.holds, acceleration.how)
-            }),
-        ),
-    )
+    at("Fig. 5.30, caption")
+        .figure(
+            "jazar.fig-5.30-caption",
+            "driver angular velocity squared",
+            "the curves are normalised by the driver's speed and by its square",
+        )
+        .by(Dimension, |stated| {
+            let velocity = pure_number(Exponents::ANGULAR_SPEED, 1);
+            let acceleration = pure_number(Exponents::ANGULAR_ACCELERATION, stated.pick(2, 1));
+            Finding::new(velocity.holds && acceleration.holds, format!("{}; {}", velocity.how, acceleration.how))
+        })
+        .by(Series, |stated| {
+            let (velocity, acceleration) = (same_at_each_speed(1, 1), same_at_each_speed(2, stated.pick(2, 1)));
+            Finding::new(velocity.holds && acceleration.holds, acceleration.how)
+        })
+        .but_not("both are normalised by the driver's speed")
 }
 
 /// Whether Eqs. (5.27) to (5.29), the last with its sign or as printed, are the wheel's angle and its derivatives.

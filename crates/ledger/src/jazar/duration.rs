@@ -4,8 +4,8 @@ use super::*;
 use geneva_kinematics::wheel::{acceleration_peak, entry_acceleration, peak_velocity};
 use std::cmp::Ordering;
 
-const GEOMETRY: &str = "Paragraph on Fig. 5.31";
-const DURATION: &str = "2nd paragraph on Fig. 5.31";
+const GEOMETRY: Place = at("Paragraph on Fig. 5.31");
+const DURATION: Place = at("2nd paragraph on Fig. 5.31");
 
 pub fn claims() -> Vec<Claim> {
     [angle(), vec![duration()], comparisons()].concat()
@@ -13,201 +13,158 @@ pub fn claims() -> Vec<Claim> {
 
 fn angle() -> Vec<Claim> {
     vec![
-        Claim::statement(
-            WORK,
-            "jazar.alpha",
-            GEOMETRY,
-            "α is the angle between slot and line of centres as the pin enters or leaves",
-            "moment of engagement",
-            Check::statement(
-                "it is that angle as the pin has gone half of the way from there to the line of centres",
-                (Vectors, |stated| {
-                    for_all_stations(
-                        |wheel| {
-                            let end = wheel.engagement_half_angle() * stated.pick(1.0, 0.5);
-                            [-end, end].iter().all(|t| agrees(by_series(wheel, *t)[0].abs(), wheel.half_station()))
-                        },
-                        "the slot is then at half a pitch from the line of centres",
-                    )
-                }),
-                (ClosedForm, |stated| {
-                    for_all_stations(
-                        |wheel| {
-                            // Half a pitch is what the wheel has to turn until the slot is on the line of centres.
-                            let (ratio, pitch) =
-                                (wheel.centre_distance_ratio(), 2.0 * PI / f64::from(wheel.stations()));
-                            let end = libm::acos(1.0 / ratio) * stated.pick(1.0, 0.5);
-                            [-end, end].iter().all(|t| agrees(by_cosines(ratio, *t).1.abs(), pitch / 2.0))
-                        },
-                        "law of cosines, where the crank is tangent to the slot",
-                    )
-                }),
-            ),
-        ),
+        GEOMETRY
+            .statement(
+                "jazar.alpha",
+                "moment of engagement",
+                "α is the angle between slot and line of centres as the pin enters or leaves",
+            )
+            .by(Vectors, |stated| {
+                for_all_stations(
+                    |wheel| {
+                        let end = wheel.engagement_half_angle() * stated.pick(1.0, 0.5);
+                        [-end, end].iter().all(|t| agrees(by_series(wheel, *t)[0].abs(), wheel.half_station()))
+                    },
+                    "the slot is then at half a pitch from the line of centres",
+                )
+            })
+            .by(ClosedForm, |stated| {
+                for_all_stations(
+                    |wheel| {
+                        // Half a pitch is what the wheel has to turn until the slot is on the line of centres.
+                        let (ratio, pitch) = (wheel.centre_distance_ratio(), 2.0 * PI / f64::from(wheel.stations()));
+                        let end = libm::acos(1.0 / ratio) * stated.pick(1.0, 0.5);
+                        [-end, end].iter().all(|t| agrees(by_cosines(ratio, *t).1.abs(), pitch / 2.0))
+                    },
+                    "law of cosines, where the crank is tangent to the slot",
+                )
+            })
+            .but_not("it is that angle as the pin has gone half of the way from there to the line of centres"),
         curves::caption(),
-        Claim::figure(
-            WORK,
-            "jazar.fig-5.31",
-            "Fig. 5.31, caption",
-            "neighbouring slots are 2α apart",
-            "half the angle",
-            Check::statement(
-                "α is the whole angle between neighbouring slots",
-                (ClosedForm, |stated| {
-                    for_all_stations(
-                        |wheel| {
-                            let alpha = libm::asin(1.0 / wheel.centre_distance_ratio());
-                            agrees(stated.pick(2.0, 1.0) * alpha * f64::from(wheel.stations()), 2.0 * PI)
-                        },
-                        "all slots together are a turn, with the crank over the centre distance as sine of α",
-                    )
-                }),
-                (Vectors, |stated| {
-                    for_all_stations(
-                        |wheel| {
-                            // From slot to slot, as often as there are slots: the first one again.
-                            let step = Turn::from_radians(stated.pick(2.0, 1.0) * entry_angle(wheel).abs());
-                            let first = Turn::from_radians(0.0);
-                            let last = (0..wheel.stations()).fold(first.clone(), |slot, _| slot.plus(&step));
-                            vanishes((last.direction() - first.direction()).norm())
-                        },
-                        "so many steps from slot to slot lead back to the first",
-                    )
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "jazar.alpha-degrees",
-            DURATION,
-            "α in degrees",
-            r"360^{\circ}/(2N)",
-            Check::equation(
-                (ClosedForm, || {
-                    for_all_stations(
-                        |wheel| {
-                            let alpha = libm::asin(1.0 / wheel.centre_distance_ratio()).to_degrees();
-                            agrees(alpha, 360.0 / (2.0 * f64::from(wheel.stations())))
-                        },
-                        "the crank over the centre distance is the sine of 360°/(2N)",
-                    )
-                }),
-                (Vectors, || {
-                    for_all_stations(
-                        |wheel| agrees(-entry_angle(wheel).to_degrees(), 360.0 / (2.0 * f64::from(wheel.stations()))),
-                        "the slot's angle at entry is 360°/(2N)",
-                    )
-                }),
-            ),
-        ),
+        at("Fig. 5.31, caption")
+            .figure("jazar.fig-5.31", "half the angle", "neighbouring slots are 2α apart")
+            .by(ClosedForm, |stated| {
+                for_all_stations(
+                    |wheel| {
+                        let alpha = libm::asin(1.0 / wheel.centre_distance_ratio());
+                        agrees(stated.pick(2.0, 1.0) * alpha * f64::from(wheel.stations()), 2.0 * PI)
+                    },
+                    "all slots together are a turn, with the crank over the centre distance as sine of α",
+                )
+            })
+            .by(Vectors, |stated| {
+                for_all_stations(
+                    |wheel| {
+                        // From slot to slot, as often as there are slots: the first one again.
+                        let step = Turn::from_radians(stated.pick(2.0, 1.0) * entry_angle(wheel).abs());
+                        let first = Turn::from_radians(0.0);
+                        let last = (0..wheel.stations()).fold(first.clone(), |slot, _| slot.plus(&step));
+                        vanishes((last.direction() - first.direction()).norm())
+                    },
+                    "so many steps from slot to slot lead back to the first",
+                )
+            })
+            .but_not("α is the whole angle between neighbouring slots"),
+        DURATION
+            .equation("jazar.alpha-degrees", r"360^{\circ}/(2N)", "α in degrees")
+            .by(ClosedForm, || {
+                for_all_stations(
+                    |wheel| {
+                        let alpha = libm::asin(1.0 / wheel.centre_distance_ratio()).to_degrees();
+                        agrees(alpha, 360.0 / (2.0 * f64::from(wheel.stations())))
+                    },
+                    "the crank over the centre distance is the sine of 360°/(2N)",
+                )
+            })
+            .by(Vectors, || {
+                for_all_stations(
+                    |wheel| agrees(-entry_angle(wheel).to_degrees(), 360.0 / (2.0 * f64::from(wheel.stations()))),
+                    "the slot's angle at entry is 360°/(2N)",
+                )
+            }),
     ]
 }
 
 fn duration() -> Claim {
-    Claim::equation(
-        WORK,
-        "jazar.duration",
-        DURATION,
-        "crank angle of an advance",
-        r"\pi - 2\alpha",
-        Check::equation(
-            (Series, || {
-                for_all_stations(
-                    |wheel| vanishes(by_series(wheel, PI / 2.0 - wheel.half_station())[1]),
-                    "the wheel is at rest at ±(π/2 − α)",
-                )
-            }),
-            (Vectors, || {
-                for_all_stations(
-                    |wheel| {
-                        let end = Turn::from_radians(PI / 2.0 - wheel.half_station());
-                        let pin = pin_from_pivot(&wheel.centre_distance_ratio(), &end);
-                        vanishes(pin.dot(&end.reversed().direction()))
-                    },
-                    "slot and crank are at right angles there",
-                )
-            }),
-        ),
-    )
+    DURATION
+        .equation("jazar.duration", r"\pi - 2\alpha", "crank angle of an advance")
+        .by(Series, || {
+            for_all_stations(
+                |wheel| vanishes(by_series(wheel, PI / 2.0 - wheel.half_station())[1]),
+                "the wheel is at rest at ±(π/2 − α)",
+            )
+        })
+        .by(Vectors, || {
+            for_all_stations(
+                |wheel| {
+                    let end = Turn::from_radians(PI / 2.0 - wheel.half_station());
+                    let pin = pin_from_pivot(&wheel.centre_distance_ratio(), &end);
+                    vanishes(pin.dot(&end.reversed().direction()))
+                },
+                "slot and crank are at right angles there",
+            )
+        })
 }
 
 fn comparisons() -> Vec<Claim> {
     vec![
-        Claim::statement(
-            WORK,
-            "jazar.duration-grows",
-            DURATION,
-            "with more stations the advance takes more of the driver's turn",
-            "increases",
-            Check::statement(
-                "it takes less",
-                (ClosedForm, |stated| {
-                    compare_neighbours(&[Wheel::motion_fraction], stated.pick(Ordering::Less, Ordering::Greater))
-                }),
-                (Series, |stated| compare_neighbours(&[entry_crank], stated.pick(Ordering::Less, Ordering::Greater))),
+        DURATION
+            .statement(
+                "jazar.duration-grows",
+                "increases",
+                "with more stations the advance takes more of the driver's turn",
+            )
+            .by(ClosedForm, |stated| {
+                compare_neighbours(&[Wheel::motion_fraction], stated.pick(Ordering::Less, Ordering::Greater))
+            })
+            .by(Series, |stated| compare_neighbours(&[entry_crank], stated.pick(Ordering::Less, Ordering::Greater)))
+            .but_not("it takes less"),
+        DURATION
+            .value("jazar.duration-limit", "180", "°", "limit of the crank angle of an advance for very many stations")
+            .by(LimitCase, || limit(|n| of(n, |wheel| 2.0 * wheel.engagement_half_angle()).to_degrees()))
+            .by(
+                ClosedForm, // A straight rack has the wheel's axis at infinity: crank over centre distance is zero.
+                || 2.0 * libm::acos(1.0 / f64::INFINITY).to_degrees(),
             ),
-        ),
-        Claim::value(
-            WORK,
-            "jazar.duration-limit",
-            DURATION,
-            "limit of the crank angle of an advance for very many stations",
-            ("180", "°"),
-            Check::number(
-                (LimitCase, || limit(|n| of(n, |wheel| 2.0 * wheel.engagement_half_angle()).to_degrees())),
-                // A straight rack has the wheel's axis at infinity: crank over centre distance is zero.
-                (ClosedForm, || 2.0 * libm::acos(1.0 / f64::INFINITY).to_degrees()),
+        DURATION
+            .statement("jazar.gentler", "more gentle", "with more stations the peaks of velocity and acceleration fall")
+            .by(ClosedForm, |stated| {
+                compare_neighbours(
+                    &[peak_velocity, entry_acceleration, |wheel| acceleration_peak(wheel).ratio],
+                    stated.pick(Ordering::Greater, Ordering::Less),
+                )
+            })
+            .by(Series, |stated| {
+                compare_neighbours(
+                    &[
+                        |wheel| by_series(wheel, 0.0)[1],
+                        |wheel| by_series(wheel, -wheel.engagement_half_angle())[2],
+                        |wheel| peak_by_series(wheel).1,
+                    ],
+                    stated.pick(Ordering::Greater, Ordering::Less),
+                )
+            })
+            .but_not("they rise")
+            .read_as(
+                "Gentler: the wheel's peak velocity, its peak acceleration and the jump of its acceleration at entry \
+                 all fall, for the same speed of the driver.",
             ),
-        ),
-        Claim::statement(
-            WORK,
-            "jazar.gentler",
-            DURATION,
-            "with more stations the peaks of velocity and acceleration fall",
-            "more gentle",
-            Check::statement(
-                "they rise",
-                (ClosedForm, |stated| {
-                    compare_neighbours(
-                        &[peak_velocity, entry_acceleration, |wheel| acceleration_peak(wheel).ratio],
-                        stated.pick(Ordering::Greater, Ordering::Less),
-                    )
-                }),
-                (Series, |stated| {
-                    compare_neighbours(
-                        &[
-                            |wheel| by_series(wheel, 0.0)[1],
-                            |wheel| by_series(wheel, -wheel.engagement_half_angle())[2],
-                            |wheel| peak_by_series(wheel).1,
-                        ],
-                        stated.pick(Ordering::Greater, Ordering::Less),
-                    )
-                }),
-            ),
-        )
-        .read_as(
-            "Gentler: the wheel's peak velocity, its peak acceleration and the jump of its acceleration at entry all \
-             fall, for the same speed of the driver.",
-        ),
-        Claim::statement(
-            WORK,
-            "jazar.dwell-shrinks",
-            DURATION,
-            "with more stations the wheel stands still for less of the turn",
-            "decreasing",
-            Check::statement(
-                "it stands still for more of it",
-                (ClosedForm, |stated| {
-                    compare_neighbours(&[Wheel::dwell_fraction], stated.pick(Ordering::Greater, Ordering::Less))
-                }),
-                (Series, |stated| {
-                    compare_neighbours(
-                        &[|wheel| 2.0 * PI - entry_crank(wheel)],
-                        stated.pick(Ordering::Greater, Ordering::Less),
-                    )
-                }),
-            ),
-        ),
+        DURATION
+            .statement(
+                "jazar.dwell-shrinks",
+                "decreasing",
+                "with more stations the wheel stands still for less of the turn",
+            )
+            .by(ClosedForm, |stated| {
+                compare_neighbours(&[Wheel::dwell_fraction], stated.pick(Ordering::Greater, Ordering::Less))
+            })
+            .by(Series, |stated| {
+                compare_neighbours(
+                    &[|wheel| 2.0 * PI - entry_crank(wheel)],
+                    stated.pick(Ordering::Greater, Ordering::Less),
+                )
+            })
+            .but_not("it stands still for more of it"),
     ]
 }
 

@@ -4,15 +4,17 @@ use super::*;
 use geneva_kinematics::wheel::Phase;
 use geneva_kinematics::{Field, Rational, rational};
 
-const C: &str = "Ex. (c)";
+const C: Place = at("Ex. (c)");
 
 /// The part of the cycle that moves, in the place of the part that stands still.
 const MOVING_PART: Slip = Slip {
     id: "jazar.ex-c.formula",
     reason: "The advance takes 180° − 2α of the driver's turn, as the text says itself; the dwell takes the rest. The \
-        formula gives the part that moves, and the numbers follow it. The decimal is besides cut off, not rounded.",
+             formula gives the part that moves, and the numbers follow it. The decimal is besides cut off, not \
+             rounded.",
     witness: "The caption of Fig. 5.28 has the wheel of four locked for three quarters of the cycle. For six stations, \
-        where the wheel of the power series is at rest, or where the state of the wheel changes, gives the right part.",
+              where the wheel of the power series is at rest, or where the state of the wheel changes, gives the right \
+              part.",
     origin: Origin::Concept,
     consequence: Consequence::Result,
     changes: "The answer to (c) is the time for which the output moves; it stands still for twice as long.",
@@ -21,131 +23,79 @@ const MOVING_PART: Slip = Slip {
 pub fn claims() -> Vec<Claim> {
     vec![
         formula(),
-        Claim::value(
-            WORK,
-            "jazar.ex-c.fraction",
-            C,
-            "dwelling part of the cycle",
-            ("1/3", ""),
-            Check::number_in_error(
-                (ClosedForm, || part(printed("jazar.ex-b.alpha"), -1.0)),
-                (Series, || six(entry_crank) / (2.0 * PI)),
-                [(ClosedForm, || six(Wheel::dwell_fraction)), (LimitCase, || six(locked_part))],
-            ),
-        )
-        .expecting(Verdict::ReproducedInError)
-        .affected_by(MOVING_PART),
-        Claim::value(
-            WORK,
-            "jazar.ex-c.cycle",
-            C,
-            "duration of a cycle",
-            ("1/6", "s"),
-            Check::number(
-                (ClosedForm, || 60.0 / printed("jazar.ex.rpm")),
-                (OtherPlaceInSource, || 1.0 / printed("jazar.ex-a.advances")),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "jazar.ex-c.product",
-            C,
-            "the time of the dwell is its part of the cycle's time",
-            r"\tau = \lambda T",
-            Check::equation(
-                // The driver turns by π + 2α in the dwell.
-                (ClosedForm, || {
+        C.value("jazar.ex-c.fraction", "1/3", "", "dwelling part of the cycle")
+            .by(ClosedForm, || part(printed("jazar.ex-b.alpha"), -1.0))
+            .by(Series, || six(entry_crank) / (2.0 * PI))
+            .right(ClosedForm, || six(Wheel::dwell_fraction), LimitCase, || six(locked_part))
+            .in_error(MOVING_PART),
+        C.value("jazar.ex-c.cycle", "1/6", "s", "duration of a cycle")
+            .by(ClosedForm, || 60.0 / printed("jazar.ex.rpm"))
+            .by(OtherPlaceInSource, || 1.0 / printed("jazar.ex-a.advances")),
+        C.equation("jazar.ex-c.product", r"\tau = \lambda T", "the time of the dwell is its part of the cycle's time")
+            .by(
+                ClosedForm, // The driver turns by π + 2α in the dwell.
+                || {
                     let time = (PI + six(|wheel| 2.0 * wheel.half_station())) / example_speed();
                     same(time, seconds(six(Wheel::dwell_fraction)))
-                }),
-                (LimitCase, || same((2.0 * PI - six(entry_crank)) / example_speed(), seconds(six(locked_part)))),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "jazar.ex-c.dwell",
-            C,
-            "duration of the dwell, as a fraction",
-            ("1/18", "s"),
-            Check::number_in_error(
-                (ClosedForm, || seconds(printed("jazar.ex-c.fraction"))),
-                (Series, || six(entry_crank) / example_speed()),
-                [(ClosedForm, dwell_seconds), (LimitCase, || seconds(six(locked_part)))],
-            ),
-        )
-        .expecting(Verdict::ReproducedInError)
-        .affected_by(MOVING_PART),
+                },
+            )
+            .by(LimitCase, || same((2.0 * PI - six(entry_crank)) / example_speed(), seconds(six(locked_part)))),
+        C.value("jazar.ex-c.dwell", "1/18", "s", "duration of the dwell, as a fraction")
+            .by(ClosedForm, || seconds(printed("jazar.ex-c.fraction")))
+            .by(Series, || six(entry_crank) / example_speed())
+            .right(ClosedForm, dwell_seconds, LimitCase, || seconds(six(locked_part)))
+            .in_error(MOVING_PART),
         division(),
-        Claim::value(
-            WORK,
-            "jazar.ex-c.dwell-seconds",
-            C,
-            "duration of the dwell, cut off behind the last place",
-            ("0.0555", "s"),
-            Check::number_in_error(
-                (ClosedForm, || {
-                    let unit = unit_of_the_decimal().approximate();
-                    libm::floor(seconds(part(printed("jazar.ex-b.alpha"), -1.0)) / unit) * unit
-                }),
-                (OtherPlaceInSource, || {
-                    first_digits().iter().rev().fold(0.0, |behind, digit| (f64::from(*digit) + behind) / 10.0)
-                }),
-                [(ClosedForm, dwell_seconds), (LimitCase, || seconds(six(locked_part)))],
-            ),
-        )
-        .expecting(Verdict::ReproducedInError)
-        .affected_by(MOVING_PART),
+        C.value("jazar.ex-c.dwell-seconds", "0.0555", "s", "duration of the dwell, cut off behind the last place")
+            .by(ClosedForm, || {
+                let unit = unit_of_the_decimal().approximate();
+                libm::floor(seconds(part(printed("jazar.ex-b.alpha"), -1.0)) / unit) * unit
+            })
+            .by(OtherPlaceInSource, || {
+                first_digits().iter().rev().fold(0.0, |behind, digit| (f64::from(*digit) + behind) / 10.0)
+            })
+            .right(ClosedForm, dwell_seconds, LimitCase, || seconds(six(locked_part)))
+            .in_error(MOVING_PART),
     ]
 }
 
 fn formula() -> Claim {
-    Claim::equation(
-        WORK,
+    C.equation(
         "jazar.ex-c.formula",
-        C,
-        "part of the cycle in which the output stands still",
         r"\lambda = \frac{180 - 2\alpha}{360}",
-        Check::corrected_equation(
-            (LimitCase, || is_the_locked_part(-1.0)),
-            || is_the_locked_part(1.0),
-            // The caption of Fig. 5.28: locked for three quarters of the cycle, with four stations.
-            (OtherPlaceInSource, || {
-                let alpha = rational(180, 4);
-                let locked = (rational(180, 1) + rational(2, 1) * alpha) / rational(360, 1);
-                Finding::new(locked == rational(3, 4), format!("{locked} for four stations"))
-            }),
-        ),
+        "part of the cycle in which the output stands still",
     )
-    .expecting(Verdict::Corrected)
-    .with_erratum(Erratum { corrected: r"\lambda = \frac{180 + 2\alpha}{360}", slip: MOVING_PART })
+    .by(LimitCase, || is_the_locked_part(-1.0))
+    .corrected_form(|| is_the_locked_part(1.0))
+    .by(
+        OtherPlaceInSource, // The caption of Fig. 5.28: locked for three quarters of the cycle, with four stations.
+        || {
+            let alpha = rational(180, 4);
+            let locked = (rational(180, 1) + rational(2, 1) * alpha) / rational(360, 1);
+            Finding::new(locked == rational(3, 4), format!("{locked} for four stations"))
+        },
+    )
+    .corrected(r"\lambda = \frac{180 + 2\alpha}{360}", MOVING_PART)
 }
 
 fn division() -> Claim {
-    Claim::statement(
-        WORK,
-        "jazar.ex-c.division",
-        C,
-        "the decimal is the fraction",
-        "1/18 = 0.0555",
-        Check::statement(
-            "the decimal with a last digit that is less by one is the fraction",
-            (ExactIdentity, |stated| {
-                let unit = unit_of_the_decimal();
-                let decimal = exactly("jazar.ex-c.dwell-seconds") - unit.clone() * rational(stated.pick(0, 1), 1);
-                let rest = exactly("jazar.ex-c.dwell") - decimal;
-                Finding::new(rational(0, 1) <= rest && rest < unit, format!("the rest is {rest}"))
-            }),
-            (ClosedForm, |stated| {
-                let mut digits = printed_digits();
-                if let Some(last) = digits.last_mut() {
-                    *last -= stated.pick(0, 1);
-                }
-                let first = first_digits();
-                Finding::new(digits == first, format!("long division gives the digits {first:?}"))
-            }),
-        ),
-    )
-    .read_as("The decimal gives the first digits of the fraction, cut off: it need not be rounded.")
+    C.statement("jazar.ex-c.division", "1/18 = 0.0555", "the decimal is the fraction")
+        .by(ExactIdentity, |stated| {
+            let unit = unit_of_the_decimal();
+            let decimal = exactly("jazar.ex-c.dwell-seconds") - unit.clone() * rational(stated.pick(0, 1), 1);
+            let rest = exactly("jazar.ex-c.dwell") - decimal;
+            Finding::new(rational(0, 1) <= rest && rest < unit, format!("the rest is {rest}"))
+        })
+        .by(ClosedForm, |stated| {
+            let mut digits = printed_digits();
+            if let Some(last) = digits.last_mut() {
+                *last -= stated.pick(0, 1);
+            }
+            let first = first_digits();
+            Finding::new(digits == first, format!("long division gives the digits {first:?}"))
+        })
+        .but_not("the decimal with a last digit that is less by one is the fraction")
+        .read_as("The decimal gives the first digits of the fraction, cut off: it need not be rounded.")
 }
 
 /// (180 ± 2α)/360 for α in degrees.

@@ -8,10 +8,10 @@ use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::wheel::{Phase, peak_velocity};
 use geneva_kinematics::{Field, Identity, pin_vectors, prove, rational};
 
-const DATA: &str = "Example, data";
-const A: &str = "Ex. (a)";
-const B: &str = "Ex. (b)";
-const D: &str = "Ex. (d)";
+const DATA: Place = at("Example, data");
+const A: Place = at("Ex. (a)");
+const B: Place = at("Ex. (b)");
+const D: Place = at("Ex. (d)");
 
 pub fn claims() -> Vec<Claim> {
     [advances(), dwell::claims(), velocity()].concat()
@@ -19,237 +19,153 @@ pub fn claims() -> Vec<Claim> {
 
 fn advances() -> Vec<Claim> {
     vec![
-        Claim::value(
-            WORK,
+        DATA.value(
             "jazar.ex.rpm",
-            DATA,
+            "360",
+            "rpm",
             "speed of the driver, a datum; the printed angular velocity and number of advances give it back",
-            ("360", "rpm"),
-            Check::number(
-                (OtherPlaceInSource, || 60.0 * printed("jazar.ex-a.advances")),
-                (OtherPlaceInSource, || 60.0 * printed("jazar.ex-d.driver-speed") / (2.0 * PI)),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "jazar.ex-a.formula",
-            A,
-            "revolutions per second from revolutions per minute",
-            "360/60",
-            Check::statement(
-                "60/360",
-                (OtherPlaceInSource, |stated| {
-                    let rpm = printed("jazar.ex.rpm");
-                    same(stated.pick(rpm / 60.0, 60.0 / rpm) * printed("jazar.ex-c.cycle"), 1.0)
-                }),
-                (LimitCase, |stated| {
-                    let rpm = printed("jazar.ex.rpm");
-                    same(stated.pick(rpm / 60.0, 60.0 / rpm), advances_in_ten_seconds() / 10.0)
-                }),
-            ),
-        ),
-        Claim::value(
-            WORK,
+        )
+        .by(OtherPlaceInSource, || 60.0 * printed("jazar.ex-a.advances"))
+        .by(OtherPlaceInSource, || 60.0 * printed("jazar.ex-d.driver-speed") / (2.0 * PI)),
+        A.formula("jazar.ex-a.formula", "360/60", "revolutions per second from revolutions per minute")
+            .by(OtherPlaceInSource, |stated| {
+                let rpm = printed("jazar.ex.rpm");
+                same(stated.pick(rpm / 60.0, 60.0 / rpm) * printed("jazar.ex-c.cycle"), 1.0)
+            })
+            .by(LimitCase, |stated| {
+                let rpm = printed("jazar.ex.rpm");
+                same(stated.pick(rpm / 60.0, 60.0 / rpm), advances_in_ten_seconds() / 10.0)
+            })
+            .but_not("60/360"),
+        A.value(
             "jazar.ex-a.advances",
-            A,
+            "6",
+            "per second",
             "advances per second, one for each turn of a driver with one pin",
-            ("6", "per second"),
-            Check::number(
-                (ClosedForm, || printed("jazar.ex.rpm") / 60.0 * six(|wheel| f64::from(wheel.pins()))),
-                (LimitCase, || advances_in_ten_seconds() / 10.0),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "jazar.ex-b.formula",
-            B,
-            "angle of an advance",
-            r"2\alpha = 360^{\circ}/N",
-            Check::equation(
-                (ClosedForm, || {
-                    for_all_stations(
-                        |wheel| {
-                            let alpha = libm::asin(1.0 / wheel.centre_distance_ratio()).to_degrees();
-                            agrees(2.0 * alpha, 360.0 / f64::from(wheel.stations()))
-                        },
-                        "2α is a turn over N, with the crank over the centre distance as sine of α",
-                    )
-                }),
-                (Vectors, || {
-                    for_all_stations(
-                        |wheel| agrees(advance(wheel).to_degrees(), 360.0 / f64::from(wheel.stations())),
-                        "the wheel turns by 360°/N from entry to exit",
-                    )
-                }),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "jazar.ex-b.advance",
-            B,
-            "angle through which the wheel advances",
-            ("60", "°"),
-            Check::number(
-                (ClosedForm, || 2.0 * six(Wheel::half_station).to_degrees()),
-                (Vectors, || six(advance).to_degrees()),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "jazar.ex.stations",
-            B,
-            "number of stations, a datum; the printed angles give it back",
-            ("6", "stations"),
-            Check::number(
-                (OtherPlaceInSource, || 360.0 / printed("jazar.ex-b.advance")),
-                (OtherPlaceInSource, || 180.0 / printed("jazar.ex-b.alpha")),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "jazar.ex-b.alpha",
-            B,
-            "α, half the angle between slots",
-            ("30", "°"),
-            Check::number(
-                (ClosedForm, || six(Wheel::half_station).to_degrees()),
-                (Vectors, || six(advance).to_degrees() / 2.0),
-            ),
-        ),
+        )
+        .by(ClosedForm, || printed("jazar.ex.rpm") / 60.0 * six(|wheel| f64::from(wheel.pins())))
+        .by(LimitCase, || advances_in_ten_seconds() / 10.0),
+        B.equation("jazar.ex-b.formula", r"2\alpha = 360^{\circ}/N", "angle of an advance")
+            .by(ClosedForm, || {
+                for_all_stations(
+                    |wheel| {
+                        let alpha = libm::asin(1.0 / wheel.centre_distance_ratio()).to_degrees();
+                        agrees(2.0 * alpha, 360.0 / f64::from(wheel.stations()))
+                    },
+                    "2α is a turn over N, with the crank over the centre distance as sine of α",
+                )
+            })
+            .by(Vectors, || {
+                for_all_stations(
+                    |wheel| agrees(advance(wheel).to_degrees(), 360.0 / f64::from(wheel.stations())),
+                    "the wheel turns by 360°/N from entry to exit",
+                )
+            }),
+        B.value("jazar.ex-b.advance", "60", "°", "angle through which the wheel advances")
+            .by(ClosedForm, || 2.0 * six(Wheel::half_station).to_degrees())
+            .by(Vectors, || six(advance).to_degrees()),
+        B.value("jazar.ex.stations", "6", "stations", "number of stations, a datum; the printed angles give it back")
+            .by(OtherPlaceInSource, || 360.0 / printed("jazar.ex-b.advance"))
+            .by(OtherPlaceInSource, || 180.0 / printed("jazar.ex-b.alpha")),
+        B.value("jazar.ex-b.alpha", "30", "°", "α, half the angle between slots")
+            .by(ClosedForm, || six(Wheel::half_station).to_degrees())
+            .by(Vectors, || six(advance).to_degrees() / 2.0),
     ]
 }
 
 fn velocity() -> Vec<Claim> {
     vec![
         reference(),
-        Claim::value(
-            WORK,
-            "jazar.ex-d.angle",
-            "Ex. (d), reference to Eq. (5.32)",
-            "crank angle at which the wheel is fastest; Eq. (5.32) is zero there and changes from plus to minus",
-            ("0", ""),
-            Check::number((Series, || zero_of_acceleration() + 0.0), (LimitCase, || six(fastest_of_a_grid))),
-        ),
-        Claim::value(
-            WORK,
-            "jazar.ex-d.sine",
-            D,
-            "sin α of the wheel of six",
-            ("0.5", ""),
-            Check::number(
-                (ClosedForm, || six(|w| libm::sin(w.half_station()))),
-                (Vectors, || six(|w| entry(w).normalize().y.abs())),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "jazar.ex-d.peak-equation",
-            "Ex. (d), Eq. (5.31) at θ = 0",
-            "the wheel of six is at its fastest as fast as its driver",
-            r"\dot{\phi}_{\rm max} = \dot{\theta}",
-            Check::equation(
-                (ExactIdentity, || {
-                    let on_the_line = Turn { cos: rational(1, 1), sin: rational(0, 1) };
-                    let ratio = velocity_ratio(&rational(2, 1), &on_the_line);
-                    Finding::new(ratio == rational(1, 1), format!("with 1/sin α = 2 the ratio is {ratio}"))
-                }),
-                (Series, || same(six(|w| by_series(w, 0.0)[1]), 1.0)),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "jazar.ex-d.driver-formula",
-            D,
-            "angular velocity of the driver",
-            r"2\pi \times 6",
-            Check::statement(
-                "π × 6: half a turn for a revolution",
-                (ClosedForm, |stated| {
-                    let product = stated.pick(2.0, 1.0) * PI * printed("jazar.ex-a.advances");
-                    Finding::new(rounds("jazar.ex-d.driver-speed", product), format!("{product}"))
-                }),
-                (Vectors, |stated| {
-                    // After the time of a cycle the crank is back where it was.
-                    let speed = stated.pick(2.0, 1.0) * PI * printed("jazar.ex-a.advances");
-                    let angle = speed * printed("jazar.ex-c.cycle");
-                    let (crank, turns) = (Turn::from_radians(angle), angle / (2.0 * PI));
-                    Finding::new(vanishes(crank.sin) && crank.cos > 0.0, format!("{turns} turns in a cycle"))
-                }),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "jazar.ex-d.driver-speed",
-            D,
-            "angular velocity of the driver",
-            ("37.70", "rad/s"),
-            Check::number((ClosedForm, example_speed), (OtherPlaceInSource, || 2.0 * PI / printed("jazar.ex-c.cycle"))),
-        ),
-        Claim::value(
-            WORK,
-            "jazar.ex-d.peak",
-            D,
-            "peak angular velocity of the wheel",
-            ("37.70", "rad/s"),
-            Check::number(
-                (ClosedForm, || example_speed() * six(peak_velocity)),
-                (Series, || example_speed() * six(|w| by_series(w, 0.0)[1])),
-            ),
-        ),
+        at("Ex. (d), reference to Eq. (5.32)")
+            .value(
+                "jazar.ex-d.angle",
+                "0",
+                "",
+                "crank angle at which the wheel is fastest; Eq. (5.32) is zero there and changes from plus to minus",
+            )
+            .by(Series, || zero_of_acceleration() + 0.0)
+            .by(LimitCase, || six(fastest_of_a_grid)),
+        D.value("jazar.ex-d.sine", "0.5", "", "sin α of the wheel of six")
+            .by(ClosedForm, || six(|w| libm::sin(w.half_station())))
+            .by(Vectors, || six(|w| entry(w).normalize().y.abs())),
+        at("Ex. (d), Eq. (5.31) at θ = 0")
+            .equation(
+                "jazar.ex-d.peak-equation",
+                r"\dot{\phi}_{\rm max} = \dot{\theta}",
+                "the wheel of six is at its fastest as fast as its driver",
+            )
+            .by(ExactIdentity, || {
+                let on_the_line = Turn { cos: rational(1, 1), sin: rational(0, 1) };
+                let ratio = velocity_ratio(&rational(2, 1), &on_the_line);
+                Finding::new(ratio == rational(1, 1), format!("with 1/sin α = 2 the ratio is {ratio}"))
+            })
+            .by(Series, || same(six(|w| by_series(w, 0.0)[1]), 1.0)),
+        D.formula("jazar.ex-d.driver-formula", r"2\pi \times 6", "angular velocity of the driver")
+            .by(ClosedForm, |stated| {
+                let product = stated.pick(2.0, 1.0) * PI * printed("jazar.ex-a.advances");
+                Finding::new(rounds("jazar.ex-d.driver-speed", product), format!("{product}"))
+            })
+            .by(Vectors, |stated| {
+                // After the time of a cycle the crank is back where it was.
+                let speed = stated.pick(2.0, 1.0) * PI * printed("jazar.ex-a.advances");
+                let angle = speed * printed("jazar.ex-c.cycle");
+                let (crank, turns) = (Turn::from_radians(angle), angle / (2.0 * PI));
+                Finding::new(vanishes(crank.sin) && crank.cos > 0.0, format!("{turns} turns in a cycle"))
+            })
+            .but_not("π × 6: half a turn for a revolution"),
+        D.value("jazar.ex-d.driver-speed", "37.70", "rad/s", "angular velocity of the driver")
+            .by(ClosedForm, example_speed)
+            .by(OtherPlaceInSource, || 2.0 * PI / printed("jazar.ex-c.cycle")),
+        D.value("jazar.ex-d.peak", "37.70", "rad/s", "peak angular velocity of the wheel")
+            .by(ClosedForm, || example_speed() * six(peak_velocity))
+            .by(Series, || example_speed() * six(|w| by_series(w, 0.0)[1])),
         senses(),
     ]
 }
 
 fn reference() -> Claim {
-    Claim::statement(
-        WORK,
-        "jazar.ex-d.reference",
-        "Ex. (d), reference to Eq. (5.32)",
-        "Eq. (5.32) tells where the velocity of Eq. (5.31) is greatest",
-        "maximum value",
-        Check::statement(
-            "Eq. (5.30) tells it",
-            (ClosedForm, |stated| {
-                let formula = stated.pick(printed_5_32 as fn(&Wheel, f64) -> f64, printed_angle);
-                for_all_stations(|wheel| tells_the_maximum(wheel, |t| formula(wheel, t)), "from plus to minus at θ = 0")
-            }),
-            (AutomaticDerivative, |stated| {
-                let order = stated.pick(2, 0);
-                for_all_stations(
-                    |wheel| tells_the_maximum(wheel, |t| by_duals(wheel, t)[order]),
-                    "the derivative goes from plus to minus at θ = 0",
-                )
-            }),
-        ),
-    )
+    at("Ex. (d), reference to Eq. (5.32)")
+        .statement(
+            "jazar.ex-d.reference",
+            "maximum value",
+            "Eq. (5.32) tells where the velocity of Eq. (5.31) is greatest",
+        )
+        .by(ClosedForm, |stated| {
+            let formula = stated.pick(printed_5_32 as fn(&Wheel, f64) -> f64, printed_angle);
+            for_all_stations(|wheel| tells_the_maximum(wheel, |t| formula(wheel, t)), "from plus to minus at θ = 0")
+        })
+        .by(AutomaticDerivative, |stated| {
+            let order = stated.pick(2, 0);
+            for_all_stations(
+                |wheel| tells_the_maximum(wheel, |t| by_duals(wheel, t)[order]),
+                "the derivative goes from plus to minus at θ = 0",
+            )
+        })
+        .but_not("Eq. (5.30) tells it")
 }
 
 fn senses() -> Claim {
-    Claim::statement(
-        WORK,
-        "jazar.ex-d.senses",
-        "Ex. (d), reference to Fig. 5.29",
-        "positive φ̇ and θ̇ mean that wheel and driver turn in opposite senses",
-        "opposite direction",
-        Check::statement(
-            "they turn in the same sense",
-            (ExactIdentity, |stated| prove(&Senses { sign: stated.pick(1, -1) }).into()),
-            (Vectors, |stated| {
-                for_all_stations(
-                    |wheel| {
-                        within(wheel.engagement_half_angle()).all(|t| {
-                            // The driver turns on, counter-clockwise; so does the wheel if the product is positive.
-                            let place =
-                                |angle: f64| (wheel.centre_distance_ratio() + libm::cos(angle), libm::sin(angle));
-                            let ((x, y), (next_x, next_y)) = (place(PI - t), place(PI - t + 1e-6));
-                            (x * next_y - y * next_x) * stated.pick(-1.0, 1.0) > 0.0
-                        })
-                    },
-                    "the sense of the wheel as the driver turns on counter-clockwise",
-                )
-            }),
-        ),
-    )
+    at("Ex. (d), reference to Fig. 5.29")
+        .statement(
+            "jazar.ex-d.senses",
+            "opposite direction",
+            "positive φ̇ and θ̇ mean that wheel and driver turn in opposite senses",
+        )
+        .by(ExactIdentity, |stated| prove(&Senses { sign: stated.pick(1, -1) }).into())
+        .by(Vectors, |stated| {
+            for_all_stations(
+                |wheel| {
+                    within(wheel.engagement_half_angle()).all(|t| {
+                        // The driver turns on, counter-clockwise; so does the wheel if the product is positive.
+                        let place = |angle: f64| (wheel.centre_distance_ratio() + libm::cos(angle), libm::sin(angle));
+                        let ((x, y), (next_x, next_y)) = (place(PI - t), place(PI - t + 1e-6));
+                        (x * next_y - y * next_x) * stated.pick(-1.0, 1.0) > 0.0
+                    })
+                },
+                "the sense of the wheel as the driver turns on counter-clockwise",
+            )
+        })
+        .but_not("they turn in the same sense")
 }
 
 /// In one counter-clockwise sense for both, the speed of the wheel and `sign` times the velocity ratio of Eq. (5.31)

@@ -11,215 +11,191 @@ pub fn claims() -> Vec<Claim> {
 }
 
 fn root_choice() -> Claim {
-    Claim::statement(
-        WORK,
-        "jazar.ex-e.root-choice",
-        "Ex. (e), choice of the root",
-        "only the positive root gives a cosine of a size between zero and one",
-        "0 and 1",
-        Check::statement(
-            "only the negative root does",
-            (ClosedForm, |stated| {
-                // All whole degrees of the range that the source gives, and its upper end.
-                let gives = |degrees: &i32| {
-                    let (plus, minus) = both_roots(libm::sin(f64::from(*degrees).to_radians()));
-                    let (this, other) = stated.pick((plus, minus), (minus, plus));
-                    (0.0..=1.0).contains(&this.abs()) && other.abs() > 1.0
+    at("Ex. (e), choice of the root")
+        .statement(
+            "jazar.ex-e.root-choice",
+            "0 and 1",
+            "only the positive root gives a cosine of a size between zero and one",
+        )
+        .by(ClosedForm, |stated| {
+            // All whole degrees of the range that the source gives, and its upper end.
+            let gives = |degrees: &i32| {
+                let (plus, minus) = both_roots(libm::sin(f64::from(*degrees).to_radians()));
+                let (this, other) = stated.pick((plus, minus), (minus, plus));
+                (0.0..=1.0).contains(&this.abs()) && other.abs() > 1.0
+            };
+            let count = (1..=60).filter(gives).count();
+            Finding::new(count == 60, format!("for {count} of the 60 angles 1°, 2° … 60°"))
+        })
+        .by(ExactIdentity, |stated| {
+            // A quadratic with leading coefficient one has one root above a value at which it is negative. Above
+            // one at which it is positive it has none if it rises there, else both.
+            let given = (1..=86).filter(|hundredths| {
+                let sine = rational(*hundredths, 100);
+                let gamma = (rational(1, 1) + sine.clone() * sine.clone()) / (rational(2, 1) * sine);
+                let above = |cosine: i64| {
+                    let cosine = rational(cosine, 1);
+                    let value = cosine.clone() * cosine.clone() + gamma.clone() * cosine.clone() - rational(2, 1);
+                    let rises = rational(2, 1) * cosine + gamma.clone() > rational(0, 1);
+                    if value < rational(0, 1) { 1 } else { 2 * i32::from(!rises) }
                 };
-                let count = (1..=60).filter(gives).count();
-                Finding::new(count == 60, format!("for {count} of the 60 angles 1°, 2° … 60°"))
-            }),
-            (ExactIdentity, |stated| {
-                // A quadratic with leading coefficient one has one root above a value at which it is negative. Above
-                // one at which it is positive it has none if it rises there, else both.
-                let given = (1..=86).filter(|hundredths| {
-                    let sine = rational(*hundredths, 100);
-                    let gamma = (rational(1, 1) + sine.clone() * sine.clone()) / (rational(2, 1) * sine);
-                    let above = |cosine: i64| {
-                        let cosine = rational(cosine, 1);
-                        let value = cosine.clone() * cosine.clone() + gamma.clone() * cosine.clone() - rational(2, 1);
-                        let rises = rational(2, 1) * cosine + gamma.clone() > rational(0, 1);
-                        if value < rational(0, 1) { 1 } else { 2 * i32::from(!rises) }
-                    };
-                    // How many roots are as great as the one between −1 and 1, or greater.
-                    let (at_least, greater) = (above(-1), above(1));
-                    at_least == stated.pick(1, 2) && at_least - greater == 1
-                });
-                let count = given.count();
-                Finding::new(count == 86, format!("for {count} of the 86 sines 0.01, 0.02 … 0.86"))
-            }),
-        ),
-    )
+                // How many roots are as great as the one between −1 and 1, or greater.
+                let (at_least, greater) = (above(-1), above(1));
+                at_least == stated.pick(1, 2) && at_least - greater == 1
+            });
+            let count = given.count();
+            Finding::new(count == 86, format!("for {count} of the 86 sines 0.01, 0.02 … 0.86"))
+        })
+        .but_not("only the negative root does")
 }
 
 fn alpha_range() -> Claim {
-    Claim::statement(
-        WORK,
-        "jazar.ex-e.alpha-range",
-        "Ex. (e), choice of the root",
-        "the allowable range of α",
-        r"0 < \alpha < 60^{\circ}",
-        Check::corrected_statement(
-            (ExactIdentity, |stated| {
-                let (alpha, end) = (|stations: i64| rational(180, stations), rational(60, 1));
-                let outside = (3..=1000).find(|stations| {
-                    let alpha = alpha(*stations);
-                    alpha <= rational(0, 1) || stated.pick(alpha > end, alpha >= end)
-                });
-                let but = outside.map_or("none".to_owned(), |stations| stations.to_string());
-                Finding::new(outside.is_none(), format!("stations of 3 to 1000 that are outside: {but}"))
-            }),
-            (Vectors, |stated| {
-                let slot = |stations: u32| of(stations, |w| by_series(w, w.engagement_half_angle())[0]).to_degrees();
-                let greatest = (3..=60).map(slot).fold(0.0, f64::max);
-                let at_the_end = agrees(greatest, 60.0);
-                let holds = stated.pick(at_the_end || greatest < 60.0, !at_the_end && greatest < 60.0);
-                Finding::new(holds, format!("the slot of three stations enters at {greatest:.4}°"))
-            }),
-        ),
-    )
-    .expecting(Verdict::Corrected)
-    .with_erratum(Erratum {
-        corrected: r"0 < \alpha \le 60^{\circ}",
-        slip: Slip {
-            id: "",
-            reason: "Three stations, the least number that the text allows, have α = 60° exactly. What is said of the \
-                     root holds there too.",
-            witness: "The angle at which the pin enters the slot of a wheel of three, by its coordinates.",
-            origin: Origin::Misprint,
-            consequence: Consequence::Wording,
-            changes: "",
-        },
-    })
+    at("Ex. (e), choice of the root")
+        .statement("jazar.ex-e.alpha-range", r"0 < \alpha < 60^{\circ}", "the allowable range of α")
+        .by(ExactIdentity, |stated| {
+            let (alpha, end) = (|stations: i64| rational(180, stations), rational(60, 1));
+            let outside = (3..=1000).find(|stations| {
+                let alpha = alpha(*stations);
+                alpha <= rational(0, 1) || stated.pick(alpha > end, alpha >= end)
+            });
+            let but = outside.map_or("none".to_owned(), |stations| stations.to_string());
+            Finding::new(outside.is_none(), format!("stations of 3 to 1000 that are outside: {but}"))
+        })
+        .by(Vectors, |stated| {
+            let slot = |stations: u32| of(stations, |w| by_series(w, w.engagement_half_angle())[0]).to_degrees();
+            let greatest = (3..=60).map(slot).fold(0.0, f64::max);
+            let at_the_end = agrees(greatest, 60.0);
+            let holds = stated.pick(at_the_end || greatest < 60.0, !at_the_end && greatest < 60.0);
+            Finding::new(holds, format!("the slot of three stations enters at {greatest:.4}°"))
+        })
+        .corrected(
+            r"0 < \alpha \le 60^{\circ}",
+            Slip {
+                id: "",
+                reason: "Three stations, the least number that the text allows, have α = 60° exactly. What is said of \
+                         the root holds there too.",
+                witness: "The angle at which the pin enters the slot of a wheel of three, by its coordinates.",
+                origin: Origin::Misprint,
+                consequence: Consequence::Wording,
+                changes: "",
+            },
+        )
 }
 
 fn maximum() -> Claim {
-    Claim::statement(
-        WORK,
-        "jazar.ex-e.maximum",
-        "Ex. (e), before Eq. (5.34)",
-        "the angular acceleration has a maximum at both angles ±θ of Eq. (5.34)",
-        "at a maximum",
-        Check::statement(
-            "with its sign, too, it is greatest at both angles",
-            (Series, |stated| {
-                let size = |acceleration: f64| stated.pick(acceleration.abs(), acceleration);
-                for_all_stations(
-                    |wheel| {
-                        let at = |t: f64| size(by_series(wheel, t)[2]);
-                        let angle = libm::acos(both_roots(libm::sin(wheel.half_station())).0);
-                        let greatest = |peak: f64| {
-                            let near = crate::tolerance::CLOSURE.relative * at(peak).abs();
-                            within(wheel.engagement_half_angle()).all(|t| at(t) <= at(peak) + near)
-                        };
-                        greatest(angle) && greatest(-angle)
-                    },
-                    "nowhere in the advance is it greater than at ±θ",
-                )
-            }),
-            (ClosedForm, |stated| {
-                for_all_stations(
-                    |wheel| {
-                        let angle = acceleration_peak(wheel).angle;
-                        // The slope of what is greatest: from plus to minus.
-                        let slope = |t: f64| {
-                            let motion = wheel.engaged(t);
-                            motion.map_or(f64::NAN, |m| m.jerk * stated.pick(m.acceleration.signum(), 1.0))
-                        };
-                        [angle, -angle].iter().all(|peak| slope(peak - 1e-4) > 0.0 && slope(peak + 1e-4) < 0.0)
-                    },
-                    "it rises up to both angles and falls from there",
-                )
-            }),
-        ),
-    )
-    .read_as("Its size is greatest: the source gives two values of opposite signs for the two angles.")
+    at("Ex. (e), before Eq. (5.34)")
+        .statement(
+            "jazar.ex-e.maximum",
+            "at a maximum",
+            "the angular acceleration has a maximum at both angles ±θ of Eq. (5.34)",
+        )
+        .by(Series, |stated| {
+            let size = |acceleration: f64| stated.pick(acceleration.abs(), acceleration);
+            for_all_stations(
+                |wheel| {
+                    let at = |t: f64| size(by_series(wheel, t)[2]);
+                    let angle = libm::acos(both_roots(libm::sin(wheel.half_station())).0);
+                    let greatest = |peak: f64| {
+                        let near = crate::tolerance::CLOSURE.relative * at(peak).abs();
+                        within(wheel.engagement_half_angle()).all(|t| at(t) <= at(peak) + near)
+                    };
+                    greatest(angle) && greatest(-angle)
+                },
+                "nowhere in the advance is it greater than at ±θ",
+            )
+        })
+        .by(ClosedForm, |stated| {
+            for_all_stations(
+                |wheel| {
+                    let angle = acceleration_peak(wheel).angle;
+                    // The slope of what is greatest: from plus to minus.
+                    let slope = |t: f64| {
+                        let motion = wheel.engaged(t);
+                        motion.map_or(f64::NAN, |m| m.jerk * stated.pick(m.acceleration.signum(), 1.0))
+                    };
+                    [angle, -angle].iter().all(|peak| slope(peak - 1e-4) > 0.0 && slope(peak + 1e-4) < 0.0)
+                },
+                "it rises up to both angles and falls from there",
+            )
+        })
+        .but_not("with its sign, too, it is greatest at both angles")
+        .read_as("Its size is greatest: the source gives two values of opposite signs for the two angles.")
 }
 
 fn angle() -> Claim {
-    Claim::equation(
-        WORK,
-        "jazar.eq-5.34",
-        "Eq. (5.34)",
-        "crank angles at which the acceleration is greatest in size",
-        r"\theta = \pm \cos^{-1}\left(\frac{-\gamma + \sqrt{\gamma^2 + 8}}{2}\right)",
-        Check::equation(
-            (ExactIdentity, || prove(&Roots { plus: true }).into()),
-            (Series, || {
-                for_all_stations(
-                    |wheel| {
-                        let (angle, root) = (peak_by_series(wheel).0, both_roots(libm::sin(wheel.half_station())).0);
-                        vanishes(libm::cos(angle) - root)
-                    },
-                    "the power series has its extreme there",
-                )
-            }),
-        ),
-    )
+    at("Eq. (5.34)")
+        .equation(
+            "jazar.eq-5.34",
+            r"\theta = \pm \cos^{-1}\left(\frac{-\gamma + \sqrt{\gamma^2 + 8}}{2}\right)",
+            "crank angles at which the acceleration is greatest in size",
+        )
+        .proven(Roots { plus: true })
+        .by(Series, || {
+            for_all_stations(
+                |wheel| {
+                    let (angle, root) = (peak_by_series(wheel).0, both_roots(libm::sin(wheel.half_station())).0);
+                    vanishes(libm::cos(angle) - root)
+                },
+                "the power series has its extreme there",
+            )
+        })
 }
 
 fn sign_of_the_angle() -> Claim {
-    Claim::statement(
-        WORK,
-        "jazar.ex-e.sign-of-angle",
-        "Ex. (e), on Eq. (5.34)",
-        "the two signs of the angle belong to one root of the quadratic, not to two",
-        "comes from inversion of the cosine",
-        Check::statement(
-            "they belong to the two roots",
-            (ClosedForm, |stated| {
-                for_all_stations(
-                    |wheel| {
-                        let (plus, minus) = both_roots(libm::sin(wheel.half_station()));
-                        let angle = acceleration_peak(wheel).angle;
-                        agrees(libm::cos(angle), plus) && agrees(libm::cos(-angle), stated.pick(plus, minus))
-                    },
-                    "the cosines of both angles are the positive root",
-                )
-            }),
-            (Series, |stated| {
-                for_all_stations(
-                    |wheel| {
-                        // The extreme before the line of centres, looked for by itself. The roots' product is −2.
-                        let before = halved(-wheel.engagement_half_angle(), 0.0, |t| by_series(wheel, t)[3] > 0.0).0;
-                        let after = libm::cos(peak_by_series(wheel).0);
-                        vanishes(libm::cos(before) - stated.pick(after, -2.0 / after))
-                    },
-                    "before the line of centres the extreme has the same cosine as past it",
-                )
-            }),
-        ),
-    )
+    at("Ex. (e), on Eq. (5.34)")
+        .statement(
+            "jazar.ex-e.sign-of-angle",
+            "comes from inversion of the cosine",
+            "the two signs of the angle belong to one root of the quadratic, not to two",
+        )
+        .by(ClosedForm, |stated| {
+            for_all_stations(
+                |wheel| {
+                    let (plus, minus) = both_roots(libm::sin(wheel.half_station()));
+                    let angle = acceleration_peak(wheel).angle;
+                    agrees(libm::cos(angle), plus) && agrees(libm::cos(-angle), stated.pick(plus, minus))
+                },
+                "the cosines of both angles are the positive root",
+            )
+        })
+        .by(Series, |stated| {
+            for_all_stations(
+                |wheel| {
+                    // The extreme before the line of centres, looked for by itself. The roots' product is −2.
+                    let before = halved(-wheel.engagement_half_angle(), 0.0, |t| by_series(wheel, t)[3] > 0.0).0;
+                    let after = libm::cos(peak_by_series(wheel).0);
+                    vanishes(libm::cos(before) - stated.pick(after, -2.0 / after))
+                },
+                "before the line of centres the extreme has the same cosine as past it",
+            )
+        })
+        .but_not("they belong to the two roots")
 }
 
 fn general_validity() -> Claim {
-    Claim::statement(
-        WORK,
-        "jazar.ex-e.general-validity",
-        "Ex. (e), on Eqs. (5.33) and (5.34)",
-        "Eqs. (5.33) and (5.34) hold for every number of stations",
-        "general validity",
-        Check::statement(
-            "they hold for even numbers of stations and for no others",
-            (Series, |stated| {
-                valid_for(stated, |wheel, angle| {
-                    angle < wheel.engagement_half_angle()
-                        && vanishes(libm::cos(angle) - libm::cos(peak_by_series(wheel).0))
-                })
-            }),
-            (AutomaticDerivative, |stated| {
-                valid_for(stated, |wheel, angle| {
-                    // The slope of the acceleration changes its sign there, and nowhere else past the line of centres.
-                    let slope = |part: f64| by_duals(wheel, part)[3];
-                    let end = wheel.engagement_half_angle();
-                    let before = (1..=20).all(|k| slope(angle * f64::from(k) / 20.001) < 0.0);
-                    let past =
-                        (1..=20).all(|k| slope(angle * 1.00005 + (end - angle * 1.00005) * f64::from(k) / 20.0) > 0.0);
-                    before && past
-                })
-            }),
-        ),
-    )
+    at("Ex. (e), on Eqs. (5.33) and (5.34)")
+        .statement(
+            "jazar.ex-e.general-validity",
+            "general validity",
+            "Eqs. (5.33) and (5.34) hold for every number of stations",
+        )
+        .by(Series, |stated| {
+            valid_for(stated, |wheel, angle| {
+                angle < wheel.engagement_half_angle() && vanishes(libm::cos(angle) - libm::cos(peak_by_series(wheel).0))
+            })
+        })
+        .by(AutomaticDerivative, |stated| {
+            valid_for(stated, |wheel, angle| {
+                // The slope of the acceleration changes its sign there, and nowhere else past the line of centres.
+                let slope = |part: f64| by_duals(wheel, part)[3];
+                let end = wheel.engagement_half_angle();
+                let before = (1..=20).all(|k| slope(angle * f64::from(k) / 20.001) < 0.0);
+                let past =
+                    (1..=20).all(|k| slope(angle * 1.00005 + (end - angle * 1.00005) * f64::from(k) / 20.0) > 0.0);
+                before && past
+            })
+        })
+        .but_not("they hold for even numbers of stations and for no others")
 }
 
 /// Whether the angle of Eqs. (5.33) and (5.34) is that of the extreme for the numbers of stations of which it is said.
@@ -236,26 +212,19 @@ fn valid_for(stated: Stated, is_extreme: impl Fn(&Wheel, f64) -> bool) -> Findin
 
 /// The upper sign of the acceleration belongs to one sign of the angle, the lower to the other.
 pub(super) fn signs() -> Claim {
-    Claim::statement(
-        WORK,
-        "jazar.ex-e.signs",
-        "Ex. (e), from Eq. (5.32)",
-        "the accelerations at the two angles have opposite signs",
-        r"\pm",
-        Check::statement(
-            "they have the same sign",
-            (Series, |stated| {
-                let (angle, _) = six_pair(peak_by_series);
-                let [before, past] = [-angle, angle].map(|t| six(|wheel| by_series(wheel, t)[2]));
-                same(before, stated.pick(-1.0, 1.0) * past)
-            }),
-            (ExactIdentity, |stated| prove(&SameSize { sign: stated.pick(-1, 1) }).into()),
-        ),
-    )
-    .read_as(
-        "The two values differ in sign. Which belongs to which angle is not said: the wheel speeds up at the negative \
-         angle and slows down at the positive one.",
-    )
+    at("Ex. (e), from Eq. (5.32)")
+        .statement("jazar.ex-e.signs", r"\pm", "the accelerations at the two angles have opposite signs")
+        .by(Series, |stated| {
+            let (angle, _) = six_pair(peak_by_series);
+            let [before, past] = [-angle, angle].map(|t| six(|wheel| by_series(wheel, t)[2]));
+            same(before, stated.pick(-1.0, 1.0) * past)
+        })
+        .by(ExactIdentity, |stated| prove(&SameSize { sign: stated.pick(-1, 1) }).into())
+        .but_not("they have the same sign")
+        .read_as(
+            "The two values differ in sign. Which belongs to which angle is not said: the wheel speeds up at the \
+             negative angle and slows down at the positive one.",
+        )
 }
 
 /// The acceleration at −θ is `sign` times that at θ. Variables: k and the tangent of θ/2.

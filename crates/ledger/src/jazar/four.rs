@@ -1,20 +1,20 @@
 //! The equations of the wheel of four stations, (5.25) to (5.29), and Fig. 5.29.
 
 use super::*;
+use geneva_kinematics::prove_with_root;
 use geneva_kinematics::wheel_proofs::{
     AccelerationOfFour, LoopClosure, Printed, Quantity, SlotEliminated, TangentDifferentiated,
     UnsteadyAccelerationOfFour, VelocityOfFour,
 };
-use geneva_kinematics::{prove, prove_with_root};
 
-const LOOP: &str = "Eq. (5.25)";
+const LOOP: Place = at("Eq. (5.25)");
 
 /// Eq. (5.29) without its sign.
 pub(super) const LOST_SIGN: Slip = Slip {
     id: "jazar.eq-5.29",
     reason: "The display before it has a minus sign in front of this term; here it is lost. As printed the wheel would \
-        first slow down and then speed up. Whether the handout or the copy at hand lost it cannot be told; no other \
-        display of the copy has lost a character.",
+             first slow down and then speed up. Whether the handout or the copy at hand lost it cannot be told; no \
+             other display of the copy has lost a character.",
     witness: "Eq. (5.32) of the same source has the sign, and gives the corrected form for four stations.",
     origin: Origin::Misprint,
     consequence: Consequence::Derivation,
@@ -27,211 +27,174 @@ pub fn claims() -> Vec<Claim> {
 
 fn loop_closure() -> Vec<Claim> {
     vec![
-        Claim::equation(
-            WORK,
+        LOOP.equation(
             "jazar.eq-5.25-across",
-            LOOP,
-            "loop closure across the line of centres",
             r"r \sin \theta = x \sin \phi",
-            Check::equation(
-                (ExactIdentity, || prove(&LoopClosure { along: false }).into()),
-                (ClosedForm, || {
-                    at_instants(|wheel, t| {
-                        let (distance, angle) = by_cosines(wheel.centre_distance_ratio(), t);
-                        (libm::sin(t), distance * libm::sin(angle))
-                    })
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
+            "loop closure across the line of centres",
+        )
+        .proven(LoopClosure { along: false })
+        .by(ClosedForm, || {
+            at_instants(|wheel, t| {
+                let (distance, angle) = by_cosines(wheel.centre_distance_ratio(), t);
+                (libm::sin(t), distance * libm::sin(angle))
+            })
+        }),
+        LOOP.equation(
             "jazar.eq-5.25-along",
-            LOOP,
-            "loop closure along the line of centres",
             r"r \cos \theta + x \cos \phi = \sqrt{2}r",
-            Check::equation(
-                (ExactIdentity, || prove(&LoopClosure { along: true }).into()),
-                (ClosedForm, || {
-                    at_instants(|wheel, t| {
-                        let (distance, angle) = by_cosines(wheel.centre_distance_ratio(), t);
-                        (libm::cos(t) + distance * libm::cos(angle), 2f64.sqrt())
-                    })
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "jazar.slot-eliminated",
-            "Display after Eq. (5.25)",
-            "the pin's distance eliminated",
-            r"\cos \theta + \frac{\sin \theta}{\tan \phi} = \sqrt{2}",
-            Check::equation(
-                (ExactIdentity, || prove(&SlotEliminated).into()),
-                (ClosedForm, || {
-                    at_instants(|wheel, t| {
-                        let (_, angle) = by_cosines(wheel.centre_distance_ratio(), t);
-                        (libm::cos(t) + libm::sin(t) / libm::tan(angle), 2f64.sqrt())
-                    })
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "jazar.eq-5.26",
-            "Eq. (5.26)",
-            "tangent of the wheel angle",
-            r"\tan \phi = \frac{\sin \theta}{\sqrt{2} - \cos \theta}",
-            Check::equation(
-                (ExactIdentity, || prove(&Printed(Quantity::Tangent)).into()),
-                (ClosedForm, || {
-                    at_instants(|wheel, t| {
-                        let (_, angle) = by_cosines(wheel.centre_distance_ratio(), t);
-                        (libm::tan(angle), libm::sin(t) / (2f64.sqrt() - libm::cos(t)))
-                    })
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "jazar.eq-5.27",
-            "Eq. (5.27)",
-            "wheel angle",
-            r"\phi = \tan^{-1} \left(\frac{\sin \theta}{\sqrt{2} - \cos \theta} \right)",
-            Check::equation(
-                // The denominator is positive for every θ, so the principal value is the right one.
-                (ClosedForm, || {
-                    at_instants(|wheel, t| (by_cosines(wheel.centre_distance_ratio(), t).1, printed_5_27(t)))
-                }),
-                (ExactIdentity, || prove(&Printed(Quantity::Tangent)).into()),
-            ),
-        ),
-        Claim::figure(
-            WORK,
-            "jazar.fig-5.29",
-            "Fig. 5.29, caption",
-            "θ and φ are angles of rotation from the line of centres",
-            "line of centers",
-            Check::statement(
-                "θ is the angle of rotation since the pin entered",
-                (Vectors, |stated| {
-                    at_instants(|wheel, t| {
-                        // The pin's place and angle where the driver is t from the line of centres.
-                        let theta = t + stated.pick(0.0, wheel.engagement_half_angle());
-                        let pin = pin_from_pivot(&wheel.centre_distance_ratio(), &Turn::from_radians(t));
-                        (libm::cos(theta) + pin.norm() * libm::cos(by_series(wheel, t)[0]), 2f64.sqrt())
-                    })
-                }),
-                (ClosedForm, |stated| {
-                    // The triangle of Eq. (5.25) is the same for θ and for −θ.
-                    at_instants(|wheel, t| {
-                        let of_theta = |theta: f64| {
-                            let from_centres = theta - stated.pick(0.0, wheel.engagement_half_angle());
-                            by_cosines(wheel.centre_distance_ratio(), from_centres).0
-                        };
-                        (of_theta(t), of_theta(-t))
-                    })
-                }),
-            ),
-        ),
+            "loop closure along the line of centres",
+        )
+        .proven(LoopClosure { along: true })
+        .by(ClosedForm, || {
+            at_instants(|wheel, t| {
+                let (distance, angle) = by_cosines(wheel.centre_distance_ratio(), t);
+                (libm::cos(t) + distance * libm::cos(angle), 2f64.sqrt())
+            })
+        }),
+        at("Display after Eq. (5.25)")
+            .equation(
+                "jazar.slot-eliminated",
+                r"\cos \theta + \frac{\sin \theta}{\tan \phi} = \sqrt{2}",
+                "the pin's distance eliminated",
+            )
+            .proven(SlotEliminated)
+            .by(ClosedForm, || {
+                at_instants(|wheel, t| {
+                    let (_, angle) = by_cosines(wheel.centre_distance_ratio(), t);
+                    (libm::cos(t) + libm::sin(t) / libm::tan(angle), 2f64.sqrt())
+                })
+            }),
+        at("Eq. (5.26)")
+            .equation(
+                "jazar.eq-5.26",
+                r"\tan \phi = \frac{\sin \theta}{\sqrt{2} - \cos \theta}",
+                "tangent of the wheel angle",
+            )
+            .proven(Printed(Quantity::Tangent))
+            .by(ClosedForm, || {
+                at_instants(|wheel, t| {
+                    let (_, angle) = by_cosines(wheel.centre_distance_ratio(), t);
+                    (libm::tan(angle), libm::sin(t) / (2f64.sqrt() - libm::cos(t)))
+                })
+            }),
+        at("Eq. (5.27)")
+            .equation(
+                "jazar.eq-5.27",
+                r"\phi = \tan^{-1} \left(\frac{\sin \theta}{\sqrt{2} - \cos \theta} \right)",
+                "wheel angle",
+            )
+            .by(
+                ClosedForm, // The denominator is positive for every θ, so the principal value is the right one.
+                || at_instants(|wheel, t| (by_cosines(wheel.centre_distance_ratio(), t).1, printed_5_27(t))),
+            )
+            .proven(Printed(Quantity::Tangent)),
+        at("Fig. 5.29, caption")
+            .figure("jazar.fig-5.29", "line of centers", "θ and φ are angles of rotation from the line of centres")
+            .by(Vectors, |stated| {
+                at_instants(|wheel, t| {
+                    // The pin's place and angle where the driver is t from the line of centres.
+                    let theta = t + stated.pick(0.0, wheel.engagement_half_angle());
+                    let pin = pin_from_pivot(&wheel.centre_distance_ratio(), &Turn::from_radians(t));
+                    (libm::cos(theta) + pin.norm() * libm::cos(by_series(wheel, t)[0]), 2f64.sqrt())
+                })
+            })
+            .by(ClosedForm, |stated| {
+                // The triangle of Eq. (5.25) is the same for θ and for −θ.
+                at_instants(|wheel, t| {
+                    let of_theta = |theta: f64| {
+                        let from_centres = theta - stated.pick(0.0, wheel.engagement_half_angle());
+                        by_cosines(wheel.centre_distance_ratio(), from_centres).0
+                    };
+                    (of_theta(t), of_theta(-t))
+                })
+            })
+            .but_not("θ is the angle of rotation since the pin entered"),
     ]
 }
 
 fn angle_and_velocity() -> Vec<Claim> {
     vec![
-        Claim::equation(
-            WORK,
-            "jazar.tangent-differentiated",
-            "Display before Eq. (5.28)",
-            "Eq. (5.26) differentiated",
-            r"\dot{\phi}(1 + \tan^2 \phi) = \dot{\theta} \frac{(\sqrt{2}\cos\theta - 1)}{(\sqrt{2} - \cos\theta)^2}",
-            Check::equation(
-                (ExactIdentity, || prove_with_root::<2, 2>(&TangentDifferentiated).into()),
-                (AutomaticDerivative, || {
-                    at_instants(|wheel, t| {
-                        let ([angle, speed, ..], rest) = (by_duals(wheel, t), 2f64.sqrt() - libm::cos(t));
-                        let tangent = libm::tan(angle);
-                        (speed * (1.0 + tangent * tangent), (2f64.sqrt() * libm::cos(t) - 1.0) / (rest * rest))
-                    })
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "jazar.eq-5.28",
-            "Eq. (5.28)",
-            "angular velocity of the wheel of four",
-            r"\dot{\phi} = \dot{\theta} \left(\frac{\sqrt{2} \cos \theta - 1}{3 - 2\sqrt{2} \cos \theta} \right)",
-            Check::equation(
-                (ExactIdentity, || prove_with_root::<2, 2>(&VelocityOfFour).into()),
-                (AutomaticDerivative, || at_instants(|wheel, t| (by_duals(wheel, t)[1], printed_5_28(t)))),
-            ),
-        ),
+        at("Display before Eq. (5.28)")
+            .equation(
+                "jazar.tangent-differentiated",
+                concat!(
+                    r"\dot{\phi}(1 + \tan^2 \phi) = \dot{\theta} \frac{(\sqrt{2}\cos\theta - ",
+                    r"1)}{(\sqrt{2} - \cos\theta)^2}"
+                ),
+                "Eq. (5.26) differentiated",
+            )
+            .by(ExactIdentity, || prove_with_root::<2, 2>(&TangentDifferentiated).into())
+            .by(AutomaticDerivative, || {
+                at_instants(|wheel, t| {
+                    let ([angle, speed, ..], rest) = (by_duals(wheel, t), 2f64.sqrt() - libm::cos(t));
+                    let tangent = libm::tan(angle);
+                    (speed * (1.0 + tangent * tangent), (2f64.sqrt() * libm::cos(t) - 1.0) / (rest * rest))
+                })
+            }),
+        at("Eq. (5.28)")
+            .equation(
+                "jazar.eq-5.28",
+                concat!(
+                    r"\dot{\phi} = \dot{\theta} \left(\frac{\sqrt{2} \cos \theta - 1}{3 - 2\sqrt{2} \cos ",
+                    r"\theta} \right)"
+                ),
+                "angular velocity of the wheel of four",
+            )
+            .by(ExactIdentity, || prove_with_root::<2, 2>(&VelocityOfFour).into())
+            .by(AutomaticDerivative, || at_instants(|wheel, t| (by_duals(wheel, t)[1], printed_5_28(t)))),
     ]
 }
 
 fn accelerations() -> Vec<Claim> {
     vec![
-        Claim::equation(
-            WORK,
-            "jazar.unsteady-acceleration",
-            "Display before Eq. (5.29)",
-            "angular acceleration of the wheel of four, the driver speeding up",
-            concat!(
-                r"\ddot{\phi} = \ddot{\theta} \left(\frac{\sqrt{2} \cos \theta - 1}{3 - 2\sqrt{2} \cos \theta} \right)",
-                r" - \dot{\theta}^2 \frac{\sqrt{2} \sin \theta}{(3 - 2\sqrt{2} \cos \theta)^2}",
+        at("Display before Eq. (5.29)")
+            .equation(
+                "jazar.unsteady-acceleration",
+                concat!(
+                    r"\ddot{\phi} = \ddot{\theta} \left(\frac{\sqrt{2} \cos \theta - 1}{3 - 2\sqrt{2} ",
+                    r"\cos \theta} \right)",
+                    r" - \dot{\theta}^2 \frac{\sqrt{2} \sin \theta}{(3 - 2\sqrt{2} \cos \theta)^2}",
+                ),
+                "angular acceleration of the wheel of four, the driver speeding up",
+            )
+            .by(ExactIdentity, || prove_with_root::<2, 3>(&UnsteadyAccelerationOfFour).into())
+            .by(AutomaticDerivative, || {
+                at_instants(|wheel, t| {
+                    let (speed, gain) = (1.5, 0.75);
+                    let printed = gain * printed_5_28(t) - speed * speed * printed_5_29(t);
+                    (unsteady_by_duals(wheel, t, speed, gain), printed)
+                })
+            }),
+        at("Sentence before Eq. (5.29)")
+            .statement("jazar.steady-driver", "first term disappears", "with a steady driver the first term vanishes")
+            .by(Series, |stated| {
+                // What is left is the acceleration of a steady driver's wheel.
+                at_instants(|wheel, t| (by_series(wheel, t)[2], stated.pick(-printed_5_29(t), 0.0 * printed_5_28(t))))
+            })
+            .by(AutomaticDerivative, |stated| {
+                // What has vanished is the difference that the driver's acceleration makes.
+                at_instants(|wheel, t| {
+                    let [unsteady, steady] = [0.75, 0.0].map(|gain| unsteady_by_duals(wheel, t, 1.0, gain));
+                    (unsteady - steady, stated.pick(0.75 * printed_5_28(t), -printed_5_29(t)))
+                })
+            })
+            .but_not("the second term vanishes"),
+        at("Eq. (5.29)")
+            .equation(
+                "jazar.eq-5.29",
+                r"\ddot{\phi} = \dot{\theta}^2 \frac{\sqrt{2} \sin \theta}{(3 - 2\sqrt{2} \cos \theta)^2}",
+                "angular acceleration of the wheel of four, the driver steady",
+            )
+            .by(ExactIdentity, || prove_with_root::<2, 2>(&AccelerationOfFour { negative: false }).into())
+            .corrected_form(|| prove_with_root::<2, 2>(&AccelerationOfFour { negative: true }).into())
+            .by(
+                OtherPlaceInSource, // (5.32), whose sign is right, for four stations.
+                || at_instants(|wheel, t| (printed_5_32(wheel, t), -printed_5_29(t))),
+            )
+            .corrected(
+                r"\ddot{\phi} = -\dot{\theta}^2 \frac{\sqrt{2} \sin \theta}{(3 - 2\sqrt{2} \cos \theta)^2}",
+                LOST_SIGN,
             ),
-            Check::equation(
-                (ExactIdentity, || prove_with_root::<2, 3>(&UnsteadyAccelerationOfFour).into()),
-                (AutomaticDerivative, || {
-                    at_instants(|wheel, t| {
-                        let (speed, gain) = (1.5, 0.75);
-                        let printed = gain * printed_5_28(t) - speed * speed * printed_5_29(t);
-                        (unsteady_by_duals(wheel, t, speed, gain), printed)
-                    })
-                }),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "jazar.steady-driver",
-            "Sentence before Eq. (5.29)",
-            "with a steady driver the first term vanishes",
-            "first term disappears",
-            Check::statement(
-                "the second term vanishes",
-                (Series, |stated| {
-                    // What is left is the acceleration of a steady driver's wheel.
-                    at_instants(|wheel, t| {
-                        (by_series(wheel, t)[2], stated.pick(-printed_5_29(t), 0.0 * printed_5_28(t)))
-                    })
-                }),
-                (AutomaticDerivative, |stated| {
-                    // What has vanished is the difference that the driver's acceleration makes.
-                    at_instants(|wheel, t| {
-                        let [unsteady, steady] = [0.75, 0.0].map(|gain| unsteady_by_duals(wheel, t, 1.0, gain));
-                        (unsteady - steady, stated.pick(0.75 * printed_5_28(t), -printed_5_29(t)))
-                    })
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "jazar.eq-5.29",
-            "Eq. (5.29)",
-            "angular acceleration of the wheel of four, the driver steady",
-            r"\ddot{\phi} = \dot{\theta}^2 \frac{\sqrt{2} \sin \theta}{(3 - 2\sqrt{2} \cos \theta)^2}",
-            Check::corrected_equation(
-                (ExactIdentity, || prove_with_root::<2, 2>(&AccelerationOfFour { negative: false }).into()),
-                || prove_with_root::<2, 2>(&AccelerationOfFour { negative: true }).into(),
-                // (5.32), whose sign is right, for four stations.
-                (OtherPlaceInSource, || at_instants(|wheel, t| (printed_5_32(wheel, t), -printed_5_29(t)))),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: r"\ddot{\phi} = -\dot{\theta}^2 \frac{\sqrt{2} \sin \theta}{(3 - 2\sqrt{2} \cos \theta)^2}",
-            slip: LOST_SIGN,
-        }),
     ]
 }
 

@@ -6,7 +6,7 @@ use super::*;
 use geneva_kinematics::wheel_proofs::{Printed, Quantity};
 use geneva_kinematics::{Field, Identity, prove};
 
-const RATIOS: &str = "Paragraph before Eq. (5.30)";
+const RATIOS: Place = at("Paragraph before Eq. (5.30)");
 
 pub fn claims() -> Vec<Claim> {
     [sizes(), equations()].concat()
@@ -14,155 +14,129 @@ pub fn claims() -> Vec<Claim> {
 
 fn sizes() -> Vec<Claim> {
     vec![
-        Claim::equation(
-            WORK,
-            "jazar.centre-distance-ratio",
-            RATIOS,
-            "centre distance over crank radius",
-            r"1/\sin \alpha",
-            Check::equation(
-                (ExactIdentity, || prove(&Tangent).into()),
-                (Vectors, || {
-                    for_all_stations(
-                        |wheel| {
-                            // The farthest that the slot is turned is where the pin turns back, as seen from its axis.
-                            let rest = Turn::from_radians(entry_crank(wheel) / 2.0);
-                            let pin = pin_from_pivot(&(1.0 / libm::sin(wheel.half_station())), &rest);
-                            agrees(libm::atan2(pin.y, pin.x), PI / f64::from(wheel.stations()))
-                        },
-                        "with it the wheel comes to rest half a pitch from the line of centres",
-                    )
-                }),
+        RATIOS
+            .equation("jazar.centre-distance-ratio", r"1/\sin \alpha", "centre distance over crank radius")
+            .proven(Tangent)
+            .by(Vectors, || {
+                for_all_stations(
+                    |wheel| {
+                        // The farthest that the slot is turned is where the pin turns back, as seen from its axis.
+                        let rest = Turn::from_radians(entry_crank(wheel) / 2.0);
+                        let pin = pin_from_pivot(&(1.0 / libm::sin(wheel.half_station())), &rest);
+                        agrees(libm::atan2(pin.y, pin.x), PI / f64::from(wheel.stations()))
+                    },
+                    "with it the wheel comes to rest half a pitch from the line of centres",
+                )
+            }),
+        RATIOS
+            .statement(
+                "jazar.wheel-radius-ratio",
+                r"1/\tan \alpha",
+                "1/tan α is the outside diameter of the wheel over the pin's radius",
+            )
+            .by(Vectors, |stated| {
+                for_all_stations(
+                    |wheel| {
+                        let (pins_radius, alpha) = (1.0, wheel.half_station());
+                        let outside = entry(wheel).norm() * stated.pick(1.0, 2.0);
+                        agrees(outside / pins_radius, 1.0 / libm::tan(alpha))
+                    },
+                    "the rim is where the pin enters",
+                )
+            })
+            .by(ExactIdentity, |stated| prove(&RimByPythagoras { over: stated.pick(2, 1) }).into())
+            .corrected(
+                "outside radius: 1/tan α",
+                Slip {
+                    id: "",
+                    reason: "The text compares the outside diameter with the radius of the pin's circle, which it \
+                             names just before. The ratio is that of two radii, or of two diameters; the diameter over \
+                             the radius is twice as large.",
+                    witness: "The rim is where the pin enters: its distance from the wheel's axis, by coordinates.",
+                    origin: Origin::Misprint,
+                    consequence: Consequence::Wording,
+                    changes: "",
+                },
             ),
-        ),
-        Claim::statement(
-            WORK,
-            "jazar.wheel-radius-ratio",
-            RATIOS,
-            "1/tan α is the outside diameter of the wheel over the pin's radius",
-            r"1/\tan \alpha",
-            Check::corrected_statement(
-                (Vectors, |stated| {
-                    for_all_stations(
-                        |wheel| {
-                            let (pins_radius, alpha) = (1.0, wheel.half_station());
-                            let outside = entry(wheel).norm() * stated.pick(1.0, 2.0);
-                            agrees(outside / pins_radius, 1.0 / libm::tan(alpha))
-                        },
-                        "the rim is where the pin enters",
-                    )
-                }),
-                (ExactIdentity, |stated| prove(&RimByPythagoras { over: stated.pick(2, 1) }).into()),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: "outside radius: 1/tan α",
-            slip: Slip {
-                id: "",
-                reason: "The text compares the outside diameter with the radius of the pin's circle, which it names just \
-                         before. The ratio is that of two radii, or of two diameters; the diameter over the radius is twice \
-                         as large.",
-                witness: "The rim is where the pin enters: its distance from the wheel's axis, by coordinates.",
-                origin: Origin::Misprint,
-                consequence: Consequence::Wording,
-                changes: "",
-            },
-        }),
-        Claim::equation(
-            WORK,
-            "jazar.alpha-radians",
-            "Sentence before Eq. (5.30)",
-            "α in radians",
-            r"\alpha = \pi/N",
-            Check::equation(
-                (ClosedForm, || {
-                    for_all_stations(
-                        |wheel| {
-                            let alpha = libm::asin(1.0 / wheel.centre_distance_ratio());
-                            agrees(alpha, PI / f64::from(wheel.stations()))
-                        },
-                        "the crank over the centre distance is the sine of π/N",
-                    )
-                }),
-                (Vectors, || {
-                    for_all_stations(
-                        |wheel| agrees(-entry_angle(wheel), PI / f64::from(wheel.stations())),
-                        "the slot's angle at entry is π/N",
-                    )
-                }),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "jazar.generalises",
-            "Sentence before Eq. (5.30)",
-            "Eqs. (5.27) to (5.29) are the case of four stations of Eqs. (5.30) to (5.32)",
-            "become",
-            Check::corrected_statement(
-                (ClosedForm, |stated| four_from_general(&[printed_angle, printed_5_31, printed_5_32], stated)),
-                (AutomaticDerivative, |stated| {
-                    // What Eq. (5.30) gives with its derivatives, by dual numbers.
-                    let derivatives: [fn(&Wheel, f64) -> f64; 3] =
-                        [|w, t| by_duals(w, t)[0], |w, t| by_duals(w, t)[1], |w, t| by_duals(w, t)[2]];
-                    four_from_general(&derivatives, stated)
-                }),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum { corrected: "become, once Eq. (5.29) has its minus sign", slip: LOST_SIGN }),
+        at("Sentence before Eq. (5.30)")
+            .equation("jazar.alpha-radians", r"\alpha = \pi/N", "α in radians")
+            .by(ClosedForm, || {
+                for_all_stations(
+                    |wheel| {
+                        let alpha = libm::asin(1.0 / wheel.centre_distance_ratio());
+                        agrees(alpha, PI / f64::from(wheel.stations()))
+                    },
+                    "the crank over the centre distance is the sine of π/N",
+                )
+            })
+            .by(Vectors, || {
+                for_all_stations(
+                    |wheel| agrees(-entry_angle(wheel), PI / f64::from(wheel.stations())),
+                    "the slot's angle at entry is π/N",
+                )
+            }),
+        at("Sentence before Eq. (5.30)")
+            .statement(
+                "jazar.generalises",
+                "become",
+                "Eqs. (5.27) to (5.29) are the case of four stations of Eqs. (5.30) to (5.32)",
+            )
+            .by(ClosedForm, |stated| four_from_general(&[printed_angle, printed_5_31, printed_5_32], stated))
+            .by(AutomaticDerivative, |stated| {
+                // What Eq. (5.30) gives with its derivatives, by dual numbers.
+                let derivatives: [fn(&Wheel, f64) -> f64; 3] =
+                    [|w, t| by_duals(w, t)[0], |w, t| by_duals(w, t)[1], |w, t| by_duals(w, t)[2]];
+                four_from_general(&derivatives, stated)
+            })
+            .corrected("become, once Eq. (5.29) has its minus sign", LOST_SIGN),
     ]
 }
 
 fn equations() -> Vec<Claim> {
     vec![
-        Claim::equation(
-            WORK,
-            "jazar.eq-5.30",
-            "Eq. (5.30)",
-            "wheel angle, N stations",
-            r"\phi = \tan^{-1} \left(\frac{\sin \alpha \sin \theta}{1 - \sin \alpha \cos \theta} \right)",
-            Check::equation(
-                (ExactIdentity, || prove(&Printed(Quantity::Tangent)).into()),
-                (ClosedForm, || {
-                    for_all_stations(
-                        |wheel| {
-                            let by_cosines = |t: f64| by_cosines(wheel.centre_distance_ratio(), t).1;
-                            thirds(wheel).all(|t| agrees(printed_angle(wheel, t), by_cosines(t)))
-                        },
-                        "the law of cosines gives the same angle",
-                    )
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "jazar.eq-5.31",
-            "Eq. (5.31)",
-            "angular velocity of the wheel, N stations",
-            concat!(
-                r"\dot{\phi} = \dot{\theta} \sin \alpha ",
-                r"\left(\frac{\cos \theta - \sin \alpha}{1 + \sin^2 \alpha - 2 \sin \alpha \cos \theta} \right)",
-            ),
-            Check::equation(
-                (ExactIdentity, || prove(&Printed(Quantity::Velocity)).into()),
-                (AutomaticDerivative, || as_by_duals(1, printed_5_31)),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "jazar.eq-5.32",
-            "Eq. (5.32)",
-            "angular acceleration of the wheel, N stations",
-            concat!(
-                r"\ddot{\phi} = -\dot{\theta}^2 ",
-                r"\frac{\sin \alpha \cos^2 \alpha \sin \theta}{(1 + \sin^2 \alpha - 2 \sin \alpha \cos \theta)^2}",
-            ),
-            Check::equation(
-                (ExactIdentity, || prove(&Printed(Quantity::Acceleration)).into()),
-                (AutomaticDerivative, || as_by_duals(2, printed_5_32)),
-            ),
-        ),
+        at("Eq. (5.30)")
+            .equation(
+                "jazar.eq-5.30",
+                concat!(
+                    r"\phi = \tan^{-1} \left(\frac{\sin \alpha \sin \theta}{1 - \sin \alpha \cos \theta} ",
+                    r"\right)"
+                ),
+                "wheel angle, N stations",
+            )
+            .proven(Printed(Quantity::Tangent))
+            .by(ClosedForm, || {
+                for_all_stations(
+                    |wheel| {
+                        let by_cosines = |t: f64| by_cosines(wheel.centre_distance_ratio(), t).1;
+                        thirds(wheel).all(|t| agrees(printed_angle(wheel, t), by_cosines(t)))
+                    },
+                    "the law of cosines gives the same angle",
+                )
+            }),
+        at("Eq. (5.31)")
+            .equation(
+                "jazar.eq-5.31",
+                concat!(
+                    r"\dot{\phi} = \dot{\theta} \sin \alpha ",
+                    r"\left(\frac{\cos \theta - \sin \alpha}{1 + \sin^2 \alpha - 2 \sin \alpha \cos ",
+                    r"\theta} \right)",
+                ),
+                "angular velocity of the wheel, N stations",
+            )
+            .proven(Printed(Quantity::Velocity))
+            .by(AutomaticDerivative, || as_by_duals(1, printed_5_31)),
+        at("Eq. (5.32)")
+            .equation(
+                "jazar.eq-5.32",
+                concat!(
+                    r"\ddot{\phi} = -\dot{\theta}^2 ",
+                    r"\frac{\sin \alpha \cos^2 \alpha \sin \theta}{(1 + \sin^2 \alpha - 2 \sin \alpha ",
+                    r"\cos \theta)^2}",
+                ),
+                "angular acceleration of the wheel, N stations",
+            )
+            .proven(Printed(Quantity::Acceleration))
+            .by(AutomaticDerivative, || as_by_duals(2, printed_5_32)),
     ]
 }
 

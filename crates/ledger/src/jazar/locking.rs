@@ -5,113 +5,97 @@ use super::*;
 use nalgebra::Vector2;
 
 pub(super) fn journal_bearing() -> Claim {
-    Claim::statement(
-        WORK,
-        "jazar.journal-bearing",
-        VARIETIES,
-        "while it holds, the wheel's arc and the driver's journal are a bearing: they have the same centre",
-        "journal bearing",
-        Check::statement(
-            "the arcs have their centres on the wheel's rim",
-            (ClosedForm, |stated| {
-                for_all_stations(
-                    |wheel| {
-                        // Law of cosines: the pin, a crank radius from the driver's axis, enters at the rim, and the
-                        // slot is half a pitch from the arc's middle.
-                        let (rim, centres) = (wheel.wheel_radius_ratio(), centres(wheel, stated));
-                        let cosine = libm::cos(wheel.half_station());
-                        agrees(rim * rim + centres * centres - 2.0 * rim * centres * cosine, 1.0)
-                    },
-                    "the mouth of a slot is a crank radius from the centre of the arc beside it",
-                )
-            }),
-            (Vectors, |stated| {
-                for_all_stations(
-                    |wheel| {
-                        let end = wheel.engagement_half_angle();
-                        // The pin from the end of one engagement to the beginning of the next, the wheel at rest.
-                        (0..=20).map(|step| end + (2.0 * PI - 2.0 * end) * f64::from(step) / 20.0).all(|crank| {
-                            let pin = pin_from_pivot(&wheel.centre_distance_ratio(), &Turn::from_radians(crank));
-                            agrees((pin - Vector2::new(centres(wheel, stated), 0.0)).norm(), 1.0)
-                        })
-                    },
-                    "in the dwell the driver turns about the centre of an arc",
-                )
-            }),
-        ),
-    )
+    VARIETIES
+        .statement(
+            "jazar.journal-bearing",
+            "journal bearing",
+            "while it holds, the wheel's arc and the driver's journal are a bearing: they have the same centre",
+        )
+        .by(ClosedForm, |stated| {
+            for_all_stations(
+                |wheel| {
+                    // Law of cosines: the pin, a crank radius from the driver's axis, enters at the rim, and the
+                    // slot is half a pitch from the arc's middle.
+                    let (rim, centres) = (wheel.wheel_radius_ratio(), centres(wheel, stated));
+                    let cosine = libm::cos(wheel.half_station());
+                    agrees(rim * rim + centres * centres - 2.0 * rim * centres * cosine, 1.0)
+                },
+                "the mouth of a slot is a crank radius from the centre of the arc beside it",
+            )
+        })
+        .by(Vectors, |stated| {
+            for_all_stations(
+                |wheel| {
+                    let end = wheel.engagement_half_angle();
+                    // The pin from the end of one engagement to the beginning of the next, the wheel at rest.
+                    (0..=20).map(|step| end + (2.0 * PI - 2.0 * end) * f64::from(step) / 20.0).all(|crank| {
+                        let pin = pin_from_pivot(&wheel.centre_distance_ratio(), &Turn::from_radians(crank));
+                        agrees((pin - Vector2::new(centres(wheel, stated), 0.0)).norm(), 1.0)
+                    })
+                },
+                "in the dwell the driver turns about the centre of an arc",
+            )
+        })
+        .but_not("the arcs have their centres on the wheel's rim")
 }
 
 pub(super) fn locking() -> Claim {
-    Claim::statement(
-        WORK,
-        "jazar.locking",
-        SIMPLE,
-        "a journal in an arc of the wheel locks it, whichever way it is pushed",
-        "to lock the star wheel",
-        Check::statement(
-            "half of the arc, on one side of the line of centres, locks it as well",
-            (ClosedForm, |stated| {
-                for_all_stations(
-                    |wheel| locks(wheel, between_rim_and_pin(wheel, 0.5), stated.pick(&[1.0, -1.0], &[1.0])),
-                    "turned a little either way, an end of the arc would be inside the journal",
-                )
-            }),
-            (Vectors, |stated| {
-                for_all_stations(
-                    |wheel| holds(wheel, between_rim_and_pin(wheel, 0.5), stated.pick(&[1.0, -1.0], &[1.0])),
-                    "turning either way, an end of the arc would approach the driver's axis",
-                )
-            }),
-        ),
-    )
+    SIMPLE
+        .statement(
+            "jazar.locking",
+            "to lock the star wheel",
+            "a journal in an arc of the wheel locks it, whichever way it is pushed",
+        )
+        .by(ClosedForm, |stated| {
+            for_all_stations(
+                |wheel| locks(wheel, between_rim_and_pin(wheel, 0.5), stated.pick(&[1.0, -1.0], &[1.0])),
+                "turned a little either way, an end of the arc would be inside the journal",
+            )
+        })
+        .by(Vectors, |stated| {
+            for_all_stations(
+                |wheel| holds(wheel, between_rim_and_pin(wheel, 0.5), stated.pick(&[1.0, -1.0], &[1.0])),
+                "turning either way, an end of the arc would approach the driver's axis",
+            )
+        })
+        .but_not("half of the arc, on one side of the line of centres, locks it as well")
 }
 
 pub(super) fn journal_radius() -> Claim {
-    Claim::statement(
-        WORK,
-        "jazar.journal-radius",
-        SIMPLE,
-        "the radius of the journal can be chosen",
-        "flexible",
-        Check::statement(
-            "a journal that does not reach the wheel's rim locks it as well",
-            (ClosedForm, |stated| {
-                for_all_stations(
-                    |wheel| radii(wheel, stated).all(|journal| locks(wheel, journal, &[1.0, -1.0])),
-                    "turned a little either way, an end of the arc would be inside the journal",
-                )
-            }),
-            (Vectors, |stated| {
-                for_all_stations(
-                    |wheel| radii(wheel, stated).all(|journal| holds(wheel, journal, &[1.0, -1.0])),
-                    "turning either way, an end of the arc would approach the driver's axis",
-                )
-            }),
-        ),
-    )
-    .read_as("Any journal that reaches the wheel's rim and leaves room for the pin's path locks the wheel.")
+    SIMPLE
+        .statement("jazar.journal-radius", "flexible", "the radius of the journal can be chosen")
+        .by(ClosedForm, |stated| {
+            for_all_stations(
+                |wheel| radii(wheel, stated).all(|journal| locks(wheel, journal, &[1.0, -1.0])),
+                "turned a little either way, an end of the arc would be inside the journal",
+            )
+        })
+        .by(Vectors, |stated| {
+            for_all_stations(
+                |wheel| radii(wheel, stated).all(|journal| holds(wheel, journal, &[1.0, -1.0])),
+                "turning either way, an end of the arc would approach the driver's axis",
+            )
+        })
+        .but_not("a journal that does not reach the wheel's rim locks it as well")
+        .read_as("Any journal that reaches the wheel's rim and leaves room for the pin's path locks the wheel.")
 }
 
 pub(super) fn cutout_centres() -> Claim {
-    Claim::equation(
-        WORK,
-        "jazar.cutout-centres",
-        SIMPLE,
-        "radius of the circle of the locking arcs' centres, four stations",
-        r"\sqrt{2}r",
-        Check::equation(
-            (ClosedForm, || {
-                // Rim and crank are equal: an isosceles triangle with 45° at its base, which is the radius wanted.
-                same(2.0 * libm::cos(PI / 4.0), 2f64.sqrt())
-            }),
-            (Vectors, || {
-                // In the dwell an arc is concentric with the driver, which is where the pin's circle has its centre.
-                let crank = |wheel: &Wheel| Turn::from_radians(wheel.engagement_half_angle()).direction();
-                same(of(4, |wheel| (entry(wheel) + crank(wheel)).norm()), 2f64.sqrt())
-            }),
-        ),
-    )
+    SIMPLE
+        .equation(
+            "jazar.cutout-centres",
+            r"\sqrt{2}r",
+            "radius of the circle of the locking arcs' centres, four stations",
+        )
+        .by(ClosedForm, || {
+            // Rim and crank are equal: an isosceles triangle with 45° at its base, which is the radius wanted.
+            same(2.0 * libm::cos(PI / 4.0), 2f64.sqrt())
+        })
+        .by(Vectors, || {
+            // In the dwell an arc is concentric with the driver, which is where the pin's circle has its centre.
+            let crank = |wheel: &Wheel| Turn::from_radians(wheel.engagement_half_angle()).direction();
+            same(of(4, |wheel| (entry(wheel) + crank(wheel)).norm()), 2f64.sqrt())
+        })
 }
 
 /// Radius of the circle of the arcs' centres, or that of the rim.

@@ -20,7 +20,7 @@ pub use inventory::INVENTORY;
 pub use symbols::SYMBOLS;
 
 use crate::checks::{agrees, decimal, printed, rounds, same, vanishes};
-use crate::{Check, Claim, Consequence, Erratum, Evidence, Finding, Origin, Slip, Stated, Verdict, Work};
+use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Work};
 use geneva_kinematics::pin_slot::pin_from_pivot;
 use geneva_kinematics::wheel::{Wheel, WheelError};
 use geneva_kinematics::{Jet, Turn, angular_velocity};
@@ -31,7 +31,10 @@ use Evidence::{
     AutomaticDerivative, ClosedForm, Dimension, ExactIdentity, Jet as Series, LimitCase, OtherPlaceInSource, Vectors,
 };
 
-const WORK: Work = Work::Jazar2003;
+/// A place in this source.
+const fn at(locator: &'static str) -> Place {
+    Place::new(Work::Jazar2003, locator)
+}
 
 /// All claims of the handout, in the order of the source.
 pub fn claims() -> Vec<Claim> {

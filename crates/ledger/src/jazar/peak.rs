@@ -10,15 +10,15 @@ use geneva_kinematics::wheel_peak_proofs::{Condition, Pythagoras, Quadratic, Roo
 use geneva_kinematics::wheel_proofs::{Printed, Quantity};
 use geneva_kinematics::{DegreeBound, Field, prove};
 
-const E: &str = "Ex. (e)";
+const E: Place = at("Ex. (e)");
 
 /// A ratio that Eq. (5.32) does not give.
 const WRONG_RATIO: Slip = Slip {
     id: "jazar.ex-e.ratio",
     reason: "It does not follow from Eq. (5.32) at the printed angle, nor at any other: it is larger than the largest \
-        value that the equation takes for six stations. A possible origin, no more: with a 5 for the 9 of the angle, \
-        in the denominator alone, the equation gives the printed digits. The answer is this ratio times the square of \
-        the right speed.",
+             value that the equation takes for six stations. A possible origin, no more: with a 5 for the 9 of the \
+             angle, in the denominator alone, the equation gives the printed digits. The answer is this ratio times \
+             the square of the right speed.",
     witness: "The pin's place as a power series, its third derivative brought to zero by halving intervals.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Result,
@@ -32,96 +32,82 @@ pub fn claims() -> Vec<Claim> {
 fn steps() -> Vec<Claim> {
     vec![
         plot(),
-        Claim::equation(
-            WORK,
-            "jazar.ex-e.derivative",
-            "Ex. (e), derivative of Eq. (5.32)",
-            "rate of change of the wheel's acceleration",
-            concat!(
-                r"\frac{d\ddot{\phi}}{dt} = ",
-                r"\frac{-\dot{\theta}^3 \sin \alpha \cos^2 \alpha}",
-                r"{(1 + \sin^2 \alpha - 2 \sin \alpha \cos \theta)^3} ",
-                r"\{ (1 + \sin^2 \alpha - 2 \sin \alpha \cos \theta) \cos \theta ",
-                r"- 4 \sin \alpha \sin^2 \theta \}",
-            ),
-            Check::equation(
-                (ExactIdentity, || prove(&Printed(Quantity::Jerk)).into()),
-                (AutomaticDerivative, || as_by_duals(3, printed_derivative)),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "jazar.ex-e.condition",
-            "Ex. (e), condition for an extreme",
-            "where the derivative is zero",
-            r"(1 + \sin^2 \alpha) \cos \theta - 2 \sin \alpha \cos^2 \theta - 4 \sin \alpha \sin^2 \theta = 0",
-            Check::equation(
-                (ExactIdentity, || prove(&Condition).into()),
-                (Series, || {
-                    at_the_peak(|sine, c| (1.0 + sine * sine) * c - 2.0 * sine * c * c - 4.0 * sine * (1.0 - c * c))
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
+        at("Ex. (e), derivative of Eq. (5.32)")
+            .equation(
+                "jazar.ex-e.derivative",
+                concat!(
+                    r"\frac{d\ddot{\phi}}{dt} = ",
+                    r"\frac{-\dot{\theta}^3 \sin \alpha \cos^2 \alpha}",
+                    r"{(1 + \sin^2 \alpha - 2 \sin \alpha \cos \theta)^3} ",
+                    r"\{ (1 + \sin^2 \alpha - 2 \sin \alpha \cos \theta) \cos \theta ",
+                    r"- 4 \sin \alpha \sin^2 \theta \}",
+                ),
+                "rate of change of the wheel's acceleration",
+            )
+            .proven(Printed(Quantity::Jerk))
+            .by(AutomaticDerivative, || as_by_duals(3, printed_derivative)),
+        at("Ex. (e), condition for an extreme")
+            .equation(
+                "jazar.ex-e.condition",
+                concat!(
+                    r"(1 + \sin^2 \alpha) \cos \theta - 2 \sin \alpha \cos^2 \theta - 4 \sin \alpha ",
+                    r"\sin^2 \theta = 0"
+                ),
+                "where the derivative is zero",
+            )
+            .proven(Condition)
+            .by(Series, || {
+                at_the_peak(|sine, c| (1.0 + sine * sine) * c - 2.0 * sine * c * c - 4.0 * sine * (1.0 - c * c))
+            }),
+        E.equation(
             "jazar.ex-e.pythagoras",
-            E,
-            "replacement of the square of the sine",
             r"\sin^2\theta = 1 - \cos^2\theta",
-            Check::equation(
-                (ExactIdentity, || prove(&Pythagoras).into()),
-                (ClosedForm, || {
-                    let off =
-                        |theta: f64| libm::sin(theta) * libm::sin(theta) - (1.0 - libm::cos(theta) * libm::cos(theta));
-                    let worst = (-30..=30).map(|tenths| off(f64::from(tenths) / 10.0).abs()).fold(0.0, f64::max);
-                    Finding::new(vanishes(worst), format!("off by at most {worst:.0e} at 61 angles"))
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "jazar.ex-e.quadratic",
-            "Ex. (e), quadratic",
-            "the condition as a quadratic in cos θ",
-            r"\cos^2\theta + \gamma\cos\theta - 2 = 0",
-            Check::equation(
-                (ExactIdentity, || prove(&Quadratic).into()),
-                (Series, || at_the_peak(|sine, c| c * c + (1.0 + sine * sine) / (2.0 * sine) * c - 2.0)),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "jazar.eq-5.33",
-            "Eq. (5.33)",
-            "coefficient of the quadratic",
-            r"\gamma = \frac{1 + \sin^2 \alpha}{2 \sin \alpha}",
-            Check::equation(
-                (ExactIdentity, || prove(&Quadratic).into()),
-                (Series, || {
-                    for_all_stations(
-                        |wheel| {
-                            let (c, sine) = (libm::cos(peak_by_series(wheel).0), libm::sin(wheel.half_station()));
-                            agrees((2.0 - c * c) / c, (1.0 + sine * sine) / (2.0 * sine))
-                        },
-                        "it makes the peak of the power series a root",
-                    )
-                }),
-            ),
-        ),
+            "replacement of the square of the sine",
+        )
+        .proven(Pythagoras)
+        .by(ClosedForm, || {
+            let off = |theta: f64| libm::sin(theta) * libm::sin(theta) - (1.0 - libm::cos(theta) * libm::cos(theta));
+            let worst = (-30..=30).map(|tenths| off(f64::from(tenths) / 10.0).abs()).fold(0.0, f64::max);
+            Finding::new(vanishes(worst), format!("off by at most {worst:.0e} at 61 angles"))
+        }),
+        at("Ex. (e), quadratic")
+            .equation(
+                "jazar.ex-e.quadratic",
+                r"\cos^2\theta + \gamma\cos\theta - 2 = 0",
+                "the condition as a quadratic in cos θ",
+            )
+            .proven(Quadratic)
+            .by(Series, || at_the_peak(|sine, c| c * c + (1.0 + sine * sine) / (2.0 * sine) * c - 2.0)),
+        at("Eq. (5.33)")
+            .equation(
+                "jazar.eq-5.33",
+                r"\gamma = \frac{1 + \sin^2 \alpha}{2 \sin \alpha}",
+                "coefficient of the quadratic",
+            )
+            .proven(Quadratic)
+            .by(Series, || {
+                for_all_stations(
+                    |wheel| {
+                        let (c, sine) = (libm::cos(peak_by_series(wheel).0), libm::sin(wheel.half_station()));
+                        agrees((2.0 - c * c) / c, (1.0 + sine * sine) / (2.0 * sine))
+                    },
+                    "it makes the peak of the power series a root",
+                )
+            }),
         preceding(),
-        Claim::equation(
-            WORK,
-            "jazar.ex-e.roots",
-            "Ex. (e), roots",
-            "roots of the quadratic",
-            r"\cos\theta = \frac{-\gamma \pm \sqrt{\gamma^2 + 8}}{2}",
-            Check::equation(
-                (ExactIdentity, || {
-                    let [plus, minus]: [Finding; 2] = [true, false].map(|plus| prove(&Roots { plus }).into());
-                    Finding::new(plus.holds && minus.holds, format!("{}; {}", plus.how, minus.how))
-                }),
-                // Vieta: the sum of the roots is −γ, their product −2.
-                (ClosedForm, || {
+        at("Ex. (e), roots")
+            .equation(
+                "jazar.ex-e.roots",
+                r"\cos\theta = \frac{-\gamma \pm \sqrt{\gamma^2 + 8}}{2}",
+                "roots of the quadratic",
+            )
+            .by(ExactIdentity, || {
+                let [plus, minus]: [Finding; 2] = [true, false].map(|plus| prove(&Roots { plus }).into());
+                Finding::new(plus.holds && minus.holds, format!("{}; {}", plus.how, minus.how))
+            })
+            .by(
+                ClosedForm, // Vieta: the sum of the roots is −γ, their product −2.
+                || {
                     for_all_stations(
                         |wheel| {
                             let sine = libm::sin(wheel.half_station());
@@ -130,168 +116,124 @@ fn steps() -> Vec<Claim> {
                         },
                         "their sum is −γ and their product −2",
                     )
-                }),
+                },
             ),
-        ),
     ]
 }
 
 fn plot() -> Claim {
-    Claim::statement(
-        WORK,
-        "jazar.ex-e.plot",
-        "Ex. (e), reference to Fig. 5.30",
-        "the extreme and its angle can be read from a plot of Eq. (5.32)",
-        "read directly",
-        Check::statement(
-            "they can be read from a plot of Eq. (5.31)",
-            (Series, |stated| {
-                let curve = stated.pick(printed_5_32 as fn(&Wheel, f64) -> f64, printed_5_31);
-                reads(|wheel, t| curve(wheel, t).abs(), peak_by_series)
-            }),
-            (AutomaticDerivative, |stated| {
-                let order = stated.pick(2, 1);
-                reads(
-                    |wheel, t| by_duals(wheel, t)[order].abs(),
-                    |wheel| (acceleration_peak(wheel).angle, acceleration_peak(wheel).ratio),
-                )
-            }),
-        ),
-    )
-    .read_as(
-        "From a plot with a point at each degree, over the second half of the advance: the angle to half a degree, the \
-         greatest value with as many places as the source prints.",
-    )
+    at("Ex. (e), reference to Fig. 5.30")
+        .statement(
+            "jazar.ex-e.plot",
+            "read directly",
+            "the extreme and its angle can be read from a plot of Eq. (5.32)",
+        )
+        .by(Series, |stated| {
+            let curve = stated.pick(printed_5_32 as fn(&Wheel, f64) -> f64, printed_5_31);
+            reads(|wheel, t| curve(wheel, t).abs(), peak_by_series)
+        })
+        .by(AutomaticDerivative, |stated| {
+            let order = stated.pick(2, 1);
+            reads(
+                |wheel, t| by_duals(wheel, t)[order].abs(),
+                |wheel| (acceleration_peak(wheel).angle, acceleration_peak(wheel).ratio),
+            )
+        })
+        .but_not("they can be read from a plot of Eq. (5.31)")
+        .read_as(
+            "From a plot with a point at each degree, over the second half of the advance: the angle to half a degree, \
+             the greatest value with as many places as the source prints.",
+        )
 }
 
 fn preceding() -> Claim {
-    Claim::statement(
-        WORK,
-        "jazar.ex-e.preceding",
-        "Ex. (e), after Eq. (5.33)",
-        "the preceding equation is a quadratic equation in cos θ",
-        "quadratic equation",
-        Check::statement(
-            "it is a cubic equation",
-            (ExactIdentity, |stated| {
-                let degree = left_side(S1::variable(0), S1::integer(7)).numerator()[0];
-                Finding::new(degree == stated.pick(2, 3), format!("of degree {degree} in cos θ"))
-            }),
-            (ClosedForm, |stated| {
-                // Differences of values at whole numbers: of a polynomial, those of its degree are the last that are
-                // not zero.
-                let degree: usize = stated.pick(2, 3);
-                let difference = |order: usize| {
-                    let mut values: Vec<f64> = (0..=order).map(|c| left_side(c as f64, 7.0)).collect();
-                    while values.len() > 1 {
-                        values = values.windows(2).map(|pair| pair[1] - pair[0]).collect();
-                    }
-                    values[0]
-                };
-                let (own, next) = (difference(degree), difference(degree + 1));
-                Finding::new(
-                    own != 0.0 && next == 0.0,
-                    format!("differences of order {degree}: {own}; of the next: {next}"),
-                )
-            }),
-        ),
-    )
-    .read_as("The preceding equation is the one before the words that say what γ is, Eq. (5.33).")
+    at("Ex. (e), after Eq. (5.33)")
+        .statement(
+            "jazar.ex-e.preceding",
+            "quadratic equation",
+            "the preceding equation is a quadratic equation in cos θ",
+        )
+        .by(ExactIdentity, |stated| {
+            let degree = left_side(S1::variable(0), S1::integer(7)).numerator()[0];
+            Finding::new(degree == stated.pick(2, 3), format!("of degree {degree} in cos θ"))
+        })
+        .by(ClosedForm, |stated| {
+            // Differences of values at whole numbers: of a polynomial, those of its degree are the last that are
+            // not zero.
+            let degree: usize = stated.pick(2, 3);
+            let difference = |order: usize| {
+                let mut values: Vec<f64> = (0..=order).map(|c| left_side(c as f64, 7.0)).collect();
+                while values.len() > 1 {
+                    values = values.windows(2).map(|pair| pair[1] - pair[0]).collect();
+                }
+                values[0]
+            };
+            let (own, next) = (difference(degree), difference(degree + 1));
+            Finding::new(
+                own != 0.0 && next == 0.0,
+                format!("differences of order {degree}: {own}; of the next: {next}"),
+            )
+        })
+        .but_not("it is a cubic equation")
+        .read_as("The preceding equation is the one before the words that say what γ is, Eq. (5.33).")
 }
 
 fn numbers() -> Vec<Claim> {
     vec![
-        Claim::value(
-            WORK,
-            "jazar.ex-e.gamma",
-            "Ex. (e), from Eq. (5.33)",
-            "γ of the wheel of six",
-            ("1.25", ""),
-            Check::number(
-                (ClosedForm, || six(gamma)),
-                (Series, || {
-                    let c = libm::cos(six_pair(peak_by_series).0);
-                    (2.0 - c * c) / c
-                }),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "jazar.ex-e.angle",
-            "Ex. (e), from Eq. (5.34)",
-            "crank angles at which the acceleration is greatest in size",
-            ("±22.90", "°"),
-            Check::number(
-                (ClosedForm, || six(|w| acceleration_peak(w).angle).to_degrees()),
-                (Series, || six_pair(peak_by_series).0.to_degrees()),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "jazar.ex-e.ratio-form",
-            "Ex. (e), from Eq. (5.32)",
-            "the acceleration over the square of the driver's speed is a pure number, the same for each speed",
-            r"\frac{\ddot{\phi}}{\dot{\theta}^2}",
-            Check::statement(
-                "the acceleration over the driver's speed is",
-                (Dimension, |stated| pure_number(Exponents::ANGULAR_ACCELERATION, stated.pick(2, 1))),
-                (Series, |stated| same_at_each_speed(2, stated.pick(2, 1))),
-            ),
-        ),
+        at("Ex. (e), from Eq. (5.33)")
+            .value("jazar.ex-e.gamma", "1.25", "", "γ of the wheel of six")
+            .by(ClosedForm, || six(gamma))
+            .by(Series, || {
+                let c = libm::cos(six_pair(peak_by_series).0);
+                (2.0 - c * c) / c
+            }),
+        at("Ex. (e), from Eq. (5.34)")
+            .value("jazar.ex-e.angle", "±22.90", "°", "crank angles at which the acceleration is greatest in size")
+            .by(ClosedForm, || six(|w| acceleration_peak(w).angle).to_degrees())
+            .by(Series, || six_pair(peak_by_series).0.to_degrees()),
+        at("Ex. (e), from Eq. (5.32)")
+            .formula(
+                "jazar.ex-e.ratio-form",
+                r"\frac{\ddot{\phi}}{\dot{\theta}^2}",
+                "the acceleration over the square of the driver's speed is a pure number, the same for each speed",
+            )
+            .by(Dimension, |stated| pure_number(Exponents::ANGULAR_ACCELERATION, stated.pick(2, 1)))
+            .by(Series, |stated| same_at_each_speed(2, stated.pick(2, 1)))
+            .but_not("the acceleration over the driver's speed is"),
         extreme::signs(),
-        Claim::value(
-            WORK,
-            "jazar.ex-e.ratio",
-            "Ex. (e), from Eq. (5.32)",
-            "greatest size of the acceleration of the wheel of six, over the square of the driver's speed",
-            ("±1.372", ""),
-            Check::number(
-                (ClosedForm, || six(|w| acceleration_peak(w).ratio)),
-                (Series, || six_pair(peak_by_series).1),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum { corrected: "±1.350", slip: WRONG_RATIO }),
-        Claim::equation(
-            WORK,
-            "jazar.ex-e.driver-formula",
-            E,
-            "angular velocity of the driver once more",
-            r"6 \times 2\pi",
-            Check::statement(
-                "360 × 2π: revolutions per minute",
-                (ClosedForm, |stated| {
-                    let product = printed(stated.pick("jazar.ex-a.advances", "jazar.ex.rpm")) * 2.0 * PI;
-                    Finding::new(rounds("jazar.ex-d.driver-speed", product), format!("{product}"))
-                }),
-                (LimitCase, |stated| {
-                    // How many radians the driver turns in the time of a cycle.
-                    let product = printed(stated.pick("jazar.ex-a.advances", "jazar.ex.rpm")) * 2.0 * PI;
-                    same(product * printed("jazar.ex-c.cycle"), 2.0 * PI)
-                }),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "jazar.ex-e.peak",
-            E,
-            "peak angular acceleration of the wheel",
-            ("1,950", "rad/s²"),
-            Check::number_in_error(
-                (ClosedForm, || printed("jazar.ex-e.ratio") * example_speed() * example_speed()),
-                (OtherPlaceInSource, || {
-                    printed("jazar.ex-e.ratio")
-                        * printed("jazar.ex-d.driver-speed")
-                        * printed("jazar.ex-d.driver-speed")
-                }),
-                [
-                    (ClosedForm, || example().and_then(|w| w.peaks(example_speed())).map_or(f64::NAN, |peaks| peaks.1)),
-                    (Series, || example_speed() * example_speed() * six_pair(peak_by_series).1),
-                ],
-            ),
-        )
-        .expecting(Verdict::ReproducedInError)
-        .affected_by(WRONG_RATIO),
+        at("Ex. (e), from Eq. (5.32)")
+            .value(
+                "jazar.ex-e.ratio",
+                "±1.372",
+                "",
+                "greatest size of the acceleration of the wheel of six, over the square of the driver's speed",
+            )
+            .by(ClosedForm, || six(|w| acceleration_peak(w).ratio))
+            .by(Series, || six_pair(peak_by_series).1)
+            .corrected("±1.350", WRONG_RATIO),
+        E.formula("jazar.ex-e.driver-formula", r"6 \times 2\pi", "angular velocity of the driver once more")
+            .by(ClosedForm, |stated| {
+                let product = printed(stated.pick("jazar.ex-a.advances", "jazar.ex.rpm")) * 2.0 * PI;
+                Finding::new(rounds("jazar.ex-d.driver-speed", product), format!("{product}"))
+            })
+            .by(LimitCase, |stated| {
+                // How many radians the driver turns in the time of a cycle.
+                let product = printed(stated.pick("jazar.ex-a.advances", "jazar.ex.rpm")) * 2.0 * PI;
+                same(product * printed("jazar.ex-c.cycle"), 2.0 * PI)
+            })
+            .but_not("360 × 2π: revolutions per minute"),
+        E.value("jazar.ex-e.peak", "1,950", "rad/s²", "peak angular acceleration of the wheel")
+            .by(ClosedForm, || printed("jazar.ex-e.ratio") * example_speed() * example_speed())
+            .by(OtherPlaceInSource, || {
+                printed("jazar.ex-e.ratio") * printed("jazar.ex-d.driver-speed") * printed("jazar.ex-d.driver-speed")
+            })
+            .right(
+                ClosedForm,
+                || example().and_then(|w| w.peaks(example_speed())).map_or(f64::NAN, |peaks| peaks.1),
+                Series,
+                || example_speed() * example_speed() * six_pair(peak_by_series).1,
+            )
+            .in_error(WRONG_RATIO),
     ]
 }
 

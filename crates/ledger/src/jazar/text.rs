@@ -6,11 +6,11 @@ use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::wheel::Phase;
 use geneva_kinematics::{Field, Rational, Surd};
 
-const INDEXING: &str = "1st paragraph";
-pub(super) const VARIETIES: &str = "2nd paragraph";
-pub(super) const SIMPLE: &str = "Paragraph on Fig. 5.28";
-const CAPTION: &str = "Fig. 5.28, caption";
-const MODEL: &str = "Paragraph below Fig. 5.28";
+const INDEXING: Place = at("1st paragraph");
+pub(super) const VARIETIES: Place = at("2nd paragraph");
+pub(super) const SIMPLE: Place = at("Paragraph on Fig. 5.28");
+const CAPTION: Place = at("Fig. 5.28, caption");
+const MODEL: Place = at("Paragraph below Fig. 5.28");
 
 pub fn claims() -> Vec<Claim> {
     vec![
@@ -30,236 +30,198 @@ pub fn claims() -> Vec<Claim> {
 }
 
 fn one_direction() -> Claim {
-    Claim::statement(
-        WORK,
-        "jazar.one-direction",
-        INDEXING,
-        "the wheel never turns back",
-        "same direction",
-        Check::statement(
-            "nor does a lever whose slot the pin never leaves",
-            (Series, |stated| {
-                for_all_stations(
-                    |wheel| {
-                        let reach = stated.pick(wheel.engagement_half_angle(), PI);
-                        within(reach).all(|t| by_series(wheel, t)[1] >= 0.0)
-                    },
-                    "φ̇ ≥ 0 while the pin is in the slot",
-                )
-            }),
-            (Vectors, |stated| {
-                for_all_stations(
-                    |wheel| never_goes_back(wheel, stated.pick(wheel.engagement_half_angle(), PI)),
-                    "the angle never falls over two turns",
-                )
-            }),
-        ),
-    )
+    INDEXING
+        .statement("jazar.one-direction", "same direction", "the wheel never turns back")
+        .by(Series, |stated| {
+            for_all_stations(
+                |wheel| {
+                    let reach = stated.pick(wheel.engagement_half_angle(), PI);
+                    within(reach).all(|t| by_series(wheel, t)[1] >= 0.0)
+                },
+                "φ̇ ≥ 0 while the pin is in the slot",
+            )
+        })
+        .by(Vectors, |stated| {
+            for_all_stations(
+                |wheel| never_goes_back(wheel, stated.pick(wheel.engagement_half_angle(), PI)),
+                "the angle never falls over two turns",
+            )
+        })
+        .but_not("nor does a lever whose slot the pin never leaves")
 }
 
 fn slider_crank() -> Claim {
-    Claim::statement(
-        WORK,
-        "jazar.slider-crank",
-        VARIETIES,
-        "while it advances it is an inverted slider crank: the pin is on a crank and in a slot through the wheel's \
-         axis",
-        "inverted slider crank",
-        Check::statement(
-            "it is a four-bar linkage: the pin keeps its distance from the wheel's axis",
-            (Vectors, |stated| {
-                // The pin's place in the wheel, which turns as the formulas say.
-                let kept = |wheel: &Wheel, t: f64| {
-                    let pin = pin_from_pivot(&wheel.centre_distance_ratio(), &Turn::from_radians(t));
-                    let slot = wheel.engaged(t).map_or(f64::NAN, |motion| motion.angle);
-                    let slot = Turn::from_radians(slot).direction();
-                    stated.pick(slot.perp(&pin), slot.dot(&pin))
-                };
-                for_all_stations(
-                    |wheel| {
-                        let first = kept(wheel, 0.0);
-                        within(wheel.engagement_half_angle()).all(|t| vanishes(kept(wheel, t) - first))
-                    },
-                    "in the wheel, one coordinate of the pin keeps its value",
-                )
-            }),
-            (AutomaticDerivative, |stated| {
-                // The pin's velocity in the wheel: its own, less that of the wheel's point under it.
-                let moves = |wheel: &Wheel, t: f64| {
-                    let (x, y) = (wheel.centre_distance_ratio() - libm::cos(t), libm::sin(t));
-                    let turning = by_duals(wheel, t)[1];
-                    let velocity = [libm::sin(t) + turning * y, libm::cos(t) - turning * x];
-                    let across = velocity[1] * x - velocity[0] * y;
-                    let along = velocity[0] * x + velocity[1] * y;
-                    stated.pick(across, along)
-                };
-                for_all_stations(
-                    |wheel| within(wheel.engagement_half_angle()).all(|t| vanishes(moves(wheel, t))),
-                    "in the wheel, the pin's velocity has one component only",
-                )
-            }),
-        ),
-    )
+    VARIETIES
+        .statement(
+            "jazar.slider-crank",
+            "inverted slider crank",
+            "while it advances it is an inverted slider crank: the pin is on a crank and in a slot through the wheel's \
+             axis",
+        )
+        .by(Vectors, |stated| {
+            // The pin's place in the wheel, which turns as the formulas say.
+            let kept = |wheel: &Wheel, t: f64| {
+                let pin = pin_from_pivot(&wheel.centre_distance_ratio(), &Turn::from_radians(t));
+                let slot = wheel.engaged(t).map_or(f64::NAN, |motion| motion.angle);
+                let slot = Turn::from_radians(slot).direction();
+                stated.pick(slot.perp(&pin), slot.dot(&pin))
+            };
+            for_all_stations(
+                |wheel| {
+                    let first = kept(wheel, 0.0);
+                    within(wheel.engagement_half_angle()).all(|t| vanishes(kept(wheel, t) - first))
+                },
+                "in the wheel, one coordinate of the pin keeps its value",
+            )
+        })
+        .by(AutomaticDerivative, |stated| {
+            // The pin's velocity in the wheel: its own, less that of the wheel's point under it.
+            let moves = |wheel: &Wheel, t: f64| {
+                let (x, y) = (wheel.centre_distance_ratio() - libm::cos(t), libm::sin(t));
+                let turning = by_duals(wheel, t)[1];
+                let velocity = [libm::sin(t) + turning * y, libm::cos(t) - turning * x];
+                let across = velocity[1] * x - velocity[0] * y;
+                let along = velocity[0] * x + velocity[1] * y;
+                stated.pick(across, along)
+            };
+            for_all_stations(
+                |wheel| within(wheel.engagement_half_angle()).all(|t| vanishes(moves(wheel, t))),
+                "in the wheel, the pin's velocity has one component only",
+            )
+        })
+        .but_not("it is a four-bar linkage: the pin keeps its distance from the wheel's axis")
 }
 
 fn quarter_turn() -> Claim {
-    Claim::statement(
-        WORK,
-        "jazar.quarter-turn",
-        SIMPLE,
-        "the wheel of four advances a quarter turn for every turn of the driver",
-        "one-quarter turn",
-        Check::statement(
-            "it advances half a turn",
-            (Vectors, |stated| {
-                let advance = |wheel: &Wheel| 2.0 * by_series(wheel, wheel.engagement_half_angle())[0];
-                same(of(4, advance), 2.0 * PI * stated.pick(0.25, 0.5))
-            }),
-            (LimitCase, |stated| {
-                // After so many turns of the driver the wheel is back, having passed each of its slots once.
-                let turns = stated.pick(4, 2);
-                let passed = of(4, |wheel| wheel.at(turns, 0.0).map_or(f64::NAN, |motion| motion.stations as f64));
-                Finding::new(passed == 4.0, format!("{passed} of 4 stations passed in {turns} turns"))
-            }),
-        ),
-    )
+    SIMPLE
+        .statement(
+            "jazar.quarter-turn",
+            "one-quarter turn",
+            "the wheel of four advances a quarter turn for every turn of the driver",
+        )
+        .by(Vectors, |stated| {
+            let advance = |wheel: &Wheel| 2.0 * by_series(wheel, wheel.engagement_half_angle())[0];
+            same(of(4, advance), 2.0 * PI * stated.pick(0.25, 0.5))
+        })
+        .by(LimitCase, |stated| {
+            // After so many turns of the driver the wheel is back, having passed each of its slots once.
+            let turns = stated.pick(4, 2);
+            let passed = of(4, |wheel| wheel.at(turns, 0.0).map_or(f64::NAN, |motion| motion.stations as f64));
+            Finding::new(passed == 4.0, format!("{passed} of 4 stations passed in {turns} turns"))
+        })
+        .but_not("it advances half a turn")
 }
 
 fn tangent_entry() -> Claim {
-    Claim::statement(
-        WORK,
-        "jazar.tangent-entry",
-        SIMPLE,
-        "unless the slot is tangent to the pin's circle at entry and exit, the acceleration there is infinite",
-        "tangent",
-        Check::statement(
-            "it is infinite with a slot that is tangent, too",
-            (ClosedForm, |stated| {
-                for_all_stations(
-                    |wheel| {
-                        crossings(wheel, stated.pick(&[0.25, 0.5, 0.75], &[0.0]))
-                            .all(|(ratio, crank)| !vanishes(velocity_ratio(&ratio, &Turn::from_radians(crank))))
-                    },
-                    "the wheel's speed is not zero as the pin meets the slot, and jumps",
-                )
-            }),
-            (Vectors, |stated| {
-                for_all_stations(
-                    |wheel| {
-                        crossings(wheel, stated.pick(&[0.25, 0.5, 0.75], &[0.0])).all(|(ratio, crank)| {
-                            // The slot is at α on the pin's side; the pin moves in the direction (sin θ, cos θ).
-                            let slot = Turn::from_radians(wheel.half_station().copysign(crank)).direction();
-                            let pin = pin_from_pivot(&ratio, &Turn::from_radians(crank));
-                            let velocity = nalgebra::Vector2::new(libm::sin(crank), libm::cos(crank));
-                            vanishes(slot.perp(&pin)) && !vanishes(slot.perp(&velocity))
-                        })
-                    },
-                    "the pin is in the slot's line, and its velocity has a component across it",
-                )
-            }),
-        ),
-    )
+    SIMPLE
+        .statement(
+            "jazar.tangent-entry",
+            "tangent",
+            "unless the slot is tangent to the pin's circle at entry and exit, the acceleration there is infinite",
+        )
+        .by(ClosedForm, |stated| {
+            for_all_stations(
+                |wheel| {
+                    crossings(wheel, stated.pick(&[0.25, 0.5, 0.75], &[0.0]))
+                        .all(|(ratio, crank)| !vanishes(velocity_ratio(&ratio, &Turn::from_radians(crank))))
+                },
+                "the wheel's speed is not zero as the pin meets the slot, and jumps",
+            )
+        })
+        .by(Vectors, |stated| {
+            for_all_stations(
+                |wheel| {
+                    crossings(wheel, stated.pick(&[0.25, 0.5, 0.75], &[0.0])).all(|(ratio, crank)| {
+                        // The slot is at α on the pin's side; the pin moves in the direction (sin θ, cos θ).
+                        let slot = Turn::from_radians(wheel.half_station().copysign(crank)).direction();
+                        let pin = pin_from_pivot(&ratio, &Turn::from_radians(crank));
+                        let velocity = nalgebra::Vector2::new(libm::sin(crank), libm::cos(crank));
+                        vanishes(slot.perp(&pin)) && !vanishes(slot.perp(&velocity))
+                    })
+                },
+                "the pin is in the slot's line, and its velocity has a component across it",
+            )
+        })
+        .but_not("it is infinite with a slot that is tangent, too")
 }
 
 fn centre_distance() -> Claim {
-    Claim::equation(
-        WORK,
-        "jazar.centre-distance",
-        SIMPLE,
-        "centre distance of the wheel of four",
-        r"\sqrt{2}r",
-        Check::equation(
-            (ExactIdentity, || {
-                type WithTwo = Surd<Rational, 2>;
-                let misfit = four_slot_entry_misfit(&WithTwo::root());
-                Finding::new(misfit == WithTwo::integer(0), "with the root exact the pin enters at rest on its circle")
-            }),
-            (Vectors, || {
-                // Seen from the wheel's axis the pin goes up to the tangent to its circle: 45° at this distance only.
-                let farthest = |ratio: f64| {
-                    let turns_back = halved(0.0, PI / 2.0, |t| {
-                        let (x, y) = (ratio - libm::cos(t), libm::sin(t));
-                        libm::cos(t) * x > libm::sin(t) * y
-                    });
-                    libm::atan2(libm::sin(turns_back.0), ratio - libm::cos(turns_back.0))
-                };
-                same(halved(1.0, 2.0, |ratio| farthest(ratio) > PI / 4.0).0, 2f64.sqrt())
-            }),
-        ),
-    )
+    SIMPLE
+        .equation("jazar.centre-distance", r"\sqrt{2}r", "centre distance of the wheel of four")
+        .by(ExactIdentity, || {
+            type WithTwo = Surd<Rational, 2>;
+            let misfit = four_slot_entry_misfit(&WithTwo::root());
+            Finding::new(misfit == WithTwo::integer(0), "with the root exact the pin enters at rest on its circle")
+        })
+        .by(Vectors, || {
+            // Seen from the wheel's axis the pin goes up to the tangent to its circle: 45° at this distance only.
+            let farthest = |ratio: f64| {
+                let turns_back = halved(0.0, PI / 2.0, |t| {
+                    let (x, y) = (ratio - libm::cos(t), libm::sin(t));
+                    libm::cos(t) * x > libm::sin(t) * y
+                });
+                libm::atan2(libm::sin(turns_back.0), ratio - libm::cos(turns_back.0))
+            };
+            same(halved(1.0, 2.0, |ratio| farthest(ratio) > PI / 4.0).0, 2f64.sqrt())
+        })
 }
 
 fn wheel_radius() -> Claim {
-    Claim::statement(
-        WORK,
-        "jazar.wheel-radius",
-        SIMPLE,
-        "outer radius of the wheel of four: the crank radius",
-        "outer radius",
-        Check::statement(
-            "it is the centre distance",
-            (ClosedForm, |stated| same(of(4, Wheel::wheel_radius_ratio), stated.pick(1.0, 2f64.sqrt()))),
-            (Vectors, |stated| same(of(4, |wheel| entry(wheel).norm()), stated.pick(1.0, 2f64.sqrt()))),
-        ),
-    )
+    SIMPLE
+        .statement("jazar.wheel-radius", "outer radius", "outer radius of the wheel of four: the crank radius")
+        .by(ClosedForm, |stated| same(of(4, Wheel::wheel_radius_ratio), stated.pick(1.0, 2f64.sqrt())))
+        .by(Vectors, |stated| same(of(4, |wheel| entry(wheel).norm()), stated.pick(1.0, 2f64.sqrt())))
+        .but_not("it is the centre distance")
 }
 
 fn parts_of_the_cycle() -> Claim {
-    Claim::figure(
-        WORK,
-        "jazar.fig-5.28",
-        CAPTION,
-        "a four-station wheel advances for a quarter of the cycle and is locked for three quarters",
-        "three-quarters of the cycle",
-        Check::statement(
-            "it is locked for a quarter and advances for three quarters",
-            (ClosedForm, |stated| same(of(4, Wheel::motion_fraction), stated.pick(0.25, 0.75))),
-            (LimitCase, |stated| same(of(4, locked_part), stated.pick(0.75, 0.25))),
-        ),
-    )
+    CAPTION
+        .figure(
+            "jazar.fig-5.28",
+            "three-quarters of the cycle",
+            "a four-station wheel advances for a quarter of the cycle and is locked for three quarters",
+        )
+        .by(ClosedForm, |stated| same(of(4, Wheel::motion_fraction), stated.pick(0.25, 0.75)))
+        .by(LimitCase, |stated| same(of(4, locked_part), stated.pick(0.75, 0.25)))
+        .but_not("it is locked for a quarter and advances for three quarters")
 }
 
 fn speeds_up_then_slows_down() -> Claim {
-    Claim::statement(
-        WORK,
-        "jazar.speeds-up-then-slows-down",
-        MODEL,
-        "the wheel accelerates and then decelerates, smoothly",
-        "smoothly accelerates and then decelerates",
-        Check::statement(
-            "it decelerates and then accelerates",
-            (Series, |stated| {
-                let sign = stated.pick(-1.0, 1.0);
-                for_all_stations(
-                    |wheel| {
-                        let accelerates = |t: f64| t == 0.0 || by_series(wheel, t)[2] * t * sign > 0.0;
-                        let end = wheel.engagement_half_angle();
-                        let rests = [-end, end].iter().all(|t| vanishes(by_series(wheel, *t)[1]));
-                        rests && within(end).all(accelerates)
-                    },
-                    "from rest to rest, φ̈ changes its sign once, at θ = 0",
-                )
-            }),
-            (ClosedForm, |stated| {
-                for_all_stations(
-                    |wheel| {
-                        let speed = |step: i32| {
-                            let crank = wheel.engagement_half_angle() * f64::from(step) / 10.0;
-                            wheel.velocity_ratio(crank).unwrap_or(f64::NAN)
-                        };
-                        let gains =
-                            |step: i32| stated.pick(speed(step) > speed(step - 1), speed(step) < speed(step - 1));
-                        let loses =
-                            |step: i32| stated.pick(speed(step) < speed(step - 1), speed(step) > speed(step - 1));
-                        let rests = [-10, 10].iter().all(|step| vanishes(speed(*step)));
-                        rests && (-9..=0).all(gains) && (1..=10).all(loses)
-                    },
-                    "the speed rises from zero up to θ = 0 and falls to zero from there",
-                )
-            }),
-        ),
-    )
-    .read_as("Smoothly: the speed does not jump. That the acceleration does, at both ends, the source says itself.")
+    MODEL
+        .statement(
+            "jazar.speeds-up-then-slows-down",
+            "smoothly accelerates and then decelerates",
+            "the wheel accelerates and then decelerates, smoothly",
+        )
+        .by(Series, |stated| {
+            let sign = stated.pick(-1.0, 1.0);
+            for_all_stations(
+                |wheel| {
+                    let accelerates = |t: f64| t == 0.0 || by_series(wheel, t)[2] * t * sign > 0.0;
+                    let end = wheel.engagement_half_angle();
+                    let rests = [-end, end].iter().all(|t| vanishes(by_series(wheel, *t)[1]));
+                    rests && within(end).all(accelerates)
+                },
+                "from rest to rest, φ̈ changes its sign once, at θ = 0",
+            )
+        })
+        .by(ClosedForm, |stated| {
+            for_all_stations(
+                |wheel| {
+                    let speed = |step: i32| {
+                        let crank = wheel.engagement_half_angle() * f64::from(step) / 10.0;
+                        wheel.velocity_ratio(crank).unwrap_or(f64::NAN)
+                    };
+                    let gains = |step: i32| stated.pick(speed(step) > speed(step - 1), speed(step) < speed(step - 1));
+                    let loses = |step: i32| stated.pick(speed(step) < speed(step - 1), speed(step) > speed(step - 1));
+                    let rests = [-10, 10].iter().all(|step| vanishes(speed(*step)));
+                    rests && (-9..=0).all(gains) && (1..=10).all(loses)
+                },
+                "the speed rises from zero up to θ = 0 and falls to zero from there",
+            )
+        })
+        .but_not("it decelerates and then accelerates")
+        .read_as("Smoothly: the speed does not jump. That the acceleration does, at both ends, the source says itself.")
 }
 
 /// Whether the angle of a slot, in which the pin is within `reach` of the line of centres, never falls over two turns.

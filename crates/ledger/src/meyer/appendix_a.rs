@@ -24,41 +24,33 @@ pub fn claims() -> Vec<Claim> {
 }
 
 fn unit() -> Claim {
-    Claim::equation(
-        WORK,
-        "meyer.app-a.unit",
-        "Appendix A, 2nd sentence",
-        "unit of length for the drawings",
-        "R = 1.000",
-        Check::corrected_equation(
-            (ExactIdentity, || prove(&EntryTriangle::AppendixUnit(Form::Printed)).into()),
-            || prove(&EntryTriangle::AppendixUnit(Form::Corrected)).into(),
-            (OtherPlaceInSource, || {
-                let ids =
-                    ["meyer.app-a.four-slots.radius", "meyer.app-a.three-slots.radius", "meyer.app-a.six-slots.radius"];
-                let radii = ids.map(printed);
-                Finding::new(
-                    radii.iter().any(|radius| *radius != radii[0]),
-                    format!("R is computed below, as {}, {} and {}", radii[0], radii[1], radii[2]),
-                )
-            }),
-        ),
-    )
-    .expecting(Verdict::Corrected)
-    .with_erratum(Erratum {
-        corrected: "r = 1.000",
-        slip: Slip {
-            id: "",
-            reason: "R is the distance of the pin from the follower's axis, which differs from mechanism to \
-                mechanism; all that follows is computed with the radius r of the pins' circle as one. With four slots \
-                the two are equal. Whether the copy or the author has the capital cannot be told; counted as one of \
-                the copy, because r stands right in the displays below.",
-            witness: "The appendix computes R three times, with different results.",
-            origin: Origin::Copy,
-            consequence: Consequence::Copy,
-            changes: "",
-        },
-    })
+    at("Appendix A, 2nd sentence")
+        .equation("meyer.app-a.unit", "R = 1.000", "unit of length for the drawings")
+        .proven(EntryTriangle::AppendixUnit(Form::Printed))
+        .corrected_form(|| prove(&EntryTriangle::AppendixUnit(Form::Corrected)).into())
+        .by(OtherPlaceInSource, || {
+            let ids =
+                ["meyer.app-a.four-slots.radius", "meyer.app-a.three-slots.radius", "meyer.app-a.six-slots.radius"];
+            let radii = ids.map(printed);
+            Finding::new(
+                radii.iter().any(|radius| *radius != radii[0]),
+                format!("R is computed below, as {}, {} and {}", radii[0], radii[1], radii[2]),
+            )
+        })
+        .corrected(
+            "r = 1.000",
+            Slip {
+                id: "",
+                reason: "R is the distance of the pin from the follower's axis, which differs from mechanism to \
+                         mechanism; all that follows is computed with the radius r of the pins' circle as one. With \
+                         four slots the two are equal. Whether the copy or the author has the capital cannot be told; \
+                         counted as one of the copy, because r stands right in the displays below.",
+                witness: "The appendix computes R three times, with different results.",
+                origin: Origin::Copy,
+                consequence: Consequence::Copy,
+                changes: "",
+            },
+        )
 }
 
 fn four_slots() -> [Claim; 6] {
@@ -118,18 +110,10 @@ fn six_slots() -> [Claim; 6] {
 /// The six claims of one mechanism, in the order of its four lines.
 fn mechanism<const SLOTS: u32>(is: Printed) -> [Claim; 6] {
     let value = |[id, printed]: [&'static str; 2], meaning, unit, computed: fn() -> f64, witness: fn() -> f64| {
-        let check = Check::number((ClosedForm, computed), (Vectors, witness));
-        Claim::value(WORK, id, is.locator, meaning, (printed, unit), check)
+        at(is.locator).value(id, printed, unit, meaning).by(ClosedForm, computed).by(Vectors, witness)
     };
     let equation = |[id, printed]: [&'static str; 2], meaning, proof: fn() -> Finding, witness: fn() -> Finding| {
-        Claim::equation(
-            WORK,
-            id,
-            is.locator,
-            meaning,
-            printed,
-            Check::equation((ExactIdentity, proof), (Vectors, witness)),
-        )
+        at(is.locator).equation(id, printed, meaning).by(ExactIdentity, proof).by(Vectors, witness)
     };
     [
         value(
@@ -180,43 +164,42 @@ fn mechanism<const SLOTS: u32>(is: Printed) -> [Claim; 6] {
 }
 
 fn corrected_centre(claim: Claim) -> Claim {
-    claim.expecting(Verdict::Corrected).with_erratum(Erratum {
-        corrected: "1.155",
-        slip: Slip {
+    claim.corrected(
+        "1.155",
+        Slip {
             id: "",
             reason: "One over the sine of 60° is 2/√3, a little less than printed. With 1.73 for the root, which the \
-                appendix itself prints to one place more further down, it comes out as printed; a digit may also have \
-                been misread.",
+                     appendix itself prints to one place more further down, it comes out as printed; a digit may also \
+                     have been misread.",
             witness: "The hand-over drawn with the roots exact.",
             origin: Origin::Arithmetic,
             consequence: Consequence::Result,
             changes: "The last digit of one centre distance; nothing is computed from it.",
         },
-    })
+    )
 }
 
 fn corrected_radius(claim: Claim) -> Claim {
-    claim.expecting(Verdict::Corrected).with_erratum(Erratum {
-        corrected: "0.577",
-        slip: Slip {
+    claim.corrected(
+        "0.577",
+        Slip {
             id: "",
             reason: "The ratio of the two printed sines is one over the root of three. No rounding of them gives the \
-                printed digits, nor does the printed centre distance. The middle digit is another: misprinted, or \
-                misread in the copy, which cannot be told.",
+                     printed digits, nor does the printed centre distance. The middle digit is another: misprinted, or \
+                     misread in the copy, which cannot be told.",
             witness: "The hand-over drawn with the roots exact.",
             origin: Origin::Misprint,
             consequence: Consequence::Result,
             changes: "A follower of six pins cut to that radius would be too small: the pins would leave their slots \
-                before the next ones have entered.",
+                      before the next ones have entered.",
         },
-    })
+    )
 }
 
 fn drawings() -> Vec<Claim> {
     let drawing = |id, locator, meaning, printed| {
         let reason = "The drawing is not in the copy, so that there is no length to hold a rule against";
-        Claim::figure(WORK, id, locator, meaning, printed, Check::Missing { reason })
-            .expecting(Verdict::NotReproducible)
+        at(locator).figure(id, printed, meaning).missing(reason)
     };
     vec![
         drawing(

@@ -1,7 +1,7 @@
 //! Appendix D: the acceleration at the start.
 
 use super::appendix_b::{start_line, start_solves};
-use super::instants::{display_read_by, equal, reads, slip_read_by, stated};
+use super::instants::equal;
 use super::reading::Moment;
 use super::slips::LOST_DOTS;
 use super::*;
@@ -9,8 +9,8 @@ use geneva_dynamics::derivation::{Form, StartingAcceleration, StartingEquation, 
 use geneva_dynamics::{Coefficients, Pose, Sign, Slots};
 use std::sync::OnceLock;
 
-const LETTERS: &str = "Appendix D, line after the 1st equation";
-const SIGN: &str = "Appendix D, lines after the 2nd equation";
+const LETTERS: Place = at("Appendix D, line after the 1st equation");
+const SIGN: Place = at("Appendix D, lines after the 2nd equation");
 
 pub fn claims() -> Vec<Claim> {
     [given(), equations()].concat()
@@ -18,39 +18,38 @@ pub fn claims() -> Vec<Claim> {
 
 fn given() -> Vec<Claim> {
     vec![
-        stated(
-            ("meyer.app-d.from-rest", "Appendix D, 1st display"),
-            "the driver starts from rest",
-            r"\dot{\theta}_0 = 0",
-            "it starts at the speed one",
-            (OtherPlaceInSource, |stated| {
+        at("Appendix D, 1st display")
+            .statement("meyer.app-d.from-rest", r"\dot{\theta}_0 = 0", "the driver starts from rest")
+            .by(OtherPlaceInSource, |stated| {
                 let said = numbers("meyer.app-b.from-rest");
                 Finding::new(said == [stated.pick(0, 1)], format!("Appendix B has {said:?} after the program"))
-            }),
-            (ClosedForm, |stated| start_solves(stated.pick(0.0, 1.0))),
-        ),
-        stated(
-            ("meyer.app-d.angles", "Appendix D, 2nd display"),
-            "driver's angle at the start for six, four and three pins",
-            r"\theta_0 = -30^\circ, -45^\circ, -60^\circ",
-            OTHER_ANGLE,
-            (LimitCase, |stated| of_the_pins("meyer.app-d.angles", stated)),
-            (Vectors, |stated| along_the_slots("meyer.app-d.angles", stated)),
-        ),
-        stated(
-            ("meyer.app-d.order", "Appendix D, line after the 2nd display"),
-            "the angle at the start depends on the mechanism, of which there are three",
-            "three, four, or six pins",
-            "three, four, or five pins",
-            (LimitCase, |stated| {
+            })
+            .by(ClosedForm, |stated| start_solves(stated.pick(0.0, 1.0)))
+            .but_not("it starts at the speed one"),
+        at("Appendix D, 2nd display")
+            .statement(
+                "meyer.app-d.angles",
+                r"\theta_0 = -30^\circ, -45^\circ, -60^\circ",
+                "driver's angle at the start for six, four and three pins",
+            )
+            .by(LimitCase, |stated| of_the_pins("meyer.app-d.angles", stated))
+            .by(Vectors, |stated| along_the_slots("meyer.app-d.angles", stated))
+            .but_not(OTHER_ANGLE),
+        at("Appendix D, line after the 2nd display")
+            .statement(
+                "meyer.app-d.order",
+                "three, four, or six pins",
+                "the angle at the start depends on the mechanism, of which there are three",
+            )
+            .by(LimitCase, |stated| {
                 let pins = stated.pick([3, 4, 6], [3, 4, 5]);
                 let mut angles = pins.map(|pins| 180.0 / f64::from(pins));
                 angles.sort_by(f64::total_cmp);
                 let mut said: Vec<f64> = start_angles("meyer.app-d.angles").collect();
                 said.sort_by(f64::total_cmp);
                 Finding::new(angles[..] == said[..], format!("180° over the number of pins: {angles:?}"))
-            }),
-            (Vectors, |stated| {
+            })
+            .by(Vectors, |stated| {
                 let pins = stated.pick([3, 4, 6], [3, 4, 5]);
                 let angles = pins.map(|pins| PI / f64::from(pins));
                 // Each number of pins has an escapement whose pin enters at its own angle along the slot.
@@ -58,9 +57,9 @@ fn given() -> Vec<Claim> {
                     Escapement::all().iter().filter(|at| vanishes(Seen::new(at, -angle).turning())).count() == 1
                 });
                 Finding::new(holds, "the pin moves along its slot, each angle in one of the three escapements")
-            }),
-        )
-        .read_as("in no order: the sentence does not say which angle belongs to which number of pins"),
+            })
+            .but_not("three, four, or five pins")
+            .read_as("in no order: the sentence does not say which angle belongs to which number of pins"),
     ]
 }
 
@@ -97,24 +96,24 @@ fn equations() -> Vec<Claim> {
             "Eq. (1-19) at rest",
             r"A\ddot{\theta} + |D\dot{\theta}| = E",
             [|| proven(StartingLine::Bars, Form::Printed), || proven(StartingLine::Bars, Form::Corrected)],
-            || reads("meyer.app-d.at-rest"),
             r"A\ddot{\theta} + |D\ddot{\theta}| = E",
         ),
-        stated(
-            ("meyer.app-d.letters", LETTERS),
-            "R is A at the start and V is D there, in the program its size; D is zero there, because a pin enters \
-             where a cos θ = 1",
-            "V be the value of D",
-            "V is the value of C there",
-            (ClosedForm, |stated| {
+        LETTERS
+            .statement(
+                "meyer.app-d.letters",
+                "V be the value of D",
+                "R is A at the start and V is D there, in the program its size; D is zero there, because a pin enters \
+                 where a cos θ = 1",
+            )
+            .by(ClosedForm, |stated| {
                 // At every angle, as D vanishes at the start itself.
                 let holds = poses().all(|(at, c)| {
                     let [r, v] = ["R", "V"].map(|name| start_line(name, &at));
                     agrees(r, c.a) && vanishes(v - stated.pick(c.d, c.c).abs())
                 });
                 Finding::new(holds, "the program's lines of R and V against the factors of the equation of motion")
-            }),
-            (Vectors, |stated| {
+            })
+            .by(Vectors, |stated| {
                 at_instants(|seen| {
                     // What friction takes of the torque with the acceleration, and with the square of the speed.
                     const FRICTION: f64 = 0.25;
@@ -128,21 +127,18 @@ fn equations() -> Vec<Claim> {
                     let letters = cards.map(|(name, value)| (name.to_owned(), value)).into();
                     (start_line("V", &letters), said.abs())
                 })
-            }),
-        ),
-        stated(
-            ("meyer.app-d.constant", LETTERS),
-            "E is the same at all angles",
-            "constant of the motion",
-            "so is A",
-            (ClosedForm, |stated| {
+            })
+            .but_not("V is the value of C there"),
+        LETTERS
+            .statement("meyer.app-d.constant", "constant of the motion", "E is the same at all angles")
+            .by(ClosedForm, |stated| {
                 let holds = Slots::ALL.iter().all(|slots| {
                     let own: Vec<f64> = of_slots(*slots).map(|(_, c)| stated.pick(c.e, c.a)).collect();
                     own.iter().all(|factor| agrees(*factor, own[0]))
                 });
                 Finding::new(holds, "the factor all over the engagement of each mechanism")
-            }),
-            (OtherPlaceInSource, |stated| {
+            })
+            .by(OtherPlaceInSource, |stated| {
                 let line = stated.pick("meyer.factor-e", "meyer.factor-a");
                 let right =
                     claim(line).and_then(|claim| claim.right_characters().split_once('=')).map_or("", |(_, r)| r);
@@ -152,8 +148,8 @@ fn equations() -> Vec<Claim> {
                 };
                 let holds = (0..=9).all(|k| agrees(at(f64::from(k) / 9.0), at(0.0)));
                 Finding::new(holds, "the substitution before Eq. (1-19), read and evaluated at ten angles")
-            }),
-        ),
+            })
+            .but_not("so is A"),
         starting(
             ("meyer.app-d.with-letters", "Appendix D, 2nd equation"),
             "the same with the letters of the start",
@@ -162,61 +158,60 @@ fn equations() -> Vec<Claim> {
                 || proven(StartingLine::StartingLetters, Form::Printed),
                 || proven(StartingLine::StartingLetters, Form::Corrected),
             ],
-            || reads("meyer.app-d.with-letters"),
             r"R\ddot{\theta} + |V\ddot{\theta}| = E",
         ),
-        stated(
-            ("meyer.app-d.forwards", SIGN),
-            "the driver starts in the direction of the torque",
+        SIGN.statement(
+            "meyer.app-d.forwards",
             "must always be positive",
-            "it starts against the torque",
-            (ClosedForm, |stated| {
-                let way = stated.pick(1.0, -1.0);
-                let holds = poses().all(|(_, c)| c.acceleration(0.0).is_ok_and(|found| found.value * way > 0.0));
-                Finding::new(holds, "the acceleration from rest, at 63 poses")
-            }),
-            (LimitCase, |stated| {
-                // The left side from rest, along accelerations of this sign: does it come to E anywhere?
-                let way = stated.pick(1.0, -1.0);
-                let reaches = |c: &Coefficients<f64>| {
-                    (0..=600).any(|k| {
-                        let gain = way * libm::pow(10.0, f64::from(k) / 100.0 - 3.0);
-                        c.a * gain + (c.d * gain).abs() >= c.e
-                    })
-                };
-                Finding::new(
-                    poses().all(|(_, c)| reaches(&c)),
-                    "the left side was followed along accelerations of this sign",
-                )
-            }),
+            "the driver starts in the direction of the torque",
         )
+        .by(ClosedForm, |stated| {
+            let way = stated.pick(1.0, -1.0);
+            let holds = poses().all(|(_, c)| c.acceleration(0.0).is_ok_and(|found| found.value * way > 0.0));
+            Finding::new(holds, "the acceleration from rest, at 63 poses")
+        })
+        .by(LimitCase, |stated| {
+            // The left side from rest, along accelerations of this sign: does it come to E anywhere?
+            let way = stated.pick(1.0, -1.0);
+            let reaches = |c: &Coefficients<f64>| {
+                (0..=600).any(|k| {
+                    let gain = way * libm::pow(10.0, f64::from(k) / 100.0 - 3.0);
+                    c.a * gain + (c.d * gain).abs() >= c.e
+                })
+            };
+            Finding::new(
+                poses().all(|(_, c)| reaches(&c)),
+                "the left side was followed along accelerations of this sign",
+            )
+        })
+        .but_not("it starts against the torque")
         .read_as("at the start, with less friction than the critical one, A > |D|, or with any: D is zero there"),
         starting(
             ("meyer.app-d.outside", "Appendix D, 3rd equation"),
             "the same with the acceleration outside the bars",
             r"R\ddot{\theta} + |V|\dot{\theta} = E",
             [|| proven(StartingLine::Outside, Form::Printed), || proven(StartingLine::Outside, Form::Corrected)],
-            || reads("meyer.app-d.outside"),
             r"R\ddot{\theta} + |V|\ddot{\theta} = E",
         ),
-        display_read_by(
-            from_rest,
-            ("meyer.app-d.acceleration", "Appendix D, 4th equation"),
-            "the acceleration at the start; with V = 0 it is K over the driver's inertia",
-            r"\ddot{\theta}_0 = \frac{E}{R + |V|}",
-            || all_proven(&Sign::BOTH.map(|sign| StartingAcceleration { sign })),
-            || reads("meyer.app-d.acceleration"),
-        ),
-        stated(
-            ("meyer.app-d.always-positive", "Appendix D, last sentence"),
-            "R is positive, so that the first acceleration is in the direction of the torque",
-            "in the direction of the torque K",
-            "V, without bars, is always positive too",
-            (ClosedForm, |stated| {
+        at("Appendix D, 4th equation")
+            .equation(
+                "meyer.app-d.acceleration",
+                r"\ddot{\theta}_0 = \frac{E}{R + |V|}",
+                "the acceleration at the start; with V = 0 it is K over the driver's inertia",
+            )
+            .by(ExactIdentity, || all_proven(&Sign::BOTH.map(|sign| StartingAcceleration { sign })))
+            .read(ClosedForm, from_rest),
+        at("Appendix D, last sentence")
+            .statement(
+                "meyer.app-d.always-positive",
+                "in the direction of the torque K",
+                "R is positive, so that the first acceleration is in the direction of the torque",
+            )
+            .by(ClosedForm, |stated| {
                 let holds = poses().all(|(_, c)| stated.pick(c.a, c.d) > 0.0);
                 Finding::new(holds, "the factor at 63 poses")
-            }),
-            (Vectors, |stated| {
+            })
+            .by(Vectors, |stated| {
                 equal(
                     |letter| {
                         let factor = letter(stated.pick("A", "D"));
@@ -224,21 +219,25 @@ fn equations() -> Vec<Claim> {
                     },
                     "the size of the factor, from Newton's laws, and the factor",
                 )
-            }),
-        ),
+            })
+            .but_not("V, without bars, is always positive too"),
     ]
 }
 
 /// A display that has one dot for two.
 fn starting(
-    place: (&'static str, &'static str),
+    (id, locator): (&'static str, &'static str),
     meaning: &'static str,
     printed: &'static str,
-    proofs: [fn() -> Finding; 2],
-    read: fn() -> Finding,
+    [as_printed, put_right]: [fn() -> Finding; 2],
     corrected: &'static str,
 ) -> Claim {
-    slip_read_by(from_rest, place, meaning, printed, proofs, read, Erratum { corrected, slip: LOST_DOTS })
+    at(locator)
+        .equation(id, printed, meaning)
+        .by(ExactIdentity, as_printed)
+        .corrected_form(put_right)
+        .read(ClosedForm, from_rest)
+        .corrected(corrected, LOST_DOTS)
 }
 
 fn proven(line: StartingLine, dots: Form) -> Finding {

@@ -8,8 +8,8 @@ use geneva_kinematics::escapement::{pins_needed, possible};
 use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::{Jet, Rational, rational};
 
-const TABLE_AT: &str = "Table after Eq. (1-3)";
-const REMARK: &str = "Paragraph after the table of Eq. (1-3)";
+const TABLE_AT: Place = at("Table after Eq. (1-3)");
+const REMARK: Place = at("Paragraph after the table of Eq. (1-3)");
 
 /// The columns of the table of possible combinations: ids of the numbers of slots and of pins.
 pub const TABLE: [(&str, &str); 3] = [
@@ -24,147 +24,106 @@ pub fn claims() -> Vec<Claim> {
 
 fn angle_sum() -> Vec<Claim> {
     vec![
-        Claim::equation(
-            WORK,
-            "meyer.half-turn",
-            "Eq. (1-3), 1st line",
-            "sum of the angles in the large triangle",
-            r"\theta_o + \phi_o + \frac{\pi}{2} = \pi",
-            Check::equation(
-                (ExactIdentity, || prove(&EntryTriangle::HalfTurn).into()),
-                (Vectors, || {
-                    for_each(
-                        |at| {
-                            let [driver, follower, _] = angles_of_the_triangle(at);
-                            agrees(driver + follower + PI / 2.0, PI)
-                        },
-                        "the two angles at the axes measured, and a right angle",
-                    )
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "meyer.quarter-turn",
-            "Eq. (1-3), 2nd line",
-            "the two acute angles",
-            r"\theta_o + \phi_o = \frac{\pi}{2}",
-            Check::equation(
-                (ExactIdentity, || prove(&EntryTriangle::QuarterTurn).into()),
-                (Vectors, || {
-                    for_each(
-                        |at| {
-                            let [driver, follower, _] = angles_of_the_triangle(at);
-                            agrees(driver + follower, PI / 2.0)
-                        },
-                        "the two angles measured",
-                    )
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "meyer.angle-sum",
-            "Eq. (1-3), 3rd line",
-            "the same by the numbers of pins and slots",
-            r"\frac{\pi}{m} + \frac{\pi}{n} = \frac{\pi}{2}",
-            Check::equation(
-                (ExactIdentity, || prove(&PinsAndSlots::AngleSum).into()),
-                (Vectors, || {
-                    for_each(
-                        |at| {
-                            let [driver, follower, right] = angles_of_the_triangle(at);
-                            agrees(driver, PI / f64::from(at.pins()))
-                                && agrees(follower, PI / f64::from(at.slots()))
-                                && agrees(right, PI / 2.0)
-                        },
-                        "the angles measured are π/m, π/n and π/2",
-                    )
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "meyer.eq-1-3",
-            "Eq. (1-3), 4th line",
-            "number of pins",
-            r"m = \frac{2n}{n-2}",
-            Check::equation(
-                (ExactIdentity, || prove(&PinsAndSlots::Pins).into()),
-                (LimitCase, || {
-                    let holds = (3..=100).all(|n| {
-                        (1..=100).all(|m| makes_a_quarter(m, n) == pins_needed(n).is_some_and(|pins| pins == whole(m)))
-                    });
-                    Finding::new(holds, "of all numbers to 100 the same satisfy both lines")
-                }),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "meyer.continuous",
-            "Paragraph after Eq. (1-3)",
-            "the two conditions make the motion continuous",
-            "continuous motion",
-            Check::statement(
-                "with Eq. (1-1) and a pin more than Eq. (1-3) has it is continuous too",
-                (ClosedForm, |stated| {
-                    let gaps = Escapement::all().into_iter().flat_map(|at| {
-                        let crank = Turn::from_radians(PI / f64::from(at.pins() + stated.pick(0, 1)));
-                        let ratio = at.centre_distance_ratio();
-                        // By Eqs. (1-6) and (1-7): what is missing to a slot, and the jump of the follower's speed.
-                        let angle = 2.0 * libm::atan(crank.sin / (ratio - crank.cos)) - at.follower_advance();
-                        [angle, velocity_ratio(&ratio, &crank) - velocity_ratio(&ratio, &crank.reversed())]
-                    });
-                    every(gaps, vanishes, "jumps of the follower's angle and speed from pin to pin")
-                }),
-                (Vectors, |stated| {
-                    let missing = Escapement::all().into_iter().map(|at| {
-                        let (pins, slots) = (at.pins() + stated.pick(0, 1), at.slots());
-                        let drawn = Drawn { pins, slots, axis: 1.0 / libm::sin(PI / f64::from(slots)) };
-                        turned_by_a_pin(&drawn) * f64::from(slots) / (2.0 * PI)
-                    });
-                    every(missing, |slots| (slots - 1.0).abs() < 1e-9, "slots that the follower is carried by each pin")
-                }),
-            ),
-        ),
+        at("Eq. (1-3), 1st line")
+            .equation(
+                "meyer.half-turn",
+                r"\theta_o + \phi_o + \frac{\pi}{2} = \pi",
+                "sum of the angles in the large triangle",
+            )
+            .proven(EntryTriangle::HalfTurn)
+            .by(Vectors, || {
+                for_each(
+                    |at| {
+                        let [driver, follower, _] = angles_of_the_triangle(at);
+                        agrees(driver + follower + PI / 2.0, PI)
+                    },
+                    "the two angles at the axes measured, and a right angle",
+                )
+            }),
+        at("Eq. (1-3), 2nd line")
+            .equation("meyer.quarter-turn", r"\theta_o + \phi_o = \frac{\pi}{2}", "the two acute angles")
+            .proven(EntryTriangle::QuarterTurn)
+            .by(Vectors, || {
+                for_each(
+                    |at| {
+                        let [driver, follower, _] = angles_of_the_triangle(at);
+                        agrees(driver + follower, PI / 2.0)
+                    },
+                    "the two angles measured",
+                )
+            }),
+        at("Eq. (1-3), 3rd line")
+            .equation(
+                "meyer.angle-sum",
+                r"\frac{\pi}{m} + \frac{\pi}{n} = \frac{\pi}{2}",
+                "the same by the numbers of pins and slots",
+            )
+            .proven(PinsAndSlots::AngleSum)
+            .by(Vectors, || {
+                for_each(
+                    |at| {
+                        let [driver, follower, right] = angles_of_the_triangle(at);
+                        agrees(driver, PI / f64::from(at.pins()))
+                            && agrees(follower, PI / f64::from(at.slots()))
+                            && agrees(right, PI / 2.0)
+                    },
+                    "the angles measured are π/m, π/n and π/2",
+                )
+            }),
+        at("Eq. (1-3), 4th line")
+            .equation("meyer.eq-1-3", r"m = \frac{2n}{n-2}", "number of pins")
+            .proven(PinsAndSlots::Pins)
+            .by(LimitCase, || {
+                let holds = (3..=100).all(|n| {
+                    (1..=100).all(|m| makes_a_quarter(m, n) == pins_needed(n).is_some_and(|pins| pins == whole(m)))
+                });
+                Finding::new(holds, "of all numbers to 100 the same satisfy both lines")
+            }),
+        at("Paragraph after Eq. (1-3)")
+            .statement("meyer.continuous", "continuous motion", "the two conditions make the motion continuous")
+            .by(ClosedForm, |stated| {
+                let gaps = Escapement::all().into_iter().flat_map(|at| {
+                    let crank = Turn::from_radians(PI / f64::from(at.pins() + stated.pick(0, 1)));
+                    let ratio = at.centre_distance_ratio();
+                    // By Eqs. (1-6) and (1-7): what is missing to a slot, and the jump of the follower's speed.
+                    let angle = 2.0 * libm::atan(crank.sin / (ratio - crank.cos)) - at.follower_advance();
+                    [angle, velocity_ratio(&ratio, &crank) - velocity_ratio(&ratio, &crank.reversed())]
+                });
+                every(gaps, vanishes, "jumps of the follower's angle and speed from pin to pin")
+            })
+            .by(Vectors, |stated| {
+                let missing = Escapement::all().into_iter().map(|at| {
+                    let (pins, slots) = (at.pins() + stated.pick(0, 1), at.slots());
+                    let drawn = Drawn { pins, slots, axis: 1.0 / libm::sin(PI / f64::from(slots)) };
+                    turned_by_a_pin(&drawn) * f64::from(slots) / (2.0 * PI)
+                });
+                every(missing, |slots| (slots - 1.0).abs() < 1e-9, "slots that the follower is carried by each pin")
+            })
+            .but_not("with Eq. (1-1) and a pin more than Eq. (1-3) has it is continuous too"),
     ]
 }
 
 fn combinations() -> Vec<Claim> {
     let value = |id, meaning, printed, computed: fn() -> f64, witness: fn() -> f64| {
-        Claim::value(
-            WORK,
-            id,
-            TABLE_AT,
-            meaning,
-            (printed, ""),
-            Check::number((ClosedForm, computed), (LimitCase, witness)),
-        )
+        TABLE_AT.value(id, printed, "", meaning).by(ClosedForm, computed).by(LimitCase, witness)
     };
     let [first, second, third] = TABLE;
     vec![
-        Claim::statement(
-            WORK,
-            "meyer.only-three",
-            "Sentence before the table of Eq. (1-3)",
-            "three combinations of whole numbers, and no more",
-            "only three",
-            Check::statement(
-                "four combinations",
-                (ExactIdentity, |stated| {
-                    let Finding { holds, how } = prove(&PinsAndSlots::Factors).into();
-                    let found = possible().len();
-                    Finding::new(
-                        holds && found == stated.pick(3, 4),
-                        format!("(m − 2)(n − 2) = 4, which has {found} pairs of divisors; {how}"),
-                    )
-                }),
-                (LimitCase, |stated| {
-                    let found = found_by_trying().len();
-                    Finding::new(found == stated.pick(3, 4), format!("all numbers to 100 tried, {found} found"))
-                }),
-            ),
-        ),
+        at("Sentence before the table of Eq. (1-3)")
+            .statement("meyer.only-three", "only three", "three combinations of whole numbers, and no more")
+            .by(ExactIdentity, |stated| {
+                let Finding { holds, how } = prove(&PinsAndSlots::Factors).into();
+                let found = possible().len();
+                Finding::new(
+                    holds && found == stated.pick(3, 4),
+                    format!("(m − 2)(n − 2) = 4, which has {found} pairs of divisors; {how}"),
+                )
+            })
+            .by(LimitCase, |stated| {
+                let found = found_by_trying().len();
+                Finding::new(found == stated.pick(3, 4), format!("all numbers to 100 tried, {found} found"))
+            })
+            .but_not("four combinations"),
         value(first.0, "slots of the 1st combination", "3", || listed(0).0, || tried(0).0),
         value(second.0, "slots of the 2nd combination", "4", || listed(1).0, || tried(1).0),
         value(third.0, "slots of the 3rd combination", "6", || listed(2).0, || tried(2).0),
@@ -176,98 +135,80 @@ fn combinations() -> Vec<Claim> {
 
 fn remarks() -> Vec<Claim> {
     vec![
-        Claim::statement(
-            WORK,
-            "meyer.fewer-pins",
-            REMARK,
-            "the more slots, the fewer pins",
-            "m decreases",
-            Check::statement(
-                "m increases",
-                (LimitCase, |stated| {
-                    let compare: fn(&Rational, &Rational) -> bool = stated.pick(|a, b| a > b, |a, b| a < b);
-                    let holds = (3..1000).all(|n| {
-                        pins_needed(n).zip(pins_needed(n + 1)).is_some_and(|(fewer, more)| compare(&fewer, &more))
-                    });
-                    Finding::new(holds, "from each number of slots to the next, 3 to 1000")
-                }),
-                (Series, |stated| {
-                    // m = 2n/(n − 2) as a series in n.
-                    let slope = |slots: f64| {
-                        let n = Jet::<f64, 2>::variable(slots);
-                        (Jet::constant(2.0) * n.clone() / (n - Jet::constant(2.0))).rate()
-                    };
-                    let sign = stated.pick(-1.0, 1.0);
-                    let holds = (1..=1000).all(|k| sign * slope(2.0 + f64::from(k) / 10.0) > 0.0);
-                    Finding::new(
-                        holds,
-                        format!("dm/dn is {:.2} for three slots and {:.4} for twenty", slope(3.0), slope(20.0)),
-                    )
-                }),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "meyer.two-pins",
-            REMARK,
-            "after three pins come two, for slots without end",
-            "2",
-            Check::statement(
-                "one pin for slots without end",
-                (ExactIdentity, |stated| {
-                    let Finding { holds, how } = prove(&PinsAndSlots::NeverTwo).into();
-                    let above = [1_000, 1_000_000, 1_000_000_000].map(|n| {
-                        pins_needed(n).map_or(f64::NAN, |pins| (pins - whole(stated.pick(2, 1))).to_f64().value())
-                    });
-                    let falls = above.windows(2).all(|pair| pair[1] > 0.0 && pair[1] < pair[0] / 100.0);
-                    Finding::new(
-                        holds && falls,
-                        format!("pins above it with a thousand, a million and 10⁹ slots: {above:?}; {how}"),
-                    )
-                }),
-                (Vectors, |stated| {
-                    // The pin's path is along the slot, so the follower's axis is on the tangent of the pins' circle.
-                    let crank = PI / f64::from(stated.pick(2, 1));
-                    let tangent = Drawn::velocity(crank);
-                    Finding::new(
-                        vanishes(tangent.y),
-                        format!("at π/m the pin's path and the line of centres part by {:.3} a unit", tangent.y),
-                    )
-                }),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "meyer.tangent",
-            REMARK,
-            "as it enters and leaves, the pin's path runs along the slot's centre line",
-            "coincident with the centerline",
-            Check::statement(
-                "the path crosses the centre line at right angles",
-                (ExactIdentity, |stated| {
-                    let along: fn(&HandOver) -> bool =
-                        |at| [&at.leaving, &at.entering].iter().all(|pin| is_zero(&pin.beside) && is_zero(&pin.across));
-                    let across: fn(&HandOver) -> bool = |at| {
-                        [&at.leaving, &at.entering].iter().all(|pin| is_zero(&pin.beside) && is_zero(&pin.outward))
-                    };
-                    exactly(stated.pick(along, across), "place and velocity of both pins are on that line")
-                }),
-                (Vectors, |stated| {
-                    let parts = Escapement::all().into_iter().flat_map(|at| {
-                        let drawn = Drawn::new(at.pins(), at.slots());
-                        [drawn.half(), -drawn.half()].map(|end| {
-                            // A step of the pin along its path, by its places alone.
-                            let step = 1e-6;
-                            let (here, there) = (drawn.place(end), drawn.place(end + step));
-                            let line = here.normalize();
-                            let off = stated.pick(line.perp(&(there - here)), line.dot(&(there - here)));
-                            off / step
-                        })
-                    });
-                    every(parts, |part| part.abs() < 1e-5, "part of a small step of the pin that is off that line")
-                }),
-            ),
-        ),
+        REMARK
+            .statement("meyer.fewer-pins", "m decreases", "the more slots, the fewer pins")
+            .by(LimitCase, |stated| {
+                let compare: fn(&Rational, &Rational) -> bool = stated.pick(|a, b| a > b, |a, b| a < b);
+                let holds = (3..1000).all(|n| {
+                    pins_needed(n).zip(pins_needed(n + 1)).is_some_and(|(fewer, more)| compare(&fewer, &more))
+                });
+                Finding::new(holds, "from each number of slots to the next, 3 to 1000")
+            })
+            .by(Series, |stated| {
+                // m = 2n/(n − 2) as a series in n.
+                let slope = |slots: f64| {
+                    let n = Jet::<f64, 2>::variable(slots);
+                    (Jet::constant(2.0) * n.clone() / (n - Jet::constant(2.0))).rate()
+                };
+                let sign = stated.pick(-1.0, 1.0);
+                let holds = (1..=1000).all(|k| sign * slope(2.0 + f64::from(k) / 10.0) > 0.0);
+                Finding::new(
+                    holds,
+                    format!("dm/dn is {:.2} for three slots and {:.4} for twenty", slope(3.0), slope(20.0)),
+                )
+            })
+            .but_not("m increases"),
+        REMARK
+            .statement("meyer.two-pins", "2", "after three pins come two, for slots without end")
+            .by(ExactIdentity, |stated| {
+                let Finding { holds, how } = prove(&PinsAndSlots::NeverTwo).into();
+                let above = [1_000, 1_000_000, 1_000_000_000].map(|n| {
+                    pins_needed(n).map_or(f64::NAN, |pins| (pins - whole(stated.pick(2, 1))).to_f64().value())
+                });
+                let falls = above.windows(2).all(|pair| pair[1] > 0.0 && pair[1] < pair[0] / 100.0);
+                Finding::new(
+                    holds && falls,
+                    format!("pins above it with a thousand, a million and 10⁹ slots: {above:?}; {how}"),
+                )
+            })
+            .by(Vectors, |stated| {
+                // The pin's path is along the slot, so the follower's axis is on the tangent of the pins' circle.
+                let crank = PI / f64::from(stated.pick(2, 1));
+                let tangent = Drawn::velocity(crank);
+                Finding::new(
+                    vanishes(tangent.y),
+                    format!("at π/m the pin's path and the line of centres part by {:.3} a unit", tangent.y),
+                )
+            })
+            .but_not("one pin for slots without end"),
+        REMARK
+            .statement(
+                "meyer.tangent",
+                "coincident with the centerline",
+                "as it enters and leaves, the pin's path runs along the slot's centre line",
+            )
+            .by(ExactIdentity, |stated| {
+                let along: fn(&HandOver) -> bool =
+                    |at| [&at.leaving, &at.entering].iter().all(|pin| is_zero(&pin.beside) && is_zero(&pin.across));
+                let across: fn(&HandOver) -> bool =
+                    |at| [&at.leaving, &at.entering].iter().all(|pin| is_zero(&pin.beside) && is_zero(&pin.outward));
+                exactly(stated.pick(along, across), "place and velocity of both pins are on that line")
+            })
+            .by(Vectors, |stated| {
+                let parts = Escapement::all().into_iter().flat_map(|at| {
+                    let drawn = Drawn::new(at.pins(), at.slots());
+                    [drawn.half(), -drawn.half()].map(|end| {
+                        // A step of the pin along its path, by its places alone.
+                        let step = 1e-6;
+                        let (here, there) = (drawn.place(end), drawn.place(end + step));
+                        let line = here.normalize();
+                        let off = stated.pick(line.perp(&(there - here)), line.dot(&(there - here)));
+                        off / step
+                    })
+                });
+                every(parts, |part| part.abs() < 1e-5, "part of a small step of the pin that is off that line")
+            })
+            .but_not("the path crosses the centre line at right angles"),
     ]
 }
 

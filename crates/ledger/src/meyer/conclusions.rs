@@ -20,34 +20,27 @@ pub fn claims() -> Vec<Claim> {
 }
 
 fn timing() -> Claim {
-    Claim::statement(
-        WORK,
-        "meyer.conclusion.timing",
-        "Conclusion 1",
-        "the mechanism keeps a period",
-        "can be used as a timing device",
-        Check::statement(
-            "its period is the same to a second a day if the friction grows by one per cent",
-            (Integration, |stated| {
-                let friction = stated.pick(1.0, 1.01);
-                let off = rows().iter().filter_map(|row| {
-                    let last = *with(row, 1.0, 1.0)?.rise(1e-9).ok()?.cycles.last()?;
-                    let later = with(row, 1.0, friction)?.steady_state().ok()?;
-                    Some((last.end - last.start) / later.period - 1.0)
-                });
-                keeps_time(&off.collect::<Vec<_>>(), rows().len())
-            }),
-            (Steps, |stated| {
-                static LATER: OnceLock<[Vec<f64>; 2]> = OnceLock::new();
-                let [same, more] = LATER.get_or_init(|| [1.0, 1.01].map(off_by_steps));
-                keeps_time(stated.pick(same, more), groups().len())
-            }),
-        ),
-    )
-    .read_as(
-        "A timing device of no stated accuracy: started from rest, every run comes to a motion whose engagements last \
-         equally long, to a second a day, as long as nothing changes.",
-    )
+    at("Conclusion 1")
+        .statement("meyer.conclusion.timing", "can be used as a timing device", "the mechanism keeps a period")
+        .by(Integration, |stated| {
+            let friction = stated.pick(1.0, 1.01);
+            let off = rows().iter().filter_map(|row| {
+                let last = *with(row, 1.0, 1.0)?.rise(1e-9).ok()?.cycles.last()?;
+                let later = with(row, 1.0, friction)?.steady_state().ok()?;
+                Some((last.end - last.start) / later.period - 1.0)
+            });
+            keeps_time(&off.collect::<Vec<_>>(), rows().len())
+        })
+        .by(Steps, |stated| {
+            static LATER: OnceLock<[Vec<f64>; 2]> = OnceLock::new();
+            let [same, more] = LATER.get_or_init(|| [1.0, 1.01].map(off_by_steps));
+            keeps_time(stated.pick(same, more), groups().len())
+        })
+        .but_not("its period is the same to a second a day if the friction grows by one per cent")
+        .read_as(
+            "A timing device of no stated accuracy: started from rest, every run comes to a motion whose engagements \
+             last equally long, to a second a day, as long as nothing changes.",
+        )
 }
 
 /// By how much the steady engagement from rest differs from that with as many times the friction.
@@ -73,30 +66,27 @@ fn keeps_time(off: &[f64], count: usize) -> Finding {
 }
 
 fn small_variations() -> Claim {
-    Claim::statement(
-        WORK,
-        "meyer.small-variations",
-        "Conclusion 2",
-        "small changes of the parameters change the motion little",
-        "will not seriously affect the motion",
-        Check::statement(
-            "one per cent of a parameter changes what is tabulated by less than half a per cent",
-            (Integration, |stated| {
-                static FOUND: OnceLock<Responses> = OnceLock::new();
-                small(stated, FOUND.get_or_init(|| responses(&one_per_cent(), by_integrals)))
-            }),
-            (Steps, |stated| {
-                static FOUND: OnceLock<Responses> = OnceLock::new();
-                small(stated, FOUND.get_or_init(|| responses(&one_per_cent(), by_steps)))
-            }),
-        ),
-    )
-    .read_as(
-        "An effect is not serious if it is less than its cause: one per cent more of torque, friction or an inertia \
-         changes peak, minimum and period of the steady motion by less than one per cent each, in every run. The \
-         three are what Appendix E tabulates of it. The numbers of pins and slots, and the angles that go with them, \
-         cannot vary by per cents.",
-    )
+    at("Conclusion 2")
+        .statement(
+            "meyer.small-variations",
+            "will not seriously affect the motion",
+            "small changes of the parameters change the motion little",
+        )
+        .by(Integration, |stated| {
+            static FOUND: OnceLock<Responses> = OnceLock::new();
+            small(stated, FOUND.get_or_init(|| responses(&one_per_cent(), by_integrals)))
+        })
+        .by(Steps, |stated| {
+            static FOUND: OnceLock<Responses> = OnceLock::new();
+            small(stated, FOUND.get_or_init(|| responses(&one_per_cent(), by_steps)))
+        })
+        .but_not("one per cent of a parameter changes what is tabulated by less than half a per cent")
+        .read_as(
+            "An effect is not serious if it is less than its cause: one per cent more of torque, friction or an \
+             inertia changes peak, minimum and period of the steady motion by less than one per cent each, in every \
+             run. The three are what Appendix E tabulates of it. The numbers of pins and slots, and the angles that go \
+             with them, cannot vary by per cents.",
+        )
 }
 
 /// Peak, minimum and period of the steady motion.

@@ -1,8 +1,6 @@
 //! The kinetic energy and its derivatives: Eq. (1-16), and the displays before Eq. (1-17).
 
-use super::instants::{
-    self, display, display_read_by, holds_in_display, instants, miscopied, reads, slip, slip_read_by,
-};
+use super::instants::{self, holds, holds_in_display, instants, miscopied};
 use super::slips::{DRIVER_INDEX, PHI_AS_THETA};
 use super::*;
 use geneva_dynamics::derivation::{
@@ -11,7 +9,11 @@ use geneva_dynamics::derivation::{
 use std::sync::OnceLock;
 
 /// The derivative by θ, with what is differentiated.
-const POSITION_RATE_SET_UP: &str = r"\frac{\partial T}{\partial \theta} = \frac{\partial}{\partial \theta} \left[\frac{1}{2} \left\{ I_D + \frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right\} \dot{\theta}^2 \right]";
+const POSITION_RATE_SET_UP: &str = concat!(
+    r"\frac{\partial T}{\partial \theta} = \frac{\partial}{\partial \theta} ",
+    r"\left[\frac{1}{2} \left\{ I_D + \frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos ",
+    r"\theta)^2} I_f \right\} \dot{\theta}^2 \right]"
+);
 
 // Displays that are cut into lines.
 const QUOTIENT: [&str; 3] = [
@@ -28,76 +30,81 @@ pub fn claims() -> Vec<Claim> {
 
 fn energy() -> Vec<Claim> {
     vec![
-        slip(
-            "meyer.kinetic-energy",
-            "1st display of T before Eq. (1-16)",
-            "kinetic energy of driver and follower",
-            r"T = \frac{1}{2} I_D \dot{\theta}^2 + \frac{1}{2} I_f \dot{\theta}^2",
-            [|| members(Form::Printed), || members(Form::Corrected)],
-            || reads("meyer.kinetic-energy"),
-            Erratum {
-                corrected: r"T = \frac{1}{2} I_D \dot{\theta}^2 + \frac{1}{2} I_f \dot{\phi}^2",
-                slip: PHI_AS_THETA,
-            },
-        ),
-        Claim::statement(
-            WORK,
-            "meyer.kinetic-energy.replaced",
-            "Line before Eq. (1-16)",
-            "the rate that Eq. (1-7) is put in for",
-            r"\dot{\theta}",
-            Check::corrected_statement(
-                (ClosedForm, |stated| reads_in_place_of(stated.pick("phi'", "theta'"))),
-                (ExactIdentity, |stated| members(stated.pick(Form::Corrected, Form::Printed))),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum { corrected: r"\dot{\phi}", slip: PHI_AS_THETA }),
-        display(
-            "meyer.kinetic-energy.substituted",
-            "2nd display of T before Eq. (1-16)",
-            "kinetic energy with Eq. (1-7) put in",
-            r"T = \frac{1}{2} I_D \dot{\theta}^2 + \frac{1}{2} I_f \frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} \dot{\theta}^2",
-            || prove(&KineticEnergy(EnergyLine::Substituted)).into(),
-            || reads("meyer.kinetic-energy.substituted"),
-        ),
-        display(
-            "meyer.eq-1-16",
-            "Eq. (1-16)",
-            "kinetic energy by the speed of the driver alone",
-            r"T = \frac{1}{2} \left[I_D + \frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \dot{\theta}^2",
-            || prove(&KineticEnergy(EnergyLine::Bracketed)).into(),
-            || reads("meyer.eq-1-16"),
-        ),
+        at("1st display of T before Eq. (1-16)")
+            .equation(
+                "meyer.kinetic-energy",
+                r"T = \frac{1}{2} I_D \dot{\theta}^2 + \frac{1}{2} I_f \dot{\theta}^2",
+                "kinetic energy of driver and follower",
+            )
+            .by(ExactIdentity, || members(Form::Printed))
+            .corrected_form(|| members(Form::Corrected))
+            .read(ClosedForm, holds)
+            .corrected(r"T = \frac{1}{2} I_D \dot{\theta}^2 + \frac{1}{2} I_f \dot{\phi}^2", PHI_AS_THETA),
+        at("Line before Eq. (1-16)")
+            .statement("meyer.kinetic-energy.replaced", r"\dot{\theta}", "the rate that Eq. (1-7) is put in for")
+            .by(ClosedForm, |stated| reads_in_place_of(stated.pick("phi'", "theta'")))
+            .by(ExactIdentity, |stated| members(stated.pick(Form::Corrected, Form::Printed)))
+            .corrected(r"\dot{\phi}", PHI_AS_THETA),
+        at("2nd display of T before Eq. (1-16)")
+            .equation(
+                "meyer.kinetic-energy.substituted",
+                concat!(
+                    r"T = \frac{1}{2} I_D \dot{\theta}^2 + \frac{1}{2} I_f \frac{(a \cos \theta - ",
+                    r"1)^2}{(1+a^2-2a \cos \theta)^2} \dot{\theta}^2"
+                ),
+                "kinetic energy with Eq. (1-7) put in",
+            )
+            .proven(KineticEnergy(EnergyLine::Substituted))
+            .read(ClosedForm, holds),
+        at("Eq. (1-16)")
+            .equation(
+                "meyer.eq-1-16",
+                concat!(
+                    r"T = \frac{1}{2} \left[I_D + \frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} ",
+                    r"I_f \right] \dot{\theta}^2"
+                ),
+                "kinetic energy by the speed of the driver alone",
+            )
+            .proven(KineticEnergy(EnergyLine::Bracketed))
+            .read(ClosedForm, holds),
     ]
 }
 
 fn set_up() -> Vec<Claim> {
     vec![
-        display_read_by(
-            of_the_energy,
-            ("meyer.position-rate.set-up", "1st display after Eq. (1-16)"),
-            "derivative of the kinetic energy by θ, to be worked out",
-            POSITION_RATE_SET_UP,
-            || prove(&PositionRate::of(PositionLine::Undone)).into(),
-            || reads("meyer.position-rate.set-up"),
-        ),
-        display(
-            "meyer.momentum",
-            "2nd display after Eq. (1-16)",
-            "derivative of the kinetic energy by the speed",
-            r"\frac{\partial T}{\partial \dot{\theta}} = \left[I_D + \frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \dot{\theta}",
-            || prove(&Momentum).into(),
-            || reads("meyer.momentum"),
-        ),
-        display_read_by(
-            |tex| instants::holds_of(tex, r"\frac{d}{dt}", r"\frac{\partial T}{\partial \dot{\theta}}"),
-            ("meyer.momentum-rate.set-up", "3rd display after Eq. (1-16)"),
-            "its rate, to be worked out",
-            r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \frac{d}{dt} \left[\left\{ I_D + \frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right\} \dot{\theta} \right]",
-            || prove(&MomentumRate::of(MomentumLine::Undone, Form::Printed)).into(),
-            || reads("meyer.momentum-rate.set-up"),
-        ),
+        at("1st display after Eq. (1-16)")
+            .equation(
+                "meyer.position-rate.set-up",
+                POSITION_RATE_SET_UP,
+                "derivative of the kinetic energy by θ, to be worked out",
+            )
+            .proven(PositionRate::of(PositionLine::Undone))
+            .read(ClosedForm, of_the_energy),
+        at("2nd display after Eq. (1-16)")
+            .equation(
+                "meyer.momentum",
+                concat!(
+                    r"\frac{\partial T}{\partial \dot{\theta}} = \left[I_D + \frac{(a \cos \theta - ",
+                    r"1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \dot{\theta}"
+                ),
+                "derivative of the kinetic energy by the speed",
+            )
+            .proven(Momentum)
+            .read(ClosedForm, holds),
+        at("3rd display after Eq. (1-16)")
+            .equation(
+                "meyer.momentum-rate.set-up",
+                concat!(
+                    r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \frac{d}{dt} ",
+                    r"\left[\left\{ I_D + \frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f ",
+                    r"\right\} \dot{\theta} \right]"
+                ),
+                "its rate, to be worked out",
+            )
+            .proven(MomentumRate::of(MomentumLine::Undone, Form::Printed))
+            .read(ClosedForm, |tex| {
+                instants::holds_of(tex, r"\frac{d}{dt}", r"\frac{\partial T}{\partial \dot{\theta}}")
+            }),
     ]
 }
 
@@ -107,39 +114,53 @@ fn by_quotient() -> Vec<Claim> {
             |tex| holds_in_display(&QUOTIENT, QUOTIENT[0], tex),
             QUOTIENT[0],
             "4th display after Eq. (1-16), 1st line",
-            r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_b + \frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}",
+            concat!(
+                r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_b + ",
+                r"\frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}"
+            ),
             [|| letter(MomentumLine::Quotient, Form::Printed), quotient],
-            || reads("meyer.momentum-rate.quotient.first-line"),
-            r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_D + \frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}",
-        ),
-        display_read_by(
-            |tex| holds_in_display(&QUOTIENT, QUOTIENT[1], tex),
-            (QUOTIENT[1], "4th display after Eq. (1-16), 2nd line"),
-            "the numerator of the fraction differentiated",
-            r"+ \dot{\theta} \left[0 + I_f \left\{ \frac{((1+a^2-2a \cos \theta)^2 [2(a \cos \theta - 1)(-a \sin \theta \dot{\theta})])}{(1+a^2-2a \cos \theta)^4} \right. \right.",
-            quotient,
-            || reads("meyer.momentum-rate.quotient.second-line"),
-        ),
-        slip_read_by(
-            |tex| holds_in_display(&QUOTIENT, QUOTIENT[2], tex),
-            (QUOTIENT[2], "4th display after Eq. (1-16), 3rd line"),
-            "the denominator of the fraction differentiated",
-            r"\left. \left. + \frac{(-a \cos \theta - 1)^2 (2)(1+a^2-2a \cos \theta)(2a \sin \theta \dot{\theta})}{(1+a^2-2a \cos \theta)^4} \right] \right]",
-            [
-                || {
-                    let (line, letter, quotient) = (MomentumLine::Quotient, Form::Corrected, Form::Printed);
-                    prove(&MomentumRate { line, letter, quotient }).into()
-                },
-                quotient,
-            ],
-            || reads("meyer.momentum-rate.quotient.third-line"),
-            miscopied(
-                r"\left. \left. - \frac{(a \cos \theta - 1)^2 (2)(1+a^2-2a \cos \theta)(2a \sin \theta \dot{\theta})}{(1+a^2-2a \cos \theta)^4} \right\} \right]",
-                "By the rule for quotients the term is subtracted. The minus sign has \
-                        moved into the bracket; the next display has it in its place. The \
-                        brackets of the line do not match either.",
+            concat!(
+                r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_D + ",
+                r"\frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}"
             ),
         ),
+        at("4th display after Eq. (1-16), 2nd line")
+            .equation(
+                QUOTIENT[1],
+                concat!(
+                    r"+ \dot{\theta} \left[0 + I_f \left\{ \frac{((1+a^2-2a \cos \theta)^2 [2(a \cos ",
+                    r"\theta - 1)(-a \sin \theta \dot{\theta})])}{(1+a^2-2a \cos \theta)^4} \right. ",
+                    r"\right."
+                ),
+                "the numerator of the fraction differentiated",
+            )
+            .by(ExactIdentity, quotient)
+            .read(ClosedForm, |tex| holds_in_display(&QUOTIENT, QUOTIENT[1], tex)),
+        at("4th display after Eq. (1-16), 3rd line")
+            .equation(
+                QUOTIENT[2],
+                concat!(
+                    r"\left. \left. + \frac{(-a \cos \theta - 1)^2 (2)(1+a^2-2a \cos \theta)(2a \sin ",
+                    r"\theta \dot{\theta})}{(1+a^2-2a \cos \theta)^4} \right] \right]"
+                ),
+                "the denominator of the fraction differentiated",
+            )
+            .by(ExactIdentity, || {
+                let (line, letter, quotient) = (MomentumLine::Quotient, Form::Corrected, Form::Printed);
+                prove(&MomentumRate { line, letter, quotient }).into()
+            })
+            .corrected_form(quotient)
+            .read(ClosedForm, |tex| holds_in_display(&QUOTIENT, QUOTIENT[2], tex))
+            .corrected(
+                concat!(
+                    r"\left. \left. - \frac{(a \cos \theta - 1)^2 (2)(1+a^2-2a \cos \theta)(2a \sin ",
+                    r"\theta \dot{\theta})}{(1+a^2-2a \cos \theta)^4} \right\} \right]"
+                ),
+                miscopied(
+                    "By the rule for quotients the term is subtracted. The minus sign has moved into the bracket; the \
+                     next display has it in its place. The brackets of the line do not match either.",
+                ),
+            ),
     ]
 }
 
@@ -149,110 +170,152 @@ fn by_speed() -> Vec<Claim> {
             |tex| holds_in_display(&CANCELLED, CANCELLED[0], tex),
             CANCELLED[0],
             "5th display after Eq. (1-16), 1st line",
-            r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_b + \frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}",
+            concat!(
+                r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_b + ",
+                r"\frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}"
+            ),
             [|| letter(MomentumLine::Cancelled, Form::Printed), cancelled],
-            || reads("meyer.momentum-rate.cancelled.first-line"),
-            r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_D + \frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}",
+            concat!(
+                r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_D + ",
+                r"\frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}"
+            ),
         ),
-        display_read_by(
-            |tex| holds_in_display(&CANCELLED, CANCELLED[1], tex),
-            (CANCELLED[1], "5th display after Eq. (1-16), 2nd line"),
-            "what the turning of the follower's place adds, with common factors cancelled",
-            r"+ I_f \dot{\theta} \left[\frac{-2(a \cos \theta - 1)(a \sin \theta \dot{\theta})}{(1+a^2-2a \cos \theta)^2} - \frac{(a \cos \theta - 1)^2 (2)(2a \sin \theta \dot{\theta})}{(1+a^2-2a \cos \theta)^3} \right]",
-            cancelled,
-            || reads("meyer.momentum-rate.cancelled.second-line"),
-        ),
+        at("5th display after Eq. (1-16), 2nd line")
+            .equation(
+                CANCELLED[1],
+                concat!(
+                    r"+ I_f \dot{\theta} \left[\frac{-2(a \cos \theta - 1)(a \sin \theta ",
+                    r"\dot{\theta})}{(1+a^2-2a \cos \theta)^2} - \frac{(a \cos \theta - 1)^2 (2)(2a \sin ",
+                    r"\theta \dot{\theta})}{(1+a^2-2a \cos \theta)^3} \right]"
+                ),
+                "what the turning of the follower's place adds, with common factors cancelled",
+            )
+            .by(ExactIdentity, cancelled)
+            .read(ClosedForm, |tex| holds_in_display(&CANCELLED, CANCELLED[1], tex)),
         letter_b(
             |tex| holds_in_display(&FACTORED, FACTORED[0], tex),
             FACTORED[0],
             "6th display after Eq. (1-16), 1st line",
-            r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_b + \frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}",
+            concat!(
+                r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_b + ",
+                r"\frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}"
+            ),
             [|| letter(MomentumLine::Factored, Form::Printed), factored],
-            || reads("meyer.momentum-rate.factored.first-line"),
-            r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_D + \frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}",
+            concat!(
+                r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_D + ",
+                r"\frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}"
+            ),
         ),
-        display_read_by(
-            |tex| holds_in_display(&FACTORED, FACTORED[1], tex),
-            (FACTORED[1], "6th display after Eq. (1-16), 2nd line"),
-            "the same with its factors outside the braces",
-            r"- 2I_f \dot{\theta}^2 \left[\frac{a \sin \theta (a \cos \theta - 1)}{(1+a^2-2a \cos \theta)^2} \left\{ 1 + \frac{2(a \cos \theta - 1)}{(1+a^2-2a \cos \theta)} \right\} \right]",
-            factored,
-            || reads("meyer.momentum-rate.factored.second-line"),
-        ),
+        at("6th display after Eq. (1-16), 2nd line")
+            .equation(
+                FACTORED[1],
+                concat!(
+                    r"- 2I_f \dot{\theta}^2 \left[\frac{a \sin \theta (a \cos \theta - 1)}{(1+a^2-2a ",
+                    r"\cos \theta)^2} \left\{ 1 + \frac{2(a \cos \theta - 1)}{(1+a^2-2a \cos \theta)} ",
+                    r"\right\} \right]"
+                ),
+                "the same with its factors outside the braces",
+            )
+            .by(ExactIdentity, factored)
+            .read(ClosedForm, |tex| holds_in_display(&FACTORED, FACTORED[1], tex)),
         letter_b(
-            instants::holds,
+            holds,
             "meyer.momentum-rate",
             "7th display after Eq. (1-16)",
-            r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_b + \frac{(a \cos \theta - 1)^2 I_f}{(1+a^2-2a \cos \theta)^2} \right] \ddot{\theta} - 2I_f \dot{\theta}^2 \left[\frac{a(a^2-1) \sin \theta (a \cos \theta - 1)}{(1+a^2-2a \cos \theta)^3} \right]",
+            concat!(
+                r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_b + ",
+                r"\frac{(a \cos \theta - 1)^2 I_f}{(1+a^2-2a \cos \theta)^2} \right] \ddot{\theta} - ",
+                r"2I_f \dot{\theta}^2 \left[\frac{a(a^2-1) \sin \theta (a \cos \theta - ",
+                r"1)}{(1+a^2-2a \cos \theta)^3} \right]"
+            ),
             [|| letter(MomentumLine::Closed, Form::Printed), || letter(MomentumLine::Closed, Form::Corrected)],
-            || reads("meyer.momentum-rate"),
-            r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_D + \frac{(a \cos \theta - 1)^2 I_f}{(1+a^2-2a \cos \theta)^2} \right] \ddot{\theta} - 2I_f \dot{\theta}^2 \left[\frac{a(a^2-1) \sin \theta (a \cos \theta - 1)}{(1+a^2-2a \cos \theta)^3} \right]",
+            concat!(
+                r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_D + ",
+                r"\frac{(a \cos \theta - 1)^2 I_f}{(1+a^2-2a \cos \theta)^2} \right] \ddot{\theta} - ",
+                r"2I_f \dot{\theta}^2 \left[\frac{a(a^2-1) \sin \theta (a \cos \theta - ",
+                r"1)}{(1+a^2-2a \cos \theta)^3} \right]"
+            ),
         ),
     ]
 }
 
 fn by_angle() -> Vec<Claim> {
     vec![
-        slip_read_by(
-            of_the_energy,
-            ("meyer.position-rate.taken-up", "8th display after Eq. (1-16)"),
-            "the derivative by θ, taken up again; it does not depend on the letter, but what stands in the brackets is \
-             not the kinetic energy",
-            r"\frac{\partial T}{\partial \theta} = \frac{\partial}{\partial \theta} \left[\frac{1}{2} \left\{ I_b + \frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right\} \dot{\theta}^2 \right]",
-            [
-                || prove(&PositionRate::energy(Form::Printed)).into(),
-                || prove(&PositionRate::energy(Form::Corrected)).into(),
-            ],
-            || reads("meyer.position-rate.taken-up"),
-            Erratum { corrected: POSITION_RATE_SET_UP, slip: DRIVER_INDEX },
-        ),
+        at("8th display after Eq. (1-16)")
+            .equation(
+                "meyer.position-rate.taken-up",
+                concat!(
+                    r"\frac{\partial T}{\partial \theta} = \frac{\partial}{\partial \theta} ",
+                    r"\left[\frac{1}{2} \left\{ I_b + \frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos ",
+                    r"\theta)^2} I_f \right\} \dot{\theta}^2 \right]"
+                ),
+                "the derivative by θ, taken up again; it does not depend on the letter, but what stands in the \
+                 brackets is not the kinetic energy",
+            )
+            .proven(PositionRate::energy(Form::Printed))
+            .corrected_form(|| prove(&PositionRate::energy(Form::Corrected)).into())
+            .read(ClosedForm, of_the_energy)
+            .corrected(POSITION_RATE_SET_UP, DRIVER_INDEX),
         by_theta(
             "meyer.position-rate.outside",
             "9th display after Eq. (1-16)",
-            r"\frac{\partial T}{\partial \theta} = 0 + \frac{1}{2} I_f \dot{\theta}^2 \frac{\partial}{\partial \theta} \left[\frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} \right]",
+            concat!(
+                r"\frac{\partial T}{\partial \theta} = 0 + \frac{1}{2} I_f \dot{\theta}^2 ",
+                r"\frac{\partial}{\partial \theta} \left[\frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos ",
+                r"\theta)^2} \right]"
+            ),
             || prove(&PositionRate::of(PositionLine::Outside)).into(),
-            || reads("meyer.position-rate.outside"),
         ),
         by_theta(
             "meyer.position-rate.quotient",
             "10th display after Eq. (1-16)",
-            r"\begin{aligned} \frac{\partial T}{\partial \theta} &= \frac{1}{2} I_f \dot{\theta}^2 \left[\frac{(1+a^2-2a \cos \theta)^2 (2)(a \cos \theta - 1)(-a \sin \theta)}{(1+a^2-2a \cos \theta)^4} \right. \\ &\left. - \frac{(a \cos \theta - 1)^2 (2)(1+a^2-2a \cos \theta)(2a \sin \theta)}{(1+a^2-2a \cos \theta)^4} \right] \end{aligned}",
+            concat!(
+                r"\begin{aligned} \frac{\partial T}{\partial \theta} &= \frac{1}{2} I_f ",
+                r"\dot{\theta}^2 \left[\frac{(1+a^2-2a \cos \theta)^2 (2)(a \cos \theta - 1)(-a \sin ",
+                r"\theta)}{(1+a^2-2a \cos \theta)^4} \right. \\ &\left. - \frac{(a \cos \theta - ",
+                r"1)^2 (2)(1+a^2-2a \cos \theta)(2a \sin \theta)}{(1+a^2-2a \cos \theta)^4} \right] ",
+                r"\end{aligned}"
+            ),
             || prove(&PositionRate::of(PositionLine::Quotient)).into(),
-            || reads("meyer.position-rate.quotient"),
         ),
         by_theta(
             "meyer.position-rate.cancelled",
             "11th display after Eq. (1-16)",
-            r"\frac{\partial T}{\partial \theta} = \frac{1}{2} I_f \dot{\theta}^2 \left[\frac{-2(a \cos \theta - 1)(a \sin \theta)}{(1+a^2-2a \cos \theta)^2} + \frac{-2(a \cos \theta - 1)^2 (2a \sin \theta)}{(1+a^2-2a \cos \theta)^3} \right]",
+            concat!(
+                r"\frac{\partial T}{\partial \theta} = \frac{1}{2} I_f \dot{\theta}^2 ",
+                r"\left[\frac{-2(a \cos \theta - 1)(a \sin \theta)}{(1+a^2-2a \cos \theta)^2} + ",
+                r"\frac{-2(a \cos \theta - 1)^2 (2a \sin \theta)}{(1+a^2-2a \cos \theta)^3} \right]"
+            ),
             || prove(&PositionRate::of(PositionLine::Cancelled)).into(),
-            || reads("meyer.position-rate.cancelled"),
         ),
         by_theta(
             "meyer.position-rate.factored",
             "12th display after Eq. (1-16)",
-            r"\frac{\partial T}{\partial \theta} = -I_f \dot{\theta}^2 \left[\frac{(a \cos \theta - 1)(a \sin \theta)}{(1+a^2-2a \cos \theta)^2} \left\{ 1 + \frac{(a \cos \theta - 1)(2)}{(1+a^2-2a \cos \theta)} \right\} \right]",
+            concat!(
+                r"\frac{\partial T}{\partial \theta} = -I_f \dot{\theta}^2 \left[\frac{(a \cos ",
+                r"\theta - 1)(a \sin \theta)}{(1+a^2-2a \cos \theta)^2} \left\{ 1 + \frac{(a \cos ",
+                r"\theta - 1)(2)}{(1+a^2-2a \cos \theta)} \right\} \right]"
+            ),
             || prove(&PositionRate::of(PositionLine::Factored)).into(),
-            || reads("meyer.position-rate.factored"),
         ),
         by_theta(
             "meyer.position-rate",
             "13th display after Eq. (1-16)",
-            r"\frac{\partial T}{\partial \theta} = -I_f \dot{\theta}^2 \left[\frac{a(a^2-1) \sin \theta (a \cos \theta - 1)}{(1+a^2-2a \cos \theta)^3} \right]",
+            concat!(
+                r"\frac{\partial T}{\partial \theta} = -I_f \dot{\theta}^2 \left[\frac{a(a^2-1) \sin ",
+                r"\theta (a \cos \theta - 1)}{(1+a^2-2a \cos \theta)^3} \right]"
+            ),
             || prove(&PositionRate::of(PositionLine::Closed)).into(),
-            || reads("meyer.position-rate"),
         ),
     ]
 }
 
 /// A step of the derivative by θ.
-fn by_theta(
-    id: &'static str,
-    locator: &'static str,
-    printed: &'static str,
-    proof: fn() -> Finding,
-    read: fn() -> Finding,
-) -> Claim {
-    display(id, locator, "derivative of the kinetic energy by θ, a step further", printed, proof, read)
+fn by_theta(id: &'static str, locator: &'static str, printed: &'static str, proof: fn() -> Finding) -> Claim {
+    at(locator)
+        .equation(id, printed, "derivative of the kinetic energy by θ, a step further")
+        .by(ExactIdentity, proof)
+        .read(ClosedForm, holds)
 }
 
 /// A line that has I_b for I_D.
@@ -261,12 +324,15 @@ fn letter_b(
     id: &'static str,
     locator: &'static str,
     printed: &'static str,
-    proofs: [fn() -> Finding; 2],
-    read: fn() -> Finding,
+    [as_printed, put_right]: [fn() -> Finding; 2],
     corrected: &'static str,
 ) -> Claim {
-    let meaning = "rate of the derivative by the speed: what the driver's acceleration adds";
-    slip_read_by(holds, (id, locator), meaning, printed, proofs, read, Erratum { corrected, slip: DRIVER_INDEX })
+    at(locator)
+        .equation(id, printed, "rate of the derivative by the speed: what the driver's acceleration adds")
+        .by(ExactIdentity, as_printed)
+        .corrected_form(put_right)
+        .read(ClosedForm, holds)
+        .corrected(corrected, DRIVER_INDEX)
 }
 
 /// The rule for quotients put right: one proof for the three lines of the display. The next two are like it.

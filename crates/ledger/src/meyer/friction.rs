@@ -1,6 +1,6 @@
 //! The torque of friction and the normal force that makes it, up to the spring: Eqs. (1-11) to (1-15).
 
-use super::instants::{self, display, equal, letters_of, moments, reads, slip, stated};
+use super::instants::{equal, holds, letters_of, moments};
 use super::lagrange::{agrees_in_steps, friction, frictionless, opposing};
 use super::slips::{HALF_POWERS, PHI_AS_THETA};
 use super::spring::no_rate;
@@ -13,13 +13,43 @@ use geneva_dynamics::{Parameters, Sign};
 use std::sync::OnceLock;
 
 // Displays too long for a line.
-const SUBSTITUTED: &str = r"N = \frac{I_f \left[\frac{a \sin \theta (1-a^2)}{(1+a^2-2a \cos \theta)^2} \dot{\theta}^2 + \frac{a \cos \theta - 1}{(1+a^2-2a \cos \theta)} \ddot{\theta} \right]}{r(1+a^2-2a \cos \theta)^{3/2}}";
-const SUBSTITUTED_CORRECTED: &str = r"N = \frac{I_f \left[\frac{a \sin \theta (1-a^2)}{(1+a^2-2a \cos \theta)^2} \dot{\theta}^2 + \frac{a \cos \theta - 1}{(1+a^2-2a \cos \theta)} \ddot{\theta} \right]}{r(1+a^2-2a \cos \theta)^{1/2}}";
-const NORMAL_FORCE: &str = r"N = \frac{I_f}{r} \left[\frac{a \sin \theta (1-a^2)}{(1+a^2-2a \cos \theta)^{3/2}} \dot{\theta}^2 + \frac{a \cos \theta - 1}{(1+a^2-2a \cos \theta)^{3/2}} \ddot{\theta} \right]";
-const NORMAL_FORCE_CORRECTED: &str = r"N = \frac{I_f}{r} \left[\frac{a \sin \theta (1-a^2)}{(1+a^2-2a \cos \theta)^{5/2}} \dot{\theta}^2 + \frac{a \cos \theta - 1}{(1+a^2-2a \cos \theta)^{3/2}} \ddot{\theta} \right]";
-const FRICTION_SUBSTITUTED: &str = r"\tau_2 = -ar\mu \left| \frac{\sin \theta}{(1+a^2-2a \cos \theta)^{3/2}} \frac{I_f}{r} \left[\frac{a \sin \theta (1-a^2)}{(1+a^2-2a \cos \theta)^{3/2}} \dot{\theta}^2 + \frac{a \cos \theta - 1}{(1+a^2-2a \cos \theta)^{3/2}} \ddot{\theta} \right] \right|";
-const FRICTION_SUBSTITUTED_CORRECTED: &str = r"\tau_2 = -ar\mu \left| \frac{\sin \theta}{(1+a^2-2a \cos \theta)^{1/2}} \frac{I_f}{r} \left[\frac{a \sin \theta (1-a^2)}{(1+a^2-2a \cos \theta)^{5/2}} \dot{\theta}^2 + \frac{a \cos \theta - 1}{(1+a^2-2a \cos \theta)^{3/2}} \ddot{\theta} \right] \right|";
-const FRICTION_OF_MOTION: &str = r"\tau_2 = -a\mu I_f \left| \frac{a \sin^2 \theta (1-a^2)}{(1+a^2-2a \cos \theta)^3} \dot{\theta}^2 + \frac{\sin \theta (a \cos \theta - 1)}{(1+a^2-2a \cos \theta)^2} \ddot{\theta} \right|";
+const SUBSTITUTED: &str = concat!(
+    r"N = \frac{I_f \left[\frac{a \sin \theta (1-a^2)}{(1+a^2-2a \cos \theta)^2} ",
+    r"\dot{\theta}^2 + \frac{a \cos \theta - 1}{(1+a^2-2a \cos \theta)} \ddot{\theta} ",
+    r"\right]}{r(1+a^2-2a \cos \theta)^{3/2}}"
+);
+const SUBSTITUTED_CORRECTED: &str = concat!(
+    r"N = \frac{I_f \left[\frac{a \sin \theta (1-a^2)}{(1+a^2-2a \cos \theta)^2} ",
+    r"\dot{\theta}^2 + \frac{a \cos \theta - 1}{(1+a^2-2a \cos \theta)} \ddot{\theta} ",
+    r"\right]}{r(1+a^2-2a \cos \theta)^{1/2}}"
+);
+const NORMAL_FORCE: &str = concat!(
+    r"N = \frac{I_f}{r} \left[\frac{a \sin \theta (1-a^2)}{(1+a^2-2a \cos \theta)^{3/2}} ",
+    r"\dot{\theta}^2 + \frac{a \cos \theta - 1}{(1+a^2-2a \cos \theta)^{3/2}} ",
+    r"\ddot{\theta} \right]"
+);
+const NORMAL_FORCE_CORRECTED: &str = concat!(
+    r"N = \frac{I_f}{r} \left[\frac{a \sin \theta (1-a^2)}{(1+a^2-2a \cos \theta)^{5/2}} ",
+    r"\dot{\theta}^2 + \frac{a \cos \theta - 1}{(1+a^2-2a \cos \theta)^{3/2}} ",
+    r"\ddot{\theta} \right]"
+);
+const FRICTION_SUBSTITUTED: &str = concat!(
+    r"\tau_2 = -ar\mu \left| \frac{\sin \theta}{(1+a^2-2a \cos \theta)^{3/2}} ",
+    r"\frac{I_f}{r} \left[\frac{a \sin \theta (1-a^2)}{(1+a^2-2a \cos \theta)^{3/2}} ",
+    r"\dot{\theta}^2 + \frac{a \cos \theta - 1}{(1+a^2-2a \cos \theta)^{3/2}} ",
+    r"\ddot{\theta} \right] \right|"
+);
+const FRICTION_SUBSTITUTED_CORRECTED: &str = concat!(
+    r"\tau_2 = -ar\mu \left| \frac{\sin \theta}{(1+a^2-2a \cos \theta)^{1/2}} ",
+    r"\frac{I_f}{r} \left[\frac{a \sin \theta (1-a^2)}{(1+a^2-2a \cos \theta)^{5/2}} ",
+    r"\dot{\theta}^2 + \frac{a \cos \theta - 1}{(1+a^2-2a \cos \theta)^{3/2}} ",
+    r"\ddot{\theta} \right] \right|"
+);
+const FRICTION_OF_MOTION: &str = concat!(
+    r"\tau_2 = -a\mu I_f \left| \frac{a \sin^2 \theta (1-a^2)}{(1+a^2-2a \cos \theta)^3} ",
+    r"\dot{\theta}^2 + \frac{\sin \theta (a \cos \theta - 1)}{(1+a^2-2a \cos \theta)^2} ",
+    r"\ddot{\theta} \right|"
+);
 
 pub fn claims() -> Vec<Claim> {
     [torque(), normal_force(), substituted(), spring()].concat()
@@ -28,136 +58,126 @@ pub fn claims() -> Vec<Claim> {
 fn torque() -> Vec<Claim> {
     vec![
         lost_drawing("meyer.fig-6", "Fig. 6", "the moment arm of the friction about the driver's axis", "Figure 6"),
-        instants::display_read_by(
-            as_size,
-            ("meyer.friction-torque", "1st display after Fig. 6"),
-            "size of the torque of friction: its moment arm c sin φ is how far the pin slides per radian",
-            r"\tau_2 = h\mu N = c \sin \phi \mu N",
-            || prove(&FrictionTorque { line: FrictionLine::Arm, contact: Sign::Plus }).into(),
-            || reads("meyer.friction-torque"),
-        ),
+        at("1st display after Fig. 6")
+            .equation(
+                "meyer.friction-torque",
+                r"\tau_2 = h\mu N = c \sin \phi \mu N",
+                "size of the torque of friction: its moment arm c sin φ is how far the pin slides per radian",
+            )
+            .proven(FrictionTorque { line: FrictionLine::Arm, contact: Sign::Plus })
+            .read(ClosedForm, as_size),
         opposing("meyer.friction-opposes-again", "Sentence after τ_2 = hμN", "must always oppose the driving torque"),
-        display(
-            "meyer.friction-torque.opposing",
-            "2nd display after Fig. 6",
-            "the same with its sign",
-            r"\tau_2 = -|c \sin \phi \mu N| = -\mu c |N \sin \phi|",
-            || both(&friction(FrictionLine::Opposing), friction(FrictionLine::Outside)),
-            || reads("meyer.friction-torque.opposing"),
-        ),
-        display(
-            "meyer.friction-torque.by-ratio",
-            "3rd display after Fig. 6",
-            "the same with c = a r",
-            r"\tau_2 = -ar\mu |N \sin \phi|",
-            || friction(FrictionLine::CrankRadii),
-            || reads("meyer.friction-torque.by-ratio"),
-        ),
-        display(
-            "meyer.eq-1-11",
-            "Eq. (1-11)",
-            "sine of the follower's angle",
-            r"\sin \phi = \frac{\sin \theta}{(1 + a^2 - 2a \cos \theta)^{1/2}}",
-            || prove(&SineOfFollower).into(),
-            || reads("meyer.eq-1-11"),
-        ),
-        display(
-            "meyer.eq-1-12",
-            "Eq. (1-12)",
-            "torque of friction with the driver's angle alone",
-            r"\tau_2 = -ar\mu \left| \frac{N \sin \theta}{(1 + a^2 - 2a \cos \theta)^{1/2}} \right|",
-            || friction(FrictionLine::Root),
-            || reads("meyer.eq-1-12"),
-        ),
+        at("2nd display after Fig. 6")
+            .equation(
+                "meyer.friction-torque.opposing",
+                r"\tau_2 = -|c \sin \phi \mu N| = -\mu c |N \sin \phi|",
+                "the same with its sign",
+            )
+            .by(ExactIdentity, || both(&friction(FrictionLine::Opposing), friction(FrictionLine::Outside)))
+            .read(ClosedForm, holds),
+        at("3rd display after Fig. 6")
+            .equation("meyer.friction-torque.by-ratio", r"\tau_2 = -ar\mu |N \sin \phi|", "the same with c = a r")
+            .by(ExactIdentity, || friction(FrictionLine::CrankRadii))
+            .read(ClosedForm, holds),
+        at("Eq. (1-11)")
+            .equation(
+                "meyer.eq-1-11",
+                r"\sin \phi = \frac{\sin \theta}{(1 + a^2 - 2a \cos \theta)^{1/2}}",
+                "sine of the follower's angle",
+            )
+            .proven(SineOfFollower)
+            .read(ClosedForm, holds),
+        at("Eq. (1-12)")
+            .equation(
+                "meyer.eq-1-12",
+                r"\tau_2 = -ar\mu \left| \frac{N \sin \theta}{(1 + a^2 - 2a \cos \theta)^{1/2}} \right|",
+                "torque of friction with the driver's angle alone",
+            )
+            .by(ExactIdentity, || friction(FrictionLine::Root))
+            .read(ClosedForm, holds),
     ]
 }
 
 fn normal_force() -> Vec<Claim> {
     vec![
         lost_drawing("meyer.fig-7", "Fig. 7", "the forces on the follower", "Figure 7"),
-        slip(
-            "meyer.moments",
-            "Display after Fig. 7",
-            "moments on the follower about its axis; friction along the slot has none",
-            r"NR = I_P \ddot{\theta}",
-            [|| prove(&MomentEquation(Form::Printed)).into(), || prove(&MomentEquation(Form::Corrected)).into()],
-            || reads("meyer.moments"),
-            Erratum { corrected: r"NR = I_f \ddot{\phi}", slip: PHI_AS_THETA },
-        ),
-        display(
-            "meyer.slot-radius.by-sines",
-            "1st display of R after Fig. 7",
-            "distance of the pin from the follower's axis, by the law of sines",
-            r"R = \frac{r \sin \theta}{\sin \phi} = \frac{r \sin \theta}{(\sin \theta) / (1 + a^2 - 2a \cos \theta)^{1/2}}",
-            || prove(&SlotRadiusBySines).into(),
-            || reads("meyer.slot-radius.by-sines"),
-        ),
-        display(
-            "meyer.slot-radius",
-            "2nd display of R after Fig. 7",
-            "the same, which holds on the line of centres too",
-            r"R = r(1 + a^2 - 2a \cos \theta)^{1/2}",
-            || prove(&SlotRadius).into(),
-            || reads("meyer.slot-radius"),
-        ),
-        slip(
-            "meyer.normal-force",
-            "1st display of N before Eq. (1-13)",
-            "normal force from the moments on the follower",
-            r"N = \frac{I_P \ddot{\theta}}{R}",
-            [|| prove(&ForceFromMoment(Form::Printed)).into(), || prove(&ForceFromMoment(Form::Corrected)).into()],
-            || reads("meyer.normal-force"),
-            Erratum { corrected: r"N = \frac{I_f \ddot{\phi}}{R}", slip: PHI_AS_THETA },
-        ),
-        slip(
-            "meyer.normal-force.substituted",
-            "2nd display of N before Eq. (1-13)",
-            "the same with Eq. (1-8) and R put in",
-            SUBSTITUTED,
-            [
-                || prove(&ForceSubstituted::of(Form::Printed)).into(),
-                || prove(&ForceSubstituted::of(Form::Corrected)).into(),
-            ],
-            || reads("meyer.normal-force.substituted"),
-            Erratum { corrected: SUBSTITUTED_CORRECTED, slip: HALF_POWERS },
-        ),
-        slip(
-            "meyer.eq-1-13",
-            "Eq. (1-13)",
-            "the same with R drawn into the brackets",
-            NORMAL_FORCE,
-            [|| prove(&NormalForce::of(Form::Printed)).into(), || prove(&NormalForce::of(Form::Corrected)).into()],
-            || reads("meyer.eq-1-13"),
-            Erratum { corrected: NORMAL_FORCE_CORRECTED, slip: HALF_POWERS },
-        ),
+        at("Display after Fig. 7")
+            .equation(
+                "meyer.moments",
+                r"NR = I_P \ddot{\theta}",
+                "moments on the follower about its axis; friction along the slot has none",
+            )
+            .proven(MomentEquation(Form::Printed))
+            .corrected_form(|| prove(&MomentEquation(Form::Corrected)).into())
+            .read(ClosedForm, holds)
+            .corrected(r"NR = I_f \ddot{\phi}", PHI_AS_THETA),
+        at("1st display of R after Fig. 7")
+            .equation(
+                "meyer.slot-radius.by-sines",
+                concat!(
+                    r"R = \frac{r \sin \theta}{\sin \phi} = \frac{r \sin \theta}{(\sin \theta) / (1 + ",
+                    r"a^2 - 2a \cos \theta)^{1/2}}"
+                ),
+                "distance of the pin from the follower's axis, by the law of sines",
+            )
+            .proven(SlotRadiusBySines)
+            .read(ClosedForm, holds),
+        at("2nd display of R after Fig. 7")
+            .equation(
+                "meyer.slot-radius",
+                r"R = r(1 + a^2 - 2a \cos \theta)^{1/2}",
+                "the same, which holds on the line of centres too",
+            )
+            .proven(SlotRadius)
+            .read(ClosedForm, holds),
+        at("1st display of N before Eq. (1-13)")
+            .equation(
+                "meyer.normal-force",
+                r"N = \frac{I_P \ddot{\theta}}{R}",
+                "normal force from the moments on the follower",
+            )
+            .proven(ForceFromMoment(Form::Printed))
+            .corrected_form(|| prove(&ForceFromMoment(Form::Corrected)).into())
+            .read(ClosedForm, holds)
+            .corrected(r"N = \frac{I_f \ddot{\phi}}{R}", PHI_AS_THETA),
+        at("2nd display of N before Eq. (1-13)")
+            .equation("meyer.normal-force.substituted", SUBSTITUTED, "the same with Eq. (1-8) and R put in")
+            .proven(ForceSubstituted::of(Form::Printed))
+            .corrected_form(|| prove(&ForceSubstituted::of(Form::Corrected)).into())
+            .read(ClosedForm, holds)
+            .corrected(SUBSTITUTED_CORRECTED, HALF_POWERS),
+        at("Eq. (1-13)")
+            .equation("meyer.eq-1-13", NORMAL_FORCE, "the same with R drawn into the brackets")
+            .proven(NormalForce::of(Form::Printed))
+            .corrected_form(|| prove(&NormalForce::of(Form::Corrected)).into())
+            .read(ClosedForm, holds)
+            .corrected(NORMAL_FORCE_CORRECTED, HALF_POWERS),
     ]
 }
 
 fn substituted() -> Vec<Claim> {
     vec![
-        slip(
-            "meyer.friction-torque.substituted",
-            "Display before Eq. (1-14)",
-            "torque of friction with the normal force put in",
-            FRICTION_SUBSTITUTED,
-            [|| friction_substituted(Form::Printed), || friction_substituted(Form::Corrected)],
-            || reads("meyer.friction-torque.substituted"),
-            Erratum { corrected: FRICTION_SUBSTITUTED_CORRECTED, slip: HALF_POWERS },
-        ),
-        display(
-            "meyer.eq-1-14",
-            "Eq. (1-14)",
-            "torque of friction from the motion of the driver alone",
-            FRICTION_OF_MOTION,
-            || all_proven(&Sign::BOTH.map(|contact| FrictionOfMotion { contact })),
-            || reads("meyer.eq-1-14"),
-        ),
-        stated(
-            ("meyer.outside-the-bars", "Line after Eq. (1-14)"),
-            "r and the follower's inertia are positive and may stand outside the bars",
-            "always positive",
-            "the normal force is always positive too, and may stand outside them",
-            (Vectors, |stated| {
+        at("Display before Eq. (1-14)")
+            .equation(
+                "meyer.friction-torque.substituted",
+                FRICTION_SUBSTITUTED,
+                "torque of friction with the normal force put in",
+            )
+            .by(ExactIdentity, || friction_substituted(Form::Printed))
+            .corrected_form(|| friction_substituted(Form::Corrected))
+            .read(ClosedForm, holds)
+            .corrected(FRICTION_SUBSTITUTED_CORRECTED, HALF_POWERS),
+        at("Eq. (1-14)")
+            .equation("meyer.eq-1-14", FRICTION_OF_MOTION, "torque of friction from the motion of the driver alone")
+            .by(ExactIdentity, || all_proven(&Sign::BOTH.map(|contact| FrictionOfMotion { contact })))
+            .read(ClosedForm, holds),
+        at("Line after Eq. (1-14)")
+            .statement(
+                "meyer.outside-the-bars",
+                "always positive",
+                "r and the follower's inertia are positive and may stand outside the bars",
+            )
+            .by(Vectors, |stated| {
                 equal(
                     |letter| {
                         let factor = letter("r") * letter("I_f") * stated.pick(1.0, letter("N"));
@@ -165,8 +185,8 @@ fn substituted() -> Vec<Claim> {
                     },
                     "bars around all, and around what is left of them",
                 )
-            }),
-            (ClosedForm, |stated| {
+            })
+            .by(ClosedForm, |stated| {
                 // Follower inertia, and the normal force by the equation of motion.
                 let sizes = |parameters: Parameters, angle: f64, speed: f64| {
                     let gain = parameters.acceleration(angle, speed).map_or(f64::NAN, |found| found.value);
@@ -189,32 +209,24 @@ fn substituted() -> Vec<Claim> {
                     holds,
                     "what stands between the bars by the equation of motion, at 18 angles and three speeds",
                 )
-            }),
-        ),
+            })
+            .but_not("the normal force is always positive too, and may stand outside them"),
     ]
 }
 
 fn spring() -> Vec<Claim> {
     vec![
-        Claim::equation(
-            WORK,
-            "meyer.eq-1-15",
-            "Eq. (1-15)",
-            "the driving torque is constant",
-            r"\tau_1 = K",
-            Check::equation(
-                (Evidence::Integration, || {
-                    let holds =
-                        frictionless().all(|(of, advance)| agrees_in_steps(energy_gained(&of), of.drive() * advance));
-                    Finding::new(holds, "the energy gained over an engagement without friction is K times its angle")
-                }),
-                (Vectors, || reads("meyer.eq-1-15")),
-            )
-            .read_by(instants::holds),
-        ),
+        at("Eq. (1-15)")
+            .equation("meyer.eq-1-15", r"\tau_1 = K", "the driving torque is constant")
+            .by(Evidence::Integration, || {
+                let holds =
+                    frictionless().all(|(of, advance)| agrees_in_steps(energy_gained(&of), of.drive() * advance));
+                Finding::new(holds, "the energy gained over an engagement without friction is K times its angle")
+            })
+            .read(Vectors, holds),
         no_rate(
             "meyer.spring-rate",
-            "Line after Eq. (1-15)",
+            at("Line after Eq. (1-15)"),
             "what K is called",
             "torsional spring rate in inch-pounds per radian",
             "torque of the spring in inch-pounds",
@@ -267,7 +279,7 @@ fn as_size(tex: &str) -> Option<bool> {
 /// A drawing of which the copy has the caption only.
 fn lost_drawing(id: &'static str, locator: &'static str, meaning: &'static str, printed: &'static str) -> Claim {
     let reason = "The drawing is not in the copy. What the text reads off it are claims of their own";
-    Claim::figure(WORK, id, locator, meaning, printed, Check::Missing { reason }).expecting(Verdict::NotReproducible)
+    at(locator).figure(id, printed, meaning).missing(reason)
 }
 
 fn friction_substituted(form: Form) -> Finding {

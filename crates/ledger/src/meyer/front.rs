@@ -3,62 +3,58 @@
 use super::hand_over::Drawn;
 use super::*;
 
-const CONTENTS: &str = "Table of contents";
-const FIGURES: &str = "List of figures";
+const CONTENTS: Place = at("Table of contents");
+const FIGURES: Place = at("List of figures");
 
 /// Page of each part, without its name.
-const PAGES_OF_PARTS: &str =
-    r"1 \ldots 4 \ldots 15 \ldots 22 \ldots 23 \ldots 24 \ldots 28 \ldots 33 \ldots 34 \ldots 35 \ldots 38 \ldots 39";
+const PAGES_OF_PARTS: &str = concat!(
+    r"1 \ldots 4 \ldots 15 \ldots 22 \ldots 23 \ldots 24 \ldots 28 \ldots 33 \ldots 34 ",
+    r"\ldots 35 \ldots 38 \ldots 39"
+);
 /// Number and page of each figure, without its name.
-const FIGURES_AND_PAGES: &str = r"1, 2 \ldots 2, 3 \ldots 3, 4 \ldots 4, 5 \ldots 5, 6 \ldots 6, 9 \ldots 7, 10 \ldots 8, 16 \ldots 9, 18 \ldots 10, 19 \ldots 11, 20 \ldots 12, 25 \ldots 13, 26 \ldots 14, 27 \ldots 15, 33";
+const FIGURES_AND_PAGES: &str = concat!(
+    r"1, 2 \ldots 2, 3 \ldots 3, 4 \ldots 4, 5 \ldots 5, 6 \ldots 6, 9 \ldots 7, 10 ",
+    r"\ldots 8, 16 \ldots 9, 18 \ldots 10, 19 \ldots 11, 20 \ldots 12, 25 \ldots 13, 26 ",
+    r"\ldots 14, 27 \ldots 15, 33"
+);
 pub fn claims() -> Vec<Claim> {
     [tables(), mechanisms(), drawings()].concat()
 }
 
 fn tables() -> Vec<Claim> {
     vec![
-        Claim::statement(
-            WORK,
-            "meyer.contents",
-            CONTENTS,
-            "pages of the twelve parts, from the introduction to the author's life, in order",
-            PAGES_OF_PARTS,
-            Check::statement(
-                "the pages of chapter II and of the conclusions exchanged",
-                (LimitCase, |stated| {
-                    let pages = parts(stated.pick(SAME, EXCHANGED_PARTS));
-                    Finding::new(
-                        pages.len() == 12 && pages.is_sorted_by(|a, b| a < b),
-                        format!("twelve parts, each on a later page than the one before? {pages:?}"),
-                    )
-                }),
-                (OtherPlaceInSource, |stated| {
-                    stand_in_their_parts(&parts(stated.pick(SAME, EXCHANGED_PARTS)), &figures_and_pages())
-                }),
-            ),
-        )
-        .read_as("What can be checked without the pages: they rise, and agree with those of the figures."),
-        Claim::figure(
-            WORK,
-            "meyer.list-of-figures",
-            FIGURES,
-            "numbers and pages of the fifteen figures",
-            FIGURES_AND_PAGES,
-            Check::statement(
-                "the pages of figures 7 and 8 exchanged",
-                (LimitCase, |stated| {
-                    let figures = listed(stated.pick(SAME, EXCHANGED_FIGURES));
-                    let counted = figures.iter().map(|(figure, _)| *figure).eq(1..=15);
-                    Finding::new(
-                        counted && figures.is_sorted_by(|a, b| a.1 < b.1),
-                        format!("counted without a gap, each on a later page? {figures:?}"),
-                    )
-                }),
-                (OtherPlaceInSource, |stated| {
-                    stand_in_their_parts(&numbers("meyer.contents"), &listed(stated.pick(SAME, EXCHANGED_FIGURES)))
-                }),
-            ),
-        ),
+        CONTENTS
+            .statement(
+                "meyer.contents",
+                PAGES_OF_PARTS,
+                "pages of the twelve parts, from the introduction to the author's life, in order",
+            )
+            .by(LimitCase, |stated| {
+                let pages = parts(stated.pick(SAME, EXCHANGED_PARTS));
+                Finding::new(
+                    pages.len() == 12 && pages.is_sorted_by(|a, b| a < b),
+                    format!("twelve parts, each on a later page than the one before? {pages:?}"),
+                )
+            })
+            .by(OtherPlaceInSource, |stated| {
+                stand_in_their_parts(&parts(stated.pick(SAME, EXCHANGED_PARTS)), &figures_and_pages())
+            })
+            .but_not("the pages of chapter II and of the conclusions exchanged")
+            .read_as("What can be checked without the pages: they rise, and agree with those of the figures."),
+        FIGURES
+            .figure("meyer.list-of-figures", FIGURES_AND_PAGES, "numbers and pages of the fifteen figures")
+            .by(LimitCase, |stated| {
+                let figures = listed(stated.pick(SAME, EXCHANGED_FIGURES));
+                let counted = figures.iter().map(|(figure, _)| *figure).eq(1..=15);
+                Finding::new(
+                    counted && figures.is_sorted_by(|a, b| a.1 < b.1),
+                    format!("counted without a gap, each on a later page? {figures:?}"),
+                )
+            })
+            .by(OtherPlaceInSource, |stated| {
+                stand_in_their_parts(&numbers("meyer.contents"), &listed(stated.pick(SAME, EXCHANGED_FIGURES)))
+            })
+            .but_not("the pages of figures 7 and 8 exchanged"),
     ]
 }
 
@@ -88,8 +84,7 @@ fn listed((one, other): (usize, usize)) -> Vec<(u32, u32)> {
 fn mechanisms() -> Vec<Claim> {
     let combination =
         |id, locator, meaning, printed, neighbour, table: fn(Stated) -> Finding, drawn: fn(Stated) -> _| {
-            let check = Check::statement(neighbour, (OtherPlaceInSource, table), (Vectors, drawn));
-            Claim::figure(WORK, id, locator, meaning, printed, check)
+            at(locator).figure(id, printed, meaning).by(OtherPlaceInSource, table).by(Vectors, drawn).but_not(neighbour)
         };
     vec![
         combination(
@@ -124,26 +119,12 @@ fn mechanisms() -> Vec<Claim> {
 
 fn drawings() -> Vec<Claim> {
     vec![
-        Claim::figure(
-            WORK,
-            "meyer.fig-1",
-            "Fig. 1",
-            "the escapement that is to be replaced",
-            "RUNAWAY ESCAPEMENT",
-            Check::Missing { reason: "The drawing is not in the copy, and nothing is computed from it" },
-        )
-        .expecting(Verdict::NotReproducible),
-        Claim::figure(
-            WORK,
-            "meyer.fig-2",
-            "Fig. 2",
-            "scale of the drawing of the four-pin mechanism",
-            "SCALE: 2 1/2 to 1",
-            Check::Missing {
-                reason: "The drawing is not in the copy, so that there is no length to hold a rule against",
-            },
-        )
-        .expecting(Verdict::NotReproducible),
+        at("Fig. 1")
+            .figure("meyer.fig-1", "RUNAWAY ESCAPEMENT", "the escapement that is to be replaced")
+            .missing("The drawing is not in the copy, and nothing is computed from it"),
+        at("Fig. 2")
+            .figure("meyer.fig-2", "SCALE: 2 1/2 to 1", "scale of the drawing of the four-pin mechanism")
+            .missing("The drawing is not in the copy, so that there is no length to hold a rule against"),
     ]
 }
 
@@ -173,32 +154,25 @@ fn stand_in_their_parts(pages: &[u32], figures: &[(u32, u32)]) -> Finding {
 /// The claim on the page where the average terminal velocity is defined. The figures before and after it fill a page
 /// each.
 pub fn page_of_definition() -> Claim {
-    Claim::statement(
-        WORK,
-        "meyer.page-of-definition",
-        "Recommendation 7",
-        "page of the definition of the average terminal velocity",
-        "page 17",
-        Check::statement(
-            "the page after",
-            (OtherPlaceInSource, |stated| {
-                let page = |figure: u32| figures_and_pages().iter().find(|row| row.0 == figure).map(|row| row.1);
-                let [before, after] = [page(8), page(9)].map(Option::unwrap_or_default);
-                let said = said_page(stated);
-                Finding::new(
-                    (before + 1..after).contains(&said),
-                    format!("Fig. 8 is on page {before}, Fig. 9 on page {after}; said is {said}"),
-                )
-            }),
-            (LimitCase, |stated| {
-                let (pages, before) = (pages_of_text(), figures_before("meyer.fig-8.rise").unwrap_or(usize::MAX));
-                Finding::new(
-                    pages.get(before) == Some(&said_page(stated)),
-                    format!("text is on the pages {pages:?} of chapter II; figures before the definition: {before}"),
-                )
-            }),
-        ),
-    )
+    at("Recommendation 7")
+        .statement("meyer.page-of-definition", "page 17", "page of the definition of the average terminal velocity")
+        .by(OtherPlaceInSource, |stated| {
+            let page = |figure: u32| figures_and_pages().iter().find(|row| row.0 == figure).map(|row| row.1);
+            let [before, after] = [page(8), page(9)].map(Option::unwrap_or_default);
+            let said = said_page(stated);
+            Finding::new(
+                (before + 1..after).contains(&said),
+                format!("Fig. 8 is on page {before}, Fig. 9 on page {after}; said is {said}"),
+            )
+        })
+        .by(LimitCase, |stated| {
+            let (pages, before) = (pages_of_text(), figures_before("meyer.fig-8.rise").unwrap_or(usize::MAX));
+            Finding::new(
+                pages.get(before) == Some(&said_page(stated)),
+                format!("text is on the pages {pages:?} of chapter II; figures before the definition: {before}"),
+            )
+        })
+        .but_not("the page after")
 }
 
 /// The page that is said, or the next.

@@ -5,9 +5,9 @@ use super::*;
 use geneva_kinematics::escapement::entry_proofs::{EntryTriangle, HalfAngle};
 use geneva_kinematics::pin_slot::{PinSlot, pin_from_pivot};
 
-const USUAL: &str = "Chapter I, 1st paragraph";
-const CONDITION: &str = "Chapter I, 2nd paragraph";
-pub const INSTANT: &str = "Chapter I, paragraph between Figs. 3 and 4";
+const USUAL: Place = at("Chapter I, 1st paragraph");
+const CONDITION: Place = at("Chapter I, 2nd paragraph");
+pub const INSTANT: Place = at("Chapter I, paragraph between Figs. 3 and 4");
 
 pub fn claims() -> Vec<Claim> {
     [conditions(), triangle()].concat()
@@ -15,233 +15,183 @@ pub fn claims() -> Vec<Claim> {
 
 fn conditions() -> Vec<Claim> {
     vec![
-        Claim::statement(
-            WORK,
-            "meyer.indexing",
-            USUAL,
-            "a turn of a driver with one pin moves the follower on by one slot of n",
-            "1/n",
-            Check::statement(
-                "two slots of n",
-                (LimitCase, |stated| {
-                    moved_on(stated, moved_by_a_turn, "a turn of the driver moves the follower on by as many slots")
-                }),
-                (Vectors, |stated| {
-                    moved_on(
-                        stated,
-                        |wheel| 2.0 * angle_at_exit(wheel),
-                        "from entry to exit the pin's direction turns so far",
-                    )
-                }),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "meyer.intermittent",
-            CONDITION,
-            "with one pin the follower moves by fits and starts",
-            "intermittent",
-            Check::statement(
-                "with the pins of the escapement it does so too",
-                (ClosedForm, |stated| {
-                    let dwells = stated.pick(single(), complete(0)).into_iter().map(|(pins, slots)| dwell(pins, slots));
-                    every(dwells, |dwell| dwell > 0.0, "part of the driver's turn that is dwell")
-                }),
-                (Vectors, |stated| {
-                    let fewest = stated.pick(single(), complete(0)).into_iter().map(|pair| fewest_engaged(pair) as f64);
-                    every(fewest, |pins| pins == 0.0, "fewest pins within the rim over a turn")
-                }),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "meyer.always-engaged",
-            CONDITION,
-            "as an escapement it needs a pin engaged at every instant",
-            "at least one pin",
-            Check::statement(
-                "with a pin fewer one is engaged at every instant too",
-                (ClosedForm, |stated| {
-                    let dwells = complete(stated.pick(0, 1)).into_iter().map(|(pins, slots)| dwell(pins, slots));
-                    every(dwells, |dwell| dwell == 0.0, "part of the driver's turn that is dwell")
-                }),
-                (Vectors, |stated| {
-                    let fewest = complete(stated.pick(0, 1)).into_iter().map(|pair| fewest_engaged(pair) as f64);
-                    every(fewest, |pins| pins >= 1.0, "fewest pins within the rim over a turn")
-                }),
-            ),
-        ),
-        Claim::figure(
-            WORK,
-            "meyer.fig-3",
-            "Fig. 3, caption",
-            "the mechanism has four pins and four slots, which belong together; the drawing is not in the copy",
-            "four pin, four slot",
-            Check::statement(
-                "four pins and five slots",
-                (OtherPlaceInSource, |stated| {
-                    let asked = (4, stated.pick(4, 5));
-                    let table = combinations::TABLE.map(|(slots, pins)| (printed(pins) as u32, printed(slots) as u32));
-                    Finding::new(table.contains(&asked), format!("{asked:?} in the table of pins and slots, {table:?}"))
-                }),
-                (Vectors, |stated| {
-                    // As the text below Fig. 4 says of the drawing: crank and slot at right angles.
-                    let drawn = Drawn::new(4, stated.pick(4, 5));
-                    let along = drawn.place(drawn.half()).dot(&Drawn::crank(drawn.half()));
-                    Finding::new(vanishes(along), format!("the product of the two sides at the pin is {along:.3}"))
-                }),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "meyer.hand-over",
-            INSTANT,
-            "as one pin leaves its slot the next enters one",
-            "must be entering",
-            Check::statement(
-                "with a pin more or fewer the next enters at that instant too",
-                (ClosedForm, |stated| {
-                    let angles = neighbours(stated).into_iter().map(|(pins, slots)| {
-                        let ratio = 1.0 / libm::sin(PI / f64::from(slots));
-                        let engaged = PinSlot::new(1.0, ratio).map_or(f64::NAN, |at| 2.0 * at.engagement_half_angle());
-                        engaged * f64::from(pins) / (2.0 * PI)
-                    });
-                    every(angles, |pitches| agrees(pitches, 1.0), "turn of an engagement over that between two pins")
-                }),
-                (Vectors, |stated| {
-                    let ahead = neighbours(stated).into_iter().map(|(pins, slots)| {
-                        // The leaving pin is where its circle touches the slot's centre line.
-                        let drawn = Drawn { pins, slots, axis: 1.0 / libm::sin(PI / f64::from(slots)) };
-                        let leaving = libm::atan2(drawn.tangent(), 1.0);
-                        let next = drawn.place(leaving - 2.0 * drawn.half());
-                        next.norm() - drawn.tangent()
-                    });
-                    every(ahead, vanishes, "how far the next pin is outside the rim as one leaves")
-                }),
-            ),
-        ),
+        USUAL
+            .statement(
+                "meyer.indexing",
+                "1/n",
+                "a turn of a driver with one pin moves the follower on by one slot of n",
+            )
+            .by(LimitCase, |stated| {
+                moved_on(stated, moved_by_a_turn, "a turn of the driver moves the follower on by as many slots")
+            })
+            .by(Vectors, |stated| {
+                moved_on(
+                    stated,
+                    |wheel| 2.0 * angle_at_exit(wheel),
+                    "from entry to exit the pin's direction turns so far",
+                )
+            })
+            .but_not("two slots of n"),
+        CONDITION
+            .statement("meyer.intermittent", "intermittent", "with one pin the follower moves by fits and starts")
+            .by(ClosedForm, |stated| {
+                let dwells = stated.pick(single(), complete(0)).into_iter().map(|(pins, slots)| dwell(pins, slots));
+                every(dwells, |dwell| dwell > 0.0, "part of the driver's turn that is dwell")
+            })
+            .by(Vectors, |stated| {
+                let fewest = stated.pick(single(), complete(0)).into_iter().map(|pair| fewest_engaged(pair) as f64);
+                every(fewest, |pins| pins == 0.0, "fewest pins within the rim over a turn")
+            })
+            .but_not("with the pins of the escapement it does so too"),
+        CONDITION
+            .statement(
+                "meyer.always-engaged",
+                "at least one pin",
+                "as an escapement it needs a pin engaged at every instant",
+            )
+            .by(ClosedForm, |stated| {
+                let dwells = complete(stated.pick(0, 1)).into_iter().map(|(pins, slots)| dwell(pins, slots));
+                every(dwells, |dwell| dwell == 0.0, "part of the driver's turn that is dwell")
+            })
+            .by(Vectors, |stated| {
+                let fewest = complete(stated.pick(0, 1)).into_iter().map(|pair| fewest_engaged(pair) as f64);
+                every(fewest, |pins| pins >= 1.0, "fewest pins within the rim over a turn")
+            })
+            .but_not("with a pin fewer one is engaged at every instant too"),
+        at("Fig. 3, caption")
+            .figure(
+                "meyer.fig-3",
+                "four pin, four slot",
+                "the mechanism has four pins and four slots, which belong together; the drawing is not in the copy",
+            )
+            .by(OtherPlaceInSource, |stated| {
+                let asked = (4, stated.pick(4, 5));
+                let table = combinations::TABLE.map(|(slots, pins)| (printed(pins) as u32, printed(slots) as u32));
+                Finding::new(table.contains(&asked), format!("{asked:?} in the table of pins and slots, {table:?}"))
+            })
+            .by(Vectors, |stated| {
+                // As the text below Fig. 4 says of the drawing: crank and slot at right angles.
+                let drawn = Drawn::new(4, stated.pick(4, 5));
+                let along = drawn.place(drawn.half()).dot(&Drawn::crank(drawn.half()));
+                Finding::new(vanishes(along), format!("the product of the two sides at the pin is {along:.3}"))
+            })
+            .but_not("four pins and five slots"),
+        INSTANT
+            .statement("meyer.hand-over", "must be entering", "as one pin leaves its slot the next enters one")
+            .by(ClosedForm, |stated| {
+                let angles = neighbours(stated).into_iter().map(|(pins, slots)| {
+                    let ratio = 1.0 / libm::sin(PI / f64::from(slots));
+                    let engaged = PinSlot::new(1.0, ratio).map_or(f64::NAN, |at| 2.0 * at.engagement_half_angle());
+                    engaged * f64::from(pins) / (2.0 * PI)
+                });
+                every(angles, |pitches| agrees(pitches, 1.0), "turn of an engagement over that between two pins")
+            })
+            .by(Vectors, |stated| {
+                let ahead = neighbours(stated).into_iter().map(|(pins, slots)| {
+                    // The leaving pin is where its circle touches the slot's centre line.
+                    let drawn = Drawn { pins, slots, axis: 1.0 / libm::sin(PI / f64::from(slots)) };
+                    let leaving = libm::atan2(drawn.tangent(), 1.0);
+                    let next = drawn.place(leaving - 2.0 * drawn.half());
+                    next.norm() - drawn.tangent()
+                });
+                every(ahead, vanishes, "how far the next pin is outside the rim as one leaves")
+            })
+            .but_not("with a pin more or fewer the next enters at that instant too"),
         hand_over::along_the_slot(),
     ]
 }
 
 fn triangle() -> Vec<Claim> {
     vec![
-        Claim::equation(
-            WORK,
-            "meyer.phi-0",
-            "1st display before Eq. (1-1)",
-            "follower's angle at the hand-over: half of that between two slots",
-            r"\phi = \phi_0 = \frac{1}{2} \left(\frac{2\pi}{n} \right) = \frac{\pi}{n}",
-            Check::equation(
-                (ExactIdentity, || all_proven(&[HalfAngle::Halved, HalfAngle::Simplified])),
-                (Vectors, || {
-                    for_each(
-                        |at| agrees(leaving(at).angle(), PI / f64::from(at.slots())),
-                        "direction of the leaving pin from the follower's axis",
-                    )
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "meyer.theta-0",
-            "2nd display before Eq. (1-1)",
-            "driver's angle at the hand-over, its size: half of that between two pins",
-            r"\theta = \theta_0 = \frac{1}{2} \left(\frac{2\pi}{m} \right) = \frac{\pi}{m}",
-            Check::equation(
-                (ExactIdentity, || all_proven(&[HalfAngle::Halved, HalfAngle::Simplified])),
-                (Vectors, || {
-                    for_each(
-                        |at| vanishes(Seen::new(at, PI / f64::from(at.pins())).turning()),
-                        "the pin carries the follower no further at π/m",
-                    )
-                }),
-            ),
-        ),
-        Claim::figure(
-            WORK,
-            "meyer.right-triangle",
-            "Fig. 4 and the text below it",
-            "at the hand-over crank and slot are at right angles",
-            "large right triangle",
-            Check::statement(
-                "the right angle is at the follower's axis",
-                (ExactIdentity, |stated| {
-                    let at_the_pin: fn(&HandOver) -> bool = |at| is_zero(&sides(at)[0].dot(&sides(at)[1]));
-                    let at_the_axis: fn(&HandOver) -> bool = |at| is_zero(&sides(at)[1].dot(&sides(at)[2]));
-                    exactly(stated.pick(at_the_pin, at_the_axis), "the product of the two sides there is zero")
-                }),
-                (Vectors, |stated| {
-                    // The driver's axis, the pin and the follower's axis; which side is opposite the right angle.
-                    let misfits = Escapement::all().into_iter().map(|at| {
-                        let drawn = Drawn::new(at.pins(), at.slots());
-                        let slot = drawn.place(drawn.half()).norm_squared();
-                        let squares = [1.0, slot, drawn.axis * drawn.axis];
-                        let opposite = stated.pick(2, 0);
-                        squares.iter().sum::<f64>() - 2.0 * squares[opposite]
-                    });
-                    every(misfits, vanishes, "squares of two sides less that of the third")
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "meyer.pin-circle",
-            "3rd display before Eq. (1-1)",
-            "radius of the pins' circle",
-            r"r = c \sin \phi_0 = c \sin \left(\frac{\pi}{n} \right)",
-            Check::equation(
-                (ExactIdentity, || prove(&EntryTriangle::PinCircle).into()),
-                (Vectors, || {
-                    for_each(
-                        |at| {
-                            let layout = at.layout(at.driver_half_angle());
-                            layout.is_ok_and(|layout| {
-                                agrees(
-                                    layout.slots[0].direction.perp(&layout.follower_axis).abs(),
-                                    layout.pins[0].norm(),
-                                )
-                            })
-                        },
-                        "the slot's line passes the driver's axis at the radius of the pins",
-                    )
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "meyer.eq-1-1",
-            "Eq. (1-1)",
-            "centre distance",
-            r"c = a r",
-            Check::equation(
-                (ExactIdentity, || prove(&EntryTriangle::CentreDistance).into()),
-                (Vectors, || {
-                    for_each(
-                        |at| agrees(projected_distance(at), 1.0 / libm::sin(PI / f64::from(at.slots()))),
-                        "crank and slot projected on the line of centres",
-                    )
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "meyer.eq-1-2",
-            "Eq. (1-2)",
-            "centre distance over the radius of the pins' circle",
-            r"a = \frac{1}{\sin(\pi/n)}",
-            Check::equation(
-                (ExactIdentity, || prove(&EntryTriangle::Standstill).into()),
-                (Vectors, || {
-                    for_usual(
-                        |wheel| {
-                            vanishes(exit(wheel).dot(&Turn::from_radians(-wheel.engagement_half_angle()).direction()))
-                        },
-                        "with it slot and crank are at right angles as the pin leaves",
-                    )
-                }),
-            ),
-        ),
+        at("1st display before Eq. (1-1)")
+            .equation(
+                "meyer.phi-0",
+                r"\phi = \phi_0 = \frac{1}{2} \left(\frac{2\pi}{n} \right) = \frac{\pi}{n}",
+                "follower's angle at the hand-over: half of that between two slots",
+            )
+            .by(ExactIdentity, || all_proven(&[HalfAngle::Halved, HalfAngle::Simplified]))
+            .by(Vectors, || {
+                for_each(
+                    |at| agrees(leaving(at).angle(), PI / f64::from(at.slots())),
+                    "direction of the leaving pin from the follower's axis",
+                )
+            }),
+        at("2nd display before Eq. (1-1)")
+            .equation(
+                "meyer.theta-0",
+                r"\theta = \theta_0 = \frac{1}{2} \left(\frac{2\pi}{m} \right) = \frac{\pi}{m}",
+                "driver's angle at the hand-over, its size: half of that between two pins",
+            )
+            .by(ExactIdentity, || all_proven(&[HalfAngle::Halved, HalfAngle::Simplified]))
+            .by(Vectors, || {
+                for_each(
+                    |at| vanishes(Seen::new(at, PI / f64::from(at.pins())).turning()),
+                    "the pin carries the follower no further at π/m",
+                )
+            }),
+        at("Fig. 4 and the text below it")
+            .figure(
+                "meyer.right-triangle",
+                "large right triangle",
+                "at the hand-over crank and slot are at right angles",
+            )
+            .by(ExactIdentity, |stated| {
+                let at_the_pin: fn(&HandOver) -> bool = |at| is_zero(&sides(at)[0].dot(&sides(at)[1]));
+                let at_the_axis: fn(&HandOver) -> bool = |at| is_zero(&sides(at)[1].dot(&sides(at)[2]));
+                exactly(stated.pick(at_the_pin, at_the_axis), "the product of the two sides there is zero")
+            })
+            .by(Vectors, |stated| {
+                // The driver's axis, the pin and the follower's axis; which side is opposite the right angle.
+                let misfits = Escapement::all().into_iter().map(|at| {
+                    let drawn = Drawn::new(at.pins(), at.slots());
+                    let slot = drawn.place(drawn.half()).norm_squared();
+                    let squares = [1.0, slot, drawn.axis * drawn.axis];
+                    let opposite = stated.pick(2, 0);
+                    squares.iter().sum::<f64>() - 2.0 * squares[opposite]
+                });
+                every(misfits, vanishes, "squares of two sides less that of the third")
+            })
+            .but_not("the right angle is at the follower's axis"),
+        at("3rd display before Eq. (1-1)")
+            .equation(
+                "meyer.pin-circle",
+                r"r = c \sin \phi_0 = c \sin \left(\frac{\pi}{n} \right)",
+                "radius of the pins' circle",
+            )
+            .proven(EntryTriangle::PinCircle)
+            .by(Vectors, || {
+                for_each(
+                    |at| {
+                        let layout = at.layout(at.driver_half_angle());
+                        layout.is_ok_and(|layout| {
+                            agrees(layout.slots[0].direction.perp(&layout.follower_axis).abs(), layout.pins[0].norm())
+                        })
+                    },
+                    "the slot's line passes the driver's axis at the radius of the pins",
+                )
+            }),
+        at("Eq. (1-1)")
+            .equation("meyer.eq-1-1", r"c = a r", "centre distance")
+            .proven(EntryTriangle::CentreDistance)
+            .by(Vectors, || {
+                for_each(
+                    |at| agrees(projected_distance(at), 1.0 / libm::sin(PI / f64::from(at.slots()))),
+                    "crank and slot projected on the line of centres",
+                )
+            }),
+        at("Eq. (1-2)")
+            .equation(
+                "meyer.eq-1-2",
+                r"a = \frac{1}{\sin(\pi/n)}",
+                "centre distance over the radius of the pins' circle",
+            )
+            .proven(EntryTriangle::Standstill)
+            .by(Vectors, || {
+                for_usual(
+                    |wheel| vanishes(exit(wheel).dot(&Turn::from_radians(-wheel.engagement_half_angle()).direction())),
+                    "with it slot and crank are at right angles as the pin leaves",
+                )
+            }),
     ]
 }
 

@@ -13,58 +13,50 @@ use std::sync::OnceLock;
 
 /// The claim on how a pin must enter.
 pub fn along_the_slot() -> Claim {
-    Claim::statement(
-        WORK,
-        "meyer.along-the-slot",
-        geometry::INSTANT,
-        "for the motion to be continuous the velocity of the pin must be along the slot's centre line as it enters and \
-         leaves",
-        "along the centerline",
-        Check::corrected_statement((Series, entry_by_series), (Vectors, entry_by_places)),
-    )
-    .expecting(Verdict::Corrected)
-    .with_erratum(Erratum { corrected: "along the centerline, seen from the follower", slip: ENTRY_ALONG_THE_SLOT })
+    geometry::INSTANT
+        .statement(
+            "meyer.along-the-slot",
+            "along the centerline",
+            "for the motion to be continuous the velocity of the pin must be along the slot's centre line as it enters \
+             and leaves",
+        )
+        .by(Series, entry_by_series)
+        .by(Vectors, entry_by_places)
+        .corrected("along the centerline, seen from the follower", ENTRY_ALONG_THE_SLOT)
 }
 
 /// The claims of the third conclusion.
 pub fn conclusion() -> Vec<Claim> {
     let locator = "Conclusion 3";
-    let reading = "To work: a pin is always engaged, the follower is neither struck nor turned back, and with \
-        friction there is a terminal velocity. The last is tried for all pairs up to eight pins and slots, with the \
-        frictions of the runs and the inertias of those with six pins. (With other inertias and more friction some \
-        have no terminal velocity, and so have the three.)";
+    let reading = "To work: a pin is always engaged, the follower is neither struck nor turned back, and with friction \
+                   there is a terminal velocity. The last is tried for all pairs up to eight pins and slots, with the \
+                   frictions of the runs and the inertias of those with six pins. (With other inertias and more \
+                   friction some have no terminal velocity, and so have the three.)";
     vec![
-        Claim::statement(
-            WORK,
-            "meyer.conclusion.three",
-            locator,
-            "three combinations of pins and slots work, and no more",
-            "Only three geometrical configurations",
-            Check::corrected_statement(
-                (ClosedForm, |stated| said_of_pairs(stated, FORMULA_TO, works_by_formula)),
-                (Steps, |stated| said_of_pairs(stated, STEPS_TO, works_by_steps)),
+        at(locator)
+            .statement(
+                "meyer.conclusion.three",
+                "Only three geometrical configurations",
+                "three combinations of pins and slots work, and no more",
+            )
+            .by(ClosedForm, |stated| said_of_pairs(stated, FORMULA_TO, works_by_formula))
+            .by(Steps, |stated| said_of_pairs(stated, STEPS_TO, works_by_steps))
+            .read_as(reading)
+            .corrected(
+                "All geometrical configurations with 1/m + 1/n ≤ 1/2 and inertias that suit the friction, of which \
+                 only three have the follower at rest at each hand-over,",
+                ENTRY_ALONG_THE_SLOT,
             ),
-        )
-        .expecting(Verdict::Corrected)
-        .read_as(reading)
-        .with_erratum(Erratum {
-            corrected: "All geometrical configurations with 1/m + 1/n ≤ 1/2 and inertias that suit the friction, of which \
-                        only three have the follower at rest at each hand-over,",
-            slip: ENTRY_ALONG_THE_SLOT,
-        }),
-        Claim::statement(
-            WORK,
-            "meyer.conclusion.the-three",
-            locator,
-            "the three that are named work",
-            "three pin / six slot mechanism; the four pin / four slot mechanism; and the six pin / three slot",
-            Check::statement(
-                "each of the three with a slot fewer",
-                (ClosedForm, |stated| named_work(stated, works_by_formula)),
-                (Steps, |stated| named_work(stated, works_by_steps)),
-            ),
-        )
-        .read_as(reading),
+        at(locator)
+            .statement(
+                "meyer.conclusion.the-three",
+                "three pin / six slot mechanism; the four pin / four slot mechanism; and the six pin / three slot",
+                "the three that are named work",
+            )
+            .by(ClosedForm, |stated| named_work(stated, works_by_formula))
+            .by(Steps, |stated| named_work(stated, works_by_steps))
+            .but_not("each of the three with a slot fewer")
+            .read_as(reading),
     ]
 }
 

@@ -4,13 +4,19 @@ use super::parameters::AFTER_THE_LIST;
 use super::*;
 use crate::Dimension as Exponents;
 
-const FORMULA: &str = "Chapter II, 1st display of I";
-const NUMBERS: &str = "Chapter II, 2nd display of I";
+const FORMULA: Place = at("Chapter II, 1st display of I");
+const NUMBERS: Place = at("Chapter II, 2nd display of I");
 
 /// The estimate with its numbers.
-const AS_PRINTED: &str = r"I = \frac{1}{2} \pi \left(\frac{.283 \text{ lb/in}}{386 \text{ in/sec}^2} \right) \left(\frac{0.5 \text{ in}}{2} \right)^4 (0.1 \text{ in})";
+const AS_PRINTED: &str = concat!(
+    r"I = \frac{1}{2} \pi \left(\frac{.283 \text{ lb/in}}{386 \text{ in/sec}^2} \right) ",
+    r"\left(\frac{0.5 \text{ in}}{2} \right)^4 (0.1 \text{ in})"
+);
 /// The same with the unit put right.
-const PUT_RIGHT: &str = r"I = \frac{1}{2} \pi \left(\frac{.283 \text{ lb/in}^3}{386 \text{ in/sec}^2} \right) \left(\frac{0.5 \text{ in}}{2} \right)^4 (0.1 \text{ in})";
+const PUT_RIGHT: &str = concat!(
+    r"I = \frac{1}{2} \pi \left(\frac{.283 \text{ lb/in}^3}{386 \text{ in/sec}^2} ",
+    r"\right) \left(\frac{0.5 \text{ in}}{2} \right)^4 (0.1 \text{ in})"
+);
 
 /// The inch in metres and the pound in kilograms, by definition.
 const INCH: f64 = 0.0254;
@@ -22,225 +28,186 @@ pub fn claims() -> Vec<Claim> {
 
 fn material() -> Vec<Claim> {
     vec![
-        Claim::statement(
-            WORK,
-            "meyer.steel",
-            AFTER_THE_LIST,
-            "weight of a cubic inch of steel in pounds",
-            ".283 lb/in",
-            Check::statement(
-                "that of copper",
-                (LimitCase, |stated| {
-                    let density = said_density();
-                    let nearest = METALS.iter().min_by(|a, b| (a.1 - density).abs().total_cmp(&(b.1 - density).abs()));
-                    let name = nearest.map_or("", |metal| metal.0);
-                    Finding::new(
-                        name == stated.pick("iron", "copper"),
-                        format!("{density:.0} kg/m³; of the common metals {name} is the nearest"),
-                    )
-                }),
-                (ClosedForm, |stated| {
-                    let density = stated.pick(IRON, COPPER).density();
-                    let part = said_density() / density;
-                    Finding::new(
-                        (part - 1.0).abs() < 0.01,
-                        format!("the metal's crystal has {density:.0} kg/m³; the printed number is {part:.3} of it"),
-                    )
-                }),
+        AFTER_THE_LIST
+            .statement("meyer.steel", ".283 lb/in", "weight of a cubic inch of steel in pounds")
+            .by(LimitCase, |stated| {
+                let density = said_density();
+                let nearest = METALS.iter().min_by(|a, b| (a.1 - density).abs().total_cmp(&(b.1 - density).abs()));
+                let name = nearest.map_or("", |metal| metal.0);
+                Finding::new(
+                    name == stated.pick("iron", "copper"),
+                    format!("{density:.0} kg/m³; of the common metals {name} is the nearest"),
+                )
+            })
+            .by(ClosedForm, |stated| {
+                let density = stated.pick(IRON, COPPER).density();
+                let part = said_density() / density;
+                Finding::new(
+                    (part - 1.0).abs() < 0.01,
+                    format!("the metal's crystal has {density:.0} kg/m³; the printed number is {part:.3} of it"),
+                )
+            })
+            .but_not("that of copper")
+            .read_as("Steel is iron with little else in it: within one per cent of the density of iron."),
+        AFTER_THE_LIST
+            .statement(
+                "meyer.like-discs",
+                "both taken to be approximately 0.5 inch in diameter and 0.1 inch in thickness",
+                "for the estimate driver and follower are discs of one size",
+            )
+            .by(OtherPlaceInSource, |stated| {
+                let [diameter, thickness] = said_sizes().map(|size| size.unwrap_or(f64::NAN));
+                let [radius, said] = data().map_or([f64::NAN; 2], |data| [data.diameter / 2.0, data.thickness]);
+                let holds = agrees(diameter / stated.pick(2.0, 1.0), radius) && agrees(thickness, said);
+                Finding::new(holds, format!("the numbers of the estimate are a radius of {radius} and {said} inch"))
+            })
+            .by(ClosedForm, |stated| {
+                let [diameter, thickness] = said_sizes().map(|size| size.unwrap_or(f64::NAN));
+                let result = printed_inertia();
+                let [least, most] = [-0.05, 0.05].map(|rounded| {
+                    let size = diameter + rounded;
+                    disc(2.0 * size / stated.pick(2.0, 1.0), thickness)
+                });
+                Finding::new(
+                    least < result && result < most,
+                    format!("discs of such a size have {least:.2e} to {most:.2e} in lb sec²; printed is {result:.1e}"),
+                )
+            })
+            .but_not("half an inch is the radius")
+            .read_as(
+                "An assumption for the estimate of the inertias alone; a follower and a driver that end where the pins \
+                 are have one size with four slots only.",
             ),
-        )
-        .read_as("Steel is iron with little else in it: within one per cent of the density of iron."),
-        Claim::statement(
-            WORK,
-            "meyer.like-discs",
-            AFTER_THE_LIST,
-            "for the estimate driver and follower are discs of one size",
-            "both taken to be approximately 0.5 inch in diameter and 0.1 inch in thickness",
-            Check::statement(
-                "half an inch is the radius",
-                (OtherPlaceInSource, |stated| {
-                    let [diameter, thickness] = said_sizes().map(|size| size.unwrap_or(f64::NAN));
-                    let [radius, said] = data().map_or([f64::NAN; 2], |data| [data.diameter / 2.0, data.thickness]);
-                    let holds = agrees(diameter / stated.pick(2.0, 1.0), radius) && agrees(thickness, said);
-                    Finding::new(holds, format!("the numbers of the estimate are a radius of {radius} and {said} inch"))
-                }),
-                (ClosedForm, |stated| {
-                    let [diameter, thickness] = said_sizes().map(|size| size.unwrap_or(f64::NAN));
-                    let result = printed_inertia();
-                    let [least, most] = [-0.05, 0.05].map(|rounded| {
-                        let size = diameter + rounded;
-                        disc(2.0 * size / stated.pick(2.0, 1.0), thickness)
-                    });
-                    Finding::new(
-                        least < result && result < most,
-                        format!(
-                            "discs of such a size have {least:.2e} to {most:.2e} in lb sec²; printed is {result:.1e}"
-                        ),
-                    )
-                }),
-            ),
-        )
-        .read_as(
-            "An assumption for the estimate of the inertias alone; a follower and a driver that end where the pins are \
-             have one size with four slots only.",
-        ),
     ]
 }
 
 fn estimate() -> Vec<Claim> {
     vec![
-        Claim::equation(
-            WORK,
-            "meyer.disc",
-            FORMULA,
-            "moment of inertia of a disc about its axis, by density, radius and thickness",
-            r"I = \frac{1}{2} \pi m r^4 t",
-            Check::equation(
-                (ClosedForm, || {
-                    let (density, radius, thickness) = (1.5, 0.75, 0.25);
-                    let sum = of_rings(density, radius, thickness);
-                    let letters =
-                        [("m", density), ("r", radius), ("t", thickness)].map(|(n, v)| (n.to_owned(), v)).into();
-                    same(reading::value(right_side("meyer.disc"), &letters), sum)
-                }),
-                (Dimension, || {
-                    // In other units, 2, 3 and 5 times as small for length, time and force, the numbers grow so.
-                    let grown = |of: Exponents| {
-                        [(2.0, of.length), (3.0, of.time), (5.0, of.force)]
-                            .map(|(unit, exponent): (f64, i32)| libm::pow(unit, f64::from(exponent)))
-                            .iter()
-                            .product::<f64>()
-                    };
-                    let quantities = [("m", 1.5, mass() / volume(3)), ("r", 0.75, volume(1)), ("t", 0.25, volume(1))];
-                    let by = |larger: bool| {
-                        let number = |(name, value, of): (&str, f64, Exponents)| {
-                            (name.to_owned(), if larger { value * grown(of) } else { value })
-                        };
-                        reading::value(right_side("meyer.disc"), &quantities.map(number).into())
-                    };
-                    same(by(true) / by(false), grown(mass() * volume(2)))
-                }),
+        FORMULA
+            .equation(
+                "meyer.disc",
+                r"I = \frac{1}{2} \pi m r^4 t",
+                "moment of inertia of a disc about its axis, by density, radius and thickness",
             )
+            .by(ClosedForm, || {
+                let (density, radius, thickness) = (1.5, 0.75, 0.25);
+                let sum = of_rings(density, radius, thickness);
+                let letters = [("m", density), ("r", radius), ("t", thickness)].map(|(n, v)| (n.to_owned(), v)).into();
+                same(reading::value(right_side("meyer.disc"), &letters), sum)
+            })
+            .by(Dimension, || {
+                // In other units, 2, 3 and 5 times as small for length, time and force, the numbers grow so.
+                let grown = |of: Exponents| {
+                    [(2.0, of.length), (3.0, of.time), (5.0, of.force)]
+                        .map(|(unit, exponent): (f64, i32)| libm::pow(unit, f64::from(exponent)))
+                        .iter()
+                        .product::<f64>()
+                };
+                let quantities = [("m", 1.5, mass() / volume(3)), ("r", 0.75, volume(1)), ("t", 0.25, volume(1))];
+                let by = |larger: bool| {
+                    let number = |(name, value, of): (&str, f64, Exponents)| {
+                        (name.to_owned(), if larger { value * grown(of) } else { value })
+                    };
+                    reading::value(right_side("meyer.disc"), &quantities.map(number).into())
+                };
+                same(by(true) / by(false), grown(mass() * volume(2)))
+            })
             .read_by(holds_for_a_disc),
-        ),
-        Claim::statement(
-            WORK,
-            "meyer.letter-m",
-            FORMULA,
-            "the letter m, which counts pins in chapter I, is here the mass density",
-            "m is the mass density",
-            Check::statement(
-                "m is the mass",
-                (Dimension, |stated| {
-                    let letter = stated.pick(mass() / volume(3), mass());
-                    let (found, wanted) = (letter * volume(4) * Exponents::LENGTH, mass() * volume(2));
-                    Finding::new(
-                        found == wanted,
-                        format!(
-                            "the formula is then a {found}; a moment of inertia is \
-                        {wanted}"
-                        ),
-                    )
-                }),
-                (LimitCase, |stated| {
-                    let (density, radius, thickness) = (1.5, 0.75, 0.25);
-                    let whole = density * thickness * PI * radius * radius;
-                    let letters = [("m", stated.pick(density, whole)), ("r", radius), ("t", thickness)];
-                    let letters = letters.map(|(name, value)| (name.to_owned(), value)).into();
-                    same(reading::value(right_side("meyer.disc"), &letters), whole * radius * radius / 2.0)
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "meyer.disc.numbers",
-            NUMBERS,
-            "the same with the numbers; a weight per volume over the acceleration of \
-                    gravity is a mass density",
-            AS_PRINTED,
-            Check::corrected_equation(
-                (Dimension, || unit_of_the_estimate(AS_PRINTED)),
-                || unit_of_the_estimate(PUT_RIGHT),
-                (ClosedForm, || {
-                    // The same disc in kilograms and metres, with the weight of a cubic inch for a mass.
-                    let torque = POUND * 9.806_65 * INCH;
-                    let of = |data: Data| {
-                        let [radius, thickness] = [data.diameter / 2.0, data.thickness].map(|inches| inches * INCH);
-                        PI / 2.0 * said_density() * radius * radius * radius * radius * thickness / torque
-                    };
-                    let [metric, inches] = [data().map(of), data().map(|data| disc(data.diameter, data.thickness))];
-                    let [metric, inches] = [metric, inches].map(|inertia| inertia.unwrap_or(f64::NAN));
-                    // The acceleration of gravity is printed to three digits.
-                    let rounding = data().map_or(f64::NAN, |data| 0.5 / data.gravity);
-                    Finding::new(
-                        (metric / inches - 1.0).abs() < rounding,
-                        format!("{metric:.4e} in lb sec² by way of metres and kilograms, {inches:.4e} as corrected"),
-                    )
-                }),
+        FORMULA
+            .statement(
+                "meyer.letter-m",
+                "m is the mass density",
+                "the letter m, which counts pins in chapter I, is here the mass density",
             )
-            .read_by(holds_for_the_estimate),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: PUT_RIGHT,
-            slip: Slip {
-                id: "",
-                reason: "The weight is that of a cubic inch. Only so the unit of the result is that which is printed \
-                    with it. Counted as a slip of the copy, because the paragraph before the display has the cube.",
-                witness: "The paragraph before the display has the same number in pounds per cubic inch.",
-                origin: Origin::Copy,
-                consequence: Consequence::Copy,
-                changes: "",
-            },
-        }),
-        Claim::statement(
-            WORK,
-            "meyer.gravity",
-            NUMBERS,
-            "acceleration of gravity in inches per second squared",
-            "386 in/sec",
-            Check::statement(
-                "387",
-                (ClosedForm, |stated| {
-                    // 9.80665 m/s² by definition.
-                    gravity_is(9.806_65 / INCH, stated, "the standard value")
-                }),
-                (LimitCase, |stated| {
-                    // The normal gravity of the Earth's ellipsoid at 45° of latitude, by Somigliana's formula.
-                    let (equator, growth, flatness) = (9.780_325_335_9, 0.001_931_852_652_41, 0.006_694_379_990_13);
-                    let square = 0.5;
-                    let normal = equator * (1.0 + growth * square) / f64::sqrt(1.0 - flatness * square);
-                    gravity_is(normal / INCH, stated, "that of the Earth's ellipsoid at 45°")
-                }),
+            .by(Dimension, |stated| {
+                let letter = stated.pick(mass() / volume(3), mass());
+                let (found, wanted) = (letter * volume(4) * Exponents::LENGTH, mass() * volume(2));
+                Finding::new(found == wanted, format!("the formula is then a {found}; a moment of inertia is {wanted}"))
+            })
+            .by(LimitCase, |stated| {
+                let (density, radius, thickness) = (1.5, 0.75, 0.25);
+                let whole = density * thickness * PI * radius * radius;
+                let letters = [("m", stated.pick(density, whole)), ("r", radius), ("t", thickness)];
+                let letters = letters.map(|(name, value)| (name.to_owned(), value)).into();
+                same(reading::value(right_side("meyer.disc"), &letters), whole * radius * radius / 2.0)
+            })
+            .but_not("m is the mass"),
+        NUMBERS
+            .equation(
+                "meyer.disc.numbers",
+                AS_PRINTED,
+                "the same with the numbers; a weight per volume over the acceleration of gravity is a mass density",
+            )
+            .by(Dimension, || unit_of_the_estimate(AS_PRINTED))
+            .corrected_form(|| unit_of_the_estimate(PUT_RIGHT))
+            .by(ClosedForm, || {
+                // The same disc in kilograms and metres, with the weight of a cubic inch for a mass.
+                let torque = POUND * 9.806_65 * INCH;
+                let of = |data: Data| {
+                    let [radius, thickness] = [data.diameter / 2.0, data.thickness].map(|inches| inches * INCH);
+                    PI / 2.0 * said_density() * radius * radius * radius * radius * thickness / torque
+                };
+                let [metric, inches] = [data().map(of), data().map(|data| disc(data.diameter, data.thickness))];
+                let [metric, inches] = [metric, inches].map(|inertia| inertia.unwrap_or(f64::NAN));
+                // The acceleration of gravity is printed to three digits.
+                let rounding = data().map_or(f64::NAN, |data| 0.5 / data.gravity);
+                Finding::new(
+                    (metric / inches - 1.0).abs() < rounding,
+                    format!("{metric:.4e} in lb sec² by way of metres and kilograms, {inches:.4e} as corrected"),
+                )
+            })
+            .read_by(holds_for_the_estimate)
+            .corrected(
+                PUT_RIGHT,
+                Slip {
+                    id: "",
+                    reason: "The weight is that of a cubic inch. Only so the unit of the result is that which is \
+                             printed with it. Counted as a slip of the copy, because the paragraph before the display \
+                             has the cube.",
+                    witness: "The paragraph before the display has the same number in pounds per cubic inch.",
+                    origin: Origin::Copy,
+                    consequence: Consequence::Copy,
+                    changes: "",
+                },
             ),
-        ),
-        Claim::statement(
-            WORK,
-            "meyer.disc.inertia",
-            "Chapter II, 3rd display of I",
-            "moment of inertia of either disc, about",
-            r"I \cong 0.5 \times 10^{-6} \text{ in lb sec}^2",
-            Check::statement(
-                "without the factor ½ of the formula",
-                (ClosedForm, |stated| {
-                    estimate_covers(|diameter, thickness, factor| 2.0 * factor * disc(diameter, thickness), stated)
-                }),
-                (LimitCase, |stated| {
-                    // A disc is a ring without a hole: a part of its mass times the square of its radius.
-                    estimate_covers(
-                        |diameter, thickness, factor| {
-                            let weight = steel() * thickness * PI * diameter * diameter / 4.0;
-                            factor * weight / data().map_or(f64::NAN, |data| data.gravity) * diameter * diameter / 4.0
-                        },
-                        stated,
-                    )
-                }),
+        NUMBERS
+            .statement("meyer.gravity", "386 in/sec", "acceleration of gravity in inches per second squared")
+            .by(ClosedForm, |stated| {
+                // 9.80665 m/s² by definition.
+                gravity_is(9.806_65 / INCH, stated, "the standard value")
+            })
+            .by(LimitCase, |stated| {
+                // The normal gravity of the Earth's ellipsoid at 45° of latitude, by Somigliana's formula.
+                let (equator, growth, flatness) = (9.780_325_335_9, 0.001_931_852_652_41, 0.006_694_379_990_13);
+                let square = 0.5;
+                let normal = equator * (1.0 + growth * square) / f64::sqrt(1.0 - flatness * square);
+                gravity_is(normal / INCH, stated, "that of the Earth's ellipsoid at 45°")
+            })
+            .but_not("387"),
+        at("Chapter II, 3rd display of I")
+            .statement(
+                "meyer.disc.inertia",
+                r"I \cong 0.5 \times 10^{-6} \text{ in lb sec}^2",
+                "moment of inertia of either disc, about",
+            )
+            .by(ClosedForm, |stated| {
+                estimate_covers(|diameter, thickness, factor| 2.0 * factor * disc(diameter, thickness), stated)
+            })
+            .by(LimitCase, |stated| {
+                // A disc is a ring without a hole: a part of its mass times the square of its radius.
+                estimate_covers(
+                    |diameter, thickness, factor| {
+                        let weight = steel() * thickness * PI * diameter * diameter / 4.0;
+                        factor * weight / data().map_or(f64::NAN, |data| data.gravity) * diameter * diameter / 4.0
+                    },
+                    stated,
+                )
+            })
+            .but_not("without the factor ½ of the formula")
+            .read_as(
+                "About as exact as the size that it is computed from: the diameter is said to be approximately half an \
+                 inch, and any diameter that rounds so to the printed place will do.",
             ),
-        )
-        .read_as(
-            "About as exact as the size that it is computed from: the diameter is said to be approximately half an \
-                inch, and any diameter that rounds so to the printed place will do.",
-        ),
     ]
 }
 

@@ -172,100 +172,17 @@ pub fn holds_of(tex: &str, operator: &str, this: &str) -> Option<bool> {
     }
 }
 
-/// Whether the right characters of the claim hold, read and evaluated; and the printed ones do not, if they are
-/// corrected.
-pub fn reads(id: &str) -> Finding {
-    let Some((claim, reader)) = claim(id).and_then(|claim| Some((claim, claim.check.reader()?))) else {
-        return Finding::new(false, "no claim whose characters are read");
-    };
-    let right = (reader.holds)(claim.right_characters()) == Some(true);
-    match &claim.erratum {
-        None => Finding::new(right, "the printed characters, read and evaluated wherever they must hold"),
-        Some(_) => Finding::new(
-            right && (reader.holds)(claim.printed) != Some(true),
-            "the corrected characters, read and evaluated, hold; the printed ones do not",
-        ),
-    }
-}
-
 /// How far two numbers are apart, over the larger or one; infinite for what is not a number.
 fn apart(a: f64, b: f64) -> f64 {
     let misfit = (a - b).abs() / a.abs().max(b.abs()).max(1.0);
     if misfit.is_nan() { f64::INFINITY } else { misfit }
 }
 
-/// A display that holds at all instants: an identity, and its characters evaluated.
-pub fn display(
-    id: &'static str,
-    locator: &'static str,
-    meaning: &'static str,
-    printed: &'static str,
-    proof: fn() -> Finding,
-    read: fn() -> Finding,
-) -> Claim {
-    display_read_by(holds, (id, locator), meaning, printed, proof, read)
-}
-
-/// A display that is not read at the instants, but in a way of its own.
-pub fn display_read_by(
-    holds: fn(&str) -> Option<bool>,
-    (id, locator): (&'static str, &'static str),
-    meaning: &'static str,
-    printed: &'static str,
-    proof: fn() -> Finding,
-    read: fn() -> Finding,
-) -> Claim {
-    let check = Check::equation((ExactIdentity, proof), (ClosedForm, read)).read_by(holds);
-    Claim::equation(WORK, id, locator, meaning, printed, check)
-}
-
-/// A display with a slip: refuted as printed, proven as corrected, and the characters of both evaluated.
-pub fn slip(
-    id: &'static str,
-    locator: &'static str,
-    meaning: &'static str,
-    printed: &'static str,
-    proofs: [fn() -> Finding; 2],
-    read: fn() -> Finding,
-    erratum: Erratum,
-) -> Claim {
-    slip_read_by(holds, (id, locator), meaning, printed, proofs, read, erratum)
-}
-
-/// The same for one that is not read at the instants, but in a way of its own.
-pub fn slip_read_by(
-    holds: fn(&str) -> Option<bool>,
-    (id, locator): (&'static str, &'static str),
-    meaning: &'static str,
-    printed: &'static str,
-    [as_printed, put_right]: [fn() -> Finding; 2],
-    read: fn() -> Finding,
-    erratum: Erratum,
-) -> Claim {
-    let check = Check::corrected_equation((ExactIdentity, as_printed), put_right, (ClosedForm, read)).read_by(holds);
-    Claim::equation(WORK, id, locator, meaning, printed, check).expecting(Verdict::Corrected).with_erratum(erratum)
-}
-
-/// The erratum of a display that the copy has changed and whose characters have been evaluated.
-pub fn miscopied(corrected: &'static str, reason: &'static str) -> Erratum {
-    let witness = "The corrected characters, read and evaluated, agree with Newton's laws \
-            for the two members; the printed ones do not.";
-    Erratum {
-        corrected,
-        slip: Slip { id: "", reason, witness, origin: Origin::Copy, consequence: Consequence::Copy, changes: "" },
-    }
-}
-
-/// A statement that is right as printed, its neighbour that is wrong, and the two routes that tell them apart.
-pub fn stated(
-    (id, locator): (&'static str, &'static str),
-    meaning: &'static str,
-    printed: &'static str,
-    neighbour: &'static str,
-    first: (Evidence, fn(Stated) -> Finding),
-    witness: (Evidence, fn(Stated) -> Finding),
-) -> Claim {
-    Claim::statement(WORK, id, locator, meaning, printed, Check::statement(neighbour, first, witness))
+/// A character of a display that the copy has lost or changed, found by evaluating the characters.
+pub const fn miscopied(reason: &'static str) -> Slip {
+    let witness = "The corrected characters, read and evaluated, agree with Newton's laws for the two members; the \
+                   printed ones do not.";
+    Slip { id: "", reason, witness, origin: Origin::Copy, consequence: Consequence::Copy, changes: "" }
 }
 
 /// The value of a letter at one instant.

@@ -1,7 +1,7 @@
 //! Lagrange's equation, the generalised force, and what is left out of it: Eqs. (1-9) and (1-10).
 
 use super::friction::energy_gained;
-use super::instants::{display, equal, moments, reads, stated};
+use super::instants::{equal, holds, moments};
 use super::*;
 use geneva_dynamics::derivation::{FrictionLine, FrictionTorque, LagrangeIsPower, MomentArm};
 use geneva_dynamics::energy::MomentArmIsSliding;
@@ -10,9 +10,9 @@ use geneva_kinematics::{Jet, angular_velocity, pin_slot};
 use nalgebra::SMatrix;
 use std::sync::OnceLock;
 
-const FORCES: &str = "Definition of Q_k after Eq. (1-9)";
-const FREEDOM: &str = "Sentence after the definition of Q_k";
-const TAU: &str = "Line after Q_θ = τ";
+const FORCES: Place = at("Definition of Q_k after Eq. (1-9)");
+const FREEDOM: Place = at("Sentence after the definition of Q_k");
+const TAU: Place = at("Line after Q_θ = τ");
 const TORQUES: &str = "Paragraph before Eq. (1-10)";
 
 pub fn claims() -> Vec<Claim> {
@@ -21,42 +21,45 @@ pub fn claims() -> Vec<Claim> {
 
 fn equations() -> Vec<Claim> {
     vec![
-        display(
-            "meyer.eq-1-9",
-            "Eq. (1-9)",
-            "Lagrange's equation for forces with and without a potential; here for one coordinate, where it is the \
-             balance of power",
-            r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{q}_k} \right) - \frac{\partial T}{\partial q_k} = Q_k",
-            lagrange_is_power,
-            || reads("meyer.eq-1-9"),
-        ),
-        display(
-            "meyer.lagrange-for-theta",
-            "1st display after Eq. (1-9)",
-            "the same for the one coordinate θ",
-            r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) - \frac{\partial T}{\partial \theta} = Q_\theta",
-            lagrange_is_power,
-            || reads("meyer.lagrange-for-theta"),
-        ),
+        at("Eq. (1-9)")
+            .equation(
+                "meyer.eq-1-9",
+                concat!(
+                    r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{q}_k} \right) - \frac{\partial ",
+                    r"T}{\partial q_k} = Q_k"
+                ),
+                "Lagrange's equation for forces with and without a potential; here for one coordinate, where it is the \
+                 balance of power",
+            )
+            .by(ExactIdentity, lagrange_is_power)
+            .read(ClosedForm, holds),
+        at("1st display after Eq. (1-9)")
+            .equation(
+                "meyer.lagrange-for-theta",
+                concat!(
+                    r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) - ",
+                    r"\frac{\partial T}{\partial \theta} = Q_\theta"
+                ),
+                "the same for the one coordinate θ",
+            )
+            .by(ExactIdentity, lagrange_is_power)
+            .read(ClosedForm, holds),
     ]
 }
 
 fn forces() -> Vec<Claim> {
     vec![
-        stated(
-            ("meyer.constraint-forces", FORCES),
-            "the normal forces of the constraint do no work together",
-            "drop out",
-            "the forces along the slot drop out too",
-            (Vectors, |stated| {
+        FORCES
+            .statement("meyer.constraint-forces", "drop out", "the normal forces of the constraint do no work together")
+            .by(Vectors, |stated| {
                 at_instants(|seen| {
                     // The velocity of pin against slot, with the follower's velocity by Eq. (1-7).
                     let turning = pin_slot::velocity_ratio(&seen.ratio, &seen.crank) * DRIVER.0;
                     let sliding = seen.velocity - quarter_turn(&seen.place) * turning;
                     (direction_of_a_force(seen, stated).dot(&sliding), 0.0)
                 })
-            }),
-            (Series, |stated| {
+            })
+            .by(Series, |stated| {
                 at_instants(|seen| {
                     // The torques of the pair about the two axes, each with the rate at which its member turns.
                     let force = direction_of_a_force(seen, stated);
@@ -67,14 +70,15 @@ fn forces() -> Vec<Claim> {
                     let outer = from_driver.perp(&force) * from_driver.perp(&seen.velocity).signum();
                     (inner, outer)
                 })
-            }),
-        ),
-        stated(
-            ("meyer.no-potential", FORCES),
-            "no force is left to a potential energy: the spring stands among the torques instead",
-            "no potential energy",
-            "the spring's potential −K θ stands in the equation beside its torque",
-            (Vectors, |stated| {
+            })
+            .but_not("the forces along the slot drop out too"),
+        FORCES
+            .statement(
+                "meyer.no-potential",
+                "no potential energy",
+                "no force is left to a potential energy: the spring stands among the torques instead",
+            )
+            .by(Vectors, |stated| {
                 equal(
                     |letter| {
                         let growth = letter("I_D") * letter("theta'") * letter("theta''")
@@ -84,8 +88,8 @@ fn forces() -> Vec<Claim> {
                     },
                     "growth of the energies and power of the torques",
                 )
-            }),
-            (Evidence::Integration, |stated| {
+            })
+            .by(Evidence::Integration, |stated| {
                 let holds = frictionless().all(|(parameters, advance)| {
                     let potential = stated.pick(0.0, -parameters.drive() * advance);
                     agrees_in_steps(energy_gained(&parameters) + potential, parameters.drive() * advance)
@@ -94,18 +98,15 @@ fn forces() -> Vec<Claim> {
                     holds,
                     "energy over an engagement without friction, against the work of the spring's torque",
                 )
-            }),
-        )
-        .read_as(
-            "No force is treated as conservative. (A constant torque could be: its potential is −K θ, and then it would \
-             not stand among the torques.)",
-        ),
-        stated(
-            ("meyer.one-degree", FREEDOM),
-            "the mechanism has one degree of freedom",
-            "one degree of freedom",
-            "it has two",
-            (LimitCase, |stated| {
+            })
+            .but_not("the spring's potential −K θ stands in the equation beside its torque")
+            .read_as(
+                "No force is treated as conservative. (A constant torque could be: its potential is −K θ, and then it \
+                 would not stand among the torques.)",
+            ),
+        FREEDOM
+            .statement("meyer.one-degree", "one degree of freedom", "the mechanism has one degree of freedom")
+            .by(LimitCase, |stated| {
                 // Grübler's count for a frame and two members on pivots, with a pin in a slot.
                 let (members, pivots, pins_in_slots) = (3, 2, 1);
                 let freedom = 3 * (members - 1) - 2 * pivots - pins_in_slots;
@@ -113,80 +114,74 @@ fn forces() -> Vec<Claim> {
                     freedom == stated.pick(1, 2),
                     format!("Grübler's count for plane linkages gives {freedom}"),
                 )
-            }),
-            (Vectors, |stated| {
+            })
+            .by(Vectors, |stated| {
                 let freedom = stated.pick(1, 2);
                 for_each(
                     |at| (-10..10).all(|k| 6 - constraints(&Seen::new(at, instant(at, k))).rank(1e-9) == freedom),
                     "two members in the plane less the rank of their constraints",
                 )
-            }),
-        ),
-        display(
-            "meyer.virtual-work",
-            "2nd display after Eq. (1-9)",
-            "work of all torques on the driver in a small turn",
-            r"\delta W = Q_\theta \delta\theta = \tau \delta\theta",
-            || prove(&MomentArmIsSliding).into(),
-            || reads("meyer.virtual-work"),
-        ),
-        display(
-            "meyer.generalised-torque",
-            "3rd display after Eq. (1-9)",
-            "the generalised force is the torque on the driver",
-            r"Q_\theta = \tau",
-            || prove(&MomentArm).into(),
-            || reads("meyer.generalised-torque"),
-        ),
+            })
+            .but_not("it has two"),
+        at("2nd display after Eq. (1-9)")
+            .equation(
+                "meyer.virtual-work",
+                r"\delta W = Q_\theta \delta\theta = \tau \delta\theta",
+                "work of all torques on the driver in a small turn",
+            )
+            .proven(MomentArmIsSliding)
+            .read(ClosedForm, holds),
+        at("3rd display after Eq. (1-9)")
+            .equation(
+                "meyer.generalised-torque",
+                r"Q_\theta = \tau",
+                "the generalised force is the torque on the driver",
+            )
+            .proven(MomentArm)
+            .read(ClosedForm, holds),
         vector_sum(),
     ]
 }
 
 fn vector_sum() -> Claim {
-    Claim::statement(
-        WORK,
+    TAU.statement(
         "meyer.vector-sum",
-        TAU,
-        "how the torques of the system make the generalised force",
         "vector sum of the driving torque and all frictional torques",
-        Check::corrected_statement(
-            (Vectors, |stated| {
-                // A brake on the follower's axis beside its inertia; no friction in the slot.
-                let holds = moments().iter().map(instants::letters_of).all(|letter| {
-                    let brake = letter("I_f") / 2.0;
-                    // The normal force passes the driver's axis at the distance r cos(θ + φ).
-                    let arm = letter("r") * libm::cos(letter("theta") + letter("phi"));
-                    let driving = letter("I_D") * letter("theta''")
-                        + (letter("I_f") * letter("phi''") + brake) / letter("R") * arm;
-                    let factor = stated.pick(letter("phi'") / letter("theta'"), 1.0);
-                    let force = driving - brake * factor;
-                    let asked = letter("I_D") * letter("theta''")
-                        + letter("I_f") * letter("phi''") * letter("phi'") / letter("theta'");
-                    vanishes((force - asked) / force.abs().max(asked.abs()).max(1.0))
-                });
-                Finding::new(holds, "with a torque on the follower, by the forces between pin and slot")
-            }),
-            (Evidence::Integration, |stated| {
-                for_each(
-                    |at| {
-                        // The work of a unit torque on the follower over an engagement is the angle it turns by.
-                        let ratio = at.centre_distance_ratio();
-                        let factor =
-                            |angle: f64| stated.pick(pin_slot::velocity_ratio(&ratio, &Turn::from_radians(angle)), 1.0);
-                        let work = simpson(factor, -at.driver_half_angle(), at.driver_half_angle());
-                        agrees_in_steps(work, at.follower_advance())
-                    },
-                    "work of a torque on the follower over an engagement, against the angle that the follower turns by",
-                )
-            }),
-        ),
+        "how the torques of the system make the generalised force",
     )
+    .by(Vectors, |stated| {
+        // A brake on the follower's axis beside its inertia; no friction in the slot.
+        let holds = moments().iter().map(instants::letters_of).all(|letter| {
+            let brake = letter("I_f") / 2.0;
+            // The normal force passes the driver's axis at the distance r cos(θ + φ).
+            let arm = letter("r") * libm::cos(letter("theta") + letter("phi"));
+            let driving =
+                letter("I_D") * letter("theta''") + (letter("I_f") * letter("phi''") + brake) / letter("R") * arm;
+            let factor = stated.pick(letter("phi'") / letter("theta'"), 1.0);
+            let force = driving - brake * factor;
+            let asked =
+                letter("I_D") * letter("theta''") + letter("I_f") * letter("phi''") * letter("phi'") / letter("theta'");
+            vanishes((force - asked) / force.abs().max(asked.abs()).max(1.0))
+        });
+        Finding::new(holds, "with a torque on the follower, by the forces between pin and slot")
+    })
+    .by(Evidence::Integration, |stated| {
+        for_each(
+            |at| {
+                // The work of a unit torque on the follower over an engagement is the angle it turns by.
+                let ratio = at.centre_distance_ratio();
+                let factor =
+                    |angle: f64| stated.pick(pin_slot::velocity_ratio(&ratio, &Turn::from_radians(angle)), 1.0);
+                let work = simpson(factor, -at.driver_half_angle(), at.driver_half_angle());
+                agrees_in_steps(work, at.follower_advance())
+            },
+            "work of a torque on the follower over an engagement, against the angle that the follower turns by",
+        )
+    })
     .read_as("all three frictional torques that the next sentence names, that of the follower's bearing among them")
-    .expecting(Verdict::Corrected)
-    .with_erratum(Erratum {
-        corrected: "sum of the driving torque and all frictional torques, that of the follower's bearing multiplied by \
-                    φ'/θ'",
-        slip: Slip {
+    .corrected(
+        "sum of the driving torque and all frictional torques, that of the follower's bearing multiplied by φ'/θ'",
+        Slip {
             id: "",
             reason: "By virtual work a torque on the follower counts with the angle by which the follower turns, not \
                      with the driver's. For the torques on the driver itself the sum is right, and no other is kept in \
@@ -198,39 +193,39 @@ fn vector_sum() -> Claim {
             changes: "Nothing in the thesis, which leaves out the bearings; whoever adds the follower's needs the \
                       factor.",
         },
-    })
+    )
 }
 
 fn torques() -> Vec<Claim> {
     vec![
-        display(
-            "meyer.resultant-torque",
-            "Display before Eq. (1-10)",
-            "it is the spring's torque less the size of the friction's",
-            r"Q_\theta = \tau_1 - |\tau_2|",
-            || friction(FrictionLine::Opposing),
-            || reads("meyer.resultant-torque"),
-        ),
+        at("Display before Eq. (1-10)")
+            .equation(
+                "meyer.resultant-torque",
+                r"Q_\theta = \tau_1 - |\tau_2|",
+                "it is the spring's torque less the size of the friction's",
+            )
+            .by(ExactIdentity, || friction(FrictionLine::Opposing))
+            .read(ClosedForm, holds),
         opposing("meyer.friction-opposes", TORQUES, "always oppose the driving torque"),
-        display(
-            "meyer.eq-1-10",
-            "Eq. (1-10)",
-            "Lagrange's equation with the two torques",
-            r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) - \frac{\partial T}{\partial \theta} = \tau_1 - |\tau_2|",
-            lagrange_is_power,
-            || reads("meyer.eq-1-10"),
-        ),
+        at("Eq. (1-10)")
+            .equation(
+                "meyer.eq-1-10",
+                concat!(
+                    r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) - ",
+                    r"\frac{\partial T}{\partial \theta} = \tau_1 - |\tau_2|"
+                ),
+                "Lagrange's equation with the two torques",
+            )
+            .by(ExactIdentity, lagrange_is_power)
+            .read(ClosedForm, holds),
     ]
 }
 
 /// Friction is against the motion, and so against the driving torque while the driver turns as it is driven.
 pub fn opposing(id: &'static str, locator: &'static str, printed: &'static str) -> Claim {
-    stated(
-        (id, locator),
-        "the torque of friction is against the driving torque",
-        printed,
-        "it opposes the driving torque while the pin presses on one flank of the slot, and helps it on the other",
-        (Vectors, |stated| {
+    at(locator)
+        .statement(id, printed, "the torque of friction is against the driving torque")
+        .by(Vectors, |stated| {
             let holds = Escapement::all().iter().all(|escapement| {
                 (-10..10).all(|k| {
                     let seen = Seen::new(escapement, instant(escapement, k));
@@ -244,8 +239,8 @@ pub fn opposing(id: &'static str, locator: &'static str, printed: &'static str) 
                 holds,
                 "friction against the sliding of the pin, on either flank, at 20 instants of each escapement",
             )
-        }),
-        (ClosedForm, |stated| {
+        })
+        .by(ClosedForm, |stated| {
             // The equation of motion with its bars, or with what stands between them.
             let holds = Slots::ALL.iter().all(|slots| {
                 let parameters = Inertias::new(1.0, 2.0).and_then(|both| Parameters::new(*slots, both, 1.0, 0.25));
@@ -259,9 +254,11 @@ pub fn opposing(id: &'static str, locator: &'static str, printed: &'static str) 
                 })
             });
             Finding::new(holds, "power of the spring less the growth of the kinetic energy is never negative")
-        }),
-    )
-    .read_as("while the driver turns forwards, as it does from the start on")
+        })
+        .but_not(
+            "it opposes the driving torque while the pin presses on one flank of the slot, and helps it on the other",
+        )
+        .read_as("while the driver turns forwards, as it does from the start on")
 }
 
 /// What friction takes per unit of time and inertia of the follower, by the equation of motion.

@@ -9,130 +9,124 @@ use geneva_dynamics::Parameters;
 use geneva_dynamics::steady::{Engagement, Printed, Rise};
 use std::sync::OnceLock;
 
-const SECOND: &str = "Chapter II, 2nd general statement";
+const SECOND: Place = at("Chapter II, 2nd general statement");
 
 pub fn claims() -> Vec<Claim> {
     vec![less_friction(), no_friction()]
 }
 
 fn less_friction() -> Claim {
-    Claim::statement(
-        WORK,
-        "meyer.less-friction",
-        SECOND,
-        "less friction, longer rise",
-        "The more frictionless the system, the greater is the rise time",
-        Check::corrected_statement(
-            (Integration, |stated| {
-                let readings = stated.pick::<&[Reading]>(&[DECAY], &RISE_TIMES);
-                let found: Vec<[bool; 3]> = readings
-                    .iter()
-                    .map(|(_, reading)| {
-                        Mechanism::ALL.map(|mechanism| {
-                            let own = starts().iter().filter(|start| start.mechanism == mechanism);
-                            always_falls(&own.map(|start| reading(start).unwrap_or(f64::NAN)).collect::<Vec<_>>())
-                        })
+    SECOND
+        .statement(
+            "meyer.less-friction",
+            "The more frictionless the system, the greater is the rise time",
+            "less friction, longer rise",
+        )
+        .by(Integration, |stated| {
+            let readings = stated.pick::<&[Reading]>(&[DECAY], &RISE_TIMES);
+            let found: Vec<[bool; 3]> = readings
+                .iter()
+                .map(|(_, reading)| {
+                    Mechanism::ALL.map(|mechanism| {
+                        let own = starts().iter().filter(|start| start.mechanism == mechanism);
+                        always_falls(&own.map(|start| reading(start).unwrap_or(f64::NAN)).collect::<Vec<_>>())
                     })
-                    .collect();
-                let counts: Vec<String> = readings
-                    .iter()
-                    .zip(&found)
-                    .map(|((name, _), of)| format!("{name} {}", of.iter().filter(|falls| **falls).count()))
-                    .collect();
-                Finding::new(
-                    found.contains(&[true; 3]),
-                    format!(
-                        "with how many of the three mechanisms it falls from each of {GRID} frictions of the runs' \
-                         range to the next: {}",
-                        counts.join(", ")
-                    ),
-                )
-            }),
-            (Steps, |stated| {
-                let readings = stated.pick::<&[SteppedReading]>(&[decay_by_steps], &RISE_TIMES_BY_STEPS);
-                let found: Vec<[Vec<f64>; 3]> = readings.iter().map(|of| by_friction(*of)).collect();
-                let some = found.iter().any(|reading| reading.iter().all(|times| always_falls(times)));
-                let four: Vec<_> = found.iter().map(|of| format!("{:.4?}", of[Mechanism::FourPin as usize])).collect();
-                Finding::new(some, format!("with four pins, by rising friction: {}", four.join(", ")))
-            }),
-        ),
-    )
-    .read_as(
-        "With each of the three mechanisms the rise time, in some one sense that the source's two definitions bear, grows \
-         from each friction to the next smaller one. The senses: until the first minimum, as in the text; until entry speed, peak, minimum, mean \
-         of both or mean over an engagement are within one per cent of the steady ones; until 99 per cent of one of \
-         these are first reached.",
-    )
-    .expecting(Verdict::Corrected)
-    .with_erratum(Erratum {
-        corrected: "The more frictionless the system, the greater is the time in which a small difference from the \
-                    terminal velocity dies away",
-        slip: Slip {
-            id: "",
-            reason: "With less friction an engagement leaves more of a difference from the steady motion. Each takes less \
-                     time, but not so much less: the time constant grows, and in that sense the sentence is right. The \
-                     source's rise times are others. The time of the first minimum shortens with less friction; a time \
-                     until some per cent are left shortens too, and grows by a whole engagement now and then.",
-            witness: "By steps, with the frictions of the runs.",
-            origin: Origin::Concept,
-            consequence: Consequence::Conclusion,
-            changes: "By the source's definitions more friction does not shorten every rise; the first minimum it delays.",
-        },
-    })
+                })
+                .collect();
+            let counts: Vec<String> = readings
+                .iter()
+                .zip(&found)
+                .map(|((name, _), of)| format!("{name} {}", of.iter().filter(|falls| **falls).count()))
+                .collect();
+            Finding::new(
+                found.contains(&[true; 3]),
+                format!(
+                    "with how many of the three mechanisms it falls from each of {GRID} frictions of the runs' range \
+                     to the next: {}",
+                    counts.join(", ")
+                ),
+            )
+        })
+        .by(Steps, |stated| {
+            let readings = stated.pick::<&[SteppedReading]>(&[decay_by_steps], &RISE_TIMES_BY_STEPS);
+            let found: Vec<[Vec<f64>; 3]> = readings.iter().map(|of| by_friction(*of)).collect();
+            let some = found.iter().any(|reading| reading.iter().all(|times| always_falls(times)));
+            let four: Vec<_> = found.iter().map(|of| format!("{:.4?}", of[Mechanism::FourPin as usize])).collect();
+            Finding::new(some, format!("with four pins, by rising friction: {}", four.join(", ")))
+        })
+        .read_as(
+            "With each of the three mechanisms the rise time, in some one sense that the source's two definitions \
+             bear, grows from each friction to the next smaller one. The senses: until the first minimum, as in the \
+             text; until entry speed, peak, minimum, mean of both or mean over an engagement are within one per cent \
+             of the steady ones; until 99 per cent of one of these are first reached.",
+        )
+        .corrected(
+            "The more frictionless the system, the greater is the time in which a small difference from the terminal \
+             velocity dies away",
+            Slip {
+                id: "",
+                reason: "With less friction an engagement leaves more of a difference from the steady motion. Each \
+                         takes less time, but not so much less: the time constant grows, and in that sense the \
+                         sentence is right. The source's rise times are others. The time of the first minimum shortens \
+                         with less friction; a time until some per cent are left shortens too, and grows by a whole \
+                         engagement now and then.",
+                witness: "By steps, with the frictions of the runs.",
+                origin: Origin::Concept,
+                consequence: Consequence::Conclusion,
+                changes: "By the source's definitions more friction does not shorten every rise; the first minimum it \
+                          delays.",
+            },
+        )
 }
 
 fn no_friction() -> Claim {
-    Claim::statement(
-        WORK,
-        "meyer.no-friction",
-        SECOND,
-        "without friction there is no terminal velocity",
-        "will never reach a terminal velocity",
-        Check::statement(
-            "nor does it with a hundredth of the friction of the runs",
-            (Integration, |stated| {
-                // Speeds that go as the root of the number of engagements know no bound.
-                let quotients: Vec<f64> = series()
-                    .filter_map(|own| {
-                        let of = with(own.first()?, 1.0, stated.pick(0.0, 0.01))?;
-                        let (mut speed, mut after) = (0.0, Vec::new());
-                        for _ in 0..400 {
-                            speed = of.hand_over(speed).ok()?;
-                            after.push(speed);
-                        }
-                        Some(after.get(399)? / after.get(99)?)
-                    })
-                    .collect();
-                Finding::new(
-                    quotients.len() == series().count()
-                        && quotients.iter().all(|quotient| (quotient - 2.0).abs() < 1e-9),
-                    format!(
-                        "after four hundred engagements the speed is {:.6} times that after one hundred with six pins",
-                        quotients.first().copied().unwrap_or(f64::NAN)
-                    ),
-                )
-            }),
-            (Steps, |stated| {
-                // Each engagement adds the whole work of the spring to the driver's energy.
-                let parts: Vec<f64> = series()
-                    .filter_map(|own| {
-                        let of = with(own.first()?, 1.0, stated.pick(0.0, 0.01))?;
-                        let (at, motion) = (of.parameters(), Motion::from_rest(of.parameters(), 12));
-                        let energy = at.inertias().driver() * motion.engagements.last()?.end() / 2.0;
-                        let work = at.torque() * 2.0 * at.slots().engagement_half_angle();
-                        Some(energy / (12.0 * work))
-                    })
-                    .collect();
-                Finding::new(
-                    parts.len() == series().count() && parts.iter().all(|part| (part - 1.0).abs() < 1e-6),
-                    format!(
-                        "after twelve engagements the driver has {:.6} of the work of the spring with six pins",
-                        parts.first().copied().unwrap_or(f64::NAN)
-                    ),
-                )
-            }),
-        ),
-    )
+    SECOND
+        .statement(
+            "meyer.no-friction",
+            "will never reach a terminal velocity",
+            "without friction there is no terminal velocity",
+        )
+        .by(Integration, |stated| {
+            // Speeds that go as the root of the number of engagements know no bound.
+            let quotients: Vec<f64> = series()
+                .filter_map(|own| {
+                    let of = with(own.first()?, 1.0, stated.pick(0.0, 0.01))?;
+                    let (mut speed, mut after) = (0.0, Vec::new());
+                    for _ in 0..400 {
+                        speed = of.hand_over(speed).ok()?;
+                        after.push(speed);
+                    }
+                    Some(after.get(399)? / after.get(99)?)
+                })
+                .collect();
+            Finding::new(
+                quotients.len() == series().count() && quotients.iter().all(|quotient| (quotient - 2.0).abs() < 1e-9),
+                format!(
+                    "after four hundred engagements the speed is {:.6} times that after one hundred with six pins",
+                    quotients.first().copied().unwrap_or(f64::NAN)
+                ),
+            )
+        })
+        .by(Steps, |stated| {
+            // Each engagement adds the whole work of the spring to the driver's energy.
+            let parts: Vec<f64> = series()
+                .filter_map(|own| {
+                    let of = with(own.first()?, 1.0, stated.pick(0.0, 0.01))?;
+                    let (at, motion) = (of.parameters(), Motion::from_rest(of.parameters(), 12));
+                    let energy = at.inertias().driver() * motion.engagements.last()?.end() / 2.0;
+                    let work = at.torque() * 2.0 * at.slots().engagement_half_angle();
+                    Some(energy / (12.0 * work))
+                })
+                .collect();
+            Finding::new(
+                parts.len() == series().count() && parts.iter().all(|part| (part - 1.0).abs() < 1e-6),
+                format!(
+                    "after twelve engagements the driver has {:.6} of the work of the spring with six pins",
+                    parts.first().copied().unwrap_or(f64::NAN)
+                ),
+            )
+        })
+        .but_not("nor does it with a hundredth of the friction of the runs")
 }
 
 /// Frictions between the least and the greatest of the runs, both included.

@@ -41,10 +41,8 @@ mod symbols;
 pub use inventory::inventory;
 pub use symbols::SYMBOLS;
 
-use crate::checks::{agrees, printed, same, vanishes};
-use crate::{
-    Check, Claim, Consequence, Erratum, Evidence, Finding, Origin, Slip, Stated, Verdict, Work, claim, numeric_tokens,
-};
+use crate::checks::{agrees, printed, reads, same, vanishes};
+use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Verdict, Work, claim, numeric_tokens};
 use geneva_kinematics::escapement::{Escapement, HandOver, Roots};
 use geneva_kinematics::pin_vectors::quarter_turn;
 use geneva_kinematics::wheel::Wheel;
@@ -52,7 +50,10 @@ use geneva_kinematics::{Field, Identity, Turn, prove};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
-const WORK: Work = Work::Meyer1973;
+/// A place in this source.
+const fn at(locator: &'static str) -> Place {
+    Place::new(Work::Meyer1973, locator)
+}
 
 /// All claims of the project, in the order of the source.
 pub fn claims() -> Vec<Claim> {

@@ -9,69 +9,62 @@ use crate::Dimension as Exponents;
 use crate::Evidence::Steps;
 use geneva_kinematics::escapement::pins_needed;
 
-pub const AFTER_THE_LIST: &str = "Chapter II, paragraph after the list of parameters";
+pub const AFTER_THE_LIST: Place = at("Chapter II, paragraph after the list of parameters");
 
 /// The claim of the sentence before the list.
 pub fn six() -> Claim {
-    Claim::statement(
-        WORK,
-        "meyer.six-parameters",
-        "Chapter II, sentence before the list of parameters",
-        "the equation of motion with its geometry has six parameters",
-        "six parameters",
-        Check::statement(
-            "seven parameters, the radius of the pins' circle one of them",
-            (Steps, |stated| count_that_matter(stated.pick(6, 7), &Quantity::ALL)),
-            (Dimension, |stated| count_that_may_enter(stated.pick(6, 7), &Quantity::ALL)),
-        ),
-    )
-    .read_as("A parameter: a quantity that stands on the program's card and changes the motion if it alone is changed.")
+    at("Chapter II, sentence before the list of parameters")
+        .statement(
+            "meyer.six-parameters",
+            "six parameters",
+            "the equation of motion with its geometry has six parameters",
+        )
+        .by(Steps, |stated| count_that_matter(stated.pick(6, 7), &Quantity::ALL))
+        .by(Dimension, |stated| count_that_may_enter(stated.pick(6, 7), &Quantity::ALL))
+        .but_not("seven parameters, the radius of the pins' circle one of them")
+        .read_as(
+            "A parameter: a quantity that stands on the program's card and changes the motion if it alone is changed.",
+        )
 }
 
 /// The claims of the paragraph after the list.
 pub fn after_the_list() -> Vec<Claim> {
     vec![
-        Claim::statement(
-            WORK,
-            "meyer.one-geometric-parameter",
-            AFTER_THE_LIST,
-            "the number of slots and the angle of entry depend on each other: one parameter, the only one of the \
-                geometry",
-            "n and θ_0, are not independent",
-            Check::statement(
-                "θ_0 is the follower's angle π/n",
-                (LimitCase, |stated| {
-                    let off = Escapement::all().into_iter().map(|at| {
-                        let pins = pins_needed(at.slots()).map_or(f64::NAN, |pins| pins.approximate());
-                        let slot = PI / f64::from(at.slots());
-                        stated.pick(PI / 2.0 - slot, slot) - PI / pins
-                    });
-                    every(off, vanishes, "that angle less π/m, with m by Eq. (1-3)")
-                }),
-                (Vectors, |stated| {
-                    let across = Escapement::all().into_iter().map(|at| {
-                        let slot = PI / f64::from(at.slots());
-                        let drawn = Drawn::new(at.pins(), at.slots());
-                        let angle = stated.pick(PI / 2.0 - slot, slot);
-                        drawn.place(angle).perp(&Drawn::velocity(angle))
-                    });
-                    every(across, vanishes, "velocity across the slot of a pin at that angle")
-                }),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "meyer.four-parameters",
-            AFTER_THE_LIST,
-            "for each of the three mechanisms four parameters are left: friction, torque and two inertias",
-            "four parameters",
-            Check::statement(
-                "five parameters, the radius of the pins' circle one of them",
-                (Steps, |stated| count_that_matter(stated.pick(4, 5), &Quantity::OF_A_MECHANISM)),
-                (Dimension, |stated| count_that_may_enter(stated.pick(4, 5), &Quantity::OF_A_MECHANISM)),
-            ),
-        )
-        .read_as(PARAMETER),
+        AFTER_THE_LIST
+            .statement(
+                "meyer.one-geometric-parameter",
+                "n and θ_0, are not independent",
+                "the number of slots and the angle of entry depend on each other: one parameter, the only one of the \
+                 geometry",
+            )
+            .by(LimitCase, |stated| {
+                let off = Escapement::all().into_iter().map(|at| {
+                    let pins = pins_needed(at.slots()).map_or(f64::NAN, |pins| pins.approximate());
+                    let slot = PI / f64::from(at.slots());
+                    stated.pick(PI / 2.0 - slot, slot) - PI / pins
+                });
+                every(off, vanishes, "that angle less π/m, with m by Eq. (1-3)")
+            })
+            .by(Vectors, |stated| {
+                let across = Escapement::all().into_iter().map(|at| {
+                    let slot = PI / f64::from(at.slots());
+                    let drawn = Drawn::new(at.pins(), at.slots());
+                    let angle = stated.pick(PI / 2.0 - slot, slot);
+                    drawn.place(angle).perp(&Drawn::velocity(angle))
+                });
+                every(across, vanishes, "velocity across the slot of a pin at that angle")
+            })
+            .but_not("θ_0 is the follower's angle π/n"),
+        AFTER_THE_LIST
+            .statement(
+                "meyer.four-parameters",
+                "four parameters",
+                "for each of the three mechanisms four parameters are left: friction, torque and two inertias",
+            )
+            .by(Steps, |stated| count_that_matter(stated.pick(4, 5), &Quantity::OF_A_MECHANISM))
+            .by(Dimension, |stated| count_that_may_enter(stated.pick(4, 5), &Quantity::OF_A_MECHANISM))
+            .but_not("five parameters, the radius of the pins' circle one of them")
+            .read_as(PARAMETER),
     ]
 }
 

@@ -10,7 +10,7 @@ use geneva_dynamics::steady::{Printed, SteadyState};
 use geneva_kinematics::escapement::pins_needed;
 use geneva_kinematics::pin_slot::velocity_ratio;
 
-const PEAKS: &str = "Chapter II, paragraph on the peaks in Fig. 8";
+const PEAKS: Place = at("Chapter II, paragraph on the peaks in Fig. 8");
 
 /// One unit of the speeds in the tables, in rad/s: they have no decimals.
 const UNIT: f64 = 1.0;
@@ -18,11 +18,11 @@ const UNIT: f64 = 1.0;
 /// The driver's peaks are put where a pin enters and the next one leaves.
 const PEAKS_AT_ENTRY: Slip = Slip {
     id: "meyer.peaks-at-entry",
-    reason: "Where a pin enters and the other leaves, the follower stands still but is being accelerated, so that \
-             the pin presses and rubs. The driver's acceleration there is (K - μ I_f θ'²/(a² - 1))/I_D, which is \
-             zero at one speed only, and the steady speed at entry is another in every run. With six pins the peak \
-             follows so soon that it is no more than a unit of the tables higher. With four and three pins the friction exceeds the \
-             spring already before the pin leaves, while it bears on the trailing flank, and the peak comes before \
+    reason: "Where a pin enters and the other leaves, the follower stands still but is being accelerated, so that the \
+             pin presses and rubs. The driver's acceleration there is (K - μ I_f θ'²/(a² - 1))/I_D, which is zero at \
+             one speed only, and the steady speed at entry is another in every run. With six pins the peak follows so \
+             soon that it is no more than a unit of the tables higher. With four and three pins the friction exceeds \
+             the spring already before the pin leaves, while it bears on the trailing flank, and the peak comes before \
              that.",
     witness: "Every mechanism and friction is gone through by steps of the angle.",
     origin: Origin::Concept,
@@ -35,11 +35,11 @@ const PEAKS_AT_ENTRY: Slip = Slip {
 const EXTREMES_ON_CENTRES: Slip = Slip {
     id: "meyer.extremes-on-centres",
     reason: "On the line of centres the pin does not slide, so that the spring acts unbraked: A θ'' = E, and θ'' is \
-             positive. The driver has its minimum before it. There the follower turns at the greatest multiple of \
-             the driver's speed, so that φ'' is as many times θ'' and positive as well. The follower is fastest \
-             where the pin goes over to the trailing flank of its slot. With six and four pins the driver's minimum is \
-             so flat that on the line of centres it is passed by less than a unit of the tables; the follower's maximum \
-             is not.",
+             positive. The driver has its minimum before it. There the follower turns at the greatest multiple of the \
+             driver's speed, so that φ'' is as many times θ'' and positive as well. The follower is fastest where the \
+             pin goes over to the trailing flank of its slot. With six and four pins the driver's minimum is so flat \
+             that on the line of centres it is passed by less than a unit of the tables; the follower's maximum is \
+             not.",
     witness: "Every mechanism and friction is gone through by steps of the angle.",
     origin: Origin::Concept,
     consequence: Consequence::Conclusion,
@@ -52,17 +52,10 @@ pub fn claims() -> Vec<Claim> {
 
 fn at_entry() -> Vec<Claim> {
     vec![
-        Claim::value(
-            WORK,
-            "meyer.fig-8.quarter",
-            PEAKS,
-            "turn of the driver between two peaks, with four slots",
-            ("90", "°"),
-            Check::number(
-                (ClosedForm, || Escapement::all()[1].driver_half_angle().to_degrees() * 2.0),
-                (LimitCase, || pins_needed(4).map_or(f64::NAN, |pins| 360.0 / pins.approximate())),
-            ),
-        ),
+        PEAKS
+            .value("meyer.fig-8.quarter", "90", "°", "turn of the driver between two peaks, with four slots")
+            .by(ClosedForm, || Escapement::all()[1].driver_half_angle().to_degrees() * 2.0)
+            .by(LimitCase, || pins_needed(4).map_or(f64::NAN, |pins| 360.0 / pins.approximate())),
         beside_the_hand_over(
             "meyer.peaks-at-entry",
             "the driver is fastest when a pin enters",
@@ -70,152 +63,138 @@ fn at_entry() -> Vec<Claim> {
             "with six pins the driver velocity is a maximum at pin entry, to one unit of the tables; with four and \
              three pins it is one 7.7 to 14° before pin entry",
         ),
-        Claim::statement(
-            WORK,
-            "meyer.still-at-entry",
-            PEAKS,
-            "the follower stands still when a pin enters or leaves",
-            "the follower must be instantaneously stationary",
-            Check::statement(
-                "the follower stands still on the line of centres",
-                (Vectors, |stated| {
-                    let ends: &[f64] = stated.pick(&[-1.0, 1.0], &[0.0]);
-                    let still = |at: &Escapement| {
-                        let turning = |part| Seen::new(at, part * at.driver_half_angle()).turning();
-                        ends.iter().all(|part| vanishes(turning(part)))
-                    };
-                    let count = Escapement::all().iter().filter(|at| still(at)).count();
-                    Finding::new(count == 3, format!("with {count} of 3 mechanisms the pin moves along its slot there"))
-                }),
-                (ClosedForm, |stated| {
-                    let ends: &[f64] = stated.pick(&[-1.0, 1.0], &[0.0]);
-                    let ratio = |at: &Escapement, part: f64| {
-                        let crank = Turn::from_radians(part * PI / f64::from(at.pins()));
-                        velocity_ratio(&(1.0 / libm::sin(PI / f64::from(at.slots()))), &crank)
-                    };
-                    let still = |at: &&Escapement| ends.iter().all(|part| vanishes(ratio(at, *part)));
-                    let count = Escapement::all().iter().filter(still).count();
-                    Finding::new(count == 3, format!("with {count} of 3 mechanisms φ'/θ' of Eq. (1-7) is zero there"))
-                }),
-            ),
-        )
-        .read_as("Of the three mechanisms, in which a pin enters and leaves along its slot."),
+        PEAKS
+            .statement(
+                "meyer.still-at-entry",
+                "the follower must be instantaneously stationary",
+                "the follower stands still when a pin enters or leaves",
+            )
+            .by(Vectors, |stated| {
+                let ends: &[f64] = stated.pick(&[-1.0, 1.0], &[0.0]);
+                let still = |at: &Escapement| {
+                    let turning = |part| Seen::new(at, part * at.driver_half_angle()).turning();
+                    ends.iter().all(|part| vanishes(turning(part)))
+                };
+                let count = Escapement::all().iter().filter(|at| still(at)).count();
+                Finding::new(count == 3, format!("with {count} of 3 mechanisms the pin moves along its slot there"))
+            })
+            .by(ClosedForm, |stated| {
+                let ends: &[f64] = stated.pick(&[-1.0, 1.0], &[0.0]);
+                let ratio = |at: &Escapement, part: f64| {
+                    let crank = Turn::from_radians(part * PI / f64::from(at.pins()));
+                    velocity_ratio(&(1.0 / libm::sin(PI / f64::from(at.slots()))), &crank)
+                };
+                let still = |at: &&Escapement| ends.iter().all(|part| vanishes(ratio(at, *part)));
+                let count = Escapement::all().iter().filter(still).count();
+                Finding::new(count == 3, format!("with {count} of 3 mechanisms φ'/θ' of Eq. (1-7) is zero there"))
+            })
+            .but_not("the follower stands still on the line of centres")
+            .read_as("Of the three mechanisms, in which a pin enters and leaves along its slot."),
         beside_the_hand_over(
             "meyer.peaks-at-rest",
             "the driver is fastest when the follower stands still",
             "the peaks in driver velocity coincide with the zero points",
-            "with six pins the peaks in driver velocity coincide with the zero points, to one unit of the tables; \
-             with four and three pins they come 7.7 to 14° before them",
+            "with six pins the peaks in driver velocity coincide with the zero points, to one unit of the tables; with \
+             four and three pins they come 7.7 to 14° before them",
         ),
-        Claim::statement(
-            WORK,
-            "meyer.driver-slows",
-            PEAKS,
-            "after an entry the driver slows down while the follower picks up speed",
-            "the driver, transferring its energy to the follower, slows down",
-            Check::statement(
-                "the driver's speed falls and the follower's rises from the driver's minimum to the exit",
-                (Integration, |stated| {
-                    let found = rows().iter().filter_map(|row| {
-                        let of = Hypothesis::TRUE.engagement(row)?;
-                        let (lines, at) = (of.steady_cycle(INSTANTS).ok()?, of.steady_state().ok()?.minimum.angle);
-                        let own = |line: &&Printed| stated.pick(line.angle <= at, line.angle >= at);
-                        let [driver, follower] = [|line: &Printed| line.speed, |line: &Printed| line.follower_speed]
-                            .map(|of| lines.iter().filter(own).map(of).collect::<Vec<_>>());
-                        Some(falls(&driver) && falls(&reversed(&follower)))
-                    });
-                    all_of(found.collect(), rows().len(), "runs, to one unit of the tables")
-                }),
-                (Steps, |stated| {
-                    // The energies of the two members at the ends of the stretch.
-                    let found = groups().iter().filter_map(|group| {
-                        let (motion, steady) = (&group.motion, group.motion.steady()?);
-                        let (at, inertias) = (motion.least(steady)?.angle, motion.parameters.inertias());
-                        let energies = |inertia: f64, speeds: Vec<f64>| {
-                            speeds.into_iter().map(move |speed| inertia * speed * speed).collect::<Vec<_>>()
-                        };
-                        let driver = energies(inertias.driver(), motion.values(steady, |_, speed| speed));
-                        let follower = energies(inertias.follower(), motion.values(steady, motion.follower()));
-                        let middle = motion.angles.iter().position(|angle| *angle >= at)?;
-                        let [from, to] = stated.pick([0, middle], [middle, driver.len() - 1]);
-                        Some(driver[to] < driver[from] && follower[to] > follower[from])
-                    });
-                    all_of(found.collect(), groups().len(), "groups of runs, by the energies at the ends")
-                }),
-            ),
-        )
-        .read_as("From the entry until the driver is slowest, to one unit of the tables' speeds."),
+        PEAKS
+            .statement(
+                "meyer.driver-slows",
+                "the driver, transferring its energy to the follower, slows down",
+                "after an entry the driver slows down while the follower picks up speed",
+            )
+            .by(Integration, |stated| {
+                let found = rows().iter().filter_map(|row| {
+                    let of = Hypothesis::TRUE.engagement(row)?;
+                    let (lines, at) = (of.steady_cycle(INSTANTS).ok()?, of.steady_state().ok()?.minimum.angle);
+                    let own = |line: &&Printed| stated.pick(line.angle <= at, line.angle >= at);
+                    let [driver, follower] = [|line: &Printed| line.speed, |line: &Printed| line.follower_speed]
+                        .map(|of| lines.iter().filter(own).map(of).collect::<Vec<_>>());
+                    Some(falls(&driver) && falls(&reversed(&follower)))
+                });
+                all_of(found.collect(), rows().len(), "runs, to one unit of the tables")
+            })
+            .by(Steps, |stated| {
+                // The energies of the two members at the ends of the stretch.
+                let found = groups().iter().filter_map(|group| {
+                    let (motion, steady) = (&group.motion, group.motion.steady()?);
+                    let (at, inertias) = (motion.least(steady)?.angle, motion.parameters.inertias());
+                    let energies = |inertia: f64, speeds: Vec<f64>| {
+                        speeds.into_iter().map(move |speed| inertia * speed * speed).collect::<Vec<_>>()
+                    };
+                    let driver = energies(inertias.driver(), motion.values(steady, |_, speed| speed));
+                    let follower = energies(inertias.follower(), motion.values(steady, motion.follower()));
+                    let middle = motion.angles.iter().position(|angle| *angle >= at)?;
+                    let [from, to] = stated.pick([0, middle], [middle, driver.len() - 1]);
+                    Some(driver[to] < driver[from] && follower[to] > follower[from])
+                });
+                all_of(found.collect(), groups().len(), "groups of runs, by the energies at the ends")
+            })
+            .but_not("the driver's speed falls and the follower's rises from the driver's minimum to the exit")
+            .read_as("From the entry until the driver is slowest, to one unit of the tables' speeds."),
     ]
 }
 
 fn at_the_centres() -> Vec<Claim> {
     vec![
-        Claim::statement(
-            WORK,
-            "meyer.extremes-on-centres",
-            PEAKS,
-            "on the line of centres the driver is slowest and the follower fastest",
-            "the driver velocity is a minimum and the follower velocity is a maximum",
-            Check::corrected_statement(
-                (Integration, |stated| {
-                    let of = |state: &SteadyState| [-state.minimum.angle, state.switch_angle.unwrap_or(f64::NAN)];
-                    extremes(stated, steady().iter().map(|(_, state)| of(state)).collect())
-                }),
-                (Steps, |stated| {
-                    let places = groups().iter().filter_map(|group| {
-                        let (motion, steady) = (&group.motion, group.motion.steady()?);
-                        Some([-motion.least(steady)?.angle, motion.greatest(steady, motion.follower()).angle])
-                    });
-                    extremes(stated, places.collect())
-                }),
+        PEAKS
+            .statement(
+                "meyer.extremes-on-centres",
+                "the driver velocity is a minimum and the follower velocity is a maximum",
+                "on the line of centres the driver is slowest and the follower fastest",
+            )
+            .by(Integration, |stated| {
+                let of = |state: &SteadyState| [-state.minimum.angle, state.switch_angle.unwrap_or(f64::NAN)];
+                extremes(stated, steady().iter().map(|(_, state)| of(state)).collect())
+            })
+            .by(Steps, |stated| {
+                let places = groups().iter().filter_map(|group| {
+                    let (motion, steady) = (&group.motion, group.motion.steady()?);
+                    Some([-motion.least(steady)?.angle, motion.greatest(steady, motion.follower()).angle])
+                });
+                extremes(stated, places.collect())
+            })
+            .corrected(
+                "the driver velocity has been a minimum 0.48 to 5.8° before, and the follower velocity becomes a \
+                 maximum 9.3 to 25° later",
+                EXTREMES_ON_CENTRES,
             ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: "the driver velocity has been a minimum 0.48 to 5.8° before, and the follower velocity \
-                        becomes a maximum 9.3 to 25° later",
-            slip: EXTREMES_ON_CENTRES,
-        }),
-        Claim::statement(
-            WORK,
-            "meyer.follower-decreases",
-            PEAKS,
-            "from the line of centres on the follower's speed falls",
-            "(and the follower velocity decreases)",
-            Check::corrected_statement(
-                (Integration, |stated| {
-                    let found = rows().iter().filter_map(|row| {
-                        let of = Hypothesis::TRUE.engagement(row)?;
-                        let change = of.steady_state().ok()?.switch_angle?;
-                        let lines = of.steady_cycle(INSTANTS).ok()?;
-                        let own = lines.iter().filter(|line| line.angle >= stated.pick(change, 0.0));
-                        Some(falls(&own.map(|line| line.follower_speed).collect::<Vec<_>>()))
-                    });
-                    all_of(found.collect(), rows().len(), "runs, to one unit of the tables")
-                }),
-                (Steps, |stated| {
-                    let found = groups().iter().filter_map(|group| {
-                        let (motion, steady) = (&group.motion, group.motion.steady()?);
-                        let speeds = motion.values(steady, motion.follower());
-                        let fastest = motion.greatest(steady, motion.follower()).angle;
-                        let from = stated.pick(fastest, 0.0);
-                        let at = motion.angles.iter().position(|angle| *angle >= from)?;
-                        Some(speeds[at..].windows(2).all(|pair| pair[1] < pair[0]))
-                    });
-                    all_of(found.collect(), groups().len(), "groups of runs, from step to step")
-                }),
+        PEAKS
+            .statement(
+                "meyer.follower-decreases",
+                "(and the follower velocity decreases)",
+                "from the line of centres on the follower's speed falls",
+            )
+            .by(Integration, |stated| {
+                let found = rows().iter().filter_map(|row| {
+                    let of = Hypothesis::TRUE.engagement(row)?;
+                    let change = of.steady_state().ok()?.switch_angle?;
+                    let lines = of.steady_cycle(INSTANTS).ok()?;
+                    let own = lines.iter().filter(|line| line.angle >= stated.pick(change, 0.0));
+                    Some(falls(&own.map(|line| line.follower_speed).collect::<Vec<_>>()))
+                });
+                all_of(found.collect(), rows().len(), "runs, to one unit of the tables")
+            })
+            .by(Steps, |stated| {
+                let found = groups().iter().filter_map(|group| {
+                    let (motion, steady) = (&group.motion, group.motion.steady()?);
+                    let speeds = motion.values(steady, motion.follower());
+                    let fastest = motion.greatest(steady, motion.follower()).angle;
+                    let from = stated.pick(fastest, 0.0);
+                    let at = motion.angles.iter().position(|angle| *angle >= from)?;
+                    Some(speeds[at..].windows(2).all(|pair| pair[1] < pair[0]))
+                });
+                all_of(found.collect(), groups().len(), "groups of runs, from step to step")
+            })
+            .read_as(
+                "That the follower's speed falls from the line of centres to the exit, to one unit of the tables' \
+                 speeds.",
+            )
+            .corrected(
+                "(and the follower velocity increases until the pin goes over to the trailing flank of the slot, and \
+                 then decreases)",
+                EXTREMES_ON_CENTRES,
             ),
-        )
-        .read_as(
-            "That the follower's speed falls from the line of centres to the exit, to one unit of the tables' \
-             speeds.",
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: "(and the follower velocity increases until the pin goes over to the trailing flank of the \
-                        slot, and then decreases)",
-            slip: EXTREMES_ON_CENTRES,
-        }),
     ]
 }
 
@@ -228,35 +207,32 @@ fn at_exit() -> Vec<Claim> {
             "until it again reaches a maximum, with six pins as the pin leaves the slot, to one unit of the tables, \
              with four and three pins 7.7 to 14° before",
         ),
-        Claim::statement(
-            WORK,
-            "meyer.leaves-as-entered",
-            PEAKS,
-            "in the steady motion the speed at the exit is that at the entry",
-            "the same as when it entered",
-            Check::statement(
-                "so it is from the first engagement on",
-                (Integration, |stated| {
-                    let found = rows().iter().filter_map(|row| {
-                        let of = Hypothesis::TRUE.engagement(row)?;
-                        let mut ends = [0.0, of.hand_over(0.0).ok()?];
-                        for _ in 0..stated.pick(LONG, 0) {
-                            ends = [ends[1], of.hand_over(ends[1]).ok()?];
-                        }
-                        Some((ends[0] / ends[1] - 1.0).abs() < 1e-9)
-                    });
-                    all_of(found.collect(), rows().len(), "runs, by handing on the speed from rest")
-                }),
-                (Steps, |stated| {
-                    let found = groups().iter().filter_map(|group| {
-                        let first = group.motion.engagements.first()?;
-                        let [entry, exit] = stated.pick(group.motion.steady()?, first).ends();
-                        Some((entry / exit - 1.0).abs() < 1e-9)
-                    });
-                    all_of(found.collect(), groups().len(), "groups of runs")
-                }),
-            ),
-        ),
+        PEAKS
+            .statement(
+                "meyer.leaves-as-entered",
+                "the same as when it entered",
+                "in the steady motion the speed at the exit is that at the entry",
+            )
+            .by(Integration, |stated| {
+                let found = rows().iter().filter_map(|row| {
+                    let of = Hypothesis::TRUE.engagement(row)?;
+                    let mut ends = [0.0, of.hand_over(0.0).ok()?];
+                    for _ in 0..stated.pick(LONG, 0) {
+                        ends = [ends[1], of.hand_over(ends[1]).ok()?];
+                    }
+                    Some((ends[0] / ends[1] - 1.0).abs() < 1e-9)
+                });
+                all_of(found.collect(), rows().len(), "runs, by handing on the speed from rest")
+            })
+            .by(Steps, |stated| {
+                let found = groups().iter().filter_map(|group| {
+                    let first = group.motion.engagements.first()?;
+                    let [entry, exit] = stated.pick(group.motion.steady()?, first).ends();
+                    Some((entry / exit - 1.0).abs() < 1e-9)
+                });
+                all_of(found.collect(), groups().len(), "groups of runs")
+            })
+            .but_not("so it is from the first engagement on"),
     ]
 }
 
@@ -273,16 +249,17 @@ fn beside_the_hand_over(
     printed: &'static str,
     corrected: &'static str,
 ) -> Claim {
-    let check = Check::corrected_statement(
-        (Integration, |stated| {
+    PEAKS
+        .statement(id, printed, meaning)
+        .by(Integration, |stated| {
             let of = |(row, state): &(&Row, SteadyState)| Peak {
                 mechanism: row.mechanism,
                 angle: state.peak.angle,
                 lost: state.peak.speed - state.entry_speed,
             };
             peaks(stated, steady().iter().map(of).collect())
-        }),
-        (Steps, |stated| {
+        })
+        .by(Steps, |stated| {
             let of = |group: &Group| {
                 let (motion, steady) = (&group.motion, group.motion.steady()?);
                 let peak = motion.greatest(steady, |_, speed| speed);
@@ -290,15 +267,12 @@ fn beside_the_hand_over(
                 Some(Peak { mechanism: group.rows.first()?.mechanism, angle: peak.angle, lost })
             };
             peaks(stated, groups().iter().filter_map(of).collect())
-        }),
-    );
-    Claim::statement(WORK, id, PEAKS, meaning, printed, check)
+        })
         .read_as(
-            "In every run, in steady motion. At entry or exit is a peak if the driver is as fast there, to one unit \
-             of the tables' speeds.",
+            "In every run, in steady motion. At entry or exit is a peak if the driver is as fast there, to one unit of \
+             the tables' speeds.",
         )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum { corrected, slip: PEAKS_AT_ENTRY })
+        .corrected(corrected, PEAKS_AT_ENTRY)
 }
 
 /// Where the driver is fastest, and by how much it is slower at the hand-over, in rad/s.

@@ -10,171 +10,143 @@ use geneva_dynamics::Parameters;
 use geneva_dynamics::steady::Engagement;
 use std::sync::OnceLock;
 
-const BEFORE: &str = "Chapter II, sentence around Fig. 8";
-const RISE: &str = "Chapter II, paragraph on the rise time in Fig. 8";
+const BEFORE: Place = at("Chapter II, sentence around Fig. 8");
+const RISE: Place = at("Chapter II, paragraph on the rise time in Fig. 8");
 
 /// A figure of which the copy has the number only.
 pub fn lost(id: &'static str, locator: &'static str, meaning: &'static str, printed: &'static str) -> Claim {
-    let check = Check::Missing { reason: "The curves are not in the copy" };
-    Claim::figure(WORK, id, locator, meaning, printed, check).expecting(Verdict::NotReproducible)
+    at(locator).figure(id, printed, meaning).missing("The curves are not in the copy")
 }
 
 pub fn claims() -> Vec<Claim> {
     vec![
-        Claim::figure(
-            WORK,
-            "meyer.fig-8",
-            "Fig. 8",
-            "speeds of driver and follower over time, four pins",
-            "FIGURE 8",
-            Check::Missing { reason: "The curves are not in the copy, and the run that they show is not named" },
-        )
-        .expecting(Verdict::NotReproducible),
+        at("Fig. 8")
+            .figure("meyer.fig-8", "FIGURE 8", "speeds of driver and follower over time, four pins")
+            .missing("The curves are not in the copy, and the run that they show is not named"),
         shape(),
         scales(),
-        Claim::value(
-            WORK,
-            "meyer.fig-8.rise",
-            RISE,
-            "rise time of the run that is drawn",
-            ("0.025", "seconds"),
-            Check::Missing {
-                reason: "The text does not name the run. The first minima of two of the four-pin runs round to the \
-                         printed time, and the table gives other rise times for both",
-            },
-        )
-        .expecting(Verdict::NotReproducible),
+        RISE.value("meyer.fig-8.rise", "0.025", "seconds", "rise time of the run that is drawn").missing(
+            "The text does not name the run. The first minima of two of the four-pin runs round to the printed time, \
+             and the table gives other rise times for both",
+        ),
         first_minimum(),
     ]
 }
 
 fn shape() -> Claim {
-    Claim::statement(
-        WORK,
-        "meyer.shape",
-        BEFORE,
-        "no parameter changes the shape of the curve of speeds",
-        "will not change the shape of the curve",
-        Check::corrected_statement(
-            (Integration, |stated| {
-                let sets = between_parameters(stated.pick(&["torque"], &["torque", "friction", "slots"]));
-                let counts: Vec<Vec<usize>> =
-                    sets.iter().map(|set| set.iter().filter_map(|row| turning_points(row)).collect()).collect();
-                let alike = |set: &&Vec<usize>| set.windows(2).all(|pair| pair[0] == pair[1]);
-                let (same, all) = (counts.iter().filter(alike).count(), counts.concat());
-                let (least, most) = all.iter().fold((usize::MAX, 0), |(a, b), count| (a.min(*count), b.max(*count)));
-                Finding::new(
-                    same == counts.len() && all.len() == rows().len(),
-                    format!(
-                        "in {same} of {} sets of runs the driver's speed has equally many turning points in each \
-                         steady engagement, of {least} to {most} in all",
-                        counts.len()
-                    ),
-                )
-            }),
-            (OtherPlaceInSource, |stated| {
-                // Is some number within the rounding of all quotients of peak and minimum?
-                let sets = between_parameters(stated.pick(&["torque"], &["torque", "friction"]));
-                let ranges: Vec<[f64; 2]> = sets.iter().map(|set| quotient(set)).collect();
-                let one = ranges.iter().filter(|[low, high]| low <= high).count();
-                Finding::new(
-                    one == ranges.len(),
-                    format!("in {one} of {} sets of rows one quotient of peak and minimum fits all", ranges.len()),
-                )
-            }),
-        ),
-    )
-    .read_as(
-        "Two curves have one shape if one covers the other after a change of the scales of its axes. Asked is no more \
-         than that they turn round equally often in an engagement, or have one quotient of peak and minimum to the \
-         printed digits.",
-    )
-    .expecting(Verdict::Corrected)
-    .with_erratum(Erratum {
-        corrected: "Changing the torque will not change the shape of the curve",
-        slip: Slip {
-            id: "",
-            reason: "Eq. (1-19) is the same equation if all speeds grow as the root of K/I_f and all times shrink \
-                     by it, so a change of K alone changes scales alone. The number of slots, the friction and the \
-                     quotient of the inertias do change the shape: how deep the minimum is, where the peak stands, \
-                     how many peaks there are.",
-            witness: "Peak over minimum, as printed, is the same for all torques, but not for all frictions.",
-            origin: Origin::Concept,
-            consequence: Consequence::Conclusion,
-            changes: "A curve for one friction cannot be got from that for another by new scales.",
-        },
-    })
+    BEFORE
+        .statement(
+            "meyer.shape",
+            "will not change the shape of the curve",
+            "no parameter changes the shape of the curve of speeds",
+        )
+        .by(Integration, |stated| {
+            let sets = between_parameters(stated.pick(&["torque"], &["torque", "friction", "slots"]));
+            let counts: Vec<Vec<usize>> =
+                sets.iter().map(|set| set.iter().filter_map(|row| turning_points(row)).collect()).collect();
+            let alike = |set: &&Vec<usize>| set.windows(2).all(|pair| pair[0] == pair[1]);
+            let (same, all) = (counts.iter().filter(alike).count(), counts.concat());
+            let (least, most) = all.iter().fold((usize::MAX, 0), |(a, b), count| (a.min(*count), b.max(*count)));
+            Finding::new(
+                same == counts.len() && all.len() == rows().len(),
+                format!(
+                    "in {same} of {} sets of runs the driver's speed has equally many turning points in each steady \
+                     engagement, of {least} to {most} in all",
+                    counts.len()
+                ),
+            )
+        })
+        .by(OtherPlaceInSource, |stated| {
+            // Is some number within the rounding of all quotients of peak and minimum?
+            let sets = between_parameters(stated.pick(&["torque"], &["torque", "friction"]));
+            let ranges: Vec<[f64; 2]> = sets.iter().map(|set| quotient(set)).collect();
+            let one = ranges.iter().filter(|[low, high]| low <= high).count();
+            Finding::new(
+                one == ranges.len(),
+                format!("in {one} of {} sets of rows one quotient of peak and minimum fits all", ranges.len()),
+            )
+        })
+        .read_as(
+            "Two curves have one shape if one covers the other after a change of the scales of its axes. Asked is no \
+             more than that they turn round equally often in an engagement, or have one quotient of peak and minimum \
+             to the printed digits.",
+        )
+        .corrected(
+            "Changing the torque will not change the shape of the curve",
+            Slip {
+                id: "",
+                reason: "Eq. (1-19) is the same equation if all speeds grow as the root of K/I_f and all times shrink \
+                         by it, so a change of K alone changes scales alone. The number of slots, the friction and the \
+                         quotient of the inertias do change the shape: how deep the minimum is, where the peak stands, \
+                         how many peaks there are.",
+                witness: "Peak over minimum, as printed, is the same for all torques, but not for all frictions.",
+                origin: Origin::Concept,
+                consequence: Consequence::Conclusion,
+                changes: "A curve for one friction cannot be got from that for another by new scales.",
+            },
+        )
 }
 
 fn scales() -> Claim {
-    Claim::statement(
-        WORK,
-        "meyer.scales",
-        BEFORE,
-        "parameters change the speed, the period and the rise time",
-        "the magnitude of the velocity, the period of the oscillations, and the rise time",
-        Check::statement(
-            "torque and both inertias, changed in one proportion, will change them",
-            (Integration, |stated| {
-                static FOUND: OnceLock<Responses> = OnceLock::new();
-                changed(stated, FOUND.get_or_init(|| responses(&TENTHS, scales_by_integrals)))
-            }),
-            (Steps, |stated| {
-                static FOUND: OnceLock<Responses> = OnceLock::new();
-                changed(stated, FOUND.get_or_init(|| responses(&TENTHS, scales_by_steps)))
-            }),
-        ),
-    )
-    .read_as(
-        "Each of torque, friction and the two inertias, changed alone, changes all three; the rise time is that of the \
-         first minimum.",
-    )
+    BEFORE
+        .statement(
+            "meyer.scales",
+            "the magnitude of the velocity, the period of the oscillations, and the rise time",
+            "parameters change the speed, the period and the rise time",
+        )
+        .by(Integration, |stated| {
+            static FOUND: OnceLock<Responses> = OnceLock::new();
+            changed(stated, FOUND.get_or_init(|| responses(&TENTHS, scales_by_integrals)))
+        })
+        .by(Steps, |stated| {
+            static FOUND: OnceLock<Responses> = OnceLock::new();
+            changed(stated, FOUND.get_or_init(|| responses(&TENTHS, scales_by_steps)))
+        })
+        .but_not("torque and both inertias, changed in one proportion, will change them")
+        .read_as(
+            "Each of torque, friction and the two inertias, changed alone, changes all three; the rise time is that of \
+             the first minimum.",
+        )
 }
 
 fn first_minimum() -> Claim {
-    Claim::statement(
-        WORK,
+    RISE.statement(
         "meyer.first-minimum",
-        RISE,
-        "by the first minimum of its speed the driver moves as it will for ever",
         "by the first minimum in velocity, the driver has achieved its steady state",
-        Check::corrected_statement(
-            (Integration, |stated| {
-                settled(stated, rows().iter().filter_map(|row| Some((row.mechanism, minima(row)?))).collect())
-            }),
-            (Steps, |stated| {
-                let of = |group: &Group| {
-                    let motion = &group.motion;
-                    let least = |engagement| Some(motion.least(engagement)?.value);
-                    let minima: Vec<f64> = motion.engagements.iter().filter_map(least).collect();
-                    let steady = *minima.last()?;
-                    Some((group.rows.first()?.mechanism, minima.iter().map(|least| least / steady).collect()))
-                };
-                settled(stated, groups().iter().filter_map(of).collect())
-            }),
-        ),
+        "by the first minimum of its speed the driver moves as it will for ever",
     )
+    .by(Integration, |stated| {
+        settled(stated, rows().iter().filter_map(|row| Some((row.mechanism, minima(row)?))).collect())
+    })
+    .by(Steps, |stated| {
+        let of = |group: &Group| {
+            let motion = &group.motion;
+            let least = |engagement| Some(motion.least(engagement)?.value);
+            let minima: Vec<f64> = motion.engagements.iter().filter_map(least).collect();
+            let steady = *minima.last()?;
+            Some((group.rows.first()?.mechanism, minima.iter().map(|least| least / steady).collect()))
+        };
+        settled(stated, groups().iter().filter_map(of).collect())
+    })
     .read_as(
         "A steady state is achieved with a minimum if that and all later ones are within one part in a hundred of the \
          last, the measure on the axes of Figs. 10 and 11.",
     )
-    .expecting(Verdict::Corrected)
-    .with_erratum(Erratum {
-        corrected: "by the second minimum in velocity with four pins, by the third with six, by the fourth with \
-                    three, the driver has achieved its steady state",
-        slip: Slip {
+    .corrected(
+        "by the second minimum in velocity with four pins, by the third with six, by the fourth with three, the driver \
+         has achieved its steady state",
+        Slip {
             id: "",
             reason: "The first minimum is that of the first engagement, which starts from rest: no speed has been \
-                     handed on yet. It is too low in every run, with six and three pins by more than with four. \
-                     What an engagement leaves of the difference depends on the friction: with four pins the second \
-                     pin enters at the steady speed within one per cent, except with the least friction of the \
-                     runs.",
+                     handed on yet. It is too low in every run, with six and three pins by more than with four. What \
+                     an engagement leaves of the difference depends on the friction: with four pins the second pin \
+                     enters at the steady speed within one per cent, except with the least friction of the runs.",
             witness: "The minima of all mechanisms and frictions, by steps.",
             origin: Origin::Concept,
             consequence: Consequence::Conclusion,
             changes: "A rise time that ends with the first minimum is too short.",
         },
-    })
+    )
 }
 
 /// The rows in sets between which only these parameters change.

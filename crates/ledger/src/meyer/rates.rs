@@ -8,14 +8,42 @@ use geneva_kinematics::escapement::Form;
 use geneva_kinematics::escapement::rate_proofs::{AccelerationStep, VelocityStep};
 
 // Displays too long for a line.
-const QUOTIENT_RULE: &str = r"\frac{d}{dt}(\tan \phi) = \frac{(a - \cos \theta) \frac{d}{dt}(\sin \theta) - \sin \theta \frac{d}{dt}(a - \cos \theta)}{(a - \cos \theta)^2}";
-const SECANT_SQUARED: &str = r"(\sec^2 \phi) \dot{\phi} = \frac{(a - \cos \theta)(\cos \theta) \dot{\theta} - \sin \theta (\sin \theta) \dot{\theta}}{(a - \cos \theta)^2}";
-const TANGENT_SUBSTITUTED: &str = r"\left(1 + \frac{\sin^2 \theta}{(a - \cos \theta)^2}\right) \dot{\phi} = \frac{a \cos \theta - 1}{(a - \cos \theta)^2} \dot{\theta}";
-const ACCELERATION_BY_QUOTIENT: &str = r"\ddot{\phi} = \left[\frac{(1 + a^2 - 2a \cos \theta) \frac{d}{dt}(a \cos \theta - 1) - (a \cos \theta - 1) \frac{d}{dt}(1 + a^2 - 2a \cos \theta)}{(1 + a^2 - 2a \cos \theta)^2} \right] \dot{\theta} \ldots + \left(\frac{a \cos \theta - 1}{1 + a^2 - 2a \cos \theta}\right) \ddot{\theta}";
-const DIFFERENTIATED: &str = r"\ddot{\theta} = \left[\frac{(1+a^2 - 2a\cos\theta)(-a\sin\theta)\dot{\theta} - (a\cos\theta - 1)(2a\sin\theta)\dot{\theta}}{(1+a^2 - 2a\cos\theta)^2} \right] \dot{\theta} + \frac{a\cos\theta - 1}{(1+a^2 - 2a\cos\theta)} \ddot{\theta}";
-const DIFFERENTIATED_CORRECTED: &str = r"\ddot{\phi} = \left[\frac{(1+a^2 - 2a\cos\theta)(-a\sin\theta)\dot{\theta} - (a\cos\theta - 1)(2a\sin\theta)\dot{\theta}}{(1+a^2 - 2a\cos\theta)^2} \right] \dot{\theta} + \frac{a\cos\theta - 1}{(1+a^2 - 2a\cos\theta)} \ddot{\theta}";
-const ACCELERATION: &str = r"\ddot{\theta} = \frac{a\sin\theta(1-a^2)}{(1+a^2 - 2a\cos\theta)^2} \dot{\theta}^2 + \frac{a\cos\theta - 1}{(1+a^2 - 2a\cos\theta)} \ddot{\theta}";
-const ACCELERATION_CORRECTED: &str = r"\ddot{\phi} = \frac{a\sin\theta(1-a^2)}{(1+a^2 - 2a\cos\theta)^2} \dot{\theta}^2 + \frac{a\cos\theta - 1}{(1+a^2 - 2a\cos\theta)} \ddot{\theta}";
+const QUOTIENT_RULE: &str = concat!(
+    r"\frac{d}{dt}(\tan \phi) = \frac{(a - \cos \theta) \frac{d}{dt}(\sin \theta) - \sin ",
+    r"\theta \frac{d}{dt}(a - \cos \theta)}{(a - \cos \theta)^2}"
+);
+const SECANT_SQUARED: &str = concat!(
+    r"(\sec^2 \phi) \dot{\phi} = \frac{(a - \cos \theta)(\cos \theta) \dot{\theta} - ",
+    r"\sin \theta (\sin \theta) \dot{\theta}}{(a - \cos \theta)^2}"
+);
+const TANGENT_SUBSTITUTED: &str = concat!(
+    r"\left(1 + \frac{\sin^2 \theta}{(a - \cos \theta)^2}\right) \dot{\phi} = \frac{a ",
+    r"\cos \theta - 1}{(a - \cos \theta)^2} \dot{\theta}"
+);
+const ACCELERATION_BY_QUOTIENT: &str = concat!(
+    r"\ddot{\phi} = \left[\frac{(1 + a^2 - 2a \cos \theta) \frac{d}{dt}(a \cos \theta - ",
+    r"1) - (a \cos \theta - 1) \frac{d}{dt}(1 + a^2 - 2a \cos \theta)}{(1 + a^2 - 2a ",
+    r"\cos \theta)^2} \right] \dot{\theta} \ldots + \left(\frac{a \cos \theta - 1}{1 + ",
+    r"a^2 - 2a \cos \theta}\right) \ddot{\theta}"
+);
+const DIFFERENTIATED: &str = concat!(
+    r"\ddot{\theta} = \left[\frac{(1+a^2 - 2a\cos\theta)(-a\sin\theta)\dot{\theta} - ",
+    r"(a\cos\theta - 1)(2a\sin\theta)\dot{\theta}}{(1+a^2 - 2a\cos\theta)^2} \right] ",
+    r"\dot{\theta} + \frac{a\cos\theta - 1}{(1+a^2 - 2a\cos\theta)} \ddot{\theta}"
+);
+const DIFFERENTIATED_CORRECTED: &str = concat!(
+    r"\ddot{\phi} = \left[\frac{(1+a^2 - 2a\cos\theta)(-a\sin\theta)\dot{\theta} - ",
+    r"(a\cos\theta - 1)(2a\sin\theta)\dot{\theta}}{(1+a^2 - 2a\cos\theta)^2} \right] ",
+    r"\dot{\theta} + \frac{a\cos\theta - 1}{(1+a^2 - 2a\cos\theta)} \ddot{\theta}"
+);
+const ACCELERATION: &str = concat!(
+    r"\ddot{\theta} = \frac{a\sin\theta(1-a^2)}{(1+a^2 - 2a\cos\theta)^2} \dot{\theta}^2 ",
+    r"+ \frac{a\cos\theta - 1}{(1+a^2 - 2a\cos\theta)} \ddot{\theta}"
+);
+const ACCELERATION_CORRECTED: &str = concat!(
+    r"\ddot{\phi} = \frac{a\sin\theta(1-a^2)}{(1+a^2 - 2a\cos\theta)^2} \dot{\theta}^2 + ",
+    r"\frac{a\cos\theta - 1}{(1+a^2 - 2a\cos\theta)} \ddot{\theta}"
+);
 
 pub fn claims() -> Vec<Claim> {
     [velocity(), acceleration()].concat()
@@ -23,14 +51,7 @@ pub fn claims() -> Vec<Claim> {
 
 fn velocity() -> Vec<Claim> {
     let step = |id, locator, meaning, printed, proof: fn() -> Finding, witness: fn() -> Finding| {
-        Claim::equation(
-            WORK,
-            id,
-            locator,
-            meaning,
-            printed,
-            Check::equation((ExactIdentity, proof), (Vectors, witness)),
-        )
+        at(locator).equation(id, printed, meaning).by(ExactIdentity, proof).by(Vectors, witness)
     };
     vec![
         step(
@@ -53,7 +74,7 @@ fn velocity() -> Vec<Claim> {
             "meyer.one-and-tangent-squared",
             "3rd display after Eq. (1-6)",
             "the same with the square of the tangent",
-            r"(1 + \tan^2 \phi) \dot{\phi} = \frac{a \cos \theta - 1}{(a - \cos \theta)^2} \dot{\theta}",
+            concat!(r"(1 + \tan^2 \phi) \dot{\phi} = \frac{a \cos \theta - 1}{(a - \cos \theta)^2} ", r"\dot{\theta}"),
             || prove(&VelocityStep::OneAndTangentSquared).into(),
             || {
                 at_instants(|at| {
@@ -79,7 +100,7 @@ fn velocity() -> Vec<Claim> {
             "meyer.eq-1-7",
             "Eq. (1-7)",
             "angular velocity of the follower",
-            r"\dot{\phi} = \left(\frac{a \cos \theta - 1}{1 + a^2 - 2a \cos \theta}\right) \dot{\theta}",
+            concat!(r"\dot{\phi} = \left(\frac{a \cos \theta - 1}{1 + a^2 - 2a \cos \theta}\right) ", r"\dot{\theta}"),
             || prove(&VelocityStep::Velocity).into(),
             || at_instants(|at| (at.turning(), lead(at) / under(at) * DRIVER.0)),
         ),
@@ -88,50 +109,31 @@ fn velocity() -> Vec<Claim> {
 
 fn acceleration() -> Vec<Claim> {
     vec![
-        Claim::equation(
-            WORK,
-            "meyer.acceleration-by-quotient",
-            "1st display after Eq. (1-7)",
-            "Eq. (1-7) differentiated by the rule for quotients; the dots are the break between two lines",
-            ACCELERATION_BY_QUOTIENT,
-            Check::equation(
-                (ExactIdentity, || prove(&AccelerationStep::QuotientRule).into()),
-                (Vectors, || at_instants(|at| (at.turning_rate(), acceleration_by_quotient(at)))),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "meyer.acceleration-differentiated",
-            "2nd display after Eq. (1-7)",
-            "the derivatives carried out",
-            DIFFERENTIATED,
-            Check::corrected_equation(
-                (ExactIdentity, || prove(&AccelerationStep::Differentiated(Form::Printed)).into()),
-                || prove(&AccelerationStep::Differentiated(Form::Corrected)).into(),
-                (Vectors, || at_instants(|at| (at.turning_rate(), acceleration_by_quotient(at)))),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum { corrected: DIFFERENTIATED_CORRECTED, slip: slips::PHI_AS_THETA }),
-        Claim::equation(
-            WORK,
-            "meyer.eq-1-8",
-            "Eq. (1-8)",
-            "angular acceleration of the follower",
-            ACCELERATION,
-            Check::corrected_equation(
-                (ExactIdentity, || prove(&AccelerationStep::Acceleration(Form::Printed)).into()),
-                || prove(&AccelerationStep::Acceleration(Form::Corrected)).into(),
-                (Vectors, || {
-                    at_instants(|at| {
-                        let shape = at.ratio * at.crank.sin * (1.0 - square(at.ratio)) / square(under(at));
-                        (at.turning_rate(), shape * square(DRIVER.0) + lead(at) / under(at) * DRIVER.1)
-                    })
-                }),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum { corrected: ACCELERATION_CORRECTED, slip: slips::PHI_AS_THETA }),
+        at("1st display after Eq. (1-7)")
+            .equation(
+                "meyer.acceleration-by-quotient",
+                ACCELERATION_BY_QUOTIENT,
+                "Eq. (1-7) differentiated by the rule for quotients; the dots are the break between two lines",
+            )
+            .proven(AccelerationStep::QuotientRule)
+            .by(Vectors, || at_instants(|at| (at.turning_rate(), acceleration_by_quotient(at)))),
+        at("2nd display after Eq. (1-7)")
+            .equation("meyer.acceleration-differentiated", DIFFERENTIATED, "the derivatives carried out")
+            .proven(AccelerationStep::Differentiated(Form::Printed))
+            .corrected_form(|| prove(&AccelerationStep::Differentiated(Form::Corrected)).into())
+            .by(Vectors, || at_instants(|at| (at.turning_rate(), acceleration_by_quotient(at))))
+            .corrected(DIFFERENTIATED_CORRECTED, slips::PHI_AS_THETA),
+        at("Eq. (1-8)")
+            .equation("meyer.eq-1-8", ACCELERATION, "angular acceleration of the follower")
+            .proven(AccelerationStep::Acceleration(Form::Printed))
+            .corrected_form(|| prove(&AccelerationStep::Acceleration(Form::Corrected)).into())
+            .by(Vectors, || {
+                at_instants(|at| {
+                    let shape = at.ratio * at.crank.sin * (1.0 - square(at.ratio)) / square(under(at));
+                    (at.turning_rate(), shape * square(DRIVER.0) + lead(at) / under(at) * DRIVER.1)
+                })
+            })
+            .corrected(ACCELERATION_CORRECTED, slips::PHI_AS_THETA),
     ]
 }
 

@@ -15,38 +15,37 @@ pub fn claims() -> Vec<Claim> {
 }
 
 fn not_fast_enough() -> Claim {
-    Claim::statement(
-        WORK,
-        "meyer.not-fast-enough",
-        "Recommendation 1",
-        "the rise times are too long for a timer of milliseconds",
-        "not fast enough",
-        Check::statement(
-            "they are too long for a timer of tenths of a second",
-            (OtherPlaceInSource, |stated| {
-                let least = rows().iter().map(|row| row.number(Column::Rise)).fold(f64::INFINITY, f64::min);
-                Finding::new(least >= stated.pick(0.01, 0.1), format!("the shortest of Appendix E is {least} s"))
-            }),
-            (Steps, |stated| {
-                let first = groups().iter().map(|group| {
-                    let minimum = group.motion.engagements.first().and_then(|first| group.motion.least(first));
-                    minimum.map_or(f64::NAN, |minimum| minimum.time / group.greatest_scale())
-                });
-                let least = first.fold(f64::INFINITY, f64::min);
-                Finding::new(
-                    least >= stated.pick(0.01, 0.1),
-                    format!("the shortest time from rest to the first minimum is {least:.4} s"),
-                )
-            }),
-        ),
-    )
-    .read_as("A timer of milliseconds times less than ten of them; a rise longer than that is not fast enough for it.")
+    at("Recommendation 1")
+        .statement(
+            "meyer.not-fast-enough",
+            "not fast enough",
+            "the rise times are too long for a timer of milliseconds",
+        )
+        .by(OtherPlaceInSource, |stated| {
+            let least = rows().iter().map(|row| row.number(Column::Rise)).fold(f64::INFINITY, f64::min);
+            Finding::new(least >= stated.pick(0.01, 0.1), format!("the shortest of Appendix E is {least} s"))
+        })
+        .by(Steps, |stated| {
+            let first = groups().iter().map(|group| {
+                let minimum = group.motion.engagements.first().and_then(|first| group.motion.least(first));
+                minimum.map_or(f64::NAN, |minimum| minimum.time / group.greatest_scale())
+            });
+            let least = first.fold(f64::INFINITY, f64::min);
+            Finding::new(
+                least >= stated.pick(0.01, 0.1),
+                format!("the shortest time from rest to the first minimum is {least:.4} s"),
+            )
+        })
+        .but_not("they are too long for a timer of tenths of a second")
+        .read_as(
+            "A timer of milliseconds times less than ten of them; a rise longer than that is not fast enough for it.",
+        )
 }
 
 fn spring_rates() -> Claim {
     spring::no_rate(
         "meyer.recommendation.spring-rates",
-        "Recommendation 2",
+        at("Recommendation 2"),
         "the strength of the spring is called a rate, which is a torque for each radian of winding",
         "spring rates",
         "torques of the spring",
@@ -54,98 +53,91 @@ fn spring_rates() -> Claim {
 }
 
 fn cyclic_oscillations() -> Claim {
-    Claim::statement(
-        WORK,
-        "meyer.cyclic-oscillations",
-        "Recommendation 2",
-        "a strong spring makes the peak of the driver's speed swing from cycle to cycle",
-        "significant cyclic oscillations in the magnitude of the peak velocity",
-        Check::corrected_statement(
-            (Integration, |stated| {
-                // The motion of the mechanism, looked at as often as lines are printed, or a hundred times as often.
-                let interval = runs::interval() * stated.pick(1.0, 0.01);
-                swinging(&|row| {
-                    let of = with(row, EXCESSIVE, 1.0)?;
-                    let lines = of.run(interval, runs::duration()).ok()?;
-                    Some(lines.iter().map(|line| (line.engagement, line.speed)).collect())
-                })
-            }),
-            (Steps, |stated| {
-                // The program with its reset angle, its lagged sign and its own π, printing as often.
-                let interval = runs::interval() * stated.pick(1.0, 0.01);
-                swinging(&|row| {
-                    let of = with(row, EXCESSIVE, 1.0)?;
-                    let slots = f64::from(of.parameters().slots().count());
-                    let program = Program {
-                        fold: Hypothesis::BEST.angle(row.mechanism),
-                        ratio: 1.0 / libm::sin(printed("meyer.listing.pi") / slots),
-                        contact: Contact::Delayed(runs::delay()),
-                        ..Program::of(of.parameters())
-                    };
-                    let integrator = geneva_mimic::Parameters {
-                        at_smallest_step: geneva_mimic::AtSmallestStep::Continue,
-                        ..geneva_mimic::Parameters::new(interval, runs::duration())
-                    };
-                    let lines = program.run(&integrator).ok()?.lines;
-                    Some(lines.iter().map(|line| ((line.turned / program.fold) as usize, line.speed)).collect())
-                })
-            }),
-        ),
-    )
-    .read_as(
-        "Excessively high: ten times the greatest torque that the tables have for a mechanism and a friction. \
-         Significant: one unit of the tables' peaks, 1 rad/s, or more between the greatest and the least peak once \
-         the rise is over.",
-    )
-    .expecting(Verdict::Corrected)
-    .with_erratum(Erratum {
-        corrected: "significant cyclic oscillations in the magnitude of the greatest printed velocity of each \
-                    cycle, not of the peak velocity",
-        slip: SAMPLED_PEAKS,
-    })
+    at("Recommendation 2")
+        .statement(
+            "meyer.cyclic-oscillations",
+            "significant cyclic oscillations in the magnitude of the peak velocity",
+            "a strong spring makes the peak of the driver's speed swing from cycle to cycle",
+        )
+        .by(Integration, |stated| {
+            // The motion of the mechanism, looked at as often as lines are printed, or a hundred times as often.
+            let interval = runs::interval() * stated.pick(1.0, 0.01);
+            swinging(&|row| {
+                let of = with(row, EXCESSIVE, 1.0)?;
+                let lines = of.run(interval, runs::duration()).ok()?;
+                Some(lines.iter().map(|line| (line.engagement, line.speed)).collect())
+            })
+        })
+        .by(Steps, |stated| {
+            // The program with its reset angle, its lagged sign and its own π, printing as often.
+            let interval = runs::interval() * stated.pick(1.0, 0.01);
+            swinging(&|row| {
+                let of = with(row, EXCESSIVE, 1.0)?;
+                let slots = f64::from(of.parameters().slots().count());
+                let program = Program {
+                    fold: Hypothesis::BEST.angle(row.mechanism),
+                    ratio: 1.0 / libm::sin(printed("meyer.listing.pi") / slots),
+                    contact: Contact::Delayed(runs::delay()),
+                    ..Program::of(of.parameters())
+                };
+                let integrator = geneva_mimic::Parameters {
+                    at_smallest_step: geneva_mimic::AtSmallestStep::Continue,
+                    ..geneva_mimic::Parameters::new(interval, runs::duration())
+                };
+                let lines = program.run(&integrator).ok()?.lines;
+                Some(lines.iter().map(|line| ((line.turned / program.fold) as usize, line.speed)).collect())
+            })
+        })
+        .read_as(
+            "Excessively high: ten times the greatest torque that the tables have for a mechanism and a friction. \
+             Significant: one unit of the tables' peaks, 1 rad/s, or more between the greatest and the least peak once \
+             the rise is over.",
+        )
+        .corrected(
+            "significant cyclic oscillations in the magnitude of the greatest printed velocity of each cycle, not of \
+             the peak velocity",
+            SAMPLED_PEAKS,
+        )
 }
 
 fn better_average() -> Claim {
-    Claim::statement(
-        WORK,
-        "meyer.better-average",
-        "Recommendation 7",
-        "the average should follow from the time of a revolution, not from peak and minimum",
-        "A more appropriate definition would be based on the time",
-        Check::statement(
-            "the mean of peak and minimum is as appropriate",
-            (Integration, |stated| {
-                let off = steady().iter().filter_map(|(row, state)| {
-                    let average = stated.pick(state.mean_speed, state.mean_of_extremes());
-                    // A whole revolution, pin after pin, from the steady speed of entry.
-                    let (of, mut speed, mut time) = (Hypothesis::TRUE.engagement(row)?, state.entry_speed, 0.0);
-                    for _ in 0..row.mechanism.pins() {
-                        let passage = of.passage(speed).ok()?;
-                        (speed, time) = (passage.end_speed(), time + passage.duration());
-                    }
-                    Some(2.0 * PI / average / time - 1.0)
-                });
-                tells_the_time(&off.collect::<Vec<_>>(), rows().len())
-            }),
-            (Steps, |stated| {
-                let off = groups().iter().filter_map(|group| {
-                    let (motion, steady) = (&group.motion, group.motion.steady()?);
-                    let fold = motion.angles.last()? - motion.angles.first()?;
-                    let peak = motion.greatest(steady, |_, speed| speed).value;
-                    let middle = f64::midpoint(peak, motion.least(steady)?.value);
-                    let average = stated.pick(fold / steady.duration(), middle);
-                    // The engagement before.
-                    let before = motion.engagements.iter().rev().nth(1)?;
-                    Some(fold / average / before.duration() - 1.0)
-                });
-                tells_the_time(&off.collect::<Vec<_>>(), groups().len())
-            }),
-        ),
-    )
-    .read_as(
-        "An average is appropriate if angle over average gives the time of a revolution, or of the part of one \
-         between two pins, to a second a day.",
-    )
+    at("Recommendation 7")
+        .statement(
+            "meyer.better-average",
+            "A more appropriate definition would be based on the time",
+            "the average should follow from the time of a revolution, not from peak and minimum",
+        )
+        .by(Integration, |stated| {
+            let off = steady().iter().filter_map(|(row, state)| {
+                let average = stated.pick(state.mean_speed, state.mean_of_extremes());
+                // A whole revolution, pin after pin, from the steady speed of entry.
+                let (of, mut speed, mut time) = (Hypothesis::TRUE.engagement(row)?, state.entry_speed, 0.0);
+                for _ in 0..row.mechanism.pins() {
+                    let passage = of.passage(speed).ok()?;
+                    (speed, time) = (passage.end_speed(), time + passage.duration());
+                }
+                Some(2.0 * PI / average / time - 1.0)
+            });
+            tells_the_time(&off.collect::<Vec<_>>(), rows().len())
+        })
+        .by(Steps, |stated| {
+            let off = groups().iter().filter_map(|group| {
+                let (motion, steady) = (&group.motion, group.motion.steady()?);
+                let fold = motion.angles.last()? - motion.angles.first()?;
+                let peak = motion.greatest(steady, |_, speed| speed).value;
+                let middle = f64::midpoint(peak, motion.least(steady)?.value);
+                let average = stated.pick(fold / steady.duration(), middle);
+                // The engagement before.
+                let before = motion.engagements.iter().rev().nth(1)?;
+                Some(fold / average / before.duration() - 1.0)
+            });
+            tells_the_time(&off.collect::<Vec<_>>(), groups().len())
+        })
+        .but_not("the mean of peak and minimum is as appropriate")
+        .read_as(
+            "An average is appropriate if angle over average gives the time of a revolution, or of the part of one \
+             between two pins, to a second a day.",
+        )
 }
 
 /// Whether times by an average are right to a second a day, from the relative differences.

@@ -1,6 +1,6 @@
 //! Why a denominator is never zero, and what that does not say: the text between Eqs. (1-18) and (1-19).
 
-use super::instants::{display_read_by, moments, reads, stated};
+use super::instants::moments;
 use super::reading::{Letters, Moment};
 use super::slips::NO_SINGULARITY;
 use super::*;
@@ -12,7 +12,7 @@ use nalgebra::Complex;
 use std::sync::OnceLock;
 
 const FLAW: &str = "Line after Eq. (1-18)";
-const END: &str = "Paragraph before the substitutions of Eq. (1-19)";
+const END: Place = at("Paragraph before the substitutions of Eq. (1-19)");
 /// Driver's inertia over the follower's, for the question how much friction there can be: a light driver, and like
 /// discs.
 const INERTIA_RATIOS: [f64; 2] = [0.1, 1.0];
@@ -30,13 +30,14 @@ fn quantity() -> Vec<Claim> {
             "one possible flaw",
             "two possible flaws, of which the other is A ≤ |D|",
         ),
-        stated(
-            ("meyer.singularity.quantity", "Display after Eq. (1-18)"),
-            "the quantity whose powers Eq. (1-18) divides by: the square of the pin's distance from the follower's \
-             axis, over r²",
-            r"(1 + a^2 - 2a \cos \theta)",
-            "the same with a plus before its last term",
-            (Vectors, |stated| {
+        at("Display after Eq. (1-18)")
+            .statement(
+                "meyer.singularity.quantity",
+                r"(1 + a^2 - 2a \cos \theta)",
+                "the quantity whose powers Eq. (1-18) divides by: the square of the pin's distance from the follower's \
+                 axis, over r²",
+            )
+            .by(Vectors, |stated| {
                 let holds = moments().iter().all(|moment| {
                     agrees(
                         reading::value(quantity_with(stated), moment.letters()),
@@ -44,8 +45,8 @@ fn quantity() -> Vec<Claim> {
                     )
                 });
                 Finding::new(holds, "read and evaluated, against the pin's distance by coordinates")
-            }),
-            (ClosedForm, |stated| {
+            })
+            .by(ClosedForm, |stated| {
                 // A less the ratio of the inertias is the square of a cos θ − 1 over that of the quantity.
                 let holds = Slots::ALL.iter().all(|slots| {
                     (-9..=9).all(|k| {
@@ -58,24 +59,24 @@ fn quantity() -> Vec<Claim> {
                     })
                 });
                 Finding::new(holds, "the factor A of the equation of motion has its square below the line")
-            }),
-        ),
-        display_read_by(
-            with_imaginary_angles,
-            ("meyer.singularity.assumed", "1st display of θ_∞"),
-            "condition for an angle at which it would be zero",
-            r"1 + a^2 - 2a \cos \theta_\infty = 0",
-            || prove(&SingularAngle).into(),
-            || reads("meyer.singularity.assumed"),
-        ),
-        display_read_by(
-            with_imaginary_angles,
-            ("meyer.singularity.angle", "2nd display of θ_∞"),
-            "that angle",
-            r"\theta_\infty = \cos^{-1} \left(\frac{1 + a^2}{2a} \right)",
-            || prove(&SingularAngle).into(),
-            || reads("meyer.singularity.angle"),
-        ),
+            })
+            .but_not("the same with a plus before its last term"),
+        at("1st display of θ_∞")
+            .equation(
+                "meyer.singularity.assumed",
+                r"1 + a^2 - 2a \cos \theta_\infty = 0",
+                "condition for an angle at which it would be zero",
+            )
+            .proven(SingularAngle)
+            .read(ClosedForm, with_imaginary_angles),
+        at("2nd display of θ_∞")
+            .equation(
+                "meyer.singularity.angle",
+                r"\theta_\infty = \cos^{-1} \left(\frac{1 + a^2}{2a} \right)",
+                "that angle",
+            )
+            .proven(SingularAngle)
+            .read(ClosedForm, with_imaginary_angles),
     ]
 }
 
@@ -92,28 +93,18 @@ fn bounds() -> Vec<Claim> {
             "1st inequality",
             "a cosine is at most one",
             r"\left(\frac{1 + a^2}{2a} \right) \leq 1",
-            || reads("meyer.singularity.bound"),
         ),
-        bound("meyer.singularity.cleared", "2nd inequality", "the same times 2a", r"1 + a^2 \leq 2a", || {
-            reads("meyer.singularity.cleared")
-        }),
-        bound("meyer.singularity.collected", "3rd inequality", "the same on one side", r"a^2 - 2a + 1 \leq 0", || {
-            reads("meyer.singularity.collected")
-        }),
-        bound("meyer.singularity.square", "4th inequality", "the same as a square", r"(a - 1)^2 \leq 0", || {
-            reads("meyer.singularity.square")
-        }),
-        stated(
-            ("meyer.singularity.only-one", "Line after the inequalities"),
-            "only the ratio one allows it",
-            "a = 1",
-            "only the ratio two",
-            (ClosedForm, |stated| {
+        bound("meyer.singularity.cleared", "2nd inequality", "the same times 2a", r"1 + a^2 \leq 2a"),
+        bound("meyer.singularity.collected", "3rd inequality", "the same on one side", r"a^2 - 2a + 1 \leq 0"),
+        bound("meyer.singularity.square", "4th inequality", "the same as a square", r"(a - 1)^2 \leq 0"),
+        at("Line after the inequalities")
+            .statement("meyer.singularity.only-one", "a = 1", "only the ratio one allows it")
+            .by(ClosedForm, |stated| {
                 let square = claim("meyer.singularity.square").map_or("", |claim| claim.printed);
                 let found: Vec<f64> = ratios().filter(|ratio| allows(square, *ratio) == Some(true)).collect();
                 Finding::new(found == [stated.pick(1.0, 2.0)], format!("the last inequality holds for {found:?}"))
-            }),
-            (Vectors, |stated| {
+            })
+            .by(Vectors, |stated| {
                 // How near the follower's axis a pin comes.
                 let nearest = |ratio: &f64| {
                     let place = |k: u32| Turn::from_radians(2.0 * PI * f64::from(k) / 720.0).direction();
@@ -124,42 +115,30 @@ fn bounds() -> Vec<Claim> {
                     found == [stated.pick(1.0, 2.0)],
                     format!("of 80 distances of the axes the pin comes onto the follower's axis at {found:?}"),
                 )
-            }),
-        ),
+            })
+            .but_not("only the ratio two"),
     ]
 }
 
 fn slots() -> Vec<Claim> {
     vec![
-        display_read_by(
-            only_for_two,
-            ("meyer.singularity.ratio", "1st display before the substitutions of Eq. (1-19)"),
-            "the ratio one by Eq. (1-2)",
-            r"a = \frac{1}{\sin(\pi/n)} = 1",
-            || prove(&AtOne).into(),
-            || reads("meyer.singularity.ratio"),
-        ),
-        display_read_by(
-            only_for_two,
-            ("meyer.singularity.sine", "2nd display before the substitutions of Eq. (1-19)"),
-            "the same for the sine",
-            r"\sin\left(\frac{\pi}{n}\right) = 1",
-            || prove(&AtOne).into(),
-            || reads("meyer.singularity.sine"),
-        ),
-        stated(
-            ("meyer.singularity.two-slots", END),
-            "only two slots would give it",
-            "n=2",
-            "only three slots",
-            (ClosedForm, |stated| {
+        at("1st display before the substitutions of Eq. (1-19)")
+            .equation("meyer.singularity.ratio", r"a = \frac{1}{\sin(\pi/n)} = 1", "the ratio one by Eq. (1-2)")
+            .proven(AtOne)
+            .read(ClosedForm, only_for_two),
+        at("2nd display before the substitutions of Eq. (1-19)")
+            .equation("meyer.singularity.sine", r"\sin\left(\frac{\pi}{n}\right) = 1", "the same for the sine")
+            .proven(AtOne)
+            .read(ClosedForm, only_for_two),
+        END.statement("meyer.singularity.two-slots", "n=2", "only two slots would give it")
+            .by(ClosedForm, |stated| {
                 let found = slots_that_satisfy(claim("meyer.singularity.sine").map_or("", |claim| claim.printed));
                 Finding::new(
                     found.as_deref() == Some(&[stated.pick(2, 3)]),
                     format!("read and evaluated for 1 to 100 slots, the sine is one for {found:?}"),
                 )
-            }),
-            (Vectors, |stated| {
+            })
+            .by(Vectors, |stated| {
                 // A pin that enters along its slot, half the angle between two slots from the line of centres: how far
                 // the follower's axis then is from the driver's.
                 let distance = |slots: u32| {
@@ -171,22 +150,18 @@ fn slots() -> Vec<Claim> {
                 };
                 let found: Vec<u32> = (2..=100).filter(|slots| agrees(distance(*slots), 1.0)).collect();
                 Finding::new(found == [stated.pick(2, 3)], format!("the axes are r apart for {found:?} slots"))
-            }),
-        ),
-        stated(
-            ("meyer.singularity.ruled-out", END),
-            "two slots are ruled out by Eq. (1-3)",
-            "previously ruled out",
-            "four slots are",
-            (ClosedForm, |stated| {
+            })
+            .but_not("only three slots"),
+        END.statement("meyer.singularity.ruled-out", "previously ruled out", "two slots are ruled out by Eq. (1-3)")
+            .by(ClosedForm, |stated| {
                 let right =
                     claim("meyer.eq-1-3").and_then(|claim| claim.printed.split_once('=')).map_or("", |(_, m)| m);
                 let letters = [named(("n", stated.pick(2.0, 4.0)))].into();
                 let pins = reading::value(right, &letters);
                 let ruled_out = !(pins.is_finite() && pins >= 1.0 && agrees(pins, pins.round()));
                 Finding::new(ruled_out, format!("Eq. (1-3), read and evaluated, gives {pins} pins"))
-            }),
-            (LimitCase, |stated| {
+            })
+            .by(LimitCase, |stated| {
                 let slots = stated.pick(2, 4);
                 let fits = |pins: &u32| vanishes(PI / f64::from(*pins) + PI / f64::from(slots) - PI / 2.0);
                 let found = (1..=1000).find(fits);
@@ -194,36 +169,36 @@ fn slots() -> Vec<Claim> {
                     found.is_none() && pins_needed(slots).is_none(),
                     format!("of 1 to 1000 pins the angles at the hand-over make a right angle for {found:?}"),
                 )
-            }),
-        ),
-        stated(
-            ("meyer.singularity.conclusion", END),
-            "the quantity that Eq. (1-18) divides by is zero nowhere",
+            })
+            .but_not("four slots are"),
+        END.statement(
+            "meyer.singularity.conclusion",
             "contains no singularities",
-            "it is zero nowhere with the axes one radius of the pins apart, either",
-            (ClosedForm, |stated| {
-                let of = |ratio: f64, angle: f64| 1.0 + ratio * ratio - 2.0 * ratio * libm::cos(angle);
-                let least = Slots::ALL.map(|slots| {
-                    let ratio = stated.pick(slots.ratio(), 1.0);
-                    (-180..=180).map(|k| of(ratio, f64::from(k) * PI / 180.0)).fold(f64::INFINITY, f64::min)
-                });
-                Finding::new(
-                    least.iter().all(|least| !vanishes(*least)),
-                    format!("its least values for three, four and six slots are {least:.3?}"),
-                )
-            }),
-            (Vectors, |stated| {
-                let nearest = Slots::ALL.map(|slots| {
-                    let axis = Vector2::new(stated.pick(slots.ratio(), 1.0), 0.0);
-                    let place = |k: u32| Turn::from_radians(2.0 * PI * f64::from(k) / 720.0).direction();
-                    (0..720).map(|k| (place(k) - axis).norm()).fold(f64::INFINITY, f64::min)
-                });
-                Finding::new(
-                    nearest.iter().all(|distance| !vanishes(*distance)),
-                    format!("a pin comes as near to the follower's axis as {nearest:.3?} radii"),
-                )
-            }),
+            "the quantity that Eq. (1-18) divides by is zero nowhere",
         )
+        .by(ClosedForm, |stated| {
+            let of = |ratio: f64, angle: f64| 1.0 + ratio * ratio - 2.0 * ratio * libm::cos(angle);
+            let least = Slots::ALL.map(|slots| {
+                let ratio = stated.pick(slots.ratio(), 1.0);
+                (-180..=180).map(|k| of(ratio, f64::from(k) * PI / 180.0)).fold(f64::INFINITY, f64::min)
+            });
+            Finding::new(
+                least.iter().all(|least| !vanishes(*least)),
+                format!("its least values for three, four and six slots are {least:.3?}"),
+            )
+        })
+        .by(Vectors, |stated| {
+            let nearest = Slots::ALL.map(|slots| {
+                let axis = Vector2::new(stated.pick(slots.ratio(), 1.0), 0.0);
+                let place = |k: u32| Turn::from_radians(2.0 * PI * f64::from(k) / 720.0).direction();
+                (0..720).map(|k| (place(k) - axis).norm()).fold(f64::INFINITY, f64::min)
+            });
+            Finding::new(
+                nearest.iter().all(|distance| !vanishes(*distance)),
+                format!("a pin comes as near to the follower's axis as {nearest:.3?} radii"),
+            )
+        })
+        .but_not("it is zero nowhere with the axes one radius of the pins apart, either")
         .read_as("A singularity as the paragraph has it: a zero of what is divided by."),
     ]
 }
@@ -236,8 +211,9 @@ fn no_other_flaw(
     printed: &'static str,
     corrected: &'static str,
 ) -> Claim {
-    let check = Check::corrected_statement(
-        (ClosedForm, |stated| {
+    at(locator)
+        .statement(id, printed, meaning)
+        .by(ClosedForm, |stated| {
             // From rest, each sign of the friction tried out: which frictions leave one acceleration at all angles.
             static SINGLE: OnceLock<Vec<Vec<bool>>> = OnceLock::new();
             let limit = |slots: Slots, inertia: f64| {
@@ -252,8 +228,8 @@ fn no_other_flaw(
                 holds,
                 format!("of 40 frictions {bound} leave one acceleration from rest at each of 100 angles"),
             )
-        }),
-        (LimitCase, |stated| {
+        })
+        .by(LimitCase, |stated| {
             // The left side of Eq. (1-19) over the acceleration: how often it passes E.
             static SINGLE: OnceLock<Vec<Vec<bool>>> = OnceLock::new();
             let critical = |slots: Slots, inertia: f64| {
@@ -263,22 +239,13 @@ fn no_other_flaw(
                 stated.pick(critical(slots, inertia), f64::INFINITY)
             });
             Finding::new(holds, "how often the left side passes E was counted along 800 accelerations at 100 angles")
-        }),
-    );
-    Claim::statement(WORK, id, locator, meaning, printed, check)
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum { corrected, slip: NO_SINGULARITY })
+        })
+        .corrected(corrected, NO_SINGULARITY)
 }
 
 /// One of the four inequalities; all are one statement.
-fn bound(
-    id: &'static str,
-    locator: &'static str,
-    meaning: &'static str,
-    printed: &'static str,
-    read: fn() -> Finding,
-) -> Claim {
-    display_read_by(only_for_one, (id, locator), meaning, printed, || prove(&BoundAsSquare).into(), read)
+fn bound(id: &'static str, locator: &'static str, meaning: &'static str, printed: &'static str) -> Claim {
+    at(locator).equation(id, printed, meaning).proven(BoundAsSquare).read(ClosedForm, only_for_one)
 }
 
 fn named((name, value): (&str, f64)) -> (String, f64) {

@@ -10,21 +10,16 @@ use std::sync::OnceLock;
 /// A place that calls K a rate, to be multiplied by an angle. It is the torque.
 pub fn no_rate(
     id: &'static str,
-    locator: &'static str,
+    place: Place,
     meaning: &'static str,
     printed: &'static str,
     corrected: &'static str,
 ) -> Claim {
-    Claim::statement(
-        WORK,
-        id,
-        locator,
-        meaning,
-        printed,
-        Check::corrected_statement((Steps, |stated| gives_the_periods(stated)), (OtherPlaceInSource, in_the_equation)),
-    )
-    .expecting(Verdict::Corrected)
-    .with_erratum(Erratum { corrected, slip: SPRING_RATE })
+    place
+        .statement(id, printed, meaning)
+        .by(Steps, gives_the_periods)
+        .by(OtherPlaceInSource, in_the_equation)
+        .corrected(corrected, SPRING_RATE)
 }
 
 /// A place that has K in inch-pounds per radian, and no word for it: a torque may be so measured.
@@ -34,10 +29,11 @@ pub fn torque_per_radian(
     meaning: &'static str,
     printed: &'static str,
 ) -> Claim {
-    let neighbour = "a rate: the torque is K times the angle turned";
-    let check =
-        Check::statement(neighbour, (Steps, |stated| gives_the_periods(stated)), (OtherPlaceInSource, in_the_equation));
-    Claim::statement(WORK, id, locator, meaning, printed, check)
+    at(locator)
+        .statement(id, printed, meaning)
+        .by(Steps, gives_the_periods)
+        .by(OtherPlaceInSource, in_the_equation)
+        .but_not("a rate: the torque is K times the angle turned")
         .read_as("An inch-pound per radian is a unit of torque, as a joule per radian is.")
 }
 

@@ -7,47 +7,40 @@ use crate::Evidence::Integration;
 use geneva_dynamics::steady::SteadyState;
 use std::sync::OnceLock;
 
-const LIST: &str = "Chapter II, list of parameters";
+const LIST: Place = at("Chapter II, list of parameters");
 const TABLES: &str = "Appendix E, title and headings";
 
 /// The claims of chapter II before Fig. 8.
 pub fn of_parameters() -> Vec<Claim> {
     vec![
         parameters::six(),
-        Claim::statement(
-            WORK,
+        LIST.statement(
             "meyer.parameter.entry-angle",
-            LIST,
-            "the angle θ_0 is where the pin enters",
             "θ_0 : the angular position of the pin as it enters",
-            Check::statement(
-                "where the pin leaves",
-                (ExactIdentity, |stated| {
-                    // The place in question is that with the sign of Appendix D; a pin that enters moves inwards there.
-                    let inwards: fn(&HandOver) -> bool = |at| at.entering.outward.approximate() < 0.0;
-                    let outwards: fn(&HandOver) -> bool = |at| at.entering.outward.approximate() > 0.0;
-                    exactly(stated.pick(inwards, outwards), "the sense of the pin's velocity in its slot at −π/m")
-                }),
-                (OtherPlaceInSource, |stated| {
-                    let printed = claim("meyer.app-d.angles").map_or("", |claim| claim.printed);
-                    let angles: Vec<f64> = printed
-                        .split('-')
-                        .skip(1)
-                        .filter_map(|angle| numeric_tokens(angle).first()?.parse().ok())
-                        .collect();
-                    let step = 1e-3;
-                    let nearer = |(at, angle): (Escapement, &f64)| {
-                        let out = |angle: f64| Seen::new(&at, angle).radius();
-                        (out(-angle.to_radians() + step) - out(-angle.to_radians())) * stated.pick(-1.0, 1.0) > 0.0
-                    };
-                    let holds = angles.len() == 3 && Escapement::all().into_iter().zip(&angles).all(nearer);
-                    Finding::new(
-                        holds,
-                        format!("just past the angles of Appendix D, −{angles:?}°, how the pin's distance changes"),
-                    )
-                }),
-            ),
+            "the angle θ_0 is where the pin enters",
         )
+        .by(ExactIdentity, |stated| {
+            // The place in question is that with the sign of Appendix D; a pin that enters moves inwards there.
+            let inwards: fn(&HandOver) -> bool = |at| at.entering.outward.approximate() < 0.0;
+            let outwards: fn(&HandOver) -> bool = |at| at.entering.outward.approximate() > 0.0;
+            exactly(stated.pick(inwards, outwards), "the sense of the pin's velocity in its slot at −π/m")
+        })
+        .by(OtherPlaceInSource, |stated| {
+            let printed = claim("meyer.app-d.angles").map_or("", |claim| claim.printed);
+            let angles: Vec<f64> =
+                printed.split('-').skip(1).filter_map(|angle| numeric_tokens(angle).first()?.parse().ok()).collect();
+            let step = 1e-3;
+            let nearer = |(at, angle): (Escapement, &f64)| {
+                let out = |angle: f64| Seen::new(&at, angle).radius();
+                (out(-angle.to_radians() + step) - out(-angle.to_radians())) * stated.pick(-1.0, 1.0) > 0.0
+            };
+            let holds = angles.len() == 3 && Escapement::all().into_iter().zip(&angles).all(nearer);
+            Finding::new(
+                holds,
+                format!("just past the angles of Appendix D, −{angles:?}°, how the pin's distance changes"),
+            )
+        })
+        .but_not("where the pin leaves")
         .read_as("With its sign, as Appendix D has it; chapter I and Appendix A have its size."),
         spring::no_rate(
             "meyer.parameter.spring",
@@ -56,50 +49,45 @@ pub fn of_parameters() -> Vec<Claim> {
             "K: the torsional spring constant of the driving spring",
             "K: the torque of the driving spring",
         ),
-        Claim::statement(
-            WORK,
-            "meyer.inertias-vary",
-            "Chapter II, sentence after the estimate of I",
-            "the inertias of the runs are near the estimate",
-            "did vary somewhat from this figure",
-            Check::corrected_statement(
-                (OtherPlaceInSource, |stated| {
-                    let (bounds, times) = (factors(stated), over_estimate());
-                    let holds = times.len() == 5 && times.iter().all(|times| bounds.contains(times));
-                    Finding::new(holds, format!("the inertias of the runs over the estimate are {times:.0?}"))
-                }),
-                (Integration, |stated| {
-                    let (bounds, times) = (factors(stated), over_estimate_by_periods());
-                    let holds = !times.is_empty()
-                        && times.iter().all(|[least, most]| most >= bounds.start() && least <= bounds.end());
-                    let all = times.iter().fold([f64::INFINITY, 0.0], |all, of| [all[0].min(of[0]), all[1].max(of[1])]);
-                    Finding::new(
-                        holds,
-                        format!(
-                            "the printed periods with four pins are those of inertias {:.1} to {:.0} times the \
-                                estimate",
-                            all[0], all[1]
-                        ),
-                    )
-                }),
+        at("Chapter II, sentence after the estimate of I")
+            .statement(
+                "meyer.inertias-vary",
+                "did vary somewhat from this figure",
+                "the inertias of the runs are near the estimate",
+            )
+            .by(OtherPlaceInSource, |stated| {
+                let (bounds, times) = (factors(stated), over_estimate());
+                let holds = times.len() == 5 && times.iter().all(|times| bounds.contains(times));
+                Finding::new(holds, format!("the inertias of the runs over the estimate are {times:.0?}"))
+            })
+            .by(Integration, |stated| {
+                let (bounds, times) = (factors(stated), over_estimate_by_periods());
+                let holds = !times.is_empty()
+                    && times.iter().all(|[least, most]| most >= bounds.start() && least <= bounds.end());
+                let all = times.iter().fold([f64::INFINITY, 0.0], |all, of| [all[0].min(of[0]), all[1].max(of[1])]);
+                Finding::new(
+                    holds,
+                    format!(
+                        "the printed periods with four pins are those of inertias {:.1} to {:.0} times the estimate",
+                        all[0], all[1]
+                    ),
+                )
+            })
+            .read_as("Somewhat: by less than a power of ten.")
+            .corrected(
+                "were 6 to 100 times this figure",
+                Slip {
+                    id: "",
+                    reason: "The least inertia of the tables is several times the estimate, the greatest a hundred \
+                             times. How the estimate came to stand beside them is not known.",
+                    witness: "The periods of the four-pin table, to a unit of their last place, are those of inertias \
+                              so large.",
+                    origin: Origin::Concept,
+                    consequence: Consequence::Conclusion,
+                    changes: "The tables are not of parts like those described: discs as thick would have to be up to \
+                              three times as wide.",
+                },
             ),
-        )
-        .expecting(Verdict::Corrected)
-        .read_as("Somewhat: by less than a power of ten.")
-        .with_erratum(Erratum {
-            corrected: "were 6 to 100 times this figure",
-            slip: Slip {
-                id: "",
-                reason: "The least inertia of the tables is several times the estimate, the greatest a hundred times. How \
-                         the estimate came to stand beside them is not known.",
-                witness: "The periods of the four-pin table, to a unit of their last place, are those of inertias so \
-                    large.",
-                origin: Origin::Concept,
-                consequence: Consequence::Conclusion,
-                changes: "The tables are not of parts like those described: discs as thick would have to be up to three \
-                          times as wide.",
-            },
-        }),
     ]
 }
 
@@ -107,7 +95,7 @@ pub fn of_parameters() -> Vec<Claim> {
 pub fn of_axis() -> Claim {
     spring::no_rate(
         "meyer.fig-11.abscissa",
-        "Fig. 11, abscissae",
+        at("Fig. 11, abscissae"),
         "the driving quantity is a spring constant, in inch-pounds per radian",
         "SPRING CONSTANT, IN LB/RAD",
         "TORQUE OF THE SPRING, IN LB",

@@ -6,132 +6,121 @@ use super::runs::{Column, Hypothesis, Row, rows};
 use super::*;
 use crate::Evidence::{Integration, Steps};
 
-const ABSTRACT: &str = "Abstract, last paragraph";
+const ABSTRACT: Place = at("Abstract, last paragraph");
 
 /// The claims of the abstract.
 pub fn claims() -> Vec<Claim> {
     vec![
-        Claim::statement(
-            WORK,
-            "meyer.abstract.terminal",
-            ABSTRACT,
-            "the mechanism reaches a terminal velocity",
-            "does reach a terminal velocity",
-            Check::statement(
-                "without friction it does so too",
-                (Integration, |stated| {
-                    let of = |row: &Row| Some(with(row, 1.0, stated.pick(1.0, 0.0))?.steady_state().ok()?.contraction);
-                    let left: Vec<f64> = rows().iter().filter_map(of).collect();
-                    let worst = left.iter().copied().fold(0.0, f64::max);
-                    Finding::new(
-                        left.len() == rows().len() && worst < 1.0,
-                        format!(
-                            "{} of {} runs have a steady motion; an engagement leaves {worst:.2} or less of a \
-                                difference of speeds",
-                            left.len(),
-                            rows().len()
-                        ),
-                    )
-                }),
-                (Steps, |stated| {
-                    let settled = |row: &&Row| {
-                        let [before, last] = last_two(row, stated.pick(1.0, 0.0));
-                        (before.1 / last.1 - 1.0).abs() <= crate::tolerance::STEPS.relative
-                    };
-                    let count = rows().iter().filter(settled).count();
-                    Finding::new(
-                        count == rows().len(),
-                        format!("{count} of {} runs repeat their speed after {ENGAGEMENTS} engagements", rows().len()),
-                    )
-                }),
+        ABSTRACT
+            .statement(
+                "meyer.abstract.terminal",
+                "does reach a terminal velocity",
+                "the mechanism reaches a terminal velocity",
+            )
+            .by(Integration, |stated| {
+                let of = |row: &Row| Some(with(row, 1.0, stated.pick(1.0, 0.0))?.steady_state().ok()?.contraction);
+                let left: Vec<f64> = rows().iter().filter_map(of).collect();
+                let worst = left.iter().copied().fold(0.0, f64::max);
+                Finding::new(
+                    left.len() == rows().len() && worst < 1.0,
+                    format!(
+                        "{} of {} runs have a steady motion; an engagement leaves {worst:.2} or less of a difference \
+                         of speeds",
+                        left.len(),
+                        rows().len()
+                    ),
+                )
+            })
+            .by(Steps, |stated| {
+                let settled = |row: &&Row| {
+                    let [before, last] = last_two(row, stated.pick(1.0, 0.0));
+                    (before.1 / last.1 - 1.0).abs() <= crate::tolerance::STEPS.relative
+                };
+                let count = rows().iter().filter(settled).count();
+                Finding::new(
+                    count == rows().len(),
+                    format!("{count} of {} runs repeat their speed after {ENGAGEMENTS} engagements", rows().len()),
+                )
+            })
+            .but_not("without friction it does so too"),
+        ABSTRACT
+            .statement(
+                "meyer.abstract.consequently",
+                "consequently can be used as a timing device",
+                "because of its terminal velocity it can be used as a timing device",
+            )
+            .by(Integration, |stated| {
+                let times = |row: &Row| {
+                    let of = Hypothesis::TRUE.engagement(row)?;
+                    let mut speed = 0.0;
+                    for _ in 0..stated.pick(ENGAGEMENTS - 2, 0) {
+                        speed = of.passage(speed).ok()?.end_speed();
+                    }
+                    let one = of.passage(speed).ok()?;
+                    Some([one.duration(), of.passage(one.end_speed()).ok()?.duration()])
+                };
+                takes_equal_times(rows().iter().filter_map(times).collect())
+            })
+            .by(Steps, |stated| {
+                let times = |row: &Row| {
+                    let all = from_rest(row, 1.0);
+                    let at = stated.pick(ENGAGEMENTS - 2, 0);
+                    Some([all.get(at)?.0, all.get(at + 1)?.0])
+                };
+                takes_equal_times(rows().iter().filter_map(times).collect())
+            })
+            .but_not("from the first engagement on, before there is a terminal velocity")
+            .read_as(
+                "As a timing device: its engagements take equal times once the velocity is the terminal one, as long \
+                 as torque and friction stay what they are; nothing is said of how exact that is.",
             ),
-        ),
-        Claim::statement(
-            WORK,
-            "meyer.abstract.consequently",
-            ABSTRACT,
-            "because of its terminal velocity it can be used as a timing device",
-            "consequently can be used as a timing device",
-            Check::statement(
-                "from the first engagement on, before there is a terminal velocity",
-                (Integration, |stated| {
-                    let times = |row: &Row| {
-                        let of = Hypothesis::TRUE.engagement(row)?;
-                        let mut speed = 0.0;
-                        for _ in 0..stated.pick(ENGAGEMENTS - 2, 0) {
-                            speed = of.passage(speed).ok()?.end_speed();
-                        }
-                        let one = of.passage(speed).ok()?;
-                        Some([one.duration(), of.passage(one.end_speed()).ok()?.duration()])
-                    };
-                    takes_equal_times(rows().iter().filter_map(times).collect())
-                }),
-                (Steps, |stated| {
-                    let times = |row: &Row| {
-                        let all = from_rest(row, 1.0);
-                        let at = stated.pick(ENGAGEMENTS - 2, 0);
-                        Some([all.get(at)?.0, all.get(at + 1)?.0])
-                    };
-                    takes_equal_times(rows().iter().filter_map(times).collect())
-                }),
+        ABSTRACT
+            .statement(
+                "meyer.abstract.fifty",
+                "as much as fifty milliseconds",
+                "the longest time to the terminal velocity",
+            )
+            .by(OtherPlaceInSource, |stated| {
+                let said = stated.pick(corrected_number("meyer.abstract.fifty"), FIFTY);
+                let times = rows().iter().map(|row| 1e3 * row.number(Column::Rise));
+                let (longest, beyond) = (times.clone().fold(0.0, f64::max), times.filter(|time| *time > said + 0.5));
+                let beyond = beyond.count();
+                Finding::new(
+                    beyond == 0 && (longest - said).abs() <= 0.5,
+                    format!("{beyond} of {} rise times of Appendix E are above {said} ms", rows().len()),
+                )
+            })
+            .by(Integration, |stated| {
+                let slow = |row: &&Row| {
+                    let time = Hypothesis::TRUE.rise(row).and_then(|rise| rise.until_entry_speed(0.01));
+                    time.is_none_or(|time| 1e3 * time > FIFTY)
+                };
+                let count = rows().iter().filter(slow).count();
+                let compare: fn(&usize, &usize) -> bool = stated.pick(usize::gt, usize::le);
+                Finding::new(
+                    compare(&count, &0),
+                    format!("in {count} runs the speed at entry is within one per cent only after {FIFTY} ms"),
+                )
+            })
+            .read_as(
+                "As much as: no run takes longer; to attain: to be within one per cent, as the axes of Figs. 10 and 11 \
+                 have it.",
+            )
+            .corrected(
+                "more than fifty milliseconds, in Appendix E as much as 101",
+                Slip {
+                    id: "",
+                    reason: "It disagrees with the thesis's own table: a good part of the rise times of Appendix E is \
+                             longer, with six pins and with four. What is right cannot be told from that column, which \
+                             the text's definition explains for one friction of four pins only; but some of the \
+                             motions take longer than that to come within one per cent of the terminal velocity.",
+                    witness: "The equation of motion, solved for the mechanisms as they are.",
+                    origin: Origin::Misprint,
+                    consequence: Consequence::Conclusion,
+                    changes: "Who plans with the abstract's time allows too little: the longest rise of the tables is \
+                              twice as long.",
+                },
             ),
-        )
-        .read_as(
-            "As a timing device: its engagements take equal times once the velocity is the terminal one, as long as \
-                torque and friction stay what they are; nothing is said of how exact that is.",
-        ),
-        Claim::statement(
-            WORK,
-            "meyer.abstract.fifty",
-            ABSTRACT,
-            "the longest time to the terminal velocity",
-            "as much as fifty milliseconds",
-            Check::corrected_statement(
-                (OtherPlaceInSource, |stated| {
-                    let said = stated.pick(corrected_number("meyer.abstract.fifty"), FIFTY);
-                    let times = rows().iter().map(|row| 1e3 * row.number(Column::Rise));
-                    let (longest, beyond) =
-                        (times.clone().fold(0.0, f64::max), times.filter(|time| *time > said + 0.5));
-                    let beyond = beyond.count();
-                    Finding::new(
-                        beyond == 0 && (longest - said).abs() <= 0.5,
-                        format!("{beyond} of {} rise times of Appendix E are above {said} ms", rows().len()),
-                    )
-                }),
-                (Integration, |stated| {
-                    let slow = |row: &&Row| {
-                        let time = Hypothesis::TRUE.rise(row).and_then(|rise| rise.until_entry_speed(0.01));
-                        time.is_none_or(|time| 1e3 * time > FIFTY)
-                    };
-                    let count = rows().iter().filter(slow).count();
-                    let compare: fn(&usize, &usize) -> bool = stated.pick(usize::gt, usize::le);
-                    Finding::new(
-                        compare(&count, &0),
-                        format!("in {count} runs the speed at entry is within one per cent only after {FIFTY} ms"),
-                    )
-                }),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .read_as(
-            "As much as: no run takes longer; to attain: to be within one per cent, as the axes of Figs. 10 and 11 \
-                have it.",
-        )
-        .with_erratum(Erratum {
-            corrected: "more than fifty milliseconds, in Appendix E as much as 101",
-            slip: Slip {
-                id: "",
-                reason: "It disagrees with the thesis's own table: a good part of the rise times of Appendix E is \
-                    longer, with six pins and with four. What is right cannot be told from that column, which \
-                    the text's definition explains for one friction of four pins only; but some of the motions take longer than that to come within one per \
-                    cent of the terminal velocity.",
-                witness: "The equation of motion, solved for the mechanisms as they are.",
-                origin: Origin::Misprint,
-                consequence: Consequence::Conclusion,
-                changes: "Who plans with the abstract's time allows too little: the longest rise of the tables is \
-                    twice as long.",
-            },
-        }),
     ]
 }
 

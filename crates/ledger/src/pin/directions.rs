@@ -3,96 +3,79 @@
 use super::*;
 use geneva_kinematics::{Field, Identity, prove};
 
-const TRIANGLE: &str = "Solution, velocity triangle";
+const TRIANGLE: Place = at("Solution, velocity triangle");
 
 pub fn across_the_slot() -> Claim {
-    Claim::statement(
-        WORK,
-        "pin.across-the-slot",
-        TRIANGLE,
-        "the slot's point under the pin moves across OP",
-        "perpendicular",
-        Check::statement(
-            "it moves across the crank, BP",
-            (ExactIdentity, |stated| prove(&Across(stated)).into()),
-            (AutomaticDerivative, |stated| {
-                // What moves across a line from a fixed point keeps its distance from that point.
-                from_duals(|crank| {
-                    let [place, velocity, _] = path(|t| {
-                        let [x, y] = crank.point_under_the_pin(t);
-                        [x - stated.pick(0.0, crank.ground), y]
-                    });
-                    let rate = place.dot(&velocity) / place.norm();
-                    let kept = vanishes(rate / velocity.norm());
-                    let rate = if kept { 0.0 } else { rate };
-                    Finding::new(kept, format!("its distance from the centre changes at {rate:.0} mm/s"))
-                })
-            }),
-        ),
-    )
+    TRIANGLE
+        .statement("pin.across-the-slot", "perpendicular", "the slot's point under the pin moves across OP")
+        .by(ExactIdentity, |stated| prove(&Across(stated)).into())
+        .by(AutomaticDerivative, |stated| {
+            // What moves across a line from a fixed point keeps its distance from that point.
+            from_duals(|crank| {
+                let [place, velocity, _] = path(|t| {
+                    let [x, y] = crank.point_under_the_pin(t);
+                    [x - stated.pick(0.0, crank.ground), y]
+                });
+                let rate = place.dot(&velocity) / place.norm();
+                let kept = vanishes(rate / velocity.norm());
+                let rate = if kept { 0.0 } else { rate };
+                Finding::new(kept, format!("its distance from the centre changes at {rate:.0} mm/s"))
+            })
+        })
+        .but_not("it moves across the crank, BP")
 }
 
 pub fn along_the_slot() -> Claim {
-    Claim::statement(
-        WORK,
-        "pin.along-the-slot",
-        TRIANGLE,
-        "the pin moves along the slot as seen from the wheel",
-        "along the slot",
-        Check::statement(
-            "it moves along the crank, as seen from the wheel",
-            (ExactIdentity, |stated| prove(&Along(stated)).into()),
-            (AutomaticDerivative, |stated| {
-                from_duals(|crank| {
-                    let [_, [slot, ..]] = crank.polar();
-                    // The pin's places in a frame that turns with the slot from this instant on.
-                    let [_, seen, _] = path(|t| turned(crank.pin(t), -(crank.slot(t) - slot)));
-                    let line = Turn::from_radians(stated.pick(slot, crank.angle)).direction();
-                    let part = line.perp(&seen) / seen.norm();
-                    let along = vanishes(part);
-                    let angle = if along { 0.0 } else { libm::asin(part.abs()).to_degrees() };
-                    Finding::new(along, format!("the velocity seen is {angle:.1}° off that line"))
-                })
-            }),
-        ),
-    )
+    TRIANGLE
+        .statement("pin.along-the-slot", "along the slot", "the pin moves along the slot as seen from the wheel")
+        .by(ExactIdentity, |stated| prove(&Along(stated)).into())
+        .by(AutomaticDerivative, |stated| {
+            from_duals(|crank| {
+                let [_, [slot, ..]] = crank.polar();
+                // The pin's places in a frame that turns with the slot from this instant on.
+                let [_, seen, _] = path(|t| turned(crank.pin(t), -(crank.slot(t) - slot)));
+                let line = Turn::from_radians(stated.pick(slot, crank.angle)).direction();
+                let part = line.perp(&seen) / seen.norm();
+                let along = vanishes(part);
+                let angle = if along { 0.0 } else { libm::asin(part.abs()).to_degrees() };
+                Finding::new(along, format!("the velocity seen is {angle:.1}° off that line"))
+            })
+        })
+        .but_not("it moves along the crank, as seen from the wheel")
 }
 
 pub fn velocity_figure() -> Claim {
-    Claim::figure(
-        WORK,
-        "pin.velocity-figure",
-        TRIANGLE,
-        "the velocity triangle has its right angle between the velocity of the slot's point and the sliding velocity",
-        "triangle",
-        Check::statement(
-            "it has its right angle between the pin's velocity and the sliding velocity",
-            (Jet, |stated| {
-                at_the_instant(|_, motion| {
-                    let side = stated.pick(motion.slot_point_velocity, motion.pin_velocity);
-                    let cosine = side.normalize().dot(&motion.sliding_velocity.normalize());
-                    let angle = libm::acos(cosine).to_degrees();
-                    Finding::new(vanishes(cosine), format!("the angle between the two is {angle:.1}°"))
-                })
-            }),
-            (OtherPlaceInSource, |stated| {
-                // Pythagoras with the printed speeds, each somewhere within its digits.
-                let ids = ["pin.slot-point-speed", "pin.pin-speed"];
-                let [side, longest] = stated.pick(ids, [ids[1], ids[0]]).map(interval);
-                let sliding = interval("pin.sliding-speed");
-                let squares = |at: usize| side[at] * side[at] + sliding[at] * sliding[at];
-                let [least, most] = [squares(0).sqrt(), squares(1).sqrt()];
-                Finding::new(
-                    least < longest[1] && longest[0] < most,
-                    format!(
-                        "the two printed legs want {least:.1} to {most:.1} mm/s for the longest side, which is \
-                         {:.1} mm/s",
-                        longest[0].midpoint(longest[1])
-                    ),
-                )
-            }),
-        ),
-    )
+    TRIANGLE
+        .figure(
+            "pin.velocity-figure",
+            "triangle",
+            "the velocity triangle has its right angle between the velocity of the slot's point and the sliding \
+             velocity",
+        )
+        .by(Jet, |stated| {
+            at_the_instant(|_, motion| {
+                let side = stated.pick(motion.slot_point_velocity, motion.pin_velocity);
+                let cosine = side.normalize().dot(&motion.sliding_velocity.normalize());
+                let angle = libm::acos(cosine).to_degrees();
+                Finding::new(vanishes(cosine), format!("the angle between the two is {angle:.1}°"))
+            })
+        })
+        .by(OtherPlaceInSource, |stated| {
+            // Pythagoras with the printed speeds, each somewhere within its digits.
+            let ids = ["pin.slot-point-speed", "pin.pin-speed"];
+            let [side, longest] = stated.pick(ids, [ids[1], ids[0]]).map(interval);
+            let sliding = interval("pin.sliding-speed");
+            let squares = |at: usize| side[at] * side[at] + sliding[at] * sliding[at];
+            let [least, most] = [squares(0).sqrt(), squares(1).sqrt()];
+            Finding::new(
+                least < longest[1] && longest[0] < most,
+                format!(
+                    "the two printed legs want {least:.1} to {most:.1} mm/s for the longest side, which is {:.1} mm/s",
+                    longest[0].midpoint(longest[1])
+                ),
+            )
+        })
+        .but_not("it has its right angle between the pin's velocity and the sliding velocity")
 }
 
 /// The slot's point moves across OP; or across BP. Variables as in the formula crate: p, q, l, ω.

@@ -5,99 +5,88 @@ use geneva_kinematics::pin_proofs::four_slot_entry_misfit;
 use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::{Field, Rational, Surd, rational};
 
-const STATEMENT: &str = "Problem, 1st paragraph";
-const QUESTION: &str = "Problem, 2nd paragraph";
+const STATEMENT: Place = at("Problem, 1st paragraph");
+const QUESTION: Place = at("Problem, 2nd paragraph");
 
 pub fn claims() -> Vec<Claim> {
     vec![
         signs::letter_v(),
-        Claim::value(
-            WORK,
-            "pin.driver-speed",
-            STATEMENT,
-            "angular velocity of the driver, a datum; the printed speed and radius give it back",
-            ("10", "rad/s"),
-            Check::number(
-                (OtherPlaceInSource, || printed("pin.pin-speed") / printed("pin.crank-radius")),
-                (OtherPlaceInSource, || printed("pin.follower-speed") / ratio_at_the_instant()),
+        STATEMENT
+            .value(
+                "pin.driver-speed",
+                "10",
+                "rad/s",
+                "angular velocity of the driver, a datum; the printed speed and radius give it back",
+            )
+            .by(OtherPlaceInSource, || printed("pin.pin-speed") / printed("pin.crank-radius"))
+            .by(OtherPlaceInSource, || printed("pin.follower-speed") / ratio_at_the_instant()),
+        STATEMENT
+            .statement(
+                "pin.standstill",
+                "four slots",
+                "a four-slot wheel stands still as the pin enters and leaves a slot if l is √2 R",
+            )
+            .by(ClosedForm, |stated| {
+                // tan² of the half pitch angle: 45° or 30°.
+                let (needed, found) = (stated.pick(rational(1, 1), rational(1, 3)), slot_at_standstill(2));
+                Finding::new(
+                    found == needed,
+                    format!("the wheel stands still where tan² β is {found}; the pin enters where it is {needed}"),
+                )
+            })
+            .by(Jet, |stated| {
+                let speeds = stated.pick(speeds_of_four(), speeds_of_six());
+                let still =
+                    speeds.as_ref().is_some_and(|speeds| speeds.iter().all(|speed| *speed == Roots::integer(0)));
+                let which = if still { "zero at both, exactly" } else { "not zero" };
+                Finding::new(still, format!("power series at entry and exit, with √2 exact: ω_S is {which}"))
+            })
+            .but_not("six slots, with the same distance"),
+        STATEMENT
+            .equation(
+                "pin.centre-distance",
+                r"l=1 \overline{2} R",
+                "centre distance of a four-slot wheel that starts and stops from rest",
+            )
+            .by(ExactIdentity, || {
+                // Two readings of the characters: one times two, and 1.222…
+                let misfits = [rational(2, 1), rational(11, 9)].map(|ratio| four_slot_entry_misfit(&ratio));
+                let holds = misfits.contains(&rational(0, 1));
+                Finding::new(
+                    holds,
+                    format!("off its circle by {} and {} if l/R is 2 or 1.222…", misfits[0], misfits[1]),
+                )
+            })
+            .corrected_form(|| Finding::new(is_root_of_two_exact(), "exactly on its circle if l/R is √2"))
+            .by(OtherPlaceInSource, || {
+                let [least, most] = ratio_from_printed_radius();
+                Finding::new(
+                    (least..most).contains(&2f64.sqrt()),
+                    format!("the printed r² wants l/R between {least:.4} and {most:.4}"),
+                )
+            })
+            .corrected(
+                r"l=\sqrt{2} R",
+                Slip {
+                    id: "",
+                    reason: "A digit one and a bar over the two stand where a root sign is needed. The copy has lost \
+                             signs in other places too, so this is put down to the copy.",
+                    witness: "The printed value of r² leads back to l/R = √2 within its digits, and to neither reading \
+                              of the printed characters.",
+                    origin: Origin::Copy,
+                    consequence: Consequence::Copy,
+                    changes: "",
+                },
             ),
-        ),
-        Claim::statement(
-            WORK,
-            "pin.standstill",
-            STATEMENT,
-            "a four-slot wheel stands still as the pin enters and leaves a slot if l is √2 R",
-            "four slots",
-            Check::statement(
-                "six slots, with the same distance",
-                (ClosedForm, |stated| {
-                    // tan² of the half pitch angle: 45° or 30°.
-                    let (needed, found) = (stated.pick(rational(1, 1), rational(1, 3)), slot_at_standstill(2));
-                    Finding::new(
-                        found == needed,
-                        format!("the wheel stands still where tan² β is {found}; the pin enters where it is {needed}"),
-                    )
-                }),
-                (Jet, |stated| {
-                    let speeds = stated.pick(speeds_of_four(), speeds_of_six());
-                    let still =
-                        speeds.as_ref().is_some_and(|speeds| speeds.iter().all(|speed| *speed == Roots::integer(0)));
-                    let which = if still { "zero at both, exactly" } else { "not zero" };
-                    Finding::new(still, format!("power series at entry and exit, with √2 exact: ω_S is {which}"))
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "pin.centre-distance",
-            STATEMENT,
-            "centre distance of a four-slot wheel that starts and stops from rest",
-            r"l=1 \overline{2} R",
-            Check::corrected_equation(
-                (ExactIdentity, || {
-                    // Two readings of the characters: one times two, and 1.222…
-                    let misfits = [rational(2, 1), rational(11, 9)].map(|ratio| four_slot_entry_misfit(&ratio));
-                    let holds = misfits.contains(&rational(0, 1));
-                    Finding::new(
-                        holds,
-                        format!("off its circle by {} and {} if l/R is 2 or 1.222…", misfits[0], misfits[1]),
-                    )
-                }),
-                || Finding::new(is_root_of_two_exact(), "exactly on its circle if l/R is √2"),
-                (OtherPlaceInSource, || {
-                    let [least, most] = ratio_from_printed_radius();
-                    Finding::new(
-                        (least..most).contains(&2f64.sqrt()),
-                        format!("the printed r² wants l/R between {least:.4} and {most:.4}"),
-                    )
-                }),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum {
-            corrected: r"l=\sqrt{2} R",
-            slip: Slip {
-                id: "",
-                reason: "A digit one and a bar over the two stand where a root sign is needed. The copy has lost signs \
-                         in other places too, so this is put down to the copy.",
-                witness: "The printed value of r² leads back to l/R = √2 within its digits, and to neither reading \
-                          of the printed characters.",
-                origin: Origin::Copy,
-                consequence: Consequence::Copy,
-                changes: "",
-            },
-        }),
-        Claim::value(
-            WORK,
-            "pin.crank-angle",
-            QUESTION,
-            "crank angle φ from the direction OB, a datum; the angle at B and the direction of v_P give it back",
-            ("150", "°"),
-            Check::number(
-                (OtherPlaceInSource, || 180.0 - printed("pin.angle-at-driver")),
-                (OtherPlaceInSource, || 90.0 + printed("pin.pin-velocity-direction")),
-            ),
-        ),
+        QUESTION
+            .value(
+                "pin.crank-angle",
+                "150",
+                "°",
+                "crank angle φ from the direction OB, a datum; the angle at B and the direction of v_P give it back",
+            )
+            .by(OtherPlaceInSource, || 180.0 - printed("pin.angle-at-driver"))
+            .by(OtherPlaceInSource, || 90.0 + printed("pin.pin-velocity-direction")),
         signs::letter_f(),
     ]
 }

@@ -16,7 +16,7 @@ pub use symbols::SYMBOLS;
 
 use crate::checks::{coincide, interval, meets, printed, rounds, same, vanishes};
 use crate::duals::{Crank, path, turned};
-use crate::{Check, Claim, Consequence, Dimension, Erratum, Evidence, Finding, Origin, Slip, Stated, Verdict, Work};
+use crate::{Claim, Consequence, Dimension, Evidence, Finding, Origin, Place, Slip, Stated, Verdict, Work};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::PinSlot;
 use geneva_kinematics::pin_triangle::{self, TriangleSolution};
@@ -24,7 +24,10 @@ use geneva_kinematics::pin_vectors::{self, PinMotion};
 use geneva_kinematics::wheel::{Wheel, WheelError};
 use nalgebra::Vector2;
 
-const WORK: Work = Work::Pin;
+/// A place in this source.
+const fn at(locator: &'static str) -> Place {
+    Place::new(Work::Pin, locator)
+}
 
 /// The mechanism at the printed instant.
 #[derive(Clone, Debug, PartialEq)]

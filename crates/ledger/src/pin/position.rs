@@ -2,168 +2,111 @@
 
 use super::*;
 use geneva_kinematics::pin_proofs::{LawOfCosines, LawOfSines};
-use geneva_kinematics::prove;
 
-const COSINES: &str = "Solution, law of cosines";
-const SINES: &str = "Solution, law of sines";
+const COSINES: Place = at("Solution, law of cosines");
+const SINES: Place = at("Solution, law of sines");
 
 pub fn claims() -> Vec<Claim> {
     vec![
-        Claim::figure(
-            WORK,
-            "pin.position-figure",
-            "Solution, 1st sentence",
-            "triangle OPB is the position at the given crank angle",
-            "OPB",
-            Check::statement(
-                "it is the position at a crank angle of 30°",
-                (Vectors, |stated| {
-                    // The corner P from the triangle's own side and angle at O, against the crank's end.
-                    let radius = triangle(|t| t.slot_radius);
-                    let corner = Turn::from_radians(triangle(|t| t.angle_at_pivot)).direction() * radius;
-                    let crank = stated.pick(printed("pin.crank-angle"), printed("pin.angle-at-driver"));
-                    at_the_instant(|instant, _| {
-                        let end = Turn::from_degrees(crank).direction() * instant.mechanism.crank_radius();
-                        let gap = (corner - instant.axis() - end).norm();
-                        Finding::new(
-                            vanishes(gap / radius),
-                            format!("with the crank at {crank}° its end is {gap:.1} mm from the corner P"),
-                        )
-                    })
-                }),
-                (OtherPlaceInSource, |stated| {
-                    // The angle at B from the three sides, by the digits of the printed r.
-                    let (radius, distance) = (printed("pin.crank-radius"), printed("pin.crank-radius") * 2f64.sqrt());
-                    let [least, most] = interval("pin.radius").map(|side| {
-                        let cosine = (radius * radius + distance * distance - side * side) / (2.0 * radius * distance);
-                        libm::acos(cosine).to_degrees()
-                    });
-                    let crank = stated.pick(printed("pin.crank-angle"), printed("pin.angle-at-driver"));
+        at("Solution, 1st sentence")
+            .figure("pin.position-figure", "OPB", "triangle OPB is the position at the given crank angle")
+            .by(Vectors, |stated| {
+                // The corner P from the triangle's own side and angle at O, against the crank's end.
+                let radius = triangle(|t| t.slot_radius);
+                let corner = Turn::from_radians(triangle(|t| t.angle_at_pivot)).direction() * radius;
+                let crank = stated.pick(printed("pin.crank-angle"), printed("pin.angle-at-driver"));
+                at_the_instant(|instant, _| {
+                    let end = Turn::from_degrees(crank).direction() * instant.mechanism.crank_radius();
+                    let gap = (corner - instant.axis() - end).norm();
                     Finding::new(
-                        (least..most).contains(&(180.0 - crank)),
-                        format!("the printed r wants a crank angle of {:.1}° to {:.1}°", 180.0 - most, 180.0 - least),
+                        vanishes(gap / radius),
+                        format!("with the crank at {crank}° its end is {gap:.1} mm from the corner P"),
                     )
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "pin.law-of-cosines",
-            COSINES,
-            "law of cosines for the side OP",
-            r"r^{2}=R^{2}+l^{2}-2 R l \cos \ldots",
-            Check::equation(
-                (ExactIdentity, || prove(&LawOfCosines).into()),
-                (Vectors, || {
-                    at_the_instant(|instant, motion| {
-                        let (radius, distance) =
-                            (instant.mechanism.crank_radius(), instant.mechanism.centre_distance());
-                        let cosine = Turn::from_degrees(printed("pin.angle-at-driver")).cos;
-                        let square = radius * radius + distance * distance - 2.0 * radius * distance * cosine;
-                        same(motion.position.norm_squared(), square)
-                    })
-                }),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "pin.angle-at-driver",
-            COSINES,
-            "angle of the triangle at B, 180° − φ",
-            ("30", "°"),
-            Check::number(
-                (ClosedForm, || 180.0 - printed("pin.crank-angle")),
-                (Vectors, || {
-                    Instant::printed().map_or(f64::NAN, |instant| {
-                        let (to_pin, to_pivot) = (instant.crank.direction(), Vector2::new(-1.0, 0.0));
-                        Turn { cos: to_pin.dot(&to_pivot), sin: to_pin.perp(&to_pivot) }.degrees()
-                    })
-                }),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "pin.radius-squared",
-            COSINES,
-            "square of OP, in squared crank radii",
-            ("0.551", "R^{2}"),
-            Check::number(
-                (ClosedForm, || triangle(|t| t.radius_squared_ratio)),
-                (Vectors, || {
-                    let radius = printed("pin.crank-radius");
-                    vectors(|motion| motion.position.norm_squared()) / (radius * radius)
-                }),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "pin.radius-ratio",
-            COSINES,
-            "OP in crank radii",
-            ("0.742", "R"),
-            Check::number_from_rounded(
-                (ClosedForm, || triangle(|t| t.radius_ratio)),
-                (Vectors, || vectors(|motion| motion.position.norm()) / printed("pin.crank-radius")),
-                || printed("pin.radius-squared").sqrt(),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "pin.radius",
-            COSINES,
-            "OP, distance of the pin from the follower's pivot",
-            ("37.1", "mm"),
-            Check::number_from_rounded(
-                (ClosedForm, || triangle(|t| t.slot_radius)),
-                (Vectors, || vectors(|motion| motion.position.norm())),
-                || printed("pin.radius-ratio") * printed("pin.crank-radius"),
-            ),
-        ),
+                })
+            })
+            .by(OtherPlaceInSource, |stated| {
+                // The angle at B from the three sides, by the digits of the printed r.
+                let (radius, distance) = (printed("pin.crank-radius"), printed("pin.crank-radius") * 2f64.sqrt());
+                let [least, most] = interval("pin.radius").map(|side| {
+                    let cosine = (radius * radius + distance * distance - side * side) / (2.0 * radius * distance);
+                    libm::acos(cosine).to_degrees()
+                });
+                let crank = stated.pick(printed("pin.crank-angle"), printed("pin.angle-at-driver"));
+                Finding::new(
+                    (least..most).contains(&(180.0 - crank)),
+                    format!("the printed r wants a crank angle of {:.1}° to {:.1}°", 180.0 - most, 180.0 - least),
+                )
+            })
+            .but_not("it is the position at a crank angle of 30°"),
+        COSINES
+            .equation("pin.law-of-cosines", r"r^{2}=R^{2}+l^{2}-2 R l \cos \ldots", "law of cosines for the side OP")
+            .proven(LawOfCosines)
+            .by(Vectors, || {
+                at_the_instant(|instant, motion| {
+                    let (radius, distance) = (instant.mechanism.crank_radius(), instant.mechanism.centre_distance());
+                    let cosine = Turn::from_degrees(printed("pin.angle-at-driver")).cos;
+                    let square = radius * radius + distance * distance - 2.0 * radius * distance * cosine;
+                    same(motion.position.norm_squared(), square)
+                })
+            }),
+        COSINES
+            .value("pin.angle-at-driver", "30", "°", "angle of the triangle at B, 180° − φ")
+            .by(ClosedForm, || 180.0 - printed("pin.crank-angle"))
+            .by(Vectors, || {
+                Instant::printed().map_or(f64::NAN, |instant| {
+                    let (to_pin, to_pivot) = (instant.crank.direction(), Vector2::new(-1.0, 0.0));
+                    Turn { cos: to_pin.dot(&to_pivot), sin: to_pin.perp(&to_pivot) }.degrees()
+                })
+            }),
+        COSINES
+            .value("pin.radius-squared", "0.551", "R^{2}", "square of OP, in squared crank radii")
+            .by(ClosedForm, || triangle(|t| t.radius_squared_ratio))
+            .by(Vectors, || {
+                let radius = printed("pin.crank-radius");
+                vectors(|motion| motion.position.norm_squared()) / (radius * radius)
+            }),
+        COSINES
+            .value("pin.radius-ratio", "0.742", "R", "OP in crank radii")
+            .by(ClosedForm, || triangle(|t| t.radius_ratio))
+            .by(Vectors, || vectors(|motion| motion.position.norm()) / printed("pin.crank-radius"))
+            .rounded(|| printed("pin.radius-squared").sqrt()),
+        COSINES
+            .value("pin.radius", "37.1", "mm", "OP, distance of the pin from the follower's pivot")
+            .by(ClosedForm, || triangle(|t| t.slot_radius))
+            .by(Vectors, || vectors(|motion| motion.position.norm()))
+            .rounded(|| printed("pin.radius-ratio") * printed("pin.crank-radius")),
         signs::letter_b(),
-        Claim::equation(
-            WORK,
-            "pin.law-of-sines",
-            SINES,
-            "law of sines for the angle at O",
-            r"\frac{\sin b}{R}=\frac{\sin 30^{\circ}}{r}",
-            Check::equation(
-                (ExactIdentity, || prove(&LawOfSines).into()),
-                (Vectors, || same(triangle(|t| t.sine_at_pivot), vectors(|motion| motion.position.normalize().y))),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "pin.sine-at-pivot",
-            SINES,
-            "sine of the angle at O, from the rounded r/R",
-            r"\sin b=\frac{\sin 30^{\circ}}{0.742}",
-            // An equation with a rounded number in it holds if the number is a rounding of what would make it exact.
-            Check::statement(
-                "the same with one more in the last place of the denominator",
-                (Vectors, |stated| makes_exact(vectors(|motion| motion.position.normalize().y), stated)),
-                (ClosedForm, |stated| {
-                    // The angle at O from the three sides, with r² = (3 − √6) R² and l² = 2 R².
-                    let square = 3.0 - 6f64.sqrt();
-                    let cosine = (1.0 + square) / (2.0 * (2.0 * square).sqrt());
-                    makes_exact((1.0 - cosine * cosine).sqrt(), stated)
-                }),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "pin.angle-at-pivot",
-            SINES,
-            "β, angle of the slot at O from the line of centres",
-            ("42.4", "°"),
-            Check::number_from_rounded(
-                (ClosedForm, || triangle(|t| t.angle_at_pivot).to_degrees()),
-                (Vectors, || vectors(|motion| Turn { cos: motion.position.x, sin: motion.position.y }.degrees())),
-                || {
-                    let sine = sine(printed("pin.angle-at-driver")) / printed("pin.radius-ratio");
-                    Turn { cos: (1.0 - sine * sine).sqrt(), sin: sine }.degrees()
-                },
-            ),
-        ),
+        SINES
+            .equation(
+                "pin.law-of-sines",
+                r"\frac{\sin b}{R}=\frac{\sin 30^{\circ}}{r}",
+                "law of sines for the angle at O",
+            )
+            .proven(LawOfSines)
+            .by(Vectors, || same(triangle(|t| t.sine_at_pivot), vectors(|motion| motion.position.normalize().y))),
+        // An equation with a rounded number in it holds if the number is a rounding of what would make it exact.
+        SINES
+            .formula(
+                "pin.sine-at-pivot",
+                r"\sin b=\frac{\sin 30^{\circ}}{0.742}",
+                "sine of the angle at O, from the rounded r/R",
+            )
+            .by(Vectors, |stated| makes_exact(vectors(|motion| motion.position.normalize().y), stated))
+            .by(ClosedForm, |stated| {
+                // The angle at O from the three sides, with r² = (3 − √6) R² and l² = 2 R².
+                let square = 3.0 - 6f64.sqrt();
+                let cosine = (1.0 + square) / (2.0 * (2.0 * square).sqrt());
+                makes_exact((1.0 - cosine * cosine).sqrt(), stated)
+            })
+            .but_not("the same with one more in the last place of the denominator"),
+        SINES
+            .value("pin.angle-at-pivot", "42.4", "°", "β, angle of the slot at O from the line of centres")
+            .by(ClosedForm, || triangle(|t| t.angle_at_pivot).to_degrees())
+            .by(Vectors, || vectors(|motion| Turn { cos: motion.position.x, sin: motion.position.y }.degrees()))
+            .rounded(|| {
+                let sine = sine(printed("pin.angle-at-driver")) / printed("pin.radius-ratio");
+                Turn { cos: (1.0 - sine * sine).sqrt(), sin: sine }.degrees()
+            }),
     ]
 }
 

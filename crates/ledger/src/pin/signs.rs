@@ -20,9 +20,9 @@ pub const GREEK: Slip = Slip {
 /// Letters where arrows are needed.
 pub const ARROWS: Slip = Slip {
     id: "pin.mark-f",
-    reason: "The copy has the letters d, f and i for arrows. With the arrow before the slot point's velocity it is lost that \
-             its angle counts from the vertical; the angle from the horizontal is another. Which way the arrows pointed \
-             cannot be told without the drawing.",
+    reason: "The copy has the letters d, f and i for arrows. With the arrow before the slot point's velocity it is \
+             lost that its angle counts from the vertical; the angle from the horizontal is another. Which way the \
+             arrows pointed cannot be told without the drawing.",
     witness: "The angles of the crank and of the slot alone give the same directions.",
     origin: Origin::Copy,
     consequence: Consequence::Copy,
@@ -30,60 +30,49 @@ pub const ARROWS: Slip = Slip {
 };
 
 pub fn letter_v() -> Claim {
-    Claim::statement(
-        WORK,
-        "pin.letter-v",
-        "Problem, 1st paragraph",
-        "the letter V names the angular velocity of the driver",
-        "V_D",
-        Check::corrected_statement(
-            (Evidence::Dimension, |stated| {
-                // As an angular velocity, or as what the letter v names with the pin's velocity: a speed.
-                let named = stated.pick(Some(Dimension::ANGULAR_SPEED), dimension("pin.pin-speed"));
-                let printed = dimension("pin.driver-speed");
-                let words = |dimension: Option<Dimension>| dimension.map_or("unknown".into(), |d| d.to_string());
-                Finding::new(
-                    printed.is_some() && printed == named,
-                    format!("the printed unit is {}, the letter stands for {}", words(printed), words(named)),
-                )
-            }),
-            (Jet, |stated| {
-                at_the_instant(|instant, motion| {
-                    let crank = motion.position - instant.axis();
-                    let turning = crank.perp(&motion.pin_velocity) / crank.norm_squared();
-                    let named = stated.pick(turning, motion.pin_velocity.norm());
-                    Finding::new(rounds("pin.driver-speed", named), format!("what the letter stands for is {named:.1}"))
-                })
-            }),
-        ),
-    )
-    .expecting(Verdict::Corrected)
-    .with_erratum(Erratum { corrected: r"\omega_{D}", slip: GREEK })
+    at("Problem, 1st paragraph")
+        .statement("pin.letter-v", "V_D", "the letter V names the angular velocity of the driver")
+        .by(Evidence::Dimension, |stated| {
+            // As an angular velocity, or as what the letter v names with the pin's velocity: a speed.
+            let named = stated.pick(Some(Dimension::ANGULAR_SPEED), dimension("pin.pin-speed"));
+            let printed = dimension("pin.driver-speed");
+            let words = |dimension: Option<Dimension>| dimension.map_or("unknown".into(), |d| d.to_string());
+            Finding::new(
+                printed.is_some() && printed == named,
+                format!("the printed unit is {}, the letter stands for {}", words(printed), words(named)),
+            )
+        })
+        .by(Jet, |stated| {
+            at_the_instant(|instant, motion| {
+                let crank = motion.position - instant.axis();
+                let turning = crank.perp(&motion.pin_velocity) / crank.norm_squared();
+                let named = stated.pick(turning, motion.pin_velocity.norm());
+                Finding::new(rounds("pin.driver-speed", named), format!("what the letter stands for is {named:.1}"))
+            })
+        })
+        .corrected(r"\omega_{D}", GREEK)
 }
 
 pub fn letter_f() -> Claim {
-    Claim::statement(
-        WORK,
-        "pin.letter-f",
-        "Problem, 2nd paragraph",
-        "the letter f names the crank angle, here and where it stands again, before the direction of the slot point's velocity",
-        "f",
-        Check::corrected_statement(
-            (Jet, |stated| {
-                at_the_instant(|instant, motion| {
-                    let crank = heading(&(motion.position - instant.axis()));
-                    let direction = heading(&motion.slot_point_velocity) - 270.0;
-                    behind_the_two([crank, stated.pick(direction, crank)])
-                })
-            }),
-            (OtherPlaceInSource, |stated| {
-                let crank = 180.0 - printed("pin.angle-at-driver");
-                behind_the_two([crank, stated.pick(printed("pin.angle-at-pivot"), crank)])
-            }),
-        ),
-    )
-    .expecting(Verdict::Corrected)
-    .with_erratum(Erratum { corrected: "φ", slip: GREEK })
+    at("Problem, 2nd paragraph")
+        .statement(
+            "pin.letter-f",
+            "f",
+            "the letter f names the crank angle, here and where it stands again, before the direction of the slot \
+             point's velocity",
+        )
+        .by(Jet, |stated| {
+            at_the_instant(|instant, motion| {
+                let crank = heading(&(motion.position - instant.axis()));
+                let direction = heading(&motion.slot_point_velocity) - 270.0;
+                behind_the_two([crank, stated.pick(direction, crank)])
+            })
+        })
+        .by(OtherPlaceInSource, |stated| {
+            let crank = 180.0 - printed("pin.angle-at-driver");
+            behind_the_two([crank, stated.pick(printed("pin.angle-at-pivot"), crank)])
+        })
+        .corrected("φ", GREEK)
 }
 
 /// Whether the numbers printed behind the letter f in its two places are these angles.
@@ -95,89 +84,81 @@ fn behind_the_two([here, there]: [f64; 2]) -> Finding {
 }
 
 pub fn letter_b() -> Claim {
-    Claim::statement(
-        WORK,
-        "pin.letter-b",
-        "Solution, law of sines",
-        "the letter b (β, it seems) names the angle of the triangle at O, opposite to the crank; the text does not \
-         say so",
-        "b",
-        Check::statement(
-            "it names the angle at P, opposite to the line of centres",
-            (Vectors, |stated| {
-                at_the_instant(|instant, motion| {
-                    let (pivot, axis, pin) = (Vector2::zeros(), instant.axis(), motion.position);
-                    let [corner, one, other] = stated.pick([pivot, axis, pin], [pin, pivot, axis]);
-                    let angle = between(&(one - corner), &(other - corner));
-                    Finding::new(rounds("pin.angle-at-pivot", angle), format!("that angle is {angle:.2}°"))
-                })
-            }),
-            (OtherPlaceInSource, |stated| {
-                // r sin b / sin 30° is the side opposite to b, by the printed digits.
-                let [[r_least, r_most], [b_least, b_most]] = ["pin.radius", "pin.angle-at-pivot"].map(interval);
-                let scale = sine(printed("pin.angle-at-driver"));
-                let [least, most] = [r_least * sine(b_least) / scale, r_most * sine(b_most) / scale];
-                let side = printed("pin.crank-radius") * stated.pick(1.0, 2f64.sqrt());
-                Finding::new(
-                    (least..most).contains(&side),
-                    format!("the side opposite is {side:.1} mm; the printed r and b want {least:.1} to {most:.1} mm"),
-                )
-            }),
-        ),
-    )
+    at("Solution, law of sines")
+        .statement(
+            "pin.letter-b",
+            "b",
+            "the letter b (β, it seems) names the angle of the triangle at O, opposite to the crank; the text does not \
+             say so",
+        )
+        .by(Vectors, |stated| {
+            at_the_instant(|instant, motion| {
+                let (pivot, axis, pin) = (Vector2::zeros(), instant.axis(), motion.position);
+                let [corner, one, other] = stated.pick([pivot, axis, pin], [pin, pivot, axis]);
+                let angle = between(&(one - corner), &(other - corner));
+                Finding::new(rounds("pin.angle-at-pivot", angle), format!("that angle is {angle:.2}°"))
+            })
+        })
+        .by(OtherPlaceInSource, |stated| {
+            // r sin b / sin 30° is the side opposite to b, by the printed digits.
+            let [[r_least, r_most], [b_least, b_most]] = ["pin.radius", "pin.angle-at-pivot"].map(interval);
+            let scale = sine(printed("pin.angle-at-driver"));
+            let [least, most] = [r_least * sine(b_least) / scale, r_most * sine(b_most) / scale];
+            let side = printed("pin.crank-radius") * stated.pick(1.0, 2f64.sqrt());
+            Finding::new(
+                (least..most).contains(&side),
+                format!("the side opposite is {side:.1} mm; the printed r and b want {least:.1} to {most:.1} mm"),
+            )
+        })
+        .but_not("it names the angle at P, opposite to the line of centres")
 }
 
 pub fn letter_g() -> Claim {
-    Claim::statement(
-        WORK,
-        "pin.letter-g",
-        "Solution, angle in the velocity triangle",
-        "the letter g (γ, it seems) names the angle between the pin's velocity and the slot; the text does not say so",
-        "g",
-        Check::statement(
-            "it names the angle between the pin's velocity and that of the slot's point",
-            (Jet, |stated| {
-                at_the_instant(|_, motion| {
-                    let side = stated.pick(motion.sliding_velocity, motion.slot_point_velocity);
-                    let angle = between(&motion.pin_velocity, &side);
-                    Finding::new(rounds("pin.velocity-angle", angle), format!("that angle is {angle:.2}°"))
-                })
-            }),
-            (OtherPlaceInSource, |stated| {
-                let opposite = printed(stated.pick("pin.slot-point-speed", "pin.sliding-speed"));
-                let angle = libm::asin(opposite / printed("pin.pin-speed")).to_degrees();
-                Finding::new(
-                    rounds("pin.velocity-angle", angle),
-                    format!("by the printed speeds the angle opposite to that side is {angle:.2}°"),
-                )
-            }),
-        ),
-    )
+    at("Solution, angle in the velocity triangle")
+        .statement(
+            "pin.letter-g",
+            "g",
+            "the letter g (γ, it seems) names the angle between the pin's velocity and the slot; the text does not say \
+             so",
+        )
+        .by(Jet, |stated| {
+            at_the_instant(|_, motion| {
+                let side = stated.pick(motion.sliding_velocity, motion.slot_point_velocity);
+                let angle = between(&motion.pin_velocity, &side);
+                Finding::new(rounds("pin.velocity-angle", angle), format!("that angle is {angle:.2}°"))
+            })
+        })
+        .by(OtherPlaceInSource, |stated| {
+            let opposite = printed(stated.pick("pin.slot-point-speed", "pin.sliding-speed"));
+            let angle = libm::asin(opposite / printed("pin.pin-speed")).to_degrees();
+            Finding::new(
+                rounds("pin.velocity-angle", angle),
+                format!("by the printed speeds the angle opposite to that side is {angle:.2}°"),
+            )
+        })
+        .but_not("it names the angle between the pin's velocity and that of the slot's point")
 }
 
 pub fn mark_d() -> Claim {
-    Claim::statement(
-        WORK,
-        "pin.mark-d",
-        "Solution, velocity of the pin",
-        "one and the same arrow stands before the angles of the pin's velocity and of its sliding velocity: they point \
-         into one quadrant; the copy has a letter for it",
-        "d",
-        Check::statement(
-            "it stands before the velocity of the slot's point",
-            (Jet, |stated| {
-                at_the_instant(|_, motion| {
-                    let other = stated.pick(&motion.sliding_velocity, &motion.slot_point_velocity);
-                    one_quadrant([heading(&motion.pin_velocity), heading(other)])
-                })
-            }),
-            (ClosedForm, |stated| {
-                // Across the crank, and from the pin to O or across the slot.
-                let slot = triangle(|t| t.angle_at_pivot).to_degrees();
-                one_quadrant([printed("pin.crank-angle") + 90.0, slot + stated.pick(180.0, 270.0)])
-            }),
-        ),
-    )
+    at("Solution, velocity of the pin")
+        .statement(
+            "pin.mark-d",
+            "d",
+            "one and the same arrow stands before the angles of the pin's velocity and of its sliding velocity: they \
+             point into one quadrant; the copy has a letter for it",
+        )
+        .by(Jet, |stated| {
+            at_the_instant(|_, motion| {
+                let other = stated.pick(&motion.sliding_velocity, &motion.slot_point_velocity);
+                one_quadrant([heading(&motion.pin_velocity), heading(other)])
+            })
+        })
+        .by(ClosedForm, |stated| {
+            // Across the crank, and from the pin to O or across the slot.
+            let slot = triangle(|t| t.angle_at_pivot).to_degrees();
+            one_quadrant([printed("pin.crank-angle") + 90.0, slot + stated.pick(180.0, 270.0)])
+        })
+        .but_not("it stands before the velocity of the slot's point")
 }
 
 /// Whether the two velocities point into one quadrant, as far from its first side as is printed.
@@ -191,22 +172,18 @@ fn one_quadrant([pin, sliding]: [f64; 2]) -> Finding {
 }
 
 pub fn mark_f() -> Claim {
-    Claim::statement(
-        WORK,
-        "pin.mark-f",
-        "Solution, components of the velocity",
-        "the arrow before the angle of the slot point's velocity, which says what the angle is measured from",
-        "f",
-        Check::corrected_statement(
-            (Jet, |stated| at_the_instant(|_, motion| arrow_of_one(heading(&motion.slot_point_velocity), stated))),
-            (ClosedForm, |stated| {
-                // Across the slot, clockwise about O.
-                arrow_of_one(270.0 + triangle(|t| t.angle_at_pivot).to_degrees(), stated)
-            }),
-        ),
-    )
-    .expecting(Verdict::Corrected)
-    .with_erratum(Erratum { corrected: "an arrow; the angle is from the vertical", slip: ARROWS })
+    at("Solution, components of the velocity")
+        .statement(
+            "pin.mark-f",
+            "f",
+            "the arrow before the angle of the slot point's velocity, which says what the angle is measured from",
+        )
+        .by(Jet, |stated| at_the_instant(|_, motion| arrow_of_one(heading(&motion.slot_point_velocity), stated)))
+        .by(ClosedForm, |stated| {
+            // Across the slot, clockwise about O.
+            arrow_of_one(270.0 + triangle(|t| t.angle_at_pivot).to_degrees(), stated)
+        })
+        .corrected("an arrow; the angle is from the vertical", ARROWS)
 }
 
 /// Whether the velocity points as printed if the arrow is ↘ and the angle from the vertical; or without an arrow.

@@ -7,11 +7,11 @@ use geneva_kinematics::pin_vectors::quarter_turn;
 use geneva_kinematics::prove;
 use nalgebra::Vector2;
 
-const PIN: &str = "Solution, velocity of the pin";
-const TRIANGLE: &str = "Solution, velocity triangle";
-const ANGLE: &str = "Solution, angle in the velocity triangle";
-const COMPONENTS: &str = "Solution, components of the velocity";
-const WHEEL: &str = "Solution, angular velocity of the wheel";
+const PIN: Place = at("Solution, velocity of the pin");
+const TRIANGLE: Place = at("Solution, velocity triangle");
+const ANGLE: Place = at("Solution, angle in the velocity triangle");
+const COMPONENTS: Place = at("Solution, components of the velocity");
+const WHEEL: Place = at("Solution, angular velocity of the wheel");
 
 pub fn claims() -> Vec<Claim> {
     [pin_speed(), triangle_of_velocities(), components(), wheel()].concat()
@@ -19,258 +19,164 @@ pub fn claims() -> Vec<Claim> {
 
 fn pin_speed() -> Vec<Claim> {
     vec![
-        Claim::equation(
-            WORK,
-            "pin.pin-speed-equation",
-            PIN,
-            "speed of the pin on its circle",
-            r"v_{P}=R \mathrm{v}_{D}",
-            Check::corrected_equation(
-                (Evidence::Dimension, || a_length_times_a_speed("pin.crank-radius")),
-                || prove(&PinSpeed).into(),
-                (AutomaticDerivative, || {
-                    from_duals(|crank| {
-                        let speed = printed("pin.crank-radius") * printed("pin.driver-speed");
-                        meets(crank.pin_motion()[1].norm(), speed)
-                    })
-                }),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum { corrected: r"v_{P}=R \omega_{D}", slip: GREEK }),
-        Claim::value(
-            WORK,
+        PIN.equation("pin.pin-speed-equation", r"v_{P}=R \mathrm{v}_{D}", "speed of the pin on its circle")
+            .by(Evidence::Dimension, || a_length_times_a_speed("pin.crank-radius"))
+            .corrected_form(|| prove(&PinSpeed).into())
+            .by(AutomaticDerivative, || {
+                from_duals(|crank| {
+                    let speed = printed("pin.crank-radius") * printed("pin.driver-speed");
+                    meets(crank.pin_motion()[1].norm(), speed)
+                })
+            })
+            .corrected(r"v_{P}=R \omega_{D}", GREEK),
+        PIN.value(
             "pin.crank-radius",
-            PIN,
+            "50",
+            "mm",
             "crank radius R, a datum of the lost figure; the printed speeds and lengths give it back",
-            ("50", "mm"),
-            Check::number(
-                (OtherPlaceInSource, || printed("pin.pin-speed") / printed("pin.driver-speed")),
-                (OtherPlaceInSource, || printed("pin.radius") / printed("pin.radius-ratio")),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "pin.pin-speed",
-            PIN,
-            "speed of the pin",
-            ("500", "mm/s"),
-            Check::number(
-                (ClosedForm, || triangle(|t| t.pin_speed)),
-                (Jet, || vectors(|motion| motion.pin_velocity.norm())),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "pin.pin-velocity-direction",
-            PIN,
-            "angle of the pin's velocity from the horizontal",
-            ("60", "°"),
-            Check::number(
-                (ClosedForm, || 90.0 - printed("pin.angle-at-driver")),
-                (Jet, || vectors(|motion| from_horizontal(&motion.pin_velocity))),
-            ),
-        ),
+        )
+        .by(OtherPlaceInSource, || printed("pin.pin-speed") / printed("pin.driver-speed"))
+        .by(OtherPlaceInSource, || printed("pin.radius") / printed("pin.radius-ratio")),
+        PIN.value("pin.pin-speed", "500", "mm/s", "speed of the pin")
+            .by(ClosedForm, || triangle(|t| t.pin_speed))
+            .by(Jet, || vectors(|motion| motion.pin_velocity.norm())),
+        PIN.value("pin.pin-velocity-direction", "60", "°", "angle of the pin's velocity from the horizontal")
+            .by(ClosedForm, || 90.0 - printed("pin.angle-at-driver"))
+            .by(Jet, || vectors(|motion| from_horizontal(&motion.pin_velocity))),
         signs::mark_d(),
     ]
 }
 
 fn triangle_of_velocities() -> Vec<Claim> {
     vec![
-        Claim::equation(
-            WORK,
-            "pin.velocity-equation",
-            TRIANGLE,
-            "velocity of the pin: that of the slot's point and that along the slot",
-            r"\text{v}_{P}=\text{v}_{P'}+\text{v}_{P/S}",
-            Check::equation(
-                (ExactIdentity, || prove(&SlidesAlongTheSlot).into()),
-                (AutomaticDerivative, || {
-                    from_duals(|crank| {
-                        let [[distance, sliding, _], [slot, turning, _]] = crank.polar();
-                        let along = Turn::from_radians(slot).direction();
-                        let sum = quarter_turn(&along) * (distance * turning) + along * sliding;
-                        let [_, pin, _] = crank.pin_motion();
-                        Finding::new(coincide(&pin, &sum), parts(&pin, &sum))
-                    })
-                }),
-            ),
-        ),
+        TRIANGLE
+            .equation(
+                "pin.velocity-equation",
+                r"\text{v}_{P}=\text{v}_{P'}+\text{v}_{P/S}",
+                "velocity of the pin: that of the slot's point and that along the slot",
+            )
+            .proven(SlidesAlongTheSlot)
+            .by(AutomaticDerivative, || {
+                from_duals(|crank| {
+                    let [[distance, sliding, _], [slot, turning, _]] = crank.polar();
+                    let along = Turn::from_radians(slot).direction();
+                    let sum = quarter_turn(&along) * (distance * turning) + along * sliding;
+                    let [_, pin, _] = crank.pin_motion();
+                    Finding::new(coincide(&pin, &sum), parts(&pin, &sum))
+                })
+            }),
         directions::across_the_slot(),
         directions::along_the_slot(),
         directions::velocity_figure(),
         signs::letter_g(),
-        Claim::equation(
-            WORK,
-            "pin.velocity-angle-equation",
-            ANGLE,
-            "γ is what β and the angle at B leave of a right angle",
-            r"g=90^{\circ}-\ldots-\ldots",
-            Check::equation(
-                (Vectors, || {
-                    same(
-                        vectors(angle_to_slot),
-                        90.0 - triangle(|t| t.angle_at_pivot).to_degrees() - printed("pin.angle-at-driver"),
-                    )
-                }),
-                (AutomaticDerivative, || {
-                    from_duals(|crank| {
-                        let [[distance, sliding, _], [slot, turning, _]] = crank.polar();
-                        let angle = libm::atan2((distance * turning).abs(), sliding.abs()).to_degrees();
-                        let triangle = crank.angle.to_degrees() - 180.0 + 90.0 - slot.to_degrees();
-                        meets(angle, triangle)
-                    })
-                }),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "pin.velocity-angle",
-            ANGLE,
-            "γ, angle between the pin's velocity and the slot",
-            ("17.6", "°"),
-            Check::number_from_rounded(
-                (ClosedForm, || triangle(|t| t.velocity_angle).to_degrees()),
-                (Vectors, || vectors(angle_to_slot)),
-                || 90.0 - printed("pin.angle-at-pivot") - printed("pin.angle-at-driver"),
-            ),
-        ),
+        ANGLE
+            .equation(
+                "pin.velocity-angle-equation",
+                r"g=90^{\circ}-\ldots-\ldots",
+                "γ is what β and the angle at B leave of a right angle",
+            )
+            .by(Vectors, || {
+                same(
+                    vectors(angle_to_slot),
+                    90.0 - triangle(|t| t.angle_at_pivot).to_degrees() - printed("pin.angle-at-driver"),
+                )
+            })
+            .by(AutomaticDerivative, || {
+                from_duals(|crank| {
+                    let [[distance, sliding, _], [slot, turning, _]] = crank.polar();
+                    let angle = libm::atan2((distance * turning).abs(), sliding.abs()).to_degrees();
+                    let triangle = crank.angle.to_degrees() - 180.0 + 90.0 - slot.to_degrees();
+                    meets(angle, triangle)
+                })
+            }),
+        ANGLE
+            .value("pin.velocity-angle", "17.6", "°", "γ, angle between the pin's velocity and the slot")
+            .by(ClosedForm, || triangle(|t| t.velocity_angle).to_degrees())
+            .by(Vectors, || vectors(angle_to_slot))
+            .rounded(|| 90.0 - printed("pin.angle-at-pivot") - printed("pin.angle-at-driver")),
     ]
 }
 
 fn components() -> Vec<Claim> {
     vec![
-        Claim::equation(
-            WORK,
-            "pin.slot-point-equation",
-            COMPONENTS,
-            "component of the pin's velocity across the slot",
-            r"v_{P'}=v_{P} \sin g",
-            Check::equation(
-                (ExactIdentity, || prove(&SlotPointSpeed).into()),
-                (AutomaticDerivative, || {
-                    from_duals(|crank| {
-                        let [[distance, ..], [_, turning, _]] = crank.polar();
-                        meets((distance * turning).abs(), triangle(|t| t.pin_speed * libm::sin(t.velocity_angle)))
-                    })
-                }),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "pin.slot-point-speed",
-            COMPONENTS,
-            "speed of the slot's point under the pin",
-            ("151.2", "mm/s"),
-            Check::number_from_rounded(
-                (ClosedForm, || triangle(|t| t.slot_point_speed)),
-                (Jet, || vectors(|motion| motion.slot_point_velocity.norm())),
-                || printed("pin.pin-speed") * sine(printed("pin.velocity-angle")),
-            ),
-        )
-        .expecting(Verdict::FromRounded)
-        .affected_by(ROUNDED_ANGLE),
+        COMPONENTS
+            .equation(
+                "pin.slot-point-equation",
+                r"v_{P'}=v_{P} \sin g",
+                "component of the pin's velocity across the slot",
+            )
+            .proven(SlotPointSpeed)
+            .by(AutomaticDerivative, || {
+                from_duals(|crank| {
+                    let [[distance, ..], [_, turning, _]] = crank.polar();
+                    meets((distance * turning).abs(), triangle(|t| t.pin_speed * libm::sin(t.velocity_angle)))
+                })
+            }),
+        COMPONENTS
+            .value("pin.slot-point-speed", "151.2", "mm/s", "speed of the slot's point under the pin")
+            .by(ClosedForm, || triangle(|t| t.slot_point_speed))
+            .by(Jet, || vectors(|motion| motion.slot_point_velocity.norm()))
+            .rounded(|| printed("pin.pin-speed") * sine(printed("pin.velocity-angle")))
+            .expecting(Verdict::FromRounded)
+            .affected_by(ROUNDED_ANGLE),
         signs::mark_f(),
-        Claim::value(
-            WORK,
-            "pin.slot-point-velocity-direction",
-            COMPONENTS,
-            "angle of the slot point's velocity, from the vertical",
-            ("42.4", "°"),
-            Check::number(
-                (ClosedForm, || triangle(|t| t.angle_at_pivot).to_degrees()),
-                (Jet, || vectors(|motion| 90.0 - from_horizontal(&motion.slot_point_velocity))),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "pin.sliding-equation",
-            COMPONENTS,
-            "component of the pin's velocity along the slot",
-            r"v_{P/S}=v_{P} \cos g",
-            Check::equation(
-                (ExactIdentity, || prove(&SlidingSpeed).into()),
-                (AutomaticDerivative, || {
-                    from_duals(|crank| {
-                        let [[_, sliding, _], _] = crank.polar();
-                        meets(sliding.abs(), triangle(|t| t.pin_speed * libm::cos(t.velocity_angle)))
-                    })
-                }),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "pin.sliding-speed",
-            COMPONENTS,
-            "speed of the pin along the slot",
-            ("477", "mm/s"),
-            Check::number_from_rounded(
-                (ClosedForm, || triangle(|t| t.sliding_speed)),
-                (Jet, || vectors(|motion| motion.sliding_velocity.norm())),
-                || printed("pin.pin-speed") * Turn::from_degrees(printed("pin.velocity-angle")).cos,
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "pin.sliding-velocity-direction",
-            COMPONENTS,
-            "angle of the sliding velocity from the horizontal",
-            ("42.4", "°"),
-            Check::number(
-                (ClosedForm, || triangle(|t| t.angle_at_pivot).to_degrees()),
-                (Jet, || vectors(|motion| from_horizontal(&motion.sliding_velocity))),
-            ),
-        ),
+        COMPONENTS
+            .value(
+                "pin.slot-point-velocity-direction",
+                "42.4",
+                "°",
+                "angle of the slot point's velocity, from the vertical",
+            )
+            .by(ClosedForm, || triangle(|t| t.angle_at_pivot).to_degrees())
+            .by(Jet, || vectors(|motion| 90.0 - from_horizontal(&motion.slot_point_velocity))),
+        COMPONENTS
+            .equation("pin.sliding-equation", r"v_{P/S}=v_{P} \cos g", "component of the pin's velocity along the slot")
+            .proven(SlidingSpeed)
+            .by(AutomaticDerivative, || {
+                from_duals(|crank| {
+                    let [[_, sliding, _], _] = crank.polar();
+                    meets(sliding.abs(), triangle(|t| t.pin_speed * libm::cos(t.velocity_angle)))
+                })
+            }),
+        COMPONENTS
+            .value("pin.sliding-speed", "477", "mm/s", "speed of the pin along the slot")
+            .by(ClosedForm, || triangle(|t| t.sliding_speed))
+            .by(Jet, || vectors(|motion| motion.sliding_velocity.norm()))
+            .rounded(|| printed("pin.pin-speed") * Turn::from_degrees(printed("pin.velocity-angle")).cos),
+        COMPONENTS
+            .value("pin.sliding-velocity-direction", "42.4", "°", "angle of the sliding velocity from the horizontal")
+            .by(ClosedForm, || triangle(|t| t.angle_at_pivot).to_degrees())
+            .by(Jet, || vectors(|motion| from_horizontal(&motion.sliding_velocity))),
     ]
 }
 
 fn wheel() -> Vec<Claim> {
     vec![
-        Claim::equation(
-            WORK,
-            "pin.follower-speed-equation",
-            WHEEL,
-            "speed of the slot's point from the wheel's angular velocity",
-            r"v_{P'}=r \mathrm{v}_{S}",
-            Check::corrected_equation(
-                (Evidence::Dimension, || a_length_times_a_speed("pin.radius")),
-                || prove(&SlotPointSpeed).into(),
-                (AutomaticDerivative, || {
-                    // What the pin's velocity has across the slot, against the distance times the slot's rate.
-                    from_duals(|crank| {
-                        let ([place, velocity, _], [[distance, ..], [_, turning, _]]) =
-                            (crank.pin_motion(), crank.polar());
-                        meets(place.perp(&velocity) / place.norm(), distance * turning)
-                    })
-                }),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum { corrected: r"v_{P'}=r \omega_{S}", slip: GREEK }),
-        Claim::value(
-            WORK,
-            "pin.follower-speed",
-            WHEEL,
-            "angular speed of the wheel",
-            ("4.08", "rad/s"),
-            Check::number_from_rounded(
-                (ClosedForm, || triangle(|t| t.follower_speed)),
-                (Jet, || vectors(|motion| motion.follower_speed.abs())),
-                || printed("pin.slot-point-speed") / printed("pin.radius"),
-            ),
+        WHEEL
+            .equation(
+                "pin.follower-speed-equation",
+                r"v_{P'}=r \mathrm{v}_{S}",
+                "speed of the slot's point from the wheel's angular velocity",
+            )
+            .by(Evidence::Dimension, || a_length_times_a_speed("pin.radius"))
+            .corrected_form(|| prove(&SlotPointSpeed).into())
+            .by(AutomaticDerivative, || {
+                // What the pin's velocity has across the slot, against the distance times the slot's rate.
+                from_duals(|crank| {
+                    let ([place, velocity, _], [[distance, ..], [_, turning, _]]) = (crank.pin_motion(), crank.polar());
+                    meets(place.perp(&velocity) / place.norm(), distance * turning)
+                })
+            })
+            .corrected(r"v_{P'}=r \omega_{S}", GREEK),
+        WHEEL
+            .value("pin.follower-speed", "4.08", "rad/s", "angular speed of the wheel")
+            .by(ClosedForm, || triangle(|t| t.follower_speed))
+            .by(Jet, || vectors(|motion| motion.follower_speed.abs()))
+            .rounded(|| printed("pin.slot-point-speed") / printed("pin.radius")),
+        WHEEL.statement("pin.follower-sense", "i", "sense in which the wheel turns, by an arrow").missing(
+            "the copy has the letter i for the arrow, which does not say which way it pointed; the computation says \
+             clockwise, against the driver",
         ),
-        Claim::statement(
-            WORK,
-            "pin.follower-sense",
-            WHEEL,
-            "sense in which the wheel turns, by an arrow",
-            "i",
-            Check::Missing {
-                reason: "the copy has the letter i for the arrow, which does not say which way it pointed; the \
-                         computation says clockwise, against the driver",
-            },
-        )
-        .expecting(Verdict::NotReproducible),
     ]
 }
 

@@ -1,17 +1,16 @@
 //! The accelerations: seven terms, two of them zero, two unknown but for their directions.
 
 use super::*;
-use geneva_kinematics::prove;
 use geneva_kinematics::quick_return::proofs::{AcrossTheLever, AlongTheLever};
 use rounding::{LENGTH, RATE};
 
-const PIN_NORMAL: &str = "Solution, acceleration, normal of P2";
-const PIN_TANGENTIAL: &str = "Solution, acceleration, tangential of P2";
-const LEVER_NORMAL: &str = "Solution, acceleration, normal of P4";
-const SLIDING_NORMAL: &str = "Solution, acceleration, relative normal";
-const SLIDING: &str = "Solution, acceleration, relative tangential";
-const LEVER_TANGENTIAL: &str = "Solution, acceleration, tangential of P4";
-const LEVER: &str = "Solution, last line";
+const PIN_NORMAL: Place = at("Solution, acceleration, normal of P2");
+const PIN_TANGENTIAL: Place = at("Solution, acceleration, tangential of P2");
+const LEVER_NORMAL: Place = at("Solution, acceleration, normal of P4");
+const SLIDING_NORMAL: Place = at("Solution, acceleration, relative normal");
+const SLIDING: Place = at("Solution, acceleration, relative tangential");
+const LEVER_TANGENTIAL: Place = at("Solution, acceleration, tangential of P4");
+const LEVER: Place = at("Solution, last line");
 
 pub fn claims() -> Vec<Claim> {
     [known(), coriolis::claims(), found()].concat()
@@ -21,285 +20,228 @@ fn known() -> Vec<Claim> {
     vec![
         frames::acceleration_in_a_frame(),
         frames::acceleration_from_the_lever(),
-        Claim::equation(
-            WORK,
-            "quick-return.pin-normal-equation",
-            PIN_NORMAL,
-            "centripetal acceleration of the pin",
-            r"A_{P2}^n = \omega_2^2 l_2",
-            Check::equation(
-                (Series, || at_the_instant(|at| Some(same(given::total(&at.by_series()?), centripetal(at))))),
-                (AutomaticDerivative, || {
-                    at_the_instant(|at| Some(meets(at.by_duals().pin_motion()[2].norm(), centripetal(at))))
-                }),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "quick-return.pin-normal",
-            PIN_NORMAL,
-            "centripetal acceleration of the pin",
-            ("5.492", "m/s^2"),
-            Check::number_from_rounded(
-                (Vectors, || diagram(|motion| motion.pin_normal.norm())),
-                (Series, || series(given::total)),
-                || {
-                    printed("quick-return.driver-rate")
-                        * printed("quick-return.driver-rate")
-                        * printed("quick-return.crank")
-                },
-            ),
-        )
-        .expecting(Verdict::FromRounded)
-        .affected_by(RATE),
-        Claim::equation(
-            WORK,
-            "quick-return.pin-tangential",
-            PIN_TANGENTIAL,
-            "no tangential acceleration of the pin at constant speed of the crank",
-            r"A_{P2}^t = 0 \text{ since } \omega_2 = \text{constant}",
-            Check::statement(
-                "it is zero though the crank gains 1 rad/s in a second",
-                (Series, |stated| {
-                    // Along the circle, the polar components of the whole acceleration cancel.
-                    at_the_instant(|at| {
-                        let mut at = at.clone();
-                        at.drive.acceleration = stated.pick(0.0, 1.0);
-                        Some(along_the_circle(&at, given::components(&at.by_series()?)))
-                    })
-                }),
-                (AutomaticDerivative, |stated| {
-                    at_the_instant(|at| {
-                        let crank = Crank { acceleration: stated.pick(0.0, 1.0), ..at.by_duals() };
-                        Some(along_the_circle(at, crank.pin_motion()[2]))
-                    })
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "quick-return.lever-normal-equation",
-            LEVER_NORMAL,
-            "centripetal acceleration of the lever's point",
-            r"A_{P4}^n = \omega_4^2 l_4",
-            Check::equation(
-                (AutomaticDerivative, || {
-                    // Of a point that the lever carries along, towards the pivot.
-                    from_duals(|crank| {
-                        let inwards = -crank.point_motion()[2].dot(&frames::along_the_slot(crank));
-                        meets(inwards, series(|rates| rates.turning * rates.turning * radius(rates)))
-                    })
-                }),
-                (OtherPlaceInSource, || {
-                    let speed = printed("quick-return.lever-speed");
-                    let found = speed * speed * printed("quick-return.lever-length");
-                    let holds = rounds("quick-return.lever-normal", found);
-                    Finding::new(holds, format!("the printed numbers give {found:.4} m/s²"))
-                }),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "quick-return.lever-normal",
-            LEVER_NORMAL,
-            "centripetal acceleration of the lever's point",
-            ("0.813", "m/s^2"),
-            Check::number_from_rounded(
-                (Vectors, || diagram(|motion| motion.accelerations.follower_normal.norm())),
-                (Series, || series(|rates| rates.turning * rates.turning * radius(rates))),
-                || {
-                    printed("quick-return.lever-speed")
-                        * printed("quick-return.lever-speed")
-                        * printed("quick-return.lever-length")
-                },
-            ),
-        )
-        .expecting(Verdict::FromRounded)
-        .affected_by(LENGTH),
-        Claim::equation(
-            WORK,
-            "quick-return.sliding-normal",
-            SLIDING_NORMAL,
-            "no relative normal acceleration in a straight slot",
-            r"A_{P2/P4}^n = \frac{v_{P2/P4}^2}{R} = 0",
-            Check::equation(
-                (ExactIdentity, || prove(&AcrossTheLever).into()),
-                (AutomaticDerivative, || {
-                    from_duals(|crank| {
-                        let [[distance, sliding, _], [_, turning, growth]] = crank.polar();
-                        let [_, _, pin] = crank.pin_motion();
-                        let across = quarter_turn(&frames::along_the_slot(crank)).dot(&pin);
-                        meets(across, distance * growth + 2.0 * sliding * turning)
-                    })
-                }),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "quick-return.infinite-radius",
-            SLIDING_NORMAL,
-            "the radius of the pin's path relative to the lever is infinite: the path is straight",
-            "R is infinite",
-            Check::statement(
-                "that of its path over the ground is infinite",
-                (AutomaticDerivative, |stated| {
-                    from_duals(|crank| {
-                        let slot = crank.polar()[1][0];
-                        let [_, velocity, acceleration] =
-                            path(|t| turned(crank.pin(t), -stated.pick(crank.slot(t) - slot, t * 0.0)));
-                        let curvature = velocity.perp(&acceleration) / (velocity.norm() * velocity.norm_squared());
-                        let straight = vanishes(curvature * crank.radius);
-                        let what = if straight { "straight".into() } else { format!("{:.2} m", curvature.recip()) };
-                        Finding::new(straight, format!("radius of curvature: {what}"))
-                    })
-                }),
-                (Vectors, |stated| {
-                    // Three of the pin's places, the second and the third as seen by one who turns with the lever.
-                    at_the_instant(|at| {
-                        let place = |degrees: f64| {
-                            let crank = at.position.crank.plus(&Turn::from_degrees(degrees));
-                            let here = at.linkage.at_crank(&crank).ok()?;
-                            let back = here.lever.reversed().plus(&at.position.lever);
-                            let seen = stated.pick(back.plus(&here.lever), here.lever.clone());
-                            Some(seen.direction() * here.pin_distance)
-                        };
-                        let [first, second, third] = [place(0.0)?, place(20.0)?, place(40.0)?];
-                        let (one, other) = (second - first, third - first);
-                        let sine = one.perp(&other) / (one.norm() * other.norm());
-                        let bend = if vanishes(sine) { 0.0 } else { arcsine(sine) };
-                        Some(Finding::new(
-                            vanishes(sine),
-                            format!("three places, 20° of the crank apart: {bend:.1}° off a line"),
-                        ))
-                    })
-                }),
-            ),
-        ),
+        PIN_NORMAL
+            .equation(
+                "quick-return.pin-normal-equation",
+                r"A_{P2}^n = \omega_2^2 l_2",
+                "centripetal acceleration of the pin",
+            )
+            .by(Series, || at_the_instant(|at| Some(same(given::total(&at.by_series()?), centripetal(at)))))
+            .by(AutomaticDerivative, || {
+                at_the_instant(|at| Some(meets(at.by_duals().pin_motion()[2].norm(), centripetal(at))))
+            }),
+        PIN_NORMAL
+            .value("quick-return.pin-normal", "5.492", "m/s^2", "centripetal acceleration of the pin")
+            .by(Vectors, || diagram(|motion| motion.pin_normal.norm()))
+            .by(Series, || series(given::total))
+            .rounded(|| {
+                printed("quick-return.driver-rate")
+                    * printed("quick-return.driver-rate")
+                    * printed("quick-return.crank")
+            })
+            .expecting(Verdict::FromRounded)
+            .affected_by(RATE),
+        PIN_TANGENTIAL
+            .formula(
+                "quick-return.pin-tangential",
+                r"A_{P2}^t = 0 \text{ since } \omega_2 = \text{constant}",
+                "no tangential acceleration of the pin at constant speed of the crank",
+            )
+            .by(Series, |stated| {
+                // Along the circle, the polar components of the whole acceleration cancel.
+                at_the_instant(|at| {
+                    let mut at = at.clone();
+                    at.drive.acceleration = stated.pick(0.0, 1.0);
+                    Some(along_the_circle(&at, given::components(&at.by_series()?)))
+                })
+            })
+            .by(AutomaticDerivative, |stated| {
+                at_the_instant(|at| {
+                    let crank = Crank { acceleration: stated.pick(0.0, 1.0), ..at.by_duals() };
+                    Some(along_the_circle(at, crank.pin_motion()[2]))
+                })
+            })
+            .but_not("it is zero though the crank gains 1 rad/s in a second"),
+        LEVER_NORMAL
+            .equation(
+                "quick-return.lever-normal-equation",
+                r"A_{P4}^n = \omega_4^2 l_4",
+                "centripetal acceleration of the lever's point",
+            )
+            .by(AutomaticDerivative, || {
+                // Of a point that the lever carries along, towards the pivot.
+                from_duals(|crank| {
+                    let inwards = -crank.point_motion()[2].dot(&frames::along_the_slot(crank));
+                    meets(inwards, series(|rates| rates.turning * rates.turning * radius(rates)))
+                })
+            })
+            .by(OtherPlaceInSource, || {
+                let speed = printed("quick-return.lever-speed");
+                let found = speed * speed * printed("quick-return.lever-length");
+                let holds = rounds("quick-return.lever-normal", found);
+                Finding::new(holds, format!("the printed numbers give {found:.4} m/s²"))
+            }),
+        LEVER_NORMAL
+            .value("quick-return.lever-normal", "0.813", "m/s^2", "centripetal acceleration of the lever's point")
+            .by(Vectors, || diagram(|motion| motion.accelerations.follower_normal.norm()))
+            .by(Series, || series(|rates| rates.turning * rates.turning * radius(rates)))
+            .rounded(|| {
+                printed("quick-return.lever-speed")
+                    * printed("quick-return.lever-speed")
+                    * printed("quick-return.lever-length")
+            })
+            .expecting(Verdict::FromRounded)
+            .affected_by(LENGTH),
+        SLIDING_NORMAL
+            .equation(
+                "quick-return.sliding-normal",
+                r"A_{P2/P4}^n = \frac{v_{P2/P4}^2}{R} = 0",
+                "no relative normal acceleration in a straight slot",
+            )
+            .proven(AcrossTheLever)
+            .by(AutomaticDerivative, || {
+                from_duals(|crank| {
+                    let [[distance, sliding, _], [_, turning, growth]] = crank.polar();
+                    let [_, _, pin] = crank.pin_motion();
+                    let across = quarter_turn(&frames::along_the_slot(crank)).dot(&pin);
+                    meets(across, distance * growth + 2.0 * sliding * turning)
+                })
+            }),
+        SLIDING_NORMAL
+            .statement(
+                "quick-return.infinite-radius",
+                "R is infinite",
+                "the radius of the pin's path relative to the lever is infinite: the path is straight",
+            )
+            .by(AutomaticDerivative, |stated| {
+                from_duals(|crank| {
+                    let slot = crank.polar()[1][0];
+                    let [_, velocity, acceleration] =
+                        path(|t| turned(crank.pin(t), -stated.pick(crank.slot(t) - slot, t * 0.0)));
+                    let curvature = velocity.perp(&acceleration) / (velocity.norm() * velocity.norm_squared());
+                    let straight = vanishes(curvature * crank.radius);
+                    let what = if straight { "straight".into() } else { format!("{:.2} m", curvature.recip()) };
+                    Finding::new(straight, format!("radius of curvature: {what}"))
+                })
+            })
+            .by(Vectors, |stated| {
+                // Three of the pin's places, the second and the third as seen by one who turns with the lever.
+                at_the_instant(|at| {
+                    let place = |degrees: f64| {
+                        let crank = at.position.crank.plus(&Turn::from_degrees(degrees));
+                        let here = at.linkage.at_crank(&crank).ok()?;
+                        let back = here.lever.reversed().plus(&at.position.lever);
+                        let seen = stated.pick(back.plus(&here.lever), here.lever.clone());
+                        Some(seen.direction() * here.pin_distance)
+                    };
+                    let [first, second, third] = [place(0.0)?, place(20.0)?, place(40.0)?];
+                    let (one, other) = (second - first, third - first);
+                    let sine = one.perp(&other) / (one.norm() * other.norm());
+                    let bend = if vanishes(sine) { 0.0 } else { arcsine(sine) };
+                    Some(Finding::new(
+                        vanishes(sine),
+                        format!("three places, 20° of the crank apart: {bend:.1}° off a line"),
+                    ))
+                })
+            })
+            .but_not("that of its path over the ground is infinite"),
     ]
 }
 
 fn found() -> Vec<Claim> {
     vec![
-        Claim::equation(
-            WORK,
-            "quick-return.sliding-acceleration-equation",
-            SLIDING,
-            "sliding acceleration, towards the lever's pivot",
-            r"A_{P2/P4}^t = A_{P2}^n \cos \ldots - A_{P4}^n",
-            Check::equation(
-                (ExactIdentity, || prove(&AlongTheLever).into()),
-                (AutomaticDerivative, || {
-                    from_duals(|crank| {
-                        let [[distance, _, outwards], [_, turning, _]] = crank.polar();
-                        let beta = angle_at_pin(printed("quick-return.lever-angle"));
-                        let pin = crank.speed * crank.speed * crank.radius;
-                        meets(-outwards, pin * cosine(beta) - turning * turning * distance)
-                    })
-                }),
+        SLIDING
+            .equation(
+                "quick-return.sliding-acceleration-equation",
+                r"A_{P2/P4}^t = A_{P2}^n \cos \ldots - A_{P4}^n",
+                "sliding acceleration, towards the lever's pivot",
+            )
+            .proven(AlongTheLever)
+            .by(AutomaticDerivative, || {
+                from_duals(|crank| {
+                    let [[distance, _, outwards], [_, turning, _]] = crank.polar();
+                    let beta = angle_at_pin(printed("quick-return.lever-angle"));
+                    let pin = crank.speed * crank.speed * crank.radius;
+                    meets(-outwards, pin * cosine(beta) - turning * turning * distance)
+                })
+            })
+            .read_as(DEGREES),
+        SLIDING
+            .value(
+                "quick-return.sliding-acceleration",
+                "2.694",
+                "m/s^2",
+                "sliding acceleration, towards the lever's pivot",
+            )
+            .by(Vectors, || diagram(|motion| motion.accelerations.sliding_tangential.norm()))
+            .by(Series, || series(|rates| rates.sliding_rate.abs() * radius(rates)))
+            .rounded(|| {
+                printed("quick-return.pin-normal") * cosine(printed("quick-return.angle-at-pin"))
+                    - printed("quick-return.lever-normal")
+            })
+            .expecting(Verdict::FromRounded)
+            .affected_by(RATE),
+        LEVER_TANGENTIAL
+            .equation(
+                "quick-return.lever-tangential-equation",
+                r"A_{P4}^t = A_{P2}^n \sin \ldots - 2\omega_4 v_{P2/P4}",
+                "tangential acceleration of the lever's point, in the sense of the pin's acceleration across the lever",
+            )
+            .proven(AcrossTheLever)
+            .by(AutomaticDerivative, || {
+                from_duals(|crank| {
+                    let [[distance, sliding, _], [_, turning, growth]] = crank.polar();
+                    let beta = angle_at_pin(printed("quick-return.lever-angle"));
+                    let pin = crank.speed * crank.speed * crank.radius;
+                    meets(-growth * distance, pin * sine(beta) - 2.0 * turning * -sliding)
+                })
+            })
+            .read_as(DEGREES),
+        LEVER_TANGENTIAL
+            .value("quick-return.lever-tangential", "2.266", "m/s^2", "tangential acceleration of the lever's point")
+            .by(Vectors, || diagram(|motion| motion.accelerations.follower_tangential.norm()))
+            .by(Series, || series(|rates| rates.turning_rate.abs() * radius(rates)))
+            .rounded(|| {
+                printed("quick-return.pin-normal") * sine(printed("quick-return.angle-at-pin"))
+                    - printed("quick-return.coriolis")
+            })
+            .expecting(Verdict::FromRounded)
+            .affected_by(RATE),
+        LEVER
+            .equation(
+                "quick-return.lever-acceleration-equation",
+                r"A_{P4}^t = \alpha_4 l_4",
+                "tangential acceleration and angular acceleration of the lever",
+            )
+            .by(AutomaticDerivative, || {
+                // Of a point that the lever carries along, across it.
+                from_duals(|crank| {
+                    let across = quarter_turn(&frames::along_the_slot(crank)).dot(&crank.point_motion()[2]);
+                    meets(across, series(|rates| rates.turning_rate * radius(rates)))
+                })
+            })
+            .by(OtherPlaceInSource, || {
+                let found = printed("quick-return.lever-acceleration") * printed("quick-return.lever-length");
+                let holds = rounds("quick-return.lever-tangential", found);
+                Finding::new(holds, format!("the printed numbers give {found:.3} m/s²"))
+            }),
+        LEVER
+            .value("quick-return.lever-acceleration", "4.12", "rad/s^2", "angular acceleration of the lever")
+            .by(Vectors, || diagram(|motion| motion.accelerations.follower_acceleration.abs()))
+            .by(Series, || series(|rates| rates.turning_rate.abs()))
+            .rounded(|| printed("quick-return.lever-tangential") / printed("quick-return.lever-length"))
+            .expecting(Verdict::FromRounded)
+            .affected_by(RATE),
+        LEVER
+            .statement(
+                "quick-return.lever-acceleration-sense",
+                r"\alpha_4",
+                "the sense of the lever's angular acceleration, of which the magnitude alone is given",
+            )
+            .missing(
+                "Magnitudes only. The lever slows down if the pin slides inwards; in the mirror image, which has the \
+                 same printed numbers, it speeds up",
             ),
-        )
-        .read_as(DEGREES),
-        Claim::value(
-            WORK,
-            "quick-return.sliding-acceleration",
-            SLIDING,
-            "sliding acceleration, towards the lever's pivot",
-            ("2.694", "m/s^2"),
-            Check::number_from_rounded(
-                (Vectors, || diagram(|motion| motion.accelerations.sliding_tangential.norm())),
-                (Series, || series(|rates| rates.sliding_rate.abs() * radius(rates))),
-                || {
-                    printed("quick-return.pin-normal") * cosine(printed("quick-return.angle-at-pin"))
-                        - printed("quick-return.lever-normal")
-                },
-            ),
-        )
-        .expecting(Verdict::FromRounded)
-        .affected_by(RATE),
-        Claim::equation(
-            WORK,
-            "quick-return.lever-tangential-equation",
-            LEVER_TANGENTIAL,
-            "tangential acceleration of the lever's point, in the sense of the pin's \
-                    acceleration across the lever",
-            r"A_{P4}^t = A_{P2}^n \sin \ldots - 2\omega_4 v_{P2/P4}",
-            Check::equation(
-                (ExactIdentity, || prove(&AcrossTheLever).into()),
-                (AutomaticDerivative, || {
-                    from_duals(|crank| {
-                        let [[distance, sliding, _], [_, turning, growth]] = crank.polar();
-                        let beta = angle_at_pin(printed("quick-return.lever-angle"));
-                        let pin = crank.speed * crank.speed * crank.radius;
-                        meets(-growth * distance, pin * sine(beta) - 2.0 * turning * -sliding)
-                    })
-                }),
-            ),
-        )
-        .read_as(DEGREES),
-        Claim::value(
-            WORK,
-            "quick-return.lever-tangential",
-            LEVER_TANGENTIAL,
-            "tangential acceleration of the lever's point",
-            ("2.266", "m/s^2"),
-            Check::number_from_rounded(
-                (Vectors, || diagram(|motion| motion.accelerations.follower_tangential.norm())),
-                (Series, || series(|rates| rates.turning_rate.abs() * radius(rates))),
-                || {
-                    printed("quick-return.pin-normal") * sine(printed("quick-return.angle-at-pin"))
-                        - printed("quick-return.coriolis")
-                },
-            ),
-        )
-        .expecting(Verdict::FromRounded)
-        .affected_by(RATE),
-        Claim::equation(
-            WORK,
-            "quick-return.lever-acceleration-equation",
-            LEVER,
-            "tangential acceleration and angular acceleration of the lever",
-            r"A_{P4}^t = \alpha_4 l_4",
-            Check::equation(
-                (AutomaticDerivative, || {
-                    // Of a point that the lever carries along, across it.
-                    from_duals(|crank| {
-                        let across = quarter_turn(&frames::along_the_slot(crank)).dot(&crank.point_motion()[2]);
-                        meets(across, series(|rates| rates.turning_rate * radius(rates)))
-                    })
-                }),
-                (OtherPlaceInSource, || {
-                    let found = printed("quick-return.lever-acceleration") * printed("quick-return.lever-length");
-                    let holds = rounds("quick-return.lever-tangential", found);
-                    Finding::new(holds, format!("the printed numbers give {found:.3} m/s²"))
-                }),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "quick-return.lever-acceleration",
-            LEVER,
-            "angular acceleration of the lever",
-            ("4.12", "rad/s^2"),
-            Check::number_from_rounded(
-                (Vectors, || diagram(|motion| motion.accelerations.follower_acceleration.abs())),
-                (Series, || series(|rates| rates.turning_rate.abs())),
-                || printed("quick-return.lever-tangential") / printed("quick-return.lever-length"),
-            ),
-        )
-        .expecting(Verdict::FromRounded)
-        .affected_by(RATE),
-        Claim::statement(
-            WORK,
-            "quick-return.lever-acceleration-sense",
-            LEVER,
-            "the sense of the lever's angular acceleration, of which the magnitude alone is given",
-            r"\alpha_4",
-            Check::Missing {
-                reason: "Magnitudes only. The lever slows down if the pin slides inwards; in the mirror image, which \
-                         has the same printed numbers, it speeds up",
-            },
-        )
-        .expecting(Verdict::NotReproducible),
     ]
 }
 

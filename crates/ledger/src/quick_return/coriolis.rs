@@ -1,97 +1,73 @@
 //! The Coriolis term: how large it is, which way it points, and what the text says of its factors.
 
 use super::*;
-use geneva_kinematics::prove;
 use geneva_kinematics::quick_return::proofs::TermsOfTheAcceleration;
 
-const CORIOLIS: &str = "Solution, acceleration, Coriolis";
-const SENSE: &str = "Solution, acceleration, direction of Coriolis";
+const CORIOLIS: Place = at("Solution, acceleration, Coriolis");
+const SENSE: Place = at("Solution, acceleration, direction of Coriolis");
 
 pub fn claims() -> Vec<Claim> {
     vec![
-        Claim::equation(
-            WORK,
-            "quick-return.coriolis-equation",
-            CORIOLIS,
-            "magnitude of the Coriolis acceleration; its factors are at right angles",
-            r"2\omega_4 v_{P2/P4}",
-            Check::equation(
-                (ExactIdentity, || prove(&TermsOfTheAcceleration { coriolis: 2 }).into()),
-                (AutomaticDerivative, || {
-                    from_duals(|crank| {
-                        let [[_, sliding, _], [_, turning, _]] = crank.polar();
-                        meets(term(crank).norm(), 2.0 * (turning * sliding).abs())
-                    })
-                }),
+        CORIOLIS
+            .equation(
+                "quick-return.coriolis-equation",
+                r"2\omega_4 v_{P2/P4}",
+                "magnitude of the Coriolis acceleration; its factors are at right angles",
+            )
+            .proven(TermsOfTheAcceleration { coriolis: 2 })
+            .by(AutomaticDerivative, || {
+                from_duals(|crank| {
+                    let [[_, sliding, _], [_, turning, _]] = crank.polar();
+                    meets(term(crank).norm(), 2.0 * (turning * sliding).abs())
+                })
+            }),
+        CORIOLIS
+            .value("quick-return.coriolis", "1.960", "m/s^2", "magnitude of the Coriolis acceleration")
+            .by(Vectors, || diagram(|motion| motion.accelerations.coriolis.norm()))
+            .by(Series, || series(|rates| 2.0 * (rates.turning * rates.sliding).abs() * radius(rates)))
+            .rounded(|| 2.0 * printed("quick-return.lever-speed") * printed("quick-return.sliding-speed"))
+            .expecting(Verdict::FromRounded)
+            .affected_by(rounding::LENGTH),
+        SENSE
+            .statement(
+                "quick-return.coriolis-direction",
+                r"\omega_4 \times v_{P2/P4}",
+                "the Coriolis acceleration has the direction of this product; which way that is, the text does not say",
+            )
+            .by(AutomaticDerivative, |stated| {
+                in_both_drawings(|instant| {
+                    let crank = instant.by_duals();
+                    let [[_, sliding, _], [_, turning, _]] = crank.polar();
+                    let product = product(turning, frames::along_the_slot(&crank) * sliding, stated);
+                    let part = term(&crank).normalize().dot(&product.normalize());
+                    Some(Finding::new(agrees(part, 1.0), format!("its part in that direction is {part:.3} of it")))
+                })
+            })
+            .by(LimitCase, |stated| {
+                let bead = across_by_finite_turns();
+                let product = product(1.0, Vector2::new(1.0, 0.0), stated);
+                let how = format!("a bead that slides outwards: {bead:.4}, the product: {:.0}", product.y);
+                Finding::new(bead * product.y > 0.0, how)
+            })
+            .but_not("it has the direction of the product with its factors exchanged"),
+        SENSE
+            .statement("quick-return.lever-sense", "out of the page", "the lever turns counter-clockwise")
+            .by(Vectors, |stated| {
+                in_both_drawings(|instant| Some(points(instant.by_diagrams()?.velocities.follower_speed, stated)))
+            })
+            .by(Series, |stated| in_both_drawings(|instant| Some(points(instant.by_series()?.turning, stated))))
+            .but_not("it is directed into the page"),
+        SENSE
+            .statement(
+                "quick-return.sense-of-sliding",
+                "as in velocity diagram",
+                "the sense of the sliding velocity, as in the velocity diagram",
+            )
+            .missing(
+                "The diagram is not in the copy. Towards the lever's pivot if the lever stands where a crank that \
+                 turns counter-clockwise has passed the line of centres; away from it in the mirror image, which has \
+                 the same printed numbers. The sense of the Coriolis acceleration goes with it",
             ),
-        ),
-        Claim::value(
-            WORK,
-            "quick-return.coriolis",
-            CORIOLIS,
-            "magnitude of the Coriolis acceleration",
-            ("1.960", "m/s^2"),
-            Check::number_from_rounded(
-                (Vectors, || diagram(|motion| motion.accelerations.coriolis.norm())),
-                (Series, || series(|rates| 2.0 * (rates.turning * rates.sliding).abs() * radius(rates))),
-                || 2.0 * printed("quick-return.lever-speed") * printed("quick-return.sliding-speed"),
-            ),
-        )
-        .expecting(Verdict::FromRounded)
-        .affected_by(rounding::LENGTH),
-        Claim::statement(
-            WORK,
-            "quick-return.coriolis-direction",
-            SENSE,
-            "the Coriolis acceleration has the direction of this product; which way that is, the text does not say",
-            r"\omega_4 \times v_{P2/P4}",
-            Check::statement(
-                "it has the direction of the product with its factors exchanged",
-                (AutomaticDerivative, |stated| {
-                    in_both_drawings(|instant| {
-                        let crank = instant.by_duals();
-                        let [[_, sliding, _], [_, turning, _]] = crank.polar();
-                        let product = product(turning, frames::along_the_slot(&crank) * sliding, stated);
-                        let part = term(&crank).normalize().dot(&product.normalize());
-                        Some(Finding::new(agrees(part, 1.0), format!("its part in that direction is {part:.3} of it")))
-                    })
-                }),
-                (LimitCase, |stated| {
-                    let bead = across_by_finite_turns();
-                    let product = product(1.0, Vector2::new(1.0, 0.0), stated);
-                    let how = format!("a bead that slides outwards: {bead:.4}, the product: {:.0}", product.y);
-                    Finding::new(bead * product.y > 0.0, how)
-                }),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "quick-return.lever-sense",
-            SENSE,
-            "the lever turns counter-clockwise",
-            "out of the page",
-            Check::statement(
-                "it is directed into the page",
-                (Vectors, |stated| {
-                    in_both_drawings(|instant| Some(points(instant.by_diagrams()?.velocities.follower_speed, stated)))
-                }),
-                (Series, |stated| in_both_drawings(|instant| Some(points(instant.by_series()?.turning, stated)))),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "quick-return.sense-of-sliding",
-            SENSE,
-            "the sense of the sliding velocity, as in the velocity diagram",
-            "as in velocity diagram",
-            Check::Missing {
-                reason: "The diagram is not in the copy. Towards the lever's pivot if the lever stands where a crank \
-                         that turns counter-clockwise has passed the line of centres; away from it in the mirror \
-                         image, which has the same printed numbers. The sense of the Coriolis acceleration goes with \
-                         it",
-            },
-        )
-        .expecting(Verdict::NotReproducible),
     ]
 }
 

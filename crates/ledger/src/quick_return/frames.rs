@@ -6,136 +6,121 @@ use geneva_kinematics::prove;
 use geneva_kinematics::quick_return::frame_proofs::{AccelerationInAFrame, Brackets, VelocityInAFrame};
 use geneva_kinematics::quick_return::proofs::{Compared, DiagramAgainstSeries};
 
-const VELOCITY: &str = "Solution, velocity, 1st line";
-const NAMES: &str = "Solution, velocity, 2nd line";
-const ADVICE: &str = "Solution, velocity, remark";
+const VELOCITY: Place = at("Solution, velocity, 1st line");
+const NAMES: Place = at("Solution, velocity, 2nd line");
+const ADVICE: Place = at("Solution, velocity, remark");
 
 pub fn claims() -> Vec<Claim> {
     vec![
-        Claim::equation(
-            WORK,
-            "quick-return.velocity-in-a-frame",
-            VELOCITY,
-            "velocity of a point given in a turning frame",
-            r"\dot{r} = \dot{R} + \dot{p} + \omega \times p",
-            Check::equation(
-                (ExactIdentity, || both_axes([true, false].map(|first| prove(&VelocityInAFrame { first }).into()))),
-                (AutomaticDerivative, || {
-                    let Moving { whole, origin, inside, speed, .. } = moving();
-                    alike(&whole[1], &(origin[1] + inside[1] + quarter_turn(&inside[0]) * speed))
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "quick-return.velocity-by-points",
-            NAMES,
-            "with p = 0 the last term goes, and the relative velocity is that seen in the frame",
-            r"v_{P2} = v_{P4} + v_{P2/P4} = \dot{R} + \dot{p}",
-            Check::equation(
-                (ExactIdentity, || {
-                    let parts = [Compared::LeverSpeed, Compared::Sliding];
-                    both_axes(parts.map(|part| prove(&DiagramAgainstSeries(part)).into()))
-                }),
-                (AutomaticDerivative, || {
-                    from_duals(|crank| {
-                        let ([_, pin, _], [_, origin, _]) = (crank.pin_motion(), crank.point_motion());
-                        alike(&pin, &(origin + along_the_slot(crank) * crank.polar()[0][1]))
-                    })
-                }),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "quick-return.seen-from-the-lever",
-            ADVICE,
-            "the relative velocity is that of the pin as one sees it who holds the lever still",
-            "P2 moving, P4 fixed",
-            Check::statement(
-                "think of P4 moving and of P2, on the crank, as fixed",
-                (AutomaticDerivative, |stated| {
-                    from_duals(|crank| {
-                        let ([_, pin, _], [_, lever, _]) = (crank.pin_motion(), crank.point_motion());
-                        alike(&pin, &(lever + seen(crank, stated)[1]))
-                    })
-                }),
-                (Vectors, |stated| {
-                    at_the_instant(|instant| {
-                        let (motion, rates) = (instant.by_diagrams()?.velocities, instant.by_series()?);
-                        let both = [motion.pin_velocity, motion.slot_point_velocity];
-                        let [moving, fixed] = stated.pick(both, [both[1], both[0]]);
-                        Some(alike(&(moving - fixed), &(rates.position * rates.sliding)))
-                    })
-                }),
-            ),
-        ),
+        VELOCITY
+            .equation(
+                "quick-return.velocity-in-a-frame",
+                r"\dot{r} = \dot{R} + \dot{p} + \omega \times p",
+                "velocity of a point given in a turning frame",
+            )
+            .by(ExactIdentity, || both_axes([true, false].map(|first| prove(&VelocityInAFrame { first }).into())))
+            .by(AutomaticDerivative, || {
+                let Moving { whole, origin, inside, speed, .. } = moving();
+                alike(&whole[1], &(origin[1] + inside[1] + quarter_turn(&inside[0]) * speed))
+            }),
+        NAMES
+            .equation(
+                "quick-return.velocity-by-points",
+                r"v_{P2} = v_{P4} + v_{P2/P4} = \dot{R} + \dot{p}",
+                "with p = 0 the last term goes, and the relative velocity is that seen in the frame",
+            )
+            .by(ExactIdentity, || {
+                let parts = [Compared::LeverSpeed, Compared::Sliding];
+                both_axes(parts.map(|part| prove(&DiagramAgainstSeries(part)).into()))
+            })
+            .by(AutomaticDerivative, || {
+                from_duals(|crank| {
+                    let ([_, pin, _], [_, origin, _]) = (crank.pin_motion(), crank.point_motion());
+                    alike(&pin, &(origin + along_the_slot(crank) * crank.polar()[0][1]))
+                })
+            }),
+        ADVICE
+            .statement(
+                "quick-return.seen-from-the-lever",
+                "P2 moving, P4 fixed",
+                "the relative velocity is that of the pin as one sees it who holds the lever still",
+            )
+            .by(AutomaticDerivative, |stated| {
+                from_duals(|crank| {
+                    let ([_, pin, _], [_, lever, _]) = (crank.pin_motion(), crank.point_motion());
+                    alike(&pin, &(lever + seen(crank, stated)[1]))
+                })
+            })
+            .by(Vectors, |stated| {
+                at_the_instant(|instant| {
+                    let (motion, rates) = (instant.by_diagrams()?.velocities, instant.by_series()?);
+                    let both = [motion.pin_velocity, motion.slot_point_velocity];
+                    let [moving, fixed] = stated.pick(both, [both[1], both[0]]);
+                    Some(alike(&(moving - fixed), &(rates.position * rates.sliding)))
+                })
+            })
+            .but_not("think of P4 moving and of P2, on the crank, as fixed"),
     ]
 }
 
 /// The acceleration of a point given in a turning frame, printed without brackets.
 pub fn acceleration_in_a_frame() -> Claim {
-    Claim::equation(
-        WORK,
-        "quick-return.acceleration-in-a-frame",
-        "Solution, acceleration, 1st line",
-        "acceleration of a point given in a turning frame",
-        concat!(
-            r"\ddot{r} = \ddot{R} + \ddot{p} + \omega \times \omega \times p",
-            r" + \dot{\omega} \times p + 2\omega \times \dot{p}"
-        ),
-        Check::equation(
-            (ExactIdentity, || {
-                let along = |first| AccelerationInAFrame { first, brackets: Brackets::FromTheRight, coriolis: 2 };
-                both_axes([true, false].map(|first| prove(&along(first)).into()))
-            }),
-            (AutomaticDerivative, || {
-                let Moving { whole, origin, inside, speed, gain } = moving();
-                let centripetal = -inside[0] * (speed * speed);
-                let turning = quarter_turn(&inside[0]) * gain + quarter_turn(&inside[1]) * (2.0 * speed);
-                alike(&whole[2], &(origin[2] + inside[2] + centripetal + turning))
-            }),
-        ),
-    )
-    .read_as(
-        "The double product has no brackets and is read from the right, as ω × (ω × p). From the left it would be \
-         zero for every motion, and nobody would write it.",
-    )
+    at("Solution, acceleration, 1st line")
+        .equation(
+            "quick-return.acceleration-in-a-frame",
+            concat!(
+                r"\ddot{r} = \ddot{R} + \ddot{p} + \omega \times \omega \times p",
+                r" + \dot{\omega} \times p + 2\omega \times \dot{p}"
+            ),
+            "acceleration of a point given in a turning frame",
+        )
+        .by(ExactIdentity, || {
+            let along = |first| AccelerationInAFrame { first, brackets: Brackets::FromTheRight, coriolis: 2 };
+            both_axes([true, false].map(|first| prove(&along(first)).into()))
+        })
+        .by(AutomaticDerivative, || {
+            let Moving { whole, origin, inside, speed, gain } = moving();
+            let centripetal = -inside[0] * (speed * speed);
+            let turning = quarter_turn(&inside[0]) * gain + quarter_turn(&inside[1]) * (2.0 * speed);
+            alike(&whole[2], &(origin[2] + inside[2] + centripetal + turning))
+        })
+        .read_as(
+            "The double product has no brackets and is read from the right, as ω × (ω × p). From the left it would be \
+             zero for every motion, and nobody would write it.",
+        )
 }
 
 /// The advice for the accelerations.
 pub fn acceleration_from_the_lever() -> Claim {
-    Claim::statement(
-        WORK,
-        "quick-return.acceleration-from-the-lever",
-        "Solution, acceleration, remark",
-        "normal and tangential relative acceleration are those of the pin as one sees it who holds the lever still; \
-         the Coriolis term is on top of them",
-        "P2 moving, P4 fixed",
-        Check::statement(
-            "think of P4 moving and of P2, on the crank, as fixed",
-            (AutomaticDerivative, |stated| {
-                from_duals(|crank| {
-                    let ([_, _, pin], [_, _, lever]) = (crank.pin_motion(), crank.point_motion());
-                    let [_, velocity, acceleration] = seen(crank, stated);
-                    let coriolis = quarter_turn(&velocity) * (2.0 * crank.polar()[1][1]);
-                    alike(&pin, &(lever + acceleration + coriolis))
-                })
-            }),
-            (Vectors, |stated| {
-                at_the_instant(|instant| {
-                    let (motion, rates) = (instant.by_diagrams()?, instant.by_series()?);
-                    let (velocities, terms) = (&motion.velocities, &motion.accelerations);
-                    let pin = [velocities.pin_velocity, motion.pin_normal + motion.pin_tangential];
-                    let lever = [velocities.slot_point_velocity, terms.follower_normal + terms.follower_tangential];
-                    let [moving, fixed] = stated.pick([pin, lever], [lever, pin]);
-                    let turning = stated.pick(velocities.follower_speed, instant.drive.speed);
-                    // What is left without the Coriolis term of a frame on the fixed link.
-                    let left = moving[1] - fixed[1] - quarter_turn(&(moving[0] - fixed[0])) * (2.0 * turning);
-                    Some(alike(&left, &(rates.position * rates.sliding_rate)))
-                })
-            }),
-        ),
-    )
+    at("Solution, acceleration, remark")
+        .statement(
+            "quick-return.acceleration-from-the-lever",
+            "P2 moving, P4 fixed",
+            "normal and tangential relative acceleration are those of the pin as one sees it who holds the lever \
+             still; the Coriolis term is on top of them",
+        )
+        .by(AutomaticDerivative, |stated| {
+            from_duals(|crank| {
+                let ([_, _, pin], [_, _, lever]) = (crank.pin_motion(), crank.point_motion());
+                let [_, velocity, acceleration] = seen(crank, stated);
+                let coriolis = quarter_turn(&velocity) * (2.0 * crank.polar()[1][1]);
+                alike(&pin, &(lever + acceleration + coriolis))
+            })
+        })
+        .by(Vectors, |stated| {
+            at_the_instant(|instant| {
+                let (motion, rates) = (instant.by_diagrams()?, instant.by_series()?);
+                let (velocities, terms) = (&motion.velocities, &motion.accelerations);
+                let pin = [velocities.pin_velocity, motion.pin_normal + motion.pin_tangential];
+                let lever = [velocities.slot_point_velocity, terms.follower_normal + terms.follower_tangential];
+                let [moving, fixed] = stated.pick([pin, lever], [lever, pin]);
+                let turning = stated.pick(velocities.follower_speed, instant.drive.speed);
+                // What is left without the Coriolis term of a frame on the fixed link.
+                let left = moving[1] - fixed[1] - quarter_turn(&(moving[0] - fixed[0])) * (2.0 * turning);
+                Some(alike(&left, &(rates.position * rates.sliding_rate)))
+            })
+        })
+        .but_not("think of P4 moving and of P2, on the crank, as fixed")
 }
 
 /// Place, velocity and acceleration of the pin as seen from the lever; or of the lever's point as seen from the crank.

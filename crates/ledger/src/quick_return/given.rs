@@ -1,155 +1,122 @@
 //! What the problem gives and asks.
 
 use super::*;
-use geneva_kinematics::prove;
 use geneva_kinematics::quick_return::proofs::{Compared, DiagramAgainstSeries, TermsOfTheAcceleration};
 
-const DATA: &str = "Problem, 1st paragraph";
-const VELOCITY: &str = "Problem, part (a), equation";
-const ACCELERATION: &str = "Problem, part (b), 1st equation";
-const THREE: &str = "Problem, part (a), question";
-const TERMS: &str = "Problem, part (b), 2nd equation";
-const QUESTION: &str = "Problem, part (b), question";
-const DRAWING: &str = "Figure 7";
+const DATA: Place = at("Problem, 1st paragraph");
+const VELOCITY: Place = at("Problem, part (a), equation");
+const ACCELERATION: Place = at("Problem, part (b), 1st equation");
+const THREE: Place = at("Problem, part (a), question");
+const TERMS: Place = at("Problem, part (b), 2nd equation");
+const QUESTION: Place = at("Problem, part (b), question");
+const DRAWING: Place = at("Figure 7");
 
 pub fn claims() -> Vec<Claim> {
     vec![
-        Claim::statement(
-            WORK,
-            "quick-return.driver-sense",
-            DATA,
-            "the crank turns counter-clockwise",
-            "counter-clockwise",
-            Check::statement(
-                "the crank turns clockwise",
-                (Vectors, |stated| {
-                    in_both_drawings(|instant| {
-                        let motion = driven(instant, stated).by_diagrams()?;
-                        Some(out_of_the_page(motion.velocities.follower_speed))
-                    })
-                }),
-                (AutomaticDerivative, |stated| {
-                    in_both_drawings(|instant| Some(out_of_the_page(driven(instant, stated).by_duals().polar()[1][1])))
-                }),
-            ),
-        ),
-        Claim::value(
-            WORK,
+        DATA.statement("quick-return.driver-sense", "counter-clockwise", "the crank turns counter-clockwise")
+            .by(Vectors, |stated| {
+                in_both_drawings(|instant| {
+                    let motion = driven(instant, stated).by_diagrams()?;
+                    Some(out_of_the_page(motion.velocities.follower_speed))
+                })
+            })
+            .by(AutomaticDerivative, |stated| {
+                in_both_drawings(|instant| Some(out_of_the_page(driven(instant, stated).by_duals().polar()[1][1])))
+            })
+            .but_not("the crank turns clockwise"),
+        DATA.value(
             "quick-return.driver-speed",
-            DATA,
+            "50",
+            "r.p.m.",
             "speed of the crank, a datum; the solution's rate in rad/s gives it back",
-            ("50", "r.p.m."),
-            Check::number(
-                (OtherPlaceInSource, || printed("quick-return.driver-rate") * 30.0 / PI),
-                (OtherPlaceInSource, || printed("quick-return.pin-speed") / printed("quick-return.crank") * 30.0 / PI),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "quick-return.velocity-equation",
-            VELOCITY,
-            "velocity of the pin: that of the lever's point under it and that relative to the lever",
-            r"v_{P_2} = v_{P_4} + v_{P_2P_4}",
-            Check::equation(
-                (ExactIdentity, || prove(&DiagramAgainstSeries(Compared::Sliding)).into()),
-                (AutomaticDerivative, || {
-                    from_duals(|crank| {
-                        let ([_, pin, _], [_, lever, _]) = (crank.pin_motion(), crank.point_motion());
-                        alike(&pin, &(lever + frames::along_the_slot(crank) * crank.polar()[0][1]))
-                    })
-                }),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "quick-return.three",
-            THREE,
-            "the equation of the velocities has three terms, and none of them can be spared",
-            "three",
-            Check::statement(
-                "it has two terms",
-                (AutomaticDerivative, |stated| {
-                    from_duals(|crank| {
-                        let Parted { velocities, .. } = parted(crank);
-                        needed(&velocities, stated.pick(3, 2))
-                    })
-                }),
-                (OtherPlaceInSource, |stated| summands("quick-return.velocity-equation", stated.pick(3, 2))),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "quick-return.acceleration-equation",
-            ACCELERATION,
-            "acceleration of the pin: that of the lever's point and the rest, seen without turning",
-            r"a_{P_2} = a_{P_4} + a_{P_2P_4}",
-            Check::equation(
-                (Series, || {
-                    at_the_instant(|instant| {
-                        let speed = instant.drive.speed;
-                        Some(alike(&components(&instant.by_series()?), &(-instant.arm() * (speed * speed))))
-                    })
-                }),
-                (AutomaticDerivative, || {
-                    from_duals(|crank| {
-                        let [[_, sliding, outwards], [_, turning, _]] = crank.polar();
-                        let along = frames::along_the_slot(crank);
-                        let relative = along * outwards + quarter_turn(&along) * (2.0 * sliding * turning);
-                        alike(&crank.pin_motion()[2], &(crank.point_motion()[2] + relative))
-                    })
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "quick-return.seven-terms",
-            TERMS,
-            "the same by normal, tangential and Coriolis components",
-            concat!(
-                r"(a_{P_2}^n + a_{P_2}^t) = (a_{P_4}^n + a_{P_4}^t)",
-                r" + (a_{P_2P_4}^n + a_{P_2P_4}^t + 2\omega_4 \times v_{P_2P_4})"
-            ),
-            Check::equation(
-                (ExactIdentity, || prove(&TermsOfTheAcceleration { coriolis: 2 }).into()),
-                (AutomaticDerivative, || {
-                    from_duals(|crank| {
-                        let Parted { accelerations, .. } = parted(crank);
-                        let left = accelerations[0] + accelerations[1];
-                        alike(&left, &-accelerations[2..].iter().sum::<Vector2<f64>>())
-                    })
-                }),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "quick-return.seven",
-            QUESTION,
-            "the equation of the accelerations has seven terms, and in general none of them can be spared",
-            "seven",
-            Check::statement(
-                "it has six terms",
-                (AutomaticDerivative, |stated| {
-                    from_duals(|crank| {
-                        let Parted { accelerations, .. } = parted(crank);
-                        needed(&accelerations, stated.pick(7, 6))
-                    })
-                }),
-                (OtherPlaceInSource, |stated| summands("quick-return.seven-terms", stated.pick(7, 6))),
-            ),
-        ),
-        Claim::figure(
-            WORK,
-            "quick-return.figure",
-            DRAWING,
-            "the drawing of the mechanism, with its lengths and its angle",
-            "Figure",
-            Check::Missing {
-                reason: "The drawing is not in the copy. Lengths, angle and branch follow from the solution; on which \
-                         side of the line of centres the lever stands does not, and with it the senses of the sliding, \
-                         of the Coriolis acceleration and of the lever's angular acceleration",
-            },
         )
-        .expecting(Verdict::NotReproducible),
+        .by(OtherPlaceInSource, || printed("quick-return.driver-rate") * 30.0 / PI)
+        .by(OtherPlaceInSource, || printed("quick-return.pin-speed") / printed("quick-return.crank") * 30.0 / PI),
+        VELOCITY
+            .equation(
+                "quick-return.velocity-equation",
+                r"v_{P_2} = v_{P_4} + v_{P_2P_4}",
+                "velocity of the pin: that of the lever's point under it and that relative to the lever",
+            )
+            .proven(DiagramAgainstSeries(Compared::Sliding))
+            .by(AutomaticDerivative, || {
+                from_duals(|crank| {
+                    let ([_, pin, _], [_, lever, _]) = (crank.pin_motion(), crank.point_motion());
+                    alike(&pin, &(lever + frames::along_the_slot(crank) * crank.polar()[0][1]))
+                })
+            }),
+        THREE
+            .statement(
+                "quick-return.three",
+                "three",
+                "the equation of the velocities has three terms, and none of them can be spared",
+            )
+            .by(AutomaticDerivative, |stated| {
+                from_duals(|crank| {
+                    let Parted { velocities, .. } = parted(crank);
+                    needed(&velocities, stated.pick(3, 2))
+                })
+            })
+            .by(OtherPlaceInSource, |stated| summands("quick-return.velocity-equation", stated.pick(3, 2)))
+            .but_not("it has two terms"),
+        ACCELERATION
+            .equation(
+                "quick-return.acceleration-equation",
+                r"a_{P_2} = a_{P_4} + a_{P_2P_4}",
+                "acceleration of the pin: that of the lever's point and the rest, seen without turning",
+            )
+            .by(Series, || {
+                at_the_instant(|instant| {
+                    let speed = instant.drive.speed;
+                    Some(alike(&components(&instant.by_series()?), &(-instant.arm() * (speed * speed))))
+                })
+            })
+            .by(AutomaticDerivative, || {
+                from_duals(|crank| {
+                    let [[_, sliding, outwards], [_, turning, _]] = crank.polar();
+                    let along = frames::along_the_slot(crank);
+                    let relative = along * outwards + quarter_turn(&along) * (2.0 * sliding * turning);
+                    alike(&crank.pin_motion()[2], &(crank.point_motion()[2] + relative))
+                })
+            }),
+        TERMS
+            .equation(
+                "quick-return.seven-terms",
+                concat!(
+                    r"(a_{P_2}^n + a_{P_2}^t) = (a_{P_4}^n + a_{P_4}^t)",
+                    r" + (a_{P_2P_4}^n + a_{P_2P_4}^t + 2\omega_4 \times v_{P_2P_4})"
+                ),
+                "the same by normal, tangential and Coriolis components",
+            )
+            .proven(TermsOfTheAcceleration { coriolis: 2 })
+            .by(AutomaticDerivative, || {
+                from_duals(|crank| {
+                    let Parted { accelerations, .. } = parted(crank);
+                    let left = accelerations[0] + accelerations[1];
+                    alike(&left, &-accelerations[2..].iter().sum::<Vector2<f64>>())
+                })
+            }),
+        QUESTION
+            .statement(
+                "quick-return.seven",
+                "seven",
+                "the equation of the accelerations has seven terms, and in general none of them can be spared",
+            )
+            .by(AutomaticDerivative, |stated| {
+                from_duals(|crank| {
+                    let Parted { accelerations, .. } = parted(crank);
+                    needed(&accelerations, stated.pick(7, 6))
+                })
+            })
+            .by(OtherPlaceInSource, |stated| summands("quick-return.seven-terms", stated.pick(7, 6)))
+            .but_not("it has six terms"),
+        DRAWING
+            .figure("quick-return.figure", "Figure", "the drawing of the mechanism, with its lengths and its angle")
+            .missing(
+                "The drawing is not in the copy. Lengths, angle and branch follow from the solution; on which side of \
+                 the line of centres the lever stands does not, and with it the senses of the sliding, of the Coriolis \
+                 acceleration and of the lever's angular acceleration",
+            ),
     ]
 }
 

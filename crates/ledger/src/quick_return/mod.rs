@@ -21,7 +21,7 @@ pub use symbols::SYMBOLS;
 
 use crate::checks::{agrees, coincide, interval, meets, printed, rounds, same, vanishes};
 use crate::duals::{Crank, Time, advance, path, turned};
-use crate::{Check, Claim, Consequence, Erratum, Evidence, Finding, Origin, Slip, Stated, Verdict, Work};
+use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Verdict, Work};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_vectors::quarter_turn;
 use geneva_kinematics::quick_return::series::{PolarRates, polar_rates};
@@ -29,7 +29,10 @@ use geneva_kinematics::quick_return::{Branch, Drive, LinkageError, Motion, Posit
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
-const WORK: Work = Work::QuickReturn;
+/// A place in this source.
+const fn at(locator: &'static str) -> Place {
+    Place::new(Work::QuickReturn, locator)
+}
 
 /// The mechanism at the printed instant. Lengths in m, angles from the direction lever pivot → crank axis.
 #[derive(Clone, Debug, PartialEq)]

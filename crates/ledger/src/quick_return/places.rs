@@ -2,132 +2,118 @@
 
 use super::*;
 
-const PLACES: &str = "Solution, position, vectors";
+const PLACES: Place = at("Solution, position, vectors");
 
 pub fn claims() -> Vec<Claim> {
     vec![
-        Claim::statement(
-            WORK,
-            "quick-return.point-located",
-            PLACES,
-            "the vector r leads to the pin; its length, with the same letter, is that of the lever",
-            "locates P2",
-            Check::statement(
-                "it leads to P4, a point of the lever",
-                (ClosedForm, |stated| {
-                    // At other lever angles: the end of r keeps its distance from the crank's axis, that of a point of
-                    // the lever its distance from the lever's pivot.
-                    let (axis, pivot) = (Vector2::new(printed("quick-return.ground"), 0.0), Vector2::zeros());
-                    let (now, crank) = (projected_length(lever_angle()), printed("quick-return.crank"));
-                    let (centre, distance) = stated.pick((axis, crank), (pivot, now));
-                    let distances = OTHER_ANGLES.map(|angle| (end_of(projected_length(angle), angle) - centre).norm());
-                    let [least, most] = [f64::min, f64::max].map(|pick| distances.into_iter().reduce(pick));
+        PLACES
+            .statement(
+                "quick-return.point-located",
+                "locates P2",
+                "the vector r leads to the pin; its length, with the same letter, is that of the lever",
+            )
+            .by(ClosedForm, |stated| {
+                // At other lever angles: the end of r keeps its distance from the crank's axis, that of a point of
+                // the lever its distance from the lever's pivot.
+                let (axis, pivot) = (Vector2::new(printed("quick-return.ground"), 0.0), Vector2::zeros());
+                let (now, crank) = (projected_length(lever_angle()), printed("quick-return.crank"));
+                let (centre, distance) = stated.pick((axis, crank), (pivot, now));
+                let distances = OTHER_ANGLES.map(|angle| (end_of(projected_length(angle), angle) - centre).norm());
+                let [least, most] = [f64::min, f64::max].map(|pick| distances.into_iter().reduce(pick));
+                Finding::new(
+                    distances.iter().all(|found| agrees(*found, distance)),
+                    format!(
+                        "while the lever swings its end is {:.3} to {:.3} m from the centre of that point's circle",
+                        least.unwrap_or(f64::NAN),
+                        most.unwrap_or(f64::NAN)
+                    ),
+                )
+            })
+            .by(Series, |stated| {
+                at_the_instant(|instant| {
+                    let rates = instant.by_series()?;
+                    let across = quarter_turn(&rates.position) * rates.turning;
+                    let rate = rates.position * rates.sliding + across;
+                    Some(alike(&rate, &stated.pick(quarter_turn(&instant.arm()) * instant.drive.speed, across)))
+                })
+            })
+            .but_not("it leads to P4, a point of the lever"),
+        PLACES
+            .statement(
+                "quick-return.frame",
+                "oxy (same as P4)",
+                "the frame's origin, to which R leads, is the lever's point under the pin",
+            )
+            .by(Vectors, |stated| {
+                at_the_instant(|instant| {
+                    let velocities = instant.by_diagrams()?.velocities;
+                    let origin = stated.pick(velocities.slot_point_velocity, velocities.pin_velocity).norm();
+                    let holds = rounds("quick-return.lever-point-speed", origin);
+                    Some(Finding::new(holds, format!("the origin then moves at {origin:.3} m/s")))
+                })
+            })
+            .by(AutomaticDerivative, |stated| {
+                from_duals(|crank| {
+                    let [_, rate, _] = path(|t| {
+                        let [x, y] = crank.pin(t);
+                        let [a, b] = stated.pick(crank.point_under_the_pin(t), crank.pin(t));
+                        [x - a, y - b]
+                    });
                     Finding::new(
-                        distances.iter().all(|found| agrees(*found, distance)),
-                        format!(
-                            "while the lever swings its end is {:.3} to {:.3} m from the centre of that point's circle",
-                            least.unwrap_or(f64::NAN),
-                            most.unwrap_or(f64::NAN)
-                        ),
+                        rounds("quick-return.sliding-speed", rate.norm()),
+                        format!("the pin then leaves the origin at {:.3} m/s", rate.norm()),
                     )
-                }),
-                (Series, |stated| {
-                    at_the_instant(|instant| {
-                        let rates = instant.by_series()?;
-                        let across = quarter_turn(&rates.position) * rates.turning;
-                        let rate = rates.position * rates.sliding + across;
-                        Some(alike(&rate, &stated.pick(quarter_turn(&instant.arm()) * instant.drive.speed, across)))
-                    })
-                }),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "quick-return.frame",
-            PLACES,
-            "the frame's origin, to which R leads, is the lever's point under the pin",
-            "oxy (same as P4)",
-            Check::statement(
-                "it is the same as P2, and moves with the pin",
-                (Vectors, |stated| {
-                    at_the_instant(|instant| {
-                        let velocities = instant.by_diagrams()?.velocities;
-                        let origin = stated.pick(velocities.slot_point_velocity, velocities.pin_velocity).norm();
-                        let holds = rounds("quick-return.lever-point-speed", origin);
-                        Some(Finding::new(holds, format!("the origin then moves at {origin:.3} m/s")))
-                    })
-                }),
-                (AutomaticDerivative, |stated| {
-                    from_duals(|crank| {
-                        let [_, rate, _] = path(|t| {
-                            let [x, y] = crank.pin(t);
-                            let [a, b] = stated.pick(crank.point_under_the_pin(t), crank.pin(t));
-                            [x - a, y - b]
-                        });
-                        Finding::new(
-                            rounds("quick-return.sliding-speed", rate.norm()),
-                            format!("the pin then leaves the origin at {:.3} m/s", rate.norm()),
-                        )
-                    })
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "quick-return.p-is-zero",
-            PLACES,
-            "the pin is at the frame's origin at this instant, and does not stay there",
-            "p = 0",
-            Check::statement(
-                "the frame's origin is at the lever's pivot",
-                (Vectors, |stated| {
-                    at_the_instant(|instant| {
-                        let length = stated.pick(projected_length(lever_angle()), 0.0);
-                        let axis = Vector2::new(instant.linkage.ground(), 0.0);
-                        let [now, later] = [0.0, 1.0].map(|degrees| {
-                            let crank = instant.position.crank.plus(&Turn::from_degrees(degrees));
-                            let position = instant.linkage.at_crank(&crank).ok()?;
-                            Some(
-                                (axis + crank.direction() * axis_to_pin() - position.lever.direction() * length).norm(),
-                            )
-                        });
-                        let (now, later) = (now? / axis_to_pin(), later? / axis_to_pin());
-                        Some(Finding::new(
-                            vanishes(now) && !vanishes(later),
-                            format!(
-                                "p is {now:.3} of the crank's radius, and {later:.3} of it when the crank is 1° on"
-                            ),
-                        ))
-                    })
-                }),
-                (OtherPlaceInSource, |stated| {
-                    // By printed numbers alone: within what the digits of the lever's length leave open.
-                    let p =
-                        printed_pin() - end_of(stated.pick(printed("quick-return.lever-length"), 0.0), lever_angle());
-                    let [least, most] = interval("quick-return.lever-length");
-                    Finding::new(
-                        p.norm() < (most - least) / 2.0,
-                        format!("by the printed lengths and angles p is {:.4} m", p.norm()),
-                    )
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "quick-return.sum-of-places",
-            PLACES,
-            "place of the pin: that of the frame's origin and that in the frame",
-            "r = R + p",
-            Check::equation((ClosedForm, sum_while_the_lever_swings), (Series, sum_of_rates)),
-        ),
-        Claim::equation(
-            WORK,
-            "quick-return.sum-of-places-by-points",
-            PLACES,
-            "the same by the names of the points",
-            r"r_{P2} = r_{P4} + r_{P2/P4}",
-            Check::equation((ClosedForm, sum_while_the_lever_swings), (Series, sum_of_rates)),
-        ),
+                })
+            })
+            .but_not("it is the same as P2, and moves with the pin"),
+        PLACES
+            .formula(
+                "quick-return.p-is-zero",
+                "p = 0",
+                "the pin is at the frame's origin at this instant, and does not stay there",
+            )
+            .by(Vectors, |stated| {
+                at_the_instant(|instant| {
+                    let length = stated.pick(projected_length(lever_angle()), 0.0);
+                    let axis = Vector2::new(instant.linkage.ground(), 0.0);
+                    let [now, later] = [0.0, 1.0].map(|degrees| {
+                        let crank = instant.position.crank.plus(&Turn::from_degrees(degrees));
+                        let position = instant.linkage.at_crank(&crank).ok()?;
+                        Some((axis + crank.direction() * axis_to_pin() - position.lever.direction() * length).norm())
+                    });
+                    let (now, later) = (now? / axis_to_pin(), later? / axis_to_pin());
+                    Some(Finding::new(
+                        vanishes(now) && !vanishes(later),
+                        format!("p is {now:.3} of the crank's radius, and {later:.3} of it when the crank is 1° on"),
+                    ))
+                })
+            })
+            .by(OtherPlaceInSource, |stated| {
+                // By printed numbers alone: within what the digits of the lever's length leave open.
+                let p = printed_pin() - end_of(stated.pick(printed("quick-return.lever-length"), 0.0), lever_angle());
+                let [least, most] = interval("quick-return.lever-length");
+                Finding::new(
+                    p.norm() < (most - least) / 2.0,
+                    format!("by the printed lengths and angles p is {:.4} m", p.norm()),
+                )
+            })
+            .but_not("the frame's origin is at the lever's pivot"),
+        PLACES
+            .equation(
+                "quick-return.sum-of-places",
+                "r = R + p",
+                "place of the pin: that of the frame's origin and that in the frame",
+            )
+            .by(ClosedForm, sum_while_the_lever_swings)
+            .by(Series, sum_of_rates),
+        PLACES
+            .equation(
+                "quick-return.sum-of-places-by-points",
+                r"r_{P2} = r_{P4} + r_{P2/P4}",
+                "the same by the names of the points",
+            )
+            .by(ClosedForm, sum_while_the_lever_swings)
+            .by(Series, sum_of_rates),
     ]
 }
 

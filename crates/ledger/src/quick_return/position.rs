@@ -1,261 +1,212 @@
 //! The position: a triangle of ground, crank and lever.
 
 use super::*;
-use geneva_kinematics::prove;
 use geneva_kinematics::quick_return::proofs::{LawOfSinesAtThePin, LeverAsProjections};
 
-const SINES: &str = "Solution, position, 1st line";
-const PROJECTIONS: &str = "Solution, position, 2nd line";
-const SPEED: &str = "Solution, position, 3rd line";
-const ANGLES: &str = "Solution, position, 4th line";
-const CRANK: &str = "Solution, position, 5th line";
+const SINES: Place = at("Solution, position, 1st line");
+const PROJECTIONS: Place = at("Solution, position, 2nd line");
+const SPEED: Place = at("Solution, position, 3rd line");
+const ANGLES: Place = at("Solution, position, 4th line");
+const CRANK: Place = at("Solution, position, 5th line");
 
 pub fn claims() -> Vec<Claim> {
     vec![
-        Claim::value(
-            WORK,
-            "quick-return.ground",
-            SINES,
-            "distance of the two axes, a datum of the lost drawing, in metres as the speeds show; the printed angles \
-             and lengths give it back",
-            ("0.45", ""),
-            Check::number(
-                (OtherPlaceInSource, || {
+        SINES
+            .value(
+                "quick-return.ground",
+                "0.45",
+                "",
+                "distance of the two axes, a datum of the lost drawing, in metres as the speeds show; the printed \
+                 angles and lengths give it back",
+            )
+            .by(OtherPlaceInSource, || {
+                printed("quick-return.crank") * sine(printed("quick-return.angle-at-pin"))
+                    / sine(printed("quick-return.lever-angle"))
+            })
+            .by(OtherPlaceInSource, || {
+                let along = printed("quick-return.crank") * cosine(printed("quick-return.angle-at-pin"));
+                (printed("quick-return.lever-length") - along) / cosine(printed("quick-return.lever-angle"))
+            }),
+        SINES
+            .value(
+                "quick-return.lever-angle",
+                "20",
+                "°",
+                "angle of the lever from the line of centres, a datum of the lost drawing",
+            )
+            .by(OtherPlaceInSource, || {
+                180.0 - printed("quick-return.angle-at-axis") - printed("quick-return.angle-at-pin")
+            })
+            .by(OtherPlaceInSource, || {
+                arcsine(
                     printed("quick-return.crank") * sine(printed("quick-return.angle-at-pin"))
-                        / sine(printed("quick-return.lever-angle"))
-                }),
-                (OtherPlaceInSource, || {
-                    let along = printed("quick-return.crank") * cosine(printed("quick-return.angle-at-pin"));
-                    (printed("quick-return.lever-length") - along) / cosine(printed("quick-return.lever-angle"))
-                }),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "quick-return.lever-angle",
-            SINES,
-            "angle of the lever from the line of centres, a datum of the lost drawing",
-            ("20", "°"),
-            Check::number(
-                (OtherPlaceInSource, || {
-                    180.0 - printed("quick-return.angle-at-axis") - printed("quick-return.angle-at-pin")
-                }),
-                (OtherPlaceInSource, || {
-                    arcsine(
-                        printed("quick-return.crank") * sine(printed("quick-return.angle-at-pin"))
-                            / printed("quick-return.ground"),
-                    )
-                }),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "quick-return.crank",
-            SINES,
-            "radius of the crank, a datum of the lost drawing, in metres as the speeds show",
-            ("0.20", ""),
-            Check::number(
-                (OtherPlaceInSource, || printed("quick-return.pin-speed") / printed("quick-return.driver-rate")),
-                (OtherPlaceInSource, || {
+                        / printed("quick-return.ground"),
+                )
+            }),
+        SINES
+            .value(
+                "quick-return.crank",
+                "0.20",
+                "",
+                "radius of the crank, a datum of the lost drawing, in metres as the speeds show",
+            )
+            .by(OtherPlaceInSource, || printed("quick-return.pin-speed") / printed("quick-return.driver-rate"))
+            .by(OtherPlaceInSource, || {
+                printed("quick-return.ground") * sine(printed("quick-return.lever-angle"))
+                    / sine(printed("quick-return.angle-at-pin"))
+            }),
+        SINES
+            .equation(
+                "quick-return.law-of-sines",
+                r"\ldots \sin \ldots^\circ = \ldots \sin \beta",
+                "law of sines at the lever's pivot and at the pin",
+            )
+            .proven(LawOfSinesAtThePin)
+            .by(ClosedForm, || {
+                // Both angles from the three sides.
+                let [ground, crank, lever] = sides();
+                let pivot = angle_opposite_to_third([ground, lever, crank]);
+                let pin = angle_opposite_to_third([crank, lever, ground]);
+                same(ground * sine(pivot), crank * sine(pin))
+            }),
+        SINES
+            .value("quick-return.angle-at-pin", "50.31", "°", "β, the angle at the pin between lever and crank")
+            .by(Vectors, || position_of(|position| position.angle_at_pin().to_degrees()))
+            .by(ClosedForm, || {
+                arcsine(
                     printed("quick-return.ground") * sine(printed("quick-return.lever-angle"))
-                        / sine(printed("quick-return.angle-at-pin"))
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "quick-return.law-of-sines",
-            SINES,
-            "law of sines at the lever's pivot and at the pin",
-            r"\ldots \sin \ldots^\circ = \ldots \sin \beta",
-            Check::equation(
-                (ExactIdentity, || prove(&LawOfSinesAtThePin).into()),
-                (ClosedForm, || {
-                    // Both angles from the three sides.
-                    let [ground, crank, lever] = sides();
-                    let pivot = angle_opposite_to_third([ground, lever, crank]);
-                    let pin = angle_opposite_to_third([crank, lever, ground]);
-                    same(ground * sine(pivot), crank * sine(pin))
-                }),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "quick-return.angle-at-pin",
-            SINES,
-            "β, the angle at the pin between lever and crank",
-            ("50.31", "°"),
-            Check::number(
-                (Vectors, || position_of(|position| position.angle_at_pin().to_degrees())),
-                (ClosedForm, || {
-                    arcsine(
-                        printed("quick-return.ground") * sine(printed("quick-return.lever-angle"))
-                            / printed("quick-return.crank"),
-                    )
-                }),
-            ),
-        ),
-        Claim::statement(
-            WORK,
-            "quick-return.branch",
-            SINES,
-            "of the two angles with this sine the acute one is meant: the pin is at \
-                    the far point of its circle",
-            "beta",
-            Check::statement(
-                "the obtuse one is meant: the pin is at the near point",
-                (OtherPlaceInSource, |stated| {
-                    let at = Instant::on(stated.pick(Branch::Far, Branch::Near));
-                    let length = at.map_or(f64::NAN, |at| at.position.pin_distance);
-                    Finding::new(
-                        rounds("quick-return.lever-length", length),
-                        format!("the lever would be {length:.3} m long"),
-                    )
-                }),
-                (ClosedForm, |stated| {
-                    let lever = printed("quick-return.lever-angle");
-                    let beta = angle_at_pin(lever);
-                    let left = 180.0 - lever - stated.pick(beta, 180.0 - beta);
-                    Finding::new(
-                        rounds("quick-return.angle-at-axis", left),
-                        format!("the angle at the crank's axis would be {left:.2}°"),
-                    )
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "quick-return.projections",
-            PROJECTIONS,
-            "length of the lever as the projections of ground and crank on it",
-            r"r = \ldots \cos \ldots^\circ + \ldots \cos \beta",
-            Check::equation(
-                (ExactIdentity, || prove(&LeverAsProjections).into()),
-                (ClosedForm, || {
-                    same(
-                        projected_length(printed("quick-return.lever-angle")),
-                        position_of(|position| position.pin_distance),
-                    )
-                }),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "quick-return.lever-length",
-            PROJECTIONS,
-            "distance of the pin from the lever's pivot; later called l with the index 4",
-            ("0.55", ""),
-            Check::number(
-                (ClosedForm, || projected_length(printed("quick-return.lever-angle"))),
-                (Vectors, || position_of(|position| position.pin_distance)),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "quick-return.rate-conversion",
-            SPEED,
-            "revolutions per minute to radians per second",
-            concat!(
-                r"\frac{\text{rev}}{\text{min}} \cdot \frac{2\pi \text{ rad}}{1 \text{ rev}}",
-                r" \cdot \frac{\text{min}}{60 \text{ s}}"
-            ),
-            Check::equation(
-                (Vectors, || {
-                    // The crank is back in its place after one of so many parts of a minute, and at no half of it.
-                    let turns = printed("quick-return.driver-speed");
-                    let rate = turns * 2.0 * PI / 60.0;
-                    let [half, whole] = [30.0, 60.0].map(|seconds| Turn::from_radians(rate * seconds / turns));
-                    let back = vanishes(whole.sin) && agrees(whole.cos, 1.0) && agrees(half.cos, -1.0);
-                    Finding::new(back, format!("{rate:.3} rad/s make {turns} turns in a minute"))
-                }),
-                (OtherPlaceInSource, || {
-                    let circumference = 2.0 * PI * printed("quick-return.crank");
-                    let turns = printed("quick-return.pin-speed") * 60.0 / circumference;
-                    let holds = rounds("quick-return.driver-speed", turns);
-                    Finding::new(holds, format!("at the printed speed the pin runs {turns:.2} circles in a minute"))
-                }),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "quick-return.driver-rate",
-            SPEED,
-            "angular velocity of the crank",
-            ("5.24", "rad/s"),
-            Check::number(
-                (ClosedForm, || Instant::printed().map_or(f64::NAN, |instant| instant.drive.speed)),
-                (OtherPlaceInSource, || printed("quick-return.pin-speed") / printed("quick-return.crank")),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "quick-return.angle-sum",
-            ANGLES,
-            "the third angle of the triangle",
-            r"\gamma = 180^\circ - \ldots^\circ - \beta",
-            Check::equation(
-                (ClosedForm, || {
-                    let [ground, crank, lever] = sides();
-                    let corners = [[ground, lever, crank], [crank, lever, ground], [ground, crank, lever]];
-                    same(corners.map(angle_opposite_to_third).iter().sum(), 180.0)
-                }),
-                (OtherPlaceInSource, || {
-                    let left = 180.0 - printed("quick-return.lever-angle") - printed("quick-return.angle-at-pin");
-                    Finding::new(
-                        rounds("quick-return.angle-at-axis", left),
-                        format!("the printed angles leave {left:.2}°"),
-                    )
-                }),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "quick-return.angle-at-axis",
-            ANGLES,
-            "γ, the angle at the crank's axis between crank and ground",
-            ("109.69", "°"),
-            Check::number(
-                (Vectors, || 180.0 - position_of(|position| position.crank.degrees())),
-                (ClosedForm, || {
-                    let sine_at_pin = printed("quick-return.ground") * sine(printed("quick-return.lever-angle"))
-                        / printed("quick-return.crank");
-                    180.0 - printed("quick-return.lever-angle") - arcsine(sine_at_pin)
-                }),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "quick-return.supplement",
-            CRANK,
-            "what is left of γ to the half turn is the angle of the crank from the line of centres",
-            r"180^\circ - \gamma",
-            Check::equation(
-                (ClosedForm, || {
-                    let [ground, crank, lever] = sides();
-                    let left = 180.0 - angle_opposite_to_third([ground, crank, lever]);
-                    same(left, position_of(|position| position.crank.degrees()))
-                }),
-                (OtherPlaceInSource, || {
-                    let left = 180.0 - printed("quick-return.angle-at-axis");
-                    Finding::new(rounds("quick-return.crank-angle", left), format!("the printed γ leaves {left:.2}°"))
-                }),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "quick-return.crank-angle",
-            CRANK,
-            "the crank's angle from the line of centres, produced beyond its axis",
-            ("70.31", "°"),
-            Check::number(
-                (Vectors, || position_of(|position| position.crank.degrees())),
-                (ClosedForm, || {
-                    let sine_at_pin = printed("quick-return.ground") * sine(printed("quick-return.lever-angle"))
-                        / printed("quick-return.crank");
-                    printed("quick-return.lever-angle") + arcsine(sine_at_pin)
-                }),
-            ),
-        ),
+                        / printed("quick-return.crank"),
+                )
+            }),
+        SINES
+            .statement(
+                "quick-return.branch",
+                "beta",
+                "of the two angles with this sine the acute one is meant: the pin is at the far point of its circle",
+            )
+            .by(OtherPlaceInSource, |stated| {
+                let at = Instant::on(stated.pick(Branch::Far, Branch::Near));
+                let length = at.map_or(f64::NAN, |at| at.position.pin_distance);
+                Finding::new(
+                    rounds("quick-return.lever-length", length),
+                    format!("the lever would be {length:.3} m long"),
+                )
+            })
+            .by(ClosedForm, |stated| {
+                let lever = printed("quick-return.lever-angle");
+                let beta = angle_at_pin(lever);
+                let left = 180.0 - lever - stated.pick(beta, 180.0 - beta);
+                Finding::new(
+                    rounds("quick-return.angle-at-axis", left),
+                    format!("the angle at the crank's axis would be {left:.2}°"),
+                )
+            })
+            .but_not("the obtuse one is meant: the pin is at the near point"),
+        PROJECTIONS
+            .equation(
+                "quick-return.projections",
+                r"r = \ldots \cos \ldots^\circ + \ldots \cos \beta",
+                "length of the lever as the projections of ground and crank on it",
+            )
+            .proven(LeverAsProjections)
+            .by(ClosedForm, || {
+                same(
+                    projected_length(printed("quick-return.lever-angle")),
+                    position_of(|position| position.pin_distance),
+                )
+            }),
+        PROJECTIONS
+            .value(
+                "quick-return.lever-length",
+                "0.55",
+                "",
+                "distance of the pin from the lever's pivot; later called l with the index 4",
+            )
+            .by(ClosedForm, || projected_length(printed("quick-return.lever-angle")))
+            .by(Vectors, || position_of(|position| position.pin_distance)),
+        SPEED
+            .equation(
+                "quick-return.rate-conversion",
+                concat!(
+                    r"\frac{\text{rev}}{\text{min}} \cdot \frac{2\pi \text{ rad}}{1 \text{ rev}}",
+                    r" \cdot \frac{\text{min}}{60 \text{ s}}"
+                ),
+                "revolutions per minute to radians per second",
+            )
+            .by(Vectors, || {
+                // The crank is back in its place after one of so many parts of a minute, and at no half of it.
+                let turns = printed("quick-return.driver-speed");
+                let rate = turns * 2.0 * PI / 60.0;
+                let [half, whole] = [30.0, 60.0].map(|seconds| Turn::from_radians(rate * seconds / turns));
+                let back = vanishes(whole.sin) && agrees(whole.cos, 1.0) && agrees(half.cos, -1.0);
+                Finding::new(back, format!("{rate:.3} rad/s make {turns} turns in a minute"))
+            })
+            .by(OtherPlaceInSource, || {
+                let circumference = 2.0 * PI * printed("quick-return.crank");
+                let turns = printed("quick-return.pin-speed") * 60.0 / circumference;
+                let holds = rounds("quick-return.driver-speed", turns);
+                Finding::new(holds, format!("at the printed speed the pin runs {turns:.2} circles in a minute"))
+            }),
+        SPEED
+            .value("quick-return.driver-rate", "5.24", "rad/s", "angular velocity of the crank")
+            .by(ClosedForm, || Instant::printed().map_or(f64::NAN, |instant| instant.drive.speed))
+            .by(OtherPlaceInSource, || printed("quick-return.pin-speed") / printed("quick-return.crank")),
+        ANGLES
+            .equation(
+                "quick-return.angle-sum",
+                r"\gamma = 180^\circ - \ldots^\circ - \beta",
+                "the third angle of the triangle",
+            )
+            .by(ClosedForm, || {
+                let [ground, crank, lever] = sides();
+                let corners = [[ground, lever, crank], [crank, lever, ground], [ground, crank, lever]];
+                same(corners.map(angle_opposite_to_third).iter().sum(), 180.0)
+            })
+            .by(OtherPlaceInSource, || {
+                let left = 180.0 - printed("quick-return.lever-angle") - printed("quick-return.angle-at-pin");
+                Finding::new(rounds("quick-return.angle-at-axis", left), format!("the printed angles leave {left:.2}°"))
+            }),
+        ANGLES
+            .value(
+                "quick-return.angle-at-axis",
+                "109.69",
+                "°",
+                "γ, the angle at the crank's axis between crank and ground",
+            )
+            .by(Vectors, || 180.0 - position_of(|position| position.crank.degrees()))
+            .by(ClosedForm, || {
+                let sine_at_pin = printed("quick-return.ground") * sine(printed("quick-return.lever-angle"))
+                    / printed("quick-return.crank");
+                180.0 - printed("quick-return.lever-angle") - arcsine(sine_at_pin)
+            }),
+        CRANK
+            .equation(
+                "quick-return.supplement",
+                r"180^\circ - \gamma",
+                "what is left of γ to the half turn is the angle of the crank from the line of centres",
+            )
+            .by(ClosedForm, || {
+                let [ground, crank, lever] = sides();
+                let left = 180.0 - angle_opposite_to_third([ground, crank, lever]);
+                same(left, position_of(|position| position.crank.degrees()))
+            })
+            .by(OtherPlaceInSource, || {
+                let left = 180.0 - printed("quick-return.angle-at-axis");
+                Finding::new(rounds("quick-return.crank-angle", left), format!("the printed γ leaves {left:.2}°"))
+            }),
+        CRANK
+            .value(
+                "quick-return.crank-angle",
+                "70.31",
+                "°",
+                "the crank's angle from the line of centres, produced beyond its axis",
+            )
+            .by(Vectors, || position_of(|position| position.crank.degrees()))
+            .by(ClosedForm, || {
+                let sine_at_pin = printed("quick-return.ground") * sine(printed("quick-return.lever-angle"))
+                    / printed("quick-return.crank");
+                printed("quick-return.lever-angle") + arcsine(sine_at_pin)
+            }),
     ]
 }
 

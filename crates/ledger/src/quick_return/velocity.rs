@@ -4,10 +4,10 @@ use super::*;
 use geneva_kinematics::prove;
 use geneva_kinematics::quick_return::proofs::{Part, ResolvedBy, ResolvedSpeed};
 
-const PIN: &str = "Solution, velocity, part (a)";
-const ACROSS: &str = "Solution, velocity, 4th line";
-const LEVER: &str = "Solution, velocity, 5th line";
-const ALONG: &str = "Solution, velocity, 6th line";
+const PIN: Place = at("Solution, velocity, part (a)");
+const ACROSS: Place = at("Solution, velocity, 4th line");
+const LEVER: Place = at("Solution, velocity, 5th line");
+const ALONG: Place = at("Solution, velocity, 6th line");
 
 pub fn claims() -> Vec<Claim> {
     [pin(), across(), along()].concat()
@@ -15,136 +15,84 @@ pub fn claims() -> Vec<Claim> {
 
 fn pin() -> Vec<Claim> {
     vec![
-        Claim::equation(
-            WORK,
-            "quick-return.pin-speed-equation",
-            PIN,
-            "speed of the pin on its circle",
-            r"v_{P2} = \omega_2 l_2",
-            Check::equation(
-                (Series, || {
-                    let polar = series(|rates| libm::hypot(rates.sliding, rates.turning) * radius(rates));
-                    at_the_instant(|at| Some(same(polar, at.drive.speed * at.linkage.crank())))
-                }),
-                (AutomaticDerivative, || {
-                    from_duals(|crank| meets(crank.pin_motion()[1].norm(), crank.speed * crank.radius))
-                }),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "quick-return.pin-speed",
-            PIN,
-            "speed of the pin",
-            ("1.048", "m/s"),
-            Check::number_from_rounded(
-                (Vectors, || diagram(|motion| motion.velocities.pin_velocity.norm())),
-                (Series, || series(|rates| libm::hypot(rates.sliding, rates.turning) * radius(rates))),
-                || printed("quick-return.driver-rate") * printed("quick-return.crank"),
-            ),
-        )
-        .expecting(Verdict::FromRounded)
-        .affected_by(rounding::RATE),
+        PIN.equation("quick-return.pin-speed-equation", r"v_{P2} = \omega_2 l_2", "speed of the pin on its circle")
+            .by(Series, || {
+                let polar = series(|rates| libm::hypot(rates.sliding, rates.turning) * radius(rates));
+                at_the_instant(|at| Some(same(polar, at.drive.speed * at.linkage.crank())))
+            })
+            .by(AutomaticDerivative, || {
+                from_duals(|crank| meets(crank.pin_motion()[1].norm(), crank.speed * crank.radius))
+            }),
+        PIN.value("quick-return.pin-speed", "1.048", "m/s", "speed of the pin")
+            .by(Vectors, || diagram(|motion| motion.velocities.pin_velocity.norm()))
+            .by(Series, || series(|rates| libm::hypot(rates.sliding, rates.turning) * radius(rates)))
+            .rounded(|| printed("quick-return.driver-rate") * printed("quick-return.crank"))
+            .expecting(Verdict::FromRounded)
+            .affected_by(rounding::RATE),
     ]
 }
 
 fn across() -> Vec<Claim> {
     vec![
-        Claim::equation(
-            WORK,
-            "quick-return.lever-point-speed-equation",
-            ACROSS,
-            "the pin's velocity across the lever, by an angle between crank and lever",
-            r"v_{P4} = v_{P2} \cos(\ldots^\circ)",
-            Check::corrected_equation(
-                (ExactIdentity, || resolved(ResolvedBy::AngleAtAxis, Part::Across)),
-                || resolved(ResolvedBy::AngleAtPin, Part::Across),
-                (OtherPlaceInSource, || printed_speeds_point_to("quick-return.lever-point-speed", arccosine)),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum { corrected: r"v_{P4} = v_{P2} \cos\beta", slip: OTHER_ANGLE }),
-        Claim::value(
-            WORK,
-            "quick-return.lever-point-speed",
-            ACROSS,
-            "speed of the lever's point under the pin",
-            ("0.669", "m/s"),
-            Check::number_from_rounded(
-                (Vectors, || diagram(|motion| motion.velocities.slot_point_velocity.norm())),
-                (Series, || series(|rates| rates.turning * radius(rates))),
-                || printed("quick-return.pin-speed") * cosine(printed("quick-return.angle-at-pin")),
-            ),
-        ),
-        Claim::equation(
-            WORK,
-            "quick-return.lever-speed-equation",
-            LEVER,
-            "angular velocity of the lever",
-            r"\omega_4 = v_{P4} / l_4",
-            Check::equation(
-                (Series, || {
-                    // What the pin's velocity has across the lever, over the pin's distance.
-                    at_the_instant(|at| {
-                        let pin = Vector2::new(at.linkage.ground(), 0.0) + at.arm();
-                        let across = pin.normalize().perp(&(quarter_turn(&at.arm()) * at.drive.speed));
-                        Some(same(at.by_series()?.turning, across / pin.norm()))
-                    })
-                }),
-                (AutomaticDerivative, || {
-                    from_duals(|crank| {
-                        let lever = printed("quick-return.lever-angle");
-                        let across = crank.speed * crank.radius * cosine(angle_at_pin(lever));
-                        meets(crank.polar()[1][1], across / projected_length(lever))
-                    })
-                }),
-            ),
-        ),
-        Claim::value(
-            WORK,
-            "quick-return.lever-speed",
-            LEVER,
-            "angular velocity of the lever",
-            ("1.216", "rad/s"),
-            Check::number_from_rounded(
-                (Vectors, || diagram(|motion| motion.velocities.follower_speed)),
-                (Series, || series(|rates| rates.turning)),
-                || printed("quick-return.lever-point-speed") / printed("quick-return.lever-length"),
-            ),
-        )
-        .expecting(Verdict::FromRounded)
-        .affected_by(rounding::LENGTH),
+        ACROSS
+            .equation(
+                "quick-return.lever-point-speed-equation",
+                r"v_{P4} = v_{P2} \cos(\ldots^\circ)",
+                "the pin's velocity across the lever, by an angle between crank and lever",
+            )
+            .by(ExactIdentity, || resolved(ResolvedBy::AngleAtAxis, Part::Across))
+            .corrected_form(|| resolved(ResolvedBy::AngleAtPin, Part::Across))
+            .by(OtherPlaceInSource, || printed_speeds_point_to("quick-return.lever-point-speed", arccosine))
+            .corrected(r"v_{P4} = v_{P2} \cos\beta", OTHER_ANGLE),
+        ACROSS
+            .value("quick-return.lever-point-speed", "0.669", "m/s", "speed of the lever's point under the pin")
+            .by(Vectors, || diagram(|motion| motion.velocities.slot_point_velocity.norm()))
+            .by(Series, || series(|rates| rates.turning * radius(rates)))
+            .rounded(|| printed("quick-return.pin-speed") * cosine(printed("quick-return.angle-at-pin"))),
+        LEVER
+            .equation("quick-return.lever-speed-equation", r"\omega_4 = v_{P4} / l_4", "angular velocity of the lever")
+            .by(Series, || {
+                // What the pin's velocity has across the lever, over the pin's distance.
+                at_the_instant(|at| {
+                    let pin = Vector2::new(at.linkage.ground(), 0.0) + at.arm();
+                    let across = pin.normalize().perp(&(quarter_turn(&at.arm()) * at.drive.speed));
+                    Some(same(at.by_series()?.turning, across / pin.norm()))
+                })
+            })
+            .by(AutomaticDerivative, || {
+                from_duals(|crank| {
+                    let lever = printed("quick-return.lever-angle");
+                    let across = crank.speed * crank.radius * cosine(angle_at_pin(lever));
+                    meets(crank.polar()[1][1], across / projected_length(lever))
+                })
+            }),
+        LEVER
+            .value("quick-return.lever-speed", "1.216", "rad/s", "angular velocity of the lever")
+            .by(Vectors, || diagram(|motion| motion.velocities.follower_speed))
+            .by(Series, || series(|rates| rates.turning))
+            .rounded(|| printed("quick-return.lever-point-speed") / printed("quick-return.lever-length"))
+            .expecting(Verdict::FromRounded)
+            .affected_by(rounding::LENGTH),
     ]
 }
 
 fn along() -> Vec<Claim> {
     vec![
-        Claim::equation(
-            WORK,
-            "quick-return.sliding-speed-equation",
-            ALONG,
-            "the pin's velocity along the lever, by an angle between crank and lever",
-            r"v_{P2/P4} = v_{P2} \sin(\ldots^\circ)",
-            Check::corrected_equation(
-                (ExactIdentity, || resolved(ResolvedBy::AngleAtAxis, Part::Along)),
-                || resolved(ResolvedBy::AngleAtPin, Part::Along),
-                (OtherPlaceInSource, || printed_speeds_point_to("quick-return.sliding-speed", arcsine)),
-            ),
-        )
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum { corrected: r"v_{P2/P4} = v_{P2} \sin\beta", slip: OTHER_ANGLE }),
-        Claim::value(
-            WORK,
-            "quick-return.sliding-speed",
-            ALONG,
-            "speed of the pin along the slot",
-            ("0.806", "m/s"),
-            Check::number_from_rounded(
-                (Vectors, || diagram(|motion| motion.velocities.sliding_velocity.norm())),
-                (Series, || series(|rates| rates.sliding.abs() * radius(rates))),
-                || printed("quick-return.pin-speed") * sine(printed("quick-return.angle-at-pin")),
-            ),
-        ),
+        ALONG
+            .equation(
+                "quick-return.sliding-speed-equation",
+                r"v_{P2/P4} = v_{P2} \sin(\ldots^\circ)",
+                "the pin's velocity along the lever, by an angle between crank and lever",
+            )
+            .by(ExactIdentity, || resolved(ResolvedBy::AngleAtAxis, Part::Along))
+            .corrected_form(|| resolved(ResolvedBy::AngleAtPin, Part::Along))
+            .by(OtherPlaceInSource, || printed_speeds_point_to("quick-return.sliding-speed", arcsine))
+            .corrected(r"v_{P2/P4} = v_{P2} \sin\beta", OTHER_ANGLE),
+        ALONG
+            .value("quick-return.sliding-speed", "0.806", "m/s", "speed of the pin along the slot")
+            .by(Vectors, || diagram(|motion| motion.velocities.sliding_velocity.norm()))
+            .by(Series, || series(|rates| rates.sliding.abs() * radius(rates)))
+            .rounded(|| printed("quick-return.pin-speed") * sine(printed("quick-return.angle-at-pin"))),
     ]
 }
 

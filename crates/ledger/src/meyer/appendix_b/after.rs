@@ -11,7 +11,7 @@ use crate::meyer::runs::{Hypothesis, Row, duration, interval, rows};
 use geneva_dynamics::program::Program;
 use geneva_dynamics::{Inertias, Parameters, Slots};
 
-const AFTER: &str = "Appendix B, paragraphs after the program";
+const AFTER: Place = at("Appendix B, paragraphs after the program");
 
 pub fn claims() -> Vec<Claim> {
     [start(), lines(), angle(), end()].concat()
@@ -19,36 +19,35 @@ pub fn claims() -> Vec<Claim> {
 
 fn start() -> Vec<Claim> {
     vec![
-        stated(
-            ("meyer.app-b.initial-angles", AFTER),
-            "driver's angle at the start for six, four and three pins",
-            r"-30° , -45° , or -60°",
-            OTHER_ANGLE,
-            (LimitCase, |stated| of_the_pins("meyer.app-b.initial-angles", stated)),
-            (Vectors, |stated| along_the_slots("meyer.app-b.initial-angles", stated)),
-        ),
-        stated(
-            ("meyer.app-b.from-rest", AFTER),
-            "the driver starts from rest",
-            "0 rad/sec",
-            "it starts at 1 rad/s",
-            (OtherPlaceInSource, |stated| {
+        AFTER
+            .statement(
+                "meyer.app-b.initial-angles",
+                r"-30° , -45° , or -60°",
+                "driver's angle at the start for six, four and three pins",
+            )
+            .by(LimitCase, |stated| of_the_pins("meyer.app-b.initial-angles", stated))
+            .by(Vectors, |stated| along_the_slots("meyer.app-b.initial-angles", stated))
+            .but_not(OTHER_ANGLE),
+        AFTER
+            .statement("meyer.app-b.from-rest", "0 rad/sec", "the driver starts from rest")
+            .by(OtherPlaceInSource, |stated| {
                 let said = numbers("meyer.app-d.from-rest");
                 Finding::new(said.last() == Some(&stated.pick(0, 1)), format!("Appendix D has {:?}", said.last()))
-            }),
-            (ClosedForm, |stated| start_solves(stated.pick(0.0, 1.0))),
-        ),
+            })
+            .by(ClosedForm, |stated| start_solves(stated.pick(0.0, 1.0)))
+            .but_not("it starts at 1 rad/s"),
     ]
 }
 
 fn lines() -> Vec<Claim> {
     vec![
-        stated(
-            ("meyer.app-b.large-time", AFTER),
-            "LGT shuts off the equation of motion at the start, where the acceleration has its own line",
-            "\"large time\"",
-            "LGT leaves it on at the start",
-            (LimitCase, |stated| {
+        AFTER
+            .statement(
+                "meyer.app-b.large-time",
+                "\"large time\"",
+                "LGT shuts off the equation of motion at the start, where the acceleration has its own line",
+            )
+            .by(LimitCase, |stated| {
                 // How many of the two lines of the acceleration are in force at each time.
                 let single = times().all(|time| {
                     let time = f64::from(time);
@@ -56,19 +55,20 @@ fn lines() -> Vec<Claim> {
                     in_force.iter().filter(|is| **is).count() == 1
                 });
                 Finding::new(single, "the two lines of the acceleration were counted at each print interval of a run")
-            }),
-            (OtherPlaceInSource, |stated| {
+            })
+            .by(OtherPlaceInSource, |stated| {
                 // The listing has LGT as the opposite of SMT.
                 let opposite = [0.0, 1.0, 2.0].map(|time| large_time(time, stated) != small_time(time, Stated::Right));
                 Finding::new(opposite == [true; 3], "at the start and after it, against the opposite of SMT")
-            }),
-        ),
-        stated(
-            ("meyer.app-b.primary", AFTER),
-            "the program's line for the acceleration is the equation derived",
-            "identical to the equation derived",
-            "it is that equation without S",
-            (ClosedForm, |stated| {
+            })
+            .but_not("LGT leaves it on at the start"),
+        AFTER
+            .statement(
+                "meyer.app-b.primary",
+                "identical to the equation derived",
+                "the program's line for the acceleration is the equation derived",
+            )
+            .by(ClosedForm, |stated| {
                 let derived = claim("meyer.app-b.solved").and_then(|claim| claim.printed.split_once('='));
                 let derived = derived.map_or(String::new(), |(_, right)| right.replace('S', stated.pick("S", "1")));
                 let line = program::named(program::ACCELERATION).1;
@@ -83,13 +83,13 @@ fn lines() -> Vec<Claim> {
                     agrees(reading::value(line, &letters), reading::value(&derived, &letters))
                 });
                 Finding::new(holds, "both formulas, read and evaluated for 20 sets of numbers")
-            }),
-            (Vectors, |stated| {
+            })
+            .by(Vectors, |stated| {
                 let line = program::ACCELERATION.replace('S', stated.pick("S", "1"));
                 let holds = program::holds(&line);
                 Finding::new(holds == Some(true), "read and evaluated, against the mechanism by coordinates")
-            }),
-        ),
+            })
+            .but_not("it is that equation without S"),
         first_derivative(("meyer.app-b.speed-name", AFTER), "name of the driver's speed", ["LDX", "1DX"]),
         first_derivative(("meyer.app-b.angle-name", AFTER), "name of the driver's speed", ["LDX", "1DX"]),
     ]
@@ -102,12 +102,13 @@ fn large_time(time: f64, stated: Stated) -> bool {
 
 fn angle() -> Vec<Claim> {
     vec![
-        stated(
-            ("meyer.app-b.increases", AFTER),
-            "the driver's angle grows as long as the program runs",
-            "increase for as long as the program runs",
-            "so does its speed",
-            (Evidence::Steps, |stated| {
+        AFTER
+            .statement(
+                "meyer.app-b.increases",
+                "increase for as long as the program runs",
+                "the driver's angle grows as long as the program runs",
+            )
+            .by(Evidence::Steps, |stated| {
                 grows(stated, |hypothesis, row| {
                     let program =
                         Program { fold: hypothesis.angle(row.mechanism), ..Program::of(&hypothesis.parameters(row)?) };
@@ -115,22 +116,23 @@ fn angle() -> Vec<Claim> {
                     let lines = program.run(&integrator).ok()?.lines;
                     Some(lines.iter().map(|line| [line.turned, line.speed]).collect())
                 })
-            }),
-            (Evidence::Integration, |stated| {
+            })
+            .by(Evidence::Integration, |stated| {
                 grows(stated, |hypothesis, row| {
                     let lines = hypothesis.engagement(row)?.run(interval(), duration()).ok()?;
                     Some(lines.iter().map(|line| [line.turned, line.speed]).collect())
                 })
-            }),
-        ),
-        stated(
-            ("meyer.app-b.engaged", AFTER),
-            "a pin is in its slot within these angles, for six, four and three pins",
-            "±30°, ±45°, or ±60°",
-            OTHER_ANGLE,
-            (LimitCase, |stated| of_the_pins("meyer.app-b.engaged", stated)),
-            (Vectors, |stated| along_the_slots("meyer.app-b.engaged", stated)),
-        ),
+            })
+            .but_not("so does its speed"),
+        AFTER
+            .statement(
+                "meyer.app-b.engaged",
+                "±30°, ±45°, or ±60°",
+                "a pin is in its slot within these angles, for six, four and three pins",
+            )
+            .by(LimitCase, |stated| of_the_pins("meyer.app-b.engaged", stated))
+            .by(Vectors, |stated| along_the_slots("meyer.app-b.engaged", stated))
+            .but_not(OTHER_ANGLE),
         fold(
             "meyer.app-b.fold",
             AFTER,
@@ -138,12 +140,13 @@ fn angle() -> Vec<Claim> {
             r"90° , minus either 30° , 45° , or 60°",
             "60°, 90° or 120°, minus 30°, 45° or 60°",
         ),
-        stated(
-            ("meyer.app-b.hand-over", AFTER),
-            "the next pin takes over the driver's speed and acceleration",
-            "initial values of velocity and acceleration",
-            "it takes over the follower's acceleration too",
-            (ClosedForm, |stated| {
+        AFTER
+            .statement(
+                "meyer.app-b.hand-over",
+                "initial values of velocity and acceleration",
+                "the next pin takes over the driver's speed and acceleration",
+            )
+            .by(ClosedForm, |stated| {
                 let holds = Slots::ALL.iter().all(|slots| {
                     let sound = Inertias::new(1.0, 2.0).and_then(|both| Parameters::new(*slots, both, 1.0, 0.25));
                     sound.is_ok_and(|sound| {
@@ -156,8 +159,8 @@ fn angle() -> Vec<Claim> {
                     })
                 });
                 Finding::new(holds, "by the equation of motion as a pin leaves and as the next enters")
-            }),
-            (Vectors, |stated| {
+            })
+            .by(Vectors, |stated| {
                 for_each(
                     |at| {
                         let end = at.driver_half_angle();
@@ -174,14 +177,15 @@ fn angle() -> Vec<Claim> {
                     },
                     "with one speed and acceleration of the driver for both pins, by coordinates",
                 )
-            }),
-        ),
-        stated(
-            ("meyer.app-b.one-pin-at-a-time", AFTER),
-            "the motion is a row of engagements of one pin each",
-            "discrete, single pin engagements",
-            "of two pins each",
-            (Vectors, |stated| {
+            })
+            .but_not("it takes over the follower's acceleration too"),
+        AFTER
+            .statement(
+                "meyer.app-b.one-pin-at-a-time",
+                "discrete, single pin engagements",
+                "the motion is a row of engagements of one pin each",
+            )
+            .by(Vectors, |stated| {
                 let engaged = stated.pick(1, 2);
                 for_each(
                     |at| {
@@ -192,8 +196,8 @@ fn angle() -> Vec<Claim> {
                     },
                     "pins in slots between two hand-overs were counted",
                 )
-            }),
-            (ClosedForm, |stated| {
+            })
+            .by(ClosedForm, |stated| {
                 let engaged = stated.pick(1, 2);
                 for_each(
                     |at| {
@@ -209,8 +213,8 @@ fn angle() -> Vec<Claim> {
                     },
                     "pins nearer to the follower's axis than its rim were counted",
                 )
-            }),
-        ),
+            })
+            .but_not("of two pins each"),
     ]
 }
 
@@ -225,17 +229,16 @@ fn grows(stated: Stated, run: impl Fn(&Hypothesis, &Row) -> Option<Vec<[f64; 2]>
 }
 
 fn end() -> Vec<Claim> {
-    vec![stated(
-        ("meyer.app-b.run-length", AFTER),
-        "time at which a run ends",
-        "0.2 seconds",
-        "it ends at half of that",
-        (OtherPlaceInSource, |stated| {
-            let listed = printed("meyer.listing.run-length");
-            Finding::new(said_length() * stated.pick(1.0, 0.5) == listed, format!("the program ends at {listed} s"))
-        }),
-        (OtherPlaceInSource, |stated| long_enough(said_length() * stated.pick(1.0, 0.5))),
-    )]
+    vec![
+        AFTER
+            .statement("meyer.app-b.run-length", "0.2 seconds", "time at which a run ends")
+            .by(OtherPlaceInSource, |stated| {
+                let listed = printed("meyer.listing.run-length");
+                Finding::new(said_length() * stated.pick(1.0, 0.5) == listed, format!("the program ends at {listed} s"))
+            })
+            .by(OtherPlaceInSource, |stated| long_enough(said_length() * stated.pick(1.0, 0.5)))
+            .but_not("it ends at half of that"),
+    ]
 }
 
 /// How long a run is, in s, as the text has it.

@@ -2,7 +2,6 @@
 
 use super::program::{self, DELAY_PARTS, by_coefficients};
 use super::*;
-use crate::meyer::instants::slip;
 use crate::meyer::reading::Letters;
 use crate::meyer::runs::{self, Hypothesis, Score};
 use crate::meyer::slips::LOST_BARS;
@@ -12,7 +11,7 @@ use geneva_dynamics::derivation::{BarsOpened, BarsReprinted, Form, Opening};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 
-const PROGRAM: &str = "Appendix B, paragraphs before the program";
+const PROGRAM: Place = at("Appendix B, paragraphs before the program");
 
 pub fn claims() -> Vec<Claim> {
     [solved(), lines(), described(), old_acceleration()].concat()
@@ -20,24 +19,23 @@ pub fn claims() -> Vec<Claim> {
 
 fn solved() -> Vec<Claim> {
     vec![
-        slip(
-            "meyer.app-b.eq-1-19",
-            "Appendix B, Eq. (1-19) repeated",
-            "the equation of motion",
-            r"A\ddot{\theta} + B\dot{\theta}^2 + C\theta^2 + D\dot{\theta} = E",
-            [|| reprinted(Form::Printed), || reprinted(Form::Corrected)],
-            || reads("meyer.app-b.eq-1-19"),
-            Erratum {
-                corrected: r"A\ddot{\theta} + B\dot{\theta}^2 + |C\dot{\theta}^2 + D\ddot{\theta}| = E",
-                slip: LOST_BARS,
-            },
-        ),
-        stated(
-            ("meyer.app-b.cannot-be-solved", "Appendix B, line after Eq. (1-19) repeated"),
-            "in its present form the equation cannot be solved for the acceleration",
-            "cannot be solved",
-            "without its bars it could not be solved either",
-            (Vectors, |stated| {
+        at("Appendix B, Eq. (1-19) repeated")
+            .equation(
+                "meyer.app-b.eq-1-19",
+                r"A\ddot{\theta} + B\dot{\theta}^2 + C\theta^2 + D\dot{\theta} = E",
+                "the equation of motion",
+            )
+            .by(ExactIdentity, || reprinted(Form::Printed))
+            .corrected_form(|| reprinted(Form::Corrected))
+            .read(ClosedForm, holds)
+            .corrected(r"A\ddot{\theta} + B\dot{\theta}^2 + |C\dot{\theta}^2 + D\ddot{\theta}| = E", LOST_BARS),
+        at("Appendix B, line after Eq. (1-19) repeated")
+            .statement(
+                "meyer.app-b.cannot-be-solved",
+                "cannot be solved",
+                "in its present form the equation cannot be solved for the acceleration",
+            )
+            .by(Vectors, |stated| {
                 // What is straight in the acceleration has no second difference.
                 let bent = instants().any(|letters| {
                     let square = letters["theta'"] * letters["theta'"];
@@ -52,8 +50,8 @@ fn solved() -> Vec<Claim> {
                     bent,
                     "the left side over the acceleration is not one straight line, wherever it was tried",
                 )
-            }),
-            (ClosedForm, |stated| {
+            })
+            .by(ClosedForm, |stated| {
                 // One expression for all instants, if there is one: that without a sign.
                 let solved = |letters: &Letters| {
                     let square = letters["theta'"] * letters["theta'"];
@@ -65,9 +63,9 @@ fn solved() -> Vec<Claim> {
                 let failing = instants().filter(|letters| !vanishes(solved(letters) / letters["E"].abs().max(1.0)));
                 let failing = failing.count();
                 Finding::new(failing > 0, format!("solved as if there were no bars, it fails at {failing} instants"))
-            }),
-        )
-        .read_as("as long as its bars stand: they must be opened first, with a sign for each side of the kink"),
+            })
+            .but_not("without its bars it could not be solved either")
+            .read_as("as long as its bars stand: they must be opened first, with a sign for each side of the kink"),
     ]
 }
 
@@ -104,79 +102,70 @@ fn holds_by_cases(tex: &str) -> Option<bool> {
 
 fn lines() -> Vec<Claim> {
     vec![
-        display(
-            "meyer.app-b.f",
-            "Appendix B, display of F",
-            "what stands between the bars",
-            r"F = (C\dot{\theta}^2 + D\ddot{\theta})",
-            || opened(Opening::WithSign),
-            || reads("meyer.app-b.f"),
-        ),
-        display_read_by(
-            holds_by_cases,
-            ("meyer.app-b.s", "Appendix B, display of S"),
-            "its sign; where F is zero either value will do",
-            r"\begin{aligned} S &= +1 && \text{if } F > 0 \\ S &= -1 && \text{if } F < 0 \end{aligned}",
-            || opened(Opening::WithSign),
-            || reads("meyer.app-b.s"),
-        ),
-        display(
-            "meyer.app-b.with-sign",
-            "Appendix B, 1st display after S",
-            "the equation with S for the bars",
-            r"A\ddot{\theta} + B\dot{\theta}^2 + S(C\dot{\theta}^2 + D\ddot{\theta}) = E",
-            || opened(Opening::WithSign),
-            || reads("meyer.app-b.with-sign"),
-        ),
-        display(
-            "meyer.app-b.expanded",
-            "Appendix B, 2nd display after S",
-            "the same multiplied out",
-            r"A\ddot{\theta} + B\dot{\theta}^2 + SC\dot{\theta}^2 + SD\ddot{\theta} = E",
-            || opened(Opening::Expanded),
-            || reads("meyer.app-b.expanded"),
-        ),
-        display(
-            "meyer.app-b.collected",
-            "Appendix B, 3rd display after S",
-            "the same collected",
-            r"\ddot{\theta}(A+SD) + \dot{\theta}^2(B+SC) = E",
-            || opened(Opening::Collected),
-            || reads("meyer.app-b.collected"),
-        ),
-        display(
-            "meyer.app-b.solved",
-            "Appendix B, 4th display after S",
-            "the acceleration",
-            r"\ddot{\theta} = \frac{E - (B+SC)\dot{\theta}^2}{A+SD}",
-            || opened(Opening::Solved),
-            || reads("meyer.app-b.solved"),
-        ),
+        at("Appendix B, display of F")
+            .equation("meyer.app-b.f", r"F = (C\dot{\theta}^2 + D\ddot{\theta})", "what stands between the bars")
+            .by(ExactIdentity, || opened(Opening::WithSign))
+            .read(ClosedForm, holds),
+        at("Appendix B, display of S")
+            .equation(
+                "meyer.app-b.s",
+                r"\begin{aligned} S &= +1 && \text{if } F > 0 \\ S &= -1 && \text{if } F < 0 \end{aligned}",
+                "its sign; where F is zero either value will do",
+            )
+            .by(ExactIdentity, || opened(Opening::WithSign))
+            .read(ClosedForm, holds_by_cases),
+        at("Appendix B, 1st display after S")
+            .equation(
+                "meyer.app-b.with-sign",
+                r"A\ddot{\theta} + B\dot{\theta}^2 + S(C\dot{\theta}^2 + D\ddot{\theta}) = E",
+                "the equation with S for the bars",
+            )
+            .by(ExactIdentity, || opened(Opening::WithSign))
+            .read(ClosedForm, holds),
+        at("Appendix B, 2nd display after S")
+            .equation(
+                "meyer.app-b.expanded",
+                r"A\ddot{\theta} + B\dot{\theta}^2 + SC\dot{\theta}^2 + SD\ddot{\theta} = E",
+                "the same multiplied out",
+            )
+            .by(ExactIdentity, || opened(Opening::Expanded))
+            .read(ClosedForm, holds),
+        at("Appendix B, 3rd display after S")
+            .equation("meyer.app-b.collected", r"\ddot{\theta}(A+SD) + \dot{\theta}^2(B+SC) = E", "the same collected")
+            .by(ExactIdentity, || opened(Opening::Collected))
+            .read(ClosedForm, holds),
+        at("Appendix B, 4th display after S")
+            .equation(
+                "meyer.app-b.solved",
+                r"\ddot{\theta} = \frac{E - (B+SC)\dot{\theta}^2}{A+SD}",
+                "the acceleration",
+            )
+            .by(ExactIdentity, || opened(Opening::Solved))
+            .read(ClosedForm, holds),
     ]
 }
 
 fn described() -> Vec<Claim> {
     vec![
-        Claim::statement(
-            WORK,
-            "meyer.app-b.first-seven-cards",
-            PROGRAM,
-            "seven control cards come first, and data cards at the end",
-            "first seven cards",
-            Check::Missing {
-                reason: "The program in the copy has seven lines before its first equation, if five comments are counted \
-                         as cards, and ends without data. Whether these are the seven meant is not said, and no data \
-                         cards are there",
-            },
-        )
-        .expecting(Verdict::NotReproducible),
+        PROGRAM
+            .statement(
+                "meyer.app-b.first-seven-cards",
+                "first seven cards",
+                "seven control cards come first, and data cards at the end",
+            )
+            .missing(
+                "The program in the copy has seven lines before its first equation, if five comments are counted as \
+                 cards, and ends without data. Whether these are the seven meant is not said, and no data cards are \
+                 there",
+            ),
         no_rate("meyer.app-b.spring-constant", PROGRAM, "what K is called", "spring constant", "torque of the spring"),
-        stated(
-            ("meyer.app-b.letters", PROGRAM),
-            "the program's letters G to L are the factors of Eq. (1-18), A to E those of Eq. (1-19)",
-            "G,H,I,J, and L",
-            "C and D the other way round",
-            (ClosedForm, |stated| {
+        PROGRAM
+            .statement(
+                "meyer.app-b.letters",
+                "G,H,I,J, and L",
+                "the program's letters G to L are the factors of Eq. (1-18), A to E those of Eq. (1-19)",
+            )
+            .by(ClosedForm, |stated| {
                 by_coefficients(|lines, at| {
                     let c = &at.coefficients;
                     let [third, fourth] = stated.pick([c.c, c.d], [c.d, c.c]);
@@ -193,8 +182,8 @@ fn described() -> Vec<Claim> {
                         (lines["E"], c.e),
                     ]
                 })
-            }),
-            (Vectors, |stated| {
+            })
+            .by(Vectors, |stated| {
                 let said = [program::A, program::B, program::C, program::D, program::E, program::G];
                 let said = said.into_iter().chain([program::H, program::I, program::J, program::L]);
                 let holds = said.into_iter().all(|line| {
@@ -207,22 +196,23 @@ fn described() -> Vec<Claim> {
                     program::holds(&format!("{} = {formula}", stated.pick(name.as_str(), exchanged))) == Some(true)
                 });
                 Finding::new(holds, "each line, read and evaluated, against the mechanism by coordinates")
-            }),
-        ),
-        stated(
-            ("meyer.app-b.simultaneous", PROGRAM),
-            "F cannot be computed from the same instant's acceleration, which itself depends on F",
-            "cannot solve simultaneous equations",
-            "it could not be computed from the acceleration of a moment before either",
-            (LimitCase, |stated| {
+            })
+            .but_not("C and D the other way round"),
+        PROGRAM
+            .statement(
+                "meyer.app-b.simultaneous",
+                "cannot solve simultaneous equations",
+                "F cannot be computed from the same instant's acceleration, which itself depends on F",
+            )
+            .by(LimitCase, |stated| {
                 let stuck = cannot_be_sorted(stated.pick("2DX", "OLD2DX"));
                 let left = if stuck.is_empty() { "none".to_owned() } else { stuck.join(", ") };
                 Finding::new(
                     !stuck.is_empty(),
                     format!("of the lines sorted by what they need, these are left: {left}"),
                 )
-            }),
-            (ClosedForm, |stated| {
+            })
+            .by(ClosedForm, |stated| {
                 // Round the loop: a change of the acceleration that F is made of changes the one that F leads to.
                 let loops = instants().any(|letters| {
                     let square = letters["theta'"] * letters["theta'"];
@@ -237,20 +227,21 @@ fn described() -> Vec<Claim> {
                     !vanishes(led_to(far) - led_to(-far))
                 });
                 Finding::new(loops, "the acceleration that the lines give depends on the one they were given for F")
-            }),
-        )
-        .read_as("the language carries out explicit statements in an order that it finds by sorting them"),
+            })
+            .but_not("it could not be computed from the acceleration of a moment before either")
+            .read_as("the language carries out explicit statements in an order that it finds by sorting them"),
     ]
 }
 
 fn old_acceleration() -> Vec<Claim> {
     vec![
-        stated(
-            ("meyer.app-b.delay", PROGRAM),
-            "the old acceleration is that of a tenth of the print interval before",
-            "t-DT/10",
-            "it is that of a whole print interval before",
-            (OtherPlaceInSource, |stated| {
+        PROGRAM
+            .statement(
+                "meyer.app-b.delay",
+                "t-DT/10",
+                "the old acceleration is that of a tenth of the print interval before",
+            )
+            .by(OtherPlaceInSource, |stated| {
                 let listed = numeric_tokens(claim("meyer.listing.delay").map_or("", |claim| claim.printed));
                 // The listing puts a comma behind the number and a hundred behind that.
                 let parts = listed.first().and_then(|run| run.split(',').next()?.parse::<f64>().ok());
@@ -259,20 +250,17 @@ fn old_acceleration() -> Vec<Claim> {
                     parts == Some(said) && numbers("meyer.app-b.delay") == [DELAY_PARTS],
                     format!("the listing divides the interval by {}", parts.unwrap_or(f64::NAN)),
                 )
-            }),
-            (Evidence::Steps, delay_explains),
-        ),
-        stated(
-            ("meyer.app-b.small-time", PROGRAM),
-            "SMT is true until the time zero and false after it",
-            "SMT",
-            "it is true before the time zero only",
-            (LimitCase, |stated| {
+            })
+            .by(Evidence::Steps, delay_explains)
+            .but_not("it is that of a whole print interval before"),
+        PROGRAM
+            .statement("meyer.app-b.small-time", "SMT", "SMT is true until the time zero and false after it")
+            .by(LimitCase, |stated| {
                 // The lines of the start must be in force at the start, and at no other of the times of a run.
                 let in_force: Vec<u32> = times().filter(|time| small_time(f64::from(*time), stated)).collect();
                 Finding::new(in_force == [0], format!("the first acceleration is computed at the times {in_force:?}"))
-            }),
-            (OtherPlaceInSource, |stated| {
+            })
+            .by(OtherPlaceInSource, |stated| {
                 // FSW picks one of three values by the sign of the first. S tells in which order they stand.
                 let orders = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
                 let (signs, truths) = LISTED;
@@ -284,8 +272,8 @@ fn old_acceleration() -> Vec<Claim> {
                 };
                 let found: Vec<_> = orders.iter().filter(|order| fits(order)).collect();
                 Finding::new(!found.is_empty(), "the listing's values, in an order that fits S and SMT")
-            }),
-        ),
+            })
+            .but_not("it is true before the time zero only"),
     ]
 }
 

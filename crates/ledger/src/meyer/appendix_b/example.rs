@@ -1,13 +1,12 @@
 //! The demonstration: a vibration with damping, and the name of its first derivative.
 
 use super::*;
-use crate::meyer::instants::slip_read_by;
 use crate::meyer::reading::{self, By, Letters, Moment};
 use crate::meyer::slips::{LOST_DOTS, ONE_AS_L};
 use geneva_dynamics::derivation::{Demonstration, Form};
 use geneva_mimic::{Parameters, integrate};
 
-const TEXT: &str = "Appendix B, after the lines of the example";
+const TEXT: Place = at("Appendix B, after the lines of the example");
 
 pub fn claims() -> Vec<Claim> {
     [equations(), lines()].concat()
@@ -19,14 +18,12 @@ fn equations() -> Vec<Claim> {
             ("meyer.app-b.example", "Appendix B, 1st display"),
             "the example: a mass on a spring with damping",
             r"m\dot{x} + c\dot{x} + kx = 0",
-            || reads("meyer.app-b.example"),
             r"m\ddot{x} + c\dot{x} + kx = 0",
         ),
         dots(
             ("meyer.app-b.example.solved", "Appendix B, 2nd display"),
             "the example solved for its highest derivative",
             r"\dot{x} = -(c\dot{x} + kx)/m",
-            || reads("meyer.app-b.example.solved"),
             r"\ddot{x} = -(c\dot{x} + kx)/m",
         ),
     ]
@@ -35,19 +32,19 @@ fn equations() -> Vec<Claim> {
 fn lines() -> Vec<Claim> {
     vec![
         line(
-            ("meyer.app-b.example.second", "Appendix B, 3rd display"),
+            ("meyer.app-b.example.second", at("Appendix B, 3rd display")),
             "the second derivative from the first and the place",
             ["2DX = -(C*LDX + K*X)/M", "2DX = -(C*1DX + K*X)/M"],
             [|| read_line("meyer.app-b.example.second", false), || read_line("meyer.app-b.example.second", true)],
         ),
         line(
-            ("meyer.app-b.example.first", "Appendix B, 4th display"),
+            ("meyer.app-b.example.first", at("Appendix B, 4th display")),
             "the first derivative is the integral of the second",
             ["LDX = INT(2DX, A)", "1DX = INT(2DX, A)"],
             [|| read_line("meyer.app-b.example.first", false), || read_line("meyer.app-b.example.first", true)],
         ),
         line(
-            ("meyer.app-b.example.place", "Appendix B, 5th display"),
+            ("meyer.app-b.example.place", at("Appendix B, 5th display")),
             "the place is the integral of the first derivative",
             ["X = INT(LDX, B)", "X = INT(1DX, B)"],
             [|| read_line("meyer.app-b.example.place", false), || read_line("meyer.app-b.example.place", true)],
@@ -57,26 +54,26 @@ fn lines() -> Vec<Claim> {
             "names of the first and the second derivative",
             ["LDX and 2DX", "1DX and 2DX"],
         ),
-        stated(
-            ("meyer.app-b.example.initial", TEXT),
-            "A and B are the values of the first derivative and of the place at the start",
+        TEXT.statement(
+            "meyer.app-b.example.initial",
             "A and B are the initial",
-            "the two the other way round",
-            (Evidence::Steps, |stated| {
-                let [end, found] = [vibration(1.0)["x"], integrated(stated.pick(["x'", "x"], ["x", "x'"]))];
-                Finding::new((found - end).abs() < 1e-5, format!("integrated from these two: {found:.5}, not {end:.5}"))
-            }),
-            (ClosedForm, |stated| {
-                let [speed, place] = stated.pick(["x'", "x"], ["x", "x'"]);
-                let holds = ["1DX = INT(2DX, A)", "X = INT(1DX, B)"].map(|line| vibrates_from([speed, place], line));
-                Finding::new(
-                    holds == [Some(true); 2],
-                    "the lines that integrate, read and evaluated for a vibration in closed form",
-                )
-            }),
-        ),
+            "A and B are the values of the first derivative and of the place at the start",
+        )
+        .by(Evidence::Steps, |stated| {
+            let [end, found] = [vibration(1.0)["x"], integrated(stated.pick(["x'", "x"], ["x", "x'"]))];
+            Finding::new((found - end).abs() < 1e-5, format!("integrated from these two: {found:.5}, not {end:.5}"))
+        })
+        .by(ClosedForm, |stated| {
+            let [speed, place] = stated.pick(["x'", "x"], ["x", "x'"]);
+            let holds = ["1DX = INT(2DX, A)", "X = INT(1DX, B)"].map(|line| vibrates_from([speed, place], line));
+            Finding::new(
+                holds == [Some(true); 2],
+                "the lines that integrate, read and evaluated for a vibration in closed form",
+            )
+        })
+        .but_not("the two the other way round"),
         first_derivative(
-            ("meyer.app-b.method.name", "Appendix B, paragraph on the steps"),
+            ("meyer.app-b.method.name", at("Appendix B, paragraph on the steps")),
             "name of the first derivative",
             ["LDX", "1DX"],
         ),
@@ -168,29 +165,33 @@ fn as_formula(line: &str) -> String {
 
 /// A display whose second derivative has one dot for two.
 fn dots(
-    place: (&'static str, &'static str),
+    (id, locator): (&'static str, &'static str),
     meaning: &'static str,
     printed: &'static str,
-    read: fn() -> Finding,
     corrected: &'static str,
 ) -> Claim {
-    let proofs: [fn() -> Finding; 2] =
-        [|| prove(&Demonstration(Form::Printed)).into(), || prove(&Demonstration(Form::Corrected)).into()];
-    slip_read_by(vibrates, place, meaning, printed, proofs, read, Erratum { corrected, slip: LOST_DOTS })
+    at(locator)
+        .equation(id, printed, meaning)
+        .proven(Demonstration(Form::Printed))
+        .corrected_form(|| prove(&Demonstration(Form::Corrected)).into())
+        .read(ClosedForm, vibrates)
+        .corrected(corrected, LOST_DOTS)
 }
 
 /// A line of program that has LDX for 1DX: as printed and put right, and read so.
 fn line(
-    (id, locator): (&'static str, &'static str),
+    (id, place): (&'static str, Place),
     meaning: &'static str,
     [printed, corrected]: [&'static str; 2],
     [as_printed, put_right]: [fn() -> Finding; 2],
 ) -> Claim {
-    let named = (OtherPlaceInSource, (|| named_in_the_listing("1DX")) as fn() -> Finding);
-    let check = Check::corrected_equation((ClosedForm, as_printed), put_right, named).read_by(vibrates_as_a_program);
-    Claim::equation(WORK, id, locator, meaning, printed, check)
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum { corrected, slip: ONE_AS_L })
+    place
+        .equation(id, printed, meaning)
+        .by(ClosedForm, as_printed)
+        .corrected_form(put_right)
+        .by(OtherPlaceInSource, || named_in_the_listing("1DX"))
+        .read_by(vibrates_as_a_program)
+        .corrected(corrected, ONE_AS_L)
 }
 
 /// Whether a line holds for a vibration, as printed or put right.
@@ -202,21 +203,19 @@ fn read_line(id: &str, put_right: bool) -> Finding {
 
 /// A place in the text where the copy has LDX.
 pub fn first_derivative(
-    (id, locator): (&'static str, &'static str),
+    (id, place): (&'static str, Place),
     meaning: &'static str,
     [printed, corrected]: [&'static str; 2],
 ) -> Claim {
-    let check = Check::corrected_statement(
-        (LimitCase, |stated| {
+    place
+        .statement(id, printed, meaning)
+        .by(LimitCase, |stated| {
             let [name, above] = [stated.pick("1DX", "LDX"), "2DX"].map(order);
             let holds = name.is_some() && name == above.and_then(|above| above.checked_sub(1));
             Finding::new(holds, format!("the name begins with an order, one less than that of 2DX: {name:?}"))
-        }),
-        (OtherPlaceInSource, |stated| named_in_the_listing(stated.pick("1DX", "LDX"))),
-    );
-    Claim::statement(WORK, id, locator, meaning, printed, check)
-        .expecting(Verdict::Corrected)
-        .with_erratum(Erratum { corrected, slip: ONE_AS_L })
+        })
+        .by(OtherPlaceInSource, |stated| named_in_the_listing(stated.pick("1DX", "LDX")))
+        .corrected(corrected, ONE_AS_L)
 }
 
 /// Whether the listing calls the integral of 2DX so.

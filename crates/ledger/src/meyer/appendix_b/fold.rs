@@ -6,39 +6,31 @@ use crate::meyer::slips::RESET_ANGLE;
 /// The fold of the driver's angle. A quarter of a turn is right for four pins only.
 pub fn fold(
     id: &'static str,
-    locator: &'static str,
+    place: Place,
     meaning: &'static str,
     said: &'static str,
     corrected: &'static str,
 ) -> Claim {
-    Claim::statement(
-        WORK,
-        id,
-        locator,
-        meaning,
-        said,
-        Check::corrected_statement(
-            (ClosedForm, |stated| folds(|at| modulus(at, stated))),
-            (Vectors, |stated| {
-                let agree = |at: &&Escapement| {
-                    (0..100).all(|k| {
-                        let angle = (f64::from(k) + 0.5) * 0.0625;
-                        let crank = Turn::from_radians(angle % modulus(at, stated) - at.driver_half_angle());
-                        // The modulus is printed to four places.
-                        (at.pin_distance(&crank) - nearest_pin(at, angle)).abs() < 1e-3
-                    })
-                };
-                let all = Escapement::all();
-                let pins: Vec<u32> = all.iter().filter(agree).map(Escapement::pins).collect();
-                Finding::new(
-                    pins.len() == all.len(),
-                    format!("the nearest to the follower's axis of all pins by coordinates is there for {pins:?} pins"),
-                )
-            }),
-        ),
-    )
-    .expecting(Verdict::Corrected)
-    .with_erratum(Erratum { corrected, slip: RESET_ANGLE })
+    place
+        .statement(id, said, meaning)
+        .by(ClosedForm, |stated| folds(|at| modulus(at, stated)))
+        .by(Vectors, |stated| {
+            let agree = |at: &&Escapement| {
+                (0..100).all(|k| {
+                    let angle = (f64::from(k) + 0.5) * 0.0625;
+                    let crank = Turn::from_radians(angle % modulus(at, stated) - at.driver_half_angle());
+                    // The modulus is printed to four places.
+                    (at.pin_distance(&crank) - nearest_pin(at, angle)).abs() < 1e-3
+                })
+            };
+            let all = Escapement::all();
+            let pins: Vec<u32> = all.iter().filter(agree).map(Escapement::pins).collect();
+            Finding::new(
+                pins.len() == all.len(),
+                format!("the nearest to the follower's axis of all pins by coordinates is there for {pins:?} pins"),
+            )
+        })
+        .corrected(corrected, RESET_ANGLE)
 }
 
 /// After which angle the driver is put back: that between two pins, or as printed.

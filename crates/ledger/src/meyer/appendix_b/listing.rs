@@ -10,7 +10,7 @@ use crate::meyer::runs::{self, Column, Mechanism};
 use crate::meyer::spring::no_rate;
 use geneva_dynamics::Slots;
 
-const PROGRAM: &str = "Appendix B, program";
+const PROGRAM: Place = at("Appendix B, program");
 
 pub fn claims() -> Vec<Claim> {
     [constants(), factors(), motion()].concat()
@@ -20,94 +20,90 @@ fn constants() -> Vec<Claim> {
     vec![
         no_rate(
             "meyer.listing.comment-k",
-            "Appendix B, program, comment on K",
+            at("Appendix B, program, comment on K"),
             "what K is called",
             "SPRING RATE",
             "TORQUE OF THE SPRING",
         ),
-        stated(
-            ("meyer.listing.parameters", PROGRAM),
-            "the angle at the start is read as a parameter beside the number of slots: in radians, and negative",
-            "X0",
-            "it is read in degrees",
-            (ClosedForm, |stated| {
+        PROGRAM
+            .statement(
+                "meyer.listing.parameters",
+                "X0",
+                "the angle at the start is read as a parameter beside the number of slots: in radians, and negative",
+            )
+            .by(ClosedForm, |stated| {
                 let holds =
                     Slots::ALL.iter().all(|slots| vanishes(program::at(*slots, start_angle(*slots, stated))["H"]));
                 Finding::new(holds, "the line of H, read and evaluated there, is zero: a pin enters along its slot")
-            }),
-            (LimitCase, |stated| {
+            })
+            .by(LimitCase, |stated| {
                 // The folded angle starts at X0 and ends as far on the other side.
                 let holds = Slots::ALL.iter().all(|slots| {
                     let start = start_angle(*slots, stated);
                     agrees(start + 2.0 * PI / f64::from(slots.pins()), -start)
                 });
                 Finding::new(holds, "the angle from one pin to the next takes it as far to the other side")
-            }),
-        ),
-        Claim::value(
-            WORK,
-            "meyer.listing.pi",
-            PROGRAM,
-            "half a turn, in the program's ratio of the centre distance",
-            ("3.1416", ""),
-            Check::number((ClosedForm, || PI), (LimitCase, machin)),
-        ),
-        Claim::value(
-            WORK,
-            "meyer.listing.print-interval",
-            PROGRAM,
-            "time between printed lines, a datum: of a half, once and twice as much it is the one whose largest \
-             printed speeds are those of the tables",
-            (".0005", "s"),
-            Check::number(
-                (Evidence::Integration, || runs::fitting_interval(Mechanism::SixPin)),
-                (Evidence::Steps, || runs::fitting_interval(Mechanism::FourPin)),
-            ),
-        ),
-        stated(
-            ("meyer.listing.delay", PROGRAM),
-            "the old acceleration is that of a tenth of the print interval before; what the hundred does is not said",
-            "DT/10.,100.",
-            "it is that of a whole print interval before",
-            (OtherPlaceInSource, |stated| {
+            })
+            .but_not("it is read in degrees"),
+        PROGRAM
+            .value("meyer.listing.pi", "3.1416", "", "half a turn, in the program's ratio of the centre distance")
+            .by(ClosedForm, || PI)
+            .by(LimitCase, machin),
+        PROGRAM
+            .value(
+                "meyer.listing.print-interval",
+                ".0005",
+                "s",
+                "time between printed lines, a datum: of a half, once and twice as much it is the one whose largest \
+                 printed speeds are those of the tables",
+            )
+            .by(Evidence::Integration, || runs::fitting_interval(Mechanism::SixPin))
+            .by(Evidence::Steps, || runs::fitting_interval(Mechanism::FourPin)),
+        PROGRAM
+            .statement(
+                "meyer.listing.delay",
+                "DT/10.,100.",
+                "the old acceleration is that of a tenth of the print interval before; what the hundred does is not \
+                 said",
+            )
+            .by(OtherPlaceInSource, |stated| {
                 let said = numbers("meyer.app-b.delay");
                 Finding::new(
                     said == [stated.pick(DELAY_PARTS, 1)],
                     format!("the text divides the interval by {said:?}"),
                 )
-            }),
-            (Evidence::Steps, delay_explains),
-        ),
-        Claim::value(
-            WORK,
-            "meyer.listing.degrees",
-            PROGRAM,
-            "degrees in a radian, for the driver's angle and the angle in the slot",
-            ("57.296", ""),
-            Check::number((ClosedForm, || 1f64.to_degrees()), (LimitCase, || 180.0 / machin())),
-        ),
-        Claim::value(
-            WORK,
-            "meyer.listing.quarter-turn",
-            PROGRAM,
-            "a quarter of a turn in radians: an engagement of four pins",
-            ("1.5708", ""),
-            Check::number((ClosedForm, || 2.0 * Slots::Four.engagement_half_angle()), (LimitCase, || machin() / 2.0)),
-        ),
-        stated(
-            ("meyer.listing.run-length", PROGRAM),
-            "time at which a run ends, in seconds",
-            ".2",
-            "it ends at half of that",
-            (OtherPlaceInSource, |stated| {
+            })
+            .by(Evidence::Steps, delay_explains)
+            .but_not("it is that of a whole print interval before"),
+        PROGRAM
+            .value(
+                "meyer.listing.degrees",
+                "57.296",
+                "",
+                "degrees in a radian, for the driver's angle and the angle in the slot",
+            )
+            .by(ClosedForm, || 1f64.to_degrees())
+            .by(LimitCase, || 180.0 / machin()),
+        PROGRAM
+            .value(
+                "meyer.listing.quarter-turn",
+                "1.5708",
+                "",
+                "a quarter of a turn in radians: an engagement of four pins",
+            )
+            .by(ClosedForm, || 2.0 * Slots::Four.engagement_half_angle())
+            .by(LimitCase, || machin() / 2.0),
+        PROGRAM
+            .statement("meyer.listing.run-length", ".2", "time at which a run ends, in seconds")
+            .by(OtherPlaceInSource, |stated| {
                 let said =
                     claim("meyer.app-b.run-length").and_then(|claim| claim.printed.split(' ').next()?.parse().ok());
                 let here = claim("meyer.listing.run-length").and_then(|claim| claim.printed.parse::<f64>().ok());
                 let same = here.zip(said).is_some_and(|(here, said): (f64, f64)| here * stated.pick(1.0, 0.5) == said);
                 Finding::new(same, format!("the text says {} s", said.unwrap_or(f64::NAN)))
-            }),
-            (OtherPlaceInSource, |stated| long_enough(printed("meyer.listing.run-length") * stated.pick(1.0, 0.5))),
-        ),
+            })
+            .by(OtherPlaceInSource, |stated| long_enough(printed("meyer.listing.run-length") * stated.pick(1.0, 0.5)))
+            .but_not("it ends at half of that"),
     ]
 }
 
@@ -137,105 +133,51 @@ fn factors() -> Vec<Claim> {
                 let found = by_coefficients(|lines, at| [(lines["G"], at.ratio)]);
                 Finding::new(near && found.holds, found.how)
             },
-            || reads("meyer.listing.g"),
         ),
-        line(
-            "meyer.listing.h",
-            "a cos θ − 1",
-            "H",
-            program::H,
-            || by_coefficients(|lines, at| [(lines["H"], at.pose.lead)]),
-            || reads("meyer.listing.h"),
-        ),
-        line(
-            "meyer.listing.i",
-            "a sin θ",
-            "I",
-            program::I,
-            || by_coefficients(|lines, at| [(lines["I"], at.pose.cross)]),
-            || reads("meyer.listing.i"),
-        ),
-        line(
-            "meyer.listing.j",
-            "1 − a²",
-            "J",
-            program::J,
-            || by_coefficients(|lines, at| [(lines["J"], at.pose.shape)]),
-            || reads("meyer.listing.j"),
-        ),
-        line(
-            "meyer.listing.l",
-            "1 + a² − 2 a cos θ",
-            "L",
-            program::L,
-            || by_coefficients(|lines, at| [(lines["L"], at.pose.square)]),
-            || reads("meyer.listing.l"),
-        ),
+        line("meyer.listing.h", "a cos θ − 1", "H", program::H, || {
+            by_coefficients(|lines, at| [(lines["H"], at.pose.lead)])
+        }),
+        line("meyer.listing.i", "a sin θ", "I", program::I, || {
+            by_coefficients(|lines, at| [(lines["I"], at.pose.cross)])
+        }),
+        line("meyer.listing.j", "1 − a²", "J", program::J, || {
+            by_coefficients(|lines, at| [(lines["J"], at.pose.shape)])
+        }),
+        line("meyer.listing.l", "1 + a² − 2 a cos θ", "L", program::L, || {
+            by_coefficients(|lines, at| [(lines["L"], at.pose.square)])
+        }),
         line(
             "meyer.listing.a",
             "A, with the driver's inertia above the line and with the square",
             "A",
             program::A,
             || by_coefficients(|lines, at| [(lines["A"], at.coefficients.a)]),
-            || reads("meyer.listing.a"),
         ),
-        line(
-            "meyer.listing.b",
-            "B",
-            "B",
-            program::B,
-            || by_coefficients(|lines, at| [(lines["B"], at.coefficients.b)]),
-            || reads("meyer.listing.b"),
-        ),
-        line(
-            "meyer.listing.c",
-            "C",
-            "C",
-            program::C,
-            || by_coefficients(|lines, at| [(lines["C"], at.coefficients.c)]),
-            || reads("meyer.listing.c"),
-        ),
-        line(
-            "meyer.listing.d",
-            "D",
-            "D",
-            program::D,
-            || by_coefficients(|lines, at| [(lines["D"], at.coefficients.d)]),
-            || reads("meyer.listing.d"),
-        ),
-        line(
-            "meyer.listing.e",
-            "E",
-            "E",
-            program::E,
-            || by_coefficients(|lines, at| [(lines["E"], at.coefficients.e)]),
-            || reads("meyer.listing.e"),
-        ),
-        line(
-            "meyer.listing.f",
-            "F, with the acceleration of a moment before",
-            "F",
-            program::F,
-            || by_coefficients(|lines, at| [(lines["F"], at.coefficients.between_the_bars(&SPEED, &at.acceleration))]),
-            || reads("meyer.listing.f"),
-        ),
-        Claim::equation(
-            WORK,
-            "meyer.listing.s",
-            PROGRAM,
-            "S, by the sign of F; plus one where F is zero",
-            "S",
-            Check::statement(
-                "minus one where F is positive, plus one where it is negative",
-                (ClosedForm, |stated| by_coefficients(|lines, at| [(switched(lines["F"], stated), at.sign.of(1.0))])),
-                (Vectors, |stated| {
-                    equal(
-                        |letter| (switched(letter("F"), stated) * letter("F"), letter("F").abs()),
-                        "S F and the size of F",
-                    )
-                }),
-            ),
-        ),
+        line("meyer.listing.b", "B", "B", program::B, || {
+            by_coefficients(|lines, at| [(lines["B"], at.coefficients.b)])
+        }),
+        line("meyer.listing.c", "C", "C", program::C, || {
+            by_coefficients(|lines, at| [(lines["C"], at.coefficients.c)])
+        }),
+        line("meyer.listing.d", "D", "D", program::D, || {
+            by_coefficients(|lines, at| [(lines["D"], at.coefficients.d)])
+        }),
+        line("meyer.listing.e", "E", "E", program::E, || {
+            by_coefficients(|lines, at| [(lines["E"], at.coefficients.e)])
+        }),
+        line("meyer.listing.f", "F, with the acceleration of a moment before", "F", program::F, || {
+            by_coefficients(|lines, at| [(lines["F"], at.coefficients.between_the_bars(&SPEED, &at.acceleration))])
+        }),
+        PROGRAM
+            .formula("meyer.listing.s", "S", "S, by the sign of F; plus one where F is zero")
+            .by(ClosedForm, |stated| by_coefficients(|lines, at| [(switched(lines["F"], stated), at.sign.of(1.0))]))
+            .by(Vectors, |stated| {
+                equal(
+                    |letter| (switched(letter("F"), stated) * letter("F"), letter("F").abs()),
+                    "S F and the size of F",
+                )
+            })
+            .but_not("minus one where F is positive, plus one where it is negative"),
     ]
 }
 
@@ -259,19 +201,15 @@ fn motion() -> Vec<Claim> {
             "2DX",
             program::ACCELERATION,
             || by_coefficients(|lines, at| [(lines["2DX"], at.acceleration)]),
-            || reads("meyer.listing.acceleration"),
         ),
-        stated(
-            ("meyer.listing.speed", PROGRAM),
-            "the driver's speed, integrated from zero",
-            "1DX",
-            "it is integrated from one",
-            (OtherPlaceInSource, |stated| {
+        PROGRAM
+            .statement("meyer.listing.speed", "1DX", "the driver's speed, integrated from zero")
+            .by(OtherPlaceInSource, |stated| {
                 let said = numbers("meyer.app-b.from-rest");
                 Finding::new(said == [stated.pick(0, 1)], format!("the text has the driver start at {said:?}"))
-            }),
-            (ClosedForm, |stated| start_solves(stated.pick(0.0, 1.0))),
-        ),
+            })
+            .by(ClosedForm, |stated| start_solves(stated.pick(0.0, 1.0)))
+            .but_not("it is integrated from one"),
         fold(
             "meyer.listing.fold",
             PROGRAM,
@@ -279,14 +217,9 @@ fn motion() -> Vec<Claim> {
             "MOD",
             "the modulus 2π/m: 1.5708 for four pins only, 1.0472 for six and 2.0944 for three",
         ),
-        line(
-            "meyer.listing.phidot",
-            "the follower's speed, Eq. (1-7)",
-            "PHIDOT",
-            program::FOLLOWER_SPEED,
-            || by_coefficients(|lines, at| [(lines["PHIDOT"], at.pose.velocity_ratio() * SPEED)]),
-            || reads("meyer.listing.phidot"),
-        ),
+        line("meyer.listing.phidot", "the follower's speed, Eq. (1-7)", "PHIDOT", program::FOLLOWER_SPEED, || {
+            by_coefficients(|lines, at| [(lines["PHIDOT"], at.pose.velocity_ratio() * SPEED)])
+        }),
     ]
 }
 
@@ -297,10 +230,8 @@ fn line(
     printed: &'static str,
     said: &'static str,
     first: fn() -> Finding,
-    read: fn() -> Finding,
 ) -> Claim {
-    let check = Check::equation((ClosedForm, first), (Vectors, read)).saying(said, program::holds);
-    Claim::equation(WORK, id, PROGRAM, meaning, printed, check)
+    PROGRAM.equation(id, printed, meaning).by(ClosedForm, first).read(Vectors, program::holds).saying(said)
 }
 
 /// π by Machin's series.

@@ -6,56 +6,42 @@ use crate::meyer::reading::Letters;
 use geneva_dynamics::derivation::StartingAcceleration;
 use geneva_dynamics::{Coefficients, Pose, Sign, Slots};
 
-const PROGRAM: &str = "Appendix B, program, lines of SMT";
+const PROGRAM: Place = at("Appendix B, program, lines of SMT");
 
 pub fn claims() -> Vec<Claim> {
     vec![
-        line(
-            "meyer.listing.p",
-            "P is L at the start",
-            "P",
-            program::P,
-            (ClosedForm, || by_coefficients(|lines, at| [(at_the_angle("P", lines), at.pose.square)])),
-            || reads("meyer.listing.p"),
-        ),
-        line(
-            "meyer.listing.q",
-            "Q is H at the start, which is zero",
-            "Q",
-            program::Q,
-            (ClosedForm, || by_coefficients(|lines, at| [(at_the_angle("Q", lines), at.pose.lead)])),
-            || reads("meyer.listing.q"),
-        ),
+        line("meyer.listing.p", "P is L at the start", "P", program::P, ClosedForm, || {
+            by_coefficients(|lines, at| [(at_the_angle("P", lines), at.pose.square)])
+        }),
+        line("meyer.listing.q", "Q is H at the start, which is zero", "Q", program::Q, ClosedForm, || {
+            by_coefficients(|lines, at| [(at_the_angle("Q", lines), at.pose.lead)])
+        }),
         line(
             "meyer.listing.r",
             "R is A at the start, which is the ratio of the inertias",
             "R",
             program::R,
-            (ClosedForm, || by_coefficients(|lines, at| [(at_the_angle("R", lines), at.coefficients.a)])),
-            || reads("meyer.listing.r"),
+            ClosedForm,
+            || by_coefficients(|lines, at| [(at_the_angle("R", lines), at.coefficients.a)]),
         ),
-        line(
-            "meyer.listing.v",
-            "V is the size of D at the start, which is zero",
-            "V",
-            program::V,
-            (ClosedForm, || by_coefficients(|lines, at| [(at_the_angle("V", lines), at.coefficients.d.abs())])),
-            || reads("meyer.listing.v"),
-        ),
+        line("meyer.listing.v", "V is the size of D at the start, which is zero", "V", program::V, ClosedForm, || {
+            by_coefficients(|lines, at| [(at_the_angle("V", lines), at.coefficients.d.abs())])
+        }),
         line(
             "meyer.listing.start",
             "the first acceleration; with V = 0 it is the torque over the driver's inertia, whatever the friction",
             "2DX",
             program::START,
-            (ExactIdentity, || all_proven(&Sign::BOTH.map(|sign| StartingAcceleration { sign }))),
-            || reads("meyer.listing.start"),
+            ExactIdentity,
+            || all_proven(&Sign::BOTH.map(|sign| StartingAcceleration { sign })),
         ),
-        stated(
-            ("meyer.app-b.start-lines", "Appendix B, first sentence after the program"),
-            "the lines of SMT are the equation of motion for the start, solved for the acceleration",
-            "simply equation 1-18",
-            "they are the equation without its friction",
-            (ClosedForm, |stated| {
+        at("Appendix B, first sentence after the program")
+            .statement(
+                "meyer.app-b.start-lines",
+                "simply equation 1-18",
+                "the lines of SMT are the equation of motion for the start, solved for the acceleration",
+            )
+            .by(ClosedForm, |stated| {
                 // At all angles: at the start itself friction asks for nothing.
                 let holds = poses(0.25).all(|(letters, c)| {
                     let friction = stated.pick(start_line("V", &letters), 0.0);
@@ -63,16 +49,16 @@ pub fn claims() -> Vec<Claim> {
                     c.acceleration(0.0).is_ok_and(|solved| agrees(gain, solved.value))
                 });
                 Finding::new(holds, "what they give satisfies Eq. (1-18) from rest, at all angles")
-            }),
-            (Vectors, |stated| {
+            })
+            .by(Vectors, |stated| {
                 let line = program::named(program::START).1.replace('V', stated.pick("V", "0"));
                 let holds = program::holds_from_rest(&format!(r"\text{{2DX}} = {line}"));
                 Finding::new(
                     holds == Some(true),
                     "read and evaluated, against the torque that both members ask for from rest",
                 )
-            }),
-        ),
+            })
+            .but_not("they are the equation without its friction"),
     ]
 }
 
@@ -83,11 +69,10 @@ fn line(
     meaning: &'static str,
     printed: &'static str,
     said: &'static str,
-    first: (Evidence, fn() -> Finding),
-    read: fn() -> Finding,
+    evidence: Evidence,
+    first: fn() -> Finding,
 ) -> Claim {
-    let check = Check::equation(first, (Vectors, read)).saying(said, program::holds_from_rest);
-    Claim::equation(WORK, id, PROGRAM, meaning, printed, check)
+    PROGRAM.equation(id, printed, meaning).by(evidence, first).read(Vectors, program::holds_from_rest).saying(said)
 }
 
 /// What a line of the start computes if the start is at the angle of the others.

@@ -10,10 +10,10 @@ use geneva_mimic::{Kept, Parameters, integrate, runge_kutta_step};
 use nalgebra::Vector1;
 use std::convert::Infallible;
 
-const STEPS: &str = "Appendix B, paragraph on the steps";
-const HEART: &str = "Appendix B, paragraph on the integration subroutine";
-const DIVISION: &str = "Appendix B, paragraph on the subintervals";
-const ADVANTAGES: &str = "Appendix B, paragraph on the two advantages";
+const STEPS: Place = at("Appendix B, paragraph on the steps");
+const HEART: Place = at("Appendix B, paragraph on the integration subroutine");
+const DIVISION: Place = at("Appendix B, paragraph on the subintervals");
+const ADVANTAGES: Place = at("Appendix B, paragraph on the two advantages");
 
 pub fn claims() -> Vec<Claim> {
     [described(), formulas(), advantages()].concat()
@@ -21,27 +21,25 @@ pub fn claims() -> Vec<Claim> {
 
 fn described() -> Vec<Claim> {
     vec![
-        stated(
-            ("meyer.app-b.method.one-value", STEPS),
-            "the error of going on with the derivative's value at the beginning of a step goes away with the step",
-            "made negligible by proper choice of the increment",
-            "so does that of going on with its value at the beginning of the run",
-            (ClosedForm, |stated| {
+        STEPS
+            .statement(
+                "meyer.app-b.method.one-value",
+                "made negligible by proper choice of the increment",
+                "the error of going on with the derivative's value at the beginning of a step goes away with the step",
+            )
+            .by(ClosedForm, |stated| {
                 let errors: Vec<f64> = INCREMENTS.map(|steps| error_of_growth(steps, stated)).to_vec();
                 goes_away(&errors)
-            }),
-            (LimitCase, |stated| {
+            })
+            .by(LimitCase, |stated| {
                 let errors: Vec<f64> = INCREMENTS.map(|steps| error_of_a_swing(steps, stated)).to_vec();
                 goes_away(&errors)
-            }),
-        )
-        .read_as("a picture of the method with one value for each step; the formulas that follow take four"),
-        stated(
-            ("meyer.app-b.method.order", HEART),
-            "the method is of order four",
-            "fourth order, variable step, Runge-",
-            "it is of order five",
-            (LimitCase, |stated| {
+            })
+            .but_not("so does that of going on with its value at the beginning of the run")
+            .read_as("a picture of the method with one value for each step; the formulas that follow take four"),
+        HEART
+            .statement("meyer.app-b.method.order", "fourth order, variable step, Runge-", "the method is of order four")
+            .by(LimitCase, |stated| {
                 let ratio = [16.0, 32.0].map(|steps| {
                     let fixed =
                         Parameters { kept: Kept::FullStep, ..Parameters::with_fixed_step(1.0 / steps, 1.0, 1.0) };
@@ -50,8 +48,8 @@ fn described() -> Vec<Claim> {
                     run.map_or(f64::NAN, |run| libm::exp(1.0) - run.last.state[0])
                 });
                 of_order(stated.pick(4, 5), ratio[0] / ratio[1])
-            }),
-            (ClosedForm, |stated| {
+            })
+            .by(ClosedForm, |stated| {
                 let ratio = [16_u32, 32].map(|steps| {
                     let h = 1.0 / f64::from(steps);
                     let end = (0..steps)
@@ -59,14 +57,15 @@ fn described() -> Vec<Claim> {
                     libm::exp(0.5) - end
                 });
                 of_order(stated.pick(4, 5), ratio[0] / ratio[1])
-            }),
-        ),
-        stated(
-            ("meyer.app-b.method.widths", DIVISION),
-            "weights of the four slopes, as widths of parts of the interval",
-            r"h/6, h/3, h/3, and h/6",
-            "h/3, h/6, h/6 and h/3",
-            (ClosedForm, |stated| {
+            })
+            .but_not("it is of order five"),
+        DIVISION
+            .statement(
+                "meyer.app-b.method.widths",
+                r"h/6, h/3, h/3, and h/6",
+                "weights of the four slopes, as widths of parts of the interval",
+            )
+            .by(ClosedForm, |stated| {
                 // With the slopes of powers of x at the four places: their integrals from 0 to 1.
                 let places = [0.0, 0.5, 0.5, 1.0];
                 let holds = (0..=3).all(|power| {
@@ -78,8 +77,8 @@ fn described() -> Vec<Claim> {
                     agrees(sum, 1.0 / f64::from(power + 1))
                 });
                 Finding::new(holds, "with these weights the integrals of 1, x, x² and x³ come out")
-            }),
-            (OtherPlaceInSource, |stated| {
+            })
+            .by(OtherPlaceInSource, |stated| {
                 // The formula's weights: what one step makes of four given slopes.
                 let weight = |k: usize| {
                     let letters = (1..=4).map(|at| (format!("f_{at}"), f64::from(u8::from(at == k + 1))));
@@ -90,14 +89,15 @@ fn described() -> Vec<Claim> {
                 let said = widths(stated);
                 let same = said.iter().zip(weights).all(|(said, weight)| agrees(*said, weight));
                 Finding::new(same && said.len() == 4, format!("the formula has the weights {weights:.3?}"))
-            }),
-        ),
-        stated(
-            ("meyer.app-b.method.constant", DIVISION),
-            "the function is taken as constant over each of the four parts of the interval",
-            "constant over each of the subintervals",
-            "the constants are its values in the middle of the parts",
-            (ClosedForm, |stated| {
+            })
+            .but_not("h/3, h/6, h/6 and h/3"),
+        DIVISION
+            .statement(
+                "meyer.app-b.method.constant",
+                "constant over each of the subintervals",
+                "the function is taken as constant over each of the four parts of the interval",
+            )
+            .by(ClosedForm, |stated| {
                 let slopes: [Slope; 3] = [|x, _| x * x * x, |x, _| 1.0 / (1.0 + x), |x, _| libm::sin(x)];
                 let holds = slopes.iter().all(|slope| {
                     let sum: f64 = constants(*slope, |_| 0.0, stated)
@@ -111,8 +111,8 @@ fn described() -> Vec<Claim> {
                     holds,
                     "the area under four constants, against one step by the formula, for three functions of x",
                 )
-            }),
-            (LimitCase, |stated| {
+            })
+            .by(LimitCase, |stated| {
                 // Growth, y' = y from 1: the classical method's step, and the staircase of the same four widths.
                 let growth: Slope = |_, y| y;
                 let heights = constants(growth, libm::exp, stated);
@@ -124,9 +124,9 @@ fn described() -> Vec<Claim> {
                     agrees(area, step),
                     format!("{area:.6} under the constants, {step:.6} by the classical method"),
                 )
-            }),
-        )
-        .read_as("the constants are the four slopes of the formula that follows, in their order"),
+            })
+            .but_not("the constants are its values in the middle of the parts")
+            .read_as("the constants are the four slopes of the formula that follows, in their order"),
     ]
 }
 
@@ -182,47 +182,35 @@ fn error_of_a_swing(steps: u32, stated: Stated) -> f64 {
 
 fn formulas() -> Vec<Claim> {
     vec![
-        Claim::equation(
-            WORK,
-            "meyer.app-b.method.step",
-            "Appendix B, display of y_{n+1}",
-            "the next value, from four slopes",
-            r"y_{n+1} = y_n + \frac{h}{6} (f_1 + 2f_2 + 2f_3 + f_4)",
-            Check::equation((ClosedForm, || reads("meyer.app-b.method.step")), (LimitCase, thirty_second))
-                .read_by(holds_in_a_step),
-        ),
-        stage("meyer.app-b.method.f1", r"f_1 = f(x_n; y_n)", "first slope, at the beginning", || {
-            reads("meyer.app-b.method.f1")
-        }),
+        at("Appendix B, display of y_{n+1}")
+            .equation(
+                "meyer.app-b.method.step",
+                r"y_{n+1} = y_n + \frac{h}{6} (f_1 + 2f_2 + 2f_3 + f_4)",
+                "the next value, from four slopes",
+            )
+            .by(ClosedForm, || reads("meyer.app-b.method.step"))
+            .by(LimitCase, thirty_second)
+            .read_by(holds_in_a_step),
+        stage("meyer.app-b.method.f1", r"f_1 = f(x_n; y_n)", "first slope, at the beginning"),
         stage(
             "meyer.app-b.method.f2",
             r"f_2 = f\left(x_n + \frac{h}{2}; y_n + \frac{f_1 h}{2}\right)",
             "second slope, in the middle with the first",
-            || reads("meyer.app-b.method.f2"),
         ),
         stage(
             "meyer.app-b.method.f3",
             r"f_3 = f\left(x_n + \frac{h}{2}; y_n + \frac{f_2 h}{2}\right)",
             "third slope, in the middle with the second",
-            || reads("meyer.app-b.method.f3"),
         ),
-        stage(
-            "meyer.app-b.method.f4",
-            r"f_4 = f(x_n + h; y_n + f_3 h)",
-            "fourth slope, at the end with the third",
-            || reads("meyer.app-b.method.f4"),
-        ),
+        stage("meyer.app-b.method.f4", r"f_4 = f(x_n + h; y_n + f_3 h)", "fourth slope, at the end with the third"),
     ]
 }
 
 fn advantages() -> Vec<Claim> {
     vec![
-        stated(
-            ("meyer.app-b.method.one-point", ADVANTAGES),
-            "one point is enough to start",
-            "only an initial point",
-            "only its x is needed",
-            (ClosedForm, |stated| {
+        ADVANTAGES
+            .statement("meyer.app-b.method.one-point", "only an initial point", "one point is enough to start")
+            .by(ClosedForm, |stated| {
                 // The point that the formulas are given, against the step from the whole point.
                 let (x, y): (f64, f64) = (0.5, 1.25);
                 let given = printed_step(|x, y| x * y, x, stated.pick(y, 1.0), STEP);
@@ -230,8 +218,8 @@ fn advantages() -> Vec<Claim> {
                     given.is_some_and(|given| agrees(given, step_of_mimic(|x, y| x * y, x, y, STEP))),
                     "one step from what is given, against the classical method's",
                 )
-            }),
-            (LimitCase, |stated| {
+            })
+            .by(LimitCase, |stated| {
                 // A run that is stopped half-way and started again from its last point, or from its x alone.
                 let run = |from: f64, to: f64, start: f64| {
                     let parts = 16_u32;
@@ -241,19 +229,20 @@ fn advantages() -> Vec<Claim> {
                 let half = run(0.0, 1.0, 1.0);
                 let (whole, again) = (run(1.0, 2.0, half), run(1.0, 2.0, stated.pick(half, 1.0)));
                 Finding::new(agrees(whole, again), format!("{whole:.6} in one go, {again:.6} started again half-way"))
-            }),
-        ),
-        stated(
-            ("meyer.app-b.method.subinterval", ADVANTAGES),
-            "what has been integrated over when the next value is known",
-            "over the subinterval",
-            "over the first of the four parts of the interval",
-            (ClosedForm, |stated| {
+            })
+            .but_not("only its x is needed"),
+        ADVANTAGES
+            .statement(
+                "meyer.app-b.method.subinterval",
+                "over the subinterval",
+                "what has been integrated over when the next value is known",
+            )
+            .by(ClosedForm, |stated| {
                 let advance = printed_step(|_, _| 1.0, 0.0, 0.0, 1.0).unwrap_or(f64::NAN);
                 let said = stated.pick(1.0, widths(Stated::Right)[0]);
                 Finding::new(agrees(advance, said), format!("the step goes on by {advance} of the interval"))
-            }),
-            (LimitCase, |stated| {
+            })
+            .by(LimitCase, |stated| {
                 let mut points = Vec::new();
                 let fixed = Parameters { kept: Kept::FullStep, ..Parameters::with_fixed_step(STEP, STEP, 1.0) };
                 let mut steady = |_: f64, _: &Vector1<f64>| Vector1::new(1.0);
@@ -261,58 +250,50 @@ fn advantages() -> Vec<Claim> {
                 let said = STEP * stated.pick(1.0, widths(Stated::Right)[0]);
                 let holds = run.is_ok() && points.windows(2).all(|pair| agrees(pair[1] - pair[0], said));
                 Finding::new(holds && points.len() > 2, "a run of the classical method goes on by whole steps")
-            }),
-        )
-        .read_as(
-            "a subinterval of the whole that is integrated over: from x_0 to x_1, which the text calls an \
-                  interval before",
-        ),
-        Claim::equation(
-            WORK,
-            "meyer.app-b.method.truncation",
-            ADVANTAGES,
-            "order of the error of one step; that of a run of many is h⁴",
-            "h^5",
-            Check::statement(
-                "h⁴",
-                (ClosedForm, |stated| {
-                    let found = halvings();
-                    Finding::new(
-                        found.iter().all(|ratio| power_of_two(*ratio) == Some(stated.pick(5, 4))),
-                        format!("for half the step the error is {:.0} and {:.0} times smaller", found[0], found[1]),
-                    )
-                }),
-                (LimitCase, |stated| {
-                    // For growth the step is the exponential series up to h⁴; what is left over a power of h.
-                    let left = [STEP / 8.0, STEP / 16.0].map(|h| {
-                        let step = step_of_mimic(|_, y| y, 0.0, 1.0, h);
-                        (libm::exp(h) - step) / libm::pow(h, f64::from(stated.pick(5, 4)))
-                    });
-                    let change = left[1] / left[0];
-                    Finding::new(
-                        (change - 1.0).abs() < 0.1,
-                        format!(
-                            "over that power of h it changes {change:.2} \
-                                                                      times"
-                        ),
-                    )
-                }),
+            })
+            .but_not("over the first of the four parts of the interval")
+            .read_as(
+                "a subinterval of the whole that is integrated over: from x_0 to x_1, which the text calls an interval \
+                 before",
             ),
-        ),
-        stated(
-            ("meyer.app-b.method.doubling", ADVANTAGES),
-            "the error is judged by two half steps and one full step",
-            "first with two half steps and then with one full step",
-            "by one half step and one full step",
-            (ClosedForm, |stated| {
+        ADVANTAGES
+            .formula(
+                "meyer.app-b.method.truncation",
+                "h^5",
+                "order of the error of one step; that of a run of many is h⁴",
+            )
+            .by(ClosedForm, |stated| {
+                let found = halvings();
+                Finding::new(
+                    found.iter().all(|ratio| power_of_two(*ratio) == Some(stated.pick(5, 4))),
+                    format!("for half the step the error is {:.0} and {:.0} times smaller", found[0], found[1]),
+                )
+            })
+            .by(LimitCase, |stated| {
+                // For growth the step is the exponential series up to h⁴; what is left over a power of h.
+                let left = [STEP / 8.0, STEP / 16.0].map(|h| {
+                    let step = step_of_mimic(|_, y| y, 0.0, 1.0, h);
+                    (libm::exp(h) - step) / libm::pow(h, f64::from(stated.pick(5, 4)))
+                });
+                let change = left[1] / left[0];
+                Finding::new((change - 1.0).abs() < 0.1, format!("over that power of h it changes {change:.2} times"))
+            })
+            .but_not("h⁴"),
+        ADVANTAGES
+            .statement(
+                "meyer.app-b.method.doubling",
+                "first with two half steps and then with one full step",
+                "the error is judged by two half steps and one full step",
+            )
+            .by(ClosedForm, |stated| {
                 let step = |y: f64, h: f64| printed_step(|_, y| y, 0.0, y, h).unwrap_or(f64::NAN);
                 fifteen_sixteenths(step, libm::exp(STEP), stated)
-            }),
-            (LimitCase, |stated| {
+            })
+            .by(LimitCase, |stated| {
                 let step = |y: f64, h: f64| step_of_mimic(|_, y| y * y, 0.0, y, h);
                 fifteen_sixteenths(step, 1.0 / (1.0 - STEP), stated)
-            }),
-        ),
+            })
+            .but_not("by one half step and one full step"),
     ]
 }
 
@@ -328,8 +309,10 @@ fn fifteen_sixteenths(step: impl Fn(f64, f64) -> f64, exact: f64, stated: Stated
     )
 }
 
-fn stage(id: &'static str, printed: &'static str, meaning: &'static str, first: fn() -> Finding) -> Claim {
-    let locator = "Appendix B, displays of the four slopes";
-    let check = Check::equation((ClosedForm, first), (LimitCase, thirty_second)).read_by(holds_in_a_step);
-    Claim::equation(WORK, id, locator, meaning, printed, check)
+fn stage(id: &'static str, printed: &'static str, meaning: &'static str) -> Claim {
+    at("Appendix B, displays of the four slopes")
+        .equation(id, printed, meaning)
+        .by(ClosedForm, move || reads(id))
+        .by(LimitCase, thirty_second)
+        .read_by(holds_in_a_step)
 }

@@ -13,7 +13,7 @@ mod stages;
 pub use listing_start::start_solves;
 pub use program::{DELAY_PARTS, start_line};
 
-use super::instants::{display, display_read_by, equal, instants, letters_of, moments, reads, stated};
+use super::instants::{equal, holds, instants, letters_of, moments};
 use super::*;
 
 pub fn claims() -> Vec<Claim> {

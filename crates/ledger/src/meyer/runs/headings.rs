@@ -16,75 +16,60 @@ const UNIT: &str = "× 10^-6 in lb sec²";
 /// The members, in the order of the headings.
 const MEMBERS: [&str; 2] = ["driver", "follower"];
 
-/// Both members' checks for a mechanism: the pair that fits, by the peaks and by the minima.
-macro_rules! fits {
-    ($mechanism:expr) => {
-        [
-            Check::number(
-                (Evidence::Integration, || fitting($mechanism, Column::Peak)[0]),
-                (Evidence::Steps, || fitting($mechanism, Column::Minimum)[0]),
-            ),
-            Check::number(
-                (Evidence::Integration, || fitting($mechanism, Column::Peak)[1]),
-                (Evidence::Steps, || fitting($mechanism, Column::Minimum)[1]),
-            ),
-        ]
-    };
-}
-
 /// The claims of a table's heading.
 pub fn claims(mechanism: Mechanism) -> Vec<Claim> {
-    let (numbers, checks): ([&'static str; 2], [Check; 2]) = match mechanism {
-        Mechanism::SixPin => (["10", "6"], fits!(Mechanism::SixPin)),
-        Mechanism::FourPin => (["3", "50"], fits!(Mechanism::FourPin)),
-        Mechanism::ThreePin => (["3", "40"], fits!(Mechanism::ThreePin)),
+    let numbers = match mechanism {
+        Mechanism::SixPin => ["10", "6"],
+        Mechanism::FourPin => ["3", "50"],
+        Mechanism::ThreePin => ["3", "40"],
     };
-    let place = leaked(format!("Appendix E, heading of the {}-pin mechanism", mechanism.pins()));
-    MEMBERS
-        .into_iter()
-        .zip(numbers.into_iter().zip(checks))
-        .map(|(member, (number, check))| {
-            let id = leaked(motion::heading(mechanism, member));
-            let meaning = leaked(format!("moment of inertia of the {member} in the runs, a datum"));
-            let claim = Claim::value(WORK, id, place, meaning, (number, UNIT), check);
-            match (mechanism, member) {
-                (Mechanism::SixPin, "driver") => swapped(claim, "6"),
-                (Mechanism::SixPin, _) => swapped(claim, "10"),
-                _ => claim,
-            }
-        })
-        .collect()
+    let place = at(leaked(format!("Appendix E, heading of the {}-pin mechanism", mechanism.pins())));
+    let of =
+        |member: usize| inertia(place, leaked(motion::heading(mechanism, MEMBERS[member])), numbers, mechanism, member);
+    let [driver, follower] = [0, 1].map(of);
+    match mechanism {
+        Mechanism::SixPin => {
+            vec![driver.corrected(numbers[1], SWAPPED_INERTIAS), follower.corrected(numbers[0], SWAPPED_INERTIAS)]
+        }
+        _ => vec![driver, follower],
+    }
+}
+
+/// The inertia of a member, of the pair that fits best: by the peaks, and by the minima.
+fn inertia(place: Place, id: &'static str, numbers: [&'static str; 2], mechanism: Mechanism, member: usize) -> Claim {
+    let meaning = leaked(format!("moment of inertia of the {} in the runs, a datum", MEMBERS[member]));
+    place
+        .value(id, numbers[member], UNIT, meaning)
+        .by(Integration, move || fitting(mechanism, Column::Peak)[member])
+        .by(Steps, move || fitting(mechanism, Column::Minimum)[member])
 }
 
 /// What the headings say the tables are of.
 pub fn of_headings() -> Claim {
-    let check = Check::corrected_statement(
-        (Integration, |stated| {
+    at("Appendix E, headings of the six-pin and the three-pin mechanism")
+        .statement(
+            "meyer.app-e.mechanisms",
+            "Six Pin Mechanism",
+            "the tables for six and three pins are of the mechanisms named above them",
+        )
+        .by(Integration, |stated| {
             counted(&stated.pick(Hypothesis::BEST, Hypothesis::TRUE), "minima", 1.0, |of, row| {
                 Some(of.engagement(row)?.steady_state().ok()?.minimum.speed - row.number(Column::Minimum))
             })
-        }),
-        (Steps, |stated| {
+        })
+        .by(Steps, |stated| {
             counted(&stated.pick(Hypothesis::BEST, Hypothesis::TRUE), "periods", 1e-3, |of, row| {
                 let [_, time, _] = of.cycle_by_steps(row)?;
                 Some(time / motion::unit_of_speed(of, row) - row.number(Column::Period))
             })
-        }),
-    );
-    Claim::statement(
-        WORK,
-        "meyer.app-e.mechanisms",
-        "Appendix E, headings of the six-pin and the three-pin mechanism",
-        "the tables for six and three pins are of the mechanisms named above them",
-        "Six Pin Mechanism",
-        check,
-    )
-    .read_as("The runs summed up below a heading, this one and that of three pins, are of the mechanism that it names.")
-    .expecting(Verdict::Corrected)
-    .with_erratum(Erratum {
-        corrected: "Six Pin Mechanism, with the driver put back after 90° (and so the Three Pin Mechanism)",
-        slip: RESET_ANGLE,
-    })
+        })
+        .read_as(
+            "The runs summed up below a heading, this one and that of three pins, are of the mechanism that it names.",
+        )
+        .corrected(
+            "Six Pin Mechanism, with the driver put back after 90° (and so the Three Pin Mechanism)",
+            RESET_ANGLE,
+        )
 }
 
 /// Whether all rows with six and three pins come out to one unit.
@@ -96,18 +81,13 @@ fn counted(of: &Hypothesis, what: &str, unit: f64, off: fn(&Hypothesis, &Row) ->
 
 /// The claims of the axes of Figs. 10 and 11.
 pub fn of_figures() -> Vec<Claim> {
-    let figures = [("10", ["3", "50"], fits!(Mechanism::FourPin)), ("11", ["6", "10"], fits!(Mechanism::SixPin))];
-    figures
-        .into_iter()
-        .flat_map(|(figure, numbers, checks)| {
-            MEMBERS.into_iter().zip(numbers.into_iter().zip(checks)).map(move |(member, (number, check))| {
-                let id = leaked(format!("meyer.fig-{figure}.{member}"));
-                let place = leaked(format!("Fig. {figure}, upper plot"));
-                let meaning = leaked(format!("moment of inertia of the {member} in the runs, a datum"));
-                Claim::value(WORK, id, place, meaning, (number, UNIT), check)
-            })
-        })
-        .collect()
+    let figures = [("10", ["3", "50"], Mechanism::FourPin), ("11", ["6", "10"], Mechanism::SixPin)];
+    let of = |(figure, numbers, mechanism): (&str, _, _)| {
+        let place = at(leaked(format!("Fig. {figure}, upper plot")));
+        let ids = MEMBERS.map(|member| leaked(format!("meyer.fig-{figure}.{member}")));
+        [0, 1].map(|member| inertia(place, ids[member], numbers, mechanism, member))
+    };
+    figures.into_iter().flat_map(of).collect()
 }
 
 /// The line of the first heading.
@@ -146,10 +126,6 @@ pub fn lines() -> Vec<Line> {
         line(505, 0xc084_6427_101c_d2c8, again("meyer.fig-11.driver")),
         line(506, 0x7fd1_dea1_3259_cc9b, again("meyer.fig-11.follower")),
     ]
-}
-
-fn swapped(claim: Claim, corrected: &'static str) -> Claim {
-    claim.expecting(Verdict::Corrected).with_erratum(Erratum { corrected, slip: SWAPPED_INERTIAS })
 }
 
 /// The pair of inertias, of those that come into question, that fits a column of a table best, in millionths.
