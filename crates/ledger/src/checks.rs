@@ -1,22 +1,43 @@
 //! Small pieces that the sources' checks are made of.
 
-use crate::{Decimal, Finding, claim, printed_value};
+use crate::{Claim, Decimal, Finding, claim, numeric_tokens};
 use geneva_kinematics::Field;
 use nalgebra::Vector2;
 
-/// The number printed in the claim with this id; not a number if there is none, which no verdict survives.
-pub(crate) fn printed(id: &str) -> f64 {
-    printed_value(id).unwrap_or(f64::NAN)
+/// The claim with this id. The ids stand in the ledger's own text: one that no claim has is a mistake there, which must
+/// not pass for a number or a verdict.
+pub(crate) fn named(id: &str) -> &'static Claim {
+    claim(id).unwrap_or_else(|| panic!("no claim has the id {id}"))
+}
+
+/// The characters printed in the claim with this id.
+pub(crate) fn characters(id: &str) -> &'static str {
+    named(id).printed
+}
+
+/// What stands right of the first equals sign in the claim with this id.
+pub(crate) fn right_side(id: &str) -> &'static str {
+    characters(id).split_once('=').map_or_else(|| panic!("{id} is no equation"), |(_, right)| right)
 }
 
 /// The number printed in the claim with this id, with its digits.
-pub(crate) fn decimal(id: &str) -> Option<Decimal> {
-    claim(id)?.printed.parse().ok()
+pub(crate) fn decimal(id: &str) -> Decimal {
+    characters(id).parse().unwrap_or_else(|unreadable| panic!("{id}: {unreadable}"))
+}
+
+/// The number printed in the claim with this id.
+pub(crate) fn printed(id: &str) -> f64 {
+    decimal(id).to_f64()
 }
 
 /// Whether the number printed in the claim with this id is a rounding of this one.
 pub(crate) fn rounds(id: &str, number: f64) -> bool {
-    decimal(id).is_some_and(|decimal| decimal.is_rounding_of(number))
+    decimal(id).is_rounding_of(number)
+}
+
+/// All whole numbers in the characters printed in the claim with this id, in their order.
+pub(crate) fn numbers(id: &str) -> Vec<u32> {
+    numeric_tokens(characters(id)).iter().filter_map(|token| token.parse().ok()).collect()
 }
 
 /// Whether two numbers agree as two routes must.
@@ -36,7 +57,7 @@ pub(crate) fn coincide(a: &Vector2<f64>, b: &Vector2<f64>) -> bool {
 
 /// The interval that the digits printed in the claim with this id leave open: half a unit of the last place either way.
 pub(crate) fn interval(id: &str) -> [f64; 2] {
-    let half = decimal(id).map_or(f64::NAN, |decimal| decimal.unit_in_last_place().approximate() / 2.0);
+    let half = decimal(id).unit_in_last_place().approximate() / 2.0;
     [printed(id) - half, printed(id) + half]
 }
 
@@ -53,9 +74,8 @@ pub(crate) fn meets(a: f64, b: f64) -> Finding {
 /// Whether the right characters of the claim hold, read and evaluated; and the printed ones do not, if they are
 /// corrected.
 pub(crate) fn reads(id: &str) -> Finding {
-    let Some((claim, reader)) = claim(id).and_then(|claim| Some((claim, claim.check.reader()?))) else {
-        return Finding::new(false, "no claim whose characters are read");
-    };
+    let claim = named(id);
+    let Some(reader) = claim.check.reader() else { panic!("the characters of {id} are not read") };
     let right = (reader.holds)(claim.right_characters()) == Some(true);
     match &claim.erratum {
         None => Finding::new(right, "the printed characters, read and evaluated wherever they must hold"),

@@ -127,22 +127,22 @@ fn dwell_seconds() -> f64 {
 }
 
 fn exactly(id: &str) -> Rational {
-    decimal(id).map_or(Rational::ZERO, |decimal| decimal.exact())
+    decimal(id).exact()
 }
 
 fn unit_of_the_decimal() -> Rational {
-    decimal("jazar.ex-c.dwell-seconds").map_or(Rational::ZERO, |decimal| decimal.unit_in_last_place())
+    decimal("jazar.ex-c.dwell-seconds").unit_in_last_place()
 }
 
 /// The digits of the printed decimal behind its point.
 fn printed_digits() -> Vec<u32> {
-    let text = crate::claim("jazar.ex-c.dwell-seconds").map_or("", |claim| claim.printed);
+    let text = characters("jazar.ex-c.dwell-seconds");
     text.chars().skip_while(|c| *c != '.').filter_map(|c| c.to_digit(10)).collect()
 }
 
 /// As many digits of the printed fraction behind its point, by long division.
 fn first_digits() -> Vec<u32> {
-    let text = crate::claim("jazar.ex-c.dwell").map_or("", |claim| claim.printed);
+    let text = characters("jazar.ex-c.dwell");
     let numbers: Vec<u32> = text.split('/').filter_map(|number| number.parse().ok()).collect();
     let [mut rest, divisor] = numbers[..] else { return Vec::new() };
     let next = |_| {

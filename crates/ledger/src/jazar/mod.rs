@@ -19,7 +19,7 @@ mod text;
 pub use inventory::INVENTORY;
 pub use symbols::SYMBOLS;
 
-use crate::checks::{agrees, decimal, printed, rounds, same, vanishes};
+use crate::checks::{agrees, characters, decimal, printed, rounds, same, vanishes};
 use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Work};
 use geneva_kinematics::pin_slot::pin_from_pivot;
 use geneva_kinematics::wheel::{Wheel, WheelError};

@@ -368,7 +368,7 @@ fn of_the_energy(tex: &str) -> Option<bool> {
 fn reads_in_place_of(rate: &str) -> Finding {
     let holds = instants().all(|letters| {
         let letter = |name: &str| letters.get(name).copied().unwrap_or(f64::NAN);
-        let ratio = claim("meyer.eq-1-7").and_then(|claim| claim.printed.rsplit_once('='));
+        let ratio = characters("meyer.eq-1-7").rsplit_once('=');
         ratio.is_some_and(|(_, ratio)| agrees(reading::value(ratio, letters), letter(rate)))
     });
     Finding::new(holds, if holds { "Eq. (1-7), read and evaluated, is this rate" } else { "Eq. (1-7) is another rate" })

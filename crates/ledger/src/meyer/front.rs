@@ -198,13 +198,9 @@ fn figures_before(id: &str) -> Option<usize> {
     figures.iter().all(Option::is_some).then(|| figures.iter().flatten().filter(|figure| **figure < of).count())
 }
 
-fn printed_characters(id: &str) -> &'static str {
-    claim(id).map_or("", |claim| claim.printed)
-}
-
 /// Pins and slots in a text that names mechanisms by them, in the order of the text.
 pub fn pins_and_slots(id: &str) -> Vec<(u32, u32)> {
-    let words: Vec<_> = printed_characters(id).split_whitespace().map(str::to_uppercase).collect();
+    let words: Vec<_> = characters(id).split_whitespace().map(str::to_uppercase).collect();
     let count = |word: &str| ["ONE", "TWO", "THREE", "FOUR", "FIVE", "SIX"].iter().position(|of| *of == word);
     let of = |pair: &[String]| match pair {
         [pins, pin, slash, slots, slot] if pin == "PIN" && slash == "/" && slot == "SLOT" => {

@@ -238,14 +238,14 @@ fn disc(diameter: f64, thickness: f64) -> f64 {
 
 /// The printed moment of inertia, in in lb sec²: a number, and ten to a negative power.
 pub fn printed_inertia() -> f64 {
-    let tokens = claim("meyer.disc.inertia").map_or_else(Vec::new, |claim| numeric_tokens(claim.printed));
+    let tokens = numeric_tokens(characters("meyer.disc.inertia"));
     let number = |at: usize| tokens.get(at).and_then(|number| number.parse().ok()).unwrap_or(f64::NAN);
     number(0) / libm::pow(number(1), number(2))
 }
 
 /// The diameter and the thickness of the paragraph before the estimate, in inches.
 fn said_sizes() -> [Option<f64>; 2] {
-    let tokens = claim("meyer.like-discs").map_or_else(Vec::new, |claim| numeric_tokens(claim.printed));
+    let tokens = numeric_tokens(characters("meyer.like-discs"));
     [0, 1].map(|at| tokens.get(at)?.parse().ok())
 }
 
@@ -261,7 +261,7 @@ fn holds_for_a_disc(tex: &str) -> Option<bool> {
 /// The same for the estimate: the numbers of the text around it, in units of any size.
 fn holds_for_the_estimate(tex: &str) -> Option<bool> {
     let [Some(diameter), Some(thickness)] = said_sizes() else { return None };
-    let gravity = claim("meyer.gravity").and_then(|claim| claim.printed.split(' ').next()?.parse::<f64>().ok())?;
+    let gravity = characters("meyer.gravity").split(' ').next()?.parse::<f64>().ok()?;
     let (inch, pound, second) = (2.0, 3.0, 5.0);
     // By discs of so many inches, in pounds, seconds and inches.
     let inertia = of_rings(steel() / gravity, diameter / 2.0, thickness) * pound * second * second * inch;
@@ -326,7 +326,7 @@ struct Data {
 }
 
 fn data() -> Option<Data> {
-    let tokens = numeric_tokens(claim("meyer.disc.numbers")?.printed);
+    let tokens = numeric_tokens(characters("meyer.disc.numbers"));
     let number = |at: usize| tokens.get(at)?.parse::<f64>().ok();
     // The first number stands behind a bare point: three digits of it.
     Some(Data { density: number(2)? / 1000.0, gravity: number(3)?, diameter: number(5)?, thickness: number(8)? })
@@ -334,12 +334,8 @@ fn data() -> Option<Data> {
 
 /// The number of the paragraph before the estimate; it begins with its point.
 fn steel() -> f64 {
-    let text = claim("meyer.steel").map_or("", |claim| claim.printed);
+    let text = characters("meyer.steel");
     text.split(' ').next().and_then(|number| number.parse().ok()).unwrap_or(f64::NAN)
-}
-
-fn right_side(id: &str) -> &'static str {
-    claim(id).and_then(|claim| claim.printed.split_once('=')).map_or("", |(_, right)| right)
 }
 
 pub fn volume(power: u32) -> Exponents {

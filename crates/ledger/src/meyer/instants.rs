@@ -157,7 +157,7 @@ pub fn holds(tex: &str) -> Option<bool> {
 
 /// Whether a display that is cut into lines, each a claim of its own, holds with these characters for one of its lines.
 pub fn holds_in_display(lines: &[&str], own: &str, tex: &str) -> Option<bool> {
-    let right = |id: &str| claim(id).map_or("", |claim| claim.right_characters());
+    let right = |id: &str| named(id).right_characters();
     let whole: Vec<&str> = lines.iter().map(|id| if *id == own { tex } else { right(id) }).collect();
     holds(&whole.join(" "))
 }

@@ -41,7 +41,7 @@ mod symbols;
 pub use inventory::inventory;
 pub use symbols::SYMBOLS;
 
-use crate::checks::{agrees, printed, reads, same, vanishes};
+use crate::checks::{agrees, characters, named, numbers, printed, reads, right_side, same, vanishes};
 use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Verdict, Work, claim, numeric_tokens};
 use geneva_kinematics::escapement::{Escapement, HandOver, Roots};
 use geneva_kinematics::pin_vectors::quarter_turn;
@@ -192,12 +192,6 @@ fn all_proven<const V: usize>(identities: &[impl Identity<V>]) -> Finding {
     let findings: Vec<Finding> = identities.iter().map(|identity| prove(identity).into()).collect();
     let how: Vec<_> = findings.iter().map(|finding| finding.how.as_str()).collect();
     Finding::new(findings.iter().all(|finding| finding.holds), how.join("; "))
-}
-
-/// The numbers in the printed characters of the claim with this id.
-fn numbers(id: &str) -> Vec<u32> {
-    let tokens = claim(id).map_or_else(Vec::new, |claim| numeric_tokens(claim.printed));
-    tokens.iter().filter_map(|token| token.parse().ok()).collect()
 }
 
 use Evidence::{ClosedForm, Dimension, ExactIdentity, Jet as Series, LimitCase, OtherPlaceInSource, Vectors};

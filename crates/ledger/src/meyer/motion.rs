@@ -229,7 +229,7 @@ fn arc(
 
 /// Whether the printed characters hold, of a display whose slip no identity can express.
 fn reads_printed(id: &str) -> Finding {
-    let holds = claim(id).is_some_and(|claim| holds(claim.printed) == Some(true));
+    let holds = holds(characters(id)) == Some(true);
     Finding::new(holds, "with an inverse cosine, read and evaluated")
 }
 

@@ -317,7 +317,7 @@ fn extremes(stated: Stated, places: Vec<[f64; 2]>) -> Finding {
 
 /// The numbers in the correction of a claim.
 fn corrected_numbers(id: &str) -> Vec<String> {
-    claim(id).and_then(|claim| claim.erratum).map_or_else(Vec::new, |erratum| numeric_tokens(erratum.corrected))
+    named(id).erratum.map_or_else(Vec::new, |erratum| numeric_tokens(erratum.corrected))
 }
 
 /// Whether each number rounds to the digits that are stated for it.

@@ -252,7 +252,7 @@ mod tests {
 
     #[test]
     fn two_first_minima_with_four_pins_round_to_the_time_in_the_text() {
-        let said = crate::checks::decimal("meyer.fig-8.rise").expect("a number");
+        let said = crate::checks::decimal("meyer.fig-8.rise");
         let four = rows().iter().filter(|row| row.mechanism == Mechanism::FourPin);
         let fitting: Vec<&Row> = four
             .filter(|row| {

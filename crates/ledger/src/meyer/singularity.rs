@@ -82,7 +82,7 @@ fn quantity() -> Vec<Claim> {
 
 /// The printed quantity, or its neighbour.
 fn quantity_with(stated: Stated) -> &'static str {
-    let printed = claim("meyer.singularity.quantity").map_or("", |claim| claim.printed);
+    let printed = characters("meyer.singularity.quantity");
     stated.pick(printed, r"(1 + a^2 + 2a \cos \theta)")
 }
 
@@ -100,7 +100,7 @@ fn bounds() -> Vec<Claim> {
         at("Line after the inequalities")
             .statement("meyer.singularity.only-one", "a = 1", "only the ratio one allows it")
             .by(ClosedForm, |stated| {
-                let square = claim("meyer.singularity.square").map_or("", |claim| claim.printed);
+                let square = characters("meyer.singularity.square");
                 let found: Vec<f64> = ratios().filter(|ratio| allows(square, *ratio) == Some(true)).collect();
                 Finding::new(found == [stated.pick(1.0, 2.0)], format!("the last inequality holds for {found:?}"))
             })
@@ -132,7 +132,7 @@ fn slots() -> Vec<Claim> {
             .read(ClosedForm, only_for_two),
         END.statement("meyer.singularity.two-slots", "n=2", "only two slots would give it")
             .by(ClosedForm, |stated| {
-                let found = slots_that_satisfy(claim("meyer.singularity.sine").map_or("", |claim| claim.printed));
+                let found = slots_that_satisfy(characters("meyer.singularity.sine"));
                 Finding::new(
                     found.as_deref() == Some(&[stated.pick(2, 3)]),
                     format!("read and evaluated for 1 to 100 slots, the sine is one for {found:?}"),
@@ -154,8 +154,7 @@ fn slots() -> Vec<Claim> {
             .but_not("only three slots"),
         END.statement("meyer.singularity.ruled-out", "previously ruled out", "two slots are ruled out by Eq. (1-3)")
             .by(ClosedForm, |stated| {
-                let right =
-                    claim("meyer.eq-1-3").and_then(|claim| claim.printed.split_once('=')).map_or("", |(_, m)| m);
+                let right = right_side("meyer.eq-1-3");
                 let letters = [named(("n", stated.pick(2.0, 4.0)))].into();
                 let pins = reading::value(right, &letters);
                 let ruled_out = !(pins.is_finite() && pins >= 1.0 && agrees(pins, pins.round()));

@@ -86,7 +86,7 @@ fn has_its_period(row: &Row, power: f64) -> Option<bool> {
 /// What Eq. (1-15) sets equal to the torque of the spring, with K for the torque or for a rate.
 fn in_the_equation(stated: Stated) -> Finding {
     const TORQUE: f64 = 1.25;
-    let right = claim("meyer.eq-1-15").and_then(|claim| claim.printed.split_once('=')).map_or("", |(_, right)| right);
+    let right = right_side("meyer.eq-1-15");
     let agrees = [0.5, 1.0, 2.0].map(|turned| {
         let letters = [("K".to_owned(), TORQUE / stated.pick(1.0, turned)), ("theta".to_owned(), turned)].into();
         agrees(reading::value(right, &letters), TORQUE)

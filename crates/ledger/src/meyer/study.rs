@@ -26,7 +26,7 @@ pub fn of_parameters() -> Vec<Claim> {
             exactly(stated.pick(inwards, outwards), "the sense of the pin's velocity in its slot at −π/m")
         })
         .by(OtherPlaceInSource, |stated| {
-            let printed = claim("meyer.app-d.angles").map_or("", |claim| claim.printed);
+            let printed = characters("meyer.app-d.angles");
             let angles: Vec<f64> =
                 printed.split('-').skip(1).filter_map(|angle| numeric_tokens(angle).first()?.parse().ok()).collect();
             let step = 1e-3;
@@ -117,8 +117,7 @@ pub fn of_headings() -> Vec<Claim> {
 
 /// The factors between which the inertias are: those of the correction, or a power of ten either way.
 fn factors(stated: Stated) -> std::ops::RangeInclusive<f64> {
-    let corrected =
-        claim("meyer.inertias-vary").and_then(|claim| claim.erratum).map_or("", |erratum| erratum.corrected);
+    let corrected = named("meyer.inertias-vary").erratum.map_or("", |erratum| erratum.corrected);
     let numbers: Vec<f64> = numeric_tokens(corrected).iter().filter_map(|number| number.parse().ok()).collect();
     let [least, most] = [numbers.first(), numbers.last()].map(|number| number.copied().unwrap_or(f64::NAN));
     stated.pick(least..=most, 0.1..=10.0)

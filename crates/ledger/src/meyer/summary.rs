@@ -129,7 +129,7 @@ const FIFTY: f64 = 50.0;
 
 /// The last number in a correction.
 fn corrected_number(id: &str) -> f64 {
-    let corrected = claim(id).and_then(|claim| claim.erratum).map_or("", |erratum| erratum.corrected);
+    let corrected = named(id).erratum.map_or("", |erratum| erratum.corrected);
     numeric_tokens(corrected).last().and_then(|number| number.parse().ok()).unwrap_or(f64::NAN)
 }
 

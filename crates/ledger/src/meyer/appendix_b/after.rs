@@ -69,8 +69,7 @@ fn lines() -> Vec<Claim> {
                 "the program's line for the acceleration is the equation derived",
             )
             .by(ClosedForm, |stated| {
-                let derived = claim("meyer.app-b.solved").and_then(|claim| claim.printed.split_once('='));
-                let derived = derived.map_or(String::new(), |(_, right)| right.replace('S', stated.pick("S", "1")));
+                let derived = right_side("meyer.app-b.solved").replace('S', stated.pick("S", "1"));
                 let line = program::named(program::ACCELERATION).1;
                 // Any numbers at all: the two must be the same formula.
                 let holds = (1..=20_u32).all(|k| {
@@ -243,6 +242,6 @@ fn end() -> Vec<Claim> {
 
 /// How long a run is, in s, as the text has it.
 fn said_length() -> f64 {
-    let said = claim("meyer.app-b.run-length").and_then(|claim| claim.printed.split(' ').next()?.parse().ok());
+    let said = characters("meyer.app-b.run-length").split(' ').next().and_then(|number| number.parse().ok());
     said.unwrap_or(f64::NAN)
 }

@@ -242,7 +242,7 @@ fn old_acceleration() -> Vec<Claim> {
                 "the old acceleration is that of a tenth of the print interval before",
             )
             .by(OtherPlaceInSource, |stated| {
-                let listed = numeric_tokens(claim("meyer.listing.delay").map_or("", |claim| claim.printed));
+                let listed = numeric_tokens(characters("meyer.listing.delay"));
                 // The listing puts a comma behind the number and a hundred behind that.
                 let parts = listed.first().and_then(|run| run.split(',').next()?.parse::<f64>().ok());
                 let said = f64::from(stated.pick(DELAY_PARTS, 1));

@@ -196,7 +196,7 @@ fn line(
 
 /// Whether a line holds for a vibration, as printed or put right.
 fn read_line(id: &str, put_right: bool) -> Finding {
-    let line = claim(id).map_or("", |claim| if put_right { claim.right_characters() } else { claim.printed });
+    let line = if put_right { named(id).right_characters() } else { characters(id) };
     let holds = vibrates_as_a_program(line) == Some(true);
     Finding::new(holds, "the line, read and evaluated for a vibration in closed form")
 }
@@ -220,7 +220,7 @@ pub fn first_derivative(
 
 /// Whether the listing calls the integral of 2DX so.
 fn named_in_the_listing(name: &str) -> Finding {
-    let listed = claim("meyer.listing.speed").map_or("", |claim| claim.printed);
+    let listed = characters("meyer.listing.speed");
     Finding::new(listed == name, format!("the listing calls the integral of 2DX {listed}"))
 }
 

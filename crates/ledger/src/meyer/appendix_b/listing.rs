@@ -97,8 +97,8 @@ fn constants() -> Vec<Claim> {
             .statement("meyer.listing.run-length", ".2", "time at which a run ends, in seconds")
             .by(OtherPlaceInSource, |stated| {
                 let said =
-                    claim("meyer.app-b.run-length").and_then(|claim| claim.printed.split(' ').next()?.parse().ok());
-                let here = claim("meyer.listing.run-length").and_then(|claim| claim.printed.parse::<f64>().ok());
+                    characters("meyer.app-b.run-length").split(' ').next().and_then(|number| number.parse().ok());
+                let here = Some(printed("meyer.listing.run-length"));
                 let same = here.zip(said).is_some_and(|(here, said): (f64, f64)| here * stated.pick(1.0, 0.5) == said);
                 Finding::new(same, format!("the text says {} s", said.unwrap_or(f64::NAN)))
             })

@@ -1,8 +1,8 @@
 //! The method of integration: Runge and Kutta's of order four, with the step chosen by taking it twice.
 
 use super::stages::{
-    STEP, Slope, halvings, holds_in_a_step, of_order, power_of_two, printed_places, printed_step, right_side,
-    step_of_mimic, thirty_second,
+    STEP, Slope, halvings, holds_in_a_step, of_order, power_of_two, printed_places, printed_step, step_of_mimic,
+    thirty_second,
 };
 use super::*;
 use crate::meyer::reading::value;

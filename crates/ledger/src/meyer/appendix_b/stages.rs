@@ -52,11 +52,6 @@ fn printed_stages(slope: Slope, x: f64, y: f64, h: f64) -> Option<([(f64, f64); 
     }
     Some((places, letters))
 }
-
-pub fn right_side(id: &str) -> &'static str {
-    claim(id).and_then(|claim| claim.printed.split_once('=')).map_or("", |(_, right)| right)
-}
-
 /// Where an implementation of the classical method asks for the slope.
 pub fn places_of_mimic(slope: Slope, x: f64, y: f64, h: f64) -> [(f64, f64); 4] {
     let mut places = vec![(x, y)];
