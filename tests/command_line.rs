@@ -275,6 +275,17 @@ fn a_copy_with_other_numbers_differs() {
 fn a_copy_that_cannot_be_read_is_named() {
     let said = refusal(geneva(&["coverage", "--source", "pin", "--against", "no/such/copy.txt"]));
     assert!(said.starts_with("error: cannot read no/such/copy.txt; --against wants a text file"), "{said}");
+    let said = refusal(geneva(&["coverage", "--source", "pin", "--record", "no/such/copy.txt"]));
+    assert!(said.starts_with("error: cannot read no/such/copy.txt; --record wants a text file"), "{said}");
+}
+
+#[test]
+fn a_copy_with_other_numbers_is_recorded_for_the_entries_to_be_filled_in() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    fs::write(folder.path().join("copy.txt"), "One line with 10 and 2.\nNo number.\n").expect("writable");
+    let mut command = geneva(&["coverage", "--source", "pin", "--record", "copy.txt"]);
+    command.current_dir(folder.path());
+    settings().bind(|| assert_cmd_snapshot!("coverage-recorded", command));
 }
 
 #[test]

@@ -64,8 +64,10 @@ Examples:
 Examples:
   geneva coverage
   geneva coverage --source pin --against my-copy.txt
+  geneva coverage --source pin --record my-copy.txt > pin.inventory
 
-With --against, exit code 1 says that a line of the copy has other numbers than the ledger.")]
+With --against, exit code 1 says that a line of the copy has other numbers than the ledger. With --record, claims and \
+exceptions stay where the numbers of a line have not changed; the rest is to be filled in by hand.")]
     Coverage(CoverageArguments),
     /// Compute or draw a wheel: its sizes, its times, its greatest speed and acceleration
     #[command(after_help = "\
@@ -205,7 +207,7 @@ pub enum ErrataFormat {
     Markdown,
 }
 
-/// Which source's coverage, and whether to compare it with a copy.
+/// Which source's coverage, and whether to compare it with a copy or to record one.
 #[derive(Args, Debug)]
 pub struct CoverageArguments {
     /// Only this source
@@ -214,6 +216,9 @@ pub struct CoverageArguments {
     /// Compare the numbers in each line with those in your own copy of the source's text
     #[arg(long, value_name = "FILE", requires = "source")]
     pub against: Option<PathBuf>,
+    /// Write the ledger's inventory file anew, with the numbers of your own copy of the source's text
+    #[arg(long, value_name = "FILE", requires = "source", conflicts_with = "against")]
+    pub record: Option<PathBuf>,
 }
 
 /// Build or test.

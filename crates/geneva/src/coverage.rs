@@ -1,28 +1,36 @@
-//! Which claim or exception each number of a source belongs to, and whether a copy has the same numbers.
+//! Which claim or exception each number of a source belongs to, whether a copy has the same numbers, and the inventory
+//! file that a copy asks for.
 
 use crate::arguments::CoverageArguments;
 use crate::output::{Outcome, count, heading, wrapped};
 use anyhow::Context;
-use geneva_ledger::{Entry, Line, Work, fingerprint, numeric_tokens};
+use geneva_ledger::{Entry, Line, Work, listed, numeric_tokens};
 use std::fs;
 use std::path::Path;
 
 /// The coverage that is wanted, and whether a line differs.
 pub fn page(wanted: &CoverageArguments) -> anyhow::Result<(String, Outcome)> {
     if let (Some(source), Some(file)) = (wanted.source, &wanted.against) {
-        return against(source, file);
+        return Ok(compare(source.inventory()?, &copy(source, "--against", file)?));
     }
-    let works = Work::ALL.iter().filter(|work| wanted.source.is_none_or(|source| source == **work));
-    let page = works.clone().map(|work| inventory(*work)).collect::<Vec<_>>().join("\n");
-    let complete = works.flat_map(|work| work.inventory()).all(Line::is_accounted_for);
-    Ok((page, Outcome::as_recorded_if(complete)))
+    if let (Some(source), Some(file)) = (wanted.source, &wanted.record) {
+        source.inventory()?;
+        return Ok((source.inventory_for(&copy(source, "--record", file)?), Outcome::AsRecorded));
+    }
+    let (mut pages, mut complete) = (Vec::new(), true);
+    for work in Work::ALL.iter().filter(|work| wanted.source.is_none_or(|source| source == **work)) {
+        let lines = work.inventory()?;
+        pages.push(inventory(*work, lines));
+        complete &= lines.iter().all(Line::is_accounted_for);
+    }
+    Ok((pages.join("\n"), Outcome::as_recorded_if(complete)))
 }
 
-fn inventory(work: Work) -> String {
+fn inventory(work: Work, lines: &[Line]) -> String {
     let bold = heading();
     let mut page = wrapped(&format!("{work}: "), work.citation());
     page += &format!("\n{bold}  line  claims  again  exceptions  its numbers{bold:#}\n");
-    for line in work.inventory() {
+    for line in lines {
         let number_of = |wanted: fn(&Entry) -> bool| line.entries.iter().filter(|entry| wanted(entry)).count();
         page += &format!(
             "  {:>4}  {:>6}  {:>5}  {:>10}  {}\n",
@@ -30,12 +38,12 @@ fn inventory(work: Work) -> String {
             number_of(|entry| matches!(entry, Entry::Claim(_))),
             number_of(|entry| matches!(entry, Entry::Again(_))),
             number_of(|entry| matches!(entry, Entry::Exception { .. })),
-            if line.is_accounted_for() { "all accounted for" } else { "NOT accounted for" },
+            line.gap().map_or("all accounted for".to_owned(), |gap| format!("NOT accounted for: {gap}")),
         );
     }
     page += &format!("\n{bold}Exceptions{bold:#}\n");
-    for line in work.inventory() {
-        for entry in line.entries {
+    for line in lines {
+        for entry in &line.entries {
             if let Entry::Exception { id, reason, .. } = entry {
                 page += &wrapped(&format!("  line {:>4}  ", line.number), &format!("{id}: {reason}"));
             }
@@ -44,11 +52,12 @@ fn inventory(work: Work) -> String {
     page
 }
 
-fn against(work: Work, file: &Path) -> anyhow::Result<(String, Outcome)> {
+/// The copy of a source that an option names.
+fn copy(work: Work, option: &str, file: &Path) -> anyhow::Result<String> {
     let bytes = fs::read(file)
-        .with_context(|| format!("cannot read {}; --against wants a text file, your copy of {work}", file.display()))?;
+        .with_context(|| format!("cannot read {}; {option} wants a text file, your copy of {work}", file.display()))?;
     // Digits are the same in every encoding that a copy is likely to have.
-    Ok(compare(work.inventory(), &String::from_utf8_lossy(&bytes)))
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
 /// Compares the numbers of a text, line by line, with an inventory.
@@ -63,15 +72,15 @@ fn compare(inventory: &[Line], text: &str) -> (String, Outcome) {
             continue;
         }
         compared += 1;
-        if fingerprint(found) == expected.map_or(fingerprint(&[]), |line| line.fingerprint) {
+        let ours = expected.map_or(&[][..], |line| &line.numbers);
+        if found == ours {
             page += &format!("line {number:>4}  the same numbers\n");
             continue;
         }
         differing += 1;
         page += &format!("line {number:>4}  OTHER NUMBERS\n");
         page += &wrapped("    in your copy:   ", &listed(found));
-        let ours: Vec<_> = expected.iter().flat_map(|line| line.entries).flat_map(Entry::numbers).collect();
-        page += &wrapped("    in the ledger:  ", &listed(&ours));
+        page += &wrapped("    in the ledger:  ", &listed(ours));
     }
     page += &match differing {
         0 => format!("{} compared: all have the ledger's numbers\n", count(compared, "line")),
@@ -86,16 +95,12 @@ fn compare(inventory: &[Line], text: &str) -> (String, Outcome) {
     (page, Outcome::as_recorded_if(differing == 0))
 }
 
-fn listed(numbers: &[String]) -> String {
-    if numbers.is_empty() { "none".to_owned() } else { numbers.join(" ") }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn line(number: u32, printed: &str) -> Line {
-        Line { number, fingerprint: fingerprint(&numeric_tokens(printed)), entries: &[] }
+        Line { number, numbers: numeric_tokens(printed), entries: Vec::new() }
     }
 
     #[test]

@@ -1,25 +1,26 @@
 //! The source line by line, so that nothing in it is passed over.
 //!
-//! The sources' sentences are not ours to print. What can be kept is the sequence of the numbers in each line, as a
-//! fingerprint. The inventory names, in the order of the source, the claim that each number belongs to; the numbers
-//! of those claims, strung together, must give the fingerprint. A digit that no claim accounts for, a claim with a
-//! wrong digit and a claim that was dropped all change it.
+//! The sources' sentences are not ours to print. What can be kept are the numbers in each line, in their order. The
+//! inventory names, in the order of the source, the claim that each number belongs to; the numbers of those claims,
+//! strung together, must be those of the line. A digit that no claim accounts for, a claim with a wrong digit and a
+//! claim that was dropped all make a difference.
 
 use crate::{Claim, claim};
+use std::fmt;
 
 /// One line of the source's text.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Line {
     /// The line's number in the source's text, from 1.
     pub number: u32,
-    /// Fingerprint of the sequence of numbers printed in the line; see [`fingerprint`].
-    pub fingerprint: u64,
+    /// The numbers printed in it, in order; see [`numeric_tokens`].
+    pub numbers: Vec<String>,
     /// What stands in it, in order.
-    pub entries: &'static [Entry],
+    pub entries: Vec<Entry>,
 }
 
 /// What stands in one place of a line.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Entry {
     /// The claim with this id is made here. If its printed characters have dots (`\ldots`), as much as stands before.
     Claim(&'static str),
@@ -39,9 +40,9 @@ pub enum Entry {
         /// Id, in the same name space as those of claims.
         id: &'static str,
         /// The numbers printed there, as they stand.
-        numbers: &'static str,
+        numbers: Vec<String>,
         /// Why it is no claim.
-        reason: &'static str,
+        reason: String,
     },
 }
 
@@ -77,7 +78,21 @@ impl Entry {
             Self::Again(id) => claim(id).map_or_else(Vec::new, |claim| numeric_tokens(claim.printed)),
             Self::Reading(_) => Vec::new(),
             Self::Label(number) => numeric_tokens(number),
-            Self::Exception { numbers, .. } => numeric_tokens(numbers),
+            Self::Exception { numbers, .. } => numbers.clone(),
+        }
+    }
+}
+
+impl fmt::Display for Entry {
+    /// As it stands in the inventory file, without the numbers and the reason of an exception.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Claim(id) => write!(f, "claim {id}"),
+            Self::Rest(id, dots) => write!(f, "rest {id} {dots}"),
+            Self::Again(id) => write!(f, "again {id}"),
+            Self::Reading(id) => write!(f, "reading {id}"),
+            Self::Label(number) => write!(f, "label {number}"),
+            Self::Exception { id, .. } => write!(f, "exception {id}"),
         }
     }
 }
@@ -94,7 +109,8 @@ fn piece(printed: &str, dots: usize) -> &str {
 pub fn in_full(of: &Claim) -> String {
     let mut full = of.printed.to_owned();
     let is_made = |entry: &&Entry| entry.claimed() == Some(of.id);
-    let Some(line) = of.work.inventory().iter().find(|line| line.entries.iter().any(|entry| is_made(&entry))) else {
+    let lines = of.work.inventory().unwrap_or_default();
+    let Some(line) = lines.iter().find(|line| line.entries.iter().any(|entry| is_made(&entry))) else {
         return full;
     };
     let behind = line.entries.iter().skip_while(|entry| !is_made(entry)).skip(1);
@@ -111,9 +127,26 @@ pub fn in_full(of: &Claim) -> String {
 impl Line {
     /// Whether the entries account for exactly the numbers of the line.
     pub fn is_accounted_for(&self) -> bool {
-        let numbers: Vec<_> = self.entries.iter().flat_map(Entry::numbers).collect();
-        fingerprint(&numbers) == self.fingerprint
+        self.gap().is_none()
     }
+
+    /// Where the entries and the numbers of the line part, in words; nowhere if all is accounted for.
+    pub fn gap(&self) -> Option<String> {
+        let mut ahead = &self.numbers[..];
+        for entry in &self.entries {
+            let numbers = entry.numbers();
+            match ahead.strip_prefix(&numbers[..]) {
+                Some(behind) => ahead = behind,
+                None => return Some(format!("{entry} has {}, the line there {}", listed(&numbers), listed(ahead))),
+            }
+        }
+        (!ahead.is_empty()).then(|| format!("no entry accounts for {}", listed(ahead)))
+    }
+}
+
+/// Numbers with spaces between, or that there are none.
+pub fn listed(numbers: &[String]) -> String {
+    if numbers.is_empty() { "none".to_owned() } else { numbers.join(" ") }
 }
 
 /// The numbers in a text: runs of digits, with points and commas between digits.
@@ -127,14 +160,6 @@ pub fn numeric_tokens(text: &str) -> Vec<String> {
         rest = &run[end..];
     }
     tokens
-}
-
-/// A 64-bit FNV-1a hash of the numbers, joined by spaces.
-pub fn fingerprint(numbers: &[String]) -> u64 {
-    numbers
-        .join(" ")
-        .bytes()
-        .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
 }
 
 #[cfg(test)]
@@ -157,9 +182,13 @@ mod tests {
     }
 
     #[test]
-    fn the_fingerprint_is_the_published_hash() {
-        assert_eq!(fingerprint(&[]), 0xcbf2_9ce4_8422_2325);
-        assert_eq!(fingerprint(&["a".to_owned()]), 0xaf63_dc4c_8601_ec8c);
-        assert_ne!(fingerprint(&["1".into(), "2".into()]), fingerprint(&["2".into(), "1".into()]));
+    fn a_gap_is_where_the_entries_and_the_numbers_part() {
+        let line = |numbers, entries| Line { number: 1, numbers: numeric_tokens(numbers), entries };
+        let labels = || vec![Entry::Label("1-2"), Entry::Label("5.3")];
+        assert_eq!(line("1 2 5.3", labels()).gap(), None);
+        assert_eq!(line("1 2 5.4", labels()).gap().as_deref(), Some("label 5.3 has 5.3, the line there 5.4"));
+        assert_eq!(line("1", labels()).gap().as_deref(), Some("label 1-2 has 1 2, the line there 1"));
+        assert_eq!(line("1 2 5.3 7", labels()).gap().as_deref(), Some("no entry accounts for 7"));
+        assert_eq!(line("1 2", vec![Entry::Claim("none"), Entry::Label("1-2")]).gap(), None);
     }
 }

@@ -1,7 +1,8 @@
 //! The sources, as values that every claim must carry.
 
-use crate::{Claim, Line, Symbol, jazar, meyer, pin, quick_return};
+use crate::{Claim, Line, Malformed, Symbol, inventory_file, jazar, meyer, pin, quick_return};
 use std::fmt;
+use std::sync::OnceLock;
 
 /// A source document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -62,13 +63,28 @@ impl Work {
         }
     }
 
-    /// The source line by line: which claim or exception each printed number belongs to.
-    pub fn inventory(self) -> &'static [Line] {
+    /// The source line by line: which claim or exception each printed number belongs to. An error if its inventory
+    /// file cannot be read, which a test excludes.
+    pub fn inventory(self) -> Result<&'static [Line], &'static Malformed> {
+        static READ: [OnceLock<Result<Vec<Line>, Malformed>>; Work::ALL.len()] =
+            [const { OnceLock::new() }; Work::ALL.len()];
+        let read = READ[self as usize].get_or_init(|| inventory_file::read(self.slug(), self.inventory_file()));
+        read.as_ref().map(Vec::as_slice)
+    }
+
+    /// The inventory file that a copy of the source asks for: a line for each line with numbers; what the file says of
+    /// a line is kept if its numbers have not changed.
+    pub fn inventory_for(self, copy: &str) -> String {
+        inventory_file::recorded(self.inventory_file(), copy)
+    }
+
+    /// The text of the inventory file.
+    pub(crate) fn inventory_file(self) -> &'static str {
         match self {
-            Self::Pin => pin::INVENTORY,
-            Self::QuickReturn => quick_return::INVENTORY,
-            Self::Jazar2003 => jazar::INVENTORY,
-            Self::Meyer1973 => meyer::inventory(),
+            Self::Pin => include_str!("../sources/pin.inventory"),
+            Self::QuickReturn => include_str!("../sources/quick-return.inventory"),
+            Self::Jazar2003 => include_str!("../sources/jazar.inventory"),
+            Self::Meyer1973 => include_str!("../sources/meyer.inventory"),
         }
     }
 

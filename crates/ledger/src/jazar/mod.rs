@@ -10,13 +10,11 @@ mod example;
 mod extreme;
 mod four;
 mod general;
-mod inventory;
 mod locking;
 mod peak;
 mod symbols;
 mod text;
 
-pub use inventory::INVENTORY;
 pub use symbols::SYMBOLS;
 
 use crate::checks::{agrees, characters, decimal, printed, rounds, same, vanishes};

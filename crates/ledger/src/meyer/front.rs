@@ -189,9 +189,10 @@ fn pages_of_text() -> Vec<u32> {
 
 /// How many figures of chapter II stand before a claim: so many stretches of text end before it.
 fn figures_before(id: &str) -> Option<usize> {
+    let lines = Work::Meyer1973.inventory().ok()?;
     let line = |id: &str| {
         let makes = |line: &&crate::Line| line.entries.iter().any(|entry| entry.claimed() == Some(id));
-        inventory().iter().find(makes).map(|line| line.number)
+        lines.iter().find(makes).map(|line| line.number)
     };
     let of = line(id)?;
     let figures = ["meyer.fig-8", "meyer.fig-9", "meyer.fig-10", "meyer.fig-11"].map(line);

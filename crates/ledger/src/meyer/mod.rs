@@ -19,7 +19,6 @@ mod geometry;
 mod hand_over;
 mod inertia;
 mod instants;
-mod inventory;
 mod lagrange;
 mod less_friction;
 mod motion;
@@ -38,7 +37,6 @@ mod study;
 mod summary;
 mod symbols;
 
-pub use inventory::inventory;
 pub use symbols::SYMBOLS;
 
 use crate::checks::{agrees, characters, named, numbers, printed, reads, right_side, same, vanishes};

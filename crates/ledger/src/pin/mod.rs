@@ -5,13 +5,11 @@
 
 mod directions;
 mod given;
-mod inventory;
 mod position;
 mod signs;
 mod symbols;
 mod velocity;
 
-pub use inventory::INVENTORY;
 pub use symbols::SYMBOLS;
 
 use crate::checks::{coincide, interval, meets, printed, rounds, same, vanishes};

@@ -8,7 +8,6 @@ mod coriolis;
 mod frames;
 mod given;
 mod had_been;
-mod inventory;
 mod places;
 mod position;
 mod rounding;
@@ -16,7 +15,6 @@ mod symbols;
 mod velocity;
 
 pub use had_been::{HadBeen, had_been};
-pub use inventory::INVENTORY;
 pub use symbols::SYMBOLS;
 
 use crate::checks::{agrees, coincide, interval, meets, printed, rounds, same, vanishes};

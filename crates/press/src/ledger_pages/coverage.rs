@@ -10,9 +10,8 @@ pub fn page(slugs: &str) -> anyhow::Result<String> {
     let mut out = String::new();
     for slug in slugs.split_whitespace() {
         let work = lookup::work(slug)?;
-        let lines = work.inventory();
-        let numbers: usize =
-            lines.iter().map(|line| line.entries.iter().map(|entry| entry.numbers().len()).sum::<usize>()).sum();
+        let lines = work.inventory()?;
+        let numbers: usize = lines.iter().map(|line| line.numbers.len()).sum();
         out.push_str(&format!(
             "## Source {work}\n\n{} claims, with the labels of equations and figures and the exceptions below, account for \
              all {numbers} numbers in {} lines.\n\n",
@@ -33,11 +32,10 @@ pub fn page(slugs: &str) -> anyhow::Result<String> {
 
 fn row(line: &Line) -> Vec<String> {
     let claims: Vec<_> = line.entries.iter().filter_map(|entry| entry.claimed()).map(linked_id).collect();
-    let numbers: usize = line.entries.iter().map(|entry| entry.numbers().len()).sum();
     vec![
         line.number.to_string(),
         if claims.is_empty() { "–".to_owned() } else { claims.join(", ") },
-        numbers.to_string(),
+        line.numbers.len().to_string(),
         if line.is_accounted_for() { "yes" } else { "no" }.to_owned(),
     ]
 }

@@ -50,9 +50,10 @@ impl Stretch {
         let made: Vec<_> = self
             .work
             .inventory()
+            .unwrap_or_default()
             .iter()
             .filter(|line| self.lines.contains(&line.number))
-            .flat_map(|line| line.entries)
+            .flat_map(|line| &line.entries)
             .filter_map(|entry| entry.claimed())
             .collect();
         claims().iter().map(|claim| claim.id).filter(move |id| made.contains(id))

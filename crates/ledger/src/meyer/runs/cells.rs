@@ -6,7 +6,6 @@
 
 use super::*;
 use crate::meyer::slips::{RESET_ANGLE, SAMPLED_PEAKS};
-use crate::{Entry, Line};
 use std::sync::OnceLock;
 
 /// The four results of a row.
@@ -24,26 +23,6 @@ pub fn claims() -> Vec<Claim> {
         headings::claims(mechanism).into_iter().chain(own.flat_map(of_row))
     };
     Mechanism::ALL.into_iter().flat_map(of_table).collect()
-}
-
-/// The row's lines of the inventory, with its parameters as data.
-pub fn lines() -> Vec<Line> {
-    let mut lines = headings::lines();
-    lines.extend(rows().iter().map(|row| {
-        let slug = row.slug();
-        let data = Entry::Exception {
-            id: leaked(format!("meyer.app-e.{slug}.parameters")),
-            numbers: leaked(format!("{} {}", row.printed(Column::Friction), row.printed(Column::Torque))),
-            reason: "friction and torque of the run: data, from which the results are computed",
-        };
-        let results =
-            RESULTS.map(|(_, name, ..)| name).map(|name| Entry::Claim(leaked(format!("meyer.app-e.{slug}.{name}"))));
-        let entries: Vec<_> = std::iter::once(data).chain(results).collect();
-        let fingerprint = record::fingerprint(row.line);
-        Line { number: row.line, fingerprint, entries: entries.leak() }
-    }));
-    lines.sort_by_key(|line| line.number);
-    lines
 }
 
 /// Text that lives as long as the ledger, which is built once.
@@ -72,7 +51,7 @@ fn of_row(row: &'static Row) -> Vec<Claim> {
                 _ => scores::unit(Column::Peak),
             })
             .read_as(reading(column))
-            .expecting(record::verdict(row, column));
+            .expecting(row.expected(column).unwrap_or(Verdict::Reproduced));
         if column == Column::Rise {
             return if claim.expected == Verdict::Corrected { claim.corrected(".018", MISREAD_RISE) } else { claim };
         }
@@ -122,7 +101,7 @@ type Results = OnceLock<Vec<[f64; 4]>>;
 /// The results of a row among those of all; not numbers if there is no such motion.
 fn among(all: &'static Results, row: &Row, of: fn(&Row) -> Option<[f64; 4]>) -> [f64; 4] {
     let all = all.get_or_init(|| rows().iter().map(|row| of(row).unwrap_or([f64::NAN; 4])).collect());
-    let own = rows().iter().position(|other| other.line == row.line);
+    let own = rows().iter().position(|other| other == row);
     own.map_or([f64::NAN; 4], |own| all[own])
 }
 

@@ -7,7 +7,6 @@ use super::cells::leaked;
 use super::*;
 use crate::Evidence::{Integration, Steps};
 use crate::meyer::slips::{RESET_ANGLE, SWAPPED_INERTIAS};
-use crate::{Entry, Line};
 use geneva_dynamics::steady::Engagement;
 use std::sync::OnceLock;
 
@@ -88,44 +87,6 @@ pub fn of_figures() -> Vec<Claim> {
         [0, 1].map(|member| inertia(place, ids[member], numbers, mechanism, member))
     };
     figures.into_iter().flat_map(of).collect()
-}
-
-/// The line of the first heading.
-const NAMED: u32 = 780;
-
-/// The lines of the headings.
-pub fn lines() -> Vec<Line> {
-    let claim = |id: &str| Entry::Claim(leaked(id.to_owned()));
-    let again = |id: &str| Entry::Again(leaked(id.to_owned()));
-    let line = |number: u32, fingerprint, entry: Entry| {
-        let unit = Entry::Exception {
-            id: leaked(format!("meyer.fig.unit-{number}")),
-            numbers: "10 6",
-            reason: "the unit of the number before it, printed once more",
-        };
-        let entries = match (number, entry) {
-            (NAMED, entry) => vec![claim("meyer.app-e.mechanisms"), entry],
-            (_, Entry::Again(_)) => vec![entry, unit],
-            _ => vec![entry],
-        };
-        Line { number, fingerprint, entries: entries.leak() }
-    };
-    vec![
-        line(476, 0x808d_4231_d03c_1901, claim("meyer.fig-10.driver")),
-        line(477, 0x9795_8101_b175_9687, claim("meyer.fig-10.follower")),
-        line(495, 0xc084_6427_101c_d2c8, claim("meyer.fig-11.driver")),
-        line(496, 0x7fd1_dea1_3259_cc9b, claim("meyer.fig-11.follower")),
-        line(NAMED, 0x7fd1_dea1_3259_cc9b, claim("meyer.app-e.6-pin.driver")),
-        line(781, 0xc084_6427_101c_d2c8, claim("meyer.app-e.6-pin.follower")),
-        line(801, 0x808d_4231_d03c_1901, claim("meyer.app-e.4-pin.driver")),
-        line(802, 0x9795_8101_b175_9687, claim("meyer.app-e.4-pin.follower")),
-        line(824, 0x808d_4231_d03c_1901, claim("meyer.app-e.3-pin.driver")),
-        line(825, 0xaee5_a2d9_145d_df88, claim("meyer.app-e.3-pin.follower")),
-        line(485, 0x808d_4231_d03c_1901, again("meyer.fig-10.driver")),
-        line(486, 0x9795_8101_b175_9687, again("meyer.fig-10.follower")),
-        line(505, 0xc084_6427_101c_d2c8, again("meyer.fig-11.driver")),
-        line(506, 0x7fd1_dea1_3259_cc9b, again("meyer.fig-11.follower")),
-    ]
 }
 
 /// The pair of inertias, of those that come into question, that fits a column of a table best, in millionths.

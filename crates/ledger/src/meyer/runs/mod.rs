@@ -1,6 +1,6 @@
 //! Appendix E: the runs of the computer, and what they were.
 //!
-//! - `table`: the printed rows.
+//! - `table`: the printed rows, with the verdicts on record of their results.
 //! - `motion`: a row's motion under a [`Hypothesis`], by two routes.
 //! - `printout`: what is read off the lines of a run.
 //! - `scores`: how well computed numbers explain printed ones.
@@ -9,7 +9,6 @@
 //! - `integrator`: whether the tables depend on what is not known of the integrator.
 //! - `cells`: the claims, one for each printed result.
 //! - `steps`, `lagged`: the second routes, to the motion of the mechanism and to the runs with the lagged sign.
-//! - `record`: the verdicts and fingerprints on record.
 //! - `headings`: the inertias above the tables.
 
 mod cells;
@@ -19,13 +18,12 @@ pub mod integrator;
 mod lagged;
 mod motion;
 mod printout;
-mod record;
 pub mod rise_times;
 mod scores;
 pub mod steps;
 mod table;
 
-pub use cells::{claims, lines};
+pub use cells::claims;
 pub use headings::{of_figures, of_headings};
 pub use hypotheses::{EXPLAINED, Score, delays, scores};
 pub use lagged::Lagged;

@@ -151,7 +151,7 @@ pub fn groups() -> Vec<Group> {
         let [low, high] = allowed(&own.iter().collect::<Vec<_>>());
         let possible = low <= high;
         let without = |left_out: &'static Row| {
-            let [low, high] = allowed(&own.iter().filter(|row| row.line != left_out.line).collect::<Vec<_>>());
+            let [low, high] = allowed(&own.iter().filter(|row| *row != left_out).collect::<Vec<_>>());
             let between = [low, high].map(|scaled| scaled / left_out.torque().sqrt());
             (low <= high).then(|| Misread { torque: left_out.printed(Column::Torque), between })
         };

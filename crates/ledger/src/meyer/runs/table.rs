@@ -1,5 +1,6 @@
-//! The printed tables of Appendix E: one string for each, a line for each run.
+//! The printed tables of Appendix E: one string for each, a line for each run, with the verdicts on record of its results.
 
+use crate::Verdict;
 use std::sync::OnceLock;
 
 /// One of the three mechanisms, as the thesis names them: by the pins.
@@ -58,10 +59,10 @@ pub enum Column {
 pub struct Row {
     /// The table it stands in.
     pub mechanism: Mechanism,
-    /// The line of the source's text.
-    pub line: u32,
     /// The printed characters, in the order of the columns.
     cells: [&'static str; 6],
+    /// Marks of the verdicts on record of the last four columns.
+    marks: &'static str,
 }
 
 impl Row {
@@ -73,6 +74,12 @@ impl Row {
     /// The printed number of a column; not a number if it cannot be read.
     pub fn number(&self, column: Column) -> f64 {
         self.printed(column).parse().unwrap_or(f64::NAN)
+    }
+
+    /// The verdict on record of a result, as it is marked behind the row; none of a column that is a datum.
+    pub fn expected(&self, column: Column) -> Option<Verdict> {
+        let mark = self.marks.chars().nth((column as usize).checked_sub(2)?)?;
+        MARKS.iter().find(|(of, _)| *of == mark).map(|(_, verdict)| *verdict)
     }
 
     /// The friction.
@@ -95,7 +102,7 @@ impl Row {
 /// All rows, in the order of the source.
 pub fn rows() -> &'static [Row] {
     static ROWS: OnceLock<Vec<Row>> = OnceLock::new();
-    ROWS.get_or_init(|| TABLES.iter().flat_map(|(mechanism, first, table)| read(*mechanism, *first, table)).collect())
+    ROWS.get_or_init(|| TABLES.iter().flat_map(|(mechanism, table)| read(*mechanism, table)).collect())
 }
 
 /// The rows of one mechanism and one friction, by rising torque: nothing else changes within them.
@@ -106,77 +113,101 @@ pub fn series() -> impl Iterator<Item = &'static [Row]> {
     rows().chunk_by(alike)
 }
 
-fn read(mechanism: Mechanism, first: u32, table: &'static str) -> impl Iterator<Item = Row> {
-    (first..).zip(table.lines()).map(move |(line, text)| {
+fn read(mechanism: Mechanism, table: &'static str) -> impl Iterator<Item = Row> {
+    table.lines().map(move |text| {
         let mut words = text.split_whitespace();
-        Row { mechanism, line, cells: std::array::from_fn(|_| words.next().unwrap_or_default()) }
+        let mut word = || words.next().unwrap_or_default();
+        Row { mechanism, cells: std::array::from_fn(|_| word()), marks: word() }
     })
 }
 
-/// Mechanism, line of the first row, and the rows: friction, torque, peak, minimum, rise time, period.
-const TABLES: [(Mechanism, u32, &str); 3] = [
+/// How verdicts on record are marked behind a row.
+const MARKS: [(char, Verdict); 5] = [
+    ('=', Verdict::Reproduced),
+    ('~', Verdict::ReadOff),
+    ('!', Verdict::ReproducedInError),
+    ('/', Verdict::Corrected),
+    ('?', Verdict::NotReproduced),
+];
+
+/// Mechanism and rows: friction, torque, peak, minimum, rise time, period, and the marks of the last four.
+const TABLES: [(Mechanism, &str); 3] = [
     (
         Mechanism::SixPin,
-        784,
         "\
-.20 .03 83 10 .101 .046
-.20 .05 107 13 .078 .036
-.20 .07 127 15 .074 .030
-.20 .09 144 17 .051 .027
-.25 .03 76 9 .092 .050
-.25 .05 98 12 .084 .039
-.25 .07 116 14 .061 .033
-.25 .09 130 16 .047 .029
-.30 .03 71 8 .073 .054
-.30 .05 91 11 .057 .043
-.30 .07 108 13 .036 .036
-.30 .09 123 14 .034 .031
-.35 .03 67 8 .070 .058
-.35 .05 86 10 .046 .046
-.35 .07 102 12 .047 .039
-.35 .09 116 14 .044 .034",
+.20 .03  83 10 .101 .046  !~?!
+.20 .05 107 13 .078 .036  !!?!
+.20 .07 127 15 .074 .030  !!?!
+.20 .09 144 17 .051 .027  !!?!
+.25 .03  76 9 .092 .050  !~?!
+.25 .05  98 12 .084 .039  !!?!
+.25 .07 116 14 .061 .033  !!?!
+.25 .09 130 16 .047 .029  !!?!
+.30 .03  71 8 .073 .054  !=?!
+.30 .05  91 11 .057 .043  !!?!
+.30 .07 108 13 .036 .036  !!?!
+.30 .09 123 14 .034 .031  !~?!
+.35 .03  67 8 .070 .058  !~?!
+.35 .05  86 10 .046 .046  !~?!
+.35 .07 102 12 .047 .039  !!?!
+.35 .09 116 14 .044 .034  !!?!",
     ),
     (
         Mechanism::FourPin,
-        806,
         "\
-.20 .08 155 19 .056 .040
-.20 .10 174 21 .050 .035
-.20 .12 191 23 .046 .032
-.20 .14 206 25 .034 .030
-.25 .08 134 17 .037 .043
-.25 .10 150 19 .033 .039
-.25 .12 164 21 .030 .035
-.25 .14 178 23 .027 .033
-.30 .08 118 17 .037 .047
-.30 .10 128 18 .030 .042
-.30 .12 144 20 .029 .038
-.30 .14 154 22 .027 .035
-.35 .09 111 17 .028 .046
-.35 .10 117 18 .026 .044
-.35 .11 123 19 .024 .042
-.35 .12 129 20 .023 .040
-.35 .20 163 25 .028 .031",
+.20 .08 155 19 .056 .040  ==?~
+.20 .10 174 21 .050 .035  ~=?=
+.20 .12 191 23 .046 .032  ~=?=
+.20 .14 206 25 .034 .030  ==?=
+.25 .08 134 17 .037 .043  ==?=
+.25 .10 150 19 .033 .039  ==?=
+.25 .12 164 21 .030 .035  ==?=
+.25 .14 178 23 .027 .033  ~=?=
+.30 .08 118 17 .037 .047  ==?~
+.30 .10 128 18 .030 .042  ?=?~
+.30 .12 144 20 .029 .038  ==?=
+.30 .14 154 22 .027 .035  !=?=
+.35 .09 111 17 .028 .046  ==~=
+.35 .10 117 18 .026 .044  ==~=
+.35 .11 123 19 .024 .042  ====
+.35 .12 129 20 .023 .040  ~===
+.35 .20 163 25 .028 .031  ?=/=",
     ),
     (
         Mechanism::ThreePin,
-        828,
         "\
-.20 .08 144 61 .044 .018
-.20 .10 161 68 .039 .017
-.20 .12 176 74 .036 .015
-.20 .14 191 80 .030 .014
-.25 .08 140 58 .036 .020
-.25 .10 156 65 .036 .018
-.25 .12 171 71 .029 .015
-.25 .14 184 77 .028 .015
-.30 .08 136 56 .037 .020
-.30 .10 152 63 .033 .018
-.30 .12 167 69 .030 .016
-.30 .14 180 74 .028 .015
-.35 .08 133 54 .038 .021
-.35 .10 148 61 .038 .018
-.35 .12 163 67 .031 .017
-.35 .14 176 72 .028 .015",
+.20 .08 144 61 .044 .018  !!?!
+.20 .10 161 68 .039 .017  !!?!
+.20 .12 176 74 .036 .015  !!?!
+.20 .14 191 80 .030 .014  !!?!
+.25 .08 140 58 .036 .020  !!?!
+.25 .10 156 65 .036 .018  !!?!
+.25 .12 171 71 .029 .015  !!?~
+.25 .14 184 77 .028 .015  !!?!
+.30 .08 136 56 .037 .020  !!?=
+.30 .10 152 63 .033 .018  !!?=
+.30 .12 167 69 .030 .016  !!?~
+.30 .14 180 74 .028 .015  !!?=
+.35 .08 133 54 .038 .021  !!?~
+.35 .10 148 61 .038 .018  !!?!
+.35 .12 163 67 .031 .017  !!?~
+.35 .14 176 72 .028 .015  !!?!",
     ),
 ];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_row_is_complete_and_every_result_has_a_verdict_on_record() {
+        for row in rows() {
+            assert!(row.cells.iter().all(|cell| cell.parse::<f64>().is_ok()), "{row:?}");
+            assert_eq!(row.marks.chars().count(), 4, "{row:?}");
+            for column in [Column::Peak, Column::Minimum, Column::Rise, Column::Period] {
+                assert!(row.expected(column).is_some(), "{row:?}: {column:?} has none of the marks {MARKS:?}");
+            }
+            assert_eq!(row.expected(Column::Torque), None);
+        }
+    }
+}
