@@ -6,7 +6,7 @@
 //! series.
 
 use crate::{Coefficients, Pose, Sign};
-use geneva_kinematics::{Field, Identity, Jet, Turn, angular_velocity, pin_slot};
+use geneva_kinematics::{Expression, Field, Identity, Jet, Turn, angular_velocity, pin_slot};
 
 /// Kinetic energy of both members over I_f, (I_D/I_f θ'² + φ'²)/2, from φ'/θ', θ' and I_D/I_f.
 ///
@@ -14,27 +14,6 @@ use geneva_kinematics::{Field, Identity, Jet, Turn, angular_velocity, pin_slot};
 pub fn kinetic_energy<S: Field>(velocity_ratio: &S, speed: &S, inertia_ratio: &S) -> S {
     let follower = velocity_ratio.clone() * speed.clone();
     (inertia_ratio.clone() * speed.clone() * speed.clone() + follower.clone() * follower) / S::integer(2)
-}
-
-/// What the pin's place tells about one instant, for a driver of some speed and acceleration.
-struct Motion<S> {
-    /// φ'.
-    follower_speed: S,
-    /// φ''.
-    follower_gain: S,
-}
-
-impl<S: Field> Motion<S> {
-    /// From the pin's place; `crank` may be a pair of any length, which is then the crank's radius.
-    ///
-    /// A proof stops with a panic, as at any pole, if the pin is on the follower's pivot.
-    fn of_pin(distance: &S, crank: &Turn<S>, speed: &S, gain: &S) -> Self {
-        let half = gain.clone() / S::integer(2);
-        let advance = Jet::<S, 3>::from_coefficients([S::zero(), speed.clone(), half]);
-        let place = pin_slot::pin_from_pivot(&Jet::constant(distance.clone()), &crank.moving_by(&advance));
-        let turning = angular_velocity(&place).expect("the pin is off the follower's pivot");
-        Self { follower_speed: turning.value(), follower_gain: turning.rate() }
-    }
 }
 
 /// The pose in the units of (p, q) = crank pair and centre distance one, in squares of that unit.
@@ -56,11 +35,10 @@ fn pose_of_pair<S: Field>(crank: &Turn<S>) -> Pose<S> {
 pub struct SquareOfTheSlot;
 
 impl Identity<3> for SquareOfTheSlot {
-    fn difference<S: Field>(&self, [p, q, distance]: &[S; 3]) -> S {
-        let place = pin_slot::pin_from_pivot(distance, &Turn { cos: p.clone(), sin: q.clone() });
-        let radius_squared = p.clone() * p.clone() + q.clone() * q.clone();
-        let law = radius_squared + distance.clone() * distance.clone() - S::integer(2) * distance.clone() * p.clone();
-        place.x.clone() * place.x.clone() + place.y.clone() * place.y.clone() - law
+    fn difference(&self, [p, q, distance]: [Expression; 3]) -> Expression {
+        let place = pin_slot::pin_from_pivot(&distance, &Turn { cos: p, sin: q });
+        let law = p * p + q * q + distance * distance - 2 * distance * p;
+        place.x * place.x + place.y * place.y - law
     }
 }
 
@@ -79,16 +57,16 @@ pub struct EnergyBalance {
 }
 
 impl Identity<7> for EnergyBalance {
-    fn difference<S: Field>(&self, [square, lead, cross, gain, inertia, friction, drive]: &[S; 7]) -> S {
-        let pose = Pose::from_square(square, lead, cross);
-        let moving = pose.moving_by(&Jet::<S, 2>::variable(S::zero()));
-        let follower = moving.velocity_ratio() * Jet::from_coefficients([S::one(), gain.clone()]);
-        let sliding = moving.square.rate() / S::integer(2);
-        let lost = self.normal.of(follower.rate()) * self.sliding.of(sliding) / square.clone();
-        let growth = inertia.clone() * gain.clone() + follower.value() * follower.rate();
-        let balance = growth - drive.clone() + friction.clone() * lost;
-        let coefficients = Coefficients::of_pose(&pose, inertia, friction, drive);
-        balance - coefficients.residual(&S::one(), gain, self.normal.times(self.sliding))
+    fn difference(&self, [square, lead, cross, gain, inertia, friction, drive]: [Expression; 7]) -> Expression {
+        let pose = Pose::from_square(&square, &lead, &cross);
+        let moving = pose.moving_by(&Jet::<_, 2>::variable(Expression::ZERO));
+        let follower = moving.velocity_ratio() * Jet::from_coefficients([Expression::ONE, gain]);
+        let sliding = moving.square.rate() / 2;
+        let lost = self.normal.of(follower.rate()) * self.sliding.of(sliding) / square;
+        let growth = inertia * gain + follower.value() * follower.rate();
+        let balance = growth - drive + friction * lost;
+        let coefficients = Coefficients::of_pose(&pose, &inertia, &friction, &drive);
+        balance - coefficients.residual(&Expression::ONE, &gain, self.normal.times(self.sliding))
     }
 }
 
@@ -98,13 +76,13 @@ impl Identity<7> for EnergyBalance {
 pub struct GrowthOfKineticEnergy;
 
 impl Identity<6> for GrowthOfKineticEnergy {
-    fn difference<S: Field>(&self, [square, lead, cross, speed, gain, inertia]: &[S; 6]) -> S {
-        let pose = Pose::from_square(square, lead, cross);
-        let moving = pose.moving_by(&Jet::<S, 2>::from_coefficients([S::zero(), speed.clone()]));
-        let speeds = Jet::from_coefficients([speed.clone(), gain.clone()]);
-        let energy = kinetic_energy(&moving.velocity_ratio(), &speeds, &Jet::constant(inertia.clone()));
-        let follower = pose.velocity_ratio() * speed.clone() * pose.follower_acceleration(speed, gain);
-        energy.rate() - inertia.clone() * speed.clone() * gain.clone() - follower
+    fn difference(&self, [square, lead, cross, speed, gain, inertia]: [Expression; 6]) -> Expression {
+        let pose = Pose::from_square(&square, &lead, &cross);
+        let moving = pose.moving_by(&Jet::<_, 2>::from_coefficients([Expression::ZERO, speed]));
+        let speeds = Jet::from_coefficients([speed, gain]);
+        let energy = kinetic_energy(&moving.velocity_ratio(), &speeds, &Jet::constant(inertia));
+        let follower = pose.velocity_ratio() * speed * pose.follower_acceleration(&speed, &gain);
+        energy.rate() - inertia * speed * gain - follower
     }
 }
 
@@ -117,14 +95,16 @@ pub struct PoseOfThePin {
 }
 
 impl Identity<4> for PoseOfThePin {
-    fn difference<S: Field>(&self, [p, q, speed, gain]: &[S; 4]) -> S {
-        let crank = Turn { cos: p.clone(), sin: q.clone() };
-        let motion = Motion::of_pin(&S::one(), &crank, speed, gain);
+    fn difference(&self, [p, q, speed, gain]: [Expression; 4]) -> Expression {
+        let crank = Turn { cos: p, sin: q };
+        let place = pin_slot::pin_path(&Expression::ONE, &crank.speeding_up(speed, gain));
+        // A proof stops with a panic, as at any pole, if the pin is on the follower's pivot.
+        let follower = angular_velocity(&place).expect("the pin is off the follower's pivot");
         let pose = pose_of_pair(&crank);
         if self.speed {
-            motion.follower_speed - pose.velocity_ratio() * speed.clone()
+            follower.value() - pose.velocity_ratio() * speed
         } else {
-            motion.follower_gain - pose.follower_acceleration(speed, gain)
+            follower.rate() - pose.follower_acceleration(&speed, &gain)
         }
     }
 }
@@ -136,12 +116,11 @@ impl Identity<4> for PoseOfThePin {
 pub struct MomentArmIsSliding;
 
 impl Identity<3> for MomentArmIsSliding {
-    fn difference<S: Field>(&self, [p, q, distance]: &[S; 3]) -> S {
-        let crank = Turn { cos: p.clone(), sin: q.clone() };
-        let place = pin_slot::pin_from_pivot(distance, &crank);
-        let moving = pin_slot::pin_from_pivot(&Jet::constant(distance.clone()), &crank.moving::<2>(S::one()));
-        let square = moving.x.clone() * moving.x.clone() + moving.y.clone() * moving.y.clone();
-        distance.clone() * place.y.clone() - square.rate() / S::integer(2)
+    fn difference(&self, [p, q, distance]: [Expression; 3]) -> Expression {
+        let crank = Turn { cos: p, sin: q };
+        let place = pin_slot::pin_from_pivot(&distance, &crank);
+        let moving = pin_slot::pin_path(&distance, &crank.moving::<2>(Expression::ONE));
+        distance * place.y - (moving.x * moving.x + moving.y * moving.y).rate() / 2
     }
 }
 

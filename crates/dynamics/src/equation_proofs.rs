@@ -4,17 +4,11 @@
 //! stand for. Where the slopes A + D and A − D are divided by, they are the variables instead of A and D.
 
 use crate::{Coefficients, Sign};
-use geneva_kinematics::{Field, Identity};
+use geneva_kinematics::{Expression, Identity};
 
 /// Coefficients with A and D from the two slopes A + D and A − D.
-fn of_slopes<S: Field>([plus, minus, b, c, e]: [&S; 5]) -> Coefficients<S> {
-    let a = (plus.clone() + minus.clone()) / S::integer(2);
-    let d = (plus.clone() - minus.clone()) / S::integer(2);
-    coefficients([&a, b, c, &d, e])
-}
-
-fn coefficients<S: Field>([a, b, c, d, e]: [&S; 5]) -> Coefficients<S> {
-    Coefficients { a: a.clone(), b: b.clone(), c: c.clone(), d: d.clone(), e: e.clone() }
+fn of_slopes([plus, minus, b, c, e]: [Expression; 5]) -> Coefficients<Expression> {
+    Coefficients { a: (plus + minus) / 2, b, c, d: (plus - minus) / 2, e }
 }
 
 /// The solution of one sign obeys the equation with that sign. Variables: A + D, A − D, B, C, E, θ'.
@@ -24,9 +18,9 @@ pub struct SolutionOfOneSign(
 );
 
 impl Identity<6> for SolutionOfOneSign {
-    fn difference<S: Field>(&self, [plus, minus, b, c, e, speed]: &[S; 6]) -> S {
+    fn difference(&self, [plus, minus, b, c, e, speed]: [Expression; 6]) -> Expression {
         let coefficients = of_slopes([plus, minus, b, c, e]);
-        coefficients.residual(speed, &coefficients.acceleration_with(speed, self.0), self.0)
+        coefficients.residual(&speed, &coefficients.acceleration_with(&speed, self.0), self.0)
     }
 }
 
@@ -38,11 +32,11 @@ pub struct SignDecider(
 );
 
 impl Identity<6> for SignDecider {
-    fn difference<S: Field>(&self, [plus, minus, b, c, e, speed]: &[S; 6]) -> S {
+    fn difference(&self, [plus, minus, b, c, e, speed]: [Expression; 6]) -> Expression {
         let coefficients = of_slopes([plus, minus, b, c, e]);
-        let gain = coefficients.acceleration_with(speed, self.0);
-        let slope = if self.0 == Sign::Plus { plus } else { minus }.clone();
-        slope * coefficients.between_the_bars(speed, &gain) - coefficients.sign_decider(speed)
+        let gain = coefficients.acceleration_with(&speed, self.0);
+        let slope = if self.0 == Sign::Plus { plus } else { minus };
+        slope * coefficients.between_the_bars(&speed, &gain) - coefficients.sign_decider(&speed)
     }
 }
 
@@ -53,11 +47,11 @@ pub struct Slope(
 );
 
 impl Identity<8> for Slope {
-    fn difference<S: Field>(&self, [a, b, c, d, e, speed, gain, growth]: &[S; 8]) -> S {
-        let coefficients = coefficients([a, b, c, d, e]);
-        let after = coefficients.residual(speed, &(gain.clone() + growth.clone()), self.0);
-        let slope = a.clone() + self.0.of(d.clone());
-        after - coefficients.residual(speed, gain, self.0) - slope * growth.clone()
+    fn difference(&self, [a, b, c, d, e, speed, gain, growth]: [Expression; 8]) -> Expression {
+        let coefficients = Coefficients { a, b, c, d, e };
+        let after = coefficients.residual(&speed, &(gain + growth), self.0);
+        let slope = a + self.0.of(d);
+        after - coefficients.residual(&speed, &gain, self.0) - slope * growth
     }
 }
 
@@ -66,11 +60,11 @@ impl Identity<8> for Slope {
 pub struct SolutionsMeet;
 
 impl Identity<6> for SolutionsMeet {
-    fn difference<S: Field>(&self, [plus, minus, b, c, e, speed]: &[S; 6]) -> S {
+    fn difference(&self, [plus, minus, b, c, e, speed]: [Expression; 6]) -> Expression {
         let coefficients = of_slopes([plus, minus, b, c, e]);
-        let [first, second] = Sign::BOTH.map(|sign| coefficients.acceleration_with(speed, sign));
-        let product = plus.clone() * minus.clone();
-        first - second + S::integer(2) * coefficients.sign_decider(speed) / product
+        let [first, second] = Sign::BOTH.map(|sign| coefficients.acceleration_with(&speed, sign));
+        let product = plus * minus;
+        first - second + 2 * coefficients.sign_decider(&speed) / product
     }
 }
 

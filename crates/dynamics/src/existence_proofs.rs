@@ -3,7 +3,7 @@
 //! Notation as in [`existence`](crate::existence): h = a cos θ − 1, b = a² − 1, g = a sin θ, i = I_D / I_f.
 
 use crate::{Pose, equation};
-use geneva_kinematics::{Field, Identity, Jet, Turn};
+use geneva_kinematics::{Expression, Field, Identity, Jet, Turn};
 
 /// R² = b − 2 h and (a sin θ)² = a² − (1 + h)², against the pose. Variables: a and the tangent of θ/2.
 pub struct HalfEngagement {
@@ -12,13 +12,13 @@ pub struct HalfEngagement {
 }
 
 impl Identity<2> for HalfEngagement {
-    fn difference<S: Field>(&self, [ratio, half]: &[S; 2]) -> S {
-        let pose = Pose::new(ratio, &Turn::from_half_tangent(half));
+    fn difference(&self, [ratio, half]: [Expression; 2]) -> Expression {
+        let pose = Pose::new(&ratio, &Turn::from_half_tangent(&half));
         if self.radius {
-            pose.square + pose.shape + S::integer(2) * pose.lead
+            pose.square + pose.shape + 2 * pose.lead
         } else {
-            let along = S::one() + pose.lead;
-            pose.cross.clone() * pose.cross - (ratio.clone() * ratio.clone() - along.clone() * along)
+            let along = 1 + pose.lead;
+            pose.cross * pose.cross - (ratio * ratio - along * along)
         }
     }
 }
@@ -27,11 +27,11 @@ impl Identity<2> for HalfEngagement {
 pub struct Margin;
 
 impl Identity<5> for Margin {
-    fn difference<S: Field>(&self, [square, h, g, inertia, friction]: &[S; 5]) -> S {
-        let pose = Pose::from_square(square, h, g);
-        let margin = equation::coefficient_a(&pose, inertia) - equation::coefficient_d(&pose, friction);
-        let worst = h.clone() * (friction.clone() * g.clone() - h.clone());
-        margin - inertia.clone() + worst / square.clone() / square.clone()
+    fn difference(&self, [square, h, g, inertia, friction]: [Expression; 5]) -> Expression {
+        let pose = Pose::from_square(&square, &h, &g);
+        let margin = equation::coefficient_a(&pose, &inertia) - equation::coefficient_d(&pose, &friction);
+        let worst = h * (friction * g - h);
+        margin - inertia + worst / square / square
     }
 }
 
@@ -39,9 +39,9 @@ impl Identity<5> for Margin {
 pub struct CriticalNumerator;
 
 impl Identity<3> for CriticalNumerator {
-    fn difference<S: Field>(&self, [i, b, h]: &[S; 3]) -> S {
-        let square = b.clone() - S::integer(2) * h.clone();
-        (i.clone() * square.clone() * square + h.clone() * h.clone()) / h.clone() - numerator(i, b, h)
+    fn difference(&self, [i, b, h]: [Expression; 3]) -> Expression {
+        let square = b - 2 * h;
+        (i * square * square + h * h) / h - numerator(i, b, h)
     }
 }
 
@@ -51,21 +51,20 @@ impl Identity<3> for CriticalNumerator {
 pub struct CriticalDerivative;
 
 impl Identity<3> for CriticalDerivative {
-    fn difference<S: Field>(&self, [i, h, rest]: &[S; 3]) -> S {
-        let ratio = S::one() + h.clone() + rest.clone();
-        let b = ratio.clone() * ratio.clone() - S::one();
-        let moving = Jet::<S, 2>::variable(h.clone());
-        let series = numerator(&Jet::constant(i.clone()), &Jet::constant(b.clone()), &moving);
-        let along = S::one() + h.clone();
-        let cross_squared = rest.clone() * (ratio + along.clone());
-        let cross_series = Jet::from_coefficients([cross_squared.clone(), -(S::integer(2) * along.clone())]);
-        let left = (series.clone() * series.clone() / cross_series).rate();
+    fn difference(&self, [i, h, rest]: [Expression; 3]) -> Expression {
+        let ratio = 1 + h + rest;
+        let b = ratio * ratio - 1;
+        let series = numerator(Jet::constant(i), Jet::constant(b), Jet::<_, 2>::variable(h));
+        let along = 1 + h;
+        let cross_squared = rest * (ratio + along);
+        let cross_series = Jet::from_coefficients([cross_squared, -(2 * along)]);
+        let left = (series * series / cross_series).rate();
         // What `critical_friction` evaluates: N' h² = 2 h h − 4 i R² h − (i R⁴ + h²).
-        let square = b - S::integer(2) * h.clone();
-        let whole = i.clone() * square.clone() * square.clone() + h.clone() * h.clone();
-        let change = h.clone() * (S::integer(2) * h.clone() - S::integer(4) * i.clone() * square) - whole.clone();
-        let decider = change * cross_squared.clone() + whole * h.clone() * along;
-        left - S::integer(2) * series.value() * decider / h.clone() / h.clone() / cross_squared.clone() / cross_squared
+        let square = b - 2 * h;
+        let whole = i * square * square + h * h;
+        let change = h * (2 * h - 4 * i * square) - whole;
+        let decider = change * cross_squared + whole * h * along;
+        left - 2 * series.value() * decider / h / h / cross_squared / cross_squared
     }
 }
 
@@ -75,15 +74,15 @@ impl Identity<3> for CriticalDerivative {
 pub struct Convexity;
 
 impl Identity<2> for Convexity {
-    fn difference<S: Field>(&self, [u, kappa]: &[S; 2]) -> S {
-        let x = Jet::<S, 3>::variable(u.clone());
-        let n = Jet::integer(1) / x.clone() - Jet::constant(kappa.clone()) + x;
+    fn difference(&self, [u, kappa]: [Expression; 2]) -> Expression {
+        let x = Jet::<_, 3>::variable(u);
+        let n = Jet::integer(1) / x - Jet::constant(kappa) + x;
         let (value, first) = (n.value(), n.rate());
-        let second = S::integer(2) * n.coefficient(2);
-        let u2 = u.clone() * u.clone();
-        let u4 = u2.clone() * u2.clone();
-        let quartic = u4.clone() - S::integer(8) * u2 + S::integer(6) * kappa.clone() * u.clone() - S::integer(5);
-        first.clone() * first - S::integer(3) * value * second - quartic / u4
+        let second = 2 * n.coefficient(2);
+        let u2 = u * u;
+        let u4 = u2 * u2;
+        let quartic = u4 - 8 * u2 + 6 * kappa * u - 5;
+        first * first - 3 * value * second - quartic / u4
     }
 }
 
@@ -91,10 +90,10 @@ impl Identity<2> for Convexity {
 pub struct KappaBelowTwo;
 
 impl Identity<2> for KappaBelowTwo {
-    fn difference<S: Field>(&self, [i, b]: &[S; 2]) -> S {
+    fn difference(&self, [i, b]: [Expression; 2]) -> Expression {
         let (alpha, beta, gamma) = constants(i, b);
-        let part = S::integer(16) * i.clone() / (S::integer(4) * i.clone() + S::one());
-        beta.clone() * beta - part * alpha * gamma
+        let part = 16 * i / (4 * i + 1);
+        beta * beta - part * alpha * gamma
     }
 }
 
@@ -102,11 +101,11 @@ impl Identity<2> for KappaBelowTwo {
 pub struct ConvexityFactors;
 
 impl Identity<1> for ConvexityFactors {
-    fn difference<S: Field>(&self, [u]: &[S; 1]) -> S {
-        let u2 = u.clone() * u.clone();
-        let quartic = u2.clone() * u2.clone() - S::integer(8) * u2.clone() + S::integer(12) * u.clone() - S::integer(5);
-        let rest = u.clone() - S::one();
-        quartic - rest.clone() * rest * (u2 + S::integer(2) * u.clone() - S::integer(5))
+    fn difference(&self, [u]: [Expression; 1]) -> Expression {
+        let u2 = u * u;
+        let quartic = u2 * u2 - 8 * u2 + 12 * u - 5;
+        let rest = u - 1;
+        quartic - rest * rest * (u2 + 2 * u - 5)
     }
 }
 
@@ -116,27 +115,27 @@ impl Identity<1> for ConvexityFactors {
 pub struct MarginDerivative;
 
 impl Identity<4> for MarginDerivative {
-    fn difference<S: Field>(&self, [square, h, g, friction]: &[S; 4]) -> S {
-        let moving = Pose::from_square(square, h, g).moving_by(&Jet::<S, 2>::variable(S::zero()));
-        let reach = Jet::constant(friction.clone()) * moving.cross - moving.lead.clone();
-        let worst = moving.lead * reach / moving.square.clone() / moving.square;
-        let g2 = g.clone() * g.clone();
-        let bracket =
-            (g2.clone() - h.clone() * h.clone() - h.clone()) * square.clone() + S::integer(4) * g2 * h.clone();
-        let geometry = S::integer(2) * h.clone() * g.clone() * (square.clone() + S::integer(2) * h.clone());
-        worst.rate() + (friction.clone() * bracket - geometry) / square.clone() / square.clone() / square.clone()
+    fn difference(&self, [square, h, g, friction]: [Expression; 4]) -> Expression {
+        let moving = Pose::from_square(&square, &h, &g).moving_by(&Jet::<_, 2>::variable(Expression::ZERO));
+        let reach = Jet::constant(friction) * moving.cross - moving.lead;
+        let worst = moving.lead * reach / moving.square / moving.square;
+        let g2 = g * g;
+        let bracket = (g2 - h * h - h) * square + 4 * g2 * h;
+        let geometry = 2 * h * g * (square + 2 * h);
+        worst.rate() + (friction * bracket - geometry) / square / square / square
     }
 }
 
-fn constants<S: Field>(i: &S, b: &S) -> (S, S, S) {
-    let four = S::integer(4) * i.clone();
-    (i.clone() * b.clone() * b.clone(), four.clone() * b.clone(), four + S::one())
+/// α, β and γ.
+fn constants<S: Field + Copy>(i: S, b: S) -> (S, S, S) {
+    let four = S::integer(4) * i;
+    (i * b * b, four * b, four + S::one())
 }
 
 /// α/h − β + γ h.
-fn numerator<S: Field>(i: &S, b: &S, h: &S) -> S {
+fn numerator<S: Field + Copy>(i: S, b: S, h: S) -> S {
     let (alpha, beta, gamma) = constants(i, b);
-    alpha / h.clone() - beta + gamma * h.clone()
+    alpha / h - beta + gamma * h
 }
 
 #[cfg(test)]

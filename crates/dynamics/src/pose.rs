@@ -3,7 +3,7 @@
 use geneva_kinematics::{Field, Jet, Turn, pin_slot};
 
 /// Where the mechanism stands, in crank radii: all that the equation of motion asks of the geometry.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose<S> {
     /// a cos θ − 1: zero as the pin enters and leaves, positive between.
     pub lead: S,

@@ -5,7 +5,7 @@
 //! times as its inverse; only the number of slots, μ and I_D/I_f shape the motion.
 
 use crate::{Coefficients, Sign};
-use geneva_kinematics::{Field, Identity};
+use geneva_kinematics::{Expression, Identity};
 
 /// The factors of speed, acceleration and time when E = K/I_f grows by a factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,15 +34,11 @@ pub struct Similarity(
 );
 
 impl Identity<8> for Similarity {
-    fn difference<S: Field>(&self, [a, b, c, d, e, speed, gain, kappa]: &[S; 8]) -> S {
-        let square = kappa.clone() * kappa.clone();
-        let with = |drive: S| Coefficients { a: a.clone(), b: b.clone(), c: c.clone(), d: d.clone(), e: drive };
-        let scaled = with(square.clone() * e.clone()).residual(
-            &(kappa.clone() * speed.clone()),
-            &(square.clone() * gain.clone()),
-            self.0,
-        );
-        scaled - square * with(e.clone()).residual(speed, gain, self.0)
+    fn difference(&self, [a, b, c, d, e, speed, gain, kappa]: [Expression; 8]) -> Expression {
+        let square = kappa * kappa;
+        let with = |e: Expression| Coefficients { a, b, c, d, e };
+        let scaled = with(square * e).residual(&(kappa * speed), &(square * gain), self.0);
+        scaled - square * with(e).residual(&speed, &gain, self.0)
     }
 }
 
@@ -50,11 +46,11 @@ impl Identity<8> for Similarity {
 pub struct SimilarityOfTheSign;
 
 impl Identity<7> for SimilarityOfTheSign {
-    fn difference<S: Field>(&self, [a, b, c, d, e, speed, kappa]: &[S; 7]) -> S {
-        let square = kappa.clone() * kappa.clone();
-        let with = |drive: S| Coefficients { a: a.clone(), b: b.clone(), c: c.clone(), d: d.clone(), e: drive };
-        let scaled = with(square.clone() * e.clone()).sign_decider(&(kappa.clone() * speed.clone()));
-        scaled - square * with(e.clone()).sign_decider(speed)
+    fn difference(&self, [a, b, c, d, e, speed, kappa]: [Expression; 7]) -> Expression {
+        let square = kappa * kappa;
+        let with = |e: Expression| Coefficients { a, b, c, d, e };
+        let scaled = with(square * e).sign_decider(&(kappa * speed));
+        scaled - square * with(e).sign_decider(&speed)
     }
 }
 

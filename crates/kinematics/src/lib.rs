@@ -3,7 +3,7 @@
 //! With the cosine and the sine of an angle held as a pair ([`Turn`]), every rate in this crate is a rational
 //! function of what it is given. The formulas are therefore generic over a [`Field`] and run unchanged on `f64`, on
 //! truncated power series ([`Jet`], the derivatives), on exact rationals, on rationals with square roots adjoined
-//! ([`Surd`]) and on degree bounds ([`DegreeBound`], how many points prove an identity).
+//! ([`Surd`]) and on expressions ([`Expression`], whose degrees tell how many points prove an identity).
 //!
 //! This crate holds no number that a source prints, does no input or output, and knows nothing of claims or books.
 
@@ -22,8 +22,8 @@ pub mod wheel_peak_proofs;
 pub mod wheel_proofs;
 
 pub use dashu_ratio::RBig as Rational;
-pub use proofs::degree::DegreeBound;
-pub use proofs::identity::{Identity, IdentityWithRoot, Proof, Refutation, prove, prove_with_root};
+pub use proofs::expression::Expression;
+pub use proofs::identity::{Form, Identity, IdentityWithRoot, Proof, Refutation, prove, prove_with_root};
 pub use scalars::field::{Field, rational};
 pub use scalars::jet::Jet;
 pub use scalars::surd::Surd;

@@ -6,7 +6,8 @@
 //! Most identities have the variables p = R cos φ, q = R sin φ, l and the driver's angular velocity ω. The crank pair
 //! (p, q) then carries its own length R, and everything is a polynomial over r²: few points suffice for a proof.
 
-use crate::{Field, Identity, Turn, pin_slot, pin_vectors};
+use crate::pin_vectors::{self, PinMotion};
+use crate::{Expression, Field, Identity, Turn, pin_slot};
 use nalgebra::Vector2;
 
 /// Law of cosines in triangle OPB: r² = R² + l² − 2 R l cos(180° − φ), against the pin's coordinates.
@@ -15,12 +16,12 @@ use nalgebra::Vector2;
 pub struct LawOfCosines;
 
 impl Identity<3> for LawOfCosines {
-    fn difference<S: Field>(&self, [radius, distance, half]: &[S; 3]) -> S {
-        let crank = Turn::from_half_tangent(half);
+    fn difference(&self, [radius, distance, half]: [Expression; 3]) -> Expression {
+        let crank = Turn::from_half_tangent(&half);
         let pin = pin_place(radius, distance, &crank);
-        let ratio = distance.clone() / radius.clone();
+        let ratio = distance / radius;
         let scaled = pin_slot::slot_radius_squared(&ratio, &crank.supplement());
-        pin.dot(&pin) - scaled * radius.clone() * radius.clone()
+        pin.dot(&pin) - scaled * radius * radius
     }
 }
 
@@ -30,11 +31,11 @@ impl Identity<3> for LawOfCosines {
 pub struct LawOfSines;
 
 impl Identity<3> for LawOfSines {
-    fn difference<S: Field>(&self, [radius, distance, half]: &[S; 3]) -> S {
-        let crank = Turn::from_half_tangent(half);
-        let axis = Vector2::new(distance.clone(), S::zero());
+    fn difference(&self, [radius, distance, half]: [Expression; 3]) -> Expression {
+        let crank = Turn::from_half_tangent(&half);
+        let axis = Vector2::new(distance, Expression::ZERO);
         let from_pivot = pin_place(radius, distance, &crank);
-        let from_axis = from_pivot.clone() - axis.clone();
+        let from_axis = from_pivot - axis;
         axis.perp(&from_pivot) - from_axis.perp(&(-axis))
     }
 }
@@ -45,8 +46,9 @@ impl Identity<3> for LawOfSines {
 pub struct SlidesAlongTheSlot;
 
 impl Identity<4> for SlidesAlongTheSlot {
-    fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
-        moving(variables, |motion, _| motion.sliding_velocity.perp(&motion.position))
+    fn difference(&self, variables: [Expression; 4]) -> Expression {
+        let (motion, _) = moving(variables);
+        motion.sliding_velocity.perp(&motion.position)
     }
 }
 
@@ -56,11 +58,10 @@ impl Identity<4> for SlidesAlongTheSlot {
 pub struct SlotPointMovesAcross;
 
 impl Identity<4> for SlotPointMovesAcross {
-    fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
-        moving(variables, |motion, square| {
-            let along = motion.pin_velocity.dot(&motion.position) * motion.position.x.clone();
-            square.clone() * (motion.slot_point_velocity.x.clone() - motion.pin_velocity.x.clone()) + along
-        })
+    fn difference(&self, variables: [Expression; 4]) -> Expression {
+        let (motion, square) = moving(variables);
+        let along = motion.pin_velocity.dot(&motion.position) * motion.position.x;
+        square * (motion.slot_point_velocity.x - motion.pin_velocity.x) + along
     }
 }
 
@@ -68,12 +69,10 @@ impl Identity<4> for SlotPointMovesAcross {
 pub struct PinSpeed;
 
 impl Identity<4> for PinSpeed {
-    fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
-        let [p, q, _, driver] = variables.clone();
-        let radius_squared = p.clone() * p + q.clone() * q;
-        moving(variables, |motion, _| {
-            motion.pin_velocity.dot(&motion.pin_velocity) - radius_squared * driver.clone() * driver
-        })
+    fn difference(&self, variables: [Expression; 4]) -> Expression {
+        let [p, q, _, driver] = variables;
+        let (motion, _) = moving(variables);
+        motion.pin_velocity.dot(&motion.pin_velocity) - (p * p + q * q) * driver * driver
     }
 }
 
@@ -84,13 +83,12 @@ impl Identity<4> for PinSpeed {
 pub struct SlotPointSpeed;
 
 impl Identity<4> for SlotPointSpeed {
-    fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
-        let [p, q, _, driver] = variables.clone();
-        moving(variables, |motion, square| {
-            let sine = -(motion.position.x.clone() * p) - motion.position.y.clone() * q;
-            // r v_P′ = r² ω_S, and ω_S is against the driver's sense.
-            -(motion.follower_speed.clone() * square) - driver * sine
-        })
+    fn difference(&self, variables: [Expression; 4]) -> Expression {
+        let [p, q, _, driver] = variables;
+        let (motion, square) = moving(variables);
+        let sine = -(motion.position.x * p) - motion.position.y * q;
+        // r v_P′ = r² ω_S, and ω_S is against the driver's sense.
+        -(motion.follower_speed * square) - driver * sine
     }
 }
 
@@ -100,12 +98,11 @@ impl Identity<4> for SlotPointSpeed {
 pub struct SlidingSpeed;
 
 impl Identity<4> for SlidingSpeed {
-    fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
-        let [p, q, _, driver] = variables.clone();
-        moving(variables, |motion, _| {
-            let cosine = motion.position.x.clone() * q - motion.position.y.clone() * p;
-            -motion.sliding_velocity.dot(&motion.position) - driver * cosine
-        })
+    fn difference(&self, variables: [Expression; 4]) -> Expression {
+        let [p, q, _, driver] = variables;
+        let (motion, _) = moving(variables);
+        let cosine = motion.position.x * q - motion.position.y * p;
+        -motion.sliding_velocity.dot(&motion.position) - driver * cosine
     }
 }
 
@@ -115,11 +112,10 @@ impl Identity<4> for SlidingSpeed {
 pub struct VelocityRatio;
 
 impl Identity<2> for VelocityRatio {
-    fn difference<S: Field>(&self, [ratio, half]: &[S; 2]) -> S {
-        let crank = Turn::from_half_tangent(half);
-        let formula = pin_slot::velocity_ratio(ratio, &crank.supplement());
-        pin_vectors::solve(&S::one(), ratio, &crank, &S::one())
-            .map_or_else(S::one, |motion| motion.follower_speed + formula)
+    fn difference(&self, [ratio, half]: [Expression; 2]) -> Expression {
+        let crank = Turn::from_half_tangent(&half);
+        let formula = pin_slot::velocity_ratio(&ratio, &crank.supplement());
+        solved(ratio, &crank, Expression::ONE).follower_speed + formula
     }
 }
 
@@ -131,10 +127,10 @@ impl Identity<2> for VelocityRatio {
 pub struct StandstillOfFourSlots;
 
 impl Identity<1> for StandstillOfFourSlots {
-    fn difference<S: Field>(&self, [ratio]: &[S; 1]) -> S {
-        let square = ratio.clone() * ratio.clone();
-        let product = (square.clone() - S::one()) * (square.clone() - S::integer(2));
-        square * four_slot_entry_misfit(ratio) - product
+    fn difference(&self, [ratio]: [Expression; 1]) -> Expression {
+        let square = ratio * ratio;
+        let product = (square - 1) * (square - 2);
+        square * four_slot_entry_misfit(&ratio) - product
     }
 }
 
@@ -147,20 +143,20 @@ pub fn four_slot_entry_misfit<S: Field>(ratio: &S) -> S {
     cos.clone() * cos + sin.clone() * sin - S::one()
 }
 
-fn pin_place<S: Field>(radius: &S, distance: &S, crank: &Turn<S>) -> Vector2<S> {
-    crank.direction() * radius.clone() + Vector2::new(distance.clone(), S::zero())
+fn pin_place(radius: Expression, distance: Expression, crank: &Turn<Expression>) -> Vector2<Expression> {
+    crank.direction() * radius + Vector2::new(distance, Expression::ZERO)
 }
 
-/// Runs `difference` on the motion at p, q, l, ω and on r²; one, which refutes, if the pin is on the pivot.
-fn moving<S: Field>(
-    [p, q, distance, driver]: &[S; 4],
-    difference: impl FnOnce(&pin_vectors::PinMotion<S>, S) -> S,
-) -> S {
-    let crank = Turn { cos: p.clone(), sin: q.clone() };
-    pin_vectors::solve(&S::one(), distance, &crank, driver).map_or_else(S::one, |motion| {
-        let square = motion.position.dot(&motion.position);
-        difference(&motion, square)
-    })
+/// The pin's motion. A proof stops with a panic, as at any pole, if the pin is on the pivot.
+fn solved(distance: Expression, crank: &Turn<Expression>, driver: Expression) -> PinMotion<Expression> {
+    pin_vectors::solve(&Expression::ONE, &distance, crank, &driver).expect("the pin is off the pivot")
+}
+
+/// The motion at p, q, l, ω, and r².
+fn moving([p, q, distance, driver]: [Expression; 4]) -> (PinMotion<Expression>, Expression) {
+    let motion = solved(distance, &Turn { cos: p, sin: q }, driver);
+    let square = motion.position.dot(&motion.position);
+    (motion, square)
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@
 //! zero when the pin is nearest to the follower's pivot; `r` distance of the pin from that pivot. The formulas take
 //! the ratio `k` and give lengths in crank radii.
 
-use crate::{Field, Turn};
+use crate::{Field, Jet, Turn};
 use nalgebra::Vector2;
 use std::fmt;
 
@@ -84,6 +84,11 @@ impl PinSlot {
 /// Position of the pin seen from the follower's pivot, in crank radii; first coordinate along the line of centres.
 pub fn pin_from_pivot<S: Field>(ratio: &S, crank: &Turn<S>) -> Vector2<S> {
     Vector2::new(ratio.clone() - crank.cos.clone(), crank.sin.clone())
+}
+
+/// The same for a moving crank, as a power series.
+pub fn pin_path<S: Field, const N: usize>(ratio: &S, crank: &Turn<Jet<S, N>>) -> Vector2<Jet<S, N>> {
+    pin_from_pivot(&Jet::constant(ratio.clone()), crank)
 }
 
 /// Square of the pin's distance from the follower's pivot, in squared crank radii: 1 + k² − 2 k cos θ.

@@ -3,20 +3,20 @@
 //! Notation: s = sin α, c = cos θ, γ = (1 + s²)/(2 s), w = √(γ² + 8), which enters only by its square.
 //! Work::Jazar2003, example (e), Eqs. (5.33) and (5.34).
 
-use crate::{Field, Identity, Turn};
+use crate::{Expression, Identity, Turn};
 
 /// (1 + s² − 2 s cos θ) cos θ − 4 s sin² θ, the braces of the derivative, are the printed condition
 /// (1 + s²) cos θ − 2 s cos² θ − 4 s sin² θ. Variables: s and the tangent of θ/2.
 pub struct Condition;
 
 impl Identity<2> for Condition {
-    fn difference<S: Field>(&self, [sine, half]: &[S; 2]) -> S {
-        let crank = Turn::from_half_tangent(half);
-        let (c, two) = (crank.cos.clone(), S::integer(2));
-        let one_and_square = S::one() + sine.clone() * sine.clone();
-        let sines = S::integer(4) * sine.clone() * crank.sin.clone() * crank.sin;
-        let braces = (one_and_square.clone() - two.clone() * sine.clone() * c.clone()) * c.clone() - sines.clone();
-        braces - (one_and_square * c.clone() - two * sine.clone() * c.clone() * c - sines)
+    fn difference(&self, [sine, half]: [Expression; 2]) -> Expression {
+        let crank = Turn::from_half_tangent(&half);
+        let c = crank.cos;
+        let one_and_square = 1 + sine * sine;
+        let sines = 4 * sine * crank.sin * crank.sin;
+        let braces = (one_and_square - 2 * sine * c) * c - sines;
+        braces - (one_and_square * c - 2 * sine * c * c - sines)
     }
 }
 
@@ -24,9 +24,9 @@ impl Identity<2> for Condition {
 pub struct Pythagoras;
 
 impl Identity<1> for Pythagoras {
-    fn difference<S: Field>(&self, [half]: &[S; 1]) -> S {
-        let crank = Turn::from_half_tangent(half);
-        crank.sin.clone() * crank.sin - (S::one() - crank.cos.clone() * crank.cos)
+    fn difference(&self, [half]: [Expression; 1]) -> Expression {
+        let crank = Turn::from_half_tangent(&half);
+        crank.sin * crank.sin - (1 - crank.cos * crank.cos)
     }
 }
 
@@ -34,13 +34,9 @@ impl Identity<1> for Pythagoras {
 pub struct Quadratic;
 
 impl Identity<2> for Quadratic {
-    fn difference<S: Field>(&self, [sine, cosine]: &[S; 2]) -> S {
-        let (s, c, two) = (sine.clone(), cosine.clone(), S::integer(2));
-        let one_and_square = S::one() + s.clone() * s.clone();
-        let condition = one_and_square * c.clone()
-            - two.clone() * s.clone() * c.clone() * c.clone()
-            - S::integer(4) * s.clone() * (S::one() - c.clone() * c.clone());
-        condition - two * s.clone() * quadratic(&c, &gamma(&s))
+    fn difference(&self, [s, c]: [Expression; 2]) -> Expression {
+        let condition = (1 + s * s) * c - 2 * s * c * c - 4 * s * (1 - c * c);
+        condition - 2 * s * quadratic(c, gamma(s))
     }
 }
 
@@ -51,11 +47,11 @@ pub struct Roots {
 }
 
 impl Identity<2> for Roots {
-    fn difference<S: Field>(&self, [gamma, root]: &[S; 2]) -> S {
-        let signed = if self.plus { root.clone() } else { -root.clone() };
-        let cosine = (signed - gamma.clone()) / S::integer(2);
-        let excess = root.clone() * root.clone() - gamma.clone() * gamma.clone() - S::integer(8);
-        S::integer(4) * quadratic(&cosine, gamma) - excess
+    fn difference(&self, [gamma, root]: [Expression; 2]) -> Expression {
+        let signed = if self.plus { root } else { -root };
+        let cosine = (signed - gamma) / 2;
+        let excess = root * root - gamma * gamma - 8;
+        4 * quadratic(cosine, gamma) - excess
     }
 }
 
@@ -63,9 +59,9 @@ impl Identity<2> for Roots {
 pub struct BelowOne;
 
 impl Identity<1> for BelowOne {
-    fn difference<S: Field>(&self, [sine]: &[S; 1]) -> S {
-        let rest = S::one() - sine.clone();
-        quadratic(&S::one(), &gamma(sine)) - rest.clone() * rest / (S::integer(2) * sine.clone())
+    fn difference(&self, [sine]: [Expression; 1]) -> Expression {
+        let rest = 1 - sine;
+        quadratic(Expression::ONE, gamma(sine)) - rest * rest / (2 * sine)
     }
 }
 
@@ -74,20 +70,20 @@ impl Identity<1> for BelowOne {
 pub struct InsideTheEngagement;
 
 impl Identity<1> for InsideTheEngagement {
-    fn difference<S: Field>(&self, [sine]: &[S; 1]) -> S {
-        let square = S::one() - sine.clone() * sine.clone();
-        quadratic(sine, &gamma(sine)) + S::integer(3) * square / S::integer(2)
+    fn difference(&self, [sine]: [Expression; 1]) -> Expression {
+        let square = 1 - sine * sine;
+        quadratic(sine, gamma(sine)) + 3 * square / 2
     }
 }
 
 /// c² + γ c − 2.
-fn quadratic<S: Field>(cosine: &S, gamma: &S) -> S {
-    cosine.clone() * cosine.clone() + gamma.clone() * cosine.clone() - S::integer(2)
+fn quadratic(cosine: Expression, gamma: Expression) -> Expression {
+    cosine * cosine + gamma * cosine - 2
 }
 
 /// (1 + s²)/(2 s).
-fn gamma<S: Field>(sine: &S) -> S {
-    (S::one() + sine.clone() * sine.clone()) / (S::integer(2) * sine.clone())
+fn gamma(sine: Expression) -> Expression {
+    (1 + sine * sine) / (2 * sine)
 }
 
 #[cfg(test)]

@@ -4,24 +4,16 @@
 //! any number, α enters by the tangent of its half, so that sin α and cos α are rational. The left sides come from
 //! power series of the pin's place, the right sides are the formulas. Work::Jazar2003, Eqs. (5.25) to (5.34).
 
-use crate::scalars::turn::angular_velocity;
+use crate::pin_slot::{pin_from_pivot, pin_path, velocity_ratio};
 use crate::wheel::{acceleration_ratio, jerk_ratio, unsteady_acceleration};
-use crate::{Field, Identity, IdentityWithRoot, Jet, Turn, pin_slot};
-use nalgebra::Vector2;
-
-/// The pin seen from the wheel's axis, as a series: (k − cos θ, sin θ) in crank radii, θ growing by `advance`.
-fn pin<S: Field, const N: usize>(ratio: &S, crank: &Turn<S>, advance: &Jet<S, N>) -> Vector2<Jet<S, N>> {
-    pin_slot::pin_from_pivot(&Jet::constant(ratio.clone()), &crank.moving_by(advance))
-}
+use crate::{Expression, Identity, IdentityWithRoot, Jet, Turn, angular_velocity};
 
 /// Angular velocity of the wheel as a series. A proof stops with a panic, as at any pole, if the pin is on the axis.
-fn wheel_velocity<S: Field, const N: usize>(ratio: &S, crank: &Turn<S>, advance: &Jet<S, N>) -> Jet<S, N> {
-    angular_velocity(&pin(ratio, crank, advance)).expect("the pin is off the wheel's axis")
-}
-
-/// A crank angle that grows at the speed one.
-fn steady<S: Field, const N: usize>() -> Jet<S, N> {
-    Jet::variable(S::zero())
+pub(crate) fn wheel_velocity<const N: usize>(
+    ratio: Expression,
+    crank: &Turn<Jet<Expression, N>>,
+) -> Jet<Expression, N> {
+    angular_velocity(&pin_path(&ratio, crank)).expect("the pin is off the wheel's axis")
 }
 
 /// Loop closure, Eq. (5.25), against the pin's place: what the two equations give is where the pin is.
@@ -34,12 +26,12 @@ pub struct LoopClosure {
 }
 
 impl Identity<2> for LoopClosure {
-    fn difference<S: Field>(&self, [half_theta, half_phi]: &[S; 2]) -> S {
-        let (theta, phi) = (Turn::from_half_tangent(half_theta), Turn::from_half_tangent(half_phi));
-        let x = theta.sin.clone() / phi.sin.clone();
-        let ratio = theta.cos.clone() + x.clone() * phi.cos.clone();
-        let place = pin_slot::pin_from_pivot(&ratio, &theta) - phi.direction() * x;
-        if self.along { place.x.clone() } else { place.y.clone() }
+    fn difference(&self, [half_theta, half_phi]: [Expression; 2]) -> Expression {
+        let (theta, phi) = (Turn::from_half_tangent(&half_theta), Turn::from_half_tangent(&half_phi));
+        let x = theta.sin / phi.sin;
+        let ratio = theta.cos + x * phi.cos;
+        let place = pin_from_pivot(&ratio, &theta) - phi.direction() * x;
+        if self.along { place.x } else { place.y }
     }
 }
 
@@ -47,10 +39,10 @@ impl Identity<2> for LoopClosure {
 pub struct SlotEliminated;
 
 impl Identity<2> for SlotEliminated {
-    fn difference<S: Field>(&self, [ratio, half]: &[S; 2]) -> S {
-        let crank = Turn::from_half_tangent(half);
-        let pin = pin_slot::pin_from_pivot(ratio, &crank);
-        crank.cos + crank.sin * pin.x.clone() / pin.y.clone() - ratio.clone()
+    fn difference(&self, [ratio, half]: [Expression; 2]) -> Expression {
+        let crank = Turn::from_half_tangent(&half);
+        let pin = pin_from_pivot(&ratio, &crank);
+        crank.cos + crank.sin * pin.x / pin.y - ratio
     }
 }
 
@@ -60,14 +52,14 @@ impl Identity<2> for SlotEliminated {
 pub struct TangentDifferentiated;
 
 impl IdentityWithRoot<2> for TangentDifferentiated {
-    fn difference<S: Field>(&self, root: &S, [half, speed]: &[S; 2]) -> S {
-        let crank = Turn::from_half_tangent(half);
-        let advance = Jet::<S, 2>::from_coefficients([S::zero(), speed.clone()]);
-        let place = pin(root, &crank, &advance);
+    fn difference(&self, root: Expression, [half, speed]: [Expression; 2]) -> Expression {
+        let crank = Turn::from_half_tangent(&half);
+        let moving = crank.moving::<2>(speed);
+        let place = pin_path(&root, &moving);
         let tangent = place.y.value() / place.x.value();
-        let left = wheel_velocity(root, &crank, &advance).value() * (S::one() + tangent.clone() * tangent);
-        let rest = root.clone() - crank.cos.clone();
-        left - speed.clone() * (root.clone() * crank.cos - S::one()) / (rest.clone() * rest)
+        let left = wheel_velocity(root, &moving).value() * (1 + tangent * tangent);
+        let rest = root - crank.cos;
+        left - speed * (root * crank.cos - 1) / (rest * rest)
     }
 }
 
@@ -75,10 +67,10 @@ impl IdentityWithRoot<2> for TangentDifferentiated {
 pub struct VelocityOfFour;
 
 impl IdentityWithRoot<2> for VelocityOfFour {
-    fn difference<S: Field>(&self, root: &S, [half, speed]: &[S; 2]) -> S {
-        let crank = Turn::from_half_tangent(half);
-        let advance = Jet::<S, 2>::from_coefficients([S::zero(), speed.clone()]);
-        wheel_velocity(root, &crank, &advance).value() - speed.clone() * four_velocity(root, &crank)
+    fn difference(&self, root: Expression, [half, speed]: [Expression; 2]) -> Expression {
+        let crank = Turn::from_half_tangent(&half);
+        let moving = crank.moving::<2>(speed);
+        wheel_velocity(root, &moving).value() - speed * four_velocity(root, &crank)
     }
 }
 
@@ -87,12 +79,11 @@ impl IdentityWithRoot<2> for VelocityOfFour {
 pub struct UnsteadyAccelerationOfFour;
 
 impl IdentityWithRoot<3> for UnsteadyAccelerationOfFour {
-    fn difference<S: Field>(&self, root: &S, [half, speed, gain]: &[S; 3]) -> S {
-        let crank = Turn::from_half_tangent(half);
-        let advance = Jet::<S, 3>::from_coefficients([S::zero(), speed.clone(), gain.clone() / S::integer(2)]);
-        let printed = gain.clone() * four_velocity(root, &crank)
-            - speed.clone() * speed.clone() * four_acceleration(root, &crank);
-        wheel_velocity(root, &crank, &advance).rate() - printed
+    fn difference(&self, root: Expression, [half, speed, gain]: [Expression; 3]) -> Expression {
+        let crank = Turn::from_half_tangent(&half);
+        let moving = crank.speeding_up(speed, gain);
+        let printed = gain * four_velocity(root, &crank) - speed * speed * four_acceleration(root, &crank);
+        wheel_velocity(root, &moving).rate() - printed
     }
 }
 
@@ -103,28 +94,23 @@ pub struct AccelerationOfFour {
 }
 
 impl IdentityWithRoot<2> for AccelerationOfFour {
-    fn difference<S: Field>(&self, root: &S, [half, speed]: &[S; 2]) -> S {
-        let crank = Turn::from_half_tangent(half);
-        let advance = Jet::<S, 3>::from_coefficients([S::zero(), speed.clone(), S::zero()]);
-        let size = speed.clone() * speed.clone() * four_acceleration(root, &crank);
+    fn difference(&self, root: Expression, [half, speed]: [Expression; 2]) -> Expression {
+        let crank = Turn::from_half_tangent(&half);
+        let moving = crank.moving::<3>(speed);
+        let size = speed * speed * four_acceleration(root, &crank);
         let formula = if self.negative { -size } else { size };
-        wheel_velocity(root, &crank, &advance).rate() - formula
+        wheel_velocity(root, &moving).rate() - formula
     }
 }
 
-fn four_velocity<S: Field>(root: &S, crank: &Turn<S>) -> S {
-    let product = root.clone() * crank.cos.clone();
-    (product.clone() - S::one()) / (S::integer(3) - S::integer(2) * product)
+fn four_velocity(root: Expression, crank: &Turn<Expression>) -> Expression {
+    let product = root * crank.cos;
+    (product - 1) / (3 - 2 * product)
 }
 
-fn four_acceleration<S: Field>(root: &S, crank: &Turn<S>) -> S {
-    let square = S::integer(3) - S::integer(2) * root.clone() * crank.cos.clone();
-    root.clone() * crank.sin.clone() / (square.clone() * square)
-}
-
-/// 1 + sin² α − 2 sin α cos θ.
-fn denominator<S: Field>(alpha: &Turn<S>, crank: &Turn<S>) -> S {
-    S::one() + alpha.sin.clone() * alpha.sin.clone() - S::integer(2) * alpha.sin.clone() * crank.cos.clone()
+fn four_acceleration(root: Expression, crank: &Turn<Expression>) -> Expression {
+    let square = 3 - 2 * root * crank.cos;
+    root * crank.sin / (square * square)
 }
 
 /// Which quantity of the motion an identity for any number of stations is about.
@@ -140,6 +126,20 @@ pub enum Quantity {
     Jerk,
 }
 
+impl Quantity {
+    /// The quantity from the power series of the pin's place, for a driver of speed one.
+    fn of_the_place(self, ratio: Expression, crank: &Turn<Expression>) -> Expression {
+        let place = pin_from_pivot(&ratio, crank);
+        let velocity = wheel_velocity(ratio, &crank.moving::<4>(Expression::ONE));
+        match self {
+            Self::Tangent => place.y / place.x,
+            Self::Velocity => velocity.value(),
+            Self::Acceleration => velocity.rate(),
+            Self::Jerk => velocity.coefficient(2) * 2,
+        }
+    }
+}
+
 /// A printed formula in sin α and cos α against the power series of the pin's place, with k = 1 / sin α.
 ///
 /// Variables: tangents of α/2 and θ/2.
@@ -149,31 +149,18 @@ pub struct Printed(
 );
 
 impl Identity<2> for Printed {
-    fn difference<S: Field>(&self, [half_alpha, half_theta]: &[S; 2]) -> S {
-        let (alpha, crank) = (Turn::from_half_tangent(half_alpha), Turn::from_half_tangent(half_theta));
-        let ratio = S::one() / alpha.sin.clone();
-        let (sin, cos) = (alpha.sin.clone(), alpha.cos.clone());
-        let square = || denominator(&alpha, &crank);
+    fn difference(&self, [half_alpha, half_theta]: [Expression; 2]) -> Expression {
+        let (alpha, crank) = (Turn::from_half_tangent(&half_alpha), Turn::from_half_tangent(&half_theta));
+        let (sin, cos) = (alpha.sin, alpha.cos);
+        let square = 1 + sin * sin - 2 * sin * crank.cos;
+        let found = self.0.of_the_place(1 / sin, &crank);
         match self.0 {
-            Quantity::Tangent => {
-                let place = pin_slot::pin_from_pivot(&ratio, &crank);
-                place.y.clone() / place.x.clone()
-                    - sin.clone() * crank.sin.clone() / (S::one() - sin * crank.cos.clone())
-            }
-            Quantity::Velocity => {
-                let series = wheel_velocity(&ratio, &crank, &steady::<S, 2>());
-                series.value() - sin.clone() * (crank.cos.clone() - sin) / square()
-            }
-            Quantity::Acceleration => {
-                let series = wheel_velocity(&ratio, &crank, &steady::<S, 3>());
-                series.rate() + sin * cos.clone() * cos * crank.sin.clone() / (square() * square())
-            }
+            Quantity::Tangent => found - sin * crank.sin / (1 - sin * crank.cos),
+            Quantity::Velocity => found - sin * (crank.cos - sin) / square,
+            Quantity::Acceleration => found + sin * cos * cos * crank.sin / (square * square),
             Quantity::Jerk => {
-                let series = wheel_velocity(&ratio, &crank, &steady::<S, 4>());
-                let braces =
-                    square() * crank.cos.clone() - S::integer(4) * sin.clone() * crank.sin.clone() * crank.sin.clone();
-                let printed = -(sin * cos.clone() * cos * braces) / (square() * square() * square());
-                series.derivative(2).unwrap_or_else(S::zero) - printed
+                let braces = square * crank.cos - 4 * sin * crank.sin * crank.sin;
+                found - -(sin * cos * cos * braces) / (square * square * square)
             }
         }
     }
@@ -186,24 +173,15 @@ pub struct Implemented(
 );
 
 impl Identity<2> for Implemented {
-    fn difference<S: Field>(&self, [ratio, half]: &[S; 2]) -> S {
-        let crank = Turn::from_half_tangent(half);
-        match self.0 {
-            Quantity::Tangent => {
-                let place = pin_slot::pin_from_pivot(ratio, &crank);
-                place.y.clone() / place.x.clone() - crank.sin / (ratio.clone() - crank.cos)
-            }
-            Quantity::Velocity => {
-                wheel_velocity(ratio, &crank, &steady::<S, 2>()).value() - pin_slot::velocity_ratio(ratio, &crank)
-            }
-            Quantity::Acceleration => {
-                wheel_velocity(ratio, &crank, &steady::<S, 3>()).rate() - acceleration_ratio(ratio, &crank)
-            }
-            Quantity::Jerk => {
-                let series = wheel_velocity(ratio, &crank, &steady::<S, 4>());
-                series.derivative(2).unwrap_or_else(S::zero) - jerk_ratio(ratio, &crank)
-            }
-        }
+    fn difference(&self, [ratio, half]: [Expression; 2]) -> Expression {
+        let crank = Turn::from_half_tangent(&half);
+        let formula = match self.0 {
+            Quantity::Tangent => crank.sin / (ratio - crank.cos),
+            Quantity::Velocity => velocity_ratio(&ratio, &crank),
+            Quantity::Acceleration => acceleration_ratio(&ratio, &crank),
+            Quantity::Jerk => jerk_ratio(&ratio, &crank),
+        };
+        self.0.of_the_place(ratio, &crank) - formula
     }
 }
 
@@ -211,9 +189,9 @@ impl Identity<2> for Implemented {
 pub struct OddAcceleration;
 
 impl Identity<2> for OddAcceleration {
-    fn difference<S: Field>(&self, [ratio, half]: &[S; 2]) -> S {
-        let crank = Turn::from_half_tangent(half);
-        acceleration_ratio(ratio, &crank) + acceleration_ratio(ratio, &crank.reversed())
+    fn difference(&self, [ratio, half]: [Expression; 2]) -> Expression {
+        let crank = Turn::from_half_tangent(&half);
+        acceleration_ratio(&ratio, &crank) + acceleration_ratio(&ratio, &crank.reversed())
     }
 }
 
@@ -221,10 +199,10 @@ impl Identity<2> for OddAcceleration {
 pub struct UnsteadyAcceleration;
 
 impl Identity<4> for UnsteadyAcceleration {
-    fn difference<S: Field>(&self, [ratio, half, speed, gain]: &[S; 4]) -> S {
-        let crank = Turn::from_half_tangent(half);
-        let advance = Jet::<S, 3>::from_coefficients([S::zero(), speed.clone(), gain.clone() / S::integer(2)]);
-        wheel_velocity(ratio, &crank, &advance).rate() - unsteady_acceleration(ratio, &crank, speed, gain)
+    fn difference(&self, [ratio, half, speed, gain]: [Expression; 4]) -> Expression {
+        let crank = Turn::from_half_tangent(&half);
+        let moving = crank.speeding_up(speed, gain);
+        wheel_velocity(ratio, &moving).rate() - unsteady_acceleration(&ratio, &crank, &speed, &gain)
     }
 }
 

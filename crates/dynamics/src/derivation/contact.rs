@@ -2,9 +2,9 @@
 //!
 //! The letters A to E, R and V are free variables here, and F = C θ'² + D θ'' has a sign S.
 
-use super::Form;
-use crate::{Coefficients, Pose, Sign, equation};
-use geneva_kinematics::{Field, Identity};
+use super::{Form, pose};
+use crate::{Coefficients, Sign, equation};
+use geneva_kinematics::{Expression, Identity};
 
 /// Eq. (1-19) as Appendix B repeats it: A θ'' + B θ'² + C θ² + D θ' = E, with a dot of θ'² and of θ'' and both bars
 /// lost.
@@ -20,14 +20,12 @@ pub struct BarsReprinted {
 }
 
 impl Identity<7> for BarsReprinted {
-    fn difference<S: Field>(&self, [a, b, c, d, angle, speed, gain]: &[S; 7]) -> S {
-        let truth = Coefficients { a: a.clone(), b: b.clone(), c: c.clone(), d: d.clone(), e: S::zero() };
+    fn difference(&self, [a, b, c, d, angle, speed, gain]: [Expression; 7]) -> Expression {
+        let truth = Coefficients { a, b, c, d, e: Expression::ZERO };
         let (squared, last) = self.dots.pick((angle, speed), (speed, gain));
-        let between = c.clone() * squared.clone() * squared.clone() + d.clone() * last.clone();
-        let display = a.clone() * gain.clone()
-            + b.clone() * speed.clone() * speed.clone()
-            + self.bars.pick(Sign::Plus, self.contact).of(between);
-        truth.residual(speed, gain, self.contact) - display
+        let between = c * squared * squared + d * last;
+        let display = a * gain + b * speed * speed + self.bars.pick(Sign::Plus, self.contact).of(between);
+        truth.residual(&speed, &gain, self.contact) - display
     }
 }
 
@@ -60,27 +58,24 @@ pub struct BarsOpened {
 }
 
 impl Identity<7> for BarsOpened {
-    fn difference<S: Field>(&self, [slope, b, c, d, e, speed, gain]: &[S; 7]) -> S {
-        let signed = |value: &S| self.sign.of(value.clone());
-        let a = slope.clone() - signed(d);
-        let square = speed.clone() * speed.clone();
+    fn difference(&self, [slope, b, c, d, e, speed, gain]: [Expression; 7]) -> Expression {
+        let signed = |value: Expression| self.sign.of(value);
+        let a = slope - signed(d);
+        let square = speed * speed;
         // |F| is the one of F and −F that is not negative.
-        let size = self.sign.of(c.clone() * square.clone() + d.clone() * gain.clone());
-        let truth = a.clone() * gain.clone() + b.clone() * square.clone() + size - e.clone();
+        let size = self.sign.of(c * square + d * gain);
+        let truth = a * gain + b * square + size - e;
         let display = match self.line {
             Opening::WithSign => {
-                let sign = signed(&S::one());
-                let between = c.clone() * square.clone() + d.clone() * gain.clone();
-                a * gain.clone() + b.clone() * square + sign * between - e.clone()
+                let sign = signed(Expression::ONE);
+                let between = c * square + d * gain;
+                a * gain + b * square + sign * between - e
             }
-            Opening::Expanded => {
-                a * gain.clone() + b.clone() * square.clone() + signed(c) * square + signed(d) * gain.clone()
-                    - e.clone()
-            }
-            Opening::Collected => gain.clone() * (a + signed(d)) + square * (b.clone() + signed(c)) - e.clone(),
+            Opening::Expanded => a * gain + b * square + signed(c) * square + signed(d) * gain - e,
+            Opening::Collected => gain * (a + signed(d)) + square * (b + signed(c)) - e,
             Opening::Solved => {
-                let solved = (e.clone() - (b.clone() + signed(c)) * square) / slope.clone();
-                (gain.clone() - solved) * slope.clone()
+                let solved = (e - (b + signed(c)) * square) / slope;
+                (gain - solved) * slope
             }
         };
         truth - display
@@ -116,14 +111,14 @@ pub struct StartingEquation {
 }
 
 impl Identity<6> for StartingEquation {
-    fn difference<S: Field>(&self, [a, b, c, d, gain, speed]: &[S; 6]) -> S {
-        let truth = Coefficients { a: a.clone(), b: b.clone(), c: c.clone(), d: d.clone(), e: S::zero() };
+    fn difference(&self, [a, b, c, d, gain, speed]: [Expression; 6]) -> Expression {
+        let truth = Coefficients { a, b, c, d, e: Expression::ZERO };
         let last = self.dots.pick(speed, gain);
         let size = match self.line {
-            StartingLine::Bars | StartingLine::StartingLetters => self.sign.of(d.clone() * last.clone()),
-            StartingLine::Outside => self.sign.of(d.clone()) * last.clone(),
+            StartingLine::Bars | StartingLine::StartingLetters => self.sign.of(d * last),
+            StartingLine::Outside => self.sign.of(d) * last,
         };
-        truth.residual(&S::zero(), gain, self.sign) - (a.clone() * gain.clone() + size)
+        truth.residual(&Expression::ZERO, &gain, self.sign) - (a * gain + size)
     }
 }
 
@@ -134,11 +129,11 @@ pub struct StartingAcceleration {
 }
 
 impl Identity<5> for StartingAcceleration {
-    fn difference<S: Field>(&self, [a, b, c, size, e]: &[S; 5]) -> S {
-        let d = self.sign.of(size.clone());
-        let truth = Coefficients { a: a.clone(), b: b.clone(), c: c.clone(), d, e: e.clone() };
-        let start = e.clone() / (a.clone() + size.clone());
-        truth.residual(&S::zero(), &start, self.sign)
+    fn difference(&self, [a, b, c, size, e]: [Expression; 5]) -> Expression {
+        let d = self.sign.of(size);
+        let truth = Coefficients { a, b, c, d, e };
+        let start = e / (a + size);
+        truth.residual(&Expression::ZERO, &start, self.sign)
     }
 }
 
@@ -148,13 +143,13 @@ impl Identity<5> for StartingAcceleration {
 pub struct StartAtEntry;
 
 impl Identity<5> for StartAtEntry {
-    fn difference<S: Field>(&self, [cross, driver, follower, friction, torque]: &[S; 5]) -> S {
+    fn difference(&self, [cross, driver, follower, friction, torque]: [Expression; 5]) -> Expression {
         // R² = h² + g² with h = 0.
-        let pose = Pose::from_square(&(cross.clone() * cross.clone()), &S::zero(), cross);
-        let inertia = driver.clone() / follower.clone();
+        let pose = pose(cross * cross, Expression::ZERO, cross);
+        let inertia = driver / follower;
         let a = equation::coefficient_a(&pose, &inertia);
-        let d = equation::coefficient_d(&pose, friction);
-        torque.clone() / follower.clone() / (a + d) - torque.clone() / driver.clone()
+        let d = equation::coefficient_d(&pose, &friction);
+        torque / follower / (a + d) - torque / driver
     }
 }
 
@@ -168,9 +163,9 @@ pub struct Demonstration(
 );
 
 impl Identity<5> for Demonstration {
-    fn difference<S: Field>(&self, [mass, damping, stiffness, place, speed]: &[S; 5]) -> S {
-        let rest = damping.clone() * speed.clone() + stiffness.clone() * place.clone();
-        let gain = -rest.clone() / mass.clone();
-        mass.clone() * self.0.pick(speed.clone(), gain) + rest
+    fn difference(&self, [mass, damping, stiffness, place, speed]: [Expression; 5]) -> Expression {
+        let rest = damping * speed + stiffness * place;
+        let gain = -rest / mass;
+        mass * self.0.pick(speed, gain) + rest
     }
 }

@@ -3,19 +3,14 @@
 //! Half powers of 1 + a² − 2 a cos θ = R² are powers of R, so every exponent is counted in halves. Forces are over
 //! I_f/r.
 
-use super::{Form, follower_gain, friction_torque, over, power};
+use super::{Form, follower_gain, friction_torque, over, pose, power};
 use crate::{Pose, Sign};
-use geneva_kinematics::{Field, Identity};
-
-fn pose<S: Field>(radius: &S, lead: &S, cross: &S) -> Pose<S> {
-    Pose::from_square(&(radius.clone() * radius.clone()), lead, cross)
-}
+use geneva_kinematics::{Expression, Identity};
 
 /// a sin θ (1 − a²)/R^speed θ'² + (a cos θ − 1)/R^gain θ'', the brackets of these displays; θ' = 1.
-fn brackets<S: Field>(pose: &Pose<S>, radius: &S, gain: &S, powers: [u32; 2]) -> S {
+fn brackets(pose: &Pose<Expression>, radius: Expression, gain: Expression, powers: [u32; 2]) -> Expression {
     let [of_speed, of_gain] = powers;
-    over(pose.cross.clone() * pose.shape.clone(), radius, of_speed)
-        + over(pose.lead.clone(), radius, of_gain) * gain.clone()
+    over(pose.cross * pose.shape, radius, of_speed) + over(pose.lead, radius, of_gain) * gain
 }
 
 /// N R = I_f φ'', moments about o. The print has I_P θ'': another letter's inertia, and the driver's acceleration.
@@ -27,10 +22,10 @@ pub struct MomentEquation(
 );
 
 impl Identity<5> for MomentEquation {
-    fn difference<S: Field>(&self, [square, lead, cross, gain, odd]: &[S; 5]) -> S {
-        let pose = Pose::from_square(square, lead, cross);
-        let corrected = pose.follower_acceleration(&S::one(), gain);
-        follower_gain(&pose, gain) - self.0.pick(odd.clone() * gain.clone(), corrected)
+    fn difference(&self, [square, lead, cross, gain, odd]: [Expression; 5]) -> Expression {
+        let pose = pose(square, lead, cross);
+        let corrected = pose.follower_acceleration(&Expression::ONE, &gain);
+        follower_gain(&pose, gain) - self.0.pick(odd * gain, corrected)
     }
 }
 
@@ -41,11 +36,11 @@ pub struct ForceFromMoment(
 );
 
 impl Identity<5> for ForceFromMoment {
-    fn difference<S: Field>(&self, [radius, lead, cross, gain, odd]: &[S; 5]) -> S {
-        let pose = pose(radius, lead, cross);
-        let corrected = pose.follower_acceleration(&S::one(), gain);
-        let force = self.0.pick(odd.clone() * gain.clone(), corrected) / radius.clone();
-        follower_gain(&pose, gain) / radius.clone() - force
+    fn difference(&self, [radius, lead, cross, gain, odd]: [Expression; 5]) -> Expression {
+        let pose = pose(radius * radius, lead, cross);
+        let corrected = pose.follower_acceleration(&Expression::ONE, &gain);
+        let force = self.0.pick(odd * gain, corrected) / radius;
+        follower_gain(&pose, gain) / radius - force
     }
 }
 
@@ -65,9 +60,9 @@ impl ForceSubstituted {
 }
 
 impl Identity<4> for ForceSubstituted {
-    fn difference<S: Field>(&self, [radius, lead, cross, gain]: &[S; 4]) -> S {
-        let pose = pose(radius, lead, cross);
-        follower_gain(&pose, gain) / radius.clone() - over(brackets(&pose, radius, gain, [4, 2]), radius, self.outer)
+    fn difference(&self, [radius, lead, cross, gain]: [Expression; 4]) -> Expression {
+        let pose = pose(radius * radius, lead, cross);
+        follower_gain(&pose, gain) / radius - over(brackets(&pose, radius, gain, [4, 2]), radius, self.outer)
     }
 }
 
@@ -87,9 +82,9 @@ impl NormalForce {
 }
 
 impl Identity<4> for NormalForce {
-    fn difference<S: Field>(&self, [radius, lead, cross, gain]: &[S; 4]) -> S {
-        let pose = pose(radius, lead, cross);
-        follower_gain(&pose, gain) / radius.clone() - brackets(&pose, radius, gain, self.powers)
+    fn difference(&self, [radius, lead, cross, gain]: [Expression; 4]) -> Expression {
+        let pose = pose(radius * radius, lead, cross);
+        follower_gain(&pose, gain) / radius - brackets(&pose, radius, gain, self.powers)
     }
 }
 
@@ -112,11 +107,11 @@ impl FrictionSubstituted {
 }
 
 impl Identity<5> for FrictionSubstituted {
-    fn difference<S: Field>(&self, [radius, lead, cross, gain, friction]: &[S; 5]) -> S {
-        let pose = pose(radius, lead, cross);
+    fn difference(&self, [radius, lead, cross, gain, friction]: [Expression; 5]) -> Expression {
+        let pose = pose(radius * radius, lead, cross);
         let [sine, speed, driver] = self.powers;
-        let between = over(pose.cross.clone(), radius, sine) * brackets(&pose, radius, gain, [speed, driver]);
-        self.contact.of(friction_torque(&pose, gain, friction)) - friction.clone() * self.contact.of(between)
+        let between = over(pose.cross, radius, sine) * brackets(&pose, radius, gain, [speed, driver]);
+        self.contact.of(friction_torque(&pose, gain, friction)) - friction * self.contact.of(between)
     }
 }
 
@@ -127,17 +122,17 @@ pub struct FrictionOfMotion {
 }
 
 impl Identity<5> for FrictionOfMotion {
-    fn difference<S: Field>(&self, [square, lead, cross, gain, friction]: &[S; 5]) -> S {
-        let pose = Pose::from_square(square, lead, cross);
+    fn difference(&self, [square, lead, cross, gain, friction]: [Expression; 5]) -> Expression {
+        let pose = pose(square, lead, cross);
         let between = printed_friction(&pose, gain, friction);
         self.contact.of(friction_torque(&pose, gain, friction)) - self.contact.of(between)
     }
 }
 
 /// a μ times what stands between the bars of Eq. (1-14), with θ' = 1: a² sin² θ and a sin θ are g² and g.
-pub(super) fn printed_friction<S: Field>(pose: &Pose<S>, gain: &S, friction: &S) -> S {
-    let (square, cross) = (&pose.square, &pose.cross);
-    let of_speed = over(power(cross, 2) * pose.shape.clone(), square, 3);
-    let of_gain = over(cross.clone() * pose.lead.clone(), square, 2);
-    friction.clone() * (of_speed + of_gain * gain.clone())
+pub(super) fn printed_friction(pose: &Pose<Expression>, gain: Expression, friction: Expression) -> Expression {
+    let (square, cross) = (pose.square, pose.cross);
+    let of_speed = over(power(cross, 2) * pose.shape, square, 3);
+    let of_gain = over(cross * pose.lead, square, 2);
+    friction * (of_speed + of_gain * gain)
 }

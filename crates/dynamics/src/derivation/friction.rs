@@ -1,30 +1,28 @@
 //! The torque of friction: its moment arm, and the displays from there to Eq. (1-12).
 
-use super::two;
 use crate::Sign;
-use geneva_kinematics::{Field, Identity, Jet, Turn, pin_slot};
+use geneva_kinematics::{Expression, Identity, Turn, pin_slot};
 
 /// The triangle of the two axes and the pin from its two angles: R = sin θ / sin φ and a = cos θ + R cos φ.
-struct Triangle<S> {
-    theta: Turn<S>,
-    phi: Turn<S>,
-    radius: S,
-    ratio: S,
+struct Triangle {
+    theta: Turn<Expression>,
+    phi: Turn<Expression>,
+    radius: Expression,
+    ratio: Expression,
 }
 
-impl<S: Field> Triangle<S> {
-    fn new(half_theta: &S, half_phi: &S) -> Self {
-        let (theta, phi) = (Turn::from_half_tangent(half_theta), Turn::from_half_tangent(half_phi));
-        let radius = theta.sin.clone() / phi.sin.clone();
-        let ratio = theta.cos.clone() + radius.clone() * phi.cos.clone();
+impl Triangle {
+    fn new(half_theta: Expression, half_phi: Expression) -> Self {
+        let (theta, phi) = (Turn::from_half_tangent(&half_theta), Turn::from_half_tangent(&half_phi));
+        let radius = theta.sin / phi.sin;
+        let ratio = theta.cos + radius * phi.cos;
         Self { theta, phi, radius, ratio }
     }
 
     /// R dR/dθ at a fixed centre distance, from the pin's place.
-    fn sliding(&self) -> S {
-        let place = pin_slot::pin_from_pivot(&Jet::constant(self.ratio.clone()), &self.theta.moving::<2>(S::one()));
-        let square = place.x.clone() * place.x.clone() + place.y.clone() * place.y.clone();
-        square.rate() / two::<S>()
+    fn sliding(&self) -> Expression {
+        let place = pin_slot::pin_path(&self.ratio, &self.theta.moving::<2>(Expression::ONE));
+        (place.x * place.x + place.y * place.y).rate() / 2
     }
 }
 
@@ -34,9 +32,9 @@ impl<S: Field> Triangle<S> {
 pub struct MomentArm;
 
 impl Identity<2> for MomentArm {
-    fn difference<S: Field>(&self, [half_theta, half_phi]: &[S; 2]) -> S {
+    fn difference(&self, [half_theta, half_phi]: [Expression; 2]) -> Expression {
         let triangle = Triangle::new(half_theta, half_phi);
-        triangle.sliding() - triangle.radius.clone() * triangle.ratio * triangle.phi.sin
+        triangle.sliding() - triangle.radius * triangle.ratio * triangle.phi.sin
     }
 }
 
@@ -46,11 +44,10 @@ impl Identity<2> for MomentArm {
 pub struct SineOfFollower;
 
 impl Identity<2> for SineOfFollower {
-    fn difference<S: Field>(&self, [half_theta, half_phi]: &[S; 2]) -> S {
+    fn difference(&self, [half_theta, half_phi]: [Expression; 2]) -> Expression {
         let triangle = Triangle::new(half_theta, half_phi);
         let square = pin_slot::slot_radius_squared(&triangle.ratio, &triangle.theta);
-        let (theta, phi) = (triangle.theta.sin, triangle.phi.sin);
-        phi.clone() * phi * square - theta.clone() * theta
+        triangle.phi.sin.squared() * square - triangle.theta.sin.squared()
     }
 }
 
@@ -85,10 +82,9 @@ pub struct FrictionTorque {
 }
 
 impl Identity<4> for FrictionTorque {
-    fn difference<S: Field>(&self, [half_theta, half_phi, normal, friction]: &[S; 4]) -> S {
+    fn difference(&self, [half_theta, half_phi, n, mu]: [Expression; 4]) -> Expression {
         let triangle = Triangle::new(half_theta, half_phi);
-        let (n, mu) = (normal.clone(), friction.clone());
-        let lost = mu.clone() * self.contact.of(n.clone() * triangle.sliding()) / triangle.radius.clone();
+        let lost = mu * self.contact.of(n * triangle.sliding()) / triangle.radius;
         // In crank radii r = 1 and c = a.
         let (c, sine) = (triangle.ratio, triangle.phi.sin);
         let printed = match self.line {
@@ -107,10 +103,9 @@ impl Identity<4> for FrictionTorque {
 pub struct SlotRadiusBySines;
 
 impl Identity<2> for SlotRadiusBySines {
-    fn difference<S: Field>(&self, [half_theta, half_phi]: &[S; 2]) -> S {
+    fn difference(&self, [half_theta, half_phi]: [Expression; 2]) -> Expression {
         let triangle = Triangle::new(half_theta, half_phi);
-        let radius = triangle.radius.clone();
-        radius.clone() * radius - pin_slot::slot_radius_squared(&triangle.ratio, &triangle.theta)
+        triangle.radius.squared() - pin_slot::slot_radius_squared(&triangle.ratio, &triangle.theta)
     }
 }
 
@@ -118,10 +113,9 @@ impl Identity<2> for SlotRadiusBySines {
 pub struct SlotRadius;
 
 impl Identity<2> for SlotRadius {
-    fn difference<S: Field>(&self, [ratio, half]: &[S; 2]) -> S {
-        let crank = Turn::from_half_tangent(half);
-        let place = pin_slot::pin_from_pivot(ratio, &crank);
-        place.x.clone() * place.x.clone() + place.y.clone() * place.y.clone()
-            - pin_slot::slot_radius_squared(ratio, &crank)
+    fn difference(&self, [ratio, half]: [Expression; 2]) -> Expression {
+        let crank = Turn::from_half_tangent(&half);
+        let place = pin_slot::pin_from_pivot(&ratio, &crank);
+        place.x * place.x + place.y * place.y - pin_slot::slot_radius_squared(&ratio, &crank)
     }
 }

@@ -1,8 +1,8 @@
 //! The kinetic energy, its derivative with the speed, and why Lagrange's equation holds here: up to Eq. (1-16).
 
-use super::{Form, growth, momentum_rate, over, position_rate, power, two};
+use super::{Form, growth, momentum_rate, over, pose, position_rate, power};
 use crate::{Pose, energy};
-use geneva_kinematics::{Field, Identity, Jet, Turn, angular_velocity, pin_slot};
+use geneva_kinematics::{Expression, Field, Identity, Jet, Turn, angular_velocity, pin_slot};
 
 /// Eqs. (1-9) and (1-10), the left side: (d/dt ∂T/∂θ' − ∂T/∂θ) θ' = dT/dt, so Q θ' is the power of all torques.
 ///
@@ -10,8 +10,8 @@ use geneva_kinematics::{Field, Identity, Jet, Turn, angular_velocity, pin_slot};
 pub struct LagrangeIsPower;
 
 impl Identity<5> for LagrangeIsPower {
-    fn difference<S: Field>(&self, [square, lead, cross, gain, inertia]: &[S; 5]) -> S {
-        let pose = Pose::from_square(square, lead, cross);
+    fn difference(&self, [square, lead, cross, gain, inertia]: [Expression; 5]) -> Expression {
+        let pose = pose(square, lead, cross);
         momentum_rate(&pose, gain, inertia) - position_rate(&pose, inertia) - growth(&pose, gain, inertia)
     }
 }
@@ -37,23 +37,23 @@ pub struct KineticEnergy(
 );
 
 impl Identity<3> for KineticEnergy {
-    fn difference<S: Field>(&self, [p, q, inertia]: &[S; 3]) -> S {
-        let crank = Turn { cos: p.clone(), sin: q.clone() };
-        let place = pin_slot::pin_from_pivot(&Jet::integer(1), &crank.moving::<2>(S::one()));
+    fn difference(&self, [p, q, inertia]: [Expression; 3]) -> Expression {
+        let crank = Turn { cos: p, sin: q };
+        let place = pin_slot::pin_from_pivot(&Jet::integer(1), &crank.moving::<2>(Expression::ONE));
         let (x, y) = (place.x.value(), place.y.value());
-        let square = x.clone() * x.clone() + y.clone() * y;
+        let square = x * x + y * y;
         let turning = angular_velocity(&place).expect("the pin is off the follower's pivot").value();
-        let half = |energy: S| energy / two::<S>();
-        let truth = half(inertia.clone() + power(&turning, 2));
-        let ratio_squared = power(&over(p.clone() - power(p, 2) - power(q, 2), &square, 1), 2);
+        let half = |energy: Expression| energy / 2;
+        let truth = half(inertia + power(turning, 2));
+        let ratio_squared = power(over(p - power(p, 2) - power(q, 2), square, 1), 2);
         let display = match self.0 {
             EnergyLine::Members(form) => {
-                let tangent = place.y.clone() / place.x.clone();
-                let follower = form.pick(S::one(), tangent.rate() * x.clone() * x / square);
-                half(inertia.clone()) + half(power(&follower, 2))
+                let tangent = place.y / place.x;
+                let follower = form.pick(Expression::ONE, tangent.rate() * x * x / square);
+                half(inertia) + half(power(follower, 2))
             }
-            EnergyLine::Substituted => half(inertia.clone()) + half(ratio_squared),
-            EnergyLine::Bracketed => half(inertia.clone() + ratio_squared),
+            EnergyLine::Substituted => half(inertia) + half(ratio_squared),
+            EnergyLine::Bracketed => half(inertia + ratio_squared),
         };
         truth - display
     }
@@ -63,16 +63,16 @@ impl Identity<3> for KineticEnergy {
 pub struct Momentum;
 
 impl Identity<5> for Momentum {
-    fn difference<S: Field>(&self, [square, lead, cross, speed, inertia]: &[S; 5]) -> S {
-        let pose = Pose::from_square(square, lead, cross);
-        let display = effective_inertia(&pose, inertia) * speed.clone();
-        let still = pose.map(Jet::<S, 2>::constant);
-        let moving = Jet::variable(speed.clone());
-        energy::kinetic_energy(&still.velocity_ratio(), &moving, &Jet::constant(inertia.clone())).rate() - display
+    fn difference(&self, [square, lead, cross, speed, inertia]: [Expression; 5]) -> Expression {
+        let pose = pose(square, lead, cross);
+        let display = effective_inertia(&pose, inertia) * speed;
+        let still = pose.map(Jet::<_, 2>::constant);
+        let moving = Jet::variable(speed);
+        energy::kinetic_energy(&still.velocity_ratio(), &moving, &Jet::constant(inertia)).rate() - display
     }
 }
 
 /// I_D + (a cos θ − 1)²/R⁴ I_f, the brackets of Eq. (1-16).
-pub(super) fn effective_inertia<S: Field>(pose: &Pose<S>, inertia: &S) -> S {
-    inertia.clone() + over(power(&pose.lead, 2), &pose.square, 2)
+pub(super) fn effective_inertia<S: Field + Copy>(pose: &Pose<S>, inertia: S) -> S {
+    inertia + over(power(pose.lead, 2), pose.square, 2)
 }

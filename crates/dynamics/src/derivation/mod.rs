@@ -37,82 +37,66 @@ pub use motion::{Coefficient, CoefficientPrinted, EquationOfMotion, LeftSide, Le
 pub use position::{PositionLine, PositionRate};
 pub use singularity::{AtOne, BoundAsSquare, OffTheSingularity, SingularAngle};
 
+pub use geneva_kinematics::Form;
+
 use crate::{Pose, energy};
-use geneva_kinematics::{Field, Jet};
+use geneva_kinematics::{Expression, Field, Jet};
 
-/// How a display stands: with its slip, or without.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Form {
-    /// As printed.
-    Printed,
-    /// Put right.
-    Corrected,
-}
-
-impl Form {
-    /// Both forms.
-    pub const BOTH: [Self; 2] = [Self::Printed, Self::Corrected];
-
-    fn pick<T>(self, printed: T, corrected: T) -> T {
-        match self {
-            Self::Printed => printed,
-            Self::Corrected => corrected,
-        }
-    }
-}
-
-fn two<S: Field>() -> S {
-    S::integer(2)
-}
-
-fn power<S: Field>(base: &S, exponent: u32) -> S {
-    (0..exponent).fold(S::one(), |product, _| product * base.clone())
+fn power<S: Field + Copy>(base: S, exponent: u32) -> S {
+    (0..exponent).fold(S::one(), |product, _| product * base)
 }
 
 /// `value` divided so many times by `divisor`: one divisor, not a new one for each power.
-fn over<S: Field>(value: S, divisor: &S, times: u32) -> S {
-    (0..times).fold(value, |quotient, _| quotient / divisor.clone())
+fn over<S: Field + Copy>(value: S, divisor: S, times: u32) -> S {
+    (0..times).fold(value, |quotient, _| quotient / divisor)
+}
+
+/// The pose from R², h and g.
+fn pose(square: Expression, lead: Expression, cross: Expression) -> Pose<Expression> {
+    Pose::from_square(&square, &lead, &cross)
 }
 
 /// The pose while the driver turns at the speed one: h' = −g, g' = h + 1, (R²)' = 2 g.
-fn turning<S: Field>(pose: &Pose<S>) -> Pose<Jet<S, 2>> {
-    let (h, g) = (pose.lead.clone(), pose.cross.clone());
+fn turning<S: Field + Copy>(pose: &Pose<S>) -> Pose<Jet<S, 2>> {
+    let (h, g) = (pose.lead, pose.cross);
     Pose {
-        lead: Jet::from_coefficients([h.clone(), -g.clone()]),
-        cross: Jet::from_coefficients([g.clone(), h + S::one()]),
-        square: Jet::from_coefficients([pose.square.clone(), two::<S>() * g]),
-        shape: Jet::constant(pose.shape.clone()),
+        lead: Jet::from_coefficients([h, -g]),
+        cross: Jet::from_coefficients([g, h + S::one()]),
+        square: Jet::from_coefficients([pose.square, S::integer(2) * g]),
+        shape: Jet::constant(pose.shape),
     }
 }
 
+/// The speed θ' = 1 while it grows at θ''.
+fn speed(gain: Expression) -> Jet<Expression, 2> {
+    Jet::from_coefficients([Expression::ONE, gain])
+}
+
 /// φ'' over the motion, from φ' = θ' h/R² as a series.
-fn follower_gain<S: Field>(pose: &Pose<S>, gain: &S) -> S {
-    (turning(pose).velocity_ratio() * Jet::from_coefficients([S::one(), gain.clone()])).rate()
+fn follower_gain(pose: &Pose<Expression>, gain: Expression) -> Expression {
+    (turning(pose).velocity_ratio() * speed(gain)).rate()
 }
 
 /// d/dt(∂T/∂θ') from the kinetic energy: its derivative with θ' as a series in time, and the rate of that.
-fn momentum_rate<S: Field>(pose: &Pose<S>, gain: &S, inertia: &S) -> S {
-    type Nested<S> = Jet<Jet<S, 2>, 2>;
-    let ratio: Nested<S> = Jet::constant(turning(pose).velocity_ratio());
-    let speed: Nested<S> = Jet::variable(Jet::from_coefficients([S::one(), gain.clone()]));
-    energy::kinetic_energy(&ratio, &speed, &Jet::constant(Jet::constant(inertia.clone()))).rate().rate()
+fn momentum_rate(pose: &Pose<Expression>, gain: Expression, inertia: Expression) -> Expression {
+    let ratio: Jet<_, 2> = Jet::constant(turning(pose).velocity_ratio());
+    energy::kinetic_energy(&ratio, &Jet::variable(speed(gain)), &Jet::constant(Jet::constant(inertia))).rate().rate()
 }
 
 /// ∂T/∂θ from the kinetic energy, the speed kept.
-fn position_rate<S: Field>(pose: &Pose<S>, inertia: &S) -> S {
-    energy::kinetic_energy(&turning(pose).velocity_ratio(), &Jet::integer(1), &Jet::constant(inertia.clone())).rate()
+fn position_rate(pose: &Pose<Expression>, inertia: Expression) -> Expression {
+    energy::kinetic_energy(&turning(pose).velocity_ratio(), &Jet::integer(1), &Jet::constant(inertia)).rate()
 }
 
 /// dT/dt along the motion, which is Lagrange's left side at θ' = 1 ([`LagrangeIsPower`]).
-fn growth<S: Field>(pose: &Pose<S>, gain: &S, inertia: &S) -> S {
-    let speed = Jet::from_coefficients([S::one(), gain.clone()]);
-    energy::kinetic_energy(&turning(pose).velocity_ratio(), &speed, &Jet::constant(inertia.clone())).rate()
+fn growth(pose: &Pose<Expression>, gain: Expression, inertia: Expression) -> Expression {
+    energy::kinetic_energy(&turning(pose).velocity_ratio(), &speed(gain), &Jet::constant(inertia)).rate()
 }
 
 /// Torque of the friction without its sign, μ N dR/dθ, from N R = φ'' and R dR/dθ = (R²)'/2.
-fn friction_torque<S: Field>(pose: &Pose<S>, gain: &S, friction: &S) -> S {
-    let sliding = turning(pose).square.rate() / two::<S>();
-    friction.clone() * follower_gain(pose, gain) * sliding / pose.square.clone()
+fn friction_torque(pose: &Pose<Expression>, gain: Expression, friction: Expression) -> Expression {
+    let sliding = turning(pose).square.rate() / 2;
+    friction * follower_gain(pose, gain) * sliding / pose.square
 }
 
 #[cfg(test)]

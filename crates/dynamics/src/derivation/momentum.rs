@@ -1,9 +1,9 @@
 //! d/dt(∂T/∂θ'), line by line.
 
 use super::kinetic_energy::effective_inertia;
-use super::{Form, momentum_rate, over, power, turning, two};
+use super::{Form, momentum_rate, over, pose, power, speed, turning};
 use crate::Pose;
-use geneva_kinematics::{Field, Identity, Jet};
+use geneva_kinematics::{Expression, Identity, Jet};
 
 /// A line of d/dt(∂T/∂θ'), in the order of the print.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,37 +48,37 @@ impl MomentumRate {
 }
 
 impl Identity<6> for MomentumRate {
-    fn difference<S: Field>(&self, [square, lead, cross, gain, inertia, odd]: &[S; 6]) -> S {
-        let pose = Pose::from_square(square, lead, cross);
+    fn difference(&self, [square, lead, cross, gain, inertia, odd]: [Expression; 6]) -> Expression {
+        let pose = pose(square, lead, cross);
         let letter = self.letter.pick(odd, inertia);
-        let first = effective_inertia(&pose, letter) * gain.clone();
-        let (h, g) = (lead.clone(), cross.clone());
+        let first = effective_inertia(&pose, letter) * gain;
+        let (h, g) = (lead, cross);
         let display = match self.line {
             MomentumLine::Undone => {
-                let moving = effective_inertia(&turning(&pose), &Jet::constant(inertia.clone()));
-                (moving * Jet::from_coefficients([S::one(), gain.clone()])).rate()
+                let moving = effective_inertia(&turning(&pose), Jet::constant(inertia));
+                (moving * speed(gain)).rate()
             }
             MomentumLine::Quotient => {
                 // −a cos θ − 1 is −(h + 2).
-                let square_term = self.quotient.pick(power(&(h.clone() + two()), 2), -power(&h, 2));
-                let second = square_term * two() * square.clone() * (two::<S>() * g.clone());
-                first + over(power(square, 2) * (two::<S>() * h * -g), square, 4) + over(second, square, 4)
+                let square_term = self.quotient.pick(power(h + 2, 2), -power(h, 2));
+                let second = square_term * 2 * square * (2 * g);
+                first + over(power(square, 2) * (2 * h * -g), square, 4) + over(second, square, 4)
             }
             MomentumLine::Cancelled => {
-                let one = over(-(two::<S>() * h.clone() * g.clone()), square, 2);
-                first + one - over(power(&h, 2) * two() * (two::<S>() * g), square, 3)
+                let one = over(-(2 * h * g), square, 2);
+                first + one - over(power(h, 2) * 2 * (2 * g), square, 3)
             }
             MomentumLine::Factored => {
-                let braces = S::one() + two::<S>() * h.clone() / square.clone();
-                first - two::<S>() * (over(g * h, square, 2) * braces)
+                let braces = 1 + 2 * h / square;
+                first - 2 * (over(g * h, square, 2) * braces)
             }
-            MomentumLine::Closed => first - two::<S>() * speed_term(&pose),
+            MomentumLine::Closed => first - 2 * speed_term(&pose),
         };
         momentum_rate(&pose, gain, inertia) - display
     }
 }
 
 /// a (a² − 1) sin θ (a cos θ − 1)/R⁶, which all the closed displays have.
-pub(super) fn speed_term<S: Field>(pose: &Pose<S>) -> S {
-    over(-pose.shape.clone() * pose.cross.clone() * pose.lead.clone(), &pose.square, 3)
+pub(super) fn speed_term(pose: &Pose<Expression>) -> Expression {
+    over(-pose.shape * pose.cross * pose.lead, pose.square, 3)
 }

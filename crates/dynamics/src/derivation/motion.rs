@@ -2,17 +2,17 @@
 
 use super::force::printed_friction;
 use super::momentum::speed_term;
-use super::{Form, friction_torque, growth, momentum_rate, over, position_rate, power, two};
+use super::{Form, friction_torque, growth, momentum_rate, over, pose, position_rate, power};
 use crate::{Coefficients, Pose, Sign};
-use geneva_kinematics::{Field, Identity};
+use geneva_kinematics::{Expression, Identity};
 
 /// [I_D + (a cos θ − 1)^exponent I_f/R⁴] θ''.
-fn inertia_term<S: Field>(pose: &Pose<S>, gain: &S, inertia: &S, exponent: u32) -> S {
-    (inertia.clone() + over(power(&pose.lead, exponent), &pose.square, 2)) * gain.clone()
+fn inertia_term(pose: &Pose<Expression>, gain: Expression, inertia: Expression, exponent: u32) -> Expression {
+    (inertia + over(power(pose.lead, exponent), pose.square, 2)) * gain
 }
 
 /// Lagrange's left side from the kinetic energy.
-fn left_side<S: Field>(pose: &Pose<S>, gain: &S, inertia: &S) -> S {
+fn left_side(pose: &Pose<Expression>, gain: Expression, inertia: Expression) -> Expression {
     momentum_rate(pose, gain, inertia) - position_rate(pose, inertia)
 }
 
@@ -32,12 +32,10 @@ pub struct LeftSide(
 );
 
 impl Identity<5> for LeftSide {
-    fn difference<S: Field>(&self, [square, lead, cross, gain, inertia]: &[S; 5]) -> S {
-        let pose = Pose::from_square(square, lead, cross);
+    fn difference(&self, [square, lead, cross, gain, inertia]: [Expression; 5]) -> Expression {
+        let pose = pose(square, lead, cross);
         let display = match self.0 {
-            LeftSideLine::Minus => {
-                inertia_term(&pose, gain, inertia, 2) - two::<S>() * speed_term(&pose) - -speed_term(&pose)
-            }
+            LeftSideLine::Minus => inertia_term(&pose, gain, inertia, 2) - 2 * speed_term(&pose) - -speed_term(&pose),
             LeftSideLine::Closed(form) => inertia_term(&pose, gain, inertia, form.pick(1, 2)) - speed_term(&pose),
         };
         left_side(&pose, gain, inertia) - display
@@ -76,22 +74,22 @@ pub struct EquationOfMotion {
 }
 
 impl Identity<6> for EquationOfMotion {
-    fn difference<S: Field>(&self, [square, lead, cross, gain, inertia, friction]: &[S; 6]) -> S {
-        let pose = Pose::from_square(square, lead, cross);
+    fn difference(&self, [square, lead, cross, gain, inertia, friction]: [Expression; 6]) -> Expression {
+        let pose = pose(square, lead, cross);
         let truth = growth(&pose, gain, inertia) + self.contact.of(friction_torque(&pose, gain, friction));
         let between = printed_friction(&pose, gain, friction);
-        let bars = |form: Form| form.pick(Sign::Plus, self.contact).of(between.clone());
+        let bars = |form: Form| form.pick(Sign::Plus, self.contact).of(between);
         let display = match self.line {
             MotionLine::Substituted { square, bars: form } => {
                 inertia_term(&pose, gain, inertia, square.pick(1, 2)) - speed_term(&pose) + bars(form)
             }
             MotionLine::Divided { bars: form } => {
-                let of_speed = over(pose.cross.clone() * pose.shape.clone() * pose.lead.clone(), &pose.square, 3);
+                let of_speed = over(pose.cross * pose.shape * pose.lead, pose.square, 3);
                 inertia_term(&pose, gain, inertia, 2) + of_speed + bars(form)
             }
             MotionLine::Short => {
-                let coefficients = Coefficients::of_pose(&pose, inertia, friction, &S::zero());
-                coefficients.residual(&S::one(), gain, self.contact)
+                let coefficients = Coefficients::of_pose(&pose, &inertia, &friction, &Expression::ZERO);
+                coefficients.residual(&Expression::ONE, &gain, self.contact)
             }
         };
         truth - display
@@ -123,26 +121,23 @@ pub struct CoefficientPrinted(
 );
 
 impl Identity<7> for CoefficientPrinted {
-    fn difference<S: Field>(&self, [square, lead, cross, driver, follower, friction, torque]: &[S; 7]) -> S {
-        let pose = Pose::from_square(square, lead, cross);
-        let (h, g, shape) = (lead.clone(), cross.clone(), pose.shape.clone());
-        let inertia = driver.clone() / follower.clone();
-        let left = |gain: S| growth(&pose, &gain, &inertia);
-        let lost = |gain: S| friction_torque(&pose, &gain, friction);
-        let mu = friction.clone();
+    fn difference(&self, [square, h, g, driver, follower, mu, torque]: [Expression; 7]) -> Expression {
+        let pose = pose(square, h, g);
+        let inertia = driver / follower;
+        let left = |gain: Expression| growth(&pose, gain, inertia);
+        let lost = |gain: Expression| friction_torque(&pose, gain, mu);
         match self.0 {
             Coefficient::A(form) => {
-                let first = form.pick(follower.clone(), driver.clone()) / follower.clone();
-                left(S::one()) - left(S::zero()) - (first + over(power(&h, 2), square, 2))
+                let first = form.pick(follower, driver) / follower;
+                left(Expression::ONE) - left(Expression::ZERO) - (first + over(power(h, 2), square, 2))
             }
-            Coefficient::B => left(S::zero()) - over(g * shape * h, square, 3),
-            Coefficient::C => lost(S::zero()) - over(mu * power(&g, 2) * shape, square, 3),
-            Coefficient::D => lost(S::one()) - lost(S::zero()) - over(mu * g * h, square, 2),
+            Coefficient::B => left(Expression::ZERO) - over(g * pose.shape * h, square, 3),
+            Coefficient::C => lost(Expression::ZERO) - over(mu * power(g, 2) * pose.shape, square, 3),
+            Coefficient::D => lost(Expression::ONE) - lost(Expression::ZERO) - over(mu * g * h, square, 2),
             Coefficient::E => {
                 // K on I_f alone gives the acceleration E.
-                let abbreviated =
-                    Coefficients::of_pose(&pose, &inertia, friction, &(torque.clone() / follower.clone()));
-                abbreviated.e * follower.clone() - torque.clone()
+                let abbreviated = Coefficients::of_pose(&pose, &inertia, &mu, &(torque / follower));
+                abbreviated.e * follower - torque
             }
         }
     }

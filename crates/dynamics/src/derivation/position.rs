@@ -2,9 +2,8 @@
 
 use super::kinetic_energy::effective_inertia;
 use super::momentum::speed_term;
-use super::{Form, over, position_rate, power, turning, two};
-use crate::Pose;
-use geneva_kinematics::{Field, Identity, Jet};
+use super::{Form, over, pose, position_rate, power, turning};
+use geneva_kinematics::{Expression, Field, Identity, Jet};
 
 /// A line of ∂T/∂θ, in the order of the print.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,36 +57,35 @@ impl PositionRate {
 }
 
 impl Identity<5> for PositionRate {
-    fn difference<S: Field>(&self, [square, lead, cross, inertia, odd]: &[S; 5]) -> S {
-        let pose = Pose::from_square(square, lead, cross);
-        let (h, g) = (lead.clone(), cross.clone());
+    fn difference(&self, [square, h, g, inertia, odd]: [Expression; 5]) -> Expression {
+        let pose = pose(square, h, g);
         let moving = turning(&pose);
         let letter = match self.line {
             PositionLine::UndoneAgain => self.letter.pick(odd, inertia),
             _ => inertia,
         };
-        let braces = effective_inertia(&moving, &Jet::constant(letter.clone())) / Jet::integer(2);
+        let braces = effective_inertia(&moving, Jet::constant(letter)) / Jet::integer(2);
         if self.energy {
-            return crate::energy::kinetic_energy(&pose.velocity_ratio(), &S::one(), inertia) - braces.value();
+            return crate::energy::kinetic_energy(&pose.velocity_ratio(), &Expression::ONE, &inertia) - braces.value();
         }
         let display = match self.line {
             PositionLine::Undone | PositionLine::UndoneAgain => braces.rate(),
             PositionLine::Outside => {
-                let quotient = over(power(&moving.lead, 2), &moving.square, 2);
-                quotient.rate() / two::<S>()
+                let quotient = over(power(moving.lead, 2), moving.square, 2);
+                quotient.rate() / 2
             }
             PositionLine::Quotient => {
-                let first = over(power(square, 2) * two() * h.clone() * -g.clone(), square, 4);
-                let second = over(power(&h, 2) * two() * square.clone() * (two::<S>() * g), square, 4);
-                (first - second) / two::<S>()
+                let first = over(power(square, 2) * 2 * h * -g, square, 4);
+                let second = over(power(h, 2) * 2 * square * (2 * g), square, 4);
+                (first - second) / 2
             }
             PositionLine::Cancelled => {
-                let first = over(-(two::<S>() * h.clone() * g.clone()), square, 2);
-                let second = over(-(two::<S>() * power(&h, 2) * (two::<S>() * g)), square, 3);
-                (first + second) / two::<S>()
+                let first = over(-(2 * h * g), square, 2);
+                let second = over(-(2 * power(h, 2) * (2 * g)), square, 3);
+                (first + second) / 2
             }
             PositionLine::Factored => {
-                let braces = S::one() + h.clone() * two() / square.clone();
+                let braces = 1 + h * 2 / square;
                 -(over(h * g, square, 2) * braces)
             }
             PositionLine::Closed => -speed_term(&pose),

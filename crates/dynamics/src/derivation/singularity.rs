@@ -1,14 +1,14 @@
 //! Why 1 + a² − 2 a cos θ is never zero: the paragraph after Eq. (1-18).
 
-use geneva_kinematics::{Field, Identity, Turn, pin_slot};
+use geneva_kinematics::{Expression, Identity, Turn, pin_slot};
 
 /// The assumed singularity: cos θ = (1 + a²)/(2 a) makes 1 + a² − 2 a cos θ zero. Variable: a.
 pub struct SingularAngle;
 
 impl Identity<1> for SingularAngle {
-    fn difference<S: Field>(&self, [ratio]: &[S; 1]) -> S {
-        let cos = (S::one() + ratio.clone() * ratio.clone()) / (S::integer(2) * ratio.clone());
-        pin_slot::slot_radius_squared(ratio, &Turn { cos, sin: S::zero() })
+    fn difference(&self, [ratio]: [Expression; 1]) -> Expression {
+        let cos = (1 + ratio * ratio) / (2 * ratio);
+        pin_slot::slot_radius_squared(&ratio, &Turn { cos, sin: Expression::ZERO })
     }
 }
 
@@ -18,11 +18,11 @@ impl Identity<1> for SingularAngle {
 pub struct BoundAsSquare;
 
 impl Identity<1> for BoundAsSquare {
-    fn difference<S: Field>(&self, [ratio]: &[S; 1]) -> S {
-        let twice = S::integer(2) * ratio.clone();
-        let bound = (S::one() + ratio.clone() * ratio.clone()) / twice.clone() - S::one();
-        let rest = ratio.clone() - S::one();
-        twice * bound - rest.clone() * rest
+    fn difference(&self, [ratio]: [Expression; 1]) -> Expression {
+        let twice = 2 * ratio;
+        let bound = (1 + ratio * ratio) / twice - 1;
+        let rest = ratio - 1;
+        twice * bound - rest * rest
     }
 }
 
@@ -30,11 +30,11 @@ impl Identity<1> for BoundAsSquare {
 pub struct AtOne;
 
 impl Identity<1> for AtOne {
-    fn difference<S: Field>(&self, [half]: &[S; 1]) -> S {
-        let crank = Turn::from_half_tangent(half);
-        let rest = S::one() - crank.cos.clone();
-        let sum = rest.clone() * rest + crank.sin.clone() * crank.sin.clone();
-        pin_slot::slot_radius_squared(&S::one(), &crank) - sum
+    fn difference(&self, [half]: [Expression; 1]) -> Expression {
+        let crank = Turn::from_half_tangent(&half);
+        let rest = 1 - crank.cos;
+        let sum = rest * rest + crank.sin * crank.sin;
+        pin_slot::slot_radius_squared(&Expression::ONE, &crank) - sum
     }
 }
 
@@ -44,9 +44,9 @@ impl Identity<1> for AtOne {
 pub struct OffTheSingularity;
 
 impl Identity<2> for OffTheSingularity {
-    fn difference<S: Field>(&self, [ratio, cos]: &[S; 2]) -> S {
-        let rest = ratio.clone() - S::one();
-        let sum = rest.clone() * rest + S::integer(2) * ratio.clone() * (S::one() - cos.clone());
-        pin_slot::slot_radius_squared(ratio, &Turn { cos: cos.clone(), sin: S::zero() }) - sum
+    fn difference(&self, [ratio, cos]: [Expression; 2]) -> Expression {
+        let rest = ratio - 1;
+        let sum = rest * rest + 2 * ratio * (1 - cos);
+        pin_slot::slot_radius_squared(&ratio, &Turn { cos, sin: Expression::ZERO }) - sum
     }
 }

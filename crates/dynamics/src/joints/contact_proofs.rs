@@ -6,82 +6,52 @@
 
 use super::{Arms, Reach};
 use crate::Sign;
-use geneva_kinematics::{Field, Identity, Turn};
+use geneva_kinematics::pin_vectors::quarter_turn;
+use geneva_kinematics::{Expression, Identity, Turn};
 use nalgebra::Vector2;
 
 /// Vectors at one instant, from the follower's axis.
-struct Scene<S> {
-    along: Vector2<S>,
-    across: Vector2<S>,
-    pin: Vector2<S>,
-    driver_axis: Vector2<S>,
+struct Scene {
+    along: Vector2<Expression>,
+    across: Vector2<Expression>,
+    pin: Vector2<Expression>,
+    driver_axis: Vector2<Expression>,
 }
 
-fn dot<S: Field>(a: &Vector2<S>, b: &Vector2<S>) -> S {
-    a.x.clone() * b.x.clone() + a.y.clone() * b.y.clone()
-}
-
-/// Counter-clockwise moment of a force at an arm.
-fn moment<S: Field>(arm: &Vector2<S>, force: &Vector2<S>) -> S {
-    arm.x.clone() * force.y.clone() - arm.y.clone() * force.x.clone()
-}
-
-/// A quarter of a turn counter-clockwise: the velocity for the angular velocity one.
-fn turned<S: Field>(arm: &Vector2<S>) -> Vector2<S> {
-    Vector2::new(-arm.y.clone(), arm.x.clone())
-}
-
-fn times<S: Field>(vector: &Vector2<S>, factor: &S) -> Vector2<S> {
-    Vector2::new(vector.x.clone() * factor.clone(), vector.y.clone() * factor.clone())
-}
-
-fn plus<S: Field>(a: &Vector2<S>, b: &Vector2<S>) -> Vector2<S> {
-    Vector2::new(a.x.clone() + b.x.clone(), a.y.clone() + b.y.clone())
-}
-
-fn less<S: Field>(a: &Vector2<S>, b: &Vector2<S>) -> Vector2<S> {
-    plus(a, &times(b, &-S::one()))
-}
-
-impl<S: Field> Scene<S> {
-    fn new(distance: &S, radius: &S, half: &S) -> Self {
-        let Turn { cos, sin } = Turn::from_half_tangent(half);
-        let along = Vector2::new(-cos.clone(), sin.clone());
+impl Scene {
+    fn new(distance: Expression, radius: Expression, half: Expression) -> Self {
+        let Turn { cos, sin } = Turn::from_half_tangent(&half);
+        let along = Vector2::new(-cos, sin);
         Self {
             across: Vector2::new(sin, cos),
-            pin: times(&along, radius),
+            pin: along * radius,
             along,
-            driver_axis: Vector2::new(-distance.clone(), S::zero()),
+            driver_axis: Vector2::new(-distance, Expression::ZERO),
         }
     }
 
     /// R, φ'/θ' and dR/dθ from the velocity of the pin's centre.
-    fn reach(&self, radius: &S) -> Reach<S> {
-        let velocity = turned(&less(&self.pin, &self.driver_axis));
-        Reach {
-            radius: radius.clone(),
-            ratio: dot(&velocity, &self.across) / radius.clone(),
-            slide: dot(&velocity, &self.along),
-        }
+    fn reach(&self, radius: Expression) -> Reach<Expression> {
+        let velocity = quarter_turn(&(self.pin - self.driver_axis));
+        Reach { radius, ratio: velocity.dot(&self.across) / radius, slide: velocity.dot(&self.along) }
     }
 
     /// The point of contact for a pin of this radius.
-    fn contact(&self, pin: &S, flank: Sign) -> Vector2<S> {
-        plus(&self.pin, &times(&self.across, &flank.of(pin.clone())))
+    fn contact(&self, pin: Expression, flank: Sign) -> Vector2<Expression> {
+        self.pin + self.across * flank.of(pin)
     }
 
     /// The force on the follower for N = s, so that |N| is one.
-    fn force(&self, friction: &S, flank: Sign, sliding: Sign) -> Vector2<S> {
-        let normal = times(&self.across, &flank.of(S::one()));
-        plus(&normal, &times(&self.along, &sliding.of(friction.clone())))
+    fn force(&self, friction: Expression, flank: Sign, sliding: Sign) -> Vector2<Expression> {
+        self.across * flank.of(Expression::ONE) + self.along * sliding.of(friction)
     }
 
     /// Velocity of the driver at the contact less that of the follower.
-    fn relative_velocity(&self, contact: &Vector2<S>, reach: &Reach<S>) -> Vector2<S> {
-        let driver = turned(&less(contact, &self.driver_axis));
+    fn relative_velocity(&self, contact: &Vector2<Expression>, reach: &Reach<Expression>) -> Vector2<Expression> {
+        let driver = quarter_turn(&(contact - self.driver_axis));
         // The follower turns clockwise.
-        let follower = times(&turned(contact), &-reach.ratio.clone());
-        less(&driver, &follower)
+        let follower = quarter_turn(contact) * -reach.ratio;
+        driver - follower
     }
 }
 
@@ -94,12 +64,12 @@ pub struct FollowerArm {
 }
 
 impl Identity<5> for FollowerArm {
-    fn difference<S: Field>(&self, [distance, radius, half, pin, friction]: &[S; 5]) -> S {
+    fn difference(&self, [distance, radius, half, pin, friction]: [Expression; 5]) -> Expression {
         let scene = Scene::new(distance, radius, half);
         let force = scene.force(friction, self.flank, self.sliding);
         // φ grows clockwise.
-        let turning = -moment(&scene.contact(pin, self.flank), &force);
-        let Arms { follower, .. } = scene.reach(radius).arms(pin, friction, self.flank, self.sliding);
+        let turning = -scene.contact(pin, self.flank).perp(&force);
+        let Arms { follower, .. } = scene.reach(radius).arms(&pin, &friction, self.flank, self.sliding);
         turning - self.flank.of(follower)
     }
 }
@@ -113,11 +83,11 @@ pub struct DriverArm {
 }
 
 impl Identity<5> for DriverArm {
-    fn difference<S: Field>(&self, [distance, radius, half, pin, friction]: &[S; 5]) -> S {
+    fn difference(&self, [distance, radius, half, pin, friction]: [Expression; 5]) -> Expression {
         let scene = Scene::new(distance, radius, half);
-        let back = times(&scene.force(friction, self.flank, self.sliding), &-S::one());
-        let turning = moment(&less(&scene.contact(pin, self.flank), &scene.driver_axis), &back);
-        let Arms { driver, .. } = scene.reach(radius).arms(pin, friction, self.flank, self.sliding);
+        let back = -scene.force(friction, self.flank, self.sliding);
+        let turning = (scene.contact(pin, self.flank) - scene.driver_axis).perp(&back);
+        let Arms { driver, .. } = scene.reach(radius).arms(&pin, &friction, self.flank, self.sliding);
         turning + self.flank.of(driver)
     }
 }
@@ -131,14 +101,14 @@ pub enum Sliding {
 }
 
 impl Identity<4> for Sliding {
-    fn difference<S: Field>(&self, [distance, radius, half, pin]: &[S; 4]) -> S {
+    fn difference(&self, [distance, radius, half, pin]: [Expression; 4]) -> Expression {
         let scene = Scene::new(distance, radius, half);
         let reach = scene.reach(radius);
         let (Self::Along(flank) | Self::Across(flank)) = *self;
         let velocity = scene.relative_velocity(&scene.contact(pin, flank), &reach);
         match self {
-            Self::Along(flank) => dot(&velocity, &scene.along) - reach.sliding(pin, *flank),
-            Self::Across(_) => dot(&velocity, &scene.across),
+            Self::Along(flank) => velocity.dot(&scene.along) - reach.sliding(&pin, *flank),
+            Self::Across(_) => velocity.dot(&scene.across),
         }
     }
 }
@@ -153,11 +123,11 @@ pub struct PowerLost {
 }
 
 impl Identity<5> for PowerLost {
-    fn difference<S: Field>(&self, [radius, ratio, slide, pin, friction]: &[S; 5]) -> S {
-        let reach = Reach { radius: radius.clone(), ratio: ratio.clone(), slide: slide.clone() };
-        let arms = reach.arms(pin, friction, self.flank, self.sliding);
-        let lost = friction.clone() * reach.sliding(pin, self.flank);
-        arms.driver - ratio.clone() * arms.follower - self.flank.times(self.sliding).of(lost)
+    fn difference(&self, [radius, ratio, slide, pin, friction]: [Expression; 5]) -> Expression {
+        let reach = Reach { radius, ratio, slide };
+        let arms = reach.arms(&pin, &friction, self.flank, self.sliding);
+        let lost = friction * reach.sliding(&pin, self.flank);
+        arms.driver - ratio * arms.follower - self.flank.times(self.sliding).of(lost)
     }
 }
 

@@ -3,17 +3,12 @@
 //! The factor of θ'', I_D/I_f + m q, is a variable instead of I_D/I_f, because it is divided by. p, q, m, the drive and
 //! the preload are free: nothing depends on what they stand for.
 
-use super::Terms;
-use geneva_kinematics::{Field, Identity};
+use super::{Reach, Terms};
+use crate::{Coefficients, Pose, Sign};
+use geneva_kinematics::{Expression, Identity};
 
-fn terms<S: Field>([slope, leverage, ratio, bend, drive, hold]: [&S; 6]) -> Terms<S> {
-    Terms {
-        inertia: slope.clone() - leverage.clone() * ratio.clone(),
-        drive: drive.clone(),
-        hold: hold.clone(),
-        ratio: ratio.clone(),
-        bend: bend.clone(),
-    }
+fn terms([slope, leverage, ratio, bend, drive, hold]: [Expression; 6]) -> Terms<Expression> {
+    Terms { inertia: slope - leverage * ratio, drive, hold, ratio, bend }
 }
 
 /// The solution obeys Newton's law for the driver: (I_D θ'' + m M − (K − G)) / I_f = 0.
@@ -22,10 +17,10 @@ fn terms<S: Field>([slope, leverage, ratio, bend, drive, hold]: [&S; 6]) -> Term
 pub struct SolutionObeys;
 
 impl Identity<7> for SolutionObeys {
-    fn difference<S: Field>(&self, [slope, leverage, ratio, bend, drive, hold, square]: &[S; 7]) -> S {
+    fn difference(&self, [slope, leverage, ratio, bend, drive, hold, square]: [Expression; 7]) -> Expression {
         let terms = terms([slope, leverage, ratio, bend, drive, hold]);
-        let gain = terms.gain(square, leverage);
-        terms.inertia.clone() * gain.clone() + leverage.clone() * terms.moment(square, &gain) - drive.clone()
+        let gain = terms.gain(&square, &leverage);
+        terms.inertia * gain + leverage * terms.moment(&square, &gain) - drive
     }
 }
 
@@ -35,10 +30,10 @@ impl Identity<7> for SolutionObeys {
 pub struct FlankDecider;
 
 impl Identity<7> for FlankDecider {
-    fn difference<S: Field>(&self, [slope, leverage, ratio, bend, drive, hold, square]: &[S; 7]) -> S {
+    fn difference(&self, [slope, leverage, ratio, bend, drive, hold, square]: [Expression; 7]) -> Expression {
         let terms = terms([slope, leverage, ratio, bend, drive, hold]);
-        let gain = terms.gain(square, leverage);
-        slope.clone() * terms.moment(square, &gain) - terms.flank_decider(square)
+        let gain = terms.gain(&square, &leverage);
+        slope * terms.moment(&square, &gain) - terms.flank_decider(&square)
     }
 }
 
@@ -54,13 +49,13 @@ pub enum Similarity {
 }
 
 impl Identity<8> for Similarity {
-    fn difference<S: Field>(&self, [slope, leverage, ratio, bend, drive, hold, square, kappa]: &[S; 8]) -> S {
-        let scaled = |number: &S| kappa.clone() * number.clone();
+    fn difference(&self, [slope, leverage, ratio, bend, drive, hold, square, kappa]: [Expression; 8]) -> Expression {
+        let scaled = |number: Expression| kappa * number;
         let old = terms([slope, leverage, ratio, bend, drive, hold]);
-        let new = terms([slope, leverage, ratio, bend, &scaled(drive), &scaled(hold)]);
+        let new = terms([slope, leverage, ratio, bend, scaled(drive), scaled(hold)]);
         match self {
-            Self::Gain => new.gain(&scaled(square), leverage) - scaled(&old.gain(square, leverage)),
-            Self::Flank => new.flank_decider(&scaled(square)) - scaled(&old.flank_decider(square)),
+            Self::Gain => new.gain(&scaled(square), &leverage) - scaled(old.gain(&square, &leverage)),
+            Self::Flank => new.flank_decider(&scaled(square)) - scaled(old.flank_decider(&square)),
         }
     }
 }
@@ -71,35 +66,26 @@ impl Identity<8> for Similarity {
 /// I_D/I_f, E, θ', θ''.
 pub struct GoesOverToMeyer {
     /// The flank, s.
-    pub flank: crate::Sign,
+    pub flank: Sign,
     /// The sense of the sliding, σ.
-    pub sliding: crate::Sign,
+    pub sliding: Sign,
 }
 
 impl Identity<8> for GoesOverToMeyer {
-    fn difference<S: Field>(&self, [radius, lead, cross, friction, inertia, drive, speed, gain]: &[S; 8]) -> S {
-        let pose = crate::Pose::from_square(&(radius.clone() * radius.clone()), lead, cross);
-        let meyer = crate::Coefficients::of_pose(&pose, inertia, friction, drive).residual(
-            speed,
-            gain,
-            self.flank.times(self.sliding),
-        );
-        let reach = super::Reach {
-            radius: radius.clone(),
-            ratio: pose.velocity_ratio(),
-            slide: cross.clone() / radius.clone(),
-        };
-        let arms = reach.arms(&S::zero(), friction, self.flank, self.sliding);
-        let moment = pose.follower_acceleration(speed, gain);
-        let ours = inertia.clone() * gain.clone() + arms.driver / arms.follower * moment - drive.clone();
-        ours - meyer
+    fn difference(&self, [radius, lead, cross, friction, inertia, drive, speed, gain]: [Expression; 8]) -> Expression {
+        let pose = Pose::from_square(&radius.squared(), &lead, &cross);
+        let sign = self.flank.times(self.sliding);
+        let meyer = Coefficients::of_pose(&pose, &inertia, &friction, &drive).residual(&speed, &gain, sign);
+        let reach = Reach { radius, ratio: pose.velocity_ratio(), slide: cross / radius };
+        let arms = reach.arms(&Expression::ZERO, &friction, self.flank, self.sliding);
+        let moment = pose.follower_acceleration(&speed, &gain);
+        inertia * gain + arms.driver / arms.follower * moment - drive - meyer
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Sign;
     use crate::proving::holds;
 
     #[test]

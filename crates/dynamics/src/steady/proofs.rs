@@ -3,24 +3,24 @@
 //! ρ, k, σ = ±μ, i = I_D/I_f and so on are as in [`steady`](crate::steady).
 
 use crate::{Coefficients, Pose};
-use geneva_kinematics::{Field, Identity, Jet, Turn};
+use geneva_kinematics::{Expression, Field, Identity, Jet, Turn};
 
 /// The pose of a crank at centre distance over radius a, with its angle as a half tangent, moving at one radian.
-fn moving<S: Field>(ratio: &S, half_tangent: &S) -> Pose<Jet<S, 3>> {
-    let crank = Turn::from_half_tangent(half_tangent);
-    Pose::new(ratio, &crank).moving_by(&Jet::variable(S::zero()))
+fn moving(ratio: Expression, half_tangent: Expression) -> Pose<Jet<Expression, 3>> {
+    let crank = Turn::from_half_tangent(&half_tangent);
+    Pose::new(&ratio, &crank).moving_by(&Jet::variable(Expression::ZERO))
 }
 
 /// (ρ, k) runs on a circle: (ρ − c)² + k² = c² a² with c = 1/(a² − 1). Variables: a, tan(θ/2).
 pub struct OnACircle;
 
 impl Identity<2> for OnACircle {
-    fn difference<S: Field>(&self, [ratio, tangent]: &[S; 2]) -> S {
-        let pose = Pose::new(ratio, &Turn::from_half_tangent(tangent));
-        let centre = S::one() / (ratio.clone() * ratio.clone() - S::one());
-        let (along, across) = (pose.velocity_ratio() - centre.clone(), pose.cross.clone() / pose.square.clone());
-        let radius = centre * ratio.clone();
-        along.clone() * along + across.clone() * across - radius.clone() * radius
+    fn difference(&self, [ratio, tangent]: [Expression; 2]) -> Expression {
+        let pose = Pose::new(&ratio, &Turn::from_half_tangent(&tangent));
+        let centre = 1 / (ratio * ratio - 1);
+        let (along, across) = (pose.velocity_ratio() - centre, pose.cross / pose.square);
+        let radius = centre * ratio;
+        along * along + across * across - radius * radius
     }
 }
 
@@ -31,14 +31,14 @@ pub struct TurningOnTheCircle {
 }
 
 impl Identity<2> for TurningOnTheCircle {
-    fn difference<S: Field>(&self, [ratio, tangent]: &[S; 2]) -> S {
+    fn difference(&self, [ratio, tangent]: [Expression; 2]) -> Expression {
         let pose = moving(ratio, tangent);
-        let (lead, slide) = (pose.velocity_ratio(), pose.cross.clone() / pose.square.clone());
-        let turning = S::one() + S::integer(2) * lead.value();
+        let (lead, slide) = (pose.velocity_ratio(), pose.cross / pose.square);
+        let turning = 1 + 2 * lead.value();
         if self.lead {
             lead.rate() + slide.value() * turning
         } else {
-            let centre = S::one() / (ratio.clone() * ratio.clone() - S::one());
+            let centre = 1 / (ratio * ratio - 1);
             slide.rate() - (lead.value() - centre) * turning
         }
     }
@@ -48,13 +48,13 @@ impl Identity<2> for TurningOnTheCircle {
 pub struct DeciderFactors;
 
 impl Identity<6> for DeciderFactors {
-    fn difference<S: Field>(&self, [ratio, tangent, inertia, friction, drive, speed]: &[S; 6]) -> S {
-        let pose = Pose::new(ratio, &Turn::from_half_tangent(tangent));
-        let coefficients = Coefficients::of_pose(&pose, inertia, friction, drive);
-        let slide = friction.clone() * (pose.cross.clone() / pose.square.clone());
-        let square = speed.clone() * speed.clone();
-        let gain = inertia.clone() * pose.acceleration_ratio() * square + pose.velocity_ratio() * drive.clone();
-        coefficients.sign_decider(speed) - slide * gain
+    fn difference(&self, [ratio, tangent, inertia, friction, drive, speed]: [Expression; 6]) -> Expression {
+        let pose = Pose::new(&ratio, &Turn::from_half_tangent(&tangent));
+        let coefficients = Coefficients::of_pose(&pose, &inertia, &friction, &drive);
+        let slide = friction * (pose.cross / pose.square);
+        let square = speed * speed;
+        let gain = inertia * pose.acceleration_ratio() * square + pose.velocity_ratio() * drive;
+        coefficients.sign_decider(&speed) - slide * gain
     }
 }
 
@@ -64,14 +64,14 @@ impl Identity<6> for DeciderFactors {
 pub struct RateOfDecay;
 
 impl Identity<4> for RateOfDecay {
-    fn difference<S: Field>(&self, [ratio, tangent, inertia, friction]: &[S; 4]) -> S {
-        let pose = Pose::new(ratio, &Turn::from_half_tangent(tangent));
-        let of = Coefficients::of_pose(&pose, inertia, friction, &S::one());
-        let (lead, slide) = (pose.velocity_ratio(), pose.cross.clone() / pose.square.clone());
-        let both = lead.clone() + friction.clone() * slide.clone();
-        let inert = inertia.clone() + lead.clone() * both.clone();
-        let turning = S::one() + S::integer(2) * lead;
-        S::integer(2) * both * slide / inert + S::integer(2) * (of.b + of.c) / ((of.a + of.d) * turning)
+    fn difference(&self, [ratio, tangent, inertia, friction]: [Expression; 4]) -> Expression {
+        let pose = Pose::new(&ratio, &Turn::from_half_tangent(&tangent));
+        let of = Coefficients::of_pose(&pose, &inertia, &friction, &Expression::ONE);
+        let (lead, slide) = (pose.velocity_ratio(), pose.cross / pose.square);
+        let both = lead + friction * slide;
+        let inert = inertia + lead * both;
+        let turning = 1 + 2 * lead;
+        2 * both * slide / inert + 2 * (of.b + of.c) / ((of.a + of.d) * turning)
     }
 }
 
@@ -80,13 +80,13 @@ impl Identity<4> for RateOfDecay {
 pub struct Contraction;
 
 impl Identity<4> for Contraction {
-    fn difference<S: Field>(&self, [lead, slide, inertia, friction]: &[S; 4]) -> S {
-        let [plus, minus] = [friction.clone(), -friction.clone()].map(|sigma| {
-            let both = lead.clone() + sigma * slide.clone();
-            let inert = inertia.clone() + lead.clone() * both.clone();
-            (S::integer(2) * both * slide.clone(), inert)
+    fn difference(&self, [lead, slide, inertia, friction]: [Expression; 4]) -> Expression {
+        let [plus, minus] = [friction, -friction].map(|sigma| {
+            let both = lead + sigma * slide;
+            let inert = inertia + lead * both;
+            (2 * both * slide, inert)
         });
-        let gap = S::integer(4) * friction.clone() * inertia.clone() * slide.clone() * slide.clone();
+        let gap = 4 * friction * inertia * slide * slide;
         plus.0 * minus.1 - minus.0 * plus.1 - gap
     }
 }
@@ -96,17 +96,15 @@ impl Identity<4> for Contraction {
 pub struct SwitchFalls;
 
 impl Identity<2> for SwitchFalls {
-    fn difference<S: Field>(&self, [ratio, tangent]: &[S; 2]) -> S {
+    fn difference(&self, [ratio, tangent]: [Expression; 2]) -> Expression {
         let pose = moving(ratio, tangent);
-        let (lead, slide) = (pose.velocity_ratio(), pose.cross.clone() / pose.square.clone());
-        let one = Jet::constant(S::one());
-        let turning = one + Jet::constant(S::integer(2)) * lead.clone();
-        let switch = lead.clone() / (slide.clone() * turning.clone());
+        let (lead, slide) = (pose.velocity_ratio(), pose.cross / pose.square);
+        let turning = Jet::integer(1) + Jet::integer(2) * lead;
+        let switch = lead / (slide * turning);
         let (lead, slide, turning) = (lead.value(), slide.value(), turning.value());
-        let centre = S::one() / (ratio.clone() * ratio.clone() - S::one());
-        let square = slide.clone() * turning.clone() * slide * turning.clone();
-        let claimed = centre.clone() + S::integer(2) * centre.clone() * lead.clone() - lead.clone() * lead.clone()
-            + (lead.clone() - centre) * lead * turning.clone();
+        let centre = 1 / (ratio * ratio - 1);
+        let square = slide * turning * slide * turning;
+        let claimed = centre + 2 * centre * lead - lead * lead + (lead - centre) * lead * turning;
         // A rate with θ is 1 + 2 ρ times the rate with ψ.
         switch.rate() * square + claimed * turning
     }

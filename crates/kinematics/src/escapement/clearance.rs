@@ -5,8 +5,9 @@
 //! slot opened a little at the mouth ([`ApproachCoefficient`]).
 
 use super::{Escapement, EscapementError};
-use crate::pin_slot::pin_from_pivot;
-use crate::{Field, Identity, Jet, Turn};
+use crate::pin_slot::{pin_from_pivot, pin_path};
+use crate::{Expression, Identity, Jet, Turn};
+use nalgebra::Vector2;
 
 impl Escapement {
     /// Least length of a slot, from the rim to the pin's place nearest to the follower's axis: cot(π/n) − (a − 1).
@@ -55,11 +56,11 @@ impl Escapement {
 pub struct RimExcess;
 
 impl Identity<2> for RimExcess {
-    fn difference<S: Field>(&self, [half_slot, half_theta]: &[S; 2]) -> S {
-        let (slot, theta) = (Turn::from_half_tangent(half_slot), Turn::from_half_tangent(half_theta));
-        let (ratio, rim) = (S::one() / slot.sin.clone(), slot.cos / slot.sin);
+    fn difference(&self, [half_slot, half_theta]: [Expression; 2]) -> Expression {
+        let (slot, theta) = (Turn::from_half_tangent(&half_slot), Turn::from_half_tangent(&half_theta));
+        let (ratio, rim) = (1 / slot.sin, slot.cos / slot.sin);
         let pin = pin_from_pivot(&ratio, &theta);
-        pin.dot(&pin) - rim.clone() * rim - S::integer(2) * (S::one() - ratio * theta.cos)
+        pin.dot(&pin) - rim * rim - 2 * (1 - ratio * theta.cos)
     }
 }
 
@@ -91,30 +92,25 @@ impl ApproachCoefficient {
 }
 
 impl Identity<1> for ApproachCoefficient {
-    fn difference<S: Field>(&self, [half]: &[S; 1]) -> S {
-        let slot = Turn::from_half_tangent(half);
-        let (ratio, rim) = (S::one() / slot.sin.clone(), slot.cos.clone() / slot.sin.clone());
-        let end = Turn { cos: slot.sin.clone(), sin: slot.cos.clone() };
+    fn difference(&self, [half]: [Expression; 1]) -> Expression {
+        let slot = Turn::from_half_tangent(&half);
+        let (ratio, rim) = (1 / slot.sin, slot.cos / slot.sin);
+        let end = Turn { cos: slot.sin, sin: slot.cos };
         // Both pins are δ before their places at the hand-over; seen from the follower, the slot of the entering one
         // is 2π/n before the direction of the leaving one.
-        let before = |end: Turn<S>| pin_from_pivot(&Jet::constant(ratio.clone()), &end.moving::<3>(-S::one()));
-        let (leaving, entering) = (before(end.clone()), before(end.reversed()));
+        let before = |end: Turn<Expression>| pin_path(&ratio, &end.moving::<3>(-Expression::ONE));
+        let (leaving, entering) = (before(end), before(end.reversed()));
         let back = slot.plus(&slot).reversed();
         let (cos, sin) = (Jet::constant(back.cos), Jet::constant(back.sin));
-        let along_x = leaving.x.clone() * cos.clone() - leaving.y.clone() * sin.clone();
-        let along_y = leaving.x.clone() * sin + leaving.y.clone() * cos;
-        let beside = || {
-            let cross = along_x.clone() * entering.y.clone() - along_y.clone() * entering.x.clone();
-            let dot = along_x.clone() * entering.x.clone() + along_y.clone() * entering.y.clone();
-            cross / dot * Jet::constant(rim.clone())
-        };
-        let outside = || entering.x.clone() * entering.x.clone() + entering.y.clone() * entering.y.clone();
+        let along = Vector2::new(leaving.x * cos - leaving.y * sin, leaving.x * sin + leaving.y * cos);
+        let beside = along.perp(&entering) / along.dot(&entering) * Jet::constant(rim);
+        let outside = entering.dot(&entering);
         match self {
-            Self::BesideConstant => beside().value(),
-            Self::BesideLinear => beside().rate(),
-            Self::BesideQuadratic => beside().coefficient(2) - S::one(),
-            Self::OutsideConstant => outside().value() - rim.clone() * rim,
-            Self::OutsideLinear => outside().rate() - S::integer(2) * rim,
+            Self::BesideConstant => beside.value(),
+            Self::BesideLinear => beside.rate(),
+            Self::BesideQuadratic => beside.coefficient(2) - 1,
+            Self::OutsideConstant => outside.value() - rim * rim,
+            Self::OutsideLinear => outside.rate() - 2 * rim,
         }
     }
 }

@@ -10,7 +10,7 @@
 //! larger one it turns back a little at each hand-over. Pins are taken as thin.
 
 use crate::pin_slot::{pin_from_pivot, velocity_ratio};
-use crate::{Field, Identity, Turn};
+use crate::{Expression, Identity, Turn};
 use std::cmp::Ordering;
 use std::f64::consts::PI;
 
@@ -112,19 +112,16 @@ impl ContinuityStep {
 }
 
 impl Identity<2> for ContinuityStep {
-    fn difference<S: Field>(&self, [half_crank, half_slot]: &[S; 2]) -> S {
-        let (crank, slot) = (Turn::from_half_tangent(half_crank), Turn::from_half_tangent(half_slot));
+    fn difference(&self, [half_crank, half_slot]: [Expression; 2]) -> Expression {
+        let (crank, slot) = (Turn::from_half_tangent(&half_crank), Turn::from_half_tangent(&half_slot));
         let sum = crank.plus(&slot);
-        let ratio = sum.sin.clone() / slot.sin.clone();
+        let ratio = sum.sin / slot.sin;
         let leaving = pin_from_pivot(&ratio, &crank);
         match self {
             Self::Angle => leaving.perp(&slot.direction()),
             Self::Speed => velocity_ratio(&ratio, &crank) - velocity_ratio(&ratio, &crank.reversed()),
             Self::HandOverRatio => velocity_ratio(&ratio, &crank) - sum.cos * slot.sin / crank.sin,
-            Self::Rim => {
-                let rim = crank.sin.clone() / slot.sin.clone();
-                leaving.dot(&leaving) - rim.clone() * rim
-            }
+            Self::Rim => leaving.dot(&leaving) - (crank.sin / slot.sin).squared(),
         }
     }
 }
@@ -133,7 +130,7 @@ impl Identity<2> for ContinuityStep {
 mod tests {
     use super::super::{Escapement, possible};
     use super::*;
-    use crate::{Rational, Surd, prove};
+    use crate::{Field, Rational, Surd, prove};
 
     fn all() -> impl Iterator<Item = Continuous> {
         (2..=24).flat_map(|pins| (3..=24).filter_map(move |slots| Continuous::new(pins, slots)))
@@ -150,9 +147,9 @@ mod tests {
     struct WithAGap;
 
     impl Identity<2> for WithAGap {
-        fn difference<S: Field>(&self, [half_crank, half_slot]: &[S; 2]) -> S {
-            let (crank, slot) = (Turn::from_half_tangent(half_crank), Turn::from_half_tangent(half_slot));
-            pin_from_pivot(&(S::one() / slot.sin.clone()), &crank).perp(&slot.direction())
+        fn difference(&self, [half_crank, half_slot]: [Expression; 2]) -> Expression {
+            let (crank, slot) = (Turn::from_half_tangent(&half_crank), Turn::from_half_tangent(&half_slot));
+            pin_from_pivot(&(1 / slot.sin), &crank).perp(&slot.direction())
         }
     }
 

@@ -6,8 +6,8 @@
 //! squared. Meyer 1973, from the display of φ₀ to Eq. (1-3), and appendix A.
 
 use super::Form;
-use crate::scalars::turn::angular_velocity;
-use crate::{Field, Identity, Jet, Turn, pin_slot};
+use crate::wheel_proofs::wheel_velocity;
+use crate::{Expression, Identity, Turn};
 use nalgebra::Vector2;
 
 /// φ₀ = ½ (2π/n) = π/n, and θ₀ = ½ (2π/m) = π/m: 2n such angles make a whole turn of 2π.
@@ -22,13 +22,13 @@ pub enum HalfAngle {
 }
 
 impl Identity<2> for HalfAngle {
-    fn difference<S: Field>(&self, [pi, count]: &[S; 2]) -> S {
-        let turn = S::integer(2) * pi.clone();
+    fn difference(&self, [pi, count]: [Expression; 2]) -> Expression {
+        let turn = 2 * pi;
         let half = match self {
-            Self::Halved => (turn.clone() / count.clone()) / S::integer(2),
-            Self::Simplified => pi.clone() / count.clone(),
+            Self::Halved => (turn / count) / 2,
+            Self::Simplified => pi / count,
         };
-        S::integer(2) * count.clone() * half - turn
+        2 * count * half - turn
     }
 }
 
@@ -61,53 +61,51 @@ pub enum EntryTriangle {
 }
 
 /// The triangle for centre distance c and slot angle φ₀.
-struct Foot<S> {
+struct Foot {
     /// The pin from the follower's axis; first coordinate along the line of centres.
-    from_follower: Vector2<S>,
+    from_follower: Vector2<Expression>,
     /// The pin from the driver's axis, first coordinate towards the follower: r (cos θ₀, sin θ₀).
-    from_driver: Vector2<S>,
+    from_driver: Vector2<Expression>,
 }
 
-impl<S: Field> Foot<S> {
-    fn new(distance: &S, slot: &Turn<S>) -> Self {
+impl Foot {
+    fn new(distance: Expression, slot: &Turn<Expression>) -> Self {
         let direction = slot.direction();
-        let axis = Vector2::new(distance.clone(), S::zero());
-        let from_follower = direction.clone() * axis.dot(&direction);
-        let from_driver = Vector2::new(distance.clone() - from_follower.x.clone(), from_follower.y.clone());
+        let axis = Vector2::new(distance, Expression::ZERO);
+        let from_follower = direction * axis.dot(&direction);
+        let from_driver = Vector2::new(distance - from_follower.x, from_follower.y);
         Self { from_follower, from_driver }
     }
 }
 
 impl Identity<2> for EntryTriangle {
-    fn difference<S: Field>(&self, [distance, half]: &[S; 2]) -> S {
-        let slot = Turn::from_half_tangent(half);
+    fn difference(&self, [distance, half]: [Expression; 2]) -> Expression {
+        let slot = Turn::from_half_tangent(&half);
         let foot = Foot::new(distance, &slot);
-        let square = |x: S| x.clone() * x;
-        let norm = |vector: Vector2<S>| vector.dot(&vector);
-        let (pin_circle, rim) = (norm(foot.from_driver.clone()), norm(foot.from_follower.clone()));
-        let ratio = || S::one() / slot.sin.clone();
+        let norm = |vector: Vector2<Expression>| vector.dot(&vector);
+        let (pin_circle, rim) = (norm(foot.from_driver), norm(foot.from_follower));
+        let ratio = 1 / slot.sin;
         // r by the display, for the angles: its square is the foot's by `PinCircle`.
-        let radius = || distance.clone() * slot.sin.clone();
-        let driver = || Turn { cos: foot.from_driver.x.clone(), sin: foot.from_driver.y.clone() };
+        let radius = distance * slot.sin;
+        let driver = Turn { cos: foot.from_driver.x, sin: foot.from_driver.y };
         match self {
-            Self::PinCircle => pin_circle - square(radius()),
-            Self::CentreDistance => square(distance.clone()) - square(ratio()) * pin_circle,
+            Self::PinCircle => pin_circle - radius.squared(),
+            Self::CentreDistance => distance.squared() - ratio.squared() * pin_circle,
             Self::Standstill => {
-                let crank = Turn { cos: slot.sin.clone(), sin: slot.cos.clone() };
-                let pin = pin_slot::pin_from_pivot(&Jet::constant(ratio()), &crank.moving::<2>(S::one()));
-                angular_velocity(&pin).map_or_else(S::one, |speed| speed.value())
+                let crank = Turn { cos: slot.sin, sin: slot.cos };
+                wheel_velocity(ratio, &crank.moving::<2>(Expression::ONE)).value()
             }
             Self::HalfTurn => {
-                let quarter = Turn { cos: S::zero(), sin: S::one() };
-                let sum = driver().plus(&slot).plus(&quarter);
-                norm(sum.direction() - Vector2::new(-radius(), S::zero()))
+                let quarter = Turn { cos: Expression::ZERO, sin: Expression::ONE };
+                let sum = driver.plus(&slot).plus(&quarter);
+                norm(sum.direction() - Vector2::new(-radius, Expression::ZERO))
             }
-            Self::QuarterTurn => norm(driver().plus(&slot).direction() - Vector2::new(S::zero(), radius())),
-            Self::SlotRadius => rim - square(driver().sin / slot.sin.clone()),
-            Self::RimRadius => rim - square(radius() * slot.cos.clone() / slot.sin.clone()),
+            Self::QuarterTurn => norm(driver.plus(&slot).direction() - Vector2::new(Expression::ZERO, radius)),
+            Self::SlotRadius => rim - (driver.sin / slot.sin).squared(),
+            Self::RimRadius => rim - (radius * slot.cos / slot.sin).squared(),
             Self::AppendixUnit(form) => {
-                let unit = if *form == Form::Printed { rim } else { pin_circle };
-                square(distance.clone()) / unit - square(ratio())
+                let unit = form.pick(rim, pin_circle);
+                distance.squared() / unit - ratio.squared()
             }
         }
     }
@@ -129,19 +127,16 @@ pub enum PinsAndSlots {
 }
 
 impl Identity<2> for PinsAndSlots {
-    fn difference<S: Field>(&self, [pins_less_two, slots_less_two]: &[S; 2]) -> S {
-        let (one, two) = (S::one(), S::integer(2));
-        let (m, n) = (pins_less_two.clone() + two.clone(), slots_less_two.clone() + two.clone());
-        let by_formula = || two.clone() * n.clone() / slots_less_two.clone();
-        let sum = |m: S| one.clone() / m + one.clone() / n.clone() - one.clone() / two.clone();
-        let twice_product = || two.clone() * m.clone() * n.clone();
+    fn difference(&self, [pins_less_two, slots_less_two]: [Expression; 2]) -> Expression {
+        let (m, n) = (pins_less_two + 2, slots_less_two + 2);
+        let by_formula = 2 * n / slots_less_two;
+        let sum = |m: Expression| 1 / m + 1 / n - Expression::ONE / 2;
+        let twice_product = 2 * m * n;
         match self {
-            Self::AngleSum => sum(by_formula()),
-            Self::Pins => sum(m.clone()) * twice_product() / slots_less_two.clone() + m.clone() - by_formula(),
-            Self::Factors => {
-                pins_less_two.clone() * slots_less_two.clone() - S::integer(4) + twice_product() * sum(m.clone())
-            }
-            Self::NeverTwo => by_formula() - two.clone() - S::integer(4) / slots_less_two.clone(),
+            Self::AngleSum => sum(by_formula),
+            Self::Pins => sum(m) * twice_product / slots_less_two + m - by_formula,
+            Self::Factors => pins_less_two * slots_less_two - 4 + twice_product * sum(m),
+            Self::NeverTwo => by_formula - 2 - 4 / slots_less_two,
         }
     }
 }
@@ -176,8 +171,8 @@ mod tests {
     struct Perturbed;
 
     impl Identity<2> for Perturbed {
-        fn difference<S: Field>(&self, variables: &[S; 2]) -> S {
-            PinsAndSlots::Factors.difference(variables) + S::one() / S::integer(1_000_000)
+        fn difference(&self, variables: [Expression; 2]) -> Expression {
+            PinsAndSlots::Factors.difference(variables) + Expression::ONE / 1_000_000
         }
     }
 

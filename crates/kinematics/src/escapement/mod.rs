@@ -20,16 +20,8 @@ pub mod angle_proofs;
 pub mod entry_proofs;
 pub mod rate_proofs;
 
+pub use crate::proofs::identity::Form;
 pub use clearance::{ApproachCoefficient, RimExcess};
 pub use continuous::{AtHandOver, ContinuityStep, Continuous};
 pub use geometry::{Escapement, EscapementError, pins_needed, possible};
 pub use layout::{HandOver, Layout, Meeting, Roots, Slot};
-
-/// A line of a source that has a slip: as it is printed, or as it should read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
-    /// With the slip. No identity, or the slip would be none.
-    Printed,
-    /// Without it.
-    Corrected,
-}

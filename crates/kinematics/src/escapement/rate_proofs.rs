@@ -5,20 +5,9 @@
 //! display after Eq. (1-6) to Eq. (1-8).
 
 use super::Form;
-use crate::pin_slot::{pin_from_pivot, velocity_ratio};
-use crate::scalars::turn::angular_velocity;
-use crate::{Field, Identity, Jet, Turn};
-use nalgebra::Vector2;
-
-/// The pin from the follower's axis in radii of its circle, as a series in time: (a − cos θ, sin θ).
-fn pin<S: Field, const N: usize>(ratio: &S, theta: &Turn<Jet<S, N>>) -> Vector2<Jet<S, N>> {
-    pin_from_pivot(&Jet::constant(ratio.clone()), theta)
-}
-
-/// φ̇ as a series. A proof stops with a panic, as at any pole, if the pin is on the follower's axis.
-fn follower<S: Field, const N: usize>(ratio: &S, theta: &Turn<Jet<S, N>>) -> Jet<S, N> {
-    angular_velocity(&pin(ratio, theta)).expect("the pin is off the follower's axis")
-}
+use crate::pin_slot::{pin_path, velocity_ratio};
+use crate::wheel_proofs::wheel_velocity;
+use crate::{Expression, Field, Identity, Jet, Turn};
 
 /// One line of the way to the velocity. Variables: a, the tangent of θ/2, θ̇.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,28 +32,27 @@ impl VelocityStep {
 }
 
 impl Identity<3> for VelocityStep {
-    fn difference<S: Field>(&self, [ratio, half, speed]: &[S; 3]) -> S {
-        let theta = Turn::from_half_tangent(half);
-        let moving = theta.moving::<2>(speed.clone());
-        let place = pin(ratio, &moving);
-        let follower = || follower(ratio, &moving).value();
+    fn difference(&self, [ratio, half, speed]: [Expression; 3]) -> Expression {
+        let theta = Turn::from_half_tangent(&half);
+        let moving = theta.moving::<2>(speed);
+        let place = pin_path(&ratio, &moving);
+        let follower = wheel_velocity(ratio, &moving).value();
         let (x, y) = (place.x.value(), place.y.value());
-        let square = |x: S| x.clone() * x;
-        let (rest, sin, cos) = (ratio.clone() - theta.cos.clone(), theta.sin.clone(), theta.cos.clone());
-        let reduced = || (ratio.clone() * cos.clone() - S::one()) / square(rest.clone()) * speed.clone();
+        let (rest, sin, cos) = (ratio - theta.cos, theta.sin, theta.cos);
+        let reduced = (ratio * cos - 1) / rest.squared() * speed;
         match self {
             Self::QuotientRule => {
-                let above = rest.clone() * moving.sin.rate() - sin * (Jet::constant(ratio.clone()) - moving.cos).rate();
-                (place.y.clone() / place.x.clone()).rate() - above / square(rest)
+                let above = rest * moving.sin.rate() - sin * (Jet::constant(ratio) - moving.cos).rate();
+                (place.y / place.x).rate() - above / rest.squared()
             }
             Self::SecantSquared => {
-                let secant_squared = (square(x.clone()) + square(y)) / square(x);
-                let above = rest.clone() * cos.clone() * speed.clone() - sin.clone() * (sin * speed.clone());
-                secant_squared * follower() - above / square(rest)
+                let secant_squared = (x.squared() + y.squared()) / x.squared();
+                let above = rest * cos * speed - sin * (sin * speed);
+                secant_squared * follower - above / rest.squared()
             }
-            Self::OneAndTangentSquared => (S::one() + square(y / x)) * follower() - reduced(),
-            Self::TangentSubstituted => (S::one() + square(sin) / square(rest.clone())) * follower() - reduced(),
-            Self::Velocity => follower() - velocity_ratio(ratio, &theta) * speed.clone(),
+            Self::OneAndTangentSquared => (1 + (y / x).squared()) * follower - reduced,
+            Self::TangentSubstituted => (1 + sin.squared() / rest.squared()) * follower - reduced,
+            Self::Velocity => follower - velocity_ratio(&ratio, &theta) * speed,
         }
     }
 }
@@ -100,37 +88,36 @@ impl AccelerationStep {
 }
 
 impl Identity<4> for AccelerationStep {
-    fn difference<S: Field>(&self, [ratio, half, speed, gain]: &[S; 4]) -> S {
-        let theta = Turn::from_half_tangent(half);
-        let advance = Jet::<S, 3>::from_coefficients([S::zero(), speed.clone(), gain.clone() / S::integer(2)]);
-        let moving = theta.moving_by(&advance);
-        let place = pin(ratio, &moving);
+    fn difference(&self, [ratio, half, speed, gain]: [Expression; 4]) -> Expression {
+        let theta = Turn::from_half_tangent(&half);
+        let moving = theta.speeding_up(speed, gain);
+        let place = pin_path(&ratio, &moving);
         let (x, y) = (place.x.value(), place.y.value());
-        let square = x.clone() * x + y.clone() * y;
-        let over_fourth_power = |x: S| x / square.clone() / square.clone();
-        let (a_sin, a_cos) = (ratio.clone() * theta.sin.clone(), ratio.clone() * theta.cos.clone());
-        let above = a_cos - S::one();
-        let by_gain = above.clone() / square.clone() * gain.clone();
+        let square = x * x + y * y;
+        let over_fourth_power = |x: Expression| x / square / square;
+        let (a_sin, a_cos) = (ratio * theta.sin, ratio * theta.cos);
+        let above = a_cos - 1;
+        let by_gain = above / square * gain;
         let right = match self {
             Self::QuotientRule => {
-                let above_rate = (Jet::constant(ratio.clone()) * moving.cos.clone() - Jet::integer(1)).rate();
-                let square_rate = (place.x.clone() * place.x.clone() + place.y.clone() * place.y.clone()).rate();
-                let bracket = over_fourth_power(square.clone() * above_rate - above * square_rate);
-                bracket * speed.clone() + by_gain
+                let above_rate = (Jet::constant(ratio) * moving.cos - Jet::integer(1)).rate();
+                let square_rate = (place.x * place.x + place.y * place.y).rate();
+                let bracket = over_fourth_power(square * above_rate - above * square_rate);
+                bracket * speed + by_gain
             }
             Self::Differentiated(_) => {
-                let first = square.clone() * -a_sin.clone() * speed.clone();
-                let second = above * (S::integer(2) * a_sin) * speed.clone();
-                over_fourth_power(first - second) * speed.clone() + by_gain
+                let first = square * -a_sin * speed;
+                let second = above * (2 * a_sin) * speed;
+                over_fourth_power(first - second) * speed + by_gain
             }
             Self::Acceleration(_) => {
-                let shape = over_fourth_power(a_sin * (S::one() - ratio.clone() * ratio.clone()));
-                shape * speed.clone() * speed.clone() + by_gain
+                let shape = over_fourth_power(a_sin * (1 - ratio * ratio));
+                shape * speed * speed + by_gain
             }
         };
         let left = match self {
-            Self::Differentiated(Form::Printed) | Self::Acceleration(Form::Printed) => gain.clone(),
-            _ => follower(ratio, &moving).rate(),
+            Self::Differentiated(Form::Printed) | Self::Acceleration(Form::Printed) => gain,
+            _ => wheel_velocity(ratio, &moving).rate(),
         };
         left - right
     }
@@ -167,12 +154,12 @@ mod tests {
     struct OtherSign;
 
     impl Identity<4> for OtherSign {
-        fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
-            let [ratio, half, speed, _] = variables.clone();
+        fn difference(&self, variables: [Expression; 4]) -> Expression {
+            let [ratio, half, speed, _] = variables;
             let theta = Turn::from_half_tangent(&half);
             let square = crate::pin_slot::slot_radius_squared(&ratio, &theta);
-            let product = (ratio.clone() * theta.cos - S::one()) * S::integer(2) * ratio * theta.sin;
-            let twice = S::integer(2) * product * speed.clone() * speed / (square.clone() * square);
+            let product = (ratio * theta.cos - 1) * 2 * ratio * theta.sin;
+            let twice = 2 * product * speed * speed / (square * square);
             AccelerationStep::Differentiated(Form::Corrected).difference(variables) - twice
         }
     }

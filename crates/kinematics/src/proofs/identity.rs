@@ -1,16 +1,44 @@
 //! An identity between rational functions, proven at more points than its degree allows it to fail at.
 
-use super::degree::DegreeBound;
-use crate::scalars::field::Field;
+use super::expression::{self, Built, Expression};
 use crate::scalars::surd::Surd;
 use dashu_ratio::{RBig, Relaxed};
+use num_traits::Zero;
 use std::array::from_fn;
 use std::fmt;
 
 /// A statement "this expression is zero for all values of its `V` variables".
 pub trait Identity<const V: usize> {
-    /// Left side minus right side, over any field.
-    fn difference<S: Field>(&self, variables: &[S; V]) -> S;
+    /// Left side minus right side.
+    fn difference(&self, variables: [Expression; V]) -> Expression;
+}
+
+/// A statement "this expression is zero for all values of its `V` variables" with a square root in it.
+pub trait IdentityWithRoot<const V: usize> {
+    /// Left side minus right side.
+    fn difference(&self, root: Expression, variables: [Expression; V]) -> Expression;
+}
+
+/// A line of a source that has a slip: as it is printed, or as it should read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Form {
+    /// With the slip. No identity, or the slip would be none.
+    Printed,
+    /// Without it.
+    Corrected,
+}
+
+impl Form {
+    /// Both forms.
+    pub const BOTH: [Self; 2] = [Self::Printed, Self::Corrected];
+
+    /// What stands in this form, of the two.
+    pub fn pick<T>(self, printed: T, corrected: T) -> T {
+        match self {
+            Self::Printed => printed,
+            Self::Corrected => corrected,
+        }
+    }
 }
 
 /// What makes an identity certain: a polynomial of these degrees that is zero on so many points is zero.
@@ -49,54 +77,58 @@ impl std::error::Error for Refutation {}
 
 /// Proves or refutes `identity` by exact arithmetic on a grid of rationals.
 ///
-/// The degree of the difference's numerator is found by running it on [`DegreeBound`]s. A polynomial of degree at
-/// most d in a variable that vanishes at d + 1 values of it vanishes for all; over several variables the same holds
-/// on the product grid. The values are the whole numbers from 2 up; an identity must have no pole there (a division
-/// by zero stops the proof with a panic, as any division by zero of a rational does).
-pub fn prove<const V: usize>(identity: &impl Identity<V>) -> Result<Proof, Refutation> {
-    let bound = identity.difference(&from_fn(DegreeBound::<V>::variable));
-    on_a_grid(&bound, |at| identity.difference(at).canonicalize())
-}
-
-/// A statement "this expression is zero for all values of its variables" with a square root in it.
-pub trait IdentityWithRoot<const V: usize> {
-    /// Left side minus right side, over any field that has the root.
-    fn difference<S: Field>(&self, root: &S, variables: &[S; V]) -> S;
+/// The difference's expression tells the degree of its numerator, at most. A polynomial of degree at most d in a
+/// variable that vanishes at d + 1 values of it vanishes for all; over several variables the same holds on the product
+/// grid. The values are the whole numbers from 2 up; an identity must have no pole there (a division by zero stops the
+/// proof with a panic, as any division by zero of a rational does).
+///
+/// # Errors
+///
+/// [`Refutation`] with the first point of the grid at which the sides differ.
+pub fn prove<const V: usize>(identity: &(impl Identity<V> + ?Sized)) -> Result<Proof, Refutation> {
+    let difference = identity.difference(from_fn(Expression::variable));
+    on_a_grid(difference, V, |steps, at| expression::value(steps, at, &Relaxed::zero()).canonicalize())
 }
 
 /// Proves or refutes an identity in which √D stands, as [`prove`] does, with the root kept exact.
 ///
-/// A refutation tells the part of the difference without the root, or what stands before the root if that is zero.
+/// # Errors
+///
+/// [`Refutation`]; its difference is the part without the root, or what stands before the root if that part is zero.
 pub fn prove_with_root<const D: u32, const V: usize>(identity: &impl IdentityWithRoot<V>) -> Result<Proof, Refutation> {
-    let bound = identity.difference(&DegreeBound::root(), &from_fn(DegreeBound::<V>::variable));
-    on_a_grid(&bound, |at| {
-        let at = at.clone().map(Surd::<Relaxed, D>::from_plain);
-        let difference = identity.difference(&Surd::root(), &at);
+    let difference = identity.difference(Expression::root(), from_fn(Expression::variable));
+    on_a_grid(difference, V, |steps, at| {
+        let at: Vec<_> = at.iter().cloned().map(Surd::<Relaxed, D>::from_plain).collect();
+        let difference = expression::value(steps, &at, &Surd::root());
         let plain = difference.plain.canonicalize();
         if plain.is_zero() { difference.rooted.canonicalize() } else { plain }
     })
 }
 
-/// Looks for a point of the grid at which `difference` is not zero; there are none if the bound is a bound.
-fn on_a_grid<const V: usize>(
-    bound: &DegreeBound<V>,
-    difference: impl Fn(&[Relaxed; V]) -> RBig,
+/// Looks for a point of the grid at which the `value` of `difference` is not zero; there are none if the bound of its
+/// degree is a bound.
+fn on_a_grid(
+    difference: Expression,
+    variables: usize,
+    value: fn(&[Built<usize>], &[Relaxed]) -> RBig,
 ) -> Result<Proof, Refutation> {
-    let sides: [usize; V] = bound.numerator().map(|degree| degree as usize + 1);
-    let points: usize = sides.iter().product();
+    let (steps, degrees) = (difference.steps(), difference.degrees(variables));
+    let points = degrees.iter().map(|degree| *degree as usize + 1).product();
     for index in 0..points {
         let mut rest = index;
-        let at: [Relaxed; V] = from_fn(|v| {
-            let k = rest % sides[v];
-            rest /= sides[v];
+        let coordinate = |degree: &u32| {
+            let side = *degree as usize + 1;
+            let k = rest % side;
+            rest /= side;
             abscissa(k)
-        });
-        let difference = difference(&at);
+        };
+        let at: Vec<Relaxed> = degrees.iter().map(coordinate).collect();
+        let difference = value(&steps, &at);
         if !difference.is_zero() {
-            return Err(Refutation { at: at.map(Relaxed::canonicalize).to_vec(), difference });
+            return Err(Refutation { at: at.into_iter().map(Relaxed::canonicalize).collect(), difference });
         }
     }
-    Ok(Proof { degrees: bound.numerator().to_vec(), points })
+    Ok(Proof { degrees, points })
 }
 
 /// The k-th value: 2, 3, 4 … Whole numbers keep the fractions short; zero and one are where formulas have their poles.
@@ -114,10 +146,8 @@ mod tests {
 
     impl Identity<2> for Binomial {
         /// (x + y)² − (x² + (2 + wrong) x y + y²)
-        fn difference<S: Field>(&self, [x, y]: &[S; 2]) -> S {
-            let (x, y) = (x.clone(), y.clone());
-            let sum = x.clone() + y.clone();
-            sum.clone() * sum - x.clone() * x.clone() - S::integer(2 + self.wrong) * x * y.clone() - y.clone() * y
+        fn difference(&self, [x, y]: [Expression; 2]) -> Expression {
+            (x + y).squared() - x * x - (2 + self.wrong) * x * y - y * y
         }
     }
 
@@ -137,9 +167,8 @@ mod tests {
     struct RootForOne;
 
     impl IdentityWithRoot<1> for RootForOne {
-        fn difference<S: Field>(&self, root: &S, [x]: &[S; 1]) -> S {
-            let factor = (S::integer(2) + root.clone()) / S::integer(3);
-            factor / (x.clone() + root.clone()) - S::one() / (x.clone() + S::one())
+        fn difference(&self, root: Expression, [x]: [Expression; 1]) -> Expression {
+            (2 + root) / 3 / (x + root) - 1 / (x + 1)
         }
     }
 

@@ -5,7 +5,7 @@
 //! frame's axes are parallel to the fixed ones, which costs no generality: fixed axes may be chosen at will. The
 //! origin's rates add on both sides alike and are left out.
 
-use crate::{Field, Identity, Jet, Turn};
+use crate::{Expression, Identity, Jet, Turn};
 use nalgebra::Vector2;
 
 /// ṗ (fixed) = ṗ + ω × p. Variables: ω, x, y, ẋ, ẏ.
@@ -15,15 +15,10 @@ pub struct VelocityInAFrame {
 }
 
 impl Identity<5> for VelocityInAFrame {
-    fn difference<S: Field>(&self, [speed, x, y, dx, dy]: &[S; 5]) -> S {
-        let zero = S::zero();
-        let seen = seen(speed, &zero, [x, dx, &zero], [y, dy, &zero]);
-        let fixed = seen.map(|coordinate| coordinate.rate());
-        if self.first {
-            fixed.x.clone() - (dx.clone() - speed.clone() * y.clone())
-        } else {
-            fixed.y.clone() - (dy.clone() + speed.clone() * x.clone())
-        }
+    fn difference(&self, [speed, x, y, dx, dy]: [Expression; 5]) -> Expression {
+        let zero = Expression::ZERO;
+        let fixed = seen(speed, zero, [x, dx, zero], [y, dy, zero]).map(|coordinate| coordinate.rate());
+        if self.first { fixed.x - (dx - speed * y) } else { fixed.y - (dy + speed * x) }
     }
 }
 
@@ -49,34 +44,30 @@ pub struct AccelerationInAFrame {
 }
 
 impl Identity<8> for AccelerationInAFrame {
-    fn difference<S: Field>(&self, [speed, growth, x, y, dx, dy, ddx, ddy]: &[S; 8]) -> S {
-        let seen = seen(speed, growth, [x, dx, ddx], [y, dy, ddy]);
-        let fixed = seen.map(|coordinate| coordinate.coefficient(2) * S::integer(2));
+    fn difference(&self, [speed, growth, x, y, dx, dy, ddx, ddy]: [Expression; 8]) -> Expression {
+        let fixed = seen(speed, growth, [x, dx, ddx], [y, dy, ddy]).map(|coordinate| coordinate.coefficient(2) * 2);
         let centripetal = match self.brackets {
-            Brackets::FromTheRight => -(speed.clone() * speed.clone()),
-            Brackets::FromTheLeft => S::zero(),
+            Brackets::FromTheRight => -(speed * speed),
+            Brackets::FromTheLeft => Expression::ZERO,
         };
-        let coriolis = S::integer(self.coriolis) * speed.clone();
+        let coriolis = self.coriolis * speed;
         if self.first {
-            let terms = centripetal * x.clone() - growth.clone() * y.clone() - coriolis * dy.clone();
-            fixed.x.clone() - (ddx.clone() + terms)
+            let terms = centripetal * x - growth * y - coriolis * dy;
+            fixed.x - (ddx + terms)
         } else {
-            let terms = centripetal * y.clone() + growth.clone() * x.clone() + coriolis * dx.clone();
-            fixed.y.clone() - (ddy.clone() + terms)
+            let terms = centripetal * y + growth * x + coriolis * dx;
+            fixed.y - (ddy + terms)
         }
     }
 }
 
 /// The point's place along fixed axes as a power series: its coordinates in the frame, turned with the frame.
-fn seen<S: Field>(speed: &S, growth: &S, x: [&S; 3], y: [&S; 3]) -> Vector2<Jet<S, 3>> {
-    let two = S::integer(2);
-    let series = |[value, rate, second]: [&S; 3]| {
-        Jet::from_coefficients([value.clone(), rate.clone(), second.clone() / two.clone()])
-    };
-    let advance = Jet::from_coefficients([S::zero(), speed.clone(), growth.clone() / two.clone()]);
-    let frame = Turn { cos: S::one(), sin: S::zero() }.moving_by(&advance);
+fn seen(speed: Expression, growth: Expression, x: [Expression; 3], y: [Expression; 3]) -> Vector2<Jet<Expression, 3>> {
+    let series = |[value, rate, second]: [Expression; 3]| Jet::from_coefficients([value, rate, second / 2]);
+    let frame =
+        Turn { cos: Expression::ONE, sin: Expression::ZERO }.moving_by(&series([Expression::ZERO, speed, growth]));
     let (x, y) = (series(x), series(y));
-    Vector2::new(frame.cos.clone() * x.clone() - frame.sin.clone() * y.clone(), frame.sin.clone() * x + frame.cos * y)
+    Vector2::new(frame.cos * x - frame.sin * y, frame.sin * x + frame.cos * y)
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@
 use super::motion::{Drive, Motion};
 use super::series::{PolarRates, polar_rates};
 use crate::pin_vectors::quarter_turn;
-use crate::{Field, Identity, Jet, Turn};
+use crate::{Expression, Identity, Turn};
 use nalgebra::Vector2;
 
 /// Law of sines at the lever's pivot and at the pin: l sin ψ = R sin β, multiplied by r.
@@ -20,10 +20,10 @@ use nalgebra::Vector2;
 pub struct LawOfSinesAtThePin;
 
 impl Identity<3> for LawOfSinesAtThePin {
-    fn difference<S: Field>(&self, [p, q, ground]: &[S; 3]) -> S {
-        let crank = Vector2::new(p.clone(), q.clone());
-        let lever = crank.clone() + Vector2::new(ground.clone(), S::zero());
-        ground.clone() * lever.y.clone() - lever.perp(&crank)
+    fn difference(&self, [p, q, ground]: [Expression; 3]) -> Expression {
+        let crank = Vector2::new(p, q);
+        let lever = crank + Vector2::new(ground, Expression::ZERO);
+        ground * lever.y - lever.perp(&crank)
     }
 }
 
@@ -33,10 +33,10 @@ impl Identity<3> for LawOfSinesAtThePin {
 pub struct LeverAsProjections;
 
 impl Identity<3> for LeverAsProjections {
-    fn difference<S: Field>(&self, [p, q, ground]: &[S; 3]) -> S {
-        let crank = Vector2::new(p.clone(), q.clone());
-        let lever = crank.clone() + Vector2::new(ground.clone(), S::zero());
-        lever.dot(&lever) - ground.clone() * lever.x.clone() - lever.dot(&crank)
+    fn difference(&self, [p, q, ground]: [Expression; 3]) -> Expression {
+        let crank = Vector2::new(p, q);
+        let lever = crank + Vector2::new(ground, Expression::ZERO);
+        lever.dot(&lever) - ground * lever.x - lever.dot(&crank)
     }
 }
 
@@ -69,23 +69,22 @@ pub struct ResolvedSpeed {
 }
 
 impl Identity<3> for ResolvedSpeed {
-    fn difference<S: Field>(&self, variables: &[S; 3]) -> S {
-        let [p, _, driver] = variables.clone();
-        let crank = Vector2::new(p, S::one());
-        let rates = steady(variables);
+    fn difference(&self, [p, x, driver]: [Expression; 3]) -> Expression {
+        let crank = Vector2::new(p, Expression::ONE);
+        let rates = steady(p, x, driver);
         let square = rates.position.dot(&rates.position);
-        let pin_speed_squared = crank.dot(&crank) * driver.clone() * driver;
+        let pin_speed_squared = crank.dot(&crank) * driver * driver;
         // cos² and sin² of either angle, from scalar and cross products of its two sides.
         let (other, other_square) = match self.by {
-            ResolvedBy::AngleAtPin => (rates.position.clone(), square.clone()),
-            ResolvedBy::AngleAtAxis => (Vector2::new(S::one(), S::zero()), S::one()),
+            ResolvedBy::AngleAtPin => (rates.position, square),
+            ResolvedBy::AngleAtAxis => (Vector2::new(Expression::ONE, Expression::ZERO), Expression::ONE),
         };
         let scale = crank.dot(&crank) * other_square;
         let (found, product) = match self.part {
             Part::Across => (rates.turning, crank.dot(&other)),
             Part::Along => (rates.sliding, crank.perp(&other)),
         };
-        found.clone() * found * square - pin_speed_squared * product.clone() * product / scale
+        found * found * square - pin_speed_squared * product * product / scale
     }
 }
 
@@ -95,12 +94,11 @@ impl Identity<3> for ResolvedSpeed {
 pub struct AlongTheLever;
 
 impl Identity<3> for AlongTheLever {
-    fn difference<S: Field>(&self, variables: &[S; 3]) -> S {
-        let [p, _, driver] = variables.clone();
-        let rates = steady(variables);
+    fn difference(&self, [p, x, driver]: [Expression; 3]) -> Expression {
+        let rates = steady(p, x, driver);
         let square = rates.position.dot(&rates.position);
-        let inwards = driver.clone() * driver * rates.position.dot(&Vector2::new(p, S::one()));
-        let centripetal = rates.turning.clone() * rates.turning * square.clone();
+        let inwards = driver * driver * rates.position.dot(&Vector2::new(p, Expression::ONE));
+        let centripetal = rates.turning * rates.turning * square;
         -(rates.sliding_rate * square) - (inwards - centripetal)
     }
 }
@@ -111,12 +109,11 @@ impl Identity<3> for AlongTheLever {
 pub struct AcrossTheLever;
 
 impl Identity<3> for AcrossTheLever {
-    fn difference<S: Field>(&self, variables: &[S; 3]) -> S {
-        let [p, _, driver] = variables.clone();
-        let rates = steady(variables);
+    fn difference(&self, [p, x, driver]: [Expression; 3]) -> Expression {
+        let rates = steady(p, x, driver);
         let square = rates.position.dot(&rates.position);
-        let across = driver.clone() * driver * rates.position.perp(&Vector2::new(p, S::one()));
-        let coriolis = S::integer(2) * rates.turning * -(rates.sliding * square.clone());
+        let across = driver * driver * rates.position.perp(&Vector2::new(p, Expression::ONE));
+        let coriolis = 2 * rates.turning * -(rates.sliding * square);
         -(rates.turning_rate * square) - (across - coriolis)
     }
 }
@@ -130,19 +127,16 @@ pub struct TermsOfTheAcceleration {
 }
 
 impl Identity<4> for TermsOfTheAcceleration {
-    fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
-        let [p, x, speed, acceleration] = variables.clone();
-        let drive = Drive { speed: speed.clone(), acceleration: acceleration.clone() };
-        let (ground, crank) = placed(&p, &x);
-        let half = acceleration / S::integer(2);
-        let path = crank.moving_by(&Jet::<S, 3>::from_coefficients([S::zero(), speed, half]));
-        let pin = path.cos.coefficient(2) * S::integer(2);
-        let rates = polar_rates(&ground, &S::one(), &crank, &drive).expect("the pin is off the pivot");
+    fn difference(&self, [p, x, speed, acceleration]: [Expression; 4]) -> Expression {
+        let drive = Drive { speed, acceleration };
+        let (ground, crank) = placed(p, x);
+        let pin = crank.speeding_up(speed, acceleration).cos.coefficient(2) * 2;
+        let rates = polar_rates(&ground, &Expression::ONE, &crank, &drive).expect("the pin is off the pivot");
         let across = quarter_turn(&rates.position);
-        let normal = rates.position.x.clone() * rates.turning.clone() * rates.turning.clone();
-        let tangential = across.x.clone() * rates.turning_rate;
-        let relative = rates.position.x.clone() * rates.sliding_rate;
-        let coriolis = S::integer(self.coriolis) * across.x.clone() * rates.turning * rates.sliding;
+        let normal = rates.position.x * rates.turning * rates.turning;
+        let tangential = across.x * rates.turning_rate;
+        let relative = rates.position.x * rates.sliding_rate;
+        let coriolis = self.coriolis * across.x * rates.turning * rates.sliding;
         pin - (tangential - normal + relative + coriolis)
     }
 }
@@ -169,13 +163,12 @@ pub struct DiagramAgainstSeries(
 );
 
 impl Identity<4> for DiagramAgainstSeries {
-    fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
-        let [p, x, speed, acceleration] = variables.clone();
+    fn difference(&self, [p, x, speed, acceleration]: [Expression; 4]) -> Expression {
         let drive = Drive { speed, acceleration };
-        let (ground, crank) = placed(&p, &x);
-        let rates = polar_rates(&ground, &S::one(), &crank, &drive).expect("the pin is off the pivot");
+        let (ground, crank) = placed(p, x);
+        let rates = polar_rates(&ground, &Expression::ONE, &crank, &drive).expect("the pin is off the pivot");
         let Motion { velocities, accelerations, .. } =
-            Motion::at(&ground, &S::one(), &crank, &drive).expect("the pin is off the pivot");
+            Motion::at(&ground, &Expression::ONE, &crank, &drive).expect("the pin is off the pivot");
         let square = rates.position.dot(&rates.position);
         match self.0 {
             Compared::LeverSpeed => velocities.follower_speed - rates.turning,
@@ -185,22 +178,22 @@ impl Identity<4> for DiagramAgainstSeries {
                 accelerations.sliding_tangential.dot(&rates.position) - rates.sliding_rate * square
             }
             Compared::Coriolis => {
-                let across = quarter_turn(&rates.position).x.clone();
-                accelerations.coriolis.x.clone() - S::integer(2) * rates.turning * rates.sliding * across
+                let across = quarter_turn(&rates.position).x;
+                accelerations.coriolis.x - 2 * rates.turning * rates.sliding * across
             }
         }
     }
 }
 
 /// The ground distance and the crank, of length one times its own, for a pin at (x, 1) and a crank (p, 1).
-fn placed<S: Field>(p: &S, x: &S) -> (S, Turn<S>) {
-    (x.clone() - p.clone(), Turn { cos: p.clone(), sin: S::one() })
+fn placed(p: Expression, x: Expression) -> (Expression, Turn<Expression>) {
+    (x - p, Turn { cos: p, sin: Expression::ONE })
 }
 
 /// The rates at constant crank speed, for the variables p, x, ω.
-fn steady<S: Field>([p, x, driver]: &[S; 3]) -> PolarRates<S> {
+fn steady(p: Expression, x: Expression, driver: Expression) -> PolarRates<Expression> {
     let (ground, crank) = placed(p, x);
-    polar_rates(&ground, &S::one(), &crank, &Drive::steady(driver.clone())).expect("the pin is off the pivot")
+    polar_rates(&ground, &Expression::ONE, &crank, &Drive::steady(driver)).expect("the pin is off the pivot")
 }
 
 #[cfg(test)]

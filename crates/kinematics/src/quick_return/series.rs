@@ -26,9 +26,8 @@ pub struct PolarRates<S> {
 
 /// Differentiates the loop closure at crank angle φ. `None` if the pin is on the lever's pivot.
 pub fn polar_rates<S: Field>(ground: &S, radius: &S, crank: &Turn<S>, drive: &Drive<S>) -> Option<PolarRates<S>> {
-    let half = drive.acceleration.clone() / S::integer(2);
-    let advance = Jet::<S, 3>::from_coefficients([S::zero(), drive.speed.clone(), half]);
-    let arm = crank.moving_by(&advance).direction() * Jet::constant(radius.clone());
+    let moving = crank.speeding_up(drive.speed.clone(), drive.acceleration.clone());
+    let arm = moving.direction() * Jet::constant(radius.clone());
     let path = arm + Vector2::new(Jet::constant(ground.clone()), Jet::constant(S::zero()));
     let turning = angular_velocity(&path)?;
     // From r² = s: ṙ/r = ṡ / 2s, and r̈/r = (s̈/2 − ṙ²) / s = s̈ / 2s − (ṙ/r)².

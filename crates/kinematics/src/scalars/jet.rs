@@ -9,7 +9,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 ///
 /// Running a formula on a jet gives the formula's value and its first `N - 1` derivatives, exactly if `S` is exact.
 /// `N` must be at least 1.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Jet<S, const N: usize>([S; N]);
 
 impl<S: Field, const N: usize> Jet<S, N> {

@@ -9,7 +9,7 @@ use std::array::from_fn;
 ///
 /// As a pair, an angle needs no transcendental function: sums, half turns and motions are polynomials, and points of
 /// the circle with rational cosine and sine are exact.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turn<S> {
     /// Cosine of the angle.
     pub cos: S,
@@ -53,6 +53,12 @@ impl<S: Field> Turn<S> {
     /// The angle moving at `rate` (radians per unit of the jet's variable), as a power series from this instant on.
     pub fn moving<const N: usize>(&self, rate: S) -> Turn<Jet<S, N>> {
         self.moving_by(&Jet::from_coefficients(from_fn(|k| if k == 1 { rate.clone() } else { S::zero() })))
+    }
+
+    /// The angle moving at `rate` and gaining speed at `gain` (radians per unit of the variable, and its square), as a
+    /// power series from this instant on.
+    pub fn speeding_up(&self, rate: S, gain: S) -> Turn<Jet<S, 3>> {
+        self.moving_by(&Jet::from_coefficients([S::zero(), rate, gain / S::integer(2)]))
     }
 
     /// The angle moving by `advance`, a power series in radians whose constant part counts for nothing.

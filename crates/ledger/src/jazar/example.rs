@@ -6,7 +6,7 @@ use super::general::printed_angle;
 use super::*;
 use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::wheel::{Phase, peak_velocity};
-use geneva_kinematics::{Field, Identity, pin_vectors, prove, rational};
+use geneva_kinematics::{Expression, Identity, pin_vectors, prove, rational};
 
 const DATA: Place = at("Example, data");
 const A: Place = at("Ex. (a)");
@@ -175,11 +175,11 @@ struct Senses {
 }
 
 impl Identity<2> for Senses {
-    fn difference<S: Field>(&self, [ratio, half]: &[S; 2]) -> S {
-        let crank = Turn::from_half_tangent(half);
-        let formula = S::integer(self.sign) * velocity_ratio(ratio, &crank.supplement());
-        pin_vectors::solve(&S::one(), ratio, &crank, &S::one())
-            .map_or_else(S::one, |motion| motion.follower_speed + formula)
+    fn difference(&self, [ratio, half]: [Expression; 2]) -> Expression {
+        let crank = Turn::from_half_tangent(&half);
+        let formula = self.sign * velocity_ratio(&ratio, &crank.supplement());
+        pin_vectors::solve(&Expression::ONE, &ratio, &crank, &Expression::ONE)
+            .map_or(Expression::ONE, |motion| motion.follower_speed + formula)
     }
 }
 

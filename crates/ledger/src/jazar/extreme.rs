@@ -4,7 +4,7 @@ use super::peak::{both_roots, six_pair};
 use super::*;
 use geneva_kinematics::wheel::{acceleration_peak, acceleration_ratio};
 use geneva_kinematics::wheel_peak_proofs::Roots;
-use geneva_kinematics::{Field, Identity, prove, rational};
+use geneva_kinematics::{Expression, Identity, prove, rational};
 
 pub fn claims() -> Vec<Claim> {
     vec![root_choice(), alpha_range(), maximum(), angle(), sign_of_the_angle(), general_validity()]
@@ -233,8 +233,8 @@ struct SameSize {
 }
 
 impl Identity<2> for SameSize {
-    fn difference<S: Field>(&self, [ratio, half]: &[S; 2]) -> S {
-        let crank = Turn::from_half_tangent(half);
-        acceleration_ratio(ratio, &crank.reversed()) - S::integer(self.sign) * acceleration_ratio(ratio, &crank)
+    fn difference(&self, [ratio, half]: [Expression; 2]) -> Expression {
+        let crank = Turn::from_half_tangent(&half);
+        acceleration_ratio(&ratio, &crank.reversed()) - self.sign * acceleration_ratio(&ratio, &crank)
     }
 }

@@ -4,7 +4,7 @@ use super::duration::entry_angle;
 use super::four::{LOST_SIGN, printed_5_27, printed_5_28, printed_5_29, printed_5_32};
 use super::*;
 use geneva_kinematics::wheel_proofs::{Printed, Quantity};
-use geneva_kinematics::{Field, Identity, prove};
+use geneva_kinematics::{Expression, Identity, prove};
 
 const RATIOS: Place = at("Paragraph before Eq. (5.30)");
 
@@ -144,10 +144,10 @@ fn equations() -> Vec<Claim> {
 struct Tangent;
 
 impl Identity<1> for Tangent {
-    fn difference<S: Field>(&self, [half]: &[S; 1]) -> S {
-        let alpha = Turn::from_half_tangent(half);
-        let crank = Turn { cos: alpha.sin.clone(), sin: alpha.cos.clone() };
-        let pin = pin_from_pivot(&(S::one() / alpha.sin), &crank);
+    fn difference(&self, [half]: [Expression; 1]) -> Expression {
+        let alpha = Turn::from_half_tangent(&half);
+        let crank = Turn { cos: alpha.sin, sin: alpha.cos };
+        let pin = pin_from_pivot(&(1 / alpha.sin), &crank);
         pin.dot(&crank.reversed().direction())
     }
 }
@@ -160,12 +160,11 @@ struct RimByPythagoras {
 }
 
 impl Identity<1> for RimByPythagoras {
-    fn difference<S: Field>(&self, [half]: &[S; 1]) -> S {
-        let alpha = Turn::from_half_tangent(half);
-        let distance = S::one() / alpha.sin.clone();
-        let diameter_squared = S::integer(4) * (distance.clone() * distance - S::one());
+    fn difference(&self, [half]: [Expression; 1]) -> Expression {
+        let alpha = Turn::from_half_tangent(&half);
+        let distance = 1 / alpha.sin;
         let tangent = alpha.sin / alpha.cos;
-        diameter_squared / S::integer(self.over * self.over) - S::one() / (tangent.clone() * tangent)
+        4 * (distance * distance - 1) / (self.over * self.over) - 1 / (tangent * tangent)
     }
 }
 

@@ -8,7 +8,7 @@ use crate::Dimension as Exponents;
 use geneva_kinematics::wheel::{acceleration_peak, gamma};
 use geneva_kinematics::wheel_peak_proofs::{Condition, Pythagoras, Quadratic, Roots};
 use geneva_kinematics::wheel_proofs::{Printed, Quantity};
-use geneva_kinematics::{DegreeBound, Field, prove};
+use geneva_kinematics::{Expression, Field, prove};
 
 const E: Place = at("Ex. (e)");
 
@@ -154,7 +154,7 @@ fn preceding() -> Claim {
             "the preceding equation is a quadratic equation in cos θ",
         )
         .by(ExactIdentity, |stated| {
-            let degree = left_side(S1::variable(0), S1::integer(7)).numerator()[0];
+            let degree = left_side(Expression::variable(0), Expression::integer(7)).degrees(1)[0];
             Finding::new(degree == stated.pick(2, 3), format!("of degree {degree} in cos θ"))
         })
         .by(ClosedForm, |stated| {
@@ -236,8 +236,6 @@ fn numbers() -> Vec<Claim> {
             .in_error(WRONG_RATIO),
     ]
 }
-
-type S1 = DegreeBound<1>;
 
 pub(super) fn six_pair(pair: fn(&Wheel) -> (f64, f64)) -> (f64, f64) {
     example().map_or((f64::NAN, f64::NAN), |wheel| pair(&wheel))

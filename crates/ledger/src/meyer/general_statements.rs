@@ -8,6 +8,7 @@ use crate::Evidence::Integration;
 use crate::Stated;
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Coefficients, Inertias, Parameters, Sign};
+use geneva_kinematics::Expression;
 
 const FIRST: Place = at("Chapter II, 1st general statement");
 const THIRD: Place = at("Chapter II, 3rd general statement");
@@ -222,17 +223,14 @@ struct Scaled {
 }
 
 impl Identity<8> for Scaled {
-    fn difference<S: Field>(&self, [a, b, c, d, e, speed, gain, kappa]: &[S; 8]) -> S {
-        let whole = (0..self.power.unsigned_abs()).fold(S::one(), |product, _| product * kappa.clone());
-        let factor = if self.power < 0 { S::one() / whole } else { whole };
-        let square = kappa.clone() * kappa.clone();
-        let left = |drive: S, speed: S, gain: S| {
-            let of = Coefficients { a: a.clone(), b: b.clone(), c: c.clone(), d: d.clone(), e: drive };
-            of.residual(&speed, &gain, self.sign)
+    fn difference(&self, [a, b, c, d, e, speed, gain, kappa]: [Expression; 8]) -> Expression {
+        let whole = (0..self.power.unsigned_abs()).fold(Expression::ONE, |product, _| product * kappa);
+        let factor = if self.power < 0 { 1 / whole } else { whole };
+        let square = kappa * kappa;
+        let left = |e: Expression, speed: Expression, gain: Expression| {
+            Coefficients { a, b, c, d, e }.residual(&speed, &gain, self.sign)
         };
-        let scaled =
-            left(square.clone() * e.clone(), factor.clone() * speed.clone(), factor.clone() * factor * gain.clone());
-        scaled - square * left(e.clone(), speed.clone(), gain.clone())
+        left(square * e, factor * speed, factor * factor * gain) - square * left(e, speed, gain)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Which way the two parts of the pin's velocity point.
 
 use super::*;
-use geneva_kinematics::{Field, Identity, prove};
+use geneva_kinematics::{Expression, Identity, prove};
 
 const TRIANGLE: Place = at("Solution, velocity triangle");
 
@@ -82,8 +82,8 @@ pub fn velocity_figure() -> Claim {
 struct Across(Stated);
 
 impl Identity<4> for Across {
-    fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
-        moving(variables, |motion, crank| motion.slot_point_velocity.dot(&self.0.pick(&motion.position, crank).clone()))
+    fn difference(&self, variables: [Expression; 4]) -> Expression {
+        moving(variables, |motion, crank| motion.slot_point_velocity.dot(&self.0.pick(motion.position, crank)))
     }
 }
 
@@ -91,15 +91,18 @@ impl Identity<4> for Across {
 struct Along(Stated);
 
 impl Identity<4> for Along {
-    fn difference<S: Field>(&self, variables: &[S; 4]) -> S {
-        moving(variables, |motion, crank| motion.sliding_velocity.perp(&self.0.pick(&motion.position, crank).clone()))
+    fn difference(&self, variables: [Expression; 4]) -> Expression {
+        moving(variables, |motion, crank| motion.sliding_velocity.perp(&self.0.pick(motion.position, crank)))
     }
 }
 
 /// Something of the motion with the crank (p, q) at the centre distance l and the angular velocity ω.
-fn moving<S: Field>([p, q, distance, driver]: &[S; 4], of: impl Fn(&PinMotion<S>, &Vector2<S>) -> S) -> S {
-    let crank = Turn { cos: p.clone(), sin: q.clone() };
+fn moving(
+    [p, q, distance, driver]: [Expression; 4],
+    of: impl Fn(PinMotion<Expression>, Vector2<Expression>) -> Expression,
+) -> Expression {
+    let crank = Turn { cos: p, sin: q };
     // One, which refutes, on the pivot.
-    pin_vectors::solve(&S::one(), distance, &crank, driver)
-        .map_or_else(S::one, |motion| of(&motion, &crank.direction()))
+    pin_vectors::solve(&Expression::ONE, &distance, &crank, &driver)
+        .map_or(Expression::ONE, |motion| of(motion, crank.direction()))
 }
