@@ -7,6 +7,7 @@
 //!
 //! This crate holds no number that a source prints, does no input or output, and knows nothing of claims or books.
 
+mod error;
 mod proofs;
 mod scalars;
 
@@ -22,6 +23,7 @@ pub mod wheel_peak_proofs;
 pub mod wheel_proofs;
 
 pub use dashu_ratio::RBig as Rational;
+pub use error::KinematicsError;
 pub use proofs::expression::Expression;
 pub use proofs::identity::{Form, Identity, IdentityWithRoot, Proof, Refutation, prove, prove_with_root};
 pub use scalars::field::{Field, rational};

@@ -4,9 +4,9 @@
 //! zero when the pin is nearest to the follower's pivot; `r` distance of the pin from that pivot. The formulas take
 //! the ratio `k` and give lengths in crank radii.
 
-use crate::{Field, Jet, Turn};
+use crate::error::length;
+use crate::{Field, Jet, KinematicsError, Turn};
 use nalgebra::Vector2;
-use std::fmt;
 
 /// A crank with a pin and a follower with a slot through its own pivot, outside the crank's circle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,55 +15,26 @@ pub struct PinSlot {
     centre_distance: f64,
 }
 
-/// A length that no mechanism of this kind can have.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum GeometryError {
-    /// The crank radius is not a positive, finite number.
-    CrankRadius(f64),
-    /// The centre distance is not finite and greater than the crank radius.
-    CentreDistance {
-        /// The distance that was asked for.
-        asked: f64,
-        /// The crank radius that it must exceed.
-        crank_radius: f64,
-    },
-}
-
-impl fmt::Display for GeometryError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::CrankRadius(asked) => {
-                write!(f, "crank radius {asked}: it must be positive and finite; give a length above zero")
-            }
-            Self::CentreDistance { asked, crank_radius } => write!(
-                f,
-                "centre distance {asked}: it must be finite and greater than the crank radius {crank_radius}; \
-                 move the centres apart or shorten the crank"
-            ),
-        }
-    }
-}
-
-impl std::error::Error for GeometryError {}
-
 impl PinSlot {
     /// A mechanism from its crank radius (> 0) and centre distance (> crank radius), in one unit of length.
-    pub fn new(crank_radius: f64, centre_distance: f64) -> Result<Self, GeometryError> {
-        if !(crank_radius > 0.0 && crank_radius.is_finite()) {
-            return Err(GeometryError::CrankRadius(crank_radius));
-        }
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::Length`] and [`KinematicsError::CentreDistance`] for other lengths, and for infinite ones.
+    pub fn new(crank_radius: f64, centre_distance: f64) -> Result<Self, KinematicsError> {
+        let crank_radius = length("crank radius", crank_radius)?;
         if !(centre_distance > crank_radius && centre_distance.is_finite()) {
-            return Err(GeometryError::CentreDistance { asked: centre_distance, crank_radius });
+            return Err(KinematicsError::CentreDistance { asked: centre_distance, crank_radius });
         }
         Ok(Self { crank_radius, centre_distance })
     }
 
-    /// Distance of the pin's centre from the driver's axis.
+    /// Distance of the pin's centre from the driver's axis, in the unit of the mechanism.
     pub fn crank_radius(&self) -> f64 {
         self.crank_radius
     }
 
-    /// Distance between the two axes.
+    /// Distance between the two axes, in the unit of the mechanism.
     pub fn centre_distance(&self) -> f64 {
         self.centre_distance
     }
@@ -119,10 +90,10 @@ mod tests {
     #[test]
     fn impossible_lengths_are_named() {
         for radius in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-            assert!(matches!(PinSlot::new(radius, 2.0), Err(GeometryError::CrankRadius(_))), "{radius}");
+            assert!(matches!(PinSlot::new(radius, 2.0), Err(KinematicsError::Length { .. })), "{radius}");
         }
         for distance in [1.0, 0.5, f64::NAN, f64::INFINITY] {
-            assert!(matches!(PinSlot::new(1.0, distance), Err(GeometryError::CentreDistance { .. })), "{distance}");
+            assert!(matches!(PinSlot::new(1.0, distance), Err(KinematicsError::CentreDistance { .. })), "{distance}");
         }
         let message = PinSlot::new(2.0, 1.5).expect_err("too close").to_string();
         assert!(message.contains("1.5") && message.contains("greater than the crank radius 2"), "{message}");

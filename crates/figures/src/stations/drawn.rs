@@ -3,7 +3,8 @@
 use super::{advance, critical_geometry, extremes, mechanism, model, motion};
 use crate::Figure;
 use crate::checks::{corners, length, named, number, only_numbers, well_formed};
-use geneva_kinematics::wheel::{Wheel, WheelError, acceleration_peak, entry_acceleration, peak_velocity};
+use geneva_kinematics::KinematicsError;
+use geneva_kinematics::wheel::{Wheel, acceleration_peak, entry_acceleration, peak_velocity};
 use roxmltree::Document;
 use std::collections::BTreeSet;
 
@@ -49,7 +50,7 @@ fn drawing_twice_gives_the_same_bytes() {
 #[test]
 fn an_angle_outside_the_engagement_has_no_triangle() {
     let wheel = Wheel::new(6).expect("possible");
-    assert!(matches!(model(&wheel, 1.1), Err(WheelError::Angle { .. })));
+    assert!(matches!(model(&wheel, 1.1), Err(KinematicsError::OutsideEngagement { .. })));
 }
 
 #[test]

@@ -10,9 +10,10 @@ use crate::svg::marks::{arc_arrow, dimension, fixed_pivot};
 use crate::svg::shape::{DASHED, Shape};
 use crate::svg::view::{Pixels, heading};
 use crate::theme::{DRIVER, FILL, FOLLOWER, INK, PAPER};
+use geneva_kinematics::KinematicsError;
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::{pin_from_pivot, slot_radius_squared};
-use geneva_kinematics::wheel::{Wheel, WheelError};
+use geneva_kinematics::wheel::Wheel;
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
@@ -31,7 +32,7 @@ const NARROWEST: f64 = 0.05;
 ///
 /// Sides: crank radius R, pin's distance r from the wheel's axis, centre distance l. θ is counted clockwise
 /// from B → O and φ counter-clockwise from O → B. Series: θ, φ, r/R and l/R.
-pub fn model(wheel: &Wheel, crank: f64) -> Result<Figure, WheelError> {
+pub fn model(wheel: &Wheel, crank: f64) -> Result<Figure, KinematicsError> {
     let phi = wheel.engaged(crank)?.angle;
     let (ratio, turn) = (wheel.centre_distance_ratio(), Turn::from_radians(crank));
     let pin = pin_from_pivot(&ratio, &turn);

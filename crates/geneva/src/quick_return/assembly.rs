@@ -3,7 +3,8 @@
 use super::arguments::{BranchName, QuickReturnArguments};
 use super::digits::typed;
 use anyhow::{anyhow, ensure};
-use geneva_kinematics::quick_return::{Branch, Drive, LinkageError, Position, QuickReturn};
+use geneva_kinematics::KinematicsError;
+use geneva_kinematics::quick_return::{Branch, Drive, Position, QuickReturn};
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
@@ -48,7 +49,7 @@ impl Assembly {
 }
 
 /// Where the parts are. One of the two angles was given; the parser sees to that.
-fn place(linkage: &QuickReturn, wanted: &QuickReturnArguments) -> Result<Position, LinkageError> {
+fn place(linkage: &QuickReturn, wanted: &QuickReturnArguments) -> Result<Position, KinematicsError> {
     let branch = match wanted.branch.unwrap_or_default() {
         BranchName::Near => Branch::Near,
         BranchName::Far => Branch::Far,
@@ -60,7 +61,7 @@ fn place(linkage: &QuickReturn, wanted: &QuickReturnArguments) -> Result<Positio
 }
 
 /// The library's refusal, in terms of the options and the values that the reader typed.
-fn impossible(wanted: &QuickReturnArguments, error: LinkageError) -> anyhow::Error {
+fn impossible(wanted: &QuickReturnArguments, error: KinematicsError) -> anyhow::Error {
     let option = |name| match name {
         "ground distance" => GROUND,
         "crank" => CRANK,
@@ -71,26 +72,27 @@ fn impossible(wanted: &QuickReturnArguments, error: LinkageError) -> anyhow::Err
     let [ground, crank] =
         [(GROUND, wanted.ground), (CRANK, wanted.crank)].map(|(option, length)| format!("{option} {}", typed(length)));
     match error {
-        LinkageError::Length { name, asked } => LinkageError::Length { name: option(name), asked }.into(),
-        LinkageError::Angle { name, asked } => LinkageError::Angle { name: option(name), asked }.into(),
-        LinkageError::Ratio { .. } => beyond(GROUND, wanted.ground),
-        LinkageError::BeyondTheSwing { asked, limit, open } => anyhow!(
+        KinematicsError::Length { name, asked } => KinematicsError::Length { name: option(name), asked }.into(),
+        KinematicsError::Angle { name, asked } => KinematicsError::Angle { name: option(name), asked }.into(),
+        KinematicsError::Ratio { .. } => beyond(GROUND, wanted.ground),
+        KinematicsError::BeyondTheSwing { asked, limit, open } => anyhow!(
             "{LEVER_ANGLE} {}: the lever does not reach it; with {ground} and {crank} it swings {} −{limit}° and \
              {limit}°; give an angle there, or a {CRANK_ANGLE} ({} possible)",
             typed(asked),
             if open { "between, but not to," } else { "between" },
             if open { "all but 180° are" } else { "all are" },
         ),
-        LinkageError::OnlyFar { .. } => anyhow!(
+        KinematicsError::OnlyFar { .. } => anyhow!(
             "--branch near: with {crank}, at least as long as {ground}, the lever's ray meets the crank's circle in \
              one point only, the far one; give --branch far (all lever angles{} are possible)",
             if wanted.crank > wanted.ground { "" } else { " between −90° and 90°" },
         ),
-        LinkageError::PinOnPivot => anyhow!(
+        KinematicsError::PinOnPivot => anyhow!(
             "{CRANK_ANGLE} {}: with {crank}, as long as {ground}, the pin is on the lever's pivot, and the lever has no \
              direction; give another angle (all but 180° are possible)",
             typed(wanted.angle.crank_angle.unwrap_or_default())
         ),
+        other => other.into(),
     }
 }
 

@@ -1,7 +1,8 @@
 //! A wheel as data: what the library says of it, in the units of the command line.
 
 use anyhow::{anyhow, ensure};
-use geneva_kinematics::wheel::{Wheel, WheelError, acceleration_peak, entry_acceleration, peak_velocity};
+use geneva_kinematics::KinematicsError;
+use geneva_kinematics::wheel::{Wheel, acceleration_peak, entry_acceleration, peak_velocity};
 use serde::Serialize;
 use std::f64::consts::PI;
 
@@ -121,10 +122,10 @@ impl Lengths {
 }
 
 /// The library's refusal, in terms of the option and the value that the reader typed.
-fn refused(option: &'static str, typed: f64, error: WheelError) -> anyhow::Error {
+fn refused(option: &'static str, typed: f64, error: KinematicsError) -> anyhow::Error {
     match error {
-        WheelError::Size { .. } if typed > 0.0 && typed.is_finite() => beyond(option, typed),
-        WheelError::Size { .. } => WheelError::Size { name: option, asked: typed }.into(),
+        KinematicsError::Size { .. } if typed > 0.0 && typed.is_finite() => beyond(option, typed),
+        KinematicsError::Size { .. } => KinematicsError::Size { name: option, asked: typed }.into(),
         other => other.into(),
     }
 }

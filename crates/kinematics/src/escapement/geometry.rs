@@ -1,8 +1,8 @@
 //! Numbers of slots and pins, and the sizes that follow from them.
 
 use crate::pin_slot::slot_radius_squared;
-use crate::wheel::{Wheel, WheelError};
-use crate::{Rational, Turn, rational};
+use crate::wheel::Wheel;
+use crate::{KinematicsError, Rational, Turn, rational};
 use std::f64::consts::PI;
 use std::fmt;
 
@@ -20,7 +20,7 @@ pub enum EscapementError {
     /// For so many slots no whole number of pins has one always engaged and the follower at rest at each hand-over.
     Slots(u32),
     /// What the wheel refuses.
-    Wheel(WheelError),
+    Wheel(KinematicsError),
 }
 
 impl fmt::Display for EscapementError {
@@ -49,8 +49,8 @@ impl std::error::Error for EscapementError {
     }
 }
 
-impl From<WheelError> for EscapementError {
-    fn from(error: WheelError) -> Self {
+impl From<KinematicsError> for EscapementError {
+    fn from(error: KinematicsError) -> Self {
         Self::Wheel(error)
     }
 }

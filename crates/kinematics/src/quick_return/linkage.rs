@@ -1,8 +1,8 @@
 //! Which lengths and angles a slotted lever can have, how far it swings and how its two strokes share a turn.
 
-use crate::Turn;
+use crate::error::length;
+use crate::{KinematicsError, Turn};
 use std::f64::consts::{FRAC_PI_2, PI};
-use std::fmt;
 
 /// A distance from the pivot, in crank radii, that is zero but for rounding: angles of a half or a quarter turn are
 /// not exact in floating point, and their sine or cosine is some units in the sixteenth place.
@@ -34,7 +34,7 @@ pub struct Position {
     pub crank: Turn<f64>,
     /// Lever angle ψ: the direction from the lever's pivot to the pin.
     pub lever: Turn<f64>,
-    /// r, distance of the pin from the lever's pivot.
+    /// r, distance of the pin from the lever's pivot, in the unit of the mechanism.
     pub pin_distance: f64,
 }
 
@@ -49,102 +49,28 @@ pub struct Strokes {
     pub fast: f64,
 }
 
-/// A linkage or a position that cannot be.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum LinkageError {
-    /// A length that is not positive and finite.
-    Length {
-        /// Which length.
-        name: &'static str,
-        /// The length that was asked for.
-        asked: f64,
-    },
-    /// Lengths so different that their ratio is not a number a machine can hold.
-    Ratio {
-        /// The ground distance.
-        ground: f64,
-        /// The crank's length.
-        crank: f64,
-    },
-    /// An angle that is not finite.
-    Angle {
-        /// Which angle.
-        name: &'static str,
-        /// The angle that was asked for, in degrees.
-        asked: f64,
-    },
-    /// The lever's ray does not meet the crank's circle.
-    BeyondTheSwing {
-        /// The lever angle that was asked for, in degrees.
-        asked: f64,
-        /// The greatest possible, in degrees; it is excluded if `open`.
-        limit: f64,
-        /// Whether the limit itself is impossible.
-        open: bool,
-    },
-    /// The lever's pivot is inside the crank's circle or on it: its ray leaves the circle once.
-    OnlyFar {
-        /// The lever angle that was asked for, in degrees.
-        asked: f64,
-    },
-    /// The pin is on the lever's pivot, where the lever has no direction.
-    PinOnPivot,
-}
-
-impl fmt::Display for LinkageError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Length { name, asked } => {
-                write!(f, "{name} {asked}: it must be positive and finite; give a length above zero")
-            }
-            Self::Ratio { ground, crank } => write!(
-                f,
-                "ground distance {ground} and crank {crank}: their ratio is beyond what can be computed; give lengths \
-                 of one mechanism"
-            ),
-            Self::Angle { name, asked } => write!(f, "{name} {asked}: it must be finite; give an angle in degrees"),
-            Self::BeyondTheSwing { asked, limit, open } => write!(
-                f,
-                "lever angle {asked}°: the lever does not reach it; it swings {} −{limit}° and {limit}° from the \
-                 direction to the crank's axis; give an angle there, or a crank angle (all are possible)",
-                if *open { "between, but not to," } else { "between" },
-            ),
-            Self::OnlyFar { asked } => write!(
-                f,
-                "lever angle {asked}°, near branch: with the crank at least as long as the ground distance the lever \
-                 meets the crank's circle in one point only; take the far branch"
-            ),
-            Self::PinOnPivot => f.write_str(
-                "crank angle 180° with a crank as long as the ground distance: the pin is on the lever's pivot, and \
-                 the lever has no direction; any other crank angle is possible",
-            ),
-        }
-    }
-}
-
-impl std::error::Error for LinkageError {}
-
 impl QuickReturn {
     /// A mechanism from the distance of its two axes and the radius of its crank, in one unit of length.
-    pub fn new(ground: f64, crank: f64) -> Result<Self, LinkageError> {
-        for (name, asked) in [("ground distance", ground), ("crank", crank)] {
-            if !(asked > 0.0 && asked.is_finite()) {
-                return Err(LinkageError::Length { name, asked });
-            }
-        }
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::Length`] for a length that is not positive and finite, [`KinematicsError::Ratio`] for two whose
+    /// ratio overflows or underflows.
+    pub fn new(ground: f64, crank: f64) -> Result<Self, KinematicsError> {
+        let (ground, crank) = (length("ground distance", ground)?, length("crank", crank)?);
         let ratio = ground / crank;
         if !(ratio.is_normal() && (ratio * ratio).is_normal()) {
-            return Err(LinkageError::Ratio { ground, crank });
+            return Err(KinematicsError::Ratio { ground, crank });
         }
         Ok(Self { ground, crank })
     }
 
-    /// l, distance of the two axes.
+    /// l, distance of the two axes, in the unit of the mechanism.
     pub fn ground(&self) -> f64 {
         self.ground
     }
 
-    /// R, radius of the crank.
+    /// R, radius of the crank, in the same unit.
     pub fn crank(&self) -> f64 {
         self.crank
     }
@@ -166,23 +92,31 @@ impl QuickReturn {
         Strokes { swing_limit, slow: 2.0 * PI - fast, fast }
     }
 
-    /// Where the lever is at a crank angle. Fails only if the pin is on the lever's pivot.
-    pub fn at_crank(&self, crank: &Turn<f64>) -> Result<Position, LinkageError> {
+    /// Where the lever is at a crank angle.
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::PinOnPivot`] if the pin is on the lever's pivot.
+    pub fn at_crank(&self, crank: &Turn<f64>) -> Result<Position, KinematicsError> {
         let ratio = self.ratio();
         let (x, y) = (ratio + crank.cos, crank.sin);
         // Without the platform's hypotenuse: lengths in crank radii are of the order of the ratio.
         let distance = libm::hypot(x, y);
         if distance <= ON_PIVOT {
-            return Err(LinkageError::PinOnPivot);
+            return Err(KinematicsError::PinOnPivot);
         }
         let lever = Turn { cos: x / distance, sin: y / distance };
-        Ok(Position { crank: crank.clone(), lever, pin_distance: distance * self.crank })
+        Ok(Position { crank: *crank, lever, pin_distance: distance * self.crank })
     }
 
     /// The same at a crank angle in degrees, of any size and sign.
-    pub fn at_crank_degrees(&self, degrees: f64) -> Result<Position, LinkageError> {
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::Angle`] if it is not finite, [`KinematicsError::PinOnPivot`] as before.
+    pub fn at_crank_degrees(&self, degrees: f64) -> Result<Position, KinematicsError> {
         if !degrees.is_finite() {
-            return Err(LinkageError::Angle { name: "crank angle", asked: degrees });
+            return Err(KinematicsError::Angle { name: "crank angle", asked: degrees });
         }
         self.at_crank(&Turn::from_degrees(degrees % 360.0))
     }
@@ -191,9 +125,14 @@ impl QuickReturn {
     ///
     /// By the law of sines R sin β = l sin ψ, with β the angle at the pin between lever and crank: acute on the far
     /// branch, obtuse on the near one.
-    pub fn at_lever_degrees(&self, degrees: f64, branch: Branch) -> Result<Position, LinkageError> {
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::Angle`] if the angle is not finite, [`KinematicsError::BeyondTheSwing`] if the lever does not
+    /// reach it, [`KinematicsError::OnlyFar`] if there is no near branch.
+    pub fn at_lever_degrees(&self, degrees: f64, branch: Branch) -> Result<Position, KinematicsError> {
         if !degrees.is_finite() {
-            return Err(LinkageError::Angle { name: "lever angle", asked: degrees });
+            return Err(KinematicsError::Angle { name: "lever angle", asked: degrees });
         }
         let lever = Turn::from_degrees(degrees % 360.0);
         let ratio = self.ratio();
@@ -204,7 +143,7 @@ impl QuickReturn {
             square => square,
         };
         let limit = self.strokes().swing_limit.unwrap_or(FRAC_PI_2).to_degrees();
-        let beyond = LinkageError::BeyondTheSwing { asked: degrees, limit, open: ratio <= 1.0 };
+        let beyond = KinematicsError::BeyondTheSwing { asked: degrees, limit, open: ratio <= 1.0 };
         if ratio >= 1.0 && (lever.cos <= 0.0 || half_chord_squared < 0.0) {
             return Err(beyond);
         }
@@ -216,7 +155,7 @@ impl QuickReturn {
         let distance = match branch {
             Branch::Far => far,
             Branch::Near if ratio > 1.0 => product / far,
-            Branch::Near => return Err(LinkageError::OnlyFar { asked: degrees }),
+            Branch::Near => return Err(KinematicsError::OnlyFar { asked: degrees }),
         };
         if distance <= ON_PIVOT {
             return Err(beyond);
@@ -227,7 +166,7 @@ impl QuickReturn {
 }
 
 impl Strokes {
-    /// Time of the slow stroke over that of the fast one, at constant crank speed.
+    /// Time of the slow stroke over that of the fast one, at constant crank speed, dimensionless.
     pub fn time_ratio(&self) -> f64 {
         self.slow / self.fast
     }
@@ -304,7 +243,7 @@ mod tests {
         assert!(linkage(2.0, 1.0).at_lever_degrees(180.0, Branch::Far).is_err(), "the ray points away");
         let message = linkage(1.0, 2.0).at_lever_degrees(90.0, Branch::Near).expect_err("one point").to_string();
         assert!(message.contains("far branch"), "{message}");
-        assert_eq!(linkage(1.0, 1.0).at_crank_degrees(180.0), Err(LinkageError::PinOnPivot));
+        assert_eq!(linkage(1.0, 1.0).at_crank_degrees(180.0), Err(KinematicsError::PinOnPivot));
         let open = linkage(1.0, 1.0).at_lever_degrees(90.0, Branch::Far).expect_err("the pin would be on the pivot");
         assert!(open.to_string().contains("not to"), "{open}");
         for (ground, crank) in [(0.0, 1.0), (1.0, -1.0), (f64::NAN, 1.0), (1.0, f64::INFINITY), (1e300, 1e-300)] {

@@ -16,5 +16,5 @@ pub mod motion;
 pub mod proofs;
 pub mod series;
 
-pub use linkage::{Branch, LinkageError, Position, QuickReturn, Strokes};
+pub use linkage::{Branch, Position, QuickReturn, Strokes};
 pub use motion::{Drive, Motion};

@@ -1,8 +1,8 @@
 //! The wheel over whole turns of its driver: advance, dwell, advance.
 
+use super::Wheel;
 use super::accurate::{Double, fraction_of_pi};
-use super::geometry::positive;
-use super::{Wheel, WheelError};
+use crate::error::{KinematicsError, size};
 use std::f64::consts::PI;
 
 /// Whether a pin is in a slot.
@@ -23,11 +23,11 @@ pub struct Motion {
     pub stations: i64,
     /// Wheel angle from there in radians, between −α and α; the whole angle is `stations` times 2α and this.
     pub angle: f64,
-    /// Angular velocity over the driver's.
+    /// Angular velocity over the driver's, dimensionless.
     pub velocity: f64,
-    /// Angular acceleration over the square of the driver's speed.
+    /// Angular acceleration over the square of the driver's speed, dimensionless.
     pub acceleration: f64,
-    /// Jerk over the cube of the driver's speed.
+    /// Jerk over the cube of the driver's speed, dimensionless.
     pub jerk: f64,
 }
 
@@ -35,26 +35,34 @@ impl Wheel {
     /// Position, velocity, acceleration and jerk while the pin is at this crank angle, from the line of centres.
     ///
     /// Both ends of the engagement belong to it. Work::Jazar2003, Eqs. (5.30) to (5.32).
-    pub fn engaged(&self, crank: f64) -> Result<Motion, WheelError> {
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::OutsideEngagement`] beyond the ends, and for what is not finite.
+    pub fn engaged(&self, crank: f64) -> Result<Motion, KinematicsError> {
         self.engaged_at(Double::from(crank))
     }
 
     /// The angular velocity over the driver's alone, as [`engaged`](Self::engaged) gives it, where speed matters.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`engaged`](Self::engaged).
     #[inline]
-    pub fn velocity_ratio(&self, crank: f64) -> Result<f64, WheelError> {
+    pub fn velocity_ratio(&self, crank: f64) -> Result<f64, KinematicsError> {
         let (size, most) = (crank.abs(), self.engagement_half_angle());
         if size <= most {
             Ok(self.constants.velocity(Double::from(size)))
         } else {
-            Err(WheelError::Angle { asked: crank, most })
+            Err(KinematicsError::OutsideEngagement { asked: crank, most })
         }
     }
 
     /// The motion at a crank angle of twice the precision.
-    fn engaged_at(&self, crank: Double) -> Result<Motion, WheelError> {
+    fn engaged_at(&self, crank: Double) -> Result<Motion, KinematicsError> {
         let most = self.engagement_half_angle();
         if !(-most..=most).contains(&crank.hi) {
-            return Err(WheelError::Angle { asked: crank.hi, most });
+            return Err(KinematicsError::OutsideEngagement { asked: crank.hi, most });
         }
         let before = crank.hi < 0.0;
         let size = if before { crank.negated() } else { crank };
@@ -74,9 +82,13 @@ impl Wheel {
     ///
     /// At crank angle zero a pin is on the line of centres. Turns are counted in whole numbers, so the wheel's angle
     /// has no running error however many there are. At the very ends of an engagement the wheel is in it.
-    pub fn at(&self, turns: i64, crank: f64) -> Result<Motion, WheelError> {
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::Turn`] for a crank angle beyond half a turn, and for what is not finite.
+    pub fn at(&self, turns: i64, crank: f64) -> Result<Motion, KinematicsError> {
         if !(-PI..=PI).contains(&crank) {
-            return Err(WheelError::Turn(crank));
+            return Err(KinematicsError::Turn(crank));
         }
         let pitch = 2.0 * PI / f64::from(self.pins());
         let pin = libm::round(crank / pitch);
@@ -94,8 +106,12 @@ impl Wheel {
     }
 
     /// Peak angular speed in rad/s and peak angular acceleration in rad/s² for a driver of this speed in rad/s.
-    pub fn peaks(&self, driver_speed: f64) -> Result<(f64, f64), WheelError> {
-        let speed = positive("driver speed", driver_speed)?;
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::Size`] for a speed that is not positive and finite.
+    pub fn peaks(&self, driver_speed: f64) -> Result<(f64, f64), KinematicsError> {
+        let speed = size("driver speed", driver_speed)?;
         Ok((speed * super::peak_velocity(self), speed * speed * super::acceleration_peak(self).ratio))
     }
 }
@@ -111,7 +127,7 @@ mod tests {
     fn angles_outside_the_domain_are_refused() {
         let wheel = Wheel::new(6).unwrap();
         for crank in [1.5, -1.5, f64::NAN, f64::INFINITY] {
-            assert!(matches!(wheel.engaged(crank), Err(WheelError::Angle { .. })), "{crank}");
+            assert!(matches!(wheel.engaged(crank), Err(KinematicsError::OutsideEngagement { .. })), "{crank}");
         }
         assert!(wheel.at(0, 3.2).is_err() && wheel.at(0, f64::NAN).is_err());
         assert!(wheel.engaged(wheel.engagement_half_angle()).is_ok());

@@ -1,9 +1,9 @@
 //! Sizes of a wheel and its driver, all from the number of stations.
 
 use super::accurate::{Constants, Double};
+use crate::error::{KinematicsError, size};
 use crate::pin_slot::PinSlot;
 use std::f64::consts::PI;
-use std::fmt;
 use std::ops::RangeInclusive;
 
 /// How many stations a wheel can have: three is the geometric least, and above a thousand no arc is left to lock it.
@@ -29,85 +29,28 @@ impl PartialEq for Wheel {
 
 impl Eq for Wheel {}
 
-/// A wheel that cannot be built, or an angle at which it has no motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum WheelError {
-    /// The number of stations is outside [`STATIONS`].
-    Stations(u32),
-    /// So many pins do not fit: one would enter before the one before it has left, or there is none at all.
-    Pins {
-        /// How many were asked for.
-        asked: u32,
-        /// The greatest number that fits.
-        most: u32,
-        /// The number of stations.
-        stations: u32,
-    },
-    /// A size that must be positive and finite is not.
-    Size {
-        /// What it is the size of.
-        name: &'static str,
-        /// What was asked for.
-        asked: f64,
-    },
-    /// A crank angle beyond half a turn to either side, or not finite.
-    Turn(f64),
-    /// A crank angle outside the engagement, or not finite.
-    Angle {
-        /// The angle asked for, in radians.
-        asked: f64,
-        /// The greatest angle allowed to either side, in radians.
-        most: f64,
-    },
-}
-
-impl fmt::Display for WheelError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Stations(asked) => write!(
-                f,
-                "{asked} stations: a wheel has {} to {}; give a number between them",
-                STATIONS.start(),
-                STATIONS.end()
-            ),
-            Self::Pins { asked, most, stations } => write!(
-                f,
-                "{asked} pins: a driver for {stations} stations carries 1 to {most}, or a pin would enter before the \
-                 one before it has left; give a number between them"
-            ),
-            Self::Size { name, asked } => {
-                write!(f, "{name} {asked}: it must be positive and finite; give a number above zero")
-            }
-            Self::Turn(asked) => write!(
-                f,
-                "crank angle {asked} rad: within a turn it goes from −π to π; give whole turns by their number"
-            ),
-            Self::Angle { asked, most } => write!(
-                f,
-                "crank angle {asked} rad: the pin is in the slot from {} to {most} rad from the line of centres; give an \
-                 angle between them",
-                -most
-            ),
-        }
-    }
-}
-
-impl std::error::Error for WheelError {}
-
 impl Wheel {
     /// A wheel of so many stations with one pin on its driver.
-    pub fn new(stations: u32) -> Result<Self, WheelError> {
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::Stations`] outside [`STATIONS`].
+    pub fn new(stations: u32) -> Result<Self, KinematicsError> {
         Self::with_pins(stations, 1)
     }
 
     /// A wheel of so many stations, and so many evenly spaced pins on its driver.
-    pub fn with_pins(stations: u32, pins: u32) -> Result<Self, WheelError> {
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::Stations`] outside [`STATIONS`], [`KinematicsError::Pins`] for none or too many.
+    pub fn with_pins(stations: u32, pins: u32) -> Result<Self, KinematicsError> {
         if !STATIONS.contains(&stations) {
-            return Err(WheelError::Stations(stations));
+            return Err(KinematicsError::Stations(stations));
         }
         let most = most_pins(stations);
         if !(1..=most).contains(&pins) {
-            return Err(WheelError::Pins { asked: pins, most, stations });
+            return Err(KinematicsError::Pins { asked: pins, most, stations });
         }
         Ok(Self { stations, pins, constants: Constants::new(stations) })
     }
@@ -157,32 +100,44 @@ impl Wheel {
     }
 
     /// The wheel as a pin in a slot, with a crank of this radius in any unit of length.
-    pub fn pin_and_slot(&self, crank_radius: f64) -> Result<PinSlot, WheelError> {
-        let radius = positive("crank radius", crank_radius)?;
-        let size = |_| WheelError::Size { name: "crank radius", asked: crank_radius };
-        PinSlot::new(radius, radius * self.centre_distance_ratio()).map_err(size)
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::Size`] for a crank radius that is not positive, or with which the centre distance is not
+    /// finite.
+    pub fn pin_and_slot(&self, crank_radius: f64) -> Result<PinSlot, KinematicsError> {
+        PinSlot::new(crank_radius, crank_radius * self.centre_distance_ratio())
+            .map_err(|_| KinematicsError::Size { name: "crank radius", asked: crank_radius })
     }
 
-    /// Part of the driver's turn during which the wheel moves, all pins together: P (N − 2) / (2 N).
+    /// Part of the driver's turn during which the wheel moves, all pins together: P (N − 2) / (2 N), dimensionless.
     pub fn motion_fraction(&self) -> f64 {
         let (stations, pins) = (f64::from(self.stations), f64::from(self.pins));
         pins * (stations - 2.0) / (2.0 * stations)
     }
 
-    /// Part of the driver's turn during which the wheel stands still.
+    /// Part of the driver's turn during which the wheel stands still, dimensionless.
     pub fn dwell_fraction(&self) -> f64 {
         let (stations, pins) = (f64::from(self.stations), f64::from(self.pins));
         (2.0 * stations - pins * (stations - 2.0)) / (2.0 * stations)
     }
 
     /// Time of one advance in seconds, for a driver of this angular speed in rad/s.
-    pub fn advance_time(&self, driver_speed: f64) -> Result<f64, WheelError> {
-        Ok(2.0 * self.engagement_half_angle() / positive("driver speed", driver_speed)?)
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::Size`] for a speed that is not positive and finite.
+    pub fn advance_time(&self, driver_speed: f64) -> Result<f64, KinematicsError> {
+        Ok(2.0 * self.engagement_half_angle() / size("driver speed", driver_speed)?)
     }
 
     /// Time of one dwell in seconds, for a driver of this angular speed in rad/s.
-    pub fn dwell_time(&self, driver_speed: f64) -> Result<f64, WheelError> {
-        let turn = 2.0 * PI / positive("driver speed", driver_speed)?;
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::Size`] for a speed that is not positive and finite.
+    pub fn dwell_time(&self, driver_speed: f64) -> Result<f64, KinematicsError> {
+        let turn = 2.0 * PI / size("driver speed", driver_speed)?;
         Ok(turn * self.dwell_fraction() / f64::from(self.pins))
     }
 }
@@ -192,22 +147,20 @@ fn most_pins(stations: u32) -> u32 {
     2 * stations / (stations - 2)
 }
 
-/// The size, if it is positive and finite.
-pub(super) fn positive(name: &'static str, asked: f64) -> Result<f64, WheelError> {
-    if asked > 0.0 && asked.is_finite() { Ok(asked) } else { Err(WheelError::Size { name, asked }) }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn what_cannot_be_built_is_said_with_what_can() {
-        assert_eq!(Wheel::new(2), Err(WheelError::Stations(2)));
+        assert_eq!(Wheel::new(2), Err(KinematicsError::Stations(2)));
         assert!(Wheel::new(1001).is_err());
         for (stations, most) in [(3, 6), (4, 4), (5, 3), (6, 3), (7, 2), (1000, 2)] {
             assert!(Wheel::with_pins(stations, most).is_ok(), "{stations}");
-            assert_eq!(Wheel::with_pins(stations, most + 1), Err(WheelError::Pins { asked: most + 1, most, stations }));
+            assert_eq!(
+                Wheel::with_pins(stations, most + 1),
+                Err(KinematicsError::Pins { asked: most + 1, most, stations })
+            );
             assert!(Wheel::with_pins(stations, 0).is_err());
         }
         let message = Wheel::with_pins(6, 4).unwrap_err().to_string();

@@ -13,5 +13,5 @@ mod motion;
 
 pub use cycle::{Motion, Phase};
 pub use extremes::{AccelerationPeak, acceleration_peak, entry_acceleration, gamma, peak_velocity};
-pub use geometry::{STATIONS, Wheel, WheelError};
+pub use geometry::{STATIONS, Wheel};
 pub use motion::{acceleration_ratio, jerk_ratio, unsteady_acceleration};

@@ -19,8 +19,9 @@ pub use symbols::SYMBOLS;
 
 use crate::checks::{agrees, characters, decimal, printed, rounds, same, vanishes};
 use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Work};
+use geneva_kinematics::KinematicsError;
 use geneva_kinematics::pin_slot::pin_from_pivot;
-use geneva_kinematics::wheel::{Wheel, WheelError};
+use geneva_kinematics::wheel::Wheel;
 use geneva_kinematics::{Jet, Turn, angular_velocity};
 use num_dual::DualNum;
 use std::f64::consts::PI;
@@ -49,7 +50,7 @@ pub fn claims() -> Vec<Claim> {
 }
 
 /// The wheel of the example, from the printed number of stations.
-pub fn example() -> Result<Wheel, WheelError> {
+pub fn example() -> Result<Wheel, KinematicsError> {
     Wheel::new(printed("jazar.ex.stations") as u32)
 }
 
@@ -59,7 +60,7 @@ pub fn example_speed() -> f64 {
 }
 
 /// The wheel of the equations (5.25) to (5.29) and of the figures 5.28 to 5.30.
-pub fn four_stations() -> Result<Wheel, WheelError> {
+pub fn four_stations() -> Result<Wheel, KinematicsError> {
     Wheel::new(4)
 }
 

@@ -15,11 +15,12 @@ pub use symbols::SYMBOLS;
 use crate::checks::{coincide, interval, meets, printed, rounds, same, vanishes};
 use crate::duals::{Crank, path, turned};
 use crate::{Claim, Consequence, Dimension, Evidence, Finding, Origin, Place, Slip, Stated, Verdict, Work};
+use geneva_kinematics::KinematicsError;
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::PinSlot;
 use geneva_kinematics::pin_triangle::{self, TriangleSolution};
 use geneva_kinematics::pin_vectors::{self, PinMotion};
-use geneva_kinematics::wheel::{Wheel, WheelError};
+use geneva_kinematics::wheel::Wheel;
 use nalgebra::Vector2;
 
 /// A place in this source.
@@ -40,7 +41,7 @@ pub struct Instant {
 
 impl Instant {
     /// The instant of the printed data: the wheel of four stations, scaled to the printed crank radius.
-    pub fn printed() -> Result<Self, WheelError> {
+    pub fn printed() -> Result<Self, KinematicsError> {
         let wheel = Wheel::new(4)?;
         Ok(Self {
             mechanism: wheel.pin_and_slot(printed("pin.crank-radius"))?,

@@ -20,10 +20,11 @@ pub use symbols::SYMBOLS;
 use crate::checks::{agrees, coincide, interval, meets, printed, rounds, same, vanishes};
 use crate::duals::{Crank, Time, advance, path, turned};
 use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Verdict, Work};
+use geneva_kinematics::KinematicsError;
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_vectors::quarter_turn;
 use geneva_kinematics::quick_return::series::{PolarRates, polar_rates};
-use geneva_kinematics::quick_return::{Branch, Drive, LinkageError, Motion, Position, QuickReturn};
+use geneva_kinematics::quick_return::{Branch, Drive, Motion, Position, QuickReturn};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
@@ -45,22 +46,22 @@ pub struct Instant {
 
 impl Instant {
     /// The instant of the printed data, on the branch that the source takes.
-    pub fn printed() -> Result<Self, LinkageError> {
+    pub fn printed() -> Result<Self, KinematicsError> {
         Self::on(Branch::Far)
     }
 
     /// The printed data on either branch.
-    pub fn on(branch: Branch) -> Result<Self, LinkageError> {
+    pub fn on(branch: Branch) -> Result<Self, KinematicsError> {
         Self::at(printed("quick-return.lever-angle"), branch)
     }
 
     /// The mirror image of the printed position, with the crank turning as before: the copy lost the drawing that
     /// would exclude it.
-    pub fn mirrored() -> Result<Self, LinkageError> {
+    pub fn mirrored() -> Result<Self, KinematicsError> {
         Self::at(-printed("quick-return.lever-angle"), Branch::Far)
     }
 
-    fn at(lever: f64, branch: Branch) -> Result<Self, LinkageError> {
+    fn at(lever: f64, branch: Branch) -> Result<Self, KinematicsError> {
         let linkage = QuickReturn::new(printed("quick-return.ground"), printed("quick-return.crank"))?;
         let position = linkage.at_lever_degrees(lever, branch)?;
         Ok(Self { linkage, position, drive: Drive::steady(printed("quick-return.driver-speed") * PI / 30.0) })

@@ -1,0 +1,125 @@
+//! What the mechanisms refuse, each with the value, the allowed range and what to do.
+
+use crate::wheel::STATIONS;
+use thiserror::Error;
+
+/// A mechanism that cannot be built, or an angle at which it has no position or no motion.
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+pub enum KinematicsError {
+    /// A length that is not positive and finite.
+    #[error("{name} {asked}: it must be positive and finite; give a length above zero")]
+    Length {
+        /// Which length.
+        name: &'static str,
+        /// The length that was asked for, in the caller's unit.
+        asked: f64,
+    },
+    /// Another size that must be positive and finite and is not.
+    #[error("{name} {asked}: it must be positive and finite; give a number above zero")]
+    Size {
+        /// What it is the size of.
+        name: &'static str,
+        /// What was asked for, in the caller's unit.
+        asked: f64,
+    },
+    /// The centre distance of a pin in a slot is not finite and greater than the crank radius.
+    #[error(
+        "centre distance {asked}: it must be finite and greater than the crank radius {crank_radius}; move the centres \
+         apart or shorten the crank"
+    )]
+    CentreDistance {
+        /// The distance that was asked for.
+        asked: f64,
+        /// The crank radius that it must exceed, in the same unit.
+        crank_radius: f64,
+    },
+    /// The number of a wheel's stations is outside [`STATIONS`].
+    #[error("{0} stations: a wheel has {least} to {most}; give a number between them", least = STATIONS.start(), most = STATIONS.end())]
+    Stations(u32),
+    /// So many pins do not fit: one would enter before the one before it has left, or there is none at all.
+    #[error(
+        "{asked} pins: a driver for {stations} stations carries 1 to {most}, or a pin would enter before the one before \
+         it has left; give a number between them"
+    )]
+    Pins {
+        /// How many were asked for.
+        asked: u32,
+        /// The greatest number that fits.
+        most: u32,
+        /// The number of stations.
+        stations: u32,
+    },
+    /// A wheel's crank angle beyond half a turn to either side, or not finite, in radians.
+    #[error("crank angle {0} rad: within a turn it goes from −π to π; give whole turns by their number")]
+    Turn(f64),
+    /// A wheel's crank angle outside the engagement, or not finite.
+    #[error(
+        "crank angle {asked} rad: the pin is in the slot from {} to {most} rad from the line of centres; give an angle \
+         between them",
+        -most
+    )]
+    OutsideEngagement {
+        /// The angle asked for, in radians.
+        asked: f64,
+        /// The greatest angle allowed to either side, in radians.
+        most: f64,
+    },
+    /// Lengths of a quick-return mechanism so different that their ratio is not a number a machine can hold.
+    #[error(
+        "ground distance {ground} and crank {crank}: their ratio is beyond what can be computed; give lengths of one \
+         mechanism"
+    )]
+    Ratio {
+        /// The ground distance.
+        ground: f64,
+        /// The crank's length, in the same unit.
+        crank: f64,
+    },
+    /// An angle that is not finite.
+    #[error("{name} {asked}: it must be finite; give an angle in degrees")]
+    Angle {
+        /// Which angle.
+        name: &'static str,
+        /// The angle that was asked for, in degrees.
+        asked: f64,
+    },
+    /// The lever's ray does not meet the crank's circle.
+    #[error(
+        "lever angle {asked}°: the lever does not reach it; it swings {} −{limit}° and {limit}° from the direction to \
+         the crank's axis; give an angle there, or a crank angle (all are possible)",
+        if *open { "between, but not to," } else { "between" }
+    )]
+    BeyondTheSwing {
+        /// The lever angle that was asked for, in degrees.
+        asked: f64,
+        /// The greatest possible, in degrees; it is excluded if `open`.
+        limit: f64,
+        /// Whether the limit itself is impossible.
+        open: bool,
+    },
+    /// The lever's pivot is inside the crank's circle or on it: its ray leaves the circle once.
+    #[error(
+        "lever angle {asked}°, near branch: with the crank at least as long as the ground distance the lever meets the \
+         crank's circle in one point only; take the far branch"
+    )]
+    OnlyFar {
+        /// The lever angle that was asked for, in degrees.
+        asked: f64,
+    },
+    /// The pin is on the lever's pivot, where the lever has no direction.
+    #[error(
+        "crank angle 180° with a crank as long as the ground distance: the pin is on the lever's pivot, and the lever \
+         has no direction; any other crank angle is possible"
+    )]
+    PinOnPivot,
+}
+
+/// The length, if it is positive and finite.
+pub(crate) fn length(name: &'static str, asked: f64) -> Result<f64, KinematicsError> {
+    if asked > 0.0 && asked.is_finite() { Ok(asked) } else { Err(KinematicsError::Length { name, asked }) }
+}
+
+/// The size, if it is positive and finite.
+pub(crate) fn size(name: &'static str, asked: f64) -> Result<f64, KinematicsError> {
+    if asked > 0.0 && asked.is_finite() { Ok(asked) } else { Err(KinematicsError::Size { name, asked }) }
+}
