@@ -12,9 +12,9 @@ use crate::pin_slot::{PinSlot, slot_radius_squared};
 /// angular speed. The signs hold for a driver that turns so that θ decreases.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TriangleSolution {
-    /// r² / R².
+    /// r² / R², dimensionless.
     pub radius_squared_ratio: f64,
-    /// r / R.
+    /// r / R, dimensionless.
     pub radius_ratio: f64,
     /// r, distance of the pin from the follower's pivot.
     pub slot_radius: f64,

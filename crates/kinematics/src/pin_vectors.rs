@@ -6,19 +6,20 @@
 use crate::scalars::turn::angular_velocity;
 use crate::{Field, Jet, Turn};
 use nalgebra::Vector2;
+use num_traits::Zero;
 
 /// Position and velocities of the pin and of the slot under it, at one instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PinMotion<S> {
-    /// Position of the pin from the follower's pivot.
+    /// Position of the pin from the follower's pivot, in the caller's unit of length.
     pub position: Vector2<S>,
-    /// Absolute velocity of the pin.
+    /// Absolute velocity of the pin, in that unit over the unit of time of the driver's speed; so are the others.
     pub pin_velocity: Vector2<S>,
     /// Velocity of the follower's point under the pin.
     pub slot_point_velocity: Vector2<S>,
     /// Velocity of the pin relative to the follower, along the slot.
     pub sliding_velocity: Vector2<S>,
-    /// Angular velocity of the follower, counter-clockwise positive.
+    /// Angular velocity of the follower in the unit of the driver's, counter-clockwise positive.
     pub follower_speed: S,
 }
 
@@ -33,13 +34,22 @@ impl<S: Field> PinMotion<S> {
     }
 }
 
+/// Where the pin is, from the follower's pivot, as a power series of a moving crank: (l + R cos φ, R sin φ).
+pub fn path<S: Field, const N: usize>(
+    crank_radius: &S,
+    centre_distance: &S,
+    crank: &Turn<Jet<S, N>>,
+) -> Vector2<Jet<S, N>> {
+    crank.direction() * Jet::constant(crank_radius.clone())
+        + Vector2::new(Jet::constant(centre_distance.clone()), Jet::zero())
+}
+
 /// The pin's motion for a crank of radius R at centre distance l, angle φ and angular velocity (counter-clockwise).
 ///
 /// `None` if the pin is on the follower's pivot, where the slot has no direction. The pin's place as a power series
 /// in time gives its velocity and, as the rate of its direction, the follower's angular velocity.
 pub fn solve<S: Field>(crank_radius: &S, centre_distance: &S, crank: &Turn<S>, driver: &S) -> Option<PinMotion<S>> {
-    let moving = crank.moving::<2>(driver.clone()).direction() * Jet::constant(crank_radius.clone());
-    let path = moving + Vector2::new(Jet::constant(centre_distance.clone()), Jet::constant(S::zero()));
+    let path = path(crank_radius, centre_distance, &crank.moving::<2>(driver.clone()));
     let follower_speed = angular_velocity(&path)?.value();
     let position = path.map(|coordinate| coordinate.value());
     let pin_velocity = path.map(|coordinate| coordinate.rate());

@@ -86,8 +86,7 @@ impl std::error::Error for Refutation {}
 ///
 /// [`Refutation`] with the first point of the grid at which the sides differ.
 pub fn prove<const V: usize>(identity: &(impl Identity<V> + ?Sized)) -> Result<Proof, Refutation> {
-    let difference = identity.difference(from_fn(Expression::variable));
-    on_a_grid(difference, V, |steps, at| expression::value(steps, at, &Relaxed::zero()).canonicalize())
+    on_a_grid(identity.difference(from_fn(Expression::variable)), V, value)
 }
 
 /// Proves or refutes an identity in which √D stands, as [`prove`] does, with the root kept exact.
@@ -96,13 +95,18 @@ pub fn prove<const V: usize>(identity: &(impl Identity<V> + ?Sized)) -> Result<P
 ///
 /// [`Refutation`]; its difference is the part without the root, or what stands before the root if that part is zero.
 pub fn prove_with_root<const D: u32, const V: usize>(identity: &impl IdentityWithRoot<V>) -> Result<Proof, Refutation> {
-    let difference = identity.difference(Expression::root(), from_fn(Expression::variable));
-    on_a_grid(difference, V, |steps, at| {
-        let at: Vec<_> = at.iter().cloned().map(Surd::<Relaxed, D>::from_plain).collect();
-        let difference = expression::value(steps, &at, &Surd::root());
-        let plain = difference.plain.canonicalize();
-        if plain.is_zero() { difference.rooted.canonicalize() } else { plain }
-    })
+    on_a_grid(identity.difference(Expression::root(), from_fn(Expression::variable)), V, value_with_root::<D>)
+}
+
+fn value(steps: &[Built<usize>], at: &[Relaxed]) -> RBig {
+    expression::value(steps, at, &Relaxed::zero()).canonicalize()
+}
+
+fn value_with_root<const D: u32>(steps: &[Built<usize>], at: &[Relaxed]) -> RBig {
+    let at: Vec<_> = at.iter().cloned().map(Surd::<Relaxed, D>::from_plain).collect();
+    let value = expression::value(steps, &at, &Surd::root());
+    let plain = value.plain.canonicalize();
+    if plain.is_zero() { value.rooted.canonicalize() } else { plain }
 }
 
 /// Looks for a point of the grid at which the `value` of `difference` is not zero; there are none if the bound of its

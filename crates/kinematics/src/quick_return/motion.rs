@@ -8,9 +8,9 @@ use nalgebra::Vector2;
 /// How the crank turns at the instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drive<S> {
-    /// Angular velocity of the crank, counter-clockwise positive.
+    /// Angular velocity of the crank in rad/s or radians per any unit of time, counter-clockwise positive.
     pub speed: S,
-    /// Angular acceleration of the crank, counter-clockwise positive.
+    /// Angular acceleration of the crank in radians per that unit squared, counter-clockwise positive.
     pub acceleration: S,
 }
 
@@ -24,7 +24,7 @@ impl<S: Field> Drive<S> {
 /// The whole motion at an instant: vectors in the frame of the [module](super), with directions and senses.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion<S> {
-    /// From the crank's axis to the pin.
+    /// From the crank's axis to the pin, in the unit of its radius.
     pub crank: Vector2<S>,
     /// Place and velocities of the pin and of the lever's point under it; angular velocity of the lever.
     pub velocities: PinMotion<S>,

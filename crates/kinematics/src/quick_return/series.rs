@@ -5,30 +5,29 @@
 //! acceleration is (r̈ − r ψ̇²) e(ψ) + (r ψ̈ + 2 ṙ ψ̇) e(ψ + 90°), and that is where the four terms come from.
 
 use super::motion::Drive;
+use crate::pin_vectors::path;
 use crate::scalars::turn::angular_velocity;
-use crate::{Field, Jet, Turn};
+use crate::{Field, Turn};
 use nalgebra::Vector2;
 
 /// Rates of the lever's polar coordinates at an instant. All are rational; lengths are divided by r, which has a root.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PolarRates<S> {
-    /// From the lever's pivot to the pin: r e(ψ).
+    /// From the lever's pivot to the pin, in the unit of the ground distance: r e(ψ).
     pub position: Vector2<S>,
-    /// ψ̇, counter-clockwise positive.
+    /// ψ̇ in the unit of the crank's speed, counter-clockwise positive.
     pub turning: S,
-    /// ψ̈.
+    /// ψ̈ in the unit of the crank's acceleration.
     pub turning_rate: S,
-    /// ṙ / r, outwards positive.
+    /// ṙ / r in the unit of the crank's speed, outwards positive.
     pub sliding: S,
-    /// r̈ / r.
+    /// r̈ / r in the unit of the crank's acceleration.
     pub sliding_rate: S,
 }
 
 /// Differentiates the loop closure at crank angle φ. `None` if the pin is on the lever's pivot.
 pub fn polar_rates<S: Field>(ground: &S, radius: &S, crank: &Turn<S>, drive: &Drive<S>) -> Option<PolarRates<S>> {
-    let moving = crank.speeding_up(drive.speed.clone(), drive.acceleration.clone());
-    let arm = moving.direction() * Jet::constant(radius.clone());
-    let path = arm + Vector2::new(Jet::constant(ground.clone()), Jet::constant(S::zero()));
+    let path = path(radius, ground, &crank.speeding_up(drive.speed.clone(), drive.acceleration.clone()));
     let turning = angular_velocity(&path)?;
     // From r² = s: ṙ/r = ṡ / 2s, and r̈/r = (s̈/2 − ṙ²) / s = s̈ / 2s − (ṙ/r)².
     let square = path.x.clone() * path.x.clone() + path.y.clone() * path.y.clone();

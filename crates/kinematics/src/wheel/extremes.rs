@@ -7,21 +7,21 @@ use super::Wheel;
 pub struct AccelerationPeak {
     /// Crank angle of the peak of deceleration, in radians; that of acceleration is its negative.
     pub angle: f64,
-    /// Size of the acceleration over the square of the driver's speed.
+    /// Size of the acceleration over the square of the driver's speed, dimensionless.
     pub ratio: f64,
 }
 
-/// Peak of the velocity ratio, on the line of centres: sin α / (1 − sin α). Work::Jazar2003, example (d).
+/// Peak of the velocity ratio, on the line of centres: sin α / (1 − sin α), dimensionless. Work::Jazar2003, example (d).
 pub fn peak_velocity(wheel: &Wheel) -> f64 {
     wheel.constants.sine.over(wheel.constants.rest).hi
 }
 
-/// Size of the acceleration ratio as the pin enters and as it leaves, tan α: it jumps from and to zero.
+/// Size of the acceleration ratio as the pin enters and as it leaves, tan α, dimensionless: it jumps from and to zero.
 pub fn entry_acceleration(wheel: &Wheel) -> f64 {
     wheel.constants.sine.over(wheel.constants.cosine).hi
 }
 
-/// γ = (1 + sin² α) / (2 sin α), never below 1. Work::Jazar2003, Eq. (5.33).
+/// γ = (1 + sin² α) / (2 sin α), dimensionless, never below 1. Work::Jazar2003, Eq. (5.33).
 pub fn gamma(wheel: &Wheel) -> f64 {
     wheel.constants.gamma.hi
 }

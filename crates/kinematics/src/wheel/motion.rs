@@ -15,7 +15,8 @@ pub fn acceleration_ratio<S: Field>(ratio: &S, crank: &Turn<S>) -> S {
     -(shape * crank.sin.clone()) / (square.clone() * square)
 }
 
-/// Rate of change of the wheel's angular acceleration over the cube of the driver's constant angular velocity:
+/// Rate of change of the wheel's angular acceleration over the cube of the driver's constant angular velocity,
+/// dimensionless:
 /// −k (k² − 1) {(1 + k² − 2 k cos θ) cos θ − 4 k sin² θ} / (1 + k² − 2 k cos θ)³.
 ///
 /// Inside the engagement; at its ends the acceleration jumps and the jerk has no finite value.
