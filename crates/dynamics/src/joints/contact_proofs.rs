@@ -4,7 +4,7 @@
 //! axis is at (−a, 0) from the follower's. R, a and φ are free, so the crank has any length. The driver turns
 //! counter-clockwise at the speed one.
 
-use super::{Arms, Reach};
+use super::Reach;
 use crate::Sign;
 use geneva_kinematics::pin_vectors::quarter_turn;
 use geneva_kinematics::{Expression, Identity, Turn};
@@ -55,40 +55,36 @@ impl Scene {
     }
 }
 
-/// The moment of the contact's force about the follower's axis. Variables: a, R, tan(φ/2), ρ, μ.
-pub struct FollowerArm {
+/// The axis that a moment is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// The follower's.
+    Follower,
+    /// The driver's.
+    Driver,
+}
+
+/// The moment of the contact's force about the follower's axis, or that of the opposite force at the same point about
+/// the driver's. Variables: a, R, tan(φ/2), ρ, μ.
+pub struct ContactMoment {
+    /// The axis.
+    pub axis: Axis,
     /// The flank, s.
     pub flank: Sign,
     /// The sense of the sliding, σ.
     pub sliding: Sign,
 }
 
-impl Identity<5> for FollowerArm {
+impl Identity<5> for ContactMoment {
     fn difference(&self, [distance, radius, half, pin, friction]: [Expression; 5]) -> Expression {
         let scene = Scene::new(distance, radius, half);
-        let force = scene.force(friction, self.flank, self.sliding);
-        // φ grows clockwise.
-        let turning = -scene.contact(pin, self.flank).perp(&force);
-        let Arms { follower, .. } = scene.reach(radius).arms(&pin, &friction, self.flank, self.sliding);
-        turning - self.flank.of(follower)
-    }
-}
-
-/// The moment of the opposite force at the same point about the driver's axis. Variables: a, R, tan(φ/2), ρ, μ.
-pub struct DriverArm {
-    /// The flank, s.
-    pub flank: Sign,
-    /// The sense of the sliding, σ.
-    pub sliding: Sign,
-}
-
-impl Identity<5> for DriverArm {
-    fn difference(&self, [distance, radius, half, pin, friction]: [Expression; 5]) -> Expression {
-        let scene = Scene::new(distance, radius, half);
-        let back = -scene.force(friction, self.flank, self.sliding);
-        let turning = (scene.contact(pin, self.flank) - scene.driver_axis).perp(&back);
-        let Arms { driver, .. } = scene.reach(radius).arms(&pin, &friction, self.flank, self.sliding);
-        turning + self.flank.of(driver)
+        let (contact, force) = (scene.contact(pin, self.flank), scene.force(friction, self.flank, self.sliding));
+        let arms = scene.reach(radius).arms(&pin, &friction, self.flank, self.sliding);
+        match self.axis {
+            // φ grows clockwise.
+            Axis::Follower => -contact.perp(&force) - self.flank.of(arms.follower),
+            Axis::Driver => (contact - scene.driver_axis).perp(&-force) + self.flank.of(arms.driver),
+        }
     }
 }
 
@@ -142,8 +138,8 @@ mod tests {
             holds("sliding", &Sliding::Along(flank));
             holds("no parting", &Sliding::Across(flank));
             for sliding in Sign::BOTH {
-                holds("follower", &FollowerArm { flank, sliding });
-                holds("driver", &DriverArm { flank, sliding });
+                holds("follower", &ContactMoment { axis: Axis::Follower, flank, sliding });
+                holds("driver", &ContactMoment { axis: Axis::Driver, flank, sliding });
                 holds("power", &PowerLost { flank, sliding });
             }
         }
