@@ -131,7 +131,7 @@ fn known() -> Vec<Claim> {
                         let crank = at.position.crank.plus(&Turn::from_degrees(degrees));
                         let here = at.linkage.at_crank(&crank).ok()?;
                         let back = here.lever.reversed().plus(&at.position.lever);
-                        let seen = stated.pick(back.plus(&here.lever), here.lever.clone());
+                        let seen = stated.pick(back.plus(&here.lever), here.lever);
                         Some(seen.direction() * here.pin_distance)
                     };
                     let [first, second, third] = [place(0.0)?, place(20.0)?, place(40.0)?];
