@@ -58,7 +58,7 @@ fn angle() -> Vec<Claim> {
                         // From slot to slot, as often as there are slots: the first one again.
                         let step = Turn::from_radians(stated.pick(2.0, 1.0) * entry_angle(wheel).abs());
                         let first = Turn::from_radians(0.0);
-                        let last = (0..wheel.stations()).fold(first.clone(), |slot, _| slot.plus(&step));
+                        let last = (0..wheel.stations()).fold(first, |slot, _| slot.plus(&step));
                         vanishes((last.direction() - first.direction()).norm())
                     },
                     "so many steps from slot to slot lead back to the first",

@@ -148,7 +148,7 @@ fn remarks() -> Vec<Claim> {
                 // m = 2n/(n − 2) as a series in n.
                 let slope = |slots: f64| {
                     let n = Jet::<f64, 2>::variable(slots);
-                    (Jet::constant(2.0) * n.clone() / (n - Jet::constant(2.0))).rate()
+                    (Jet::constant(2.0) * n / (n - Jet::constant(2.0))).rate()
                 };
                 let sign = stated.pick(-1.0, 1.0);
                 let holds = (1..=1000).all(|k| sign * slope(2.0 + f64::from(k) / 10.0) > 0.0);
