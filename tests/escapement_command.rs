@@ -6,10 +6,10 @@ mod run;
 use crate::{pin, stdout};
 use geneva_dynamics::existence::{critical_friction, least_margin};
 use geneva_dynamics::steady::Engagement;
-use geneva_dynamics::{Inertias, Parameters, Slots};
+use geneva_dynamics::{Inertias, Parameters};
 use geneva_figures::escapement::{mechanism, normal_force};
 use geneva_figures::runs::speeds;
-use geneva_kinematics::escapement::Escapement;
+use geneva_kinematics::Mechanism;
 use serde_json::{Map, Value};
 
 /// Slots, friction, torque, inertia of the driver, of the follower.
@@ -77,8 +77,8 @@ fn object(design: Design, more: &[&str]) -> Map<String, Value> {
 fn parameters([slots, friction, torque, driver, follower]: Design) -> Parameters {
     let [friction, torque, driver, follower] =
         [friction, torque, driver, follower].map(|text| text.parse().expect("a number"));
-    let slots = Slots::new(slots.parse().expect("a number")).expect("possible");
-    Parameters::new(slots, Inertias::new(driver, follower).expect("possible"), torque, friction).expect("possible")
+    let mechanism = Mechanism::new(slots.parse().expect("a number")).expect("possible");
+    Parameters::new(mechanism, Inertias::new(driver, follower).expect("possible"), torque, friction).expect("possible")
 }
 
 #[track_caller]
@@ -117,9 +117,9 @@ fn numbers_are_those_of_the_dynamics_with_all_their_digits() {
     for design in DESIGNS {
         for modulus in [None, Some("45"), Some("72.5"), Some("90"), Some("150")] {
             let parameters = parameters(design);
-            let (slots, ratio) = (parameters.slots(), parameters.inertias().ratio());
+            let (mechanism, ratio) = (parameters.mechanism(), parameters.inertias().ratio());
             let more: Vec<_> = modulus.into_iter().flat_map(|modulus| ["--modulus-deg", modulus]).collect();
-            let own = 360.0 / f64::from(slots.pins());
+            let own = 360.0 / f64::from(mechanism.pins());
             let degrees = modulus.map_or(own, |text| text.parse::<f64>().expect("a number"));
             let engagement = if degrees == own {
                 Engagement::new(&parameters)
@@ -129,19 +129,19 @@ fn numbers_are_those_of_the_dynamics_with_all_their_digits() {
             let engagement = engagement.expect("an engagement");
             let steady = engagement.steady_state().expect("a steady state");
             let (engagements, rise_time) = engagement.engagements_to_settle(0.01).expect("a rise");
-            let critical = critical_friction(slots, ratio).expect("possible");
-            let margin = least_margin(slots, ratio, parameters.friction()).expect("possible");
+            let critical = critical_friction(mechanism, ratio).expect("possible");
+            let margin = least_margin(mechanism, ratio, parameters.friction()).expect("possible");
             let found = object(design, &more);
             for (key, value) in [
-                ("slots", f64::from(slots.count())),
-                ("pins", f64::from(slots.pins())),
+                ("slots", f64::from(mechanism.slots())),
+                ("pins", f64::from(mechanism.pins())),
                 ("friction", parameters.friction()),
                 ("torque", parameters.torque()),
                 ("driver_inertia", parameters.inertias().driver()),
                 ("follower_inertia", parameters.inertias().follower()),
                 ("inertia_ratio", ratio),
                 ("modulus_deg", degrees),
-                ("engagement_half_angle_deg", slots.engagement_half_angle().to_degrees()),
+                ("engagement_half_angle_deg", mechanism.engagement_half_angle().to_degrees()),
                 ("critical_friction", critical.friction),
                 ("critical_angle_deg", critical.angle.to_degrees()),
                 ("least_margin", margin.margin),
@@ -261,8 +261,8 @@ fn the_sheet_says_what_the_object_says_and_is_no_wider_than_a_line() {
 fn the_drawings_are_those_of_the_figures_and_stand_alone() {
     for design in [FOUR, ["3", "0.1", "7", "4e-6", "3e-5"], ["6", "2", "1", "1", "1"]] {
         let parameters = parameters(design);
-        let escapement = Escapement::new(parameters.slots().count()).expect("possible");
-        let scaled = mechanism(&escapement, -escapement.driver_half_angle() / 3.0).expect("an engaged pin");
+        let escapement = parameters.mechanism();
+        let scaled = mechanism(&escapement, -escapement.engagement_half_angle() / 3.0).expect("an engaged pin");
         let steady = Engagement::new(&parameters).and_then(|engagement| engagement.steady_state()).expect("steady");
         let forces = normal_force(&parameters, steady.entry_speed).expect("a motion");
         let run = Engagement::new(&parameters).expect("an engagement");

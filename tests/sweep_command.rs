@@ -6,7 +6,8 @@ mod refusals;
 use crate::{geneva, pin, run, stdout};
 use geneva_dynamics::existence::critical_friction;
 use geneva_dynamics::steady::Engagement;
-use geneva_dynamics::{Inertias, Parameters, Slots};
+use geneva_dynamics::{Inertias, Parameters};
+use geneva_kinematics::Mechanism;
 use serde_json::{Map, Value};
 use std::fs;
 
@@ -55,18 +56,18 @@ fn numbers_are_those_of_the_dynamics_with_all_their_digits() {
         let mut jams = 0;
         for row in &found {
             let number = |key: &str| row[key].as_f64().expect("a number");
-            let slots = Slots::new(number("slots") as u32).expect("possible");
+            let mechanism = Mechanism::new(number("slots") as u32).expect("possible");
             let follower = number("follower_inertia");
             let inertias = Inertias::new(number("inertia_ratio") * follower, follower).expect("possible");
-            let limit = critical_friction(slots, inertias.ratio()).expect("possible").friction;
-            assert_eq!(number("pins"), f64::from(slots.pins()));
+            let limit = critical_friction(mechanism, inertias.ratio()).expect("possible").friction;
+            assert_eq!(number("pins"), f64::from(mechanism.pins()));
             if number("friction") >= limit {
                 jams += 1;
                 assert_eq!(row["status"], "jams");
                 assert!(row.values().filter(|value| **value == "").count() == 8, "{row:?}");
                 continue;
             }
-            let parameters = Parameters::new(slots, inertias, number("torque"), number("friction")).expect("sound");
+            let parameters = Parameters::new(mechanism, inertias, number("torque"), number("friction")).expect("sound");
             let engagement = match modulus.filter(|modulus| *modulus != 360.0 / number("pins")) {
                 None => Engagement::new(&parameters),
                 Some(modulus) => Engagement::folded(&parameters, modulus.to_radians(), 1e-12),

@@ -6,9 +6,9 @@ use super::value::What;
 use geneva_dynamics::energy::kinetic_energy;
 use geneva_dynamics::equation::{coefficient_a, coefficient_b};
 use geneva_dynamics::existence::critical_friction;
-use geneva_dynamics::{Inertias, Parameters, Pose, Sign, Slots};
-use geneva_kinematics::escapement::{Continuous, Escapement, possible};
-use geneva_kinematics::{Jet, Turn, pin_slot};
+use geneva_dynamics::{Inertias, Parameters, Pose, Sign};
+use geneva_kinematics::escapement::{Continuous, possible};
+use geneva_kinematics::{Jet, Mechanism, Turn, pin_slot};
 
 /// All three mechanisms, with many inertias, torques, frictions, angles and speeds.
 pub fn states() -> Vec<State> {
@@ -36,7 +36,7 @@ pub fn taking_over(number: usize) -> State {
     let pairs: Vec<Continuous> = pairs.collect();
     let pair = pairs[number % pairs.len()];
     let (ratio, speed) = (pair.centre_distance_ratio(), 0.2 + 4.0 * spread(number, 5));
-    let follower = pin_slot::velocity_ratio(&ratio, &Turn::from_radians(pair.driver_half_angle())) * speed;
+    let follower = pin_slot::velocity_ratio(&ratio, &Turn::from_radians(pair.engagement_half_angle())) * speed;
     State::default()
         .with([("a", ratio), ("m", f64::from(pair.pins())), ("n", f64::from(pair.slots()))])
         .with([(r"\dot\theta", speed), (r"\dot\varphi", follower)])
@@ -45,7 +45,7 @@ pub fn taking_over(number: usize) -> State {
 /// What is asked of a state; what is not asked is at random.
 #[derive(Default)]
 pub struct Wanted {
-    pub slots: Option<Slots>,
+    pub mechanism: Option<Mechanism>,
     pub crank_radius: Option<f64>,
     /// Where one pin takes over from the next.
     pub handing_over: bool,
@@ -53,26 +53,26 @@ pub struct Wanted {
 
 /// One state of the mechanism, of many.
 pub fn state(number: usize, wanted: &Wanted) -> State {
-    let slots = wanted.slots.unwrap_or(Slots::ALL[number % 3]);
+    let mechanism = wanted.mechanism.unwrap_or(Mechanism::ALL[number % 3]);
     let between = |which, least: f64, most: f64| least + (most - least) * spread(number, which);
     let inertias = Inertias::new(between(0, 0.1, 2.0), between(1, 0.5, 3.0)).expect("two inertias");
-    let limit = critical_friction(slots, inertias.ratio()).expect("a limit").friction;
+    let limit = critical_friction(mechanism, inertias.ratio()).expect("a limit").friction;
     let (torque, friction) = (between(2, 0.5, 4.0), limit * between(3, 0.1, 0.9));
-    let escapement = Parameters::new(slots, inertias, torque, friction).expect("an escapement");
-    let half = slots.engagement_half_angle();
+    let escapement = Parameters::new(mechanism, inertias, torque, friction).expect("an escapement");
+    let half = mechanism.engagement_half_angle();
     let angle = if wanted.handing_over { half } else { half * between(4, -0.98, 0.98) };
     let (speed, radius) = (between(5, 0.2, 4.0), wanted.crank_radius.unwrap_or(between(6, 0.5, 2.0)));
 
     let found = escapement.acceleration(angle, speed).expect("one acceleration");
     let forces = escapement.contact_forces(angle, speed).expect("one acceleration");
     let (pose, factors) = (escapement.pose(angle), escapement.coefficients(angle));
-    let pin = pin_slot::pin_from_pivot(&slots.ratio(), &Turn::from_radians(angle)) * radius;
+    let pin = pin_slot::pin_from_pivot(&mechanism.centre_distance_ratio(), &Turn::from_radians(angle)) * radius;
     let follower = libm::atan2(pin.y, pin.x);
     let start = escapement.acceleration(-half, 0.0).expect("one acceleration");
     let energy = Energy::of(&pose, speed, found.value, &inertias);
     let all = possible();
-    let (count, pins) = *all.iter().find(|(count, _)| *count == slots.count()).expect("one that is possible");
-    let ratio = Escapement::new(count).expect("one that is possible").centre_distance_ratio();
+    let (count, pins) = *all.iter().find(|(count, _)| *count == mechanism.slots()).expect("one that is possible");
+    let ratio = mechanism.wheel().centre_distance_ratio();
     let velocity = pin_slot::velocity_ratio(&ratio, &Turn::from_radians(angle)) * speed;
     // The equation of motion is put together from the same terms.
     let driven = coefficient_a(&pose, &inertias.ratio()) * found.value + coefficient_b(&pose) * speed * speed;

@@ -4,7 +4,8 @@ use super::spread;
 use super::state::State;
 use geneva_dynamics::existence::critical_friction;
 use geneva_dynamics::joints::{Escapement, Joints};
-use geneva_dynamics::{Inertias, Parameters, Sign, Slots};
+use geneva_dynamics::{Inertias, Parameters, Sign};
+use geneva_kinematics::Mechanism;
 use geneva_kinematics::{Turn, pin_slot};
 
 /// All three mechanisms, with many joints, on both flanks and with both senses of sliding.
@@ -13,12 +14,12 @@ pub fn states() -> Vec<State> {
 }
 
 fn state(number: usize) -> State {
-    let slots = Slots::ALL[number % 3];
+    let mechanism = Mechanism::ALL[number % 3];
     let between = |which, least: f64, most: f64| least + (most - least) * spread(number, which);
     let inertias = Inertias::new(between(0, 0.1, 2.0), between(1, 0.5, 3.0)).expect("two inertias");
-    let limit = critical_friction(slots, inertias.ratio()).expect("a limit").friction.min(1.0);
+    let limit = critical_friction(mechanism, inertias.ratio()).expect("a limit").friction.min(1.0);
     let (torque, friction) = (between(2, 1.0, 4.0), limit * between(3, 0.1, 0.5));
-    let parameters = Parameters::new(slots, inertias, torque, friction).expect("an escapement");
+    let parameters = Parameters::new(mechanism, inertias, torque, friction).expect("an escapement");
     let joints = Joints {
         pin_radius: between(4, 0.01, 0.1),
         driver_journal: between(5, 0.01, 0.1),
@@ -28,11 +29,11 @@ fn state(number: usize) -> State {
         follower_preload: between(9, 0.01, 0.1),
     };
     let escapement = Escapement::new(&parameters, joints).expect("it neither locks nor jams");
-    let angle = slots.engagement_half_angle() * between(10, -0.98, 0.98);
+    let angle = mechanism.engagement_half_angle() * between(10, -0.98, 0.98);
     let speed = between(11, 0.2, 4.0);
     let motion = escapement.motion(angle, speed).expect("one motion");
 
-    let (ratio, crank) = (slots.ratio(), Turn::from_radians(angle));
+    let (ratio, crank) = (mechanism.centre_distance_ratio(), Turn::from_radians(angle));
     let (radius, slide) = {
         let radius = pin_slot::pin_from_pivot(&ratio, &crank).norm();
         (radius, ratio * crank.sin / radius)

@@ -3,7 +3,7 @@
 use super::escapement::{self, Wanted};
 use super::mechanisms::{When, frame, pin, quick_return, wheel};
 use super::state::State;
-use geneva_dynamics::Slots;
+use geneva_kinematics::Mechanism;
 use geneva_kinematics::wheel::Wheel;
 use geneva_ledger::{Claim, Work};
 use std::f64::consts::PI;
@@ -142,10 +142,11 @@ fn of_jazar(claim: &Claim, number: usize) -> State {
 
 fn of_meyer(id: &str, number: usize) -> State {
     let handing_over = ["meyer.phi-0", "meyer.theta-0"].contains(&id) || id.ends_with(".radius-equation");
-    let slots = [("three-slots", Slots::Three), ("four-slots", Slots::Four), ("six-slots", Slots::Six)];
-    let slots = slots.iter().find(|(part, _)| id.contains(part)).map(|(_, slots)| *slots);
+    let mechanism =
+        [("three-slots", Mechanism::SIX_PIN), ("four-slots", Mechanism::FOUR_PIN), ("six-slots", Mechanism::THREE_PIN)];
+    let mechanism = mechanism.iter().find(|(part, _)| id.contains(part)).map(|(_, mechanism)| *mechanism);
     let crank_radius = id.starts_with("meyer.app-a.").then_some(1.0);
-    escapement::state(number, &Wanted { slots, crank_radius, handing_over })
+    escapement::state(number, &Wanted { mechanism, crank_radius, handing_over })
         .called([(r"\phi", r"\varphi"), (r"\dot\phi", r"\dot\varphi"), (r"\ddot\phi", r"\ddot\varphi")])
         .called([(r"\phi_0", r"\varphi_0"), (r"\phi_o", r"\varphi_0"), (r"\theta_o", r"\theta_0")])
 }

@@ -5,7 +5,8 @@ mod rows;
 
 use divan::{Bencher, black_box};
 use geneva_dynamics::steady::Engagement;
-use geneva_dynamics::{Inertias, Parameters, Slots};
+use geneva_dynamics::{Inertias, Parameters};
+use geneva_kinematics::Mechanism;
 use rows::escapements;
 
 const TOLERANCES: [f64; 4] = [1e-6, 1e-8, 1e-10, 1e-12];
@@ -47,6 +48,7 @@ fn one_passage(bencher: Bencher, tolerance: f64) {
 #[divan::bench]
 fn parameters(bencher: Bencher) {
     let inertias = Inertias::new(0.07, 1.0).ok();
-    bencher
-        .bench_local(|| inertias.and_then(|inertias| Parameters::new(Slots::Four, inertias, 1.0, black_box(0.3)).ok()));
+    bencher.bench_local(|| {
+        inertias.and_then(|inertias| Parameters::new(Mechanism::FOUR_PIN, inertias, 1.0, black_box(0.3)).ok())
+    });
 }

@@ -25,7 +25,8 @@
 //! The algebra is proven in [`existence_proofs`](crate::existence_proofs).
 
 use crate::parameters::{not_negative, positive};
-use crate::{ParameterError, Pose, Slots, equation};
+use crate::{ParameterError, Pose, equation};
+use geneva_kinematics::Mechanism;
 
 /// The least friction at which the equation of motion fails to have one solution, and where that happens.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,9 +52,9 @@ pub fn margin(pose: &Pose<f64>, inertia_ratio: f64, friction: f64) -> f64 {
 }
 
 /// The friction from which on A > |D| fails somewhere in the engagement, for I_D / I_f (positive and finite).
-pub fn critical_friction(slots: Slots, inertia_ratio: f64) -> Result<CriticalFriction, ParameterError> {
+pub fn critical_friction(mechanism: Mechanism, inertia_ratio: f64) -> Result<CriticalFriction, ParameterError> {
     let inertia = positive("driver inertia over follower inertia", inertia_ratio)?;
-    let half = Half::new(slots);
+    let half = Half::new(mechanism);
     // All over 1 + i, so that no inertia ratio is too great.
     let (part, rest) = (inertia / (1.0 + inertia), 1.0 / (1.0 + inertia));
     let h = bisect(0.0, half.ratio - 1.0, |h| half.falling(part, rest, h));
@@ -65,13 +66,13 @@ pub fn critical_friction(slots: Slots, inertia_ratio: f64) -> Result<CriticalFri
 /// Whether the friction is below the critical one by so much that a cheap lower bound of it is enough to tell.
 ///
 /// Never true of a friction that is not below [`critical_friction`]; false of some that are.
-pub(crate) fn surely_below_critical(slots: Slots, inertia_ratio: f64, friction: f64) -> bool {
+pub(crate) fn surely_below_critical(mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> bool {
     let inertia = inertia_ratio;
     // Within this range nothing overflows or loses its digits; the margin is far more than what rounding can do.
     if !(1e-100..=1e100).contains(&inertia) {
         return false;
     }
-    let (half, friction) = (Half::new(slots), friction * (1.0 + 1e-9));
+    let (half, friction) = (Half::new(mechanism), friction * (1.0 + 1e-9));
     let (root, whole) = (inertia.sqrt(), (4.0 * inertia + 1.0).sqrt());
     if friction * (whole + 2.0 * root) < 2.0 * half.shape.sqrt() * root {
         return true;
@@ -97,20 +98,20 @@ const BISECTIONS: u32 = 6;
 /// The least A − |D| in the engagement, for I_D / I_f (positive and finite) and μ (finite, not negative).
 ///
 /// Without friction it is I_D / I_f, where the pin enters and leaves; with friction it is less.
-pub fn least_margin(slots: Slots, inertia_ratio: f64, friction: f64) -> Result<LeastMargin, ParameterError> {
+pub fn least_margin(mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> Result<LeastMargin, ParameterError> {
     let inertia = positive("driver inertia over follower inertia", inertia_ratio)?;
-    let (worst, angle) = worst(slots, not_negative(friction)?);
+    let (worst, angle) = worst(mechanism, not_negative(friction)?);
     Ok(LeastMargin { margin: inertia - worst, angle })
 }
 
 /// The ratio I_D / I_f that must be exceeded for one solution everywhere with this friction: zero without friction.
-pub fn critical_inertia_ratio(slots: Slots, friction: f64) -> Result<f64, ParameterError> {
-    Ok(worst(slots, not_negative(friction)?).0)
+pub fn critical_inertia_ratio(mechanism: Mechanism, friction: f64) -> Result<f64, ParameterError> {
+    Ok(worst(mechanism, not_negative(friction)?).0)
 }
 
 /// The greatest h (μ g − h) / R⁴ and its crank angle.
-fn worst(slots: Slots, friction: f64) -> (f64, f64) {
-    let half = Half::new(slots);
+fn worst(mechanism: Mechanism, friction: f64) -> (f64, f64) {
+    let half = Half::new(mechanism);
     if friction == 0.0 {
         return (0.0, half.angle(0.0));
     }
@@ -140,8 +141,8 @@ struct Half {
 }
 
 impl Half {
-    fn new(slots: Slots) -> Self {
-        Self { ratio: slots.ratio(), shape: slots.ratio_squared() - 1.0 }
+    fn new(mechanism: Mechanism) -> Self {
+        Self { ratio: mechanism.centre_distance_ratio(), shape: mechanism.centre_distance_ratio_squared() - 1.0 }
     }
 
     /// R² / r² = b − 2 h.
@@ -190,26 +191,36 @@ mod tests {
 
     const RATIOS: [(f64, f64); 5] = [(1.0, 20.0), (3.0, 40.0), (3.0, 50.0), (3.0, 5.0), (5.0, 3.0)];
 
-    fn brute_force(slots: Slots, inertia: f64, friction: f64) -> (f64, f64) {
+    fn brute_force(mechanism: Mechanism, inertia: f64, friction: f64) -> (f64, f64) {
         let steps = 4_000;
         (0..=steps)
             .map(|step| {
-                let angle = slots.engagement_half_angle() * f64::from(step) / f64::from(steps);
-                (margin(&Pose::new(&slots.ratio(), &Turn::from_radians(angle)), inertia, friction), angle)
+                let angle = mechanism.engagement_half_angle() * f64::from(step) / f64::from(steps);
+                (
+                    margin(
+                        &Pose::new(&mechanism.centre_distance_ratio(), &Turn::from_radians(angle)),
+                        inertia,
+                        friction,
+                    ),
+                    angle,
+                )
             })
             .fold((f64::INFINITY, 0.0), |least, next| if next.0 < least.0 { next } else { least })
     }
 
     #[test]
     fn the_least_margin_is_the_least_of_many() {
-        for slots in Slots::ALL {
+        for mechanism in Mechanism::ALL {
             for (driver, follower) in RATIOS {
                 for part in 0..=10 {
                     let (inertia, friction) = (driver / follower, f64::from(part) / 20.0);
-                    let found = least_margin(slots, inertia, friction).expect("sound");
-                    let (least, angle) = brute_force(slots, inertia, friction);
-                    assert!(found.margin <= least + 1e-15 && found.margin > least - 1e-6, "{slots:?} {inertia} {part}");
-                    assert!((found.angle - angle).abs() < 1e-3, "{slots:?} {inertia} {part}");
+                    let found = least_margin(mechanism, inertia, friction).expect("sound");
+                    let (least, angle) = brute_force(mechanism, inertia, friction);
+                    assert!(
+                        found.margin <= least + 1e-15 && found.margin > least - 1e-6,
+                        "{mechanism:?} {inertia} {part}"
+                    );
+                    assert!((found.angle - angle).abs() < 1e-3, "{mechanism:?} {inertia} {part}");
                 }
             }
         }
@@ -217,19 +228,19 @@ mod tests {
 
     #[test]
     fn at_the_critical_friction_the_least_margin_is_zero() {
-        for slots in Slots::ALL {
+        for mechanism in Mechanism::ALL {
             for (driver, follower) in RATIOS.into_iter().chain([(1.0, 1e6), (1e6, 1.0)]) {
                 let inertia = driver / follower;
-                let critical = critical_friction(slots, inertia).expect("sound");
-                println!("{slots:?} {inertia}: {} at {}°", critical.friction, critical.angle.to_degrees());
-                let there = least_margin(slots, inertia, critical.friction).expect("sound");
-                assert!(there.margin.abs() < 1e-13 * (1.0 + inertia), "{slots:?} {inertia} {}", there.margin);
-                assert!((there.angle - critical.angle).abs() < 1e-6, "{slots:?} {inertia}");
-                let back = critical_inertia_ratio(slots, critical.friction).expect("sound");
+                let critical = critical_friction(mechanism, inertia).expect("sound");
+                println!("{mechanism:?} {inertia}: {} at {}°", critical.friction, critical.angle.to_degrees());
+                let there = least_margin(mechanism, inertia, critical.friction).expect("sound");
+                assert!(there.margin.abs() < 1e-13 * (1.0 + inertia), "{mechanism:?} {inertia} {}", there.margin);
+                assert!((there.angle - critical.angle).abs() < 1e-6, "{mechanism:?} {inertia}");
+                let back = critical_inertia_ratio(mechanism, critical.friction).expect("sound");
                 approx::assert_relative_eq!(back, inertia, max_relative = 1e-12);
                 for (factor, holds) in [(1.0 - 1e-9, true), (1.0 + 1e-9, false)] {
-                    let near = least_margin(slots, inertia, critical.friction * factor).expect("sound");
-                    assert_eq!(near.margin > 0.0, holds, "{slots:?} {inertia}");
+                    let near = least_margin(mechanism, inertia, critical.friction * factor).expect("sound");
+                    assert_eq!(near.margin > 0.0, holds, "{mechanism:?} {inertia}");
                 }
             }
         }
@@ -237,10 +248,10 @@ mod tests {
 
     #[test]
     fn more_inertia_of_the_driver_bears_more_friction() {
-        for slots in Slots::ALL {
+        for mechanism in Mechanism::ALL {
             let limits = (-300..=300)
                 .step_by(10)
-                .map(|power| critical_friction(slots, libm::exp2(f64::from(power))).expect("sound").friction);
+                .map(|power| critical_friction(mechanism, libm::exp2(f64::from(power))).expect("sound").friction);
             let limits: Vec<_> = limits.collect();
             assert!(limits.windows(2).all(|pair| pair[0] < pair[1]), "{limits:?}");
         }
@@ -248,63 +259,69 @@ mod tests {
 
     #[test]
     fn extreme_values_give_numbers_and_bad_ones_are_named() {
-        for slots in Slots::ALL {
+        for mechanism in Mechanism::ALL {
             for inertia in [5e-324, f64::MIN_POSITIVE, 1e-200, 1e200, f64::MAX] {
-                let critical = critical_friction(slots, inertia).expect("positive and finite");
-                assert!(critical.friction > 0.0, "{slots:?} {inertia}");
-                assert!((0.0..=slots.engagement_half_angle() + 1e-12).contains(&critical.angle), "{inertia}");
+                let critical = critical_friction(mechanism, inertia).expect("positive and finite");
+                assert!(critical.friction > 0.0, "{mechanism:?} {inertia}");
+                assert!((0.0..=mechanism.engagement_half_angle() + 1e-12).contains(&critical.angle), "{inertia}");
             }
             for friction in [5e-324, 1e-200, 1e200, f64::MAX] {
-                let least = least_margin(slots, 1.0, friction).expect("finite");
-                assert!(!least.margin.is_nan() && !least.angle.is_nan(), "{slots:?} {friction}");
+                let least = least_margin(mechanism, 1.0, friction).expect("finite");
+                assert!(!least.margin.is_nan() && !least.angle.is_nan(), "{mechanism:?} {friction}");
             }
             for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-                assert!(critical_friction(slots, bad).is_err() && least_margin(slots, bad, 0.0).is_err(), "{bad}");
+                assert!(
+                    critical_friction(mechanism, bad).is_err() && least_margin(mechanism, bad, 0.0).is_err(),
+                    "{bad}"
+                );
             }
             for bad in [-1.0, f64::NAN, f64::INFINITY] {
-                assert!(least_margin(slots, 1.0, bad).is_err() && critical_inertia_ratio(slots, bad).is_err(), "{bad}");
+                assert!(
+                    least_margin(mechanism, 1.0, bad).is_err() && critical_inertia_ratio(mechanism, bad).is_err(),
+                    "{bad}"
+                );
             }
         }
     }
 
     #[test]
     fn the_cheap_test_accepts_nothing_that_the_exact_one_refuses() {
-        for slots in Slots::ALL {
+        for mechanism in Mechanism::ALL {
             for step in -400..=400 {
                 let inertia = libm::exp10(f64::from(step) / 4.0);
-                let limit = critical_friction(slots, inertia).expect("sound").friction;
+                let limit = critical_friction(mechanism, inertia).expect("sound").friction;
                 for power in 1..=53 {
                     let friction = limit * (1.0 + libm::exp2(f64::from(-power)));
-                    assert!(!surely_below_critical(slots, inertia, friction), "{slots:?} {inertia} {power}");
+                    assert!(!surely_below_critical(mechanism, inertia, friction), "{mechanism:?} {inertia} {power}");
                 }
-                assert!(!surely_below_critical(slots, inertia, limit), "{slots:?} {inertia}");
+                assert!(!surely_below_critical(mechanism, inertia, limit), "{mechanism:?} {inertia}");
                 // For inertias as mechanisms have them it leaves little to the exact one.
                 let far = if (-8..=4).contains(&step) { 0.99 } else { 0.0 };
-                assert!(surely_below_critical(slots, inertia, limit * far), "{slots:?} {inertia}");
+                assert!(surely_below_critical(mechanism, inertia, limit * far), "{mechanism:?} {inertia}");
             }
             for bad in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e-101, 1e101, 5e-324, f64::MAX] {
-                assert!(!surely_below_critical(slots, bad, 0.0), "{bad}");
+                assert!(!surely_below_critical(mechanism, bad, 0.0), "{bad}");
             }
         }
     }
 
     #[test]
     fn an_escapement_is_accepted_if_and_only_if_its_friction_is_below_the_critical_one() {
-        let accepts = |slots, inertia, friction| {
+        let accepts = |mechanism, inertia, friction| {
             let inertias = crate::Inertias::new(inertia, 1.0).expect("sound");
-            crate::Parameters::new(slots, inertias, 1.0, friction).is_ok()
+            crate::Parameters::new(mechanism, inertias, 1.0, friction).is_ok()
         };
-        for slots in Slots::ALL {
+        for mechanism in Mechanism::ALL {
             for step in -300..=300 {
                 let inertia = libm::exp10(f64::from(step) / 2.0);
-                let limit = critical_friction(slots, inertia).expect("sound").friction;
-                assert!(accepts(slots, inertia, 0.0) && accepts(slots, inertia, limit * 0.5));
-                assert!(accepts(slots, inertia, limit.next_down()) && !accepts(slots, inertia, limit));
-                assert!(!accepts(slots, inertia, limit.next_up()), "{slots:?} {inertia}");
+                let limit = critical_friction(mechanism, inertia).expect("sound").friction;
+                assert!(accepts(mechanism, inertia, 0.0) && accepts(mechanism, inertia, limit * 0.5));
+                assert!(accepts(mechanism, inertia, limit.next_down()) && !accepts(mechanism, inertia, limit));
+                assert!(!accepts(mechanism, inertia, limit.next_up()), "{mechanism:?} {inertia}");
                 for power in 1..=50 {
                     let gap = libm::exp2(f64::from(-power));
-                    assert!(accepts(slots, inertia, limit * (1.0 - gap)), "{slots:?} {inertia} {power}");
-                    assert!(!accepts(slots, inertia, limit * (1.0 + gap)), "{slots:?} {inertia} {power}");
+                    assert!(accepts(mechanism, inertia, limit * (1.0 - gap)), "{mechanism:?} {inertia} {power}");
+                    assert!(!accepts(mechanism, inertia, limit * (1.0 + gap)), "{mechanism:?} {inertia} {power}");
                 }
             }
         }

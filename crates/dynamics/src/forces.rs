@@ -64,19 +64,20 @@ fn moment_arm_ratio(cross: f64, square: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Inertias, Slots};
+    use crate::Inertias;
+    use geneva_kinematics::Mechanism;
 
     fn escapement(friction: f64) -> Parameters {
-        Parameters::new(Slots::Four, Inertias::new(1.0, 12.0).expect("sound"), 5.0, friction).expect("sound")
+        Parameters::new(Mechanism::FOUR_PIN, Inertias::new(1.0, 12.0).expect("sound"), 5.0, friction).expect("sound")
     }
 
     #[test]
     fn the_driver_balances_torque_inertia_and_friction() {
-        for slots in Slots::ALL {
+        for mechanism in Mechanism::ALL {
             let inertias = Inertias::new(3.0, 4.0).expect("sound");
-            let escapement = Parameters::new(slots, inertias, 2.0, 1.0 / 3.0).expect("sound");
+            let escapement = Parameters::new(mechanism, inertias, 2.0, 1.0 / 3.0).expect("sound");
             for step in -50..=50 {
-                let angle = slots.engagement_half_angle() * f64::from(step) / 50.0;
+                let angle = mechanism.engagement_half_angle() * f64::from(step) / 50.0;
                 for speed in [0.0, 1.0, 9.0] {
                     let forces = escapement.contact_forces(angle, speed).expect("one acceleration");
                     let gain = escapement.acceleration(angle, speed).expect("one acceleration").value;
@@ -84,7 +85,7 @@ mod tests {
                     let pose = escapement.pose(angle);
                     let reaction = forces.normal_moment * pose.square.sqrt() * pose.velocity_ratio();
                     let balance = 2.0 - reaction - forces.friction_torque - 3.0 * gain;
-                    assert!(balance.abs() < 1e-12 * (1.0 + speed * speed), "{slots:?} {angle} {speed} {balance}");
+                    assert!(balance.abs() < 1e-12 * (1.0 + speed * speed), "{mechanism:?} {angle} {speed} {balance}");
                 }
             }
         }

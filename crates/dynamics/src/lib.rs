@@ -31,6 +31,6 @@ pub mod steady;
 pub mod timer;
 
 pub use equation::{Acceleration, Coefficients, EquationError};
-pub use parameters::{Inertias, ParameterError, Parameters, Slots};
+pub use parameters::{Inertias, ParameterError, Parameters};
 pub use pose::Pose;
 pub use sign::Sign;

@@ -32,7 +32,7 @@ pub fn kind(number: usize) -> (Shade, Mark) {
 }
 
 /// Colour and mark of a mechanism with so many slots, as in the other figures.
-pub fn mechanism(slots: u32) -> (Shade, Mark) {
+pub fn of_mechanism(slots: u32) -> (Shade, Mark) {
     match slots {
         3 => kind(0),
         4 => kind(1),

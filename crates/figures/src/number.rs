@@ -30,7 +30,7 @@ pub fn significant(value: f64, digits: usize) -> String {
 pub fn shown(parameters: &Parameters) -> String {
     format!(
         "Shown: {} pins, μ = {}, I_D/I_f = {}.",
-        parameters.slots().pins(),
+        parameters.mechanism().pins(),
         trimmed(parameters.friction(), 4),
         significant(parameters.inertias().ratio(), 2)
     )

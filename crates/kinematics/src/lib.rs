@@ -24,6 +24,7 @@ pub mod wheel_proofs;
 
 pub use dashu_ratio::RBig as Rational;
 pub use error::KinematicsError;
+pub use escapement::{EscapementError, Mechanism};
 pub use proofs::expression::Expression;
 pub use proofs::identity::{Form, Identity, IdentityWithRoot, Proof, Refutation, prove, prove_with_root};
 pub use scalars::field::{Field, rational};

@@ -1,7 +1,8 @@
 //! A map of terminal speeds over friction and inertia ratio, for each mechanism, each point solved for itself.
 
 use geneva_dynamics::steady::Engagement;
-use geneva_dynamics::{Inertias, Parameters, Slots, existence};
+use geneva_dynamics::{Inertias, Parameters, existence};
+use geneva_kinematics::Mechanism;
 use std::fs;
 use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::{Duration, Instant};
@@ -24,8 +25,10 @@ pub fn map(side: u32, tolerance: f64, threads: u32) -> Taken {
         let (mut points, lines) = (0, 3 * side);
         loop {
             let number = next.fetch_add(1, Ordering::Relaxed);
-            let Some(slots) = Slots::ALL.get((number / side) as usize).filter(|_| number < lines) else { break };
-            points += line(*slots, number % side, side, tolerance).iter().filter(|speed| **speed > 0.0).count();
+            let Some(mechanism) = Mechanism::ALL.get((number / side) as usize).filter(|_| number < lines) else {
+                break;
+            };
+            points += line(*mechanism, number % side, side, tolerance).iter().filter(|speed| **speed > 0.0).count();
         }
         (points, before.and_then(|before| on_processor()?.checked_sub(before)))
     };
@@ -38,13 +41,13 @@ pub fn map(side: u32, tolerance: f64, threads: u32) -> Taken {
 }
 
 /// Mean speeds along a line of one inertia ratio between 1/32 and 2: friction from a twentieth of the critical one up.
-fn line(slots: Slots, number: u32, side: u32, tolerance: f64) -> Vec<f64> {
+fn line(mechanism: Mechanism, number: u32, side: u32, tolerance: f64) -> Vec<f64> {
     let inertia = libm::exp2(-5.0 + 6.0 * f64::from(number) / f64::from(side));
-    let Ok(critical) = existence::critical_friction(slots, inertia) else { return Vec::new() };
+    let Ok(critical) = existence::critical_friction(mechanism, inertia) else { return Vec::new() };
     let speed = |column: u32| {
         let friction = critical.friction * (0.05 + 0.9 * f64::from(column) / f64::from(side));
         let inertias = Inertias::new(inertia, 1.0).ok()?;
-        let escapement = Parameters::new(slots, inertias, 1.0, friction).ok()?;
+        let escapement = Parameters::new(mechanism, inertias, 1.0, friction).ok()?;
         Some(Engagement::with_tolerance(&escapement, tolerance).ok()?.terminal().ok()?.mean_speed)
     };
     (0..side).filter_map(speed).collect()

@@ -15,7 +15,7 @@ struct Naive<'a> {
 
 impl System<f64, Vector2<f64>> for Naive<'_> {
     fn system(&self, _: f64, state: &Vector2<f64>, rates: &mut Vector2<f64>) {
-        let half = self.escapement.slots().engagement_half_angle();
+        let half = self.escapement.mechanism().engagement_half_angle();
         let angle = state[0] - (state[0] / (2.0 * half)).floor() * (2.0 * half) - half;
         let gain = self.escapement.acceleration(angle, state[1].max(0.0)).map_or(f64::NAN, |gain| gain.value);
         *rates = Vector2::new(state[1], gain);
@@ -86,7 +86,7 @@ pub fn dop853_located(row: &Row, tolerance: f64) -> Option<Answer> {
 /// A run from line to line, which stops where the sign changes and where the next pin takes over.
 fn located(row: &Row, tolerance: f64, go: Go) -> Option<Answer> {
     let escapement = &row.escapement;
-    let half = escapement.slots().engagement_half_angle();
+    let half = escapement.mechanism().engagement_half_angle();
     let mut answer = Answer { numbers: Vec::with_capacity(TIMES), evaluations: Some(0) };
     let (mut state, mut leg, mut since) = (Vector2::new(-half, 0.0), 0, 0.0);
     let mut evaluations = 0;

@@ -146,7 +146,7 @@ impl Escapement {
     ///
     /// [`JointError::Angle`], [`JointError::Speed`].
     pub fn motion(&self, angle: f64, speed: f64) -> Result<Motion, JointError> {
-        let limit = self.parameters.slots().engagement_half_angle();
+        let limit = self.parameters.mechanism().engagement_half_angle();
         // Half a turn over the number of pins is known to its last place only.
         let within = angle.abs() <= limit * (1.0 + f64::EPSILON);
         if !within {

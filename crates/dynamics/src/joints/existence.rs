@@ -12,7 +12,8 @@
 use super::contact::Reach;
 use super::equation::Escapement;
 use super::error::JointError;
-use crate::{Parameters, Sign, Slots};
+use crate::{Parameters, Sign};
+use geneva_kinematics::Mechanism;
 
 /// The least factor of θ'' over I_f in an engagement, over both flanks; positive in a sound escapement.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,8 +30,8 @@ pub struct LeastMargin {
 ///
 /// The slots end about the points where the pin's centre is nearest to the axis, a − 1 from it and 2π/n apart; half
 /// their distance is (a − 1) sin(π/n). The equation of motion does not ask for it: the slots may lie in two planes.
-pub fn largest_pin_radius(slots: Slots) -> f64 {
-    1.0 - 1.0 / slots.ratio()
+pub fn largest_pin_radius(mechanism: Mechanism) -> f64 {
+    1.0 - 1.0 / mechanism.centre_distance_ratio()
 }
 
 /// Points of the grid over one engagement.
@@ -42,7 +43,7 @@ const GRID: u32 = 2048;
 /// from entry to the line of centres: the first term by h + 1, the second by −ρ g h/R³ with g = a sin θ < 0. At entry
 /// it is −R + ρ R < 0 if ρ < 1, on the line of centres it is not negative.
 pub(super) fn reversal(parameters: &Parameters, pin: f64) -> f64 {
-    let (mut low, mut high) = (0.0, parameters.slots().engagement_half_angle());
+    let (mut low, mut high) = (0.0, parameters.mechanism().engagement_half_angle());
     if pin == 0.0 {
         return 0.0;
     }
@@ -62,7 +63,7 @@ pub(super) fn reversal(parameters: &Parameters, pin: f64) -> f64 {
 impl Escapement {
     /// An error unless the equation of motion has one solution in every pose and at every speed.
     pub(super) fn exists(&self) -> Result<(), JointError> {
-        let lever = self.parameters().slots().ratio() - 1.0;
+        let lever = self.parameters().mechanism().centre_distance_ratio() - 1.0;
         let taken = self.parameters().friction() * self.joints().pin_radius + self.journals.follower;
         // Written so that what is not a number is refused.
         let turns = taken < lever;
@@ -75,7 +76,7 @@ impl Escapement {
 
     /// The least factor of θ'' in the engagement: how far the escapement is from jamming.
     pub fn least_margin(&self) -> LeastMargin {
-        let half = self.parameters().slots().engagement_half_angle();
+        let half = self.parameters().mechanism().engagement_half_angle();
         let step = 2.0 * half / f64::from(GRID);
         let candidates = Sign::BOTH.into_iter().map(|flank| {
             let at = |angle: f64| self.margin(angle.clamp(-half, half), flank);

@@ -32,10 +32,11 @@
 //!
 //! ```
 //! use geneva_dynamics::joints::{Joints, Varied, series};
-//! use geneva_dynamics::{Inertias, Parameters, Slots};
+//! use geneva_dynamics::{Inertias, Parameters};
+//! use geneva_kinematics::Mechanism;
 //!
 //! let inertias = Inertias::new(0.1, 1.0).expect("two inertias");
-//! let parameters = Parameters::new(Slots::Four, inertias, 1.0, 0.2).expect("an escapement");
+//! let parameters = Parameters::new(Mechanism::FOUR_PIN, inertias, 1.0, 0.2).expect("an escapement");
 //! let thicker = series(&parameters, &Joints::IDEAL, Varied::PinRadius, [0.0, 0.1]).expect("it runs");
 //! assert!(thicker[1].mean_speed > 1.0);
 //! let journals = Joints::journals(0.1, 0.0);

@@ -80,7 +80,7 @@ impl Escapement {
         if !STEPS.contains(&steps) {
             return Err(JointError::Steps(steps));
         }
-        let half = self.parameters().slots().engagement_half_angle();
+        let half = self.parameters().mechanism().engagement_half_angle();
         let mut state = State::zeros();
         state[0] = square;
         let mut track = Track::new(square, -half);
@@ -116,7 +116,7 @@ impl Escapement {
 
     /// The stretches between entry, the two angles at which the sliding can turn, and exit.
     fn stretches(&self) -> impl Iterator<Item = Stretch> {
-        let (half, turn) = (self.parameters().slots().engagement_half_angle(), self.reversal_angle());
+        let (half, turn) = (self.parameters().mechanism().engagement_half_angle(), self.reversal_angle());
         let stretch = |start, end, leading, trailing| Stretch { start, end, leading, trailing };
         let all = [
             stretch(-half, -turn, Sign::Minus, Sign::Minus),

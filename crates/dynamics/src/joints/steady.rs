@@ -129,7 +129,7 @@ impl Escapement {
     }
 
     fn state(&self, passage: Passage) -> SteadyState {
-        let turn = 2.0 * self.parameters().slots().engagement_half_angle();
+        let turn = 2.0 * self.parameters().mechanism().engagement_half_angle();
         SteadyState {
             entry_speed: passage.entry_speed,
             peak: passage.peak,

@@ -12,8 +12,9 @@ mod printout;
 pub use contact::Contact;
 pub use printout::{Line, Printout};
 
-use crate::{Coefficients, EquationError, Inertias, ParameterError, Parameters, Pose, Sign, Slots};
+use crate::{Coefficients, EquationError, Inertias, ParameterError, Parameters, Pose, Sign};
 use contact::Memory;
+use geneva_kinematics::Mechanism;
 use geneva_kinematics::Turn;
 use geneva_mimic::{DelayError, IntegrationError, System, integrate};
 use nalgebra::Vector2;
@@ -22,8 +23,8 @@ use std::fmt;
 /// One run's data cards, and what the program makes of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Program {
-    /// Slots of the follower.
-    pub slots: Slots,
+    /// Pins, slots and centre distance.
+    pub mechanism: Mechanism,
     /// The two moments of inertia.
     pub inertias: Inertias,
     /// Torque on the driver.
@@ -89,14 +90,14 @@ impl std::error::Error for Fault {}
 impl Program {
     /// The program for a mechanism as it is: folded after one engagement, the sign exact.
     pub fn of(parameters: &Parameters) -> Self {
-        let slots = parameters.slots();
-        let half = slots.engagement_half_angle();
+        let mechanism = parameters.mechanism();
+        let half = mechanism.engagement_half_angle();
         Self {
-            slots,
+            mechanism,
             inertias: parameters.inertias(),
             torque: parameters.torque(),
             friction: parameters.friction(),
-            ratio: slots.ratio(),
+            ratio: mechanism.centre_distance_ratio(),
             start: -half,
             fold: 2.0 * half,
             contact: Contact::Exact,
@@ -119,7 +120,7 @@ impl Program {
             }
         }
         // Checks the ranges of torque and friction; the friction's limit is that of the mechanism as it is.
-        Parameters::new(self.slots, self.inertias, self.torque, self.friction).map_err(ProgramError::Parameter)?;
+        Parameters::new(self.mechanism, self.inertias, self.torque, self.friction).map_err(ProgramError::Parameter)?;
         let memory = Memory::new(&self.contact).map_err(|error| ProgramError::Stopped(error.to_string()))?;
         let mut motion = Motion { program: *self, memory, acceleration: 0.0 };
         let mut lines = Vec::new();

@@ -2,8 +2,8 @@
 
 use super::*;
 
-fn parameters(slots: Slots, ratio: f64, friction: f64) -> Parameters {
-    Parameters::new(slots, Inertias::new(ratio, 1.0).unwrap(), 1.0, friction).unwrap()
+fn parameters(mechanism: Mechanism, ratio: f64, friction: f64) -> Parameters {
+    Parameters::new(mechanism, Inertias::new(ratio, 1.0).unwrap(), 1.0, friction).unwrap()
 }
 
 fn tight(run_length: f64) -> geneva_mimic::Parameters {
@@ -18,8 +18,8 @@ fn tight(run_length: f64) -> geneva_mimic::Parameters {
 
 #[test]
 fn a_driver_without_friction_gains_what_the_torque_gives() {
-    for slots in [Slots::Three, Slots::Four, Slots::Six] {
-        let parameters = parameters(slots, 0.3, 0.0);
+    for mechanism in Mechanism::ALL {
+        let parameters = parameters(mechanism, 0.3, 0.0);
         let printout = Program::of(&parameters).run(&tight(6.0)).unwrap();
         for line in &printout.lines {
             let inertia = 0.3 + (line.follower_speed / line.speed.max(1e-300)).powi(2);
@@ -31,7 +31,7 @@ fn a_driver_without_friction_gains_what_the_torque_gives() {
 
 #[test]
 fn a_short_delay_changes_little_and_a_long_one_more() {
-    let exact = Program::of(&parameters(Slots::Four, 0.06, 0.3));
+    let exact = Program::of(&parameters(Mechanism::FOUR_PIN, 0.06, 0.3));
     let integrator = geneva_mimic::Parameters { largest_step: 1e-3, initial_step: 1e-3, ..tight(8.0) };
     let at = |contact| Program { contact, ..exact }.run(&integrator).unwrap().largest();
     let apart = |delay: f64| (at(Contact::Delayed(delay)) - at(Contact::Exact)).abs();
@@ -41,7 +41,7 @@ fn a_short_delay_changes_little_and_a_long_one_more() {
 
 #[test]
 fn a_fold_that_is_none_and_a_friction_that_is_too_much_are_refused() {
-    let program = Program::of(&parameters(Slots::Six, 0.1, 0.2));
+    let program = Program::of(&parameters(Mechanism::THREE_PIN, 0.1, 0.2));
     for fold in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let refused = Program { fold, ..program }.run(&tight(1.0));
         assert!(matches!(refused, Err(ProgramError::Fold(_))), "{fold}");

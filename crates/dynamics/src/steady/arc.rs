@@ -13,7 +13,7 @@
 //! line of centres to 1 where the crank points away from the follower. The motion before the line of centres is
 //! the mirror image, ρ the same and k with the other sign; so w ≥ 0 is enough.
 
-use crate::Slots;
+use geneva_kinematics::Mechanism;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
@@ -51,23 +51,19 @@ impl Place {
     }
 }
 
-/// One for each number of slots.
-static CIRCLES: LazyLock<[Circle; 3]> = LazyLock::new(|| Slots::ALL.map(Circle::new));
+/// In the order of [`Mechanism::ALL`].
+static CIRCLES: LazyLock<[Circle; 3]> = LazyLock::new(|| Mechanism::ALL.map(Circle::new));
 
 impl Circle {
     /// The circle of a mechanism, made at the first call.
-    pub fn of(slots: Slots) -> Self {
-        let [three, four, six] = &*CIRCLES;
-        *match slots {
-            Slots::Three => three,
-            Slots::Four => four,
-            Slots::Six => six,
-        }
+    pub fn of(mechanism: Mechanism) -> Self {
+        CIRCLES[mechanism.index()]
     }
 
-    fn new(slots: Slots) -> Self {
-        let (ratio, centre) = (slots.ratio(), 1.0 / (slots.ratio_squared() - 1.0));
-        let exit = libm::tan(PI / 8.0 + PI / (4.0 * f64::from(slots.count())));
+    fn new(mechanism: Mechanism) -> Self {
+        let (ratio, centre) =
+            (mechanism.centre_distance_ratio(), 1.0 / (mechanism.centre_distance_ratio_squared() - 1.0));
+        let exit = libm::tan(PI / 8.0 + PI / (4.0 * f64::from(mechanism.slots())));
         let imaginary = 1.0 / (centre * (ratio + 1.0) * (ratio + 1.0));
         let far = ((1.0 - imaginary * imaginary).sqrt(), imaginary);
         Self { ratio, centre, radius: centre * ratio, exit, far }
@@ -105,19 +101,23 @@ mod tests {
 
     #[test]
     fn the_circle_has_the_pose_of_the_mechanism() {
-        for slots in Slots::ALL {
-            let circle = Circle::of(slots);
+        for mechanism in Mechanism::ALL {
+            let circle = Circle::of(mechanism);
             for step in 0..=300 {
                 let angle = PI * f64::from(step) / 300.0;
-                let (w, pose) = (circle.at_angle(angle), Pose::new(&slots.ratio(), &Turn::from_radians(angle)));
+                let (w, pose) =
+                    (circle.at_angle(angle), Pose::new(&mechanism.centre_distance_ratio(), &Turn::from_radians(angle)));
                 let place = circle.place(w);
-                assert!((circle.angle(w) - angle).abs() < 2e-15 * (1.0 + angle), "{slots:?} {angle}");
-                assert!((place.lead - pose.velocity_ratio()).abs() < 2e-13 * circle.radius, "{slots:?} {angle}");
-                assert!((place.slide - pose.cross / pose.square).abs() < 2e-13 * circle.radius, "{slots:?} {angle}");
+                assert!((circle.angle(w) - angle).abs() < 2e-15 * (1.0 + angle), "{mechanism:?} {angle}");
+                assert!((place.lead - pose.velocity_ratio()).abs() < 2e-13 * circle.radius, "{mechanism:?} {angle}");
+                assert!(
+                    (place.slide - pose.cross / pose.square).abs() < 2e-13 * circle.radius,
+                    "{mechanism:?} {angle}"
+                );
                 let rate = -place.slide * place.turning();
-                assert!((rate - pose.acceleration_ratio()).abs() < 2e-12 * circle.radius, "{slots:?} {angle}");
+                assert!((rate - pose.acceleration_ratio()).abs() < 2e-12 * circle.radius, "{mechanism:?} {angle}");
             }
-            assert!((circle.angle(circle.exit) - slots.engagement_half_angle()).abs() < 1e-15);
+            assert!((circle.angle(circle.exit) - mechanism.engagement_half_angle()).abs() < 1e-15);
             assert!(circle.place(circle.exit).lead.abs() < 1e-15 * circle.radius);
         }
     }

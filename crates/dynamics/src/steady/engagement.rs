@@ -91,8 +91,8 @@ impl Engagement {
     ///
     /// As for [`Engagement::new`], and [`SteadyError::Tolerance`].
     pub fn with_tolerance(parameters: &Parameters, tolerance: f64) -> Result<Self, SteadyError> {
-        let exit = Circle::of(parameters.slots()).exit;
-        Self::to(parameters, 2.0 * parameters.slots().engagement_half_angle(), exit, tolerance)
+        let exit = Circle::of(parameters.mechanism()).exit;
+        Self::to(parameters, 2.0 * parameters.mechanism().engagement_half_angle(), exit, tolerance)
     }
 
     /// The motion of a calculation that goes back to −π/m after a turn of `fold` radians, whether or not a pin leaves
@@ -108,7 +108,7 @@ impl Engagement {
     /// Beyond the exit the equation has one solution if it has within: with |ρ| = x there, k² = c² a² − (c + x)², and
     /// at the place within where ρ = x it is c² a² − (c − x)², which is more; so |D| − ρ² = x (μ k − x) is less.
     pub fn folded(parameters: &Parameters, fold: f64, tolerance: f64) -> Result<Self, SteadyError> {
-        let half = parameters.slots().engagement_half_angle();
+        let half = parameters.mechanism().engagement_half_angle();
         if fold == 2.0 * half {
             return Self::with_tolerance(parameters, tolerance);
         }
@@ -116,7 +116,7 @@ impl Engagement {
         if !(fold > 0.0 && end < PI) {
             return Err(SteadyError::Fold { asked: fold, limit });
         }
-        let circle = Circle::of(parameters.slots());
+        let circle = Circle::of(parameters.mechanism());
         Self::to(parameters, fold, circle.at_angle(end.abs()).copysign(end), tolerance)
     }
 
@@ -141,7 +141,7 @@ impl Engagement {
             tolerance,
             energy_range: scales.energy_range,
             rule: rule(),
-            circle: Circle::of(parameters.slots()),
+            circle: Circle::of(parameters.mechanism()),
             inertia: parameters.inertias().ratio(),
             friction: parameters.friction(),
             unit: parameters.drive().sqrt(),
@@ -170,7 +170,7 @@ impl Engagement {
             return Ok(());
         }
         let mut rest = Vec::with_capacity(8);
-        let halves = halves(self.parameters.slots());
+        let halves = halves(self.parameters.mechanism());
         rest.push((low, high, (low == 0.0 && high == self.circle.exit).then_some(0)));
         while let Some((low, high, number)) = rest.pop() {
             let middle = middle(low, high);

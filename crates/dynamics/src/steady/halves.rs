@@ -5,7 +5,7 @@
 use super::arc::{Circle, Place};
 use super::rule::rule;
 use super::stretch::{Points, Spread};
-use crate::Slots;
+use geneva_kinematics::Mechanism;
 use std::ops::Deref;
 use std::sync::LazyLock;
 
@@ -22,8 +22,8 @@ pub(super) struct Half {
 
 /// By mechanism, then the whole first, then its two halves, then their halves.
 static HALVES: LazyLock<[Vec<Half>; 3]> = LazyLock::new(|| {
-    Slots::ALL.map(|slots| {
-        let circle = Circle::of(slots);
+    Mechanism::ALL.map(|mechanism| {
+        let circle = Circle::of(mechanism);
         let mut ends = vec![(0.0, circle.exit)];
         for number in 0..(1 << (LEVELS - 1)) - 1 {
             let (low, high) = ends[number];
@@ -44,13 +44,8 @@ pub(super) fn middle(low: f64, high: f64) -> f64 {
 }
 
 /// All halves of a mechanism. Those of the one with number k have the numbers 2 k + 1 and 2 k + 2.
-pub(super) fn halves(slots: Slots) -> &'static [Half] {
-    let [three, four, six] = &*HALVES;
-    match slots {
-        Slots::Three => three,
-        Slots::Four => four,
-        Slots::Six => six,
-    }
+pub(super) fn halves(mechanism: Mechanism) -> &'static [Half] {
+    &HALVES[mechanism.index()]
 }
 
 /// Points of something else, or its own.

@@ -113,8 +113,8 @@ impl Identity<2> for SwitchFalls {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Slots;
     use crate::proving::holds;
+    use geneva_kinematics::Mechanism;
 
     #[test]
     fn the_steady_motion_rests_on_identities() {
@@ -131,16 +131,16 @@ mod tests {
     #[test]
     fn the_switch_falls_all_the_way() {
         // A cubic in ρ between 0 and its value on the line of centres, c (1 + a): positive by a fine net and its slope.
-        for slots in Slots::ALL {
-            let centre = 1.0 / (slots.ratio_squared() - 1.0);
-            let end = centre * (1.0 + slots.ratio());
+        for mechanism in Mechanism::ALL {
+            let centre = 1.0 / (mechanism.centre_distance_ratio_squared() - 1.0);
+            let end = centre * (1.0 + mechanism.centre_distance_ratio());
             let steps = 100_000;
             let width = end / f64::from(steps);
             let steepest = 2.0 * centre + 2.0 * end + (2.0 * end + centre) * (1.0 + 4.0 * end) + 4.0 * end * end;
             for step in 0..=steps {
                 let lead = width * f64::from(step);
                 let value = centre + 2.0 * centre * lead - lead * lead + (lead - centre) * lead * (1.0 + 2.0 * lead);
-                assert!(value > steepest * width, "{slots:?} {lead} {value}");
+                assert!(value > steepest * width, "{mechanism:?} {lead} {value}");
             }
         }
     }

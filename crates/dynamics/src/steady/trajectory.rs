@@ -111,7 +111,7 @@ impl Passage<'_> {
         let force = 1.0 + both * slide * place.turning() * square;
         let acceleration = force / (engagement.inertia + place.lead * both);
         let speed = self.speed(square);
-        let half = engagement.parameters().slots().engagement_half_angle();
+        let half = engagement.parameters().mechanism().engagement_half_angle();
         Printed {
             time,
             turned: engagement.fold() * number as f64 + (angle + half),

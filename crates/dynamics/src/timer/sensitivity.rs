@@ -43,7 +43,8 @@ impl Sensitivities {
 fn of(parameters: &Parameters, friction: f64, driver: f64) -> Result<f64, TimerError> {
     let inertias = parameters.inertias();
     let inertias = Inertias::new(inertias.driver() * driver, inertias.follower())?;
-    let changed = Parameters::new(parameters.slots(), inertias, parameters.torque(), parameters.friction() * friction)?;
+    let changed =
+        Parameters::new(parameters.mechanism(), inertias, parameters.torque(), parameters.friction() * friction)?;
     Ok(libm::log(Engagement::new(&changed)?.steady_state()?.mean_speed))
 }
 

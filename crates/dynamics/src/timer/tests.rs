@@ -2,17 +2,20 @@
 
 use super::*;
 use crate::steady::Engagement;
-use crate::{Inertias, Parameters, Slots, existence};
+use crate::{Inertias, Parameters, existence};
 use approx::assert_relative_eq;
+use geneva_kinematics::Mechanism;
 
-fn escapement(slots: Slots, driver: f64, follower: f64, torque: f64, friction: f64) -> Parameters {
+fn escapement(mechanism: Mechanism, driver: f64, follower: f64, torque: f64, friction: f64) -> Parameters {
     let inertias = Inertias::new(driver, follower).expect("inertias");
-    Parameters::new(slots, inertias, torque, friction).expect("an escapement")
+    Parameters::new(mechanism, inertias, torque, friction).expect("an escapement")
 }
 
 fn samples() -> Vec<Parameters> {
-    let of = |slots| [(0.08, 0.2), (0.7, 0.3)].map(|(driver, friction)| escapement(slots, driver, 1.3, 2.0, friction));
-    Slots::ALL.into_iter().flat_map(of).collect()
+    let of = |mechanism| {
+        [(0.08, 0.2), (0.7, 0.3)].map(|(driver, friction)| escapement(mechanism, driver, 1.3, 2.0, friction))
+    };
+    Mechanism::ALL.into_iter().flat_map(of).collect()
 }
 
 fn mean_speed(of: &Parameters) -> f64 {
@@ -26,7 +29,7 @@ fn a_small_change_of_each_quantity_changes_the_mean_speed_as_its_power_says() {
         let inertias = of.inertias();
         let changed = |torque: f64, friction: f64, driver: f64, follower: f64| {
             mean_speed(&escapement(
-                of.slots(),
+                of.mechanism(),
                 inertias.driver() * driver,
                 inertias.follower() * follower,
                 of.torque() * torque,
@@ -47,10 +50,10 @@ fn a_small_change_of_each_quantity_changes_the_mean_speed_as_its_power_says() {
         assert_relative_eq!(found.driver_inertia + found.follower_inertia, -found.torque, epsilon = 1e-15);
         assert!(found.friction < 0.0, "friction brakes");
     }
-    let free = escapement(Slots::Four, 1.0, 1.0, 1.0, 0.0);
+    let free = escapement(Mechanism::FOUR_PIN, 1.0, 1.0, 1.0, 0.0);
     assert!(matches!(Sensitivities::new(&free), Err(TimerError::Steady(_))));
-    let limit = existence::critical_friction(Slots::Four, 1.0).expect("a limit").friction;
-    let near = escapement(Slots::Four, 1.0, 1.0, 1.0, limit * (1.0 - 1e-5));
+    let limit = existence::critical_friction(Mechanism::FOUR_PIN, 1.0).expect("a limit").friction;
+    let near = escapement(Mechanism::FOUR_PIN, 1.0, 1.0, 1.0, limit * (1.0 - 1e-5));
     assert!(matches!(Sensitivities::new(&near), Err(TimerError::Parameter(_))));
 }
 
@@ -91,7 +94,7 @@ fn accelerations_are_the_slopes_of_the_speeds() {
         assert_relative_eq!(found.follower.value, strongest(|line| line.follower_speed), max_relative = 2e-3);
         // N R = I_f φ'', and R is between the centre distance less the crank and its value at entry.
         let least = of.inertias().follower() * found.follower.value.abs();
-        assert!(found.normal_moment.value.abs() * (of.slots().ratio() + 1.0) > least);
+        assert!(found.normal_moment.value.abs() * (of.mechanism().centre_distance_ratio() + 1.0) > least);
         assert!(found.jump > 0.0, "the pin leaves braking the follower and enters driving it");
     }
 }
@@ -99,7 +102,7 @@ fn accelerations_are_the_slopes_of_the_speeds() {
 #[test]
 fn an_energy_balance_gives_the_same_greatest_normal_force() {
     // N R = I_f φ'', with φ'' from the differences of the follower's kinetic energy over its angle.
-    let of = escapement(Slots::Four, 0.06, 1.0, 1.0, 0.25);
+    let of = escapement(Mechanism::FOUR_PIN, 0.06, 1.0, 1.0, 0.25);
     let found = Accelerations::new(&of).expect("accelerations").normal_moment;
     let lines = Engagement::new(&of).and_then(|of| of.steady_cycle(40_000)).expect("a cycle");
     let by_energy = lines.windows(2).map(|w| {
@@ -114,7 +117,7 @@ fn an_energy_balance_gives_the_same_greatest_normal_force() {
 
 #[test]
 fn the_count_of_engagements_is_that_of_a_start_near_the_steady_speed() {
-    let of = escapement(Slots::Six, 0.1, 1.0, 1.0, 0.2);
+    let of = escapement(Mechanism::THREE_PIN, 0.1, 1.0, 1.0, 0.2);
     let (engagement, settling) = (Engagement::new(&of).expect("one"), Settling::new(&of).expect("settles"));
     let steady = engagement.steady_state().expect("steady").entry_speed;
     let mut speed = steady * (1.0 + 1e-4);

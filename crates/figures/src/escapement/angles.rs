@@ -11,7 +11,7 @@ use crate::svg::placing::{Placing, around, beside_line};
 use crate::svg::shape::{DASHED, Shape};
 use crate::svg::view::Pixels;
 use crate::theme::{DRIVER, FOLLOWER, INK};
-use geneva_kinematics::escapement::{Escapement, EscapementError};
+use geneva_kinematics::{EscapementError, Mechanism};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
@@ -28,7 +28,7 @@ const TALL: f64 = 34.0;
 /// # Errors
 ///
 /// [`EscapementError::Wheel`] if the angle is beyond ±π/m or not finite.
-pub fn angles(escapement: &Escapement, crank: f64) -> Result<Figure, EscapementError> {
+pub fn angles(escapement: &Mechanism, crank: f64) -> Result<Figure, EscapementError> {
     let bodies = Bodies::at(escapement, crank, MARGINS)?;
     let mut canvas = Canvas::new(WIDTH, bodies.height);
     let mut placing = bodies.placing();

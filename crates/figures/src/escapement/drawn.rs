@@ -3,27 +3,23 @@
 use super::{DrawingError, angles, existence, forces, hand_over, mechanism, normal_force, order, ratios};
 use crate::Figure;
 use crate::checks::{corners, labels_inside, named, number, only_numbers, overlapping_labels, start, well_formed};
-use geneva_dynamics::{EquationError, Inertias, Parameters, Slots};
-use geneva_kinematics::escapement::{Escapement, EscapementError};
+use geneva_dynamics::{EquationError, Inertias, Parameters};
+use geneva_kinematics::{EscapementError, Mechanism};
 use nalgebra::Vector2;
 use roxmltree::Document;
 
 /// Half a unit of the last written digit of a coordinate, in each of a length's four coordinates, with room to spare.
 const PIXELS: f64 = 0.02;
 
-fn parameters(slots: Slots, friction: f64) -> Parameters {
-    Parameters::new(slots, Inertias::new(3.0, 40.0).expect("sound"), 7.0, friction).expect("sound")
-}
-
-fn escapement(slots: Slots) -> Escapement {
-    Escapement::new(slots.count()).expect("possible")
+fn parameters(mechanism: Mechanism, friction: f64) -> Parameters {
+    Parameters::new(mechanism, Inertias::new(3.0, 40.0).expect("sound"), 7.0, friction).expect("sound")
 }
 
 /// The figures as a reader is shown them.
 fn usual() -> Vec<Figure> {
-    let mut figures = vec![ratios(&Escapement::all()), existence(&existence::tests::designs()), order()];
-    for slots in Slots::ALL {
-        let (one, sound, half) = (escapement(slots), parameters(slots, 0.125), slots.engagement_half_angle());
+    let mut figures = vec![ratios(&Mechanism::ALL), existence(&existence::tests::designs()), order()];
+    for one in Mechanism::ALL {
+        let (sound, half) = (parameters(one, 0.125), one.engagement_half_angle());
         figures.push(mechanism(&one, -0.4 * half).expect("engaged"));
         figures.push(hand_over(&one));
         for share in [-0.6, 0.6] {
@@ -58,13 +54,13 @@ fn drawing_twice_gives_the_same_bytes_and_not_too_many() {
 
 #[test]
 fn every_position_and_state_is_drawn_in_true_numbers() {
-    for slots in Slots::ALL {
-        let (one, half) = (escapement(slots), slots.engagement_half_angle());
+    for one in Mechanism::ALL {
+        let half = one.engagement_half_angle();
         for share in [-1.0, -0.97, -0.5, -1e-3, -1e-14, 0.0, 0.3, 1.0] {
             let mut figures = vec![mechanism(&one, share * half).expect("engaged")];
             figures.push(angles(&one, share * half).expect("engaged"));
             for (friction, speed) in [(0.0, 0.0), (0.125, 0.0), (0.125, 2.0), (0.0, 90.0)] {
-                figures.push(forces(&parameters(slots, friction), share * half, speed).expect("engaged"));
+                figures.push(forces(&parameters(one, friction), share * half, speed).expect("engaged"));
             }
             for figure in figures {
                 well_formed(&figure);
@@ -77,7 +73,7 @@ fn every_position_and_state_is_drawn_in_true_numbers() {
 
 #[test]
 fn what_cannot_be_drawn_is_an_error() {
-    let (one, sound) = (escapement(Slots::Four), parameters(Slots::Four, 0.0));
+    let (one, sound) = (Mechanism::FOUR_PIN, parameters(Mechanism::FOUR_PIN, 0.0));
     for angle in [0.8, f64::NAN, f64::NEG_INFINITY] {
         assert!(matches!(mechanism(&one, angle), Err(EscapementError::Wheel(_))));
         assert!(matches!(angles(&one, angle), Err(EscapementError::Wheel(_))));
@@ -98,8 +94,8 @@ fn side(document: &Document<'_>, name: &str) -> [Vector2<f64>; 2] {
 
 #[test]
 fn the_triangles_close_to_nine_places() {
-    for slots in Slots::ALL {
-        let (one, half) = (escapement(slots), slots.engagement_half_angle());
+    for one in Mechanism::ALL {
+        let half = one.engagement_half_angle();
         let mut drawn: Vec<(Figure, f64)> = vec![(hand_over(&one), half)];
         for share in [-1.0, -0.7, -0.1, 0.4, 1.0] {
             drawn.push((angles(&one, share * half).expect("engaged"), share * half));
@@ -129,15 +125,14 @@ fn the_triangles_close_to_nine_places() {
 
 #[test]
 fn the_follower_and_the_pins_are_to_scale() {
-    for slots in Slots::ALL {
-        let one = escapement(slots);
+    for one in Mechanism::ALL {
         for share in [-1.0, 0.0, 0.7] {
-            let figure = mechanism(&one, share * slots.engagement_half_angle()).expect("engaged");
+            let figure = mechanism(&one, share * one.engagement_half_angle()).expect("engaged");
             let document = Document::parse(&figure.svg).expect("well-formed");
             let circle = named(&document, "pin-circle")[0];
             let [x, y, crank] = ["cx", "cy", "r"].map(|name| number(&circle, name));
             let pins = named(&document, "pin");
-            assert_eq!(pins.len() as u32, slots.pins());
+            assert_eq!(pins.len() as u32, one.pins());
             for pin in &pins {
                 let distance = (number(pin, "cx") - x).hypot(number(pin, "cy") - y);
                 assert!((distance - crank).abs() < PIXELS);
@@ -160,7 +155,7 @@ fn ends(document: &Document<'_>, name: &str) -> Option<[Vector2<f64>; 2]> {
 
 #[test]
 fn at_the_hand_over_both_pins_move_along_their_slots() {
-    for one in Escapement::all() {
+    for one in Mechanism::ALL {
         let figure = hand_over(&one);
         let document = Document::parse(&figure.svg).expect("well-formed");
         let [axis, leaving] = side(&document, "side-r");
@@ -182,8 +177,8 @@ fn at_the_hand_over_both_pins_move_along_their_slots() {
 
 #[test]
 fn forces_point_as_the_equation_of_motion_says() {
-    for slots in Slots::ALL {
-        let (one, sound, half) = (escapement(slots), parameters(slots, 0.125), slots.engagement_half_angle());
+    for one in Mechanism::ALL {
+        let (sound, half) = (parameters(one, 0.125), one.engagement_half_angle());
         let mut seen = [0; 2];
         for share in [-0.9, -0.5, -0.2, 0.2, 0.5, 0.9] {
             for speed in [0.0, 0.5, 5.0] {
@@ -224,9 +219,9 @@ fn forces_point_as_the_equation_of_motion_says() {
 
 #[test]
 fn over_an_engagement_the_torque_goes_into_motion_and_friction() {
-    for slots in Slots::ALL {
+    for one in Mechanism::ALL {
         for (friction, speed) in [(0.0, 0.0), (0.125, 0.0), (0.125, 0.75)] {
-            let sound = parameters(slots, friction);
+            let sound = parameters(one, friction);
             let figure = normal_force(&sound, speed).expect("followed");
             let rows = &figure.series.rows;
             let (first, last) = (&rows[0], &rows[rows.len() - 1]);
@@ -235,8 +230,8 @@ fn over_an_engagement_the_torque_goes_into_motion_and_friction() {
             let lost: f64 = rows.windows(2).map(|pair| width * (pair[0][3] + pair[1][3]) / 2.0).sum();
             // As the pin enters and leaves, the follower stands still.
             let gained = 0.5 * sound.inertias().driver() * (last[1] * last[1] - speed * speed) / sound.torque();
-            let work = 2.0 * slots.engagement_half_angle();
-            assert!((gained + lost - work).abs() < 1e-3 * work, "{slots:?}: {gained} and {lost} for {work}");
+            let work = 2.0 * one.engagement_half_angle();
+            assert!((gained + lost - work).abs() < 1e-3 * work, "{one:?}: {gained} and {lost} for {work}");
             assert!((friction > 0.0) == (lost > 0.0));
             for row in rows {
                 assert!((row[3] - row[4].abs()).abs() < 1e-12 * (1.0 + row[3]), "the torque of friction is |F|");
@@ -251,10 +246,10 @@ fn over_an_engagement_the_torque_goes_into_motion_and_friction() {
 
 #[test]
 fn the_curves_of_the_ratios_have_their_means() {
-    let figure = ratios(&Escapement::all());
+    let figure = ratios(&Mechanism::ALL);
     let rows = &figure.series.rows;
     let steps = (rows.len() - 1) as f64;
-    for (k, one) in Escapement::all().iter().enumerate() {
+    for (k, one) in Mechanism::ALL.iter().enumerate() {
         let column = 1 + 2 * k;
         let mean = rows.iter().map(|row| row[column]).sum::<f64>() / steps;
         let expected = f64::from(one.pins()) / f64::from(one.slots());
@@ -265,7 +260,7 @@ fn the_curves_of_the_ratios_have_their_means() {
         }
     }
     // Nothing, one and one twice are drawn too.
-    let four = escapement(Slots::Four);
+    let four = Mechanism::FOUR_PIN;
     for some in [vec![], vec![four], vec![four, four]] {
         well_formed(&ratios(&some));
         only_numbers(&ratios(&some));

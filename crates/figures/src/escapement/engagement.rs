@@ -100,7 +100,7 @@ impl System<1> for SquareOverAngle {
     type Fault = EquationError;
 
     fn derivative(&mut self, advance: f64, square: &Vector1<f64>) -> Result<Vector1<f64>, EquationError> {
-        let theta = advance - self.0.slots().engagement_half_angle();
+        let theta = advance - self.0.mechanism().engagement_half_angle();
         let gain = self.0.acceleration(theta, self.speed(square[0]))?.value;
         Ok(Vector1::new(2.0 * gain / self.0.drive()))
     }
@@ -109,7 +109,7 @@ impl System<1> for SquareOverAngle {
 impl Engagement {
     /// The motion of a driver that has this speed (≥ 0) as a pin enters.
     pub fn new(parameters: &Parameters, entry_speed: f64) -> Result<Self, DrawingError> {
-        let half = parameters.slots().engagement_half_angle();
+        let half = parameters.mechanism().engagement_half_angle();
         parameters.acceleration(-half, entry_speed)?;
         let start = Vector1::new(entry_speed * (entry_speed / parameters.drive()));
         let step = 2.0 * half / f64::from(STEPS);

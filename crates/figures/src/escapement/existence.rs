@@ -7,8 +7,8 @@ use crate::number::trimmed;
 use crate::plot::{Axis, Curve, Plot, Scale, Side};
 use crate::series::Series;
 use crate::svg::canvas::Kind;
-use geneva_dynamics::Slots;
 use geneva_dynamics::existence::{critical_friction, critical_inertia_ratio};
+use geneva_kinematics::Mechanism;
 use std::ops::Range;
 
 const SIZE: (u32, u32) = (640, 540);
@@ -25,8 +25,8 @@ const LIMITS: Range<f64> = 1e-6..1e6;
 pub struct Design {
     /// What it is called, in a few letters.
     pub name: String,
-    /// Slots of the follower.
-    pub slots: Slots,
+    /// Pins, slots and centre distance.
+    pub mechanism: Mechanism,
     /// I_D / I_f.
     pub inertia_ratio: f64,
     /// Coefficient of friction between pin and slot.
@@ -36,7 +36,7 @@ pub struct Design {
 impl Design {
     /// Whether the equation of motion has one solution wherever a pin is in its slot.
     pub fn is_sound(&self) -> bool {
-        critical_friction(self.slots, self.inertia_ratio).is_ok_and(|critical| self.friction < critical.friction)
+        critical_friction(self.mechanism, self.inertia_ratio).is_ok_and(|critical| self.friction < critical.friction)
     }
 
     fn can_be_shown(&self) -> bool {
@@ -81,7 +81,7 @@ fn said(design: &Design) -> String {
     format!(
         "{}, {} slots, at I_D / I_f = {}, μ = {}: {side} its curve",
         design.name,
-        design.slots.count(),
+        design.mechanism.slots(),
         trimmed(design.inertia_ratio, 4),
         trimmed(design.friction, 4)
     )
@@ -114,21 +114,21 @@ impl Frame {
         let is_power = |mark: &f64| format!("{mark:e}").starts_with("1e");
         let marks = marks.into_iter().filter(|mark| !wide || is_power(mark)).collect();
         let level = Axis { range: self.inertias.clone(), marks, decimals: 9, scale: Scale::Logarithmic };
-        let curves = Slots::ALL.map(|slots| self.curve(slots)).to_vec();
+        let curves = Mechanism::ALL.map(|mechanism| self.curve(mechanism)).to_vec();
         let right = blank(&self.upright);
         Plot { size: SIZE, level, left: self.upright.clone(), right, curves }
     }
 
     /// A curve, by steps of μ: from the left side of the frame to its top or its right side.
-    fn curve(&self, slots: Slots) -> Curve {
-        let friction = |inertia: f64| critical_friction(slots, inertia).map_or(0.0, |critical| critical.friction);
+    fn curve(&self, mechanism: Mechanism) -> Curve {
+        let friction = |inertia: f64| critical_friction(mechanism, inertia).map_or(0.0, |critical| critical.friction);
         let (low, high) = (friction(self.inertias.start), friction(self.inertias.end).min(self.upright.range.end));
         let at = |k: u32| {
             let mu = low + (high - low).max(0.0) * f64::from(k) / f64::from(STEPS);
-            (critical_inertia_ratio(slots, mu).unwrap_or_default().max(self.inertias.start), mu)
+            (critical_inertia_ratio(mechanism, mu).unwrap_or_default().max(self.inertias.start), mu)
         };
         let points = if low < high { (0..=STEPS).map(at).collect() } else { Vec::new() };
-        let (shade, dashes) = style(slots.count());
+        let (shade, dashes) = style(mechanism.slots());
         Curve { points, side: Side::Left, shade, dashes }
     }
 
@@ -141,7 +141,8 @@ impl Frame {
         inertias.sort_by(f64::total_cmp);
         inertias.dedup();
         let row = |inertia: f64| {
-            let [a, b, c] = Slots::ALL.map(|slots| critical_friction(slots, inertia).map_or(0.0, |at| at.friction));
+            let [a, b, c] =
+                Mechanism::ALL.map(|mechanism| critical_friction(mechanism, inertia).map_or(0.0, |at| at.friction));
             [inertia, a, b, c]
         };
         inertias.into_iter().map(row).collect()
@@ -154,17 +155,17 @@ pub mod tests {
     use crate::checks::{labels_inside, named, only_numbers, well_formed};
     use roxmltree::Document;
 
-    fn design(name: &str, slots: Slots, inertia_ratio: f64, friction: f64) -> Design {
-        Design { name: name.to_owned(), slots, inertia_ratio, friction }
+    fn design(name: &str, mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> Design {
+        Design { name: name.to_owned(), mechanism, inertia_ratio, friction }
     }
 
     /// Some designs, two of them close together.
     pub fn designs() -> Vec<Design> {
         vec![
-            design("one", Slots::Four, 0.03, 0.125),
-            design("another, close by", Slots::Four, 0.04, 0.2),
-            design("six pins", Slots::Three, 0.7, 0.375),
-            design("three pins", Slots::Six, 0.04, 0.25),
+            design("one", Mechanism::FOUR_PIN, 0.03, 0.125),
+            design("another, close by", Mechanism::FOUR_PIN, 0.04, 0.2),
+            design("six pins", Mechanism::SIX_PIN, 0.7, 0.375),
+            design("three pins", Mechanism::THREE_PIN, 0.04, 0.25),
         ]
     }
 
@@ -176,15 +177,15 @@ pub mod tests {
         assert!(rows.iter().all(|row| row[1] < row[2] && row[2] < row[3]));
         for design in designs() {
             let row = rows.iter().find(|row| row[0] == design.inertia_ratio).expect("a row");
-            let column = 1 + Slots::ALL.iter().position(|slots| *slots == design.slots).expect("one of them");
+            let column = 1 + design.mechanism.index();
             assert!(design.is_sound() && design.friction < row[column]);
             assert!(!Design { friction: row[column] * 1.001, ..design }.is_sound());
         }
         // A curve's points are where μ is critical.
         let frame = Frame::new(&[]);
-        for slots in Slots::ALL {
-            for (inertia, friction) in &frame.curve(slots).points {
-                let critical = critical_friction(slots, *inertia).expect("sound").friction;
+        for mechanism in Mechanism::ALL {
+            for (inertia, friction) in &frame.curve(mechanism).points {
+                let critical = critical_friction(mechanism, *inertia).expect("sound").friction;
                 approx::assert_relative_eq!(critical, *friction, max_relative = 1e-9);
             }
         }
@@ -192,7 +193,7 @@ pub mod tests {
 
     #[test]
     fn designs_far_off_widen_the_map_or_are_left_out() {
-        let far = |inertia, friction| vec![design("far", Slots::Six, inertia, friction)];
+        let far = |inertia, friction| vec![design("far", Mechanism::THREE_PIN, inertia, friction)];
         for (marked, designs) in [
             (4, designs()),
             (0, vec![]),

@@ -13,7 +13,6 @@ use crate::svg::label::Label;
 use crate::svg::shape::Shape;
 use crate::theme::GRID;
 use geneva_dynamics::Parameters;
-use geneva_kinematics::escapement::Escapement;
 use nalgebra::Vector2;
 
 const MARGINS: Margins = Margins { side: 46.0, above: 48.0, below: 30.0 };
@@ -34,7 +33,7 @@ const LINE: f64 = 28.0;
 ///
 /// [`DrawingError`] if the angle is beyond ±π/m or not finite, or the speed negative or not finite.
 pub fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<Figure, DrawingError> {
-    let escapement = Escapement::new(parameters.slots().count())?;
+    let escapement = parameters.mechanism();
     let bodies = Bodies::at(&escapement, crank, MARGINS)?;
     let at = Instant::new(parameters, crank, speed)?;
     let normal = without_noise(at.normal, 1.0);

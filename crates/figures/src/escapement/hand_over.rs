@@ -12,7 +12,7 @@ use crate::svg::shape::{DASHED, Shape};
 use crate::svg::view::Pixels;
 use crate::theme::{DRIVER, FOLLOWER, INK, RELATIVE};
 use geneva_kinematics::Field;
-use geneva_kinematics::escapement::{Escapement, Layout, Roots, Slot};
+use geneva_kinematics::escapement::{Layout, Mechanism, Roots, Slot};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
@@ -29,9 +29,9 @@ const MARK: f64 = 0.36;
 ///
 /// The places are those of the exact hand-over, rounded once. Series: n, m, θ₀, φ₀, their sum, r/r, R/r, c/r, and each
 /// pin's velocity, outwards along its slot and across it, over that of the pins.
-pub fn hand_over(escapement: &Escapement) -> Figure {
+pub fn hand_over(escapement: &Mechanism) -> Figure {
     let exact = escapement.hand_over();
-    let angles = [escapement.driver_half_angle(), escapement.follower_half_angle()];
+    let angles = [escapement.engagement_half_angle(), escapement.follower_half_angle()];
     let bodies = Bodies::new(escapement, rounded(&exact.layout), angles, MARGINS);
     let mut canvas = Canvas::new(WIDTH, bodies.height);
     let mut placing = bodies.placing();
@@ -139,7 +139,7 @@ fn velocity(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, pin: &Pixel
 }
 
 /// Angles, sides and corners.
-fn names(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, leaving: &Pixels, escapement: &Escapement) {
+fn names(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, leaving: &Pixels, escapement: &Mechanism) {
     let (n, m) = (escapement.slots(), escapement.pins());
     let symbol = |letter: &str| Label::symbol(letter).sub("0");
     let value = |letter: &str, count| symbol(letter).and(&format!(" = {}", half_angle(count)));

@@ -7,7 +7,7 @@ use crate::svg::canvas::Canvas;
 use crate::svg::label::Label;
 use crate::svg::placing::{Place, Placing, around, leader};
 use crate::svg::view::Pixels;
-use geneva_dynamics::Slots;
+use geneva_kinematics::Mechanism;
 use nalgebra::Vector2;
 
 /// How far labels may stand from their points, in pixels.
@@ -36,16 +36,16 @@ pub fn names(canvas: &mut Canvas, plot: &Plot, designs: &[&Design]) {
     let at = |design: &Design| plot.place(Side::Left, design.inertia_ratio, design.friction);
     for design in designs {
         let (at, room) = (at(design), Vector2::new(8.0, 8.0));
-        mark(canvas, &at, design.slots.count());
+        mark(canvas, &at, design.mechanism.slots());
         placing.take([at - room, at + room]);
     }
-    for (slots, points) in Slots::ALL.iter().zip(&curves) {
-        let label = Label::words(&format!("{} slots", slots.count())).shade(style(slots.count()).0);
+    for (mechanism, points) in Mechanism::ALL.iter().zip(&curves) {
+        let label = Label::words(&format!("{} slots", mechanism.slots())).shade(style(mechanism.slots()).0);
         let high: Vec<Pixels> = points.iter().rev().take(STEPS as usize / 2).copied().collect();
         placing.put(canvas, &label, along(&high, &[10.0, 16.0]));
     }
     for design in designs {
-        let label = Label::words(&design.name).shade(style(design.slots.count()).0);
+        let label = Label::words(&design.name).shade(style(design.mechanism.slots()).0);
         if let Some(place) = placing.put(canvas, &label, around(&at(design), 0.0, &NEAR)) {
             leader(canvas, &place);
         }

@@ -9,7 +9,7 @@ use crate::svg::label::Label;
 use crate::svg::placing::{Placing, around};
 use crate::svg::shape::Shape;
 use crate::theme::{DRIVER, FOLLOWER};
-use geneva_kinematics::escapement::{Escapement, EscapementError};
+use geneva_kinematics::{EscapementError, Mechanism};
 use nalgebra::Vector2;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -26,7 +26,7 @@ const MARKS: [f64; 2] = [62.0, 46.0];
 /// # Errors
 ///
 /// [`EscapementError::Wheel`] if the angle is beyond ±π/m or not finite.
-pub fn mechanism(escapement: &Escapement, crank: f64) -> Result<Figure, EscapementError> {
+pub fn mechanism(escapement: &Mechanism, crank: f64) -> Result<Figure, EscapementError> {
     let bodies = Bodies::at(escapement, crank, MARGINS)?;
     let mut canvas = Canvas::new(super::pose::WIDTH, bodies.height);
     let mut placing = bodies.placing();
@@ -42,7 +42,7 @@ pub fn mechanism(escapement: &Escapement, crank: f64) -> Result<Figure, Escapeme
     let (n, m) = (escapement.slots(), escapement.pins());
     let distance = (bodies.layout.pins[0] - bodies.layout.follower_axis).norm();
     let [first, second, third, fourth] =
-        [escapement.driver_half_angle(), escapement.follower_half_angle(), crank, bodies.phi].map(f64::to_degrees);
+        [escapement.engagement_half_angle(), escapement.follower_half_angle(), crank, bodies.phi].map(f64::to_degrees);
     let sizes = [escapement.centre_distance_ratio(), escapement.rim_radius()];
     let row = [f64::from(n), f64::from(m), sizes[0], sizes[1], first, second, third, fourth, distance];
     let columns = [
@@ -66,7 +66,7 @@ pub fn mechanism(escapement: &Escapement, crank: f64) -> Result<Figure, Escapeme
              and {} with the line of centres. The engaged pin stands at θ = {}, its slot at φ = {}.",
             significant(sizes[0], 4),
             significant(sizes[1], 4),
-            degrees(escapement.driver_half_angle()),
+            degrees(escapement.engagement_half_angle()),
             degrees(escapement.follower_half_angle()),
             degrees(crank),
             degrees(without_noise(bodies.phi, 1.0))
@@ -80,8 +80,8 @@ pub fn mechanism(escapement: &Escapement, crank: f64) -> Result<Figure, Escapeme
 }
 
 /// Lines to the places of entry and exit, and their angles with the line of centres.
-fn half_angles(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, escapement: &Escapement) {
-    let (theta, phi) = (escapement.driver_half_angle(), escapement.follower_half_angle());
+fn half_angles(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, escapement: &Mechanism) {
+    let (theta, phi) = (escapement.engagement_half_angle(), escapement.follower_half_angle());
     for sense in [1.0, -1.0] {
         let place = at.on_driver(1.0, sense * theta);
         for (centre, shade) in [(&at.axis, DRIVER), (&at.pivot, FOLLOWER)] {
@@ -96,7 +96,7 @@ fn half_angles(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, escapeme
 }
 
 /// Names of the bodies above them, and of the axes.
-fn names(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, escapement: &Escapement) {
+fn names(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, escapement: &Mechanism) {
     let (row, right) = (20.0, Vector2::new(1.0, 0.0));
     let driver = Label::words(&format!("driver, {} pins", escapement.pins())).shade(DRIVER);
     canvas.label(&Vector2::new(0.0, row), &right, 14.0, &driver);

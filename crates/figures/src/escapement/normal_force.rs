@@ -68,7 +68,7 @@ pub fn normal_force(parameters: &Parameters, entry_speed: f64) -> Result<Figure,
         );
     }
 
-    let n = parameters.slots().count();
+    let n = parameters.mechanism().slots();
     let columns = [("theta", "deg"), ("theta'", "1/time"), ("N r/K", "1"), ("tau_2/K", "1"), ("F/E", "1")];
     let rows = instants.iter().map(|at| {
         [
@@ -88,8 +88,8 @@ pub fn normal_force(parameters: &Parameters, entry_speed: f64) -> Result<Figure,
             "Over the driver angle from entry, {}, to exit, {}: the normal force N, as N r / K, at most {} and at \
              least {}, and the friction's torque over K, at most {}. {} Under the plot, strips tell the flank and \
              the sign of F.",
-            degrees(-parameters.slots().engagement_half_angle()),
-            degrees(parameters.slots().engagement_half_angle()),
+            degrees(-parameters.mechanism().engagement_half_angle()),
+            degrees(parameters.mechanism().engagement_half_angle()),
             short(greatest(|at| at.normal)),
             short(-greatest(|at| -at.normal)),
             short(greatest(|at| at.friction)),
@@ -122,7 +122,7 @@ fn without_slivers(found: Stretches) -> Stretches {
 }
 
 fn plot(parameters: &Parameters, instants: &[Instant]) -> Plot {
-    let half = parameters.slots().engagement_half_angle().to_degrees();
+    let half = parameters.mechanism().engagement_half_angle().to_degrees();
     let marks = (-MARKS..=MARKS).map(|k| half * f64::from(k) / f64::from(MARKS)).collect();
     let level = Axis { range: -half..half, marks, decimals: 0, scale: Scale::Even };
     let values = || instants.iter().flat_map(|at| [at.normal, at.friction]).chain([0.0]);

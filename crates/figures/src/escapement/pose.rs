@@ -9,7 +9,7 @@ use crate::svg::placing::{Place, Placing, around};
 use crate::svg::shape::{DASHED, Shape};
 use crate::svg::view::{Pixels, View, heading};
 use crate::theme::{DRIVER, FILL, FOLLOWER, INK, PAPER, Shade};
-use geneva_kinematics::escapement::{Escapement, EscapementError, Layout};
+use geneva_kinematics::escapement::{EscapementError, Layout, Mechanism};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
@@ -55,15 +55,15 @@ pub struct Bodies {
 
 impl Bodies {
     /// The mechanism at a driver angle within ±π/m, as large as it can be.
-    pub fn at(escapement: &Escapement, theta: f64, margins: Margins) -> Result<Self, EscapementError> {
+    pub fn at(escapement: &Mechanism, theta: f64, margins: Margins) -> Result<Self, EscapementError> {
         let layout = escapement.layout(theta)?;
         let phi = escapement.wheel().engaged(theta)?.angle;
         Ok(Self::new(escapement, layout, [theta, phi], margins))
     }
 
     /// The mechanism with its parts in these places.
-    pub fn new(escapement: &Escapement, layout: Layout<f64>, [theta, phi]: [f64; 2], margins: Margins) -> Self {
-        let star = Star::of_wheel(escapement.wheel());
+    pub fn new(escapement: &Mechanism, layout: Layout<f64>, [theta, phi]: [f64; 2], margins: Margins) -> Self {
+        let star = Star::of_wheel(&escapement.wheel());
         let scale = (WIDTH - 2.0 * margins.side) / (DISC + star.centre + star.rim);
         let half = DISC.max(star.rim) * scale;
         let view = View { origin: Vector2::new(margins.side + DISC * scale, margins.above + half), scale };
@@ -205,7 +205,7 @@ pub fn angle(
 }
 
 /// The id of a figure of this escapement: the name and the slots.
-pub fn id(name: &str, escapement: &Escapement) -> String {
+pub fn id(name: &str, escapement: &Mechanism) -> String {
     format!("escapement-{name}-{}", escapement.slots())
 }
 

@@ -8,7 +8,7 @@ use crate::series::{Column, Series};
 use crate::svg::canvas::{Canvas, Kind};
 use crate::svg::label::Label;
 use crate::svg::shape::Shape;
-use geneva_kinematics::escapement::Escapement;
+use geneva_kinematics::Mechanism;
 use geneva_kinematics::wheel::peak_velocity;
 use nalgebra::Vector2;
 
@@ -26,20 +26,20 @@ const LINE: f64 = 28.0;
 /// The mean of each curve is m/n turns of the follower per turn of the driver. The square of the ratio is the weight of
 /// the follower's inertia in the kinetic energy: I_D + (φ'/θ')² I_f. Series: θ/(π/m), then for each escapement φ'/θ'
 /// and its square.
-pub fn ratios(escapements: &[Escapement]) -> Figure {
+pub fn ratios(escapements: &[Mechanism]) -> Figure {
     let rows: Vec<Vec<f64>> = (0..=STEPS).map(|k| row(escapements, k)).collect();
-    let greatest = escapements.iter().map(|one| peak_velocity(one.wheel())).fold(0.0, f64::max);
+    let greatest = escapements.iter().map(|one| peak_velocity(&one.wheel())).fold(0.0, f64::max);
     let left = upright(0.0, greatest.max(1e-3), 4.0);
     let marks = [-2, -1, 0, 1, 2].map(|k| f64::from(k) / 2.0).to_vec();
     let level = Axis { range: -1.0..1.0, marks, decimals: 1, scale: Scale::Even };
-    let mut shown: Vec<(usize, &Escapement)> = Vec::new();
+    let mut shown: Vec<(usize, &Mechanism)> = Vec::new();
     for (k, one) in escapements.iter().enumerate() {
         // No two curves of a plot have the same colour.
         if shown.iter().all(|(_, other)| *other != one) {
             shown.push((k, one));
         }
     }
-    let curve = |(k, one): &(usize, &Escapement)| {
+    let curve = |(k, one): &(usize, &Mechanism)| {
         let (shade, dashes) = style(one.slots());
         let points = rows.iter().map(|row| (row[0], row[1 + 2 * k])).collect();
         Curve { points, side: Side::Left, shade, dashes }
@@ -73,25 +73,25 @@ pub fn ratios(escapements: &[Escapement]) -> Figure {
 }
 
 /// θ/(π/m), and for each escapement the ratio and its square.
-fn row(escapements: &[Escapement], k: u32) -> Vec<f64> {
+fn row(escapements: &[Mechanism], k: u32) -> Vec<f64> {
     // Both halves have the same angles.
     let share = (2.0 * f64::from(k) - f64::from(STEPS)) / f64::from(STEPS);
-    let ratio = |one: &Escapement| one.wheel().velocity_ratio(share * one.driver_half_angle()).unwrap_or_default();
+    let ratio = |one: &Mechanism| one.wheel().velocity_ratio(share * one.engagement_half_angle()).unwrap_or_default();
     let both = |ratio: f64| [ratio, ratio * ratio];
     std::iter::once(share).chain(escapements.iter().flat_map(|one| both(ratio(one)))).collect()
 }
 
-fn mean(one: &Escapement) -> String {
+fn mean(one: &Mechanism) -> String {
     trimmed(f64::from(one.pins()) / f64::from(one.slots()), 3)
 }
 
-fn said(one: &Escapement) -> String {
-    let peak = significant(peak_velocity(one.wheel()), 4);
+fn said(one: &Mechanism) -> String {
+    let peak = significant(peak_velocity(&one.wheel()), 4);
     format!("{} slots, {} pins: greatest {peak}, mean {}", one.slots(), one.pins(), mean(one))
 }
 
 /// Axes, peaks, and the names of the curves with their means.
-fn names(canvas: &mut Canvas, plot: &Plot, shown: &[(usize, &Escapement)]) {
+fn names(canvas: &mut Canvas, plot: &Plot, shown: &[(usize, &Mechanism)]) {
     let (right, down) = (Vector2::new(1.0, 0.0), Vector2::new(0.0, 1.0));
     let corner = plot.place(Side::Left, -1.0, plot.left.range.end) - down * 26.0;
     canvas.label(&corner, &right, -48.0, &Label::symbol("φ").and("′ / ").and_symbol("θ").and("\u{200a}′"));
@@ -100,7 +100,7 @@ fn names(canvas: &mut Canvas, plot: &Plot, shown: &[(usize, &Escapement)]) {
     canvas.label(&foot, &down, 50.0, &axis);
     for (k, (_, one)) in shown.iter().enumerate() {
         let (shade, dashes) = style(one.slots());
-        let peak = peak_velocity(one.wheel());
+        let peak = peak_velocity(&one.wheel());
         let at = plot.place(Side::Left, 0.0, peak);
         canvas.draw(Shape::circle(&at, 4.5).fill(shade).class("peak"));
         canvas.label(&at, &-down, 15.0, &Label::words(&significant(peak, 3)).shade(shade));

@@ -1,7 +1,7 @@
 //! How far the numbers of a table are from those that several hypotheses give.
 
 use crate::figure::{Figure, Words};
-use crate::markers::{marks, mechanism};
+use crate::markers::{marks, of_mechanism};
 use crate::number::{significant, with_minus_sign};
 use crate::panel::{Panel, WIDTH};
 use crate::plot::{Axis, Scale};
@@ -10,14 +10,14 @@ use crate::svg::canvas::{Canvas, Kind};
 use crate::svg::label::Label;
 use crate::svg::shape::Shape;
 use crate::theme::{GRID, INK};
-use geneva_dynamics::Slots;
+use geneva_kinematics::Mechanism;
 use nalgebra::Vector2;
 
 /// Computed over given, less one, of the three results of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Deviation {
     /// The run's mechanism.
-    pub slots: Slots,
+    pub mechanism: Mechanism,
     /// Of the greatest speed.
     pub peak: f64,
     /// Of the least speed.
@@ -77,10 +77,10 @@ pub fn deviations(hypotheses: &[Deviations]) -> Figure {
         }
         let zero = [0.5, count + 0.5].map(|x| panel.at((x, 0.0)));
         canvas.draw(Shape::line(&zero[0], &zero[1]).stroke(INK, 1.2).class("zero"));
-        for (strip, slots) in Slots::ALL.into_iter().enumerate() {
+        for (strip, mechanism) in Mechanism::ALL.into_iter().enumerate() {
             let mut points = Vec::new();
             for (number, hypothesis) in hypotheses.iter().enumerate() {
-                let own: Vec<_> = hypothesis.runs.iter().filter(|run| run.slots == slots).collect();
+                let own: Vec<_> = hypothesis.runs.iter().filter(|run| run.mechanism == mechanism).collect();
                 let middle = number as f64 + 1.0 + STRIPS * (strip as f64 - 1.0);
                 let place = |(k, run): (usize, &&Deviation)| {
                     let aside = (k as f64 + 0.5) / own.len() as f64 - 0.5;
@@ -89,7 +89,7 @@ pub fn deviations(hypotheses: &[Deviations]) -> Figure {
                 let finite = |(_, y): &(f64, f64)| y.is_finite();
                 points.extend(own.iter().enumerate().map(place).filter(finite));
             }
-            panel.marks(&mut canvas, &points, mechanism(slots.count()), SIZE);
+            panel.marks(&mut canvas, &points, of_mechanism(mechanism.slots()), SIZE);
         }
         for number in 0..hypotheses.len() {
             let foot = panel.at((number as f64 + 1.0, -end));
@@ -107,7 +107,7 @@ pub fn deviations(hypotheses: &[Deviations]) -> Figure {
     let rows = hypotheses.iter().enumerate().flat_map(|(number, hypothesis)| {
         hypothesis.runs.iter().map(move |run| {
             let [peak, minimum, period] = RESULTS.map(|(_, of)| 100.0 * of(run));
-            [(number + 1) as f64, f64::from(run.slots.count()), peak, minimum, period]
+            [(number + 1) as f64, f64::from(run.mechanism.slots()), peak, minimum, period]
         })
     });
     words(hypotheses).figure(canvas, Kind::Panels, Series::new(columns, rows))
@@ -115,10 +115,10 @@ pub fn deviations(hypotheses: &[Deviations]) -> Figure {
 
 /// The marks of the mechanisms, over the first panel.
 fn key(canvas: &mut Canvas) {
-    for (k, slots) in Slots::ALL.into_iter().enumerate() {
+    for (k, mechanism) in Mechanism::ALL.into_iter().enumerate() {
         let at = Vector2::new(24.0 + 160.0 * k as f64, 18.0);
-        marks(canvas, &[at], mechanism(slots.count()), 2.0 * SIZE);
-        let label = Label::words(&format!("{} pins", slots.pins())).shade(mechanism(slots.count()).0).bare();
+        marks(canvas, &[at], of_mechanism(mechanism.slots()), 2.0 * SIZE);
+        let label = Label::words(&format!("{} pins", mechanism.pins())).shade(of_mechanism(mechanism.slots()).0).bare();
         canvas.label(&at, &Vector2::new(1.0, 0.0), 12.0, &label);
     }
 }
@@ -154,8 +154,8 @@ mod tests {
     use roxmltree::Document;
 
     fn hypothesis(size: f64) -> Deviations {
-        let run = |slots| Deviation { slots, peak: size, minimum: -size, period: 0.0 };
-        Deviations { name: "one, two, three".to_owned(), runs: Slots::ALL.map(run).to_vec() }
+        let run = |mechanism| Deviation { mechanism, peak: size, minimum: -size, period: 0.0 };
+        Deviations { name: "one, two, three".to_owned(), runs: Mechanism::ALL.map(run).to_vec() }
     }
 
     #[test]

@@ -16,7 +16,8 @@ pub use speeds::{first_minimum, speeds};
 
 use crate::steady::MotionError;
 use geneva_dynamics::steady::Engagement;
-use geneva_dynamics::{Inertias, Parameters, Slots};
+use geneva_dynamics::{Inertias, Parameters};
+use geneva_kinematics::Mechanism;
 
 /// Relative error of what is computed for a drawing.
 const TOLERANCE: f64 = 1e-10;
@@ -41,8 +42,8 @@ pub struct Run {
 /// The runs of one mechanism, and what they were computed with.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group {
-    /// Slots of the follower.
-    pub slots: Slots,
+    /// Pins, slots and centre distance.
+    pub mechanism: Mechanism,
     /// Moments of inertia.
     pub inertias: Inertias,
     /// Angle in radians after which the driver is put back to the start of an engagement.
@@ -54,13 +55,13 @@ pub struct Group {
 impl Group {
     /// The engagement at a friction and a torque, with this fold.
     pub(crate) fn engagement(&self, friction: f64, torque: f64, fold: f64) -> Result<Engagement, MotionError> {
-        let parameters = Parameters::new(self.slots, self.inertias, torque, friction)?;
+        let parameters = Parameters::new(self.mechanism, self.inertias, torque, friction)?;
         Ok(Engagement::folded(&parameters, fold, TOLERANCE)?)
     }
 
     /// The mechanism's own fold, if it is another.
     pub(crate) fn own_fold(&self) -> Option<f64> {
-        let own = 2.0 * self.slots.engagement_half_angle();
+        let own = 2.0 * self.mechanism.engagement_half_angle();
         ((own - self.fold).abs() > 1e-3 * own).then_some(own)
     }
 

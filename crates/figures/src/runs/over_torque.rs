@@ -184,7 +184,7 @@ fn series(group: &Group, families: &[Family]) -> Series {
 }
 
 fn words(group: &Group, families: &[Family]) -> Words {
-    let pins = group.slots.pins();
+    let pins = group.mechanism.pins();
     let name = match pins {
         3 => "three",
         4 => "four",
@@ -236,12 +236,13 @@ fn words(group: &Group, families: &[Family]) -> Words {
 mod tests {
     use super::*;
     use crate::checks::{labels_inside, named, only_numbers, overlapping_labels, well_formed};
-    use geneva_dynamics::{Inertias, Slots};
+    use geneva_dynamics::Inertias;
+    use geneva_kinematics::Mechanism;
     use roxmltree::Document;
     use std::f64::consts::FRAC_PI_2;
 
-    fn group(slots: Slots, runs: Vec<Run>) -> Group {
-        Group { slots, inertias: Inertias::new(1.0, 2.0).expect("sound"), fold: FRAC_PI_2, runs }
+    fn group(mechanism: Mechanism, runs: Vec<Run>) -> Group {
+        Group { mechanism, inertias: Inertias::new(1.0, 2.0).expect("sound"), fold: FRAC_PI_2, runs }
     }
 
     fn run(friction: f64, torque: f64) -> Run {
@@ -251,8 +252,8 @@ mod tests {
     #[test]
     fn speeds_go_with_the_root_of_the_torque() {
         let runs: Vec<Run> = [0.25, 0.5].into_iter().flat_map(|mu| [1.0, 4.0].map(|torque| run(mu, torque))).collect();
-        for slots in Slots::ALL {
-            let figure = over_torque(&group(slots, runs.clone())).expect("drawn");
+        for mechanism in Mechanism::ALL {
+            let figure = over_torque(&group(mechanism, runs.clone())).expect("drawn");
             well_formed(&figure);
             only_numbers(&figure);
             labels_inside(&figure);
@@ -264,7 +265,7 @@ mod tests {
                 }
                 // Each number by the engagement itself, at the run's own torque.
                 let row = &pair[1];
-                let own = group(slots, vec![]).engagement(row[0], row[1], FRAC_PI_2).expect("sound");
+                let own = group(mechanism, vec![]).engagement(row[0], row[1], FRAC_PI_2).expect("sound");
                 let rise = own.rise(SETTLED).expect("steady");
                 approx::assert_relative_eq!(row[3], rise.steady.mean_of_extremes(), max_relative = 1e-9);
                 let until =
@@ -274,15 +275,15 @@ mod tests {
             }
             let document = Document::parse(&figure.svg).expect("well-formed");
             let curves = ["as-run", "as-is"].map(|class| named(&document, class).len());
-            assert_eq!(curves, if slots == Slots::Four { [4, 0] } else { [4, 4] });
+            assert_eq!(curves, if mechanism == Mechanism::FOUR_PIN { [4, 0] } else { [4, 4] });
         }
     }
 
     #[test]
     fn what_has_no_steady_motion_is_an_error() {
-        assert_eq!(over_torque(&group(Slots::Four, vec![])), Err(MotionError::Nothing));
+        assert_eq!(over_torque(&group(Mechanism::FOUR_PIN, vec![])), Err(MotionError::Nothing));
         for friction in [0.0, 90.0, f64::NAN] {
-            assert!(over_torque(&group(Slots::Four, vec![run(friction, 1.0)])).is_err(), "{friction}");
+            assert!(over_torque(&group(Mechanism::FOUR_PIN, vec![run(friction, 1.0)])).is_err(), "{friction}");
         }
     }
 }

@@ -50,7 +50,7 @@ pub fn speeds(engagement: &Engagement, others: &str) -> Result<Figure, MotionErr
     let begin = rise.cycles.first().map_or(0.0, |cycle| cycle.end);
     let duration = begin + (ENGAGEMENTS - 1) as f64 * steady.period;
     let lines = engagement.run(steady.period / LINES, duration)?;
-    let ratio = engagement.parameters().slots().ratio();
+    let ratio = engagement.parameters().mechanism().centre_distance_ratio();
     // From the geometry of the pose, which holds beyond the exit too.
     let rows: Vec<[f64; 3]> = lines
         .iter()

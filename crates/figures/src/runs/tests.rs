@@ -4,18 +4,19 @@ use super::{aliasing, first_minimum, speeds};
 use crate::checks::{named, number, sound};
 use crate::steady::MotionError;
 use geneva_dynamics::steady::Engagement;
-use geneva_dynamics::{Inertias, Parameters, Slots};
+use geneva_dynamics::{Inertias, Parameters};
+use geneva_kinematics::Mechanism;
 use roxmltree::Document;
 
-fn engagement(slots: Slots, friction: f64) -> Engagement {
+fn engagement(mechanism: Mechanism, friction: f64) -> Engagement {
     let inertias = Inertias::new(3.0, 40.0).expect("sound");
-    Engagement::new(&Parameters::new(slots, inertias, 40.0, friction).expect("sound")).expect("sound")
+    Engagement::new(&Parameters::new(mechanism, inertias, 40.0, friction).expect("sound")).expect("sound")
 }
 
 #[test]
 fn printed_peaks_are_below_the_true_ones_and_swing() {
-    for slots in Slots::ALL {
-        let one = engagement(slots, 0.25);
+    for mechanism in Mechanism::ALL {
+        let one = engagement(mechanism, 0.25);
         let steady = one.steady_state().expect("steady");
         let (interval, duration) = (steady.period / 61.7, 9.3 * steady.period);
         let figure = aliasing(&one, interval, duration).expect("drawn");
@@ -35,17 +36,17 @@ fn printed_peaks_are_below_the_true_ones_and_swing() {
 
 #[test]
 fn a_run_of_a_few_engagements_does_not_tell() {
-    let one = engagement(Slots::Four, 0.25);
+    let one = engagement(Mechanism::FOUR_PIN, 0.25);
     let period = one.steady_state().expect("steady").period;
     assert_eq!(aliasing(&one, period / 50.0, 2.0 * period), Err(MotionError::Nothing));
     assert!(matches!(aliasing(&one, 0.0, 1.0), Err(MotionError::Steady(_))));
-    assert!(matches!(speeds(&engagement(Slots::Four, 0.0), ""), Err(MotionError::Steady(_))));
+    assert!(matches!(speeds(&engagement(Mechanism::FOUR_PIN, 0.0), ""), Err(MotionError::Steady(_))));
 }
 
 #[test]
 fn the_first_minimum_is_marked_and_the_follower_keeps_its_sense() {
-    for slots in Slots::ALL {
-        let one = engagement(slots, 0.25);
+    for mechanism in Mechanism::ALL {
+        let one = engagement(mechanism, 0.25);
         let figure = speeds(&one, "Made up.");
         let figure = figure.expect("drawn");
         sound(&figure);
@@ -74,7 +75,7 @@ fn the_first_minimum_is_marked_and_the_follower_keeps_its_sense() {
 #[test]
 fn the_follower_has_the_speed_that_the_run_gives_it() {
     // The drawing takes it from the pose; the run has it from its own variable.
-    let one = engagement(Slots::Six, 0.25);
+    let one = engagement(Mechanism::THREE_PIN, 0.25);
     let figure = speeds(&one, "").expect("drawn");
     let rows = &figure.series.rows;
     let lines = one.run(rows[1][0], rows[rows.len() - 1][0] * (1.0 + 1e-9)).expect("a run");

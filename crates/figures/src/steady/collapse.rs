@@ -3,7 +3,7 @@
 use super::error::MotionError;
 use crate::escapement::axes::{spanning, upright};
 use crate::figure::{Figure, Words};
-use crate::markers::{marks, mechanism};
+use crate::markers::{marks, of_mechanism};
 use crate::number::significant;
 use crate::panel::{Panel, Stroke, WIDTH};
 use crate::runs::{Group, Run};
@@ -51,7 +51,7 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, MotionError> {
                 None => steady,
             };
             let ([a, b, c], [d, e, f], [g, h, i]) = (given(run, unit), scaled(&steady, unit), scaled(&own, unit));
-            rows.push([f64::from(group.slots.count()), run.friction, a, b, c, d, e, f, g, h, i]);
+            rows.push([f64::from(group.mechanism.slots()), run.friction, a, b, c, d, e, f, g, h, i]);
         }
     }
     let frictions = || rows.iter().map(|row| row[1]);
@@ -82,18 +82,18 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, MotionError> {
         panel.draw(&mut canvas, k == 2);
         let mut ends = Vec::new();
         for (group, both) in groups.iter().zip(&curves) {
-            let (shade, mark) = mechanism(group.slots.count());
+            let (shade, mark) = of_mechanism(group.mechanism.slots());
             let mut line = Vec::new();
             for (points, (width, dashes)) in both.iter().rev().zip([(1.6, Some(DASHES)), (2.2, None)]) {
                 let Some(points) = points else { continue };
                 line = points.iter().map(|(friction, values)| (*friction, values[k])).collect();
                 panel.curve(&mut canvas, &line, Stroke { shade, width, dashes, class: "curve" });
             }
-            let own = rows.iter().filter(|row| row[0] == f64::from(group.slots.count()));
+            let own = rows.iter().filter(|row| row[0] == f64::from(group.mechanism.slots()));
             let own: Vec<_> = own.map(|row| (row[1], row[2 + k])).collect();
             panel.marks(&mut canvas, &own, (shade, mark), SIZE);
             if let Some((_, value)) = line.last() {
-                ends.push((*value, Label::words(&format!("{}", group.slots.pins())), shade));
+                ends.push((*value, Label::words(&format!("{}", group.mechanism.pins())), shade));
             }
         }
         panel.beside(&mut canvas, ends);
@@ -111,9 +111,9 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, MotionError> {
         }
     }
     for (k, group) in groups.iter().enumerate() {
-        let (at, style) = (Vector2::new(24.0 + 160.0 * k as f64, 18.0), mechanism(group.slots.count()));
+        let (at, style) = (Vector2::new(24.0 + 160.0 * k as f64, 18.0), of_mechanism(group.mechanism.slots()));
         marks(&mut canvas, &[at], style, 10.0);
-        let label = Label::words(&format!("{} pins", group.slots.pins())).shade(style.0).bare();
+        let label = Label::words(&format!("{} pins", group.mechanism.pins())).shade(style.0).bare();
         canvas.label(&at, &Vector2::new(1.0, 0.0), 12.0, &label);
     }
     let columns = [
@@ -165,15 +165,16 @@ fn curve(group: &Group, fold: f64, [from, to]: [f64; 2]) -> Result<Vec<(f64, [f6
 mod tests {
     use super::*;
     use crate::checks::{labels_inside, named, only_numbers, overlapping_labels, well_formed};
-    use geneva_dynamics::{Inertias, Slots};
+    use geneva_dynamics::Inertias;
+    use geneva_kinematics::Mechanism;
     use roxmltree::Document;
     use std::f64::consts::FRAC_PI_2;
 
     #[test]
     fn runs_of_all_torques_fall_together() {
-        let groups = Slots::ALL.map(|slots| {
+        let groups = Mechanism::ALL.map(|mechanism| {
             let inertias = Inertias::new(2.0, 5.0).expect("sound");
-            let mut group = Group { slots, inertias, fold: FRAC_PI_2, runs: Vec::new() };
+            let mut group = Group { mechanism, inertias, fold: FRAC_PI_2, runs: Vec::new() };
             for (friction, torque) in [(0.1, 3.0), (0.1, 12.0), (0.25, 3.0), (0.25, 0.7)] {
                 let steady = group.engagement(friction, torque, FRAC_PI_2).expect("sound").steady_state();
                 let steady = steady.expect("steady");

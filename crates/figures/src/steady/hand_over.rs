@@ -36,7 +36,7 @@ const NEAR: [f64; 8] = [12.0, 18.0, 26.0, 36.0, 50.0, 66.0, 84.0, 104.0];
 /// [`MotionError`] without friction, where there is no fixed point, or if the motion cannot be computed.
 pub fn hand_over(parameters: &Parameters) -> Result<Figure, MotionError> {
     let engagement = Engagement::new(parameters)?;
-    let free = Parameters::new(parameters.slots(), parameters.inertias(), parameters.torque(), 0.0)?;
+    let free = Parameters::new(parameters.mechanism(), parameters.inertias(), parameters.torque(), 0.0)?;
     let free = Engagement::new(&free)?;
     let drive = parameters.drive();
     let next = |of: &Engagement, u: f64| -> Result<f64, MotionError> {
@@ -118,7 +118,7 @@ pub fn hand_over(parameters: &Parameters) -> Result<Figure, MotionError> {
              The curve rises little and crosses the diagonal once, at {}; there its slope is {contraction}. A \
              staircase from rest is there after a few steps. Without friction the curve lies {} above the diagonal \
              throughout and never meets it.",
-            parameters.slots().pins(),
+            parameters.mechanism().pins(),
             trimmed(parameters.friction(), 4),
             significant(fixed, 4),
             significant(gain, 4)

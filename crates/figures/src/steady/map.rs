@@ -4,7 +4,7 @@ use super::contours::Grid;
 use super::error::MotionError;
 use crate::escapement::Design;
 use crate::figure::{Figure, Words};
-use crate::markers::mechanism;
+use crate::markers::of_mechanism;
 use crate::number::{significant, trimmed};
 use crate::panel::{Panel, Stroke, WIDTH};
 use crate::plot::{Axis, Scale};
@@ -18,7 +18,8 @@ use crate::svg::view::Pixels;
 use crate::theme::{DRIVER, FILL, FOLLOWER, INK, PAPER};
 use geneva_dynamics::existence::critical_inertia_ratio;
 use geneva_dynamics::steady::{Engagement, SteadyState};
-use geneva_dynamics::{Inertias, Parameters, Slots};
+use geneva_dynamics::{Inertias, Parameters};
+use geneva_kinematics::Mechanism;
 use nalgebra::Vector2;
 use std::f64::consts::FRAC_PI_2;
 use std::ops::Range;
@@ -64,12 +65,12 @@ const VALUES: [Value; 2] = [|steady| steady.mean_speed, |steady| libm::log(LEFT)
 /// # Errors
 ///
 /// [`MotionError`] if a design cannot be shown.
-pub fn map(slots: Slots, designs: &[Design]) -> Result<Figure, MotionError> {
-    let own: Vec<&Design> = designs.iter().filter(|design| design.slots == slots).collect();
+pub fn map(mechanism: Mechanism, designs: &[Design]) -> Result<Figure, MotionError> {
+    let own: Vec<&Design> = designs.iter().filter(|design| design.mechanism == mechanism).collect();
     if own.iter().any(|design| !INERTIAS.contains(&design.inertia_ratio) || !FRICTIONS.contains(&design.friction)) {
         return Err(MotionError::Nothing);
     }
-    let grids = grids(slots)?;
+    let grids = grids(mechanism)?;
     let level = Axis {
         range: FRICTIONS,
         marks: (0..=6).map(|k| FRICTIONS.end * f64::from(k) / 6.0).collect(),
@@ -83,7 +84,7 @@ pub fn map(slots: Slots, designs: &[Design]) -> Result<Figure, MotionError> {
     let (mut rows, mut shown) = (Vec::new(), [0; 2]);
     for (k, (corner, height)) in corners.into_iter().zip(HEIGHTS).enumerate() {
         let panel = Panel::new(corner, height, level.clone(), left.clone());
-        boundary(&mut canvas, &panel, slots);
+        boundary(&mut canvas, &panel, mechanism);
         panel.draw(&mut canvas, true);
         let mut placing = panel.placing();
         let mut last: Option<f64> = None;
@@ -119,14 +120,14 @@ pub fn map(slots: Slots, designs: &[Design]) -> Result<Figure, MotionError> {
             }
             placing.avoid_all(&places, 2.0);
         }
-        let style = mechanism(slots.count());
+        let style = of_mechanism(mechanism.slots());
         for design in &own {
             let point = (design.friction, design.inertia_ratio);
             panel.marks(&mut canvas, &[point], style, 10.0);
             let (at, room) = (panel.at(point), Vector2::new(9.0, 9.0));
             placing.take([at - room, at + room]);
         }
-        sign(&mut canvas, &mut placing, &panel, slots);
+        sign(&mut canvas, &mut placing, &panel, mechanism);
         for (label, places) in labels {
             on_line(&mut canvas, &mut placing, &label, &places);
         }
@@ -136,7 +137,7 @@ pub fn map(slots: Slots, designs: &[Design]) -> Result<Figure, MotionError> {
         );
     }
     Panel::new(corners[1], HEIGHTS[1], level, left).foot(&mut canvas, &Label::words("friction ").and_symbol("μ"));
-    Ok(words(slots, &own, shown, &grids[0].ridge()).figure(
+    Ok(words(mechanism, &own, shown, &grids[0].ridge()).figure(
         canvas,
         Kind::Panels,
         Series::new([("panel", "1"), ("value", "1"), ("mu", "1"), ("I_D/I_f", "1")], rows),
@@ -147,23 +148,23 @@ pub fn map(slots: Slots, designs: &[Design]) -> Result<Figure, MotionError> {
 const NAMES: [&str; 2] = ["and lines of equal mean speed", "and lines of equal rise, in engagements"];
 
 /// The steady motion of a design with a torque and an inertia of the follower of one.
-fn steady(slots: Slots, inertia: f64, friction: f64) -> Option<SteadyState> {
-    let parameters = Parameters::new(slots, Inertias::new(inertia, 1.0).ok()?, 1.0, friction).ok()?;
+fn steady(mechanism: Mechanism, inertia: f64, friction: f64) -> Option<SteadyState> {
+    let parameters = Parameters::new(mechanism, Inertias::new(inertia, 1.0).ok()?, 1.0, friction).ok()?;
     Engagement::with_tolerance(&parameters, TOLERANCE).ok()?.steady_state().ok()
 }
 
 /// Logarithms of both values over μ and the logarithm of I_D / I_f: each column begins where there is one solution.
-fn grids(slots: Slots) -> Result<[Grid; 2], MotionError> {
+fn grids(mechanism: Mechanism) -> Result<[Grid; 2], MotionError> {
     let (mut columns, mut heights) = (Vec::new(), Vec::new());
     let mut values = [Vec::new(), Vec::new()];
     // Without friction there is no steady motion: the first column has little, and the next ones are close.
     for column in 0..=COLUMNS {
         let share = (f64::from(column) + 3.0) / (f64::from(COLUMNS) + 3.0);
         let friction = FRICTIONS.end * share * share;
-        let low = libm::log((CLEAR * critical_inertia_ratio(slots, friction)?).max(INERTIAS.start));
+        let low = libm::log((CLEAR * critical_inertia_ratio(mechanism, friction)?).max(INERTIAS.start));
         let height = |row: u32| low + (libm::log(INERTIAS.end) - low) * f64::from(row) / f64::from(ROWS);
         let nodes: Vec<f64> = (0..=ROWS).map(height).collect();
-        let states: Vec<_> = nodes.iter().map(|log| steady(slots, libm::exp(*log), friction)).collect();
+        let states: Vec<_> = nodes.iter().map(|log| steady(mechanism, libm::exp(*log), friction)).collect();
         for (values, value) in values.iter_mut().zip(VALUES) {
             let log =
                 |steady: &Option<SteadyState>| steady.as_ref().map_or(f64::NAN, |steady| libm::log(value(steady)));
@@ -176,17 +177,17 @@ fn grids(slots: Slots) -> Result<[Grid; 2], MotionError> {
 }
 
 /// The critical ratio of the inertias over μ, within the panel.
-fn critical(slots: Slots) -> Vec<(f64, f64)> {
+fn critical(mechanism: Mechanism) -> Vec<(f64, f64)> {
     let at = |step: u32| {
         let friction = FRICTIONS.end * f64::from(step) / 90.0;
-        (friction, critical_inertia_ratio(slots, friction).unwrap_or_default().clamp(INERTIAS.start, INERTIAS.end))
+        (friction, critical_inertia_ratio(mechanism, friction).unwrap_or_default().clamp(INERTIAS.start, INERTIAS.end))
     };
     (0..=90).map(at).collect()
 }
 
 /// The ground below the boundary, and the boundary.
-fn boundary(canvas: &mut Canvas, panel: &Panel, slots: Slots) {
-    let points = critical(slots);
+fn boundary(canvas: &mut Canvas, panel: &Panel, mechanism: Mechanism) {
+    let points = critical(mechanism);
     let end = panel.at((FRICTIONS.end, INERTIAS.start));
     let outline = points.iter().map(|point| panel.at(*point)).fold(None, |path: Option<Path>, at| {
         Some(path.map_or_else(|| Path::start_rounded(&at, 1), |path| path.line_to(&at)))
@@ -200,9 +201,9 @@ fn boundary(canvas: &mut Canvas, panel: &Panel, slots: Slots) {
 }
 
 /// What the tinted ground is, where it has room.
-fn sign(canvas: &mut Canvas, placing: &mut Placing, panel: &Panel, slots: Slots) {
+fn sign(canvas: &mut Canvas, placing: &mut Placing, panel: &Panel, mechanism: Mechanism) {
     let label = Label::words("no single solution").on(FILL).bare();
-    let edge: Vec<Pixels> = critical(slots).iter().map(|point| panel.at(*point)).collect();
+    let edge: Vec<Pixels> = critical(mechanism).iter().map(|point| panel.at(*point)).collect();
     placing.avoid_all(&edge, 3.0);
     let half = label.width() / 2.0 + 8.0;
     let [_, corner] = panel.corners();
@@ -238,19 +239,19 @@ fn on_line(canvas: &mut Canvas, placing: &mut Placing, label: &Label, places: &[
     }
 }
 
-fn words(slots: Slots, own: &[&Design], shown: [usize; 2], ridge: &[(f64, f64)]) -> Words {
+fn words(mechanism: Mechanism, own: &[&Design], shown: [usize; 2], ridge: &[(f64, f64)]) -> Words {
     let [least, greatest] = [f64::min, f64::max].map(|pick| {
         let ratios = ridge.iter().map(|(_, log)| libm::exp(*log));
         significant(ratios.reduce(pick).unwrap_or_default(), 2)
     });
-    let pins = slots.pins();
+    let pins = mechanism.pins();
     let name = match pins {
         3 => "three",
         4 => "four",
         _ => "six",
     };
     let said = own.iter().filter_map(|design| {
-        let steady = steady(slots, design.inertia_ratio, design.friction)?;
+        let steady = steady(mechanism, design.inertia_ratio, design.friction)?;
         let [speed, rise] = VALUES.map(|value| significant(value(&steady), 3));
         let (friction, inertia) = (trimmed(design.friction, 4), trimmed(design.inertia_ratio, 4));
         Some(format!("at μ = {friction}, I_D / I_f = {inertia}: mean speed {speed}, rise {rise}"))
@@ -284,15 +285,15 @@ mod tests {
     use crate::checks::{labels_inside, named, only_numbers, overlapping_labels, well_formed};
     use roxmltree::Document;
 
-    fn design(slots: Slots, inertia_ratio: f64, friction: f64) -> Design {
-        Design { name: String::new(), slots, inertia_ratio, friction }
+    fn design(mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> Design {
+        Design { name: String::new(), mechanism, inertia_ratio, friction }
     }
 
     #[test]
     fn the_value_is_the_same_along_a_line() {
-        for slots in Slots::ALL {
-            let designs = [design(slots, 0.5, 0.125), design(slots, 0.25, 0.25)];
-            let figure = map(slots, &designs).expect("drawn");
+        for mechanism in Mechanism::ALL {
+            let designs = [design(mechanism, 0.5, 0.125), design(mechanism, 0.25, 0.25)];
+            let figure = map(mechanism, &designs).expect("drawn");
             well_formed(&figure);
             only_numbers(&figure);
             labels_inside(&figure);
@@ -300,11 +301,11 @@ mod tests {
             assert!(figure.svg.len() < 25_000, "{}: {} bytes", figure.id, figure.svg.len());
             let rows = &figure.series.rows;
             for row in rows {
-                let state = steady(slots, row[3], row[2]).expect("sound");
+                let state = steady(mechanism, row[3], row[2]).expect("sound");
                 let value = VALUES[row[0] as usize - 1](&state);
                 // The grid is straight between its nodes.
-                assert!((value / row[1] - 1.0).abs() < 0.04, "{slots:?} {row:?} {value}");
-                assert!(row[3] >= critical_inertia_ratio(slots, row[2]).expect("a ratio"), "{row:?}");
+                assert!((value / row[1] - 1.0).abs() < 0.04, "{mechanism:?} {row:?} {value}");
+                assert!(row[3] >= critical_inertia_ratio(mechanism, row[2]).expect("a ratio"), "{row:?}");
             }
             assert!([1.0, 2.0].iter().all(|panel| rows.iter().filter(|row| row[0] == *panel).count() > 40));
             let document = Document::parse(&figure.svg).expect("well-formed");
@@ -315,31 +316,37 @@ mod tests {
 
     #[test]
     fn what_the_words_say_of_friction_and_inertia_holds() {
-        for slots in Slots::ALL {
-            let [speed, rise] = grids(slots).expect("grids");
+        for mechanism in Mechanism::ALL {
+            let [speed, rise] = grids(mechanism).expect("grids");
             let falls = |pair: [f64; 2]| pair.iter().any(|value| value.is_nan()) || pair[1] < pair[0];
             for (column, values) in rise.values.iter().enumerate() {
-                assert!(values.windows(2).all(|pair| falls([pair[1], pair[0]])), "{slots:?} {column}");
+                assert!(values.windows(2).all(|pair| falls([pair[1], pair[0]])), "{mechanism:?} {column}");
             }
             // At one ratio of the inertias: the top row is the same in all columns.
             let top = |grid: &Grid| grid.values.iter().map(|values| values[ROWS as usize]).collect::<Vec<_>>();
             let ridge = speed.ridge();
-            assert!(ridge.len() > 50, "{slots:?}: {}", ridge.len());
+            assert!(ridge.len() > 50, "{mechanism:?}: {}", ridge.len());
             for (friction, log) in ridge.iter().step_by(8) {
-                let mean = |log: f64| steady(slots, libm::exp(log), *friction).expect("sound").mean_speed;
-                assert!([-0.2, 0.2].iter().all(|aside| mean(log + aside) < mean(*log)), "{slots:?} {friction} {log}");
+                let mean = |log: f64| steady(mechanism, libm::exp(log), *friction).expect("sound").mean_speed;
+                assert!(
+                    [-0.2, 0.2].iter().all(|aside| mean(log + aside) < mean(*log)),
+                    "{mechanism:?} {friction} {log}"
+                );
             }
             for grid in [&speed, &rise] {
-                assert!(top(grid).windows(2).all(|pair| falls([pair[0], pair[1]])), "{slots:?}");
+                assert!(top(grid).windows(2).all(|pair| falls([pair[0], pair[1]])), "{mechanism:?}");
             }
         }
     }
 
     #[test]
     fn a_design_off_the_map_is_an_error() {
-        for far in [design(Slots::Four, 9.0, 0.125), design(Slots::Four, 0.5, 0.75), design(Slots::Four, f64::NAN, 0.1)]
-        {
-            assert_eq!(map(Slots::Four, &[far]), Err(MotionError::Nothing));
+        for far in [
+            design(Mechanism::FOUR_PIN, 9.0, 0.125),
+            design(Mechanism::FOUR_PIN, 0.5, 0.75),
+            design(Mechanism::FOUR_PIN, f64::NAN, 0.1),
+        ] {
+            assert_eq!(map(Mechanism::FOUR_PIN, &[far]), Err(MotionError::Nothing));
         }
     }
 }

@@ -48,7 +48,7 @@ struct Round {
 pub fn phase(parameters: &Parameters) -> Result<Figure, MotionError> {
     let engagement = Engagement::new(parameters)?;
     let (steady, unit) = (engagement.steady_state()?, parameters.drive().sqrt());
-    let half = parameters.slots().engagement_half_angle().to_degrees();
+    let half = parameters.mechanism().engagement_half_angle().to_degrees();
     let round = |entry: f64| -> Result<Round, MotionError> {
         let passage = engagement.passage(entry)?;
         let instants = Followed::new(parameters, entry).and_then(|followed| Ok(followed.instants()?))?;
@@ -168,7 +168,7 @@ fn words(parameters: &Parameters, steady: &geneva_dynamics::steady::SteadyState,
              speed, and the steady cycle, which enters at {}, falls to {} and rises to {}. The curves from rest come \
              from below and those from above from above; from the third engagement on they can hardly be told from \
              the steady cycle.{switch}",
-            parameters.slots().pins(),
+            parameters.mechanism().pins(),
             trimmed(parameters.friction(), 4),
             significant(steady.entry_speed / unit, 3),
             significant(steady.minimum.speed / unit, 3),

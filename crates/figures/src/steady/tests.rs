@@ -3,17 +3,18 @@
 use super::{MotionError, hand_over, phase};
 use crate::checks::{named, number, sound, start};
 use geneva_dynamics::steady::Engagement;
-use geneva_dynamics::{Inertias, Parameters, Slots};
+use geneva_dynamics::{Inertias, Parameters};
+use geneva_kinematics::Mechanism;
 use roxmltree::Document;
 
-fn parameters(slots: Slots, friction: f64) -> Parameters {
-    Parameters::new(slots, Inertias::new(3.0, 40.0).expect("sound"), 7.0, friction).expect("sound")
+fn parameters(mechanism: Mechanism, friction: f64) -> Parameters {
+    Parameters::new(mechanism, Inertias::new(3.0, 40.0).expect("sound"), 7.0, friction).expect("sound")
 }
 
 #[test]
 fn the_curve_crosses_the_diagonal_at_the_steady_motion_only() {
-    for slots in Slots::ALL {
-        let one = parameters(slots, 0.125);
+    for mechanism in Mechanism::ALL {
+        let one = parameters(mechanism, 0.125);
         let figure = hand_over(&one).expect("drawn");
         sound(&figure);
         let steady = Engagement::new(&one).and_then(|of| of.steady_state()).expect("steady");
@@ -23,7 +24,7 @@ fn the_curve_crosses_the_diagonal_at_the_steady_motion_only() {
             assert_eq!(row[1] > row[0], row[0] < fixed, "{row:?}");
         }
         // Without friction the gain is the work of the torque: 2 × 2π/m over the driver's inertia.
-        let gain = 4.0 * slots.engagement_half_angle() / one.inertias().ratio();
+        let gain = 4.0 * mechanism.engagement_half_angle() / one.inertias().ratio();
         assert!(rows.iter().all(|row| (row[2] - row[0] - gain).abs() < 1e-9 * gain));
         let document = Document::parse(&figure.svg).expect("well-formed");
         let point = &named(&document, "fixed-point")[0];
@@ -34,13 +35,13 @@ fn the_curve_crosses_the_diagonal_at_the_steady_motion_only() {
         let end: Vec<f64> = data.split('L').nth(1).expect("an end").split(' ').map(|v| v.parse().expect("v")).collect();
         assert!((up / right - (y - end[1]) / (end[0] - x)).abs() < 0.02, "{up} {right}");
     }
-    assert!(matches!(hand_over(&parameters(Slots::Four, 0.0)), Err(MotionError::Steady(_))));
+    assert!(matches!(hand_over(&parameters(Mechanism::FOUR_PIN, 0.0)), Err(MotionError::Steady(_))));
 }
 
 #[test]
 fn engagements_from_rest_and_from_above_enclose_the_steady_cycle() {
-    for slots in Slots::ALL {
-        let one = parameters(slots, 0.125);
+    for mechanism in Mechanism::ALL {
+        let one = parameters(mechanism, 0.125);
         let figure = phase(&one).expect("drawn");
         sound(&figure);
         let steady = Engagement::new(&one).and_then(|of| of.steady_state()).expect("steady");
@@ -59,5 +60,5 @@ fn engagements_from_rest_and_from_above_enclose_the_steady_cycle() {
         // Three kinds of curves, and the key.
         assert_eq!(named(&document, "marks").len(), 4);
     }
-    assert!(phase(&parameters(Slots::Four, 0.0)).is_err());
+    assert!(phase(&parameters(Mechanism::FOUR_PIN, 0.0)).is_err());
 }

@@ -4,7 +4,8 @@ use super::arguments::{EscapementArguments, Units};
 use super::typed::{self, again};
 use anyhow::anyhow;
 use geneva_dynamics::steady::{Engagement, SteadyError};
-use geneva_dynamics::{Inertias, ParameterError, Parameters, Slots};
+use geneva_dynamics::{Inertias, ParameterError, Parameters};
+use geneva_kinematics::Mechanism;
 
 const FRICTION: &str = "--friction";
 const MODULUS: &str = "--modulus-deg";
@@ -23,26 +24,27 @@ pub struct Assembly {
 impl Assembly {
     /// The one that is wanted.
     pub fn new(wanted: &EscapementArguments) -> anyhow::Result<Self> {
-        let slots = Slots::new(wanted.slots)?;
+        let mechanism = Mechanism::new(wanted.slots)?;
         let torque = typed::computable("--torque", wanted.torque)?;
         let driver = typed::computable("--driver-inertia", wanted.driver_inertia)?;
         let follower = typed::computable("--follower-inertia", wanted.follower_inertia)?;
         let friction = typed::friction(FRICTION, wanted.friction)?;
-        let parameters = Parameters::new(slots, Inertias::new(driver, follower)?, torque, friction).map_err(jams)?;
-        let modulus_deg = wanted.modulus_deg.unwrap_or(own_modulus(slots));
+        let parameters =
+            Parameters::new(mechanism, Inertias::new(driver, follower)?, torque, friction).map_err(jams)?;
+        let modulus_deg = wanted.modulus_deg.unwrap_or(own_modulus(mechanism));
         let engagement = engagement(&parameters, modulus_deg).map_err(|error| unsteady(wanted, error))?;
         Ok(Self { parameters, modulus_deg, engagement, units: wanted.units })
     }
 }
 
 /// The modulus of a mechanism in degrees: 360 over the number of pins, a whole number.
-pub fn own_modulus(slots: Slots) -> f64 {
-    360.0 / f64::from(slots.pins())
+pub fn own_modulus(mechanism: Mechanism) -> f64 {
+    360.0 / f64::from(mechanism.pins())
 }
 
 /// The engagement that ends after so many degrees.
 pub fn engagement(parameters: &Parameters, modulus_deg: f64) -> Result<Engagement, SteadyError> {
-    if modulus_deg == own_modulus(parameters.slots()) {
+    if modulus_deg == own_modulus(parameters.mechanism()) {
         Engagement::new(parameters)
     } else {
         Engagement::folded(parameters, modulus_deg.to_radians(), TOLERANCE)

@@ -18,7 +18,6 @@ use assembly::{Assembly, own_modulus, unsteady};
 use clap::ValueEnum;
 use geneva_figures::escapement::{mechanism, normal_force};
 use geneva_figures::runs::speeds;
-use geneva_kinematics::escapement::Escapement;
 use record::EscapementRecord;
 
 /// The escapement that is wanted, as it is wanted.
@@ -60,13 +59,13 @@ fn drawing(wanted: &EscapementArguments, assembly: &Assembly) -> anyhow::Result<
     let parameters = &assembly.parameters;
     Ok(match wanted.figure.unwrap_or_default() {
         FigureName::Mechanism => {
-            let escapement = Escapement::new(parameters.slots().count())?;
-            mechanism(&escapement, -escapement.driver_half_angle() / 3.0)?.svg
+            let escapement = parameters.mechanism();
+            mechanism(&escapement, -escapement.engagement_half_angle() / 3.0)?.svg
         }
         FigureName::NormalForce => {
             if let Some(modulus) = wanted.modulus_deg {
                 ensure!(
-                    modulus == own_modulus(parameters.slots()),
+                    modulus == own_modulus(parameters.mechanism()),
                     "--modulus-deg {}: the normal force is drawn over an engagement of the mechanism; leave it out",
                     typed::again(modulus)
                 );

@@ -60,17 +60,17 @@ impl EscapementRecord {
     /// What there is to say, if the escapement has a steady state.
     pub fn new(assembly: &Assembly) -> Result<Self, SteadyError> {
         let Assembly { parameters, modulus_deg, engagement, .. } = assembly;
-        let (slots, inertias) = (parameters.slots(), parameters.inertias());
+        let (mechanism, inertias) = (parameters.mechanism(), parameters.inertias());
         let steady = engagement.steady_state()?;
         let rise = rise(engagement, &steady)?;
         // Both have been asked for when the parameters were checked: they have an answer.
-        let (critical, critical_angle) = critical_friction(slots, inertias.ratio())
+        let (critical, critical_angle) = critical_friction(mechanism, inertias.ratio())
             .map_or((f64::INFINITY, f64::NAN), |critical| (critical.friction, critical.angle));
-        let (margin, margin_angle) = least_margin(slots, inertias.ratio(), parameters.friction())
+        let (margin, margin_angle) = least_margin(mechanism, inertias.ratio(), parameters.friction())
             .map_or((f64::NAN, f64::NAN), |least| (least.margin, least.angle));
         Ok(Self {
-            slots: slots.count(),
-            pins: slots.pins(),
+            slots: mechanism.slots(),
+            pins: mechanism.pins(),
             friction: parameters.friction(),
             torque: parameters.torque(),
             driver_inertia: inertias.driver(),
@@ -78,7 +78,7 @@ impl EscapementRecord {
             inertia_ratio: inertias.ratio(),
             in_si: assembly.units.map(|units| InSi::new(parameters, units)),
             modulus_deg: *modulus_deg,
-            engagement_half_angle_deg: slots.engagement_half_angle().to_degrees(),
+            engagement_half_angle_deg: mechanism.engagement_half_angle().to_degrees(),
             critical_friction: critical,
             critical_angle_deg: critical_angle.to_degrees(),
             least_margin: margin,
@@ -92,7 +92,7 @@ impl EscapementRecord {
             mean_of_extremes: steady.mean_of_extremes(),
             period: steady.period,
             contraction: steady.contraction,
-            switch_angles_deg: switch_angles_deg(&steady, engagement.fold() > slots.engagement_half_angle()),
+            switch_angles_deg: switch_angles_deg(&steady, engagement.fold() > mechanism.engagement_half_angle()),
             rise_time: rise.map(|(_, time)| time),
             rise_time_definition: RISE_TIME,
             engagements_to_settle: rise.map(|(engagements, _)| engagements),

@@ -36,12 +36,13 @@ impl InSi {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use geneva_dynamics::{Inertias, Slots};
+    use geneva_dynamics::Inertias;
+    use geneva_kinematics::Mechanism;
 
     #[test]
     fn a_pound_is_a_mass_of_a_pound_under_standard_gravity() {
         let inertias = Inertias::new(2.0, 3.0).expect("inertias");
-        let parameters = Parameters::new(Slots::Four, inertias, 5.0, 0.1).expect("an escapement");
+        let parameters = Parameters::new(Mechanism::FOUR_PIN, inertias, 5.0, 0.1).expect("an escapement");
         // 0.0254 m, 0.45359237 kg and 9.80665 m/s² are exact by definition; their product, in pieces.
         let inch_pound = 254.0 / 1e4 * (45_359_237.0 / 1e8) * (980_665.0 / 1e5);
         let found = InSi::new(&parameters, Units::InLbS);

@@ -4,9 +4,9 @@ use super::arguments::SweepArguments;
 use crate::escapement::assembly::{no_fold, own_modulus};
 use crate::escapement::typed;
 use anyhow::ensure;
-use geneva_dynamics::Slots;
 use geneva_dynamics::steady::{Engagement, SteadyError};
 use geneva_dynamics::{Inertias, Parameters};
+use geneva_kinematics::Mechanism;
 
 /// Most rows of a sweep.
 const MOST_ROWS: u64 = 10_000_000;
@@ -14,7 +14,7 @@ const MOST_ROWS: u64 = 10_000_000;
 /// The values along each axis. Rows go through the torques fastest, then through the inertia ratios, then through the
 /// frictions, and through the slots last.
 pub struct Grid {
-    slots: Vec<Slots>,
+    mechanisms: Vec<Mechanism>,
     frictions: Vec<f64>,
     inertia_ratios: Vec<f64>,
     torques: Vec<f64>,
@@ -25,7 +25,7 @@ pub struct Grid {
 /// One row's escapement.
 #[derive(Clone, Copy, Debug)]
 pub struct Cell {
-    pub slots: Slots,
+    pub mechanism: Mechanism,
     pub friction: f64,
     pub inertia_ratio: f64,
     pub torque: f64,
@@ -36,12 +36,13 @@ pub struct Cell {
 impl Grid {
     /// The one that is wanted.
     pub fn new(wanted: &SweepArguments) -> anyhow::Result<Self> {
-        let slots = wanted.slots.iter().map(|count| Slots::new(*count)).collect::<Result<Vec<_>, _>>()?;
+        let mechanisms = wanted.slots.iter().map(|count| Mechanism::new(*count)).collect::<Result<Vec<_>, _>>()?;
         ensure!(
-            slots.iter().enumerate().all(|(at, one)| !slots[..at].contains(one)),
+            mechanisms.iter().enumerate().all(|(at, one)| !mechanisms[..at].contains(one)),
             "--slots: a number stands there twice; give each once"
         );
-        let axes = [wanted.friction.count(), wanted.inertia_ratio.count(), wanted.torque.count(), slots.len() as u64];
+        let axes =
+            [wanted.friction.count(), wanted.inertia_ratio.count(), wanted.torque.count(), mechanisms.len() as u64];
         let rows = axes.into_iter().fold(1_u64, u64::saturating_mul);
         ensure!(
             rows <= MOST_ROWS,
@@ -52,10 +53,10 @@ impl Grid {
             axes[3]
         );
         if let Some(modulus) = wanted.modulus_deg {
-            slots.iter().try_for_each(|slots| fold(*slots, modulus))?;
+            mechanisms.iter().try_for_each(|mechanism| fold(*mechanism, modulus))?;
         }
         Ok(Self {
-            slots,
+            mechanisms,
             frictions: wanted.friction.values("--friction", wanted.spacing, typed::friction)?,
             inertia_ratios: wanted.inertia_ratio.values("--inertia-ratio", wanted.spacing, typed::computable)?,
             torques: wanted.torque.values("--torque", wanted.spacing, typed::computable)?,
@@ -66,7 +67,7 @@ impl Grid {
 
     /// Number of rows.
     pub fn rows(&self) -> usize {
-        self.slots.len() * self.frictions.len() * self.inertia_ratios.len() * self.torques.len()
+        self.mechanisms.len() * self.frictions.len() * self.inertia_ratios.len() * self.torques.len()
     }
 
     /// The escapement of a row; none behind the last.
@@ -74,21 +75,21 @@ impl Grid {
         let (rest, torque) = (row / self.torques.len(), self.torques[row % self.torques.len()]);
         let (rest, ratio) = (rest / self.inertia_ratios.len(), self.inertia_ratios[rest % self.inertia_ratios.len()]);
         let (rest, friction) = (rest / self.frictions.len(), self.frictions[rest % self.frictions.len()]);
-        let slots = *self.slots.get(rest)?;
+        let mechanism = *self.mechanisms.get(rest)?;
         Some(Cell {
-            slots,
+            mechanism,
             friction,
             inertia_ratio: ratio,
             torque,
             follower_inertia: self.follower_inertia,
-            modulus_deg: self.modulus_deg.unwrap_or(own_modulus(slots)),
+            modulus_deg: self.modulus_deg.unwrap_or(own_modulus(mechanism)),
         })
     }
 }
 
 /// Whether the driver's angle can be put back after so many degrees: asked of an escapement that is easy to compute.
-fn fold(slots: Slots, modulus_deg: f64) -> anyhow::Result<()> {
-    let easy = Parameters::new(slots, Inertias::new(1.0, 1.0)?, 1.0, 0.0)?;
+fn fold(mechanism: Mechanism, modulus_deg: f64) -> anyhow::Result<()> {
+    let easy = Parameters::new(mechanism, Inertias::new(1.0, 1.0)?, 1.0, 0.0)?;
     match Engagement::folded(&easy, modulus_deg.to_radians(), 1e-6) {
         Err(SteadyError::Fold { limit, .. }) => Err(no_fold(modulus_deg, limit)),
         _ => Ok(()),

@@ -87,8 +87,8 @@ impl Row {
             Err(status) => (None, None, status),
         };
         Self {
-            slots: cell.slots.count(),
-            pins: cell.slots.pins(),
+            slots: cell.mechanism.slots(),
+            pins: cell.mechanism.pins(),
             friction: cell.friction,
             inertia_ratio: cell.inertia_ratio,
             torque: cell.torque,
@@ -111,7 +111,7 @@ fn motion(cell: &Cell) -> Result<(SteadyState, Option<f64>), Status> {
     let driver = cell.inertia_ratio * cell.follower_inertia;
     let inertias = Inertias::new(driver, cell.follower_inertia).map_err(|_| Status::TooSharp)?;
     let parameters =
-        Parameters::new(cell.slots, inertias, cell.torque, cell.friction).map_err(|error| match error {
+        Parameters::new(cell.mechanism, inertias, cell.torque, cell.friction).map_err(|error| match error {
             ParameterError::TooMuchFriction { .. } => Status::Jams,
             _ => Status::TooSharp,
         })?;

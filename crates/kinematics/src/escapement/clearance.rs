@@ -4,12 +4,12 @@
 //! collides: a pin is inside the rim only while it is in its slot ([`RimExcess`]). A pin of some thickness needs its
 //! slot opened a little at the mouth ([`ApproachCoefficient`]).
 
-use super::{Escapement, EscapementError};
+use super::{EscapementError, Mechanism};
 use crate::pin_slot::{pin_from_pivot, pin_path};
 use crate::{Expression, Identity, Jet, Turn};
 use nalgebra::Vector2;
 
-impl Escapement {
+impl Mechanism {
     /// Least length of a slot, from the rim to the pin's place nearest to the follower's axis: cot(π/n) − (a − 1).
     pub fn slot_length(&self) -> f64 {
         self.wheel().slot_length_ratio()
@@ -123,8 +123,8 @@ mod tests {
     #[test]
     fn a_pin_is_outside_the_rim_exactly_while_it_is_in_no_slot() {
         println!("{}", prove(&RimExcess).expect("an identity"));
-        for escapement in Escapement::all() {
-            let half = escapement.driver_half_angle();
+        for escapement in Mechanism::ALL {
+            let half = escapement.engagement_half_angle();
             for step in -999..=999 {
                 let clearance = escapement.idle_clearance(half * f64::from(step) / 1000.0).unwrap();
                 assert!(clearance > 0.0, "{step}");
@@ -143,10 +143,10 @@ mod tests {
         for coefficient in ApproachCoefficient::ALL {
             println!("{coefficient:?}: {}", prove(&coefficient).expect("an identity"));
         }
-        for escapement in Escapement::all() {
+        for escapement in Mechanism::ALL {
             let (pin, slot) = escapement.behind();
             for before in [1e-2, 1e-3] {
-                let layout = escapement.layout(escapement.driver_half_angle() - before).unwrap();
+                let layout = escapement.layout(escapement.engagement_half_angle() - before).unwrap();
                 let meeting = layout.meeting(pin, slot).unwrap();
                 approx::assert_relative_eq!(meeting.beside.abs(), before * before, max_relative = 5.0 * before);
                 approx::assert_relative_eq!(meeting.out - escapement.rim_radius(), before, max_relative = 5.0 * before);
@@ -156,7 +156,7 @@ mod tests {
 
     #[test]
     fn there_is_room_between_slots_and_axes() {
-        for escapement in Escapement::all() {
+        for escapement in Mechanism::ALL {
             let (a, rim) = (escapement.centre_distance_ratio(), escapement.rim_radius());
             let alpha = escapement.follower_half_angle();
             approx::assert_relative_eq!(escapement.shaft_limit(), a - rim, max_relative = 1e-14);

@@ -6,7 +6,7 @@
 //! the same speed, whatever m and n are: nothing strikes ([`ContinuityStep`]).
 //!
 //! The pin enters along the slot only where the follower is at rest, π/m + π/n = π/2. Those are the three of
-//! [`Escapement`](super::Escapement); there a = 1 / sin(π/n). With a smaller sum the follower never stops, with a
+//! [`Mechanism`](super::Mechanism); there a = 1 / sin(π/n). With a smaller sum the follower never stops, with a
 //! larger one it turns back a little at each hand-over. Pins are taken as thin.
 
 use crate::pin_slot::{pin_from_pivot, velocity_ratio};
@@ -52,7 +52,7 @@ impl Continuous {
     }
 
     /// π/m, the driver angle in radians at which a pin leaves.
-    pub fn driver_half_angle(&self) -> f64 {
+    pub fn engagement_half_angle(&self) -> f64 {
         PI / f64::from(self.pins)
     }
 
@@ -64,20 +64,20 @@ impl Continuous {
     /// a = sin(π/m + π/n) / sin(π/n), centre distance over radius of the pins' circle.
     pub fn centre_distance_ratio(&self) -> f64 {
         let slot = self.follower_half_angle();
-        libm::sin(self.driver_half_angle() + slot) / libm::sin(slot)
+        libm::sin(self.engagement_half_angle() + slot) / libm::sin(slot)
     }
 
     /// sin(π/m) / sin(π/n), distance of a pin from the follower's axis as it enters and leaves: the follower's rim.
     ///
     /// A pin is the nearer to that axis the nearer it is to the line of centres, so no other pin is inside the rim.
     pub fn rim_radius(&self) -> f64 {
-        libm::sin(self.driver_half_angle()) / libm::sin(self.follower_half_angle())
+        libm::sin(self.engagement_half_angle()) / libm::sin(self.follower_half_angle())
     }
 
     /// cos(π/m + π/n) sin(π/n) / sin(π/m), the follower's angular velocity over the driver's at the hand-over: the
     /// least of the motion.
     pub fn hand_over_ratio(&self) -> f64 {
-        let (crank, slot) = (self.driver_half_angle(), self.follower_half_angle());
+        let (crank, slot) = (self.engagement_half_angle(), self.follower_half_angle());
         libm::cos(crank + slot) * libm::sin(slot) / libm::sin(crank)
     }
 
@@ -128,7 +128,7 @@ impl Identity<2> for ContinuityStep {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Escapement, possible};
+    use super::super::{Mechanism, possible};
     use super::*;
     use crate::{Field, Rational, Surd, prove};
 
@@ -175,7 +175,7 @@ mod tests {
         let pairs: Vec<_> = resting.iter().rev().map(|at| (at.slots(), at.pins())).collect();
         assert_eq!(pairs, possible());
         for at in resting {
-            let escapement = Escapement::new(at.slots()).expect("one of the three");
+            let escapement = Mechanism::new(at.slots()).expect("one of the three");
             let close = |one: f64, other: f64| approx::assert_relative_eq!(one, other, max_relative = 1e-15);
             close(at.centre_distance_ratio(), escapement.centre_distance_ratio());
             close(at.rim_radius(), escapement.rim_radius());
@@ -186,7 +186,7 @@ mod tests {
     #[test]
     fn the_follower_turns_on_stops_or_turns_back_by_the_sum_of_the_angles() {
         for at in all() {
-            let (ratio, half) = (at.centre_distance_ratio(), at.driver_half_angle());
+            let (ratio, half) = (at.centre_distance_ratio(), at.engagement_half_angle());
             let speed = |part: f64| velocity_ratio(&ratio, &Turn::from_radians(half * part));
             approx::assert_abs_diff_eq!(speed(1.0), at.hand_over_ratio(), epsilon = 1e-13 * speed(0.0));
             // The least speed of the engagement is that of its ends.

@@ -6,7 +6,7 @@
 //! direction (−cos, sin) of φ + 2πk/n, so that pin k meets slot k, both counted round and round. Meyer 1973, figures 3,
 //! 4 and 12 to 14.
 
-use super::{Escapement, EscapementError};
+use super::{EscapementError, Mechanism};
 use crate::pin_slot::velocity_ratio;
 use crate::pin_vectors::quarter_turn;
 use crate::{Field, Rational, Surd, Turn};
@@ -112,7 +112,7 @@ impl<S: Field> Frame<S> {
     }
 
     /// All pins and slots for θ, φ and the two pitches.
-    fn layout(&self, escapement: &Escapement, angles: [Turn<S>; 2], pitches: [Turn<S>; 2]) -> Layout<S> {
+    fn layout(&self, escapement: &Mechanism, angles: [Turn<S>; 2], pitches: [Turn<S>; 2]) -> Layout<S> {
         let ([crank, slot], [pin_pitch, slot_pitch]) = (angles, pitches);
         Layout {
             follower_axis: self.axis(),
@@ -123,7 +123,7 @@ impl<S: Field> Frame<S> {
     }
 }
 
-impl Escapement {
+impl Mechanism {
     /// The mechanism while its first pin is at this driver angle, in radians from the line of centres.
     ///
     /// # Errors
@@ -135,7 +135,7 @@ impl Escapement {
         let frame = Frame { ratio, rim: self.rim_radius(), deepest: ratio - 1.0 };
         let pitches = [self.driver_advance(), self.follower_advance()].map(Turn::from_radians);
         let mut layout = frame.layout(self, [crank, slot].map(Turn::from_radians), pitches);
-        let end = self.driver_half_angle();
+        let end = self.engagement_half_angle();
         if crank == end {
             layout.engaged.push(self.behind());
         } else if crank == -end {
@@ -200,7 +200,7 @@ mod tests {
     #[test]
     fn at_the_hand_over_both_pins_move_along_their_slots_exactly() {
         let (zero, one) = (Roots::zero(), Roots::one());
-        for escapement in Escapement::all() {
+        for escapement in Mechanism::ALL {
             let HandOver { layout, leaving, entering, follower_speeds, gap } = escapement.hand_over();
             let (half, ratio) = (exact_part_of_half_turn(escapement.slots()), layout.follower_axis.x.clone());
             let rim = half.cos / half.sin;
@@ -232,7 +232,7 @@ mod tests {
 
     #[test]
     fn pitches_make_a_turn_and_the_half_angles_a_quarter_exactly() {
-        for escapement in Escapement::all() {
+        for escapement in Mechanism::ALL {
             let halves = [escapement.pins(), escapement.slots()].map(exact_part_of_half_turn);
             assert_eq!(halves[0].plus(&halves[1]), Turn { cos: Roots::zero(), sin: Roots::one() });
             for (half, count) in halves.iter().zip([escapement.pins(), escapement.slots()]) {
@@ -244,9 +244,9 @@ mod tests {
 
     #[test]
     fn the_exact_drawing_is_where_the_rounded_one_ends() {
-        for escapement in Escapement::all() {
+        for escapement in Mechanism::ALL {
             let exact = escapement.hand_over().layout;
-            let rounded = escapement.layout(escapement.driver_half_angle()).unwrap();
+            let rounded = escapement.layout(escapement.engagement_half_angle()).unwrap();
             assert_eq!(exact.engaged, rounded.engaged);
             let close = |exact: &Vector2<Roots>, rounded: &Vector2<f64>| {
                 approx::assert_abs_diff_eq!(exact.map(|x| x.approximate()), *rounded, epsilon = 1e-14);
@@ -257,15 +257,15 @@ mod tests {
                 close(&exact.mouth, &rounded.mouth);
                 close(&exact.bottom, &rounded.bottom);
             }
-            let early = escapement.layout(-escapement.driver_half_angle()).unwrap();
+            let early = escapement.layout(-escapement.engagement_half_angle()).unwrap();
             assert_eq!(early.engaged, [(0, 0), (1, 1)]);
         }
     }
 
     #[test]
     fn engaged_pins_stay_in_their_slots_and_the_other_sense_is_the_mirror_image() {
-        for escapement in Escapement::all() {
-            let half = escapement.driver_half_angle();
+        for escapement in Mechanism::ALL {
+            let half = escapement.engagement_half_angle();
             for step in -40_i32..=40 {
                 let crank = half * f64::from(step) / 40.0;
                 let layout = escapement.layout(crank).unwrap();

@@ -7,7 +7,7 @@
 //! then move along their slots and the follower stands still for that instant. Source: Meyer 1973, chapter I.
 //!
 //! The mechanism is a [`Wheel`](crate::wheel::Wheel) without dwell, so sizes and motion are the wheel's. Here is what
-//! is the escapement's own: which numbers of slots and pins are possible ([`Escapement`]), where everything
+//! is the escapement's own: which numbers of slots and pins are possible ([`Mechanism`]), where everything
 //! is ([`Layout`], [`HandOver`]), what stays clear of what, and each line of the source's derivation as an identity
 //! ([`entry_proofs`], [`angle_proofs`], [`rate_proofs`]).
 
@@ -23,5 +23,5 @@ pub mod rate_proofs;
 pub use crate::proofs::identity::Form;
 pub use clearance::{ApproachCoefficient, RimExcess};
 pub use continuous::{AtHandOver, ContinuityStep, Continuous};
-pub use geometry::{Escapement, EscapementError, pins_needed, possible};
+pub use geometry::{EscapementError, Mechanism, pins_needed, possible};
 pub use layout::{HandOver, Layout, Meeting, Roots, Slot};

@@ -120,7 +120,7 @@ fn mechanism<const SLOTS: u32>(is: Printed) -> [Claim; 6] {
             is.theta,
             "driver's angle at the hand-over",
             "°",
-            || of::<SLOTS>(|at| at.driver_half_angle().to_degrees()),
+            || of::<SLOTS>(|at| at.engagement_half_angle().to_degrees()),
             || drawn::<SLOTS>(|pin, _| degrees(pin)),
         ),
         value(
@@ -140,7 +140,7 @@ fn mechanism<const SLOTS: u32>(is: Printed) -> [Claim; 6] {
             is.centre,
             "centre distance",
             "",
-            || of::<SLOTS>(Escapement::centre_distance_ratio),
+            || of::<SLOTS>(Mechanism::centre_distance_ratio),
             || drawn::<SLOTS>(|_, axis| axis.norm()),
         ),
         equation(
@@ -148,8 +148,8 @@ fn mechanism<const SLOTS: u32>(is: Printed) -> [Claim; 6] {
             "distance of the pin from the follower's axis at the hand-over, from Eq. (1-5)",
             || prove(&EntryTriangle::SlotRadius).into(),
             || {
-                let sine = |angle: fn(&Escapement) -> f64| libm::sin(of::<SLOTS>(angle));
-                let by_sines = sine(Escapement::driver_half_angle) / sine(Escapement::follower_half_angle);
+                let sine = |angle: fn(Mechanism) -> f64| libm::sin(of::<SLOTS>(angle));
+                let by_sines = sine(Mechanism::engagement_half_angle) / sine(Mechanism::follower_half_angle);
                 same(drawn::<SLOTS>(|pin, axis| (pin - axis).norm()), by_sines)
             },
         ),
@@ -157,7 +157,7 @@ fn mechanism<const SLOTS: u32>(is: Printed) -> [Claim; 6] {
             is.radius,
             "distance of the pin from the follower's axis at the hand-over",
             "",
-            || of::<SLOTS>(Escapement::rim_radius),
+            || of::<SLOTS>(Mechanism::rim_radius),
             || drawn::<SLOTS>(|pin, axis| (pin - axis).norm()),
         ),
     ]
@@ -224,14 +224,14 @@ fn drawings() -> Vec<Claim> {
 }
 
 /// A quantity of the escapement of so many slots.
-fn of<const SLOTS: u32>(quantity: fn(&Escapement) -> f64) -> f64 {
-    Escapement::new(SLOTS).map_or(f64::NAN, |at| quantity(&at))
+fn of<const SLOTS: u32>(quantity: fn(Mechanism) -> f64) -> f64 {
+    Mechanism::new(SLOTS).map_or(f64::NAN, quantity)
 }
 
 /// A length or angle in the drawing of the hand-over: from the places of the pin that leaves and of the follower's
 /// axis, both from the driver's axis, with their roots exact until then.
 fn drawn<const SLOTS: u32>(quantity: fn(&Vector2<f64>, &Vector2<f64>) -> f64) -> f64 {
-    Escapement::new(SLOTS).map_or(f64::NAN, |at| {
+    Mechanism::new(SLOTS).map_or(f64::NAN, |at| {
         let layout = at.hand_over().layout;
         let [pin, axis] = [&layout.pins[0], &layout.follower_axis].map(|place| place.map(|x| x.approximate()));
         quantity(&pin, &axis)

@@ -6,7 +6,8 @@ use super::reading::Moment;
 use super::slips::LOST_DOTS;
 use super::*;
 use geneva_dynamics::derivation::{Form, StartingAcceleration, StartingEquation, StartingLine};
-use geneva_dynamics::{Coefficients, Pose, Sign, Slots};
+use geneva_dynamics::{Coefficients, Pose, Sign};
+use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
 
 const LETTERS: Place = at("Appendix D, line after the 1st equation");
@@ -54,7 +55,7 @@ fn given() -> Vec<Claim> {
                 let angles = pins.map(|pins| PI / f64::from(pins));
                 // Each number of pins has an escapement whose pin enters at its own angle along the slot.
                 let holds = angles.iter().all(|angle| {
-                    Escapement::all().iter().filter(|at| vanishes(Seen::new(at, -angle).turning())).count() == 1
+                    Mechanism::ALL.iter().filter(|at| vanishes(Seen::new(at, -angle).turning())).count() == 1
                 });
                 Finding::new(holds, "the pin moves along its slot, each angle in one of the three escapements")
             })
@@ -75,14 +76,14 @@ fn said_angles(id: &str, stated: Stated) -> Vec<f64> {
 /// Whether the angles of a claim are half the angle between two pins, for six, four and three of them.
 pub fn of_the_pins(id: &str, stated: Stated) -> Finding {
     let said = said_angles(id, stated);
-    let angles: Vec<f64> = Escapement::all().iter().map(|at| 180.0 / f64::from(at.pins())).collect();
+    let angles: Vec<f64> = Mechanism::ALL.iter().map(|at| 180.0 / f64::from(at.pins())).collect();
     Finding::new(said == angles, format!("180° over the number of pins: {angles:?}"))
 }
 
 /// Whether a pin moves along its slot at these angles, at each in another of the escapements.
 pub fn along_the_slots(id: &str, stated: Stated) -> Finding {
     let said = said_angles(id, stated);
-    let still = Escapement::all()
+    let still = Mechanism::ALL
         .iter()
         .zip(&said)
         .all(|(at, angle)| [1.0, -1.0].iter().all(|side| vanishes(Seen::new(at, side * angle.to_radians()).turning())));
@@ -132,8 +133,8 @@ fn equations() -> Vec<Claim> {
         LETTERS
             .statement("meyer.app-d.constant", "constant of the motion", "E is the same at all angles")
             .by(ClosedForm, |stated| {
-                let holds = Slots::ALL.iter().all(|slots| {
-                    let own: Vec<f64> = of_slots(*slots).map(|(_, c)| stated.pick(c.e, c.a)).collect();
+                let holds = Mechanism::ALL.iter().all(|mechanism| {
+                    let own: Vec<f64> = of_slots(*mechanism).map(|(_, c)| stated.pick(c.e, c.a)).collect();
                     own.iter().all(|factor| agrees(*factor, own[0]))
                 });
                 Finding::new(holds, "the factor all over the engagement of each mechanism")
@@ -246,15 +247,21 @@ fn proven(line: StartingLine, dots: Form) -> Finding {
 
 /// Coefficients all over the engagements, for some friction, with the letters of the program's start.
 fn poses() -> impl Iterator<Item = (reading::Letters, Coefficients<f64>)> {
-    Slots::ALL.into_iter().flat_map(of_slots)
+    Mechanism::ALL.into_iter().flat_map(of_slots)
 }
 
-fn of_slots(slots: Slots) -> impl Iterator<Item = (reading::Letters, Coefficients<f64>)> {
+fn of_slots(mechanism: Mechanism) -> impl Iterator<Item = (reading::Letters, Coefficients<f64>)> {
     (-10..=10).map(move |k| {
         let [driver, follower, friction, torque] = [1.5, 2.0, 0.25, 3.0];
-        let angle = slots.engagement_half_angle() * f64::from(k) / 10.0;
-        let pose = Pose::new(&slots.ratio(), &Turn::from_radians(angle));
-        let cards = [("G", slots.ratio()), ("X0", angle), ("U", friction), ("IC", driver), ("IW", follower)];
+        let angle = mechanism.engagement_half_angle() * f64::from(k) / 10.0;
+        let pose = Pose::new(&mechanism.centre_distance_ratio(), &Turn::from_radians(angle));
+        let cards = [
+            ("G", mechanism.centre_distance_ratio()),
+            ("X0", angle),
+            ("U", friction),
+            ("IC", driver),
+            ("IW", follower),
+        ];
         let letters = cards.map(|(name, value)| (name.to_owned(), value)).into();
         (letters, Coefficients::of_pose(&pose, &(driver / follower), &friction, &(torque / follower)))
     })

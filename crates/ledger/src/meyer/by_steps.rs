@@ -81,7 +81,7 @@ impl Motion {
 
     /// So many engagements from rest, at least one.
     pub fn from_rest(parameters: &Parameters, engagements: usize) -> Self {
-        let fold = 2.0 * parameters.slots().engagement_half_angle();
+        let fold = 2.0 * parameters.mechanism().engagement_half_angle();
         let angles = steps::angles(parameters, fold, STEPS);
         let mut motion = Self { parameters: *parameters, angles, engagements: Vec::new() };
         motion.enter(0.0, 0.0);

@@ -82,7 +82,7 @@ fn angle_sum() -> Vec<Claim> {
         at("Paragraph after Eq. (1-3)")
             .statement("meyer.continuous", "continuous motion", "the two conditions make the motion continuous")
             .by(ClosedForm, |stated| {
-                let gaps = Escapement::all().into_iter().flat_map(|at| {
+                let gaps = Mechanism::ALL.into_iter().flat_map(|at| {
                     let crank = Turn::from_radians(PI / f64::from(at.pins() + stated.pick(0, 1)));
                     let ratio = at.centre_distance_ratio();
                     // By Eqs. (1-6) and (1-7): what is missing to a slot, and the jump of the follower's speed.
@@ -92,7 +92,7 @@ fn angle_sum() -> Vec<Claim> {
                 every(gaps, vanishes, "jumps of the follower's angle and speed from pin to pin")
             })
             .by(Vectors, |stated| {
-                let missing = Escapement::all().into_iter().map(|at| {
+                let missing = Mechanism::ALL.into_iter().map(|at| {
                     let (pins, slots) = (at.pins() + stated.pick(0, 1), at.slots());
                     let drawn = Drawn { pins, slots, axis: 1.0 / libm::sin(PI / f64::from(slots)) };
                     turned_by_a_pin(&drawn) * f64::from(slots) / (2.0 * PI)
@@ -195,7 +195,7 @@ fn remarks() -> Vec<Claim> {
                 exactly(stated.pick(along, across), "place and velocity of both pins are on that line")
             })
             .by(Vectors, |stated| {
-                let parts = Escapement::all().into_iter().flat_map(|at| {
+                let parts = Mechanism::ALL.into_iter().flat_map(|at| {
                     let drawn = Drawn::new(at.pins(), at.slots());
                     [drawn.half(), -drawn.half()].map(|end| {
                         // A step of the pin along its path, by its places alone.
@@ -223,7 +223,7 @@ fn turned_by_a_pin(drawn: &Drawn) -> f64 {
 }
 
 /// The angles at the driver's axis, the follower's axis and the pin that leaves, between the sides.
-fn angles_of_the_triangle(escapement: &Escapement) -> [f64; 3] {
+fn angles_of_the_triangle(escapement: &Mechanism) -> [f64; 3] {
     let (follower, driver) = (Vector2::zeros(), Vector2::new(escapement.centre_distance_ratio(), 0.0));
     let pin = geometry::leaving(escapement).place;
     let between = |a: Vector2<f64>, b: Vector2<f64>| libm::atan2(a.perp(&b).abs(), a.dot(&b));

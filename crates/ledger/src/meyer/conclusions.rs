@@ -47,7 +47,7 @@ fn timing() -> Claim {
 fn off_by_steps(friction: f64) -> Vec<f64> {
     let of = |group: &Group| {
         let at = &group.motion.parameters;
-        let later = Parameters::new(at.slots(), at.inertias(), at.torque(), at.friction() * friction).ok()?;
+        let later = Parameters::new(at.mechanism(), at.inertias(), at.torque(), at.friction() * friction).ok()?;
         Some(group.motion.steady()?.duration() / Motion::of(&later)?.steady()?.duration() - 1.0)
     };
     groups().iter().filter_map(of).collect()

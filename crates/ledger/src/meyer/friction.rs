@@ -198,7 +198,7 @@ fn substituted() -> Vec<Claim> {
                 };
                 let holds = rubbing().all(|parameters| {
                     (-9..=9).filter(|k| *k != 0).all(|k| {
-                        let angle = parameters.slots().engagement_half_angle() * f64::from(k) / 10.0;
+                        let angle = parameters.mechanism().engagement_half_angle() * f64::from(k) / 10.0;
                         [0.25, 1.0, 4.0].iter().all(|speed| {
                             let (around_all, outside) = sizes(parameters, angle, *speed);
                             vanishes((around_all - outside) / around_all.max(1.0))
@@ -238,7 +238,7 @@ fn spring() -> Vec<Claim> {
 ///
 /// The square of the speed grows with the angle by twice the acceleration. At both ends the follower stands still.
 pub fn energy_gained(parameters: &Parameters) -> f64 {
-    let half = parameters.slots().engagement_half_angle();
+    let half = parameters.mechanism().engagement_half_angle();
     let parts = 2000;
     let step = 2.0 * half / f64::from(parts);
     let growth = |angle: f64, square: f64| {
@@ -258,7 +258,7 @@ pub fn energy_gained(parameters: &Parameters) -> f64 {
 
 /// Escapements with friction.
 fn rubbing() -> impl Iterator<Item = Parameters> {
-    frictionless().filter_map(|(of, _)| Parameters::new(of.slots(), of.inertias(), of.torque(), 0.25).ok())
+    frictionless().filter_map(|(of, _)| Parameters::new(of.mechanism(), of.inertias(), of.torque(), 0.25).ok())
 }
 
 /// Whether a display of the torque's size holds where the friction has a positive sign: it stands without bars there.

@@ -183,7 +183,8 @@ fn starts(row: &Row) -> Option<Start> {
 /// A row's mechanism with as many times its torque and its friction.
 pub fn with(row: &Row, torque: f64, friction: f64) -> Option<Engagement> {
     let at = Hypothesis::TRUE.parameters(row)?;
-    let changed = Parameters::new(at.slots(), at.inertias(), at.torque() * torque, at.friction() * friction).ok()?;
+    let changed =
+        Parameters::new(at.mechanism(), at.inertias(), at.torque() * torque, at.friction() * friction).ok()?;
     Engagement::with_tolerance(&changed, 1e-11).ok()
 }
 
@@ -201,7 +202,7 @@ pub fn responses(factors: &[[f64; 4]], of: fn(&Parameters) -> Option<[f64; 3]>) 
         .collect();
     let response = |[torque, friction, driver, follower]: &[f64; 4], at: &Parameters, before: &[f64; 3]| {
         let inertias = Inertias::new(at.inertias().driver() * driver, at.inertias().follower() * follower).ok()?;
-        let changed = Parameters::new(at.slots(), inertias, at.torque() * torque, at.friction() * friction).ok()?;
+        let changed = Parameters::new(at.mechanism(), inertias, at.torque() * torque, at.friction() * friction).ok()?;
         let after = of(&changed)?;
         Some(std::array::from_fn(|k| (after[k] / before[k] - 1.0).abs()))
     };

@@ -142,7 +142,7 @@ fn triangle() -> Vec<Claim> {
             })
             .by(Vectors, |stated| {
                 // The driver's axis, the pin and the follower's axis; which side is opposite the right angle.
-                let misfits = Escapement::all().into_iter().map(|at| {
+                let misfits = Mechanism::ALL.into_iter().map(|at| {
                     let drawn = Drawn::new(at.pins(), at.slots());
                     let slot = drawn.place(drawn.half()).norm_squared();
                     let squares = [1.0, slot, drawn.axis * drawn.axis];
@@ -162,7 +162,7 @@ fn triangle() -> Vec<Claim> {
             .by(Vectors, || {
                 for_each(
                     |at| {
-                        let layout = at.layout(at.driver_half_angle());
+                        let layout = at.layout(at.engagement_half_angle());
                         layout.is_ok_and(|layout| {
                             agrees(layout.slots[0].direction.perp(&layout.follower_axis).abs(), layout.pins[0].norm())
                         })
@@ -209,13 +209,12 @@ fn single() -> Vec<(u32, u32)> {
 
 /// The three escapements, with so many pins fewer.
 fn complete(fewer: u32) -> Vec<(u32, u32)> {
-    Escapement::all().iter().map(|at| (at.pins() - fewer, at.slots())).collect()
+    Mechanism::ALL.iter().map(|at| (at.pins() - fewer, at.slots())).collect()
 }
 
 /// The three escapements, or those with a pin more and with a pin fewer at the same distance of the axes.
 fn neighbours(stated: Stated) -> Vec<(u32, u32)> {
-    let with =
-        |more: u32, fewer: u32| Escapement::all().into_iter().map(move |at| (at.pins() + more - fewer, at.slots()));
+    let with = |more: u32, fewer: u32| Mechanism::ALL.into_iter().map(move |at| (at.pins() + more - fewer, at.slots()));
     stated.pick(with(0, 0).collect(), with(1, 0).chain(with(0, 1)).collect())
 }
 
@@ -274,12 +273,12 @@ fn angle_at_exit(wheel: &Wheel) -> f64 {
 }
 
 /// The pin that leaves.
-pub fn leaving(escapement: &Escapement) -> Seen {
-    Seen::new(escapement, escapement.driver_half_angle())
+pub fn leaving(escapement: &Mechanism) -> Seen {
+    Seen::new(escapement, escapement.engagement_half_angle())
 }
 
 /// Centre distance over the radius of the pins' circle, from the angles π/m of the crank and π/n of the slot alone.
-fn projected_distance(escapement: &Escapement) -> f64 {
+fn projected_distance(escapement: &Mechanism) -> f64 {
     let [crank, slot] = [escapement.pins(), escapement.slots()].map(|count| Turn::from_radians(PI / f64::from(count)));
     crank.cos + crank.sin * slot.cos / slot.sin
 }

@@ -245,7 +245,7 @@ fn works_by_formula(pins: u32, slots: u32) -> bool {
     proven
         && Continuous::new(pins, slots).is_some_and(|pair| {
             let forwards = (0..=40).map(|k| {
-                let crank = Turn::from_radians(pair.driver_half_angle() * f64::from(k) / 40.0);
+                let crank = Turn::from_radians(pair.engagement_half_angle() * f64::from(k) / 40.0);
                 velocity_ratio(&pair.centre_distance_ratio(), &crank)
             });
             let least = forwards.fold(pair.hand_over_ratio(), f64::min);

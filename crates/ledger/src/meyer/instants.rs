@@ -27,7 +27,7 @@ const TURN: f64 = 0.03125;
 pub fn moments() -> &'static [Moment] {
     static MOMENTS: OnceLock<Vec<Moment>> = OnceLock::new();
     MOMENTS.get_or_init(|| {
-        let each = |escapement: Escapement| {
+        let each = |escapement: Mechanism| {
             [-9, -5, -1, 0, 4, 8].into_iter().flat_map(move |k| {
                 let (ratio, angle) = (escapement.centre_distance_ratio(), instant(&escapement, k));
                 DRIVERS.map(|driver| {
@@ -45,7 +45,7 @@ pub fn moments() -> &'static [Moment] {
                 })
             })
         };
-        Escapement::all().into_iter().flat_map(each).collect()
+        Mechanism::ALL.into_iter().flat_map(each).collect()
     })
 }
 

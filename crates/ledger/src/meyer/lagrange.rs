@@ -5,7 +5,8 @@ use super::instants::{equal, holds, moments};
 use super::*;
 use geneva_dynamics::derivation::{FrictionLine, FrictionTorque, LagrangeIsPower, MomentArm};
 use geneva_dynamics::energy::MomentArmIsSliding;
-use geneva_dynamics::{Inertias, Parameters, Sign, Slots};
+use geneva_dynamics::{Inertias, Parameters, Sign};
+use geneva_kinematics::Mechanism;
 use geneva_kinematics::{Jet, angular_velocity, pin_slot};
 use nalgebra::SMatrix;
 use std::sync::OnceLock;
@@ -172,7 +173,7 @@ fn vector_sum() -> Claim {
                 let ratio = at.centre_distance_ratio();
                 let factor =
                     |angle: f64| stated.pick(pin_slot::velocity_ratio(&ratio, &Turn::from_radians(angle)), 1.0);
-                let work = simpson(factor, -at.driver_half_angle(), at.driver_half_angle());
+                let work = simpson(factor, -at.engagement_half_angle(), at.engagement_half_angle());
                 agrees_in_steps(work, at.follower_advance())
             },
             "work of a torque on the follower over an engagement, against the angle that the follower turns by",
@@ -226,7 +227,7 @@ pub fn opposing(id: &'static str, locator: &'static str, printed: &'static str) 
     at(locator)
         .statement(id, printed, "the torque of friction is against the driving torque")
         .by(Vectors, |stated| {
-            let holds = Escapement::all().iter().all(|escapement| {
+            let holds = Mechanism::ALL.iter().all(|escapement| {
                 (-10..10).all(|k| {
                     let seen = Seen::new(escapement, instant(escapement, k));
                     [1.0_f64, -1.0].iter().all(|normal| {
@@ -242,11 +243,11 @@ pub fn opposing(id: &'static str, locator: &'static str, printed: &'static str) 
         })
         .by(ClosedForm, |stated| {
             // The equation of motion with its bars, or with what stands between them.
-            let holds = Slots::ALL.iter().all(|slots| {
-                let parameters = Inertias::new(1.0, 2.0).and_then(|both| Parameters::new(*slots, both, 1.0, 0.25));
+            let holds = Mechanism::ALL.iter().all(|mechanism| {
+                let parameters = Inertias::new(1.0, 2.0).and_then(|both| Parameters::new(*mechanism, both, 1.0, 0.25));
                 parameters.is_ok_and(|parameters| {
                     (-9..=9).all(|k| {
-                        let angle = slots.engagement_half_angle() * f64::from(k) / 10.0;
+                        let angle = mechanism.engagement_half_angle() * f64::from(k) / 10.0;
                         [0.25, 0.5, 1.0, 2.0, 4.0]
                             .iter()
                             .all(|speed| lost(&parameters, angle, *speed, stated) >= -1e-12)
@@ -303,9 +304,9 @@ fn constraints(seen: &Seen) -> SMatrix<f64, 5, 6> {
 
 /// An escapement without friction for each number of slots, and the angle between two of its pins.
 pub fn frictionless() -> impl Iterator<Item = (Parameters, f64)> {
-    Slots::ALL.into_iter().filter_map(|slots| {
-        let parameters = Inertias::new(1.0, 2.0).and_then(|both| Parameters::new(slots, both, 1.5, 0.0)).ok()?;
-        Some((parameters, 2.0 * slots.engagement_half_angle()))
+    Mechanism::ALL.into_iter().filter_map(|mechanism| {
+        let parameters = Inertias::new(1.0, 2.0).and_then(|both| Parameters::new(mechanism, both, 1.5, 0.0)).ok()?;
+        Some((parameters, 2.0 * mechanism.engagement_half_angle()))
     })
 }
 

@@ -2,11 +2,12 @@
 
 use super::by_steps::{Motion, groups};
 use super::general_statements::with;
-use super::runs::{Hypothesis, Mechanism, rows, series, steps};
+use super::runs::{Hypothesis, rows, series, steps};
 use super::*;
 use crate::Evidence::{Integration, Steps};
 use geneva_dynamics::Parameters;
 use geneva_dynamics::steady::{Engagement, Printed, Rise};
+use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
 
 const SECOND: Place = at("Chapter II, 2nd general statement");
@@ -51,7 +52,7 @@ fn less_friction() -> Claim {
             let readings = stated.pick::<&[SteppedReading]>(&[decay_by_steps], &RISE_TIMES_BY_STEPS);
             let found: Vec<[Vec<f64>; 3]> = readings.iter().map(|of| by_friction(*of)).collect();
             let some = found.iter().any(|reading| reading.iter().all(|times| always_falls(times)));
-            let four: Vec<_> = found.iter().map(|of| format!("{:.4?}", of[Mechanism::FourPin as usize])).collect();
+            let four: Vec<_> = found.iter().map(|of| format!("{:.4?}", of[Mechanism::FOUR_PIN.index()])).collect();
             Finding::new(some, format!("with four pins, by rising friction: {}", four.join(", ")))
         })
         .read_as(
@@ -114,7 +115,7 @@ fn no_friction() -> Claim {
                     let of = with(own.first()?, 1.0, stated.pick(0.0, 0.01))?;
                     let (at, motion) = (of.parameters(), Motion::from_rest(of.parameters(), 12));
                     let energy = at.inertias().driver() * motion.engagements.last()?.end() / 2.0;
-                    let work = at.torque() * 2.0 * at.slots().engagement_half_angle();
+                    let work = at.torque() * 2.0 * at.mechanism().engagement_half_angle();
                     Some(energy / (12.0 * work))
                 })
                 .collect();
@@ -168,7 +169,7 @@ fn starts() -> &'static [Start] {
         let of = |mechanism: Mechanism| {
             let own = rows().iter().find(|row| row.mechanism == mechanism);
             let at = own.and_then(|row| Hypothesis::TRUE.parameters(row));
-            let with = move |k| Parameters::new(at?.slots(), at?.inertias(), at?.torque(), friction(k)).ok();
+            let with = move |k| Parameters::new(at?.mechanism(), at?.inertias(), at?.torque(), friction(k)).ok();
             (0..GRID).filter_map(move |k| Start::of(mechanism, &with(k)?))
         };
         Mechanism::ALL.into_iter().flat_map(of).collect()

@@ -41,7 +41,7 @@ pub use symbols::SYMBOLS;
 
 use crate::checks::{agrees, characters, named, numbers, printed, reads, right_side, same, vanishes};
 use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Verdict, Work, claim, numeric_tokens};
-use geneva_kinematics::escapement::{Escapement, HandOver, Roots};
+use geneva_kinematics::escapement::{HandOver, Mechanism, Roots};
 use geneva_kinematics::pin_vectors::quarter_turn;
 use geneva_kinematics::wheel::Wheel;
 use geneva_kinematics::{Field, Identity, Turn, prove};
@@ -106,7 +106,7 @@ struct Seen {
 }
 
 impl Seen {
-    fn new(escapement: &Escapement, angle: f64) -> Self {
+    fn new(escapement: &Mechanism, angle: f64) -> Self {
         let (ratio, crank) = (escapement.centre_distance_ratio(), Turn::from_radians(angle));
         let ((speed, gain), from_driver) = (DRIVER, crank.direction());
         let across = quarter_turn(&from_driver);
@@ -145,7 +145,7 @@ impl Seen {
 
 /// Whether two numbers agree for the three escapements at twenty instants each, none of them on the line of centres.
 fn at_instants(both: impl Fn(&Seen) -> (f64, f64)) -> Finding {
-    let worst = Escapement::all()
+    let worst = Mechanism::ALL
         .iter()
         .flat_map(|escapement| (-10..10).map(|k| Seen::new(escapement, instant(escapement, k))))
         .map(|seen| {
@@ -158,13 +158,13 @@ fn at_instants(both: impl Fn(&Seen) -> (f64, f64)) -> Finding {
 }
 
 /// The k-th of the instants between −10 and 9.
-fn instant(escapement: &Escapement, k: i32) -> f64 {
-    escapement.driver_half_angle() * f64::from(2 * k + 1) / 20.0
+fn instant(escapement: &Mechanism, k: i32) -> f64 {
+    escapement.engagement_half_angle() * f64::from(2 * k + 1) / 20.0
 }
 
 /// Whether a property holds for each of the three escapements.
-fn for_each(holds: impl Fn(&Escapement) -> bool, how: &str) -> Finding {
-    let failing = Escapement::all().into_iter().find(|escapement| !holds(escapement));
+fn for_each(holds: impl Fn(&Mechanism) -> bool, how: &str) -> Finding {
+    let failing = Mechanism::ALL.into_iter().find(|escapement| !holds(escapement));
     match failing {
         None => Finding::new(true, format!("{how}, for each of the three")),
         Some(escapement) => Finding::new(false, format!("{how}: not for {} slots", escapement.slots())),
@@ -173,7 +173,7 @@ fn for_each(holds: impl Fn(&Escapement) -> bool, how: &str) -> Finding {
 
 /// Whether a property of the hand-over without rounding holds for each of the three escapements.
 fn exactly(holds: impl Fn(&HandOver) -> bool, how: &str) -> Finding {
-    let failing = Escapement::all().into_iter().find(|escapement| !holds(&escapement.hand_over()));
+    let failing = Mechanism::ALL.into_iter().find(|escapement| !holds(&escapement.hand_over()));
     match failing {
         None => Finding::new(true, format!("{how}, with the roots exact, for each of the three")),
         Some(escapement) => Finding::new(false, format!("{how}: not for {} slots", escapement.slots())),

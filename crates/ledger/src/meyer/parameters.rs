@@ -38,7 +38,7 @@ pub fn after_the_list() -> Vec<Claim> {
                  geometry",
             )
             .by(LimitCase, |stated| {
-                let off = Escapement::all().into_iter().map(|at| {
+                let off = Mechanism::ALL.into_iter().map(|at| {
                     let pins = pins_needed(at.slots()).map_or(f64::NAN, |pins| pins.approximate());
                     let slot = PI / f64::from(at.slots());
                     stated.pick(PI / 2.0 - slot, slot) - PI / pins
@@ -46,7 +46,7 @@ pub fn after_the_list() -> Vec<Claim> {
                 every(off, vanishes, "that angle less π/m, with m by Eq. (1-3)")
             })
             .by(Vectors, |stated| {
-                let across = Escapement::all().into_iter().map(|at| {
+                let across = Mechanism::ALL.into_iter().map(|at| {
                     let slot = PI / f64::from(at.slots());
                     let drawn = Drawn::new(at.pins(), at.slots());
                     let angle = stated.pick(PI / 2.0 - slot, slot);
@@ -104,7 +104,7 @@ impl Quantity {
 /// Whether so many of the quantities change the motion if each alone is changed: the speed at the end of an engagement
 /// from rest, by Newton's laws, in steps; for each of the three mechanisms.
 fn count_that_matter(said: usize, quantities: &[Quantity]) -> Finding {
-    let changing = |at: &Escapement| {
+    let changing = |at: &Mechanism| {
         let speed = |changed: Option<Quantity>| {
             let times = |quantity| if changed == Some(quantity) { 1.02 } else { 1.0 };
             let slots = f64::from(at.slots()) * times(Quantity::Slots);
@@ -116,14 +116,14 @@ fn count_that_matter(said: usize, quantities: &[Quantity]) -> Finding {
                 driver: 0.75 * times(Quantity::Driver),
                 follower: 1.25 * times(Quantity::Follower),
             };
-            let half = at.driver_half_angle() * times(Quantity::EntryAngle);
+            let half = at.engagement_half_angle() * times(Quantity::EntryAngle);
             let torque = 0.5 * times(Quantity::Torque);
             pair.engagement(half, 0.0, &|_| torque, 200).map_or(f64::NAN, |passage| passage.end)
         };
         let changes = |quantity: &&Quantity| !(speed(Some(**quantity)) / speed(None) - 1.0).abs().le(&1e-9);
         quantities.iter().filter(changes).copied().collect::<Vec<_>>()
     };
-    let found: Vec<_> = Escapement::all().iter().map(changing).collect();
+    let found: Vec<_> = Mechanism::ALL.iter().map(changing).collect();
     let holds = found.len() == 3 && found.iter().all(|changing| changing.len() == said);
     Finding::new(holds, format!("of {quantities:?} these change an engagement: {:?}", found[0]))
 }

@@ -1,12 +1,13 @@
 //! Chapter II's paragraph on the curves of Fig. 8: where in an engagement driver and follower are fastest and slowest.
 
 use super::by_steps::{Group, groups};
-use super::runs::{Hypothesis, Mechanism, Row, rows};
+use super::runs::{Hypothesis, Row, rows};
 use super::study::steady;
 use super::*;
 use crate::Evidence::{Integration, Steps};
 use crate::{Decimal, Stated};
 use geneva_dynamics::steady::{Printed, SteadyState};
+use geneva_kinematics::Mechanism;
 use geneva_kinematics::escapement::pins_needed;
 use geneva_kinematics::pin_slot::velocity_ratio;
 
@@ -54,7 +55,7 @@ fn at_entry() -> Vec<Claim> {
     vec![
         PEAKS
             .value("meyer.fig-8.quarter", "90", "°", "turn of the driver between two peaks, with four slots")
-            .by(ClosedForm, || Escapement::all()[1].driver_half_angle().to_degrees() * 2.0)
+            .by(ClosedForm, || Mechanism::ALL[1].engagement_half_angle().to_degrees() * 2.0)
             .by(LimitCase, || pins_needed(4).map_or(f64::NAN, |pins| 360.0 / pins.approximate())),
         beside_the_hand_over(
             "meyer.peaks-at-entry",
@@ -71,21 +72,21 @@ fn at_entry() -> Vec<Claim> {
             )
             .by(Vectors, |stated| {
                 let ends: &[f64] = stated.pick(&[-1.0, 1.0], &[0.0]);
-                let still = |at: &Escapement| {
-                    let turning = |part| Seen::new(at, part * at.driver_half_angle()).turning();
+                let still = |at: &Mechanism| {
+                    let turning = |part| Seen::new(at, part * at.engagement_half_angle()).turning();
                     ends.iter().all(|part| vanishes(turning(part)))
                 };
-                let count = Escapement::all().iter().filter(|at| still(at)).count();
+                let count = Mechanism::ALL.iter().filter(|at| still(at)).count();
                 Finding::new(count == 3, format!("with {count} of 3 mechanisms the pin moves along its slot there"))
             })
             .by(ClosedForm, |stated| {
                 let ends: &[f64] = stated.pick(&[-1.0, 1.0], &[0.0]);
-                let ratio = |at: &Escapement, part: f64| {
+                let ratio = |at: &Mechanism, part: f64| {
                     let crank = Turn::from_radians(part * PI / f64::from(at.pins()));
                     velocity_ratio(&(1.0 / libm::sin(PI / f64::from(at.slots()))), &crank)
                 };
-                let still = |at: &&Escapement| ends.iter().all(|part| vanishes(ratio(at, *part)));
-                let count = Escapement::all().iter().filter(still).count();
+                let still = |at: &&Mechanism| ends.iter().all(|part| vanishes(ratio(at, *part)));
+                let count = Mechanism::ALL.iter().filter(still).count();
                 Finding::new(count == 3, format!("with {count} of 3 mechanisms φ'/θ' of Eq. (1-7) is zero there"))
             })
             .but_not("the follower stands still on the line of centres")
@@ -284,7 +285,7 @@ struct Peak {
 
 /// Whether the peaks are at the hand-over with six pins and as far before it as is stated with four and three.
 fn peaks(stated: Stated, found: Vec<Peak>) -> Finding {
-    let (six, others): (Vec<&Peak>, Vec<&Peak>) = found.iter().partition(|peak| peak.mechanism == Mechanism::SixPin);
+    let (six, others): (Vec<&Peak>, Vec<&Peak>) = found.iter().partition(|peak| peak.mechanism == Mechanism::SIX_PIN);
     let lost = |of: &[&Peak]| range(of.iter().map(|peak| peak.lost));
     let before = range(others.iter().map(|peak| 180.0 / f64::from(peak.mechanism.pins()) - peak.angle.to_degrees()));
     let said = ["meyer.peaks-at-entry", "meyer.peaks-at-rest", "meyer.peaks-at-exit"].map(corrected_numbers);
@@ -362,8 +363,9 @@ mod tests {
         let mut signs = [0; 2];
         for (row, state) in steady() {
             let of = Hypothesis::TRUE.parameters(row).expect("an escapement");
-            let at = of.acceleration(-of.slots().engagement_half_angle(), state.entry_speed).expect("one acceleration");
-            let square = state.entry_speed * state.entry_speed / (of.slots().ratio_squared() - 1.0);
+            let at =
+                of.acceleration(-of.mechanism().engagement_half_angle(), state.entry_speed).expect("one acceleration");
+            let square = state.entry_speed * state.entry_speed / (of.mechanism().centre_distance_ratio_squared() - 1.0);
             let gain = (of.torque() - of.friction() * of.inertias().follower() * square) / of.inertias().driver();
             assert!((at.value / gain - 1.0).abs() < 1e-9, "{}: {} {gain}", row.slug(), at.value);
             signs[usize::from(gain > 0.0)] += 1;

@@ -2,12 +2,13 @@
 
 use super::by_steps::{Group, Motion, groups};
 use super::general_statements::{Responses, responses};
-use super::runs::{Column, Hypothesis, Mechanism, Row, rows, series};
+use super::runs::{Column, Hypothesis, Row, rows, series};
 use super::*;
 use crate::Evidence::{Integration, Steps};
 use crate::Stated;
 use geneva_dynamics::Parameters;
 use geneva_dynamics::steady::Engagement;
+use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
 
 const BEFORE: Place = at("Chapter II, sentence around Fig. 8");
@@ -227,7 +228,7 @@ fn settled(stated: Stated, runs: Vec<(Mechanism, Vec<f64>)>) -> Finding {
     let mut found = [0; 3];
     for (mechanism, minima) in &runs {
         let off = minima.iter().rposition(|part| (part - 1.0).abs() > 0.01);
-        let number = &mut found[*mechanism as usize];
+        let number = &mut found[mechanism.index()];
         *number = (*number).max(off.map_or(1, |last| last + 2));
     }
     let range = |mechanism: Mechanism| {
@@ -253,7 +254,7 @@ mod tests {
     #[test]
     fn two_first_minima_with_four_pins_round_to_the_time_in_the_text() {
         let said = crate::checks::decimal("meyer.fig-8.rise");
-        let four = rows().iter().filter(|row| row.mechanism == Mechanism::FourPin);
+        let four = rows().iter().filter(|row| row.mechanism == Mechanism::FOUR_PIN);
         let fitting: Vec<&Row> = four
             .filter(|row| {
                 let of = Hypothesis::TRUE.engagement(row).expect("an escapement");

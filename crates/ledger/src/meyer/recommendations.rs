@@ -73,7 +73,7 @@ fn cyclic_oscillations() -> Claim {
             let interval = runs::interval() * stated.pick(1.0, 0.01);
             swinging(&|row| {
                 let of = with(row, EXCESSIVE, 1.0)?;
-                let slots = f64::from(of.parameters().slots().count());
+                let slots = f64::from(of.parameters().mechanism().slots());
                 let program = Program {
                     fold: Hypothesis::BEST.angle(row.mechanism),
                     ratio: 1.0 / libm::sin(printed("meyer.listing.pi") / slots),

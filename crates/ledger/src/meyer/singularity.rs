@@ -6,7 +6,8 @@ use super::slips::NO_SINGULARITY;
 use super::*;
 use geneva_dynamics::derivation::{AtOne, BoundAsSquare, SingularAngle};
 use geneva_dynamics::existence::critical_friction;
-use geneva_dynamics::{Coefficients, Pose, Slots};
+use geneva_dynamics::{Coefficients, Pose};
+use geneva_kinematics::Mechanism;
 use geneva_kinematics::escapement::pins_needed;
 use nalgebra::Complex;
 use std::sync::OnceLock;
@@ -48,11 +49,11 @@ fn quantity() -> Vec<Claim> {
             })
             .by(ClosedForm, |stated| {
                 // A less the ratio of the inertias is the square of a cos θ − 1 over that of the quantity.
-                let holds = Slots::ALL.iter().all(|slots| {
+                let holds = Mechanism::ALL.iter().all(|mechanism| {
                     (-9..=9).all(|k| {
-                        let angle = slots.engagement_half_angle() * f64::from(k) / 10.0;
-                        let factors = factors(*slots, 1.0, angle, 0.0);
-                        let letters = [("a", slots.ratio()), ("theta", angle)].map(named).into();
+                        let angle = mechanism.engagement_half_angle() * f64::from(k) / 10.0;
+                        let factors = factors(*mechanism, 1.0, angle, 0.0);
+                        let letters = [("a", mechanism.centre_distance_ratio()), ("theta", angle)].map(named).into();
                         let divisor = reading::value(quantity_with(stated), &letters);
                         let above = reading::value(r"a \cos \theta - 1", &letters);
                         vanishes((factors.a - 1.0) * divisor * divisor - above * above)
@@ -177,8 +178,8 @@ fn slots() -> Vec<Claim> {
         )
         .by(ClosedForm, |stated| {
             let of = |ratio: f64, angle: f64| 1.0 + ratio * ratio - 2.0 * ratio * libm::cos(angle);
-            let least = Slots::ALL.map(|slots| {
-                let ratio = stated.pick(slots.ratio(), 1.0);
+            let least = Mechanism::ALL.map(|mechanism| {
+                let ratio = stated.pick(mechanism.centre_distance_ratio(), 1.0);
                 (-180..=180).map(|k| of(ratio, f64::from(k) * PI / 180.0)).fold(f64::INFINITY, f64::min)
             });
             Finding::new(
@@ -187,8 +188,8 @@ fn slots() -> Vec<Claim> {
             )
         })
         .by(Vectors, |stated| {
-            let nearest = Slots::ALL.map(|slots| {
-                let axis = Vector2::new(stated.pick(slots.ratio(), 1.0), 0.0);
+            let nearest = Mechanism::ALL.map(|mechanism| {
+                let axis = Vector2::new(stated.pick(mechanism.centre_distance_ratio(), 1.0), 0.0);
                 let place = |k: u32| Turn::from_radians(2.0 * PI * f64::from(k) / 720.0).direction();
                 (0..720).map(|k| (place(k) - axis).norm()).fold(f64::INFINITY, f64::min)
             });
@@ -215,12 +216,13 @@ fn no_other_flaw(
         .by(ClosedForm, |stated| {
             // From rest, each sign of the friction tried out: which frictions leave one acceleration at all angles.
             static SINGLE: OnceLock<Vec<Vec<bool>>> = OnceLock::new();
-            let limit = |slots: Slots, inertia: f64| {
-                let quotients = angles(slots).map(|at| factors(slots, inertia, at, 1.0)).map(|c| c.a / c.d.abs());
+            let limit = |mechanism: Mechanism, inertia: f64| {
+                let quotients =
+                    angles(mechanism).map(|at| factors(mechanism, inertia, at, 1.0)).map(|c| c.a / c.d.abs());
                 quotients.fold(f64::INFINITY, f64::min)
             };
-            let holds = below(SINGLE.get_or_init(|| single(consistent_signs)), |slots, inertia| {
-                stated.pick(limit(slots, inertia), f64::INFINITY)
+            let holds = below(SINGLE.get_or_init(|| single(consistent_signs)), |mechanism, inertia| {
+                stated.pick(limit(mechanism, inertia), f64::INFINITY)
             });
             let bound = stated.pick("those below the least A/|D| of a friction of one", "all");
             Finding::new(
@@ -231,11 +233,11 @@ fn no_other_flaw(
         .by(LimitCase, |stated| {
             // The left side of Eq. (1-19) over the acceleration: how often it passes E.
             static SINGLE: OnceLock<Vec<Vec<bool>>> = OnceLock::new();
-            let critical = |slots: Slots, inertia: f64| {
-                critical_friction(slots, inertia).map_or(f64::NAN, |critical| critical.friction)
+            let critical = |mechanism: Mechanism, inertia: f64| {
+                critical_friction(mechanism, inertia).map_or(f64::NAN, |critical| critical.friction)
             };
-            let holds = below(SINGLE.get_or_init(|| single(passages)), |slots, inertia| {
-                stated.pick(critical(slots, inertia), f64::INFINITY)
+            let holds = below(SINGLE.get_or_init(|| single(passages)), |mechanism, inertia| {
+                stated.pick(critical(mechanism, inertia), f64::INFINITY)
             });
             Finding::new(holds, "how often the left side passes E was counted along 800 accelerations at 100 angles")
         })
@@ -303,13 +305,13 @@ fn only_for_two(display: &str) -> Option<bool> {
 }
 
 /// The factors of the equation of motion for a torque of one.
-fn factors(slots: Slots, inertia: f64, angle: f64, friction: f64) -> Coefficients<f64> {
-    let pose = Pose::new(&slots.ratio(), &Turn::from_radians(angle));
+fn factors(mechanism: Mechanism, inertia: f64, angle: f64, friction: f64) -> Coefficients<f64> {
+    let pose = Pose::new(&mechanism.centre_distance_ratio(), &Turn::from_radians(angle));
     Coefficients::of_pose(&pose, &inertia, &friction, &1.0)
 }
 
-fn angles(slots: Slots) -> impl Iterator<Item = f64> {
-    (0..100).map(move |k| slots.engagement_half_angle() * f64::from(k) / 100.0)
+fn angles(mechanism: Mechanism) -> impl Iterator<Item = f64> {
+    (0..100).map(move |k| mechanism.engagement_half_angle() * f64::from(k) / 100.0)
 }
 
 /// Frictions from below any limit to above it.
@@ -318,23 +320,23 @@ fn frictions() -> impl Iterator<Item = f64> {
 }
 
 /// Each mechanism with each ratio of the inertias.
-fn mechanisms() -> impl Iterator<Item = (Slots, f64)> {
-    Slots::ALL.into_iter().flat_map(|slots| INERTIA_RATIOS.map(|inertia| (slots, inertia)))
+fn mechanisms() -> impl Iterator<Item = (Mechanism, f64)> {
+    Mechanism::ALL.into_iter().flat_map(|mechanism| INERTIA_RATIOS.map(|inertia| (mechanism, inertia)))
 }
 
 /// For each of them and each friction, whether a way of counting the accelerations from rest finds one at all angles.
 fn single(count: fn(&Coefficients<f64>) -> usize) -> Vec<Vec<bool>> {
-    let of = |(slots, inertia): (Slots, f64)| {
-        let one = |friction: f64| angles(slots).all(|at| count(&factors(slots, inertia, at, friction)) == 1);
+    let of = |(mechanism, inertia): (Mechanism, f64)| {
+        let one = |friction: f64| angles(mechanism).all(|at| count(&factors(mechanism, inertia, at, friction)) == 1);
         frictions().map(one).collect()
     };
     mechanisms().map(of).collect()
 }
 
 /// Whether there is a single acceleration below this friction of a mechanism and not above it.
-fn below(single: &[Vec<bool>], bound: impl Fn(Slots, f64) -> f64) -> bool {
-    mechanisms().zip(single).all(|((slots, inertia), single)| {
-        let bound = bound(slots, inertia);
+fn below(single: &[Vec<bool>], bound: impl Fn(Mechanism, f64) -> f64) -> bool {
+    mechanisms().zip(single).all(|((mechanism, inertia), single)| {
+        let bound = bound(mechanism, inertia);
         frictions().zip(single).all(|(friction, single)| *single == (friction < bound))
     })
 }

@@ -1,10 +1,11 @@
 //! Is K a rate of the spring? Places that call the torque a rate or a constant of the spring.
 
 use super::newton::Newton;
-use super::runs::{Column, Hypothesis, Mechanism, Row, rows};
+use super::runs::{Column, Hypothesis, Row, rows};
 use super::slips::SPRING_RATE;
 use super::*;
 use crate::Evidence::Steps;
+use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
 
 /// A place that calls K a rate, to be multiplied by an angle. It is the torque.
@@ -43,7 +44,7 @@ fn gives_the_periods(stated: Stated) -> Finding {
     static BOTH: OnceLock<[(usize, usize); 2]> = OnceLock::new();
     let both = BOTH.get_or_init(|| {
         [0.0, 1.0].map(|power| {
-            let own = || rows().iter().filter(|row| row.mechanism == Mechanism::FourPin);
+            let own = || rows().iter().filter(|row| row.mechanism == Mechanism::FOUR_PIN);
             (own().filter(|row| has_its_period(row, power).unwrap_or(false)).count(), own().count())
         })
     });
@@ -65,10 +66,10 @@ const ENGAGEMENTS: u32 = 20;
 fn has_its_period(row: &Row, power: f64) -> Option<bool> {
     const STEPS: u32 = 300;
     let at = Hypothesis::TRUE.parameters(row)?;
-    let (half, inertias) = (at.slots().engagement_half_angle(), at.inertias());
+    let (half, inertias) = (at.mechanism().engagement_half_angle(), at.inertias());
     let pair = Newton {
         radius: 1.0,
-        distance: at.slots().ratio(),
+        distance: at.mechanism().centre_distance_ratio(),
         friction: at.friction(),
         driver: inertias.driver(),
         follower: inertias.follower(),

@@ -1,10 +1,11 @@
 //! Chapter II to Fig. 8, the abstract, and what the headings of Appendix E say beside their numbers.
 
 use super::inertia::printed_inertia;
-use super::runs::{Column, Hypothesis, Mechanism, Row, rows};
+use super::runs::{Column, Hypothesis, Row, rows};
 use super::*;
 use crate::Evidence::Integration;
 use geneva_dynamics::steady::SteadyState;
+use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
 
 const LIST: Place = at("Chapter II, list of parameters");
@@ -30,11 +31,11 @@ pub fn of_parameters() -> Vec<Claim> {
             let angles: Vec<f64> =
                 printed.split('-').skip(1).filter_map(|angle| numeric_tokens(angle).first()?.parse().ok()).collect();
             let step = 1e-3;
-            let nearer = |(at, angle): (Escapement, &f64)| {
+            let nearer = |(at, angle): (Mechanism, &f64)| {
                 let out = |angle: f64| Seen::new(&at, angle).radius();
                 (out(-angle.to_radians() + step) - out(-angle.to_radians())) * stated.pick(-1.0, 1.0) > 0.0
             };
-            let holds = angles.len() == 3 && Escapement::all().into_iter().zip(&angles).all(nearer);
+            let holds = angles.len() == 3 && Mechanism::ALL.into_iter().zip(&angles).all(nearer);
             Finding::new(
                 holds,
                 format!("just past the angles of Appendix D, −{angles:?}°, how the pin's distance changes"),
@@ -135,7 +136,7 @@ fn over_estimate() -> Vec<f64> {
 /// allows, if it may be off by a unit of its last place: with the quotient of the two kept, periods go as the root of
 /// the inertia.
 fn over_estimate_by_periods() -> Vec<[f64; 2]> {
-    let own = steady().iter().filter(|(row, _)| row.mechanism == Mechanism::FourPin);
+    let own = steady().iter().filter(|(row, _)| row.mechanism == Mechanism::FOUR_PIN);
     let of = |(row, state): &(&Row, SteadyState)| {
         let inertias = Hypothesis::TRUE.parameters(row)?.inertias();
         let part = [-1e-3, 1e-3].map(|off| (row.number(Column::Period) + off) / state.period);

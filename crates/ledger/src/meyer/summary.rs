@@ -150,10 +150,10 @@ const ENGAGEMENTS: usize = 24;
 fn from_rest(row: &Row, friction: f64) -> Vec<(f64, f64)> {
     const STEPS: u32 = 200;
     let Some(at) = Hypothesis::TRUE.parameters(row) else { return Vec::new() };
-    let (half, inertias) = (at.slots().engagement_half_angle(), at.inertias());
+    let (half, inertias) = (at.mechanism().engagement_half_angle(), at.inertias());
     let pair = Newton {
         radius: 1.0,
-        distance: at.slots().ratio(),
+        distance: at.mechanism().centre_distance_ratio(),
         friction: friction * at.friction(),
         driver: inertias.driver(),
         follower: inertias.follower(),

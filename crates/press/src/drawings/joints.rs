@@ -4,7 +4,7 @@ use crate::tables::joints::parameters;
 use geneva_dynamics::joints::{Joints, Varied, series};
 use geneva_figures::Figure;
 use geneva_figures::steady::{Line, losses as drawing};
-use geneva_ledger::meyer::runs::Mechanism;
+use geneva_kinematics::Mechanism;
 
 /// Friction of the journals.
 const BEARINGS: f64 = 0.2;
@@ -14,7 +14,7 @@ const RADII: u32 = 8;
 
 /// Mean speed and contraction over the radius of the pin, of the driver's journal, and of the follower's.
 pub fn losses() -> anyhow::Result<Figure> {
-    let of = parameters(Mechanism::FourPin)?;
+    let of = parameters(Mechanism::FOUR_PIN)?;
     let journals = Joints { bearing_friction: BEARINGS, ..Joints::IDEAL };
     let varied = [
         ("pin", Joints::IDEAL, Varied::PinRadius),

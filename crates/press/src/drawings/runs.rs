@@ -1,14 +1,14 @@
 //! The figures of the runs of the thesis: its tables as plain numbers, against the motion that the equation has.
 
 use anyhow::Context;
-use geneva_dynamics::{Inertias, Slots};
+use geneva_dynamics::Inertias;
 use geneva_figures::Figure;
 use geneva_figures::runs::{
     Deviation, Deviations, Group, Run, aliasing, deviations, first_minimum, over_torque, speeds,
 };
+use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::{
-    Column, Constants, Fold, Hypothesis, Mechanism, Reading, Row, Run as Computed, Score, SixPin, interval, rows,
-    scores,
+    Column, Constants, Fold, Hypothesis, Reading, Row, Run as Computed, Score, SixPin, interval, rows, scores,
 };
 use geneva_ledger::printed_value;
 
@@ -16,9 +16,9 @@ use geneva_ledger::printed_value;
 pub fn by_name(name: &str) -> Option<anyhow::Result<Figure>> {
     let torque = |mechanism| Ok(over_torque(&group(mechanism)?)?);
     Some(match name {
-        "runs-four-pin" => torque(Mechanism::FourPin),
-        "runs-six-pin" => torque(Mechanism::SixPin),
-        "runs-three-pin" => torque(Mechanism::ThreePin),
+        "runs-four-pin" => torque(Mechanism::FOUR_PIN),
+        "runs-six-pin" => torque(Mechanism::SIX_PIN),
+        "runs-three-pin" => torque(Mechanism::THREE_PIN),
         "runs-hypotheses" => hypotheses().map(|hypotheses| deviations(&hypotheses)),
         "runs-aliasing" => swinging(),
         "runs-speeds" => drawn(),
@@ -69,7 +69,7 @@ pub fn group(mechanism: Mechanism) -> anyhow::Result<Group> {
         period: row.number(Column::Period),
     });
     Ok(Group {
-        slots: slots(mechanism)?,
+        mechanism: mechanism,
         inertias: Inertias::new(driver, follower)?,
         fold: Hypothesis::BEST.angle(mechanism),
         runs: runs.collect(),
@@ -78,11 +78,7 @@ pub fn group(mechanism: Mechanism) -> anyhow::Result<Group> {
 
 /// The runs with four pins.
 pub fn four_pins() -> impl Iterator<Item = &'static Row> {
-    rows().iter().filter(|row| row.mechanism == Mechanism::FourPin)
-}
-
-fn slots(mechanism: Mechanism) -> anyhow::Result<Slots> {
-    Slots::ALL.into_iter().find(|slots| slots.pins() == mechanism.pins()).context("no mechanism with so many pins")
+    rows().iter().filter(|row| row.mechanism == Mechanism::FOUR_PIN)
 }
 
 /// What each of the compared hypotheses makes of the rows.
@@ -95,7 +91,7 @@ fn deviations_of(score: &Score) -> anyhow::Result<Deviations> {
         let run = run.context("a run's data make no escapement")?;
         let off = |column| run.number(column) / row.number(column) - 1.0;
         Ok(Deviation {
-            slots: slots(row.mechanism)?,
+            mechanism: row.mechanism,
             peak: off(Column::Peak),
             minimum: off(Column::Minimum),
             period: off(Column::Period),

@@ -7,7 +7,8 @@ use geneva_dynamics::Parameters;
 use geneva_figures::Figure;
 use geneva_figures::runs::Group;
 use geneva_figures::steady::{collapse, hand_over, map, phase};
-use geneva_ledger::meyer::runs::{Hypothesis, Mechanism};
+use geneva_kinematics::Mechanism;
+use geneva_ledger::meyer::runs::Hypothesis;
 
 /// The figure of this name; `None` if it is not one of the steady motion.
 pub fn by_name(name: &str) -> Option<anyhow::Result<Figure>> {
@@ -15,9 +16,9 @@ pub fn by_name(name: &str) -> Option<anyhow::Result<Figure>> {
         "steady-hand-over" => example().and_then(|parameters| Ok(hand_over(&parameters)?)),
         "steady-phase" => example().and_then(|parameters| Ok(phase(&parameters)?)),
         "steady-collapse" => all().and_then(|groups| Ok(collapse(&groups)?)),
-        "steady-map-four-pin" => map_of(Mechanism::FourPin),
-        "steady-map-six-pin" => map_of(Mechanism::SixPin),
-        "steady-map-three-pin" => map_of(Mechanism::ThreePin),
+        "steady-map-four-pin" => map_of(Mechanism::FOUR_PIN),
+        "steady-map-six-pin" => map_of(Mechanism::SIX_PIN),
+        "steady-map-three-pin" => map_of(Mechanism::THREE_PIN),
         _ => return None,
     })
 }
@@ -30,7 +31,7 @@ fn example() -> anyhow::Result<Parameters> {
 
 /// The map of a mechanism, with its runs.
 fn map_of(mechanism: Mechanism) -> anyhow::Result<Figure> {
-    Ok(map(group(mechanism)?.slots, &designs()?)?)
+    Ok(map(group(mechanism)?.mechanism, &designs()?)?)
 }
 
 /// All runs, as they were.

@@ -3,26 +3,27 @@
 use super::signed;
 use crate::html::{Cells, table};
 use anyhow::Context;
-use geneva_ledger::meyer::runs::{Column, Hypothesis, Mechanism, Row, SixPin, rows};
+use geneva_kinematics::Mechanism;
+use geneva_ledger::meyer::runs::{Column, Hypothesis, Row, SixPin, rows};
 
 /// The tables of six and three pins, printed and as they should have been.
 pub fn six_pin() -> anyhow::Result<String> {
-    corrected(Mechanism::SixPin)
+    corrected(Mechanism::SIX_PIN)
 }
 
 /// The same of four pins.
 pub fn four_pin() -> anyhow::Result<String> {
-    corrected(Mechanism::FourPin)
+    corrected(Mechanism::FOUR_PIN)
 }
 
 /// The same of three pins.
 pub fn three_pin() -> anyhow::Result<String> {
-    corrected(Mechanism::ThreePin)
+    corrected(Mechanism::THREE_PIN)
 }
 
 /// The same of six pins with the inertias of the table's heading.
 pub fn six_pin_as_headed() -> anyhow::Result<String> {
-    of(Mechanism::SixPin, Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::TRUE })
+    of(Mechanism::SIX_PIN, Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::TRUE })
 }
 
 fn corrected(mechanism: Mechanism) -> anyhow::Result<String> {

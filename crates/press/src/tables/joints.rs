@@ -4,7 +4,8 @@ use crate::html::{Cells, table};
 use anyhow::Context;
 use geneva_dynamics::Parameters;
 use geneva_dynamics::joints::{Joints, effects as all_effects, largest_pin_radius};
-use geneva_ledger::meyer::runs::{Column, Hypothesis, Mechanism, Row, rows};
+use geneva_kinematics::Mechanism;
+use geneva_ledger::meyer::runs::{Column, Hypothesis, Row, rows};
 
 /// The friction of the runs that are compared, as printed.
 const FRICTION: &str = ".25";
@@ -35,7 +36,7 @@ pub fn effects() -> anyhow::Result<String> {
         let found = all_effects(&parameters, list.map(|joints| (joints.pin_radius, joints)))?;
         for (cells, effect) in cells.iter_mut().zip(found) {
             let numbers = [format!("{:.3}", effect.mean_speed), format!("{:.3}", effect.contraction)];
-            let on_paper = effect.value >= largest_pin_radius(parameters.slots());
+            let on_paper = effect.value >= largest_pin_radius(parameters.mechanism());
             cells.extend(numbers.map(|number| if on_paper { format!("({number})") } else { number }));
         }
     }

@@ -6,7 +6,8 @@ use crate::maths::formula;
 use anyhow::Context;
 use geneva_dynamics::timer::{Accelerations, Sensitivities, Settling};
 use geneva_dynamics::{Inertias, Parameters};
-use geneva_ledger::meyer::runs::{Column, Hypothesis, Mechanism, Row, series};
+use geneva_kinematics::Mechanism;
+use geneva_ledger::meyer::runs::{Column, Hypothesis, Row, series};
 
 /// Seconds of a day.
 const DAY: f64 = 86_400.0;
@@ -14,11 +15,11 @@ const DAY: f64 = 86_400.0;
 /// How fast four pins settle, with followers of another size, down to a part.
 pub fn settling() -> anyhow::Result<String> {
     const PART: f64 = 0.01;
-    let row = firsts().find(|row| row.mechanism == Mechanism::FourPin).context("no run with four pins")?;
+    let row = firsts().find(|row| row.mechanism == Mechanism::FOUR_PIN).context("no run with four pins")?;
     let own = parameters(row)?;
     let rows = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0].map(|part| -> anyhow::Result<Vec<String>> {
         let inertias = Inertias::new(own.inertias().driver(), own.inertias().follower() / part)?;
-        let settling = Settling::new(&Parameters::new(own.slots(), inertias, own.torque(), own.friction())?)?;
+        let settling = Settling::new(&Parameters::new(own.mechanism(), inertias, own.torque(), own.friction())?)?;
         let name = if part > 1.0 { format!("1/{part}") } else { "as run".to_owned() };
         Ok(vec![
             name,

@@ -6,8 +6,8 @@ use approx::assert_relative_eq;
 
 #[test]
 fn a_thicker_pin_speeds_the_timer_up_and_everything_else_slows_it_down() {
-    for slots in Slots::ALL {
-        let parameters = like_the_thesis(slots);
+    for mechanism in Mechanism::ALL {
+        let parameters = like_the_thesis(mechanism);
         let base = Joints { pin_radius: 0.05, ..Joints::journals(0.1, 0.1) };
         for varied in Varied::ALL {
             let most = match varied {
@@ -19,7 +19,7 @@ fn a_thicker_pin_speeds_the_timer_up_and_everything_else_slows_it_down() {
             let effects = series(&parameters, &base, varied, values).expect("they run");
             for pair in effects.windows(2) {
                 let faster = pair[1].mean_speed > pair[0].mean_speed;
-                assert_eq!(faster, varied == Varied::PinRadius, "{slots:?} {varied:?} {pair:?}");
+                assert_eq!(faster, varied == Varied::PinRadius, "{mechanism:?} {varied:?} {pair:?}");
                 assert_eq!(pair[1].state.period < pair[0].state.period, faster);
             }
         }
@@ -28,8 +28,8 @@ fn a_thicker_pin_speeds_the_timer_up_and_everything_else_slows_it_down() {
 
 #[test]
 fn from_one_entry_speed_a_thicker_pin_costs_less_and_nearly_everything_else_more() {
-    for slots in Slots::ALL {
-        let parameters = like_the_thesis(slots);
+    for mechanism in Mechanism::ALL {
+        let parameters = like_the_thesis(mechanism);
         let entry = escapement(&parameters, Joints::IDEAL).steady_state_in(1024).expect("steady").entry_speed;
         for varied in Varied::ALL {
             let base = Joints { pin_radius: 0.05, ..Joints::journals(0.1, 0.1) };
@@ -41,17 +41,17 @@ fn from_one_entry_speed_a_thicker_pin_costs_less_and_nearly_everything_else_more
             let less = lost.windows(2).all(|pair| pair[1] < pair[0]);
             let more = lost.windows(2).all(|pair| pair[1] > pair[0]);
             // With four slots the follower's journal costs less than it saves in the slot and in the other bearing.
-            let exception = slots == Slots::Four && varied == Varied::FollowerJournal;
+            let exception = mechanism == Mechanism::FOUR_PIN && varied == Varied::FollowerJournal;
             let expected = if varied == Varied::PinRadius || exception { less } else { more };
-            assert!(expected, "{slots:?} {varied:?} {lost:?}");
+            assert!(expected, "{mechanism:?} {varied:?} {lost:?}");
         }
     }
 }
 
 #[test]
 fn of_the_journals_only_radius_times_friction_counts_and_the_drivers_more() {
-    for slots in Slots::ALL {
-        let parameters = like_the_thesis(slots);
+    for mechanism in Mechanism::ALL {
+        let parameters = like_the_thesis(mechanism);
         let mean = |joints| escapement(&parameters, joints).steady_state(1e-9).expect("steady").state.mean_speed;
         let products =
             [(0.1, 0.2), (0.2, 0.1), (0.4, 0.05)].map(|(radius, friction)| Joints::journals(radius, friction));
@@ -63,36 +63,32 @@ fn of_the_journals_only_radius_times_friction_counts_and_the_drivers_more() {
         };
         let ideal = mean(Joints::IDEAL);
         let [driver, follower] = [ideal - one(0.1, 0.0), ideal - one(0.0, 0.1)];
-        println!("{slots:?}: the driver's journal costs {} times the follower's", driver / follower);
-        let least = match slots {
-            Slots::Three => 1.0,
-            Slots::Four => 2.0,
-            Slots::Six => 4.0,
-        };
-        assert!(follower > 0.0 && driver > least * follower, "{slots:?} {driver} {follower}");
+        println!("{mechanism:?}: the driver's journal costs {} times the follower's", driver / follower);
+        let least = [1.0, 2.0, 4.0][mechanism.index()];
+        assert!(follower > 0.0 && driver > least * follower, "{mechanism:?} {driver} {follower}");
     }
 }
 
 #[test]
 fn a_pin_of_a_tenth_speeds_up_by_some_per_cent_and_makes_up_for_journals() {
-    for slots in Slots::ALL {
+    for mechanism in Mechanism::ALL {
         let mean = |joints| {
-            let found = effects(&like_the_thesis(slots), [(0.0, joints)]).expect("it runs");
+            let found = effects(&like_the_thesis(mechanism), [(0.0, joints)]).expect("it runs");
             found[0].mean_speed
         };
         let pin = mean(Joints { pin_radius: 0.1, ..Joints::IDEAL });
         let journals = mean(Joints::journals(0.1, 0.2));
         let both = mean(Joints { pin_radius: 0.1, ..Joints::journals(0.1, 0.2) });
-        assert!(pin > 1.05 && pin < 1.09, "{slots:?} {pin}");
-        assert!(journals > 0.9 && journals < 0.96, "{slots:?} {journals}");
-        assert!((both - 1.0).abs() < 0.01, "{slots:?} {both}");
+        assert!(pin > 1.05 && pin < 1.09, "{mechanism:?} {pin}");
+        assert!(journals > 0.9 && journals < 0.96, "{mechanism:?} {journals}");
+        assert!((both - 1.0).abs() < 0.01, "{mechanism:?} {both}");
     }
 }
 
 #[test]
 fn the_contraction_grows_with_the_pin_and_falls_with_the_drivers_journal() {
-    for slots in Slots::ALL {
-        let parameters = like_the_thesis(slots);
+    for mechanism in Mechanism::ALL {
+        let parameters = like_the_thesis(mechanism);
         let grow = |varied, most: f64| {
             let values = (0..=4).map(|k| most * f64::from(k) / 4.0);
             let base = Joints { bearing_friction: 0.1, ..Joints::IDEAL };
@@ -108,8 +104,8 @@ fn the_contraction_grows_with_the_pin_and_falls_with_the_drivers_journal() {
         assert!(grow(Varied::DriverJournal, 0.2).iter().all(|change| *change < 0.0));
         // The follower's journal moves it less, and with four slots the other way.
         let follower = grow(Varied::FollowerJournal, 0.2);
-        let up = slots == Slots::Four;
-        assert!(follower.iter().all(|change| (*change > 0.0) == up), "{slots:?} {follower:?}");
+        let up = mechanism == Mechanism::FOUR_PIN;
+        assert!(follower.iter().all(|change| (*change > 0.0) == up), "{mechanism:?} {follower:?}");
     }
 }
 
@@ -117,7 +113,7 @@ fn the_contraction_grows_with_the_pin_and_falls_with_the_drivers_journal() {
 fn speeds_scale_with_the_root_of_the_torque_unless_a_torque_is_constant() {
     let scaled = |torque: f64, joints: Joints| {
         let inertias = Inertias::new(3.0, 50.0).expect("sound");
-        let parameters = Parameters::new(Slots::Four, inertias, torque, 0.25).expect("sound");
+        let parameters = Parameters::new(Mechanism::FOUR_PIN, inertias, torque, 0.25).expect("sound");
         escapement(&parameters, joints).steady_state_in(1024).expect("a steady state")
     };
     let loaded = Joints { pin_radius: 0.1, ..Joints::journals(0.1, 0.2) };
@@ -142,7 +138,7 @@ fn speeds_scale_with_the_root_of_the_torque_unless_a_torque_is_constant() {
 
 #[test]
 fn journals_alone_brake_and_constant_torques_alone_do_not() {
-    let parameters = parameters(Slots::Four, 3.0 / 50.0, 0.0);
+    let parameters = parameters(Mechanism::FOUR_PIN, 3.0 / 50.0, 0.0);
     let steady = |joints| escapement(&parameters, joints).steady_state_in(1024);
     for joints in [Joints::IDEAL, Joints { driver_preload: 0.1, follower_preload: 0.1, ..Joints::IDEAL }] {
         let error = steady(joints).expect_err("nothing brakes faster running more");
@@ -161,11 +157,11 @@ fn a_pin_of_any_radius_bears_where_it_would_without_friction() {
     let (mut spread, mut seen) = (Spread(0.0), 0);
     for _ in 0..500 {
         let inertia = spread.between(0.05, 2.0);
-        let smooth = escapement(&parameters(Slots::Four, inertia, 0.0), Joints::IDEAL);
-        let rough = parameters(Slots::Four, inertia, spread.between(0.0, 0.35));
+        let smooth = escapement(&parameters(Mechanism::FOUR_PIN, inertia, 0.0), Joints::IDEAL);
+        let rough = parameters(Mechanism::FOUR_PIN, inertia, spread.between(0.0, 0.35));
         let joints = Joints { driver_preload: 0.0, follower_preload: 0.0, ..spread.joints() };
         let Ok(rough) = Escapement::new(&rough, joints) else { continue };
-        let angle = Slots::Four.engagement_half_angle() * spread.between(-1.0, 1.0);
+        let angle = Mechanism::FOUR_PIN.engagement_half_angle() * spread.between(-1.0, 1.0);
         let speed = spread.between(0.0, 3.0);
         let flank = |escapement: &Escapement| escapement.motion(angle, speed).expect("sound").flank;
         assert_eq!(flank(&smooth), flank(&rough));

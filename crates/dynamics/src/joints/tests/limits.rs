@@ -5,15 +5,15 @@ use crate::Sign;
 use crate::existence;
 use crate::joints::{JointError, STEPS, largest_pin_radius};
 use approx::assert_relative_eq;
-use geneva_kinematics::escapement::Escapement as Geometry;
+use geneva_kinematics::Mechanism;
 
 #[test]
 fn the_margin_goes_over_to_the_ideal_one() {
-    for slots in Slots::ALL {
+    for mechanism in Mechanism::ALL {
         for (inertia, friction) in [(0.06, 0.2), (0.5, 0.1), (2.0, 0.6)] {
-            let parameters = parameters(slots, inertia, friction);
+            let parameters = parameters(mechanism, inertia, friction);
             let ours = escapement(&parameters, Joints::IDEAL).least_margin();
-            let ideal = existence::least_margin(slots, inertia, friction).expect("sound");
+            let ideal = existence::least_margin(mechanism, inertia, friction).expect("sound");
             assert_relative_eq!(ours.margin, ideal.margin, max_relative = 1e-12);
             assert_relative_eq!(ours.angle.abs(), ideal.angle, epsilon = 1e-6);
         }
@@ -22,8 +22,8 @@ fn the_margin_goes_over_to_the_ideal_one() {
 
 #[test]
 fn a_follower_that_locks_is_refused_with_what_to_do() {
-    let parameters = like_the_thesis(Slots::Three);
-    let lever = Slots::Three.ratio() - 1.0;
+    let parameters = like_the_thesis(Mechanism::SIX_PIN);
+    let lever = Mechanism::SIX_PIN.centre_distance_ratio() - 1.0;
     let limit = lever / parameters.friction();
     let at = |pin_radius| Escapement::new(&parameters, Joints { pin_radius, ..Joints::IDEAL });
     let error = at(limit * (1.0 + 1e-12)).expect_err("it locks");
@@ -45,8 +45,8 @@ fn a_follower_that_locks_is_refused_with_what_to_do() {
 fn the_arm_on_the_follower_is_least_on_the_line_of_centres() {
     let mut spread = Spread(0.0);
     for _ in 0..300 {
-        for slots in Slots::ALL {
-            let parameters = parameters(slots, 1.0, spread.between(0.0, 0.35));
+        for mechanism in Mechanism::ALL {
+            let parameters = parameters(mechanism, 1.0, spread.between(0.0, 0.35));
             let Ok(escapement) = Escapement::new(&parameters, spread.joints()) else { continue };
             let arm = |angle: f64, flank| {
                 let reach = escapement.place(angle).reach;
@@ -54,16 +54,16 @@ fn the_arm_on_the_follower_is_least_on_the_line_of_centres() {
                 escapement.arms(&reach, flank, sense).follower
             };
             let least = arm(0.0, Sign::Plus);
-            let angle = slots.engagement_half_angle() * spread.between(-1.0, 1.0);
+            let angle = mechanism.engagement_half_angle() * spread.between(-1.0, 1.0);
             for flank in Sign::BOTH {
-                assert!(arm(angle, flank) >= least - 1e-15, "{slots:?} {angle} {flank:?}");
+                assert!(arm(angle, flank) >= least - 1e-15, "{mechanism:?} {angle} {flank:?}");
             }
             // The sliding turns where it is said to.
             let turn = escapement.reversal_angle();
             let pin = escapement.joints().pin_radius;
             for (angle, flank) in [(-turn, Sign::Plus), (turn, Sign::Minus)] {
                 let sliding = escapement.place(angle).reach.sliding(&pin, flank);
-                assert!(sliding.abs() < 1e-14, "{slots:?} {pin} {sliding}");
+                assert!(sliding.abs() < 1e-14, "{mechanism:?} {pin} {sliding}");
             }
         }
     }
@@ -72,19 +72,19 @@ fn the_arm_on_the_follower_is_least_on_the_line_of_centres() {
 #[test]
 fn a_driver_that_jams_is_refused_with_the_angle() {
     // A light driver: the ideal mechanism can bear this friction, the one with journals cannot.
-    let limit = existence::critical_friction(Slots::Four, 0.06).expect("sound").friction;
-    let parameters = parameters(Slots::Four, 0.06, 0.98 * limit);
+    let limit = existence::critical_friction(Mechanism::FOUR_PIN, 0.06).expect("sound").friction;
+    let parameters = parameters(Mechanism::FOUR_PIN, 0.06, 0.98 * limit);
     assert!(Escapement::new(&parameters, Joints::IDEAL).is_ok());
     let error = Escapement::new(&parameters, Joints::journals(0.2, 0.2)).expect_err("it jams");
     let JointError::NotUnique { margin, angle } = error else { panic!("{error}") };
-    assert!(margin <= 0.0 && angle.abs() < Slots::Four.engagement_half_angle());
+    assert!(margin <= 0.0 && angle.abs() < Mechanism::FOUR_PIN.engagement_half_angle());
     assert!(error.to_string().contains("more inertia"), "{error}");
 }
 
 #[test]
 fn beyond_the_limit_there_are_two_accelerations_or_none() {
-    let limit = existence::critical_friction(Slots::Four, 0.06).expect("sound").friction;
-    let parameters = parameters(Slots::Four, 0.06, 0.98 * limit);
+    let limit = existence::critical_friction(Mechanism::FOUR_PIN, 0.06).expect("sound").friction;
+    let parameters = parameters(Mechanism::FOUR_PIN, 0.06, 0.98 * limit);
     let jammed = Escapement::assembled(&parameters, Joints::journals(0.2, 0.2)).expect("sizes in range");
     let least = jammed.least_margin();
     assert!(least.margin < 0.0 && least.flank == Sign::Minus, "{least:?}");
@@ -97,7 +97,7 @@ fn beyond_the_limit_there_are_two_accelerations_or_none() {
 
 #[test]
 fn impossible_values_are_named() {
-    let parameters = like_the_thesis(Slots::Four);
+    let parameters = like_the_thesis(Mechanism::FOUR_PIN);
     for bad in [-1.0, f64::NAN, f64::INFINITY] {
         let sizes = [
             Joints { pin_radius: bad, ..Joints::IDEAL },
@@ -139,36 +139,38 @@ fn impossible_values_are_named() {
 
 #[test]
 fn slots_run_into_one_another_where_their_ends_touch() {
-    for slots in Slots::ALL {
+    for mechanism in Mechanism::ALL {
         // Centres of two neighbouring slot ends, from the follower's axis.
-        let reach = slots.ratio() - 1.0;
-        let angle = 2.0 * std::f64::consts::PI / f64::from(slots.count());
+        let reach = mechanism.centre_distance_ratio() - 1.0;
+        let angle = 2.0 * std::f64::consts::PI / f64::from(mechanism.slots());
         let apart = libm::hypot(reach * libm::cos(angle) - reach, reach * libm::sin(angle));
-        assert_relative_eq!(2.0 * largest_pin_radius(slots), apart, max_relative = 1e-14);
-        let geometry = Geometry::new(slots.count()).expect("an escapement");
-        assert_relative_eq!(geometry.centre_distance_ratio(), slots.ratio(), max_relative = 1e-15);
+        assert_relative_eq!(2.0 * largest_pin_radius(mechanism), apart, max_relative = 1e-14);
     }
 }
 
 #[test]
 fn at_the_ends_a_thick_pin_slides_less_and_on_the_line_of_centres_more() {
-    for slots in Slots::ALL {
-        let thick = escapement(&like_the_thesis(slots), Joints { pin_radius: 0.1, ..Joints::IDEAL });
+    for mechanism in Mechanism::ALL {
+        let thick = escapement(&like_the_thesis(mechanism), Joints { pin_radius: 0.1, ..Joints::IDEAL });
         let sliding = |angle| thick.motion(angle, 1.0).expect("sound").sliding;
-        let half = slots.engagement_half_angle();
+        let half = mechanism.engagement_half_angle();
         assert_relative_eq!(sliding(-half), 0.1 - 1.0, max_relative = 1e-14);
         assert_relative_eq!(sliding(half), 1.0 - 0.1, max_relative = 1e-14);
         // The follower turns 1/(a − 1) times as fast as the driver there.
-        assert_relative_eq!(sliding(0.0), 0.1 * (1.0 + 1.0 / (slots.ratio() - 1.0)), max_relative = 1e-14);
+        assert_relative_eq!(
+            sliding(0.0),
+            0.1 * (1.0 + 1.0 / (mechanism.centre_distance_ratio() - 1.0)),
+            max_relative = 1e-14
+        );
     }
 }
 
 #[test]
 fn at_entry_and_exit_the_pin_counts_as_leading_and_trailing() {
-    for slots in Slots::ALL {
+    for mechanism in Mechanism::ALL {
         let joints = Joints { pin_radius: 0.1, ..Joints::journals(0.1, 0.1) };
-        let escapement = escapement(&like_the_thesis(slots), joints);
-        let half = slots.engagement_half_angle();
+        let escapement = escapement(&like_the_thesis(mechanism), joints);
+        let half = mechanism.engagement_half_angle();
         let inertias = escapement.parameters().inertias();
         for speed in [0.0, 1.0] {
             let [entry, exit] = [-half, half].map(|angle| escapement.motion(angle, speed).expect("sound"));

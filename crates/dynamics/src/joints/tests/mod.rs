@@ -7,22 +7,19 @@ mod steadiness;
 mod vectors;
 
 use super::{Escapement, Joints};
-use crate::{Inertias, Parameters, Slots};
+use crate::{Inertias, Parameters};
+use geneva_kinematics::Mechanism;
 
 /// An escapement with torque one and a follower's inertia of one.
-fn parameters(slots: Slots, inertia_ratio: f64, friction: f64) -> Parameters {
+fn parameters(mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> Parameters {
     let inertias = Inertias::new(inertia_ratio, 1.0).expect("sound inertias");
-    Parameters::new(slots, inertias, 1.0, friction).expect("a sound escapement")
+    Parameters::new(mechanism, inertias, 1.0, friction).expect("a sound escapement")
 }
 
 /// Escapements with inertias like those that the thesis ran, and a friction of a quarter.
-fn like_the_thesis(slots: Slots) -> Parameters {
-    let inertia_ratio = match slots {
-        Slots::Three => 6.0 / 10.0,
-        Slots::Four => 3.0 / 50.0,
-        Slots::Six => 3.0 / 40.0,
-    };
-    parameters(slots, inertia_ratio, 1.0 / 4.0)
+fn like_the_thesis(mechanism: Mechanism) -> Parameters {
+    let inertia_ratios = [6.0 / 10.0, 3.0 / 50.0, 3.0 / 40.0];
+    parameters(mechanism, inertia_ratios[mechanism.index()], 1.0 / 4.0)
 }
 
 fn escapement(parameters: &Parameters, joints: Joints) -> Escapement {

@@ -10,32 +10,35 @@ use ode_solvers::{Dop853, System};
 #[test]
 fn without_sizes_it_is_the_ideal_escapement() {
     let mut spread = Spread(0.0);
-    for slots in Slots::ALL {
+    for mechanism in Mechanism::ALL {
         for _ in 0..300 {
-            let parameters = parameters(slots, spread.between(0.05, 2.0), spread.between(0.0, 0.35));
+            let parameters = parameters(mechanism, spread.between(0.05, 2.0), spread.between(0.0, 0.35));
             let escapement = escapement(&parameters, Joints::default());
             assert_eq!(escapement.reversal_angle(), 0.0);
-            let angle = slots.engagement_half_angle() * spread.between(-1.0, 1.0);
+            let angle = mechanism.engagement_half_angle() * spread.between(-1.0, 1.0);
             let speed = spread.between(0.0, 4.0);
             let ideal = parameters.acceleration(angle, speed).expect("one acceleration");
             let motion = escapement.motion(angle, speed).expect("one acceleration");
             let scale = 1.0 + ideal.value.abs() + speed * speed;
-            assert!((motion.gain - ideal.value).abs() < 1e-13 * scale, "{slots:?} {angle} {speed}");
+            assert!((motion.gain - ideal.value).abs() < 1e-13 * scale, "{mechanism:?} {angle} {speed}");
             let forces = parameters.contact_forces(angle, speed).expect("one acceleration");
-            assert!((motion.normal_moment - forces.normal_moment).abs() < 1e-12 * scale, "{slots:?} {angle} {speed}");
+            assert!(
+                (motion.normal_moment - forces.normal_moment).abs() < 1e-12 * scale,
+                "{mechanism:?} {angle} {speed}"
+            );
         }
     }
 }
 
 #[test]
 fn without_sizes_the_steady_motion_is_the_ideal_one() {
-    for slots in Slots::ALL {
+    for mechanism in Mechanism::ALL {
         for friction in [0.1, 0.25] {
-            let inertia = like_the_thesis(slots).inertias().ratio();
-            let parameters = parameters(slots, inertia, friction);
+            let inertia = like_the_thesis(mechanism).inertias().ratio();
+            let parameters = parameters(mechanism, inertia, friction);
             let ideal = Engagement::new(&parameters).expect("sound").steady_state().expect("a steady state");
             let ours = escapement(&parameters, Joints::IDEAL).steady_state(1e-9).expect("a steady state");
-            println!("{slots:?} {friction}: {} steps, change {:e}", ours.steps, ours.change);
+            println!("{mechanism:?} {friction}: {} steps, change {:e}", ours.steps, ours.change);
             let state = ours.state;
             let off = [state.period / ideal.period, state.peak.speed / ideal.peak.speed].map(|ratio| ratio - 1.0);
             println!(
@@ -70,9 +73,9 @@ impl System<f64, Vector2<f64>> for InTime {
 fn steps_of_time_lead_to_the_same_exit() {
     let joints =
         Joints { pin_radius: 0.1, follower_preload: 0.02, driver_preload: 0.05, ..Joints::journals(0.1, 0.15) };
-    for slots in Slots::ALL {
-        let escapement = escapement(&like_the_thesis(slots), joints);
-        let half = slots.engagement_half_angle();
+    for mechanism in Mechanism::ALL {
+        let escapement = escapement(&like_the_thesis(mechanism), joints);
+        let half = mechanism.engagement_half_angle();
         for entry in [0.5, 1.0, 2.0] {
             let passage = escapement.passage(entry, 4096).expect("it runs");
             let (end, start) = (passage.duration, Vector2::new(-half, entry));
@@ -81,7 +84,7 @@ fn steps_of_time_lead_to_the_same_exit() {
             solver.integrate().expect("integrated");
             let last = solver.y_out().last().expect("a state");
             let errors = [last[0] - half, last[1] / passage.exit_speed - 1.0];
-            assert!(errors.iter().all(|error| error.abs() < 1e-9), "{slots:?} {entry} {errors:?}");
+            assert!(errors.iter().all(|error| error.abs() < 1e-9), "{mechanism:?} {entry} {errors:?}");
         }
     }
 }

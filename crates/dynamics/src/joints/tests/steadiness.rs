@@ -11,8 +11,8 @@ fn samples() -> Vec<Escapement> {
         Joints { pin_radius: 0.12, ..Joints::journals(0.1, 0.1) },
         Joints { pin_radius: 0.05, driver_preload: 0.1, follower_preload: 0.02, ..Joints::journals(0.1, 0.1) },
     ];
-    let all = Slots::ALL.into_iter().flat_map(|slots| sizes.map(|joints| (slots, joints)));
-    all.map(|(slots, joints)| escapement(&like_the_thesis(slots), joints)).collect()
+    let all = Mechanism::ALL.into_iter().flat_map(|mechanism| sizes.map(|joints| (mechanism, joints)));
+    all.map(|(mechanism, joints)| escapement(&like_the_thesis(mechanism), joints)).collect()
 }
 
 fn parts(passage: &Passage) -> [f64; 5] {
@@ -56,7 +56,7 @@ fn friction_takes_all_that_the_spring_gives_in_a_cycle() {
     for escapement in samples() {
         let state = escapement.steady_state(1e-9).expect("a steady state").state;
         assert_relative_eq!(state.work.losses(), state.work.input, max_relative = 1e-8);
-        let turn = 2.0 * escapement.parameters().slots().engagement_half_angle();
+        let turn = 2.0 * escapement.parameters().mechanism().engagement_half_angle();
         assert_relative_eq!(state.work.input, turn, max_relative = 1e-15);
         assert_relative_eq!(state.mean_speed * state.period, turn, max_relative = 1e-15);
         let mean = f64::midpoint(state.peak.speed, state.minimum.speed);
@@ -89,7 +89,7 @@ fn extremes_are_where_the_driver_does_not_accelerate() {
 
 #[test]
 fn a_preload_that_is_too_great_stalls_the_driver() {
-    let parameters = like_the_thesis(Slots::Four);
+    let parameters = like_the_thesis(Mechanism::FOUR_PIN);
     let stopped = |preload| {
         let joints = Joints { follower_preload: preload, ..Joints::IDEAL };
         escapement(&parameters, joints).steady_state_in(512)

@@ -40,7 +40,7 @@ impl Instant {
         let (parameters, joints) = (escapement.parameters(), escapement.joints());
         let Turn { cos, sin } = Turn::from_radians(angle);
         let pin = Vector2::new(cos, sin);
-        let reach = pin - Vector2::new(parameters.slots().ratio(), 0.0);
+        let reach = pin - Vector2::new(parameters.mechanism().centre_distance_ratio(), 0.0);
         let (radius, along) = (reach.norm(), reach.normalize());
         // The follower turns clockwise.
         let across = Vector2::new(along.y, -along.x);
@@ -93,15 +93,15 @@ pub fn solutions(escapement: &Escapement, angle: f64, speed: f64) -> usize {
 fn for_instants(mut check: impl FnMut(&Escapement, f64, &Instant, Sign)) {
     let (mut spread, mut seen) = (Spread(0.0), [0; 4]);
     for round in 0..2_000 {
-        let slots = Slots::ALL[round % 3];
-        let parameters = parameters(slots, spread.between(0.05, 2.0), spread.between(0.0, 0.35));
+        let mechanism = Mechanism::ALL[round % 3];
+        let parameters = parameters(mechanism, spread.between(0.05, 2.0), spread.between(0.0, 0.35));
         let mut joints = spread.joints();
         if round % 7 == 0 {
             joints = Joints { pin_radius: joints.pin_radius, ..Joints::IDEAL };
         }
         let Ok(escapement) = Escapement::new(&parameters, joints) else { continue };
         for _ in 0..4 {
-            let angle = slots.engagement_half_angle() * spread.between(-0.999, 0.999);
+            let angle = mechanism.engagement_half_angle() * spread.between(-0.999, 0.999);
             let speed = spread.between(0.0, 4.0);
             let sound: Vec<_> = Sign::BOTH
                 .into_iter()

@@ -1,8 +1,9 @@
 //! Whether the tolerance that is asked for is met, from one end of the parameters to the other.
 
 use super::escapement;
+use crate::existence;
 use crate::steady::Engagement;
-use crate::{Slots, existence};
+use geneva_kinematics::Mechanism;
 
 /// The finest, for comparison: ten times finer than what is tested against it.
 const REFERENCE: f64 = 1e-13;
@@ -11,12 +12,12 @@ const REFERENCE: f64 = 1e-13;
 fn the_tolerance_is_met() {
     for tolerance in [1e-6, 1e-8, 1e-10, 1e-12] {
         let (mut worst, mut stretches, mut count) = (0.0_f64, 0, 0);
-        for slots in Slots::ALL {
+        for mechanism in Mechanism::ALL {
             for quarter in -12..=12 {
                 let inertia = libm::exp10(f64::from(quarter) / 4.0);
-                let limit = existence::critical_friction(slots, inertia).expect("sound").friction.min(3.0);
+                let limit = existence::critical_friction(mechanism, inertia).expect("sound").friction.min(3.0);
                 for part in [1e-6, 0.03, 0.1, 0.3, 0.5, 0.7, 0.9, 0.97, 0.997] {
-                    let escapement = escapement(slots, inertia, limit * part);
+                    let escapement = escapement(mechanism, inertia, limit * part);
                     let [one, finest] = [tolerance, REFERENCE].map(|tolerance| {
                         let engagement = Engagement::with_tolerance(&escapement, tolerance).expect("an engagement");
                         (engagement.stretches(), engagement.steady_state().expect("a terminal speed"))
@@ -34,7 +35,10 @@ fn the_tolerance_is_met() {
                     ] {
                         let error = (a / b - 1.0).abs();
                         worst = worst.max(error);
-                        assert!(error <= tolerance, "{slots:?} {inertia} {part} {name}: {error:e} of {tolerance:e}");
+                        assert!(
+                            error <= tolerance,
+                            "{mechanism:?} {inertia} {part} {name}: {error:e} of {tolerance:e}"
+                        );
                     }
                 }
             }
@@ -47,19 +51,19 @@ fn the_tolerance_is_met() {
 fn the_tolerance_is_met_from_rest() {
     for tolerance in [1e-6, 1e-8, 1e-10, 1e-12] {
         let (mut worst, mut between) = (0.0_f64, 0.0_f64);
-        for slots in Slots::ALL {
+        for mechanism in Mechanism::ALL {
             for half in -6..=6 {
                 let inertia = libm::exp10(f64::from(half) / 2.0);
-                let limit = existence::critical_friction(slots, inertia).expect("sound").friction.min(3.0);
+                let limit = existence::critical_friction(mechanism, inertia).expect("sound").friction.min(3.0);
                 for part in [1e-6, 0.1, 0.3, 0.5, 0.7, 0.9, 0.97] {
-                    let escapement = escapement(slots, inertia, limit * part);
+                    let escapement = escapement(mechanism, inertia, limit * part);
                     let [one, finest] = [tolerance, REFERENCE].map(|tolerance| {
                         let engagement = Engagement::with_tolerance(&escapement, tolerance).expect("an engagement");
                         let passage = engagement.passage(0.0).expect("a speed");
                         let numbers = [passage.duration(), passage.end_speed(), passage.fastest().speed];
                         (numbers, engagement)
                     });
-                    let case = format!("{slots:?} {inertia} {part} to {tolerance:e}");
+                    let case = format!("{mechanism:?} {inertia} {part} to {tolerance:e}");
                     for (a, b) in one.0.iter().zip(finest.0) {
                         worst = worst.max((a / b - 1.0).abs());
                         assert!((a / b - 1.0).abs() <= tolerance, "{case}: {:e}", a / b - 1.0);

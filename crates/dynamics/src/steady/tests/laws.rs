@@ -3,8 +3,9 @@
 use super::{escapement, samples};
 use crate::similarity::Scaling;
 use crate::steady::{Engagement, SteadyError};
-use crate::{Inertias, Parameters, Slots};
+use crate::{Inertias, Parameters};
 use approx::assert_relative_eq;
+use geneva_kinematics::Mechanism;
 
 #[test]
 fn the_steady_state_is_handed_on_unchanged() {
@@ -43,8 +44,8 @@ fn two_motions_approach_by_the_contraction() {
 
 #[test]
 fn without_friction_the_energy_is_the_work_of_the_torque() {
-    for slots in Slots::ALL {
-        let engagement = Engagement::new(&escapement(slots, 0.07, 0.0)).expect("an engagement");
+    for mechanism in Mechanism::ALL {
+        let engagement = Engagement::new(&escapement(mechanism, 0.07, 0.0)).expect("an engagement");
         for speed in [0.0, 0.5, 4.0, 1e3] {
             let passage = engagement.passage(speed).expect("a speed");
             // i u/2 grows by the torque, which is one, times the turn.
@@ -67,10 +68,10 @@ fn without_friction_the_energy_is_the_work_of_the_torque() {
 
 #[test]
 fn speeds_scale_with_the_root_of_the_torque_over_the_inertia() {
-    for slots in Slots::ALL {
+    for mechanism in Mechanism::ALL {
         let make = |torque: f64, scale: f64| {
             let inertias = Inertias::new(0.07 * scale, scale).expect("sound");
-            let escapement = Parameters::new(slots, inertias, torque, 0.21).expect("sound");
+            let escapement = Parameters::new(mechanism, inertias, torque, 0.21).expect("sound");
             (Engagement::new(&escapement).expect("an engagement"), escapement)
         };
         let (one, base) = make(1.0, 1.0);
@@ -88,7 +89,7 @@ fn speeds_scale_with_the_root_of_the_torque_over_the_inertia() {
                 ("contraction", steady.contraction, other.contraction),
                 ("angle", steady.minimum.angle, other.minimum.angle),
             ] {
-                assert!((one / other - 1.0).abs() < 1e-13, "{slots:?} {torque} {inertia} {name}: {one} {other}");
+                assert!((one / other - 1.0).abs() < 1e-13, "{mechanism:?} {torque} {inertia} {name}: {one} {other}");
             }
         }
     }
@@ -96,8 +97,8 @@ fn speeds_scale_with_the_root_of_the_torque_over_the_inertia() {
 
 #[test]
 fn the_rise_ends_where_each_definition_says() {
-    for slots in Slots::ALL {
-        let engagement = Engagement::new(&escapement(slots, 0.07, 0.21)).expect("an engagement");
+    for mechanism in Mechanism::ALL {
+        let engagement = Engagement::new(&escapement(mechanism, 0.07, 0.21)).expect("an engagement");
         let rise = engagement.rise(1e-9).expect("a rise");
         let steady = rise.steady;
         let mut last = 0.0;
@@ -121,7 +122,7 @@ fn the_rise_ends_where_each_definition_says() {
         ];
         for time in times {
             let (loose, tight) = (time.expect("reached"), rise.until_entry_speed(1e-6).expect("reached"));
-            assert!(loose > 0.0 && loose <= tight + steady.period, "{slots:?} {loose} {tight}");
+            assert!(loose > 0.0 && loose <= tight + steady.period, "{mechanism:?} {loose} {tight}");
         }
         let (count, time) = engagement.engagements_to_settle(0.01).expect("a rise");
         assert_eq!(Some(time), rise.until_entry_speed(0.01));
@@ -131,7 +132,7 @@ fn the_rise_ends_where_each_definition_says() {
 
 #[test]
 fn a_printed_run_is_the_motion_of_the_engagements() {
-    let engagement = Engagement::new(&escapement(Slots::Four, 0.07, 0.33)).expect("an engagement");
+    let engagement = Engagement::new(&escapement(Mechanism::FOUR_PIN, 0.07, 0.33)).expect("an engagement");
     let (lines, rise) = (engagement.run(0.01, 12.0).expect("a run"), engagement.rise(1e-9).expect("a rise"));
     assert_eq!(lines.len(), 1201);
     assert!(lines[0].speed == 0.0 && lines[0].turned.abs() < 1e-15, "{:?}", lines[0]);
@@ -151,13 +152,13 @@ fn a_printed_run_is_the_motion_of_the_engagements() {
 
 #[test]
 fn the_first_minimum_from_rest_is_where_the_acceleration_turns() {
-    for slots in Slots::ALL {
+    for mechanism in Mechanism::ALL {
         for (inertia, friction) in [(0.07, 0.21), (0.7, 0.33)] {
-            let engagement = Engagement::new(&escapement(slots, inertia, friction)).expect("an engagement");
+            let engagement = Engagement::new(&escapement(mechanism, inertia, friction)).expect("an engagement");
             let found = engagement.first_minimum().expect("a motion").expect("a minimum");
             let lines = engagement.run(1e-3, 8.0).expect("a run");
             let turn = lines.windows(2).find(|w| w[0].acceleration < 0.0 && w[1].acceleration >= 0.0).expect("a turn");
-            assert!(turn[0].time <= found.time && found.time <= turn[1].time, "{slots:?} {inertia}: {found:?}");
+            assert!(turn[0].time <= found.time && found.time <= turn[1].time, "{mechanism:?} {inertia}: {found:?}");
             assert!(found.speed <= turn[0].speed && found.speed <= turn[1].speed);
             assert_relative_eq!(found.speed, turn[0].speed, max_relative = 1e-5);
         }

@@ -1,49 +1,56 @@
 //! The ends of the range: hardly any friction, nearly too much, very different inertias, impossible requests.
 
 use super::escapement;
+use crate::existence;
 use crate::steady::{Engagement, SteadyError, TOLERANCES};
-use crate::{Slots, existence};
+use geneva_kinematics::Mechanism;
 use std::f64::consts::PI;
 
 #[test]
 fn little_friction_gives_a_high_speed_and_keeps_its_digits() {
-    for slots in Slots::ALL {
+    for mechanism in Mechanism::ALL {
         let mut last: Option<f64> = None;
         for power in 2..=12 {
             let friction = libm::exp10(-f64::from(power));
-            let engagement = Engagement::new(&escapement(slots, 0.07, friction)).expect("an engagement");
+            let engagement = Engagement::new(&escapement(mechanism, 0.07, friction)).expect("an engagement");
             let steady = engagement.steady_state().expect("a terminal speed");
             // For μ → 0 the loss goes as μ u, so that u goes as 1/μ.
             let constant = steady.entry_speed * steady.entry_speed * friction;
             if let Some(last) = last {
                 assert!(
                     (constant / last - 1.0).abs() < 10.0 * friction.sqrt(),
-                    "{slots:?} {friction} {constant} {last}"
+                    "{mechanism:?} {friction} {constant} {last}"
                 );
             }
             last = Some(constant);
-            assert!((1.0 - steady.contraction) / friction < 1e3, "{slots:?} {friction}");
+            assert!((1.0 - steady.contraction) / friction < 1e3, "{mechanism:?} {friction}");
         }
     }
 }
 
 #[test]
 fn near_the_critical_friction_there_is_a_number_or_a_reason() {
-    for slots in Slots::ALL {
+    for mechanism in Mechanism::ALL {
         for inertia in [1e-3, 0.07, 1.0, 50.0] {
-            let limit = existence::critical_friction(slots, inertia).expect("sound").friction;
+            let limit = existence::critical_friction(mechanism, inertia).expect("sound").friction;
             for gap in [0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-9, 1e-12] {
-                let escapement = escapement(slots, inertia, limit * (1.0 - gap));
+                let escapement = escapement(mechanism, inertia, limit * (1.0 - gap));
                 match Engagement::with_tolerance(&escapement, 1e-10) {
                     Ok(engagement) => {
                         let steady = engagement.steady_state().expect("a terminal speed");
                         let end = engagement.hand_over(steady.entry_speed).expect("a speed");
-                        assert!((end / steady.entry_speed - 1.0).abs() < 1e-9, "{slots:?} {inertia} {gap}");
-                        assert!(steady.period.is_finite() && steady.minimum.speed > 0.0, "{slots:?} {inertia} {gap}");
-                        assert!((0.0..1.0).contains(&steady.contraction), "{slots:?} {inertia} {gap}");
+                        assert!((end / steady.entry_speed - 1.0).abs() < 1e-9, "{mechanism:?} {inertia} {gap}");
+                        assert!(
+                            steady.period.is_finite() && steady.minimum.speed > 0.0,
+                            "{mechanism:?} {inertia} {gap}"
+                        );
+                        assert!((0.0..1.0).contains(&steady.contraction), "{mechanism:?} {inertia} {gap}");
                     }
                     Err(error) => {
-                        assert!(matches!(error, SteadyError::TooSharp { .. }) && gap < 1e-4, "{slots:?} {gap} {error}");
+                        assert!(
+                            matches!(error, SteadyError::TooSharp { .. }) && gap < 1e-4,
+                            "{mechanism:?} {gap} {error}"
+                        );
                         assert!(error.to_string().contains("lower the friction"), "{error}");
                     }
                 }
@@ -54,12 +61,12 @@ fn near_the_critical_friction_there_is_a_number_or_a_reason() {
 
 #[test]
 fn extreme_inertias_give_numbers_or_a_reason() {
-    for slots in Slots::ALL {
+    for mechanism in Mechanism::ALL {
         for power in [-300, -100, -30, -15, -9, -6, -3, 3, 6, 9, 15, 30, 100, 300] {
             let inertia = libm::exp10(f64::from(power));
-            let limit = existence::critical_friction(slots, inertia).expect("sound").friction;
+            let limit = existence::critical_friction(mechanism, inertia).expect("sound").friction;
             for friction in [0.0, 1e-300, limit.min(1e3) * 0.5, limit.min(1e300) * 0.9] {
-                let engagement = match Engagement::with_tolerance(&escapement(slots, inertia, friction), 1e-8) {
+                let engagement = match Engagement::with_tolerance(&escapement(mechanism, inertia, friction), 1e-8) {
                     Ok(engagement) => engagement,
                     Err(error) => {
                         assert!(matches!(error, SteadyError::TooSharp { .. }), "{error}");
@@ -71,14 +78,14 @@ fn extreme_inertias_give_numbers_or_a_reason() {
                         let all = [steady.entry_speed, steady.peak.speed, steady.minimum.speed, steady.period];
                         assert!(
                             all.iter().all(|x| x.is_finite() && *x > 0.0),
-                            "{slots:?} {inertia} {friction} {steady:?}"
+                            "{mechanism:?} {inertia} {friction} {steady:?}"
                         );
                     }
                     Err(error) => assert!(matches!(error, SteadyError::NoTerminalSpeed { .. }), "{error}"),
                 }
                 for speed in [0.0, 1e-300, 1e-150, 1.0, 1e100] {
                     if let Ok(passage) = engagement.passage(speed) {
-                        assert!(passage.duration() > 0.0, "{slots:?} {inertia} {friction} {speed}");
+                        assert!(passage.duration() > 0.0, "{mechanism:?} {inertia} {friction} {speed}");
                         let _ = (passage.extremes(), passage.contraction());
                     }
                 }
@@ -89,7 +96,7 @@ fn extreme_inertias_give_numbers_or_a_reason() {
 
 #[test]
 fn impossible_requests_are_named() {
-    let escapement = escapement(Slots::Four, 0.07, 0.21);
+    let escapement = escapement(Mechanism::FOUR_PIN, 0.07, 0.21);
     for fold in [0.0, -1.0, f64::NAN, f64::INFINITY, PI + PI / 4.0, 9.0] {
         let error = Engagement::folded(&escapement, fold, 1e-12).expect_err("no fold");
         assert!(matches!(error, SteadyError::Fold { .. }) && error.to_string().contains("fold"), "{error}");
@@ -115,20 +122,20 @@ fn impossible_requests_are_named() {
 
 #[test]
 fn what_has_one_solution_within_the_slot_has_one_beyond() {
-    for slots in Slots::ALL {
+    for mechanism in Mechanism::ALL {
         for inertia in [0.01, 0.07, 0.7] {
-            let limit = existence::critical_friction(slots, inertia).expect("sound").friction;
+            let limit = existence::critical_friction(mechanism, inertia).expect("sound").friction;
             for part in [0.2, 0.6, 0.9, 0.99, 0.9999] {
-                let escapement = escapement(slots, inertia, limit * part);
-                let half = slots.engagement_half_angle();
-                let least = existence::least_margin(slots, inertia, escapement.friction()).expect("sound").margin;
+                let escapement = escapement(mechanism, inertia, limit * part);
+                let half = mechanism.engagement_half_angle();
+                let least = existence::least_margin(mechanism, inertia, escapement.friction()).expect("sound").margin;
                 for step in 0..=1000 {
                     let angle = half + (PI - half) * f64::from(step) / 1000.0;
                     let margin = existence::margin(&escapement.pose(angle), inertia, escapement.friction());
-                    assert!(margin > least, "{slots:?} {inertia} {part} {angle}");
+                    assert!(margin > least, "{mechanism:?} {inertia} {part} {angle}");
                 }
                 let folded = Engagement::folded(&escapement, 0.95 * (PI + half), 1e-10).expect("one solution");
-                assert!(folded.steady_state().is_ok(), "{slots:?} {inertia} {part}");
+                assert!(folded.steady_state().is_ok(), "{mechanism:?} {inertia} {part}");
             }
         }
     }

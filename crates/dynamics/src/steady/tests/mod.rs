@@ -7,21 +7,22 @@ mod routes;
 mod terminal;
 
 use super::Engagement;
-use crate::{Inertias, Parameters, Slots};
+use crate::{Inertias, Parameters};
+use geneva_kinematics::Mechanism;
 
 /// An escapement with torque one and a follower's inertia of one.
-pub fn escapement(slots: Slots, inertia_ratio: f64, friction: f64) -> Parameters {
+pub fn escapement(mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> Parameters {
     let inertias = Inertias::new(inertia_ratio, 1.0).expect("sound inertias");
-    Parameters::new(slots, inertias, 1.0, friction).expect("a sound escapement")
+    Parameters::new(mechanism, inertias, 1.0, friction).expect("a sound escapement")
 }
 
 /// Escapements of all kinds, with their engagement as it is, or folded sooner or later.
 pub fn samples() -> Vec<Engagement> {
     let mut samples = Vec::new();
-    for slots in Slots::ALL {
+    for mechanism in Mechanism::ALL {
         for (inertia, friction) in [(0.07, 0.21), (0.7, 0.33), (0.7, 0.11), (3.0, 0.4)] {
-            let escapement = escapement(slots, inertia, friction);
-            let natural = 2.0 * slots.engagement_half_angle();
+            let escapement = escapement(mechanism, inertia, friction);
+            let natural = 2.0 * mechanism.engagement_half_angle();
             samples.push(Engagement::new(&escapement).expect("an engagement"));
             for part in [0.3, 0.5, 0.6, 0.8, 1.1, 1.3] {
                 let fold = Engagement::folded(&escapement, natural * part, 1e-12);

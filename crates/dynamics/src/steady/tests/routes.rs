@@ -5,7 +5,8 @@
 
 use super::{escapement, samples};
 use crate::steady::Engagement;
-use crate::{Parameters, Sign, Slots};
+use crate::{Parameters, Sign};
+use geneva_kinematics::Mechanism;
 use geneva_mimic::{AtSmallestStep, Kept};
 use nalgebra::Vector2;
 use ode_solvers::dop_shared::OutputType;
@@ -90,7 +91,7 @@ struct Found {
 
 fn integrate(engagement: &Engagement, entry: f64, eight: bool) -> Found {
     let escapement = engagement.parameters();
-    let half = escapement.slots().engagement_half_angle();
+    let half = escapement.mechanism().engagement_half_angle();
     let end = engagement.fold() - half;
     let mut state = Vector2::new(-half, entry);
     let mut found = Found { end: entry, duration: 0.0, peak: entry, minimum: entry, switch: None };
@@ -172,9 +173,9 @@ fn integrators_with_located_switches_agree() {
 
 #[test]
 fn a_run_in_small_steps_from_rest_prints_the_same() {
-    for slots in Slots::ALL {
-        let escapement = escapement(slots, 0.07, if slots == Slots::Three { 0.21 } else { 0.33 });
-        let natural = 2.0 * slots.engagement_half_angle();
+    for mechanism in Mechanism::ALL {
+        let escapement = escapement(mechanism, 0.07, if mechanism == Mechanism::SIX_PIN { 0.21 } else { 0.33 });
+        let natural = 2.0 * mechanism.engagement_half_angle();
         for fold in [natural, natural * 1.2] {
             let engagement = Engagement::folded(&escapement, fold, 1e-12).expect("a fold in range");
             let lines = engagement.run(0.125, 8.0).expect("a run");
@@ -203,9 +204,9 @@ fn a_run_in_small_steps_from_rest_prints_the_same() {
                 number += 1;
             })
             .expect("a run");
-            println!("{slots:?} {fold}: {worst:e} over {number} lines");
+            println!("{mechanism:?} {fold}: {worst:e} over {number} lines");
             assert_eq!(number, lines.len());
-            assert!(worst < 2e-11, "{slots:?} {fold}: {worst:e}");
+            assert!(worst < 2e-11, "{mechanism:?} {fold}: {worst:e}");
         }
     }
 }

@@ -1,8 +1,9 @@
 //! The terminal speed without the extremes, against the steady state with them.
 
 use super::{escapement, samples};
+use crate::existence;
 use crate::steady::{Engagement, SteadyError};
-use crate::{Slots, existence};
+use geneva_kinematics::Mechanism;
 use std::f64::consts::PI;
 
 /// Whether both ways of asking give the same numbers to the last bit, or the same refusal.
@@ -35,13 +36,13 @@ fn the_same(engagement: &Engagement) -> bool {
 fn without_the_extremes_the_numbers_are_the_same() {
     let mut found = samples().iter().filter(|engagement| the_same(engagement)).count();
     assert_eq!(found, samples().len());
-    for slots in Slots::ALL {
+    for mechanism in Mechanism::ALL {
         for quarter in (-12..=12).step_by(3) {
             let inertia = libm::exp10(f64::from(quarter) / 4.0);
-            let limit = existence::critical_friction(slots, inertia).expect("sound").friction.min(3.0);
+            let limit = existence::critical_friction(mechanism, inertia).expect("sound").friction.min(3.0);
             for part in [0.0, 1e-9, 1e-3, 0.1, 0.5, 0.9, 0.997] {
-                let escapement = escapement(slots, inertia, limit * part);
-                let half = slots.engagement_half_angle();
+                let escapement = escapement(mechanism, inertia, limit * part);
+                let half = mechanism.engagement_half_angle();
                 // Short of the line of centres, at it, short of the exit, at it, beyond, and nearly as far as it goes.
                 for fold in [0.2 * half, half, 1.7 * half, 2.0 * half, 3.0 * half, 0.95 * (PI + half)] {
                     for tolerance in [1e-6, 1e-10] {
@@ -59,10 +60,10 @@ fn without_the_extremes_the_numbers_are_the_same() {
 #[test]
 fn at_the_ends_of_the_range_both_give_numbers_or_both_refuse() {
     let mut refused = 0;
-    for slots in Slots::ALL {
+    for mechanism in Mechanism::ALL {
         for power in [-300, -30, -15, -9, -6, 6, 9, 15, 30, 300] {
             let inertia = libm::exp10(f64::from(power));
-            let limit = existence::critical_friction(slots, inertia).expect("sound").friction;
+            let limit = existence::critical_friction(mechanism, inertia).expect("sound").friction;
             for friction in [
                 0.0,
                 1e-300,
@@ -71,7 +72,7 @@ fn at_the_ends_of_the_range_both_give_numbers_or_both_refuse() {
                 limit.min(1e300) * 0.9,
                 limit * (1.0 - 1e-6),
             ] {
-                match Engagement::with_tolerance(&escapement(slots, inertia, friction), 1e-8) {
+                match Engagement::with_tolerance(&escapement(mechanism, inertia, friction), 1e-8) {
                     Ok(engagement) => refused += usize::from(!the_same(&engagement)),
                     Err(error) => assert!(matches!(error, SteadyError::TooSharp { .. }), "{error}"),
                 }
@@ -84,8 +85,8 @@ fn at_the_ends_of_the_range_both_give_numbers_or_both_refuse() {
 #[test]
 fn what_was_asked_for_before_changes_nothing() {
     // Stretches with the minus sign are made when they are asked for: from rest the switch comes late, fast it is early.
-    for slots in Slots::ALL {
-        let escapement = escapement(slots, 0.07, 0.21);
+    for mechanism in Mechanism::ALL {
+        let escapement = escapement(mechanism, 0.07, 0.21);
         let fresh = || Engagement::new(&escapement).expect("an engagement");
         let used = fresh();
         let slow = used.hand_over(0.0).expect("a speed");

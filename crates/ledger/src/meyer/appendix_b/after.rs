@@ -9,7 +9,8 @@ use super::*;
 use crate::meyer::appendix_d::{OTHER_ANGLE, along_the_slots, of_the_pins};
 use crate::meyer::runs::{Hypothesis, Row, duration, interval, rows};
 use geneva_dynamics::program::Program;
-use geneva_dynamics::{Inertias, Parameters, Slots};
+use geneva_dynamics::{Inertias, Parameters};
+use geneva_kinematics::Mechanism;
 
 const AFTER: Place = at("Appendix B, paragraphs after the program");
 
@@ -146,10 +147,10 @@ fn angle() -> Vec<Claim> {
                 "the next pin takes over the driver's speed and acceleration",
             )
             .by(ClosedForm, |stated| {
-                let holds = Slots::ALL.iter().all(|slots| {
-                    let sound = Inertias::new(1.0, 2.0).and_then(|both| Parameters::new(*slots, both, 1.0, 0.25));
+                let holds = Mechanism::ALL.iter().all(|mechanism| {
+                    let sound = Inertias::new(1.0, 2.0).and_then(|both| Parameters::new(*mechanism, both, 1.0, 0.25));
                     sound.is_ok_and(|sound| {
-                        let end = slots.engagement_half_angle();
+                        let end = mechanism.engagement_half_angle();
                         let [last, first] = [end, -end].map(|at| {
                             let driver = sound.acceleration(at, 1.5).map_or(f64::NAN, |found| found.value);
                             stated.pick(driver, sound.pose(at).follower_acceleration(&1.5, &driver))
@@ -162,7 +163,7 @@ fn angle() -> Vec<Claim> {
             .by(Vectors, |stated| {
                 for_each(
                     |at| {
-                        let end = at.driver_half_angle();
+                        let end = at.engagement_half_angle();
                         let [leaving, entering] = [end, -end].map(|angle| {
                             // The torque that this motion of the driver asks for at the hand-over, by both members.
                             let seen = Seen::new(at, angle);
@@ -189,7 +190,7 @@ fn angle() -> Vec<Claim> {
                 for_each(
                     |at| {
                         (-9..=9).all(|k| {
-                            let layout = at.layout(at.driver_half_angle() * f64::from(k) / 10.0);
+                            let layout = at.layout(at.engagement_half_angle() * f64::from(k) / 10.0);
                             layout.is_ok_and(|layout| layout.engaged.len() == engaged)
                         })
                     },
@@ -202,7 +203,7 @@ fn angle() -> Vec<Claim> {
                     |at| {
                         // Within the follower's rim are the pins that are in slots.
                         (-9..=9).all(|k| {
-                            let first = at.driver_half_angle() * f64::from(k) / 10.0;
+                            let first = at.engagement_half_angle() * f64::from(k) / 10.0;
                             let within = (0..at.pins()).filter(|pin| {
                                 let crank = Turn::from_radians(first + at.driver_advance() * f64::from(*pin));
                                 at.pin_distance(&crank) < at.rim_radius()

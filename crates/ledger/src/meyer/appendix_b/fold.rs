@@ -15,16 +15,16 @@ pub fn fold(
         .statement(id, said, meaning)
         .by(ClosedForm, |stated| folds(|at| modulus(at, stated)))
         .by(Vectors, |stated| {
-            let agree = |at: &&Escapement| {
+            let agree = |at: &&Mechanism| {
                 (0..100).all(|k| {
                     let angle = (f64::from(k) + 0.5) * 0.0625;
-                    let crank = Turn::from_radians(angle % modulus(at, stated) - at.driver_half_angle());
+                    let crank = Turn::from_radians(angle % modulus(at, stated) - at.engagement_half_angle());
                     // The modulus is printed to four places.
                     (at.pin_distance(&crank) - nearest_pin(at, angle)).abs() < 1e-3
                 })
             };
-            let all = Escapement::all();
-            let pins: Vec<u32> = all.iter().filter(agree).map(Escapement::pins).collect();
+            let all = Mechanism::ALL;
+            let pins: Vec<u32> = all.iter().filter(agree).map(|at| at.pins()).collect();
             Finding::new(
                 pins.len() == all.len(),
                 format!("the nearest to the follower's axis of all pins by coordinates is there for {pins:?} pins"),
@@ -34,21 +34,22 @@ pub fn fold(
 }
 
 /// After which angle the driver is put back: that between two pins, or as printed.
-fn modulus(at: &Escapement, stated: Stated) -> f64 {
+fn modulus(at: &Mechanism, stated: Stated) -> f64 {
     stated.pick(at.driver_advance(), printed("meyer.listing.quarter-turn"))
 }
 
 /// Whether the folded angle runs from entry to exit and no farther, for each escapement with its modulus.
-fn folds(modulus: impl Fn(&Escapement) -> f64) -> Finding {
-    let ends: Vec<String> = Escapement::all()
+fn folds(modulus: impl Fn(&Mechanism) -> f64) -> Finding {
+    let ends: Vec<String> = Mechanism::ALL
         .iter()
         .filter(|at| {
-            let end = modulus(at) - at.driver_half_angle();
+            let end = modulus(at) - at.engagement_half_angle();
             // The modulus is printed to four places.
-            (end - at.driver_half_angle()).abs() > 1e-4
+            (end - at.engagement_half_angle()).abs() > 1e-4
         })
         .map(|at| {
-            let [from, to] = [-at.driver_half_angle(), modulus(at) - at.driver_half_angle()].map(f64::to_degrees);
+            let [from, to] =
+                [-at.engagement_half_angle(), modulus(at) - at.engagement_half_angle()].map(f64::to_degrees);
             format!("from {from:.0}° to {to:.0}° for {} pins", at.pins())
         })
         .collect();
@@ -58,10 +59,10 @@ fn folds(modulus: impl Fn(&Escapement) -> f64) -> Finding {
 
 /// Distance of the pin nearest to the follower's axis, of all pins by coordinates, when the driver has turned so far
 /// from the entry of one of them.
-fn nearest_pin(at: &Escapement, turned: f64) -> f64 {
+fn nearest_pin(at: &Mechanism, turned: f64) -> f64 {
     let axis = Vector2::new(at.centre_distance_ratio(), 0.0);
     let place = |pin: u32| {
-        Turn::from_radians(turned - at.driver_half_angle() + at.driver_advance() * f64::from(pin)).direction()
+        Turn::from_radians(turned - at.engagement_half_angle() + at.driver_advance() * f64::from(pin)).direction()
     };
     (0..at.pins()).map(|pin| (place(pin) - axis).norm()).fold(f64::INFINITY, f64::min)
 }

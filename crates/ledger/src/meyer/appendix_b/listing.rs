@@ -6,9 +6,9 @@ use super::contact::delay_explains;
 use super::fold::fold;
 use super::program::{self, DELAY_PARTS, SPEED, by_coefficients};
 use super::*;
-use crate::meyer::runs::{self, Column, Mechanism};
+use crate::meyer::runs::{self, Column};
 use crate::meyer::spring::no_rate;
-use geneva_dynamics::Slots;
+use geneva_kinematics::Mechanism;
 
 const PROGRAM: Place = at("Appendix B, program");
 
@@ -32,15 +32,16 @@ fn constants() -> Vec<Claim> {
                 "the angle at the start is read as a parameter beside the number of slots: in radians, and negative",
             )
             .by(ClosedForm, |stated| {
-                let holds =
-                    Slots::ALL.iter().all(|slots| vanishes(program::at(*slots, start_angle(*slots, stated))["H"]));
+                let holds = Mechanism::ALL
+                    .iter()
+                    .all(|mechanism| vanishes(program::at(*mechanism, start_angle(*mechanism, stated))["H"]));
                 Finding::new(holds, "the line of H, read and evaluated there, is zero: a pin enters along its slot")
             })
             .by(LimitCase, |stated| {
                 // The folded angle starts at X0 and ends as far on the other side.
-                let holds = Slots::ALL.iter().all(|slots| {
-                    let start = start_angle(*slots, stated);
-                    agrees(start + 2.0 * PI / f64::from(slots.pins()), -start)
+                let holds = Mechanism::ALL.iter().all(|mechanism| {
+                    let start = start_angle(*mechanism, stated);
+                    agrees(start + 2.0 * PI / f64::from(mechanism.pins()), -start)
                 });
                 Finding::new(holds, "the angle from one pin to the next takes it as far to the other side")
             })
@@ -57,8 +58,8 @@ fn constants() -> Vec<Claim> {
                 "time between printed lines, a datum: of a half, once and twice as much it is the one whose largest \
                  printed speeds are those of the tables",
             )
-            .by(Evidence::Integration, || runs::fitting_interval(Mechanism::SixPin))
-            .by(Evidence::Steps, || runs::fitting_interval(Mechanism::FourPin)),
+            .by(Evidence::Integration, || runs::fitting_interval(Mechanism::SIX_PIN))
+            .by(Evidence::Steps, || runs::fitting_interval(Mechanism::FOUR_PIN)),
         PROGRAM
             .statement(
                 "meyer.listing.delay",
@@ -91,7 +92,7 @@ fn constants() -> Vec<Claim> {
                 "",
                 "a quarter of a turn in radians: an engagement of four pins",
             )
-            .by(ClosedForm, || 2.0 * Slots::Four.engagement_half_angle())
+            .by(ClosedForm, || 2.0 * Mechanism::FOUR_PIN.engagement_half_angle())
             .by(LimitCase, || machin() / 2.0),
         PROGRAM
             .statement("meyer.listing.run-length", ".2", "time at which a run ends, in seconds")
@@ -108,8 +109,8 @@ fn constants() -> Vec<Claim> {
 }
 
 /// The angle at the start of a run.
-fn start_angle(slots: Slots, stated: Stated) -> f64 {
-    let radians = -slots.engagement_half_angle();
+fn start_angle(mechanism: Mechanism, stated: Stated) -> f64 {
+    let radians = -mechanism.engagement_half_angle();
     stated.pick(radians, radians.to_degrees())
 }
 
@@ -128,8 +129,11 @@ fn factors() -> Vec<Claim> {
             "G",
             program::G,
             || {
-                let rounded = |slots: &Slots| 1.0 / libm::sin(printed("meyer.listing.pi") / f64::from(slots.count()));
-                let near = Slots::ALL.iter().all(|slots| (rounded(slots) / slots.ratio() - 1.0).abs() < 5e-6);
+                let rounded =
+                    |mechanism: &Mechanism| 1.0 / libm::sin(printed("meyer.listing.pi") / f64::from(mechanism.slots()));
+                let near = Mechanism::ALL
+                    .iter()
+                    .all(|mechanism| (rounded(mechanism) / mechanism.centre_distance_ratio() - 1.0).abs() < 5e-6);
                 let found = by_coefficients(|lines, at| [(lines["G"], at.ratio)]);
                 Finding::new(near && found.holds, found.how)
             },

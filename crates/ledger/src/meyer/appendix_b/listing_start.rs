@@ -4,7 +4,8 @@ use super::program::{self, by_coefficients};
 use super::*;
 use crate::meyer::reading::Letters;
 use geneva_dynamics::derivation::StartingAcceleration;
-use geneva_dynamics::{Coefficients, Pose, Sign, Slots};
+use geneva_dynamics::{Coefficients, Pose, Sign};
+use geneva_kinematics::Mechanism;
 
 const PROGRAM: Place = at("Appendix B, program, lines of SMT");
 
@@ -86,24 +87,25 @@ const INERTIA_RATIO: f64 = 0.625;
 const DRIVE: f64 = 1.5;
 
 /// The factors of the equation of motion, and the letters of the program's start.
-fn pose(slots: Slots, angle: f64, friction: f64) -> (Letters, Coefficients<f64>) {
-    let pose = Pose::new(&slots.ratio(), &Turn::from_radians(angle));
-    let cards = [("G", slots.ratio()), ("X0", angle), ("U", friction), ("IC", INERTIA_RATIO), ("IW", 1.0)];
+fn pose(mechanism: Mechanism, angle: f64, friction: f64) -> (Letters, Coefficients<f64>) {
+    let pose = Pose::new(&mechanism.centre_distance_ratio(), &Turn::from_radians(angle));
+    let cards =
+        [("G", mechanism.centre_distance_ratio()), ("X0", angle), ("U", friction), ("IC", INERTIA_RATIO), ("IW", 1.0)];
     let letters = cards.map(|(name, value)| (name.to_owned(), value)).into();
     (letters, Coefficients::of_pose(&pose, &INERTIA_RATIO, &friction, &DRIVE))
 }
 
 fn poses(friction: f64) -> impl Iterator<Item = (Letters, Coefficients<f64>)> {
-    Slots::ALL.into_iter().flat_map(move |slots| {
-        (-9..=9).map(move |k| pose(slots, slots.engagement_half_angle() * f64::from(k) / 10.0, friction))
+    Mechanism::ALL.into_iter().flat_map(move |mechanism| {
+        (-9..=9).map(move |k| pose(mechanism, mechanism.engagement_half_angle() * f64::from(k) / 10.0, friction))
     })
 }
 
 /// Whether the first acceleration satisfies the equation of motion at the entry at this speed, whatever the friction.
 pub fn start_solves(speed: f64) -> Finding {
-    let holds = Slots::ALL.iter().all(|slots| {
+    let holds = Mechanism::ALL.iter().all(|mechanism| {
         [0.0, 0.125, 0.25].iter().all(|friction| {
-            let (letters, c) = pose(*slots, -slots.engagement_half_angle(), *friction);
+            let (letters, c) = pose(*mechanism, -mechanism.engagement_half_angle(), *friction);
             let gain = DRIVE / (start_line("R", &letters) + start_line("V", &letters));
             c.acceleration(speed).is_ok_and(|solved| agrees(gain, solved.value))
         })

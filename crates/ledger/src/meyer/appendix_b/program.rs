@@ -2,7 +2,8 @@
 
 use super::*;
 use crate::meyer::reading::{self, Letters, Moment};
-use geneva_dynamics::{Coefficients, Pose, Sign, Slots};
+use geneva_dynamics::{Coefficients, Pose, Sign};
+use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
 
 /// The part of the print interval by which the old acceleration is late.
@@ -69,9 +70,9 @@ pub fn start_line(name: &str, letters: &Letters) -> f64 {
 }
 
 /// What the lines of the motion compute at an angle, with the acceleration of the instant itself for the old one.
-pub fn at(slots: Slots, x: f64) -> Letters {
-    let old = Truth::at(slots, x).acceleration;
-    let motion_of = [("N", f64::from(slots.count())), ("X", x), ("1DX", SPEED), ("OLD2DX", old)];
+pub fn at(mechanism: Mechanism, x: f64) -> Letters {
+    let old = Truth::at(mechanism, x).acceleration;
+    let motion_of = [("N", f64::from(mechanism.slots())), ("X", x), ("1DX", SPEED), ("OLD2DX", old)];
     motion(CARDS.into_iter().chain(motion_of).map(|(name, value)| (name.to_owned(), value)).collect())
 }
 
@@ -85,8 +86,8 @@ pub struct Truth {
 }
 
 impl Truth {
-    fn at(slots: Slots, x: f64) -> Self {
-        let ratio = slots.ratio();
+    fn at(mechanism: Mechanism, x: f64) -> Self {
+        let ratio = mechanism.centre_distance_ratio();
         let pose = Pose::new(&ratio, &Turn::from_radians(x));
         let [friction, torque, follower, driver] = CARDS.map(|(_, value)| value);
         let coefficients = Coefficients::of_pose(&pose, &(driver / follower), &friction, &(torque / follower));
@@ -98,10 +99,10 @@ impl Truth {
 
 /// Whether lines agree with the equation of motion, all over the engagements of the three mechanisms.
 pub fn by_coefficients<const N: usize>(pairs: impl Fn(&Letters, &Truth) -> [(f64, f64); N]) -> Finding {
-    let holds = Slots::ALL.iter().all(|slots| {
+    let holds = Mechanism::ALL.iter().all(|mechanism| {
         (-9..=9).all(|k| {
-            let x = slots.engagement_half_angle() * f64::from(k) / 10.0;
-            let pairs = pairs(&at(*slots, x), &Truth::at(*slots, x));
+            let x = mechanism.engagement_half_angle() * f64::from(k) / 10.0;
+            let pairs = pairs(&at(*mechanism, x), &Truth::at(*mechanism, x));
             pairs.iter().all(|(a, b)| vanishes((a - b) / a.abs().max(b.abs()).max(1.0)))
         })
     });

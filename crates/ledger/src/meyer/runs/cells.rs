@@ -64,7 +64,7 @@ fn of_row(row: &'static Row) -> Vec<Claim> {
         match row.mechanism {
             _ if claim.expected != Verdict::ReproducedInError => claim,
             // With four pins the reset is right; what is not is a peak between two lines of the print-out.
-            Mechanism::FourPin => claim.in_error(SAMPLED_PEAKS),
+            Mechanism::FOUR_PIN => claim.in_error(SAMPLED_PEAKS),
             _ => claim.in_error(RESET_ANGLE),
         }
     };

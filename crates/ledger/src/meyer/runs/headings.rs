@@ -18,16 +18,16 @@ const MEMBERS: [&str; 2] = ["driver", "follower"];
 /// The claims of a table's heading.
 pub fn claims(mechanism: Mechanism) -> Vec<Claim> {
     let numbers = match mechanism {
-        Mechanism::SixPin => ["10", "6"],
-        Mechanism::FourPin => ["3", "50"],
-        Mechanism::ThreePin => ["3", "40"],
+        Mechanism::SIX_PIN => ["10", "6"],
+        Mechanism::FOUR_PIN => ["3", "50"],
+        _ => ["3", "40"],
     };
     let place = at(leaked(format!("Appendix E, heading of the {}-pin mechanism", mechanism.pins())));
     let of =
         |member: usize| inertia(place, leaked(motion::heading(mechanism, MEMBERS[member])), numbers, mechanism, member);
     let [driver, follower] = [0, 1].map(of);
     match mechanism {
-        Mechanism::SixPin => {
+        Mechanism::SIX_PIN => {
             vec![driver.corrected(numbers[1], SWAPPED_INERTIAS), follower.corrected(numbers[0], SWAPPED_INERTIAS)]
         }
         _ => vec![driver, follower],
@@ -73,14 +73,14 @@ pub fn of_headings() -> Claim {
 
 /// Whether all rows with six and three pins come out to one unit.
 fn counted(of: &Hypothesis, what: &str, unit: f64, off: fn(&Hypothesis, &Row) -> Option<f64>) -> Finding {
-    let others = || rows().iter().filter(|row| row.mechanism != Mechanism::FourPin);
+    let others = || rows().iter().filter(|row| row.mechanism != Mechanism::FOUR_PIN);
     let near = others().filter(|row| off(of, row).is_some_and(|off| off.abs() <= unit * (1.0 + 1e-9))).count();
     Finding::new(near == others().count(), format!("{near} of {} {what} come out to one unit", others().count()))
 }
 
 /// The claims of the axes of Figs. 10 and 11.
 pub fn of_figures() -> Vec<Claim> {
-    let figures = [("10", ["3", "50"], Mechanism::FourPin), ("11", ["6", "10"], Mechanism::SixPin)];
+    let figures = [("10", ["3", "50"], Mechanism::FOUR_PIN), ("11", ["6", "10"], Mechanism::SIX_PIN)];
     let of = |(figure, numbers, mechanism): (&str, _, _)| {
         let place = at(leaked(format!("Fig. {figure}, upper plot")));
         let ids = MEMBERS.map(|member| leaked(format!("meyer.fig-{figure}.{member}")));
@@ -92,7 +92,7 @@ pub fn of_figures() -> Vec<Claim> {
 /// The pair of inertias, of those that come into question, that fits a column of a table best, in millionths.
 fn fitting(mechanism: Mechanism, column: Column) -> [f64; 2] {
     static KNOWN: [[OnceLock<[f64; 2]>; 2]; 3] = [const { [const { OnceLock::new() }; 2] }; 3];
-    *KNOWN[mechanism as usize][usize::from(column == Column::Minimum)].get_or_init(|| best_of(mechanism, column))
+    *KNOWN[mechanism.index()][usize::from(column == Column::Minimum)].get_or_init(|| best_of(mechanism, column))
 }
 
 /// The printed pair, the other way round, and both with a member of half or twice the size.

@@ -29,7 +29,8 @@ pub use hypotheses::{EXPLAINED, Score, delays, scores};
 pub use lagged::Lagged;
 pub use motion::{Constants, Fold, Hypothesis, Reading, Run, SixPin, delay, duration, fitting_interval, interval};
 pub use scores::{Fit, Law, Likelihood};
-pub use table::{Column, Mechanism, Row, rows, series};
+pub use table::{Column, Row, rows, series, slug};
 
 use super::*;
-use geneva_dynamics::{Inertias, Parameters, Slots};
+use geneva_dynamics::{Inertias, Parameters};
+use geneva_kinematics::Mechanism;

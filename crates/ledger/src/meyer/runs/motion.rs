@@ -111,7 +111,7 @@ impl Hypothesis {
 
     /// Inertias of driver and follower, in in lb s².
     pub fn inertias(&self, mechanism: Mechanism) -> [f64; 2] {
-        let six_drawn = mechanism == Mechanism::SixPin && self.six_pin == SixPin::AsDrawn;
+        let six_drawn = mechanism == Mechanism::SIX_PIN && self.six_pin == SixPin::AsDrawn;
         ["driver", "follower"].map(|member| {
             let id = if six_drawn { format!("meyer.fig-11.{member}") } else { heading(mechanism, member) };
             printed(&id) * MILLIONTH
@@ -162,7 +162,7 @@ impl Hypothesis {
         let exact = Program::of(&self.parameters(row)?);
         let ratio = match self.constants {
             Constants::Exact => exact.ratio,
-            Constants::AsListed => 1.0 / libm::sin(printed("meyer.listing.pi") / f64::from(slots(row.mechanism))),
+            Constants::AsListed => 1.0 / libm::sin(printed("meyer.listing.pi") / f64::from(row.mechanism.slots())),
         };
         let contact = self.delay.map_or(Contact::Exact, Contact::Delayed);
         Some(Program { fold: self.angle(row.mechanism), ratio, contact, ..exact })
@@ -189,8 +189,7 @@ const STEPS: u32 = 1500;
 
 /// The parameters of a row with these inertias of driver and follower, in in lb s².
 pub fn parameters_with(row: &Row, [driver, follower]: [f64; 2]) -> Option<Parameters> {
-    let slots = Slots::new(slots(row.mechanism)).ok()?;
-    Parameters::new(slots, Inertias::new(driver, follower).ok()?, row.torque(), row.friction()).ok()
+    Parameters::new(row.mechanism, Inertias::new(driver, follower).ok()?, row.torque(), row.friction()).ok()
 }
 
 /// The largest speed of a run from rest that is printed at each interval.
@@ -204,12 +203,7 @@ pub const MILLIONTH: f64 = 1e-6;
 
 /// The id of an inertia in the heading of a table.
 pub fn heading(mechanism: Mechanism, member: &str) -> String {
-    format!("meyer.app-e.{}.{member}", mechanism.slug())
-}
-
-/// The number of slots that belongs to a number of pins.
-pub fn slots(mechanism: Mechanism) -> u32 {
-    Escapement::all().iter().find(|at| at.pins() == mechanism.pins()).map_or(0, Escapement::slots)
+    format!("meyer.app-e.{}.{member}", slug(mechanism))
 }
 
 /// The interval of the printed lines, in s.
@@ -223,7 +217,7 @@ pub fn interval() -> f64 {
 pub fn fitting_interval(mechanism: Mechanism) -> f64 {
     let misfit = |interval: f64| {
         let of = |row: &Row| {
-            let largest = if mechanism == Mechanism::SixPin {
+            let largest = if mechanism == Mechanism::SIX_PIN {
                 largest_printed(&Hypothesis::BEST.engagement(row)?, interval)?
             } else {
                 let integrator = geneva_mimic::Parameters {

@@ -88,7 +88,7 @@ fn tried(definition: &Definition, starts: &[(&Row, Option<Start>)]) -> Explained
     for (row, start) in starts {
         let time = start.as_ref().and_then(definition.time).unwrap_or(f64::NAN);
         let printed = row.number(Column::Rise);
-        found.within_one[row.mechanism as usize] += usize::from(near(time, printed));
+        found.within_one[row.mechanism.index()] += usize::from(near(time, printed));
         found.mean += (time / printed - 1.0) / starts.len() as f64;
         found.range = [found.range[0].min(time / printed), found.range[1].max(time / printed)];
     }

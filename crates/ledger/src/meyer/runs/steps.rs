@@ -10,7 +10,7 @@ use std::convert::Infallible;
 
 /// The angles of an engagement that starts at entry and lasts for a turn of `fold` radians.
 pub fn angles(parameters: &Parameters, fold: f64, steps: u32) -> Vec<f64> {
-    let (start, step) = (-parameters.slots().engagement_half_angle(), fold / f64::from(steps));
+    let (start, step) = (-parameters.mechanism().engagement_half_angle(), fold / f64::from(steps));
     (0..=steps).map(|k| start + step * f64::from(k)).collect()
 }
 
@@ -40,7 +40,7 @@ fn slope(parameters: &Parameters, angle: f64, square: f64) -> f64 {
 /// none if the steps are too long for the equation.
 pub fn cycle(parameters: &Parameters, fold: f64, steps: u32) -> Option<[f64; 3]> {
     let ratio = Inertias::new(parameters.inertias().ratio(), 1.0).ok()?;
-    let unit = Parameters::new(parameters.slots(), ratio, 1.0, parameters.friction()).ok()?;
+    let unit = Parameters::new(parameters.mechanism(), ratio, 1.0, parameters.friction()).ok()?;
     let angles = angles(&unit, fold, steps);
     let squares = repeated(&unit, &angles)?;
     let least = squares.windows(3).map(|w| lowest(w[0], w[1], w[2]));

@@ -1,41 +1,8 @@
 //! The printed tables of Appendix E: one string for each, a line for each run, with the verdicts on record of its results.
 
 use crate::Verdict;
+use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
-
-/// One of the three mechanisms, as the thesis names them: by the pins.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Mechanism {
-    /// Six pins, three slots.
-    SixPin,
-    /// Four pins, four slots.
-    FourPin,
-    /// Three pins, six slots.
-    ThreePin,
-}
-
-impl Mechanism {
-    /// In the order of the tables.
-    pub const ALL: [Self; 3] = [Self::SixPin, Self::FourPin, Self::ThreePin];
-
-    /// Pins of the driver.
-    pub fn pins(self) -> u32 {
-        match self {
-            Self::SixPin => 6,
-            Self::FourPin => 4,
-            Self::ThreePin => 3,
-        }
-    }
-
-    /// As it stands in ids.
-    pub fn slug(self) -> &'static str {
-        match self {
-            Self::SixPin => "6-pin",
-            Self::FourPin => "4-pin",
-            Self::ThreePin => "3-pin",
-        }
-    }
-}
 
 /// The columns of a table, in their order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -52,6 +19,11 @@ pub enum Column {
     Rise,
     /// Period, in s.
     Period,
+}
+
+/// A mechanism as it stands in ids: the thesis names them by the pins.
+pub fn slug(mechanism: Mechanism) -> String {
+    format!("{}-pin", mechanism.pins())
 }
 
 /// One printed row.
@@ -95,7 +67,7 @@ impl Row {
     /// The row's name in ids: mechanism, friction and torque.
     pub fn slug(&self) -> String {
         let [friction, torque, ..] = self.cells;
-        format!("{}.mu-0{friction}.k-0{torque}", self.mechanism.slug())
+        format!("{}.mu-0{friction}.k-0{torque}", slug(self.mechanism))
     }
 }
 
@@ -133,7 +105,7 @@ const MARKS: [(char, Verdict); 5] = [
 /// Mechanism and rows: friction, torque, peak, minimum, rise time, period, and the marks of the last four.
 const TABLES: [(Mechanism, &str); 3] = [
     (
-        Mechanism::SixPin,
+        Mechanism::SIX_PIN,
         "\
 .20 .03  83 10 .101 .046  !~?!
 .20 .05 107 13 .078 .036  !!?!
@@ -153,7 +125,7 @@ const TABLES: [(Mechanism, &str); 3] = [
 .35 .09 116 14 .044 .034  !!?!",
     ),
     (
-        Mechanism::FourPin,
+        Mechanism::FOUR_PIN,
         "\
 .20 .08 155 19 .056 .040  ==?~
 .20 .10 174 21 .050 .035  ~=?=
@@ -174,7 +146,7 @@ const TABLES: [(Mechanism, &str); 3] = [
 .35 .20 163 25 .028 .031  ?=/=",
     ),
     (
-        Mechanism::ThreePin,
+        Mechanism::THREE_PIN,
         "\
 .20 .08 144 61 .044 .018  !!?!
 .20 .10 161 68 .039 .017  !!?!
