@@ -285,7 +285,9 @@ mod tests {
                     approx::assert_abs_diff_eq!(one, Vector2::new(other.x, -other.y), epsilon = 1e-14);
                 }
             }
-            let beyond = [half.next_up(), -half.next_up(), f64::NAN, f64::INFINITY];
+            // The wheel's π/m is the nearest number to it, a unit above the quotient.
+            let most = escapement.wheel().engagement_half_angle();
+            let beyond = [most.next_up(), -most.next_up(), f64::NAN, f64::INFINITY];
             assert!(beyond.iter().all(|&crank| escapement.layout(crank).is_err()));
             assert_eq!(escapement.layout(0.1).unwrap().meeting(99, 0), None);
         }
