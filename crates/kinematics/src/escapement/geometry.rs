@@ -130,7 +130,7 @@ impl Mechanism {
 
     /// φ₀ = π/n, the follower angle in radians at which a pin leaves. Meyer 1973, display before Eq. (1-1).
     pub fn follower_half_angle(self) -> f64 {
-        PI / f64::from(self.slots)
+        self.wheel().half_station()
     }
 
     /// Driver's turn from one hand-over to the next, 2π/m, in radians.

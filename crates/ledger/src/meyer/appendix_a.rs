@@ -120,7 +120,7 @@ fn mechanism<const SLOTS: u32>(is: Printed) -> [Claim; 6] {
             is.theta,
             "driver's angle at the hand-over",
             "°",
-            || of::<SLOTS>(|at| at.engagement_half_angle().to_degrees()),
+            || of::<SLOTS>(|at| at.wheel().engagement_half_angle().to_degrees()),
             || drawn::<SLOTS>(|pin, _| degrees(pin)),
         ),
         value(
@@ -149,7 +149,7 @@ fn mechanism<const SLOTS: u32>(is: Printed) -> [Claim; 6] {
             || prove(&EntryTriangle::SlotRadius).into(),
             || {
                 let sine = |angle: fn(Mechanism) -> f64| libm::sin(of::<SLOTS>(angle));
-                let by_sines = sine(Mechanism::engagement_half_angle) / sine(Mechanism::follower_half_angle);
+                let by_sines = sine(|at| at.wheel().engagement_half_angle()) / sine(Mechanism::follower_half_angle);
                 same(drawn::<SLOTS>(|pin, axis| (pin - axis).norm()), by_sines)
             },
         ),
