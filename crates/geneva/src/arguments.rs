@@ -4,6 +4,7 @@ use crate::escapement::EscapementArguments;
 use crate::quick_return::QuickReturnArguments;
 use crate::sweep::SweepArguments;
 use crate::wheel::WheelArguments;
+use anyhow::bail;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use geneva_ledger::{Consequence, Verdict, Work};
@@ -49,7 +50,7 @@ pub enum Command {
 Examples:
   geneva claims --source pin
   geneva claims --verdict corrected
-  geneva claims --format json > claims.json")]
+  geneva claims --format json --output claims.json")]
     Claims(ClaimsArguments),
     /// List what is wrong in the sources, the gravest first: printed, right, why, and who else says so
     #[command(after_help = "\
@@ -57,7 +58,7 @@ Examples:
   geneva errata
   geneva errata --consequence result
   geneva errata --source jazar --all
-  geneva errata --format markdown > errata.md")]
+  geneva errata --format markdown --output errata.md")]
     Errata(ErrataArguments),
     /// Show line by line which claim or exception each number of a source belongs to
     #[command(after_help = "\
@@ -72,9 +73,9 @@ exceptions stay where the numbers of a line have not changed; the rest is to be 
     /// Compute or draw a wheel: its sizes, its times, its greatest speed and acceleration
     #[command(after_help = "\
 Examples:
-  geneva wheel --stations 6 --rpm 360 --crank-radius 50
+  geneva wheel --stations 6 --rpm 360 --crank-radius 0.05
   geneva wheel --stations 4 --pins 2 --format json
-  geneva wheel --stations 6 --format svg > wheel.svg")]
+  geneva wheel --stations 6 --format svg --output wheel.svg")]
     Wheel(WheelArguments),
     /// Compute or draw a quick-return mechanism: velocities and accelerations at an instant
     #[command(after_help = "\
@@ -82,7 +83,8 @@ Examples:
   geneva quick-return --ground 0.3 --crank 0.1 --crank-angle 75 --rpm 60
   geneva quick-return --ground 0.3 --crank 0.1 --lever-angle -10 --branch near --rpm 60
   geneva quick-return --ground 0.1 --crank 0.3 --crank-angle 75 --rpm -60 --format json
-  geneva quick-return --ground 0.3 --crank 0.1 --crank-angle 75 --rpm 60 --format svg > drawing.svg
+  geneva quick-return --ground 0.3 --crank 0.1 --crank-angle 75 --rpm 60 \\
+                      --format svg --output drawing.svg
 
 The pin on the crank slides in the slot of the lever, which turns about its pivot.")]
     QuickReturn(QuickReturnArguments),
@@ -93,7 +95,7 @@ Examples:
   geneva escapement --slots 6 --friction 0.2 --torque 1 --driver-inertia 1 --follower-inertia 5 \\
                     --format json
   geneva escapement --slots 4 --friction 0 --torque 1 --driver-inertia 1 --follower-inertia 5 \\
-                    --duration 20 --interval 0.1 --format csv > run.csv
+                    --duration 20 --interval 0.1 --format csv --output run.csv
   geneva escapement --slots 6 --friction 0.2 --torque 1 --driver-inertia 1 --follower-inertia 5 \\
                     --modulus-deg 90
 
@@ -104,7 +106,7 @@ with kg·m². Times are then in s, and speeds in rad/s.")]
     /// Compute many escapements: ranges of friction, inertia ratio and torque, as CSV
     #[command(after_help = "\
 Examples:
-  geneva sweep --slots 4 --friction 0.1:0.4:7 --inertia-ratio 0.1 --output -
+  geneva sweep --slots 4 --friction 0.1:0.4:7 --inertia-ratio 0.1
   geneva sweep --slots 3,4,6 --friction 0.05:0.4:50 --inertia-ratio 0.01:1:50:log --output sweep.csv
   geneva sweep --slots 6 --friction 0.3 --inertia-ratio 0.6 --torque 1:100:5:log \\
                --follower-inertia 1e-5 --threads 2 --output sweep.csv
@@ -127,7 +129,7 @@ may leave FILE.unfinished- with some letters behind it, which can be deleted.")]
         after_help = "\
 Examples:
   geneva book --open
-  geneva book build --out public
+  geneva book build --output public
   geneva book test"
     )]
     Book(BookArguments),
@@ -162,20 +164,15 @@ pub struct ClaimsArguments {
     #[arg(long, value_parser = verdicts())]
     pub verdict: Option<Verdict>,
     /// How to write them
-    #[arg(long, value_enum, default_value_t)]
-    pub format: ClaimsFormat,
-}
-
-/// How to write claims.
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
-pub enum ClaimsFormat {
-    /// A table for reading
-    #[default]
-    Text,
-    /// An array of objects, with all that is known of each claim
-    Json,
-    /// The same, a row for each claim
-    Csv,
+    #[arg(long, default_value = "text", value_parser = formats(&[
+        (Format::Text, "A table for reading"),
+        (Format::Json, "An array of objects, with all that is known of each claim"),
+        (Format::Csv, "The same, a row for each claim"),
+    ]))]
+    pub format: Format,
+    /// Where to write them.
+    #[command(flatten)]
+    pub to: Output,
 }
 
 /// Which slips, and how.
@@ -191,20 +188,16 @@ pub struct ErrataArguments {
     #[arg(long)]
     pub all: bool,
     /// How to write them
-    #[arg(long, value_enum, default_value_t)]
-    pub format: ErrataFormat,
-}
-
-/// How to write slips.
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
-pub enum ErrataFormat {
-    /// Paragraphs for reading
-    #[default]
-    Text,
-    /// An array of objects
-    Json,
-    /// A list by source
-    Markdown,
+    #[arg(long, default_value = "text", value_parser = formats(&[
+        (Format::Text, "Paragraphs for reading"),
+        (Format::Json, "An array of objects"),
+        (Format::Csv, "The same, a row for each slip"),
+        (Format::Markdown, "A list by source"),
+    ]))]
+    pub format: Format,
+    /// Where to write them.
+    #[command(flatten)]
+    pub to: Output,
 }
 
 /// Which source's coverage, and whether to compare it with a copy or to record one.
@@ -238,7 +231,7 @@ pub enum BookAction {
     /// Build the book; this is what `geneva book` does
     #[command(after_help = "\
 Example:
-  geneva book build --out public --open")]
+  geneva book build --output public --open")]
     Build(BuildArguments),
     /// Compile and run every Rust block of every chapter
     #[command(after_help = "\
@@ -252,8 +245,8 @@ Example:
 pub struct BuildArguments {
     /// The directory to build into; a book that is there is replaced when the new one is complete
     /// [default: target/book in the workspace]
-    #[arg(long, value_name = "DIR")]
-    pub out: Option<PathBuf>,
+    #[arg(long, value_name = "DIR", alias = "out")]
+    pub output: Option<PathBuf>,
     /// Open the book when it is built
     #[arg(long)]
     pub open: bool,
@@ -275,6 +268,68 @@ pub enum Question {
         /// mdBook's name of the renderer
         renderer: String,
     },
+}
+
+/// Where an answer goes.
+#[derive(Args, Debug)]
+pub struct Output {
+    /// The file to write, or - for standard output; a file that is there is replaced when the new one is complete
+    #[arg(long, value_name = "FILE", default_value = "-")]
+    pub output: String,
+}
+
+/// How an answer is written. A word means the same to every command that knows it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// For reading.
+    Text,
+    /// With all that is known and all digits.
+    Json,
+    /// A series: a row for each claim, slip or time.
+    Csv,
+    /// A drawing, a file of its own.
+    Svg,
+    /// For pages.
+    Markdown,
+}
+
+impl Format {
+    /// Its name at the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Text => "text",
+            Self::Json => "json",
+            Self::Csv => "csv",
+            Self::Svg => "svg",
+            Self::Markdown => "markdown",
+        }
+    }
+
+    /// Refuses an option that says something of this format only, if another is wanted; `what` alone has such a thing.
+    pub fn only_with(self, wanted: Self, option: &str, typed: Option<String>, what: &str) -> anyhow::Result<()> {
+        match typed {
+            Some(typed) if wanted != self => {
+                bail!("{option} {typed}: only {what} has one; give --format {} with it, or leave it out", self.name())
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// The formats of a command and what each is there. One that has no series says what to use instead of CSV.
+pub fn formats(known: &'static [(Format, &'static str)]) -> impl TypedValueParser<Value = Format> {
+    let has_series = known.iter().any(|(format, _)| *format == Format::Csv);
+    let names = known.iter().map(|(format, told)| PossibleValue::new(format.name()).help(*told));
+    let refused = (!has_series).then(|| PossibleValue::new(Format::Csv.name()).hide(true));
+    PossibleValuesParser::new(names.chain(refused)).try_map(move |name| {
+        let format = known.iter().map(|(format, _)| *format).find(|format| format.name() == name);
+        format.ok_or("csv is for a series, a row for each of many, and this is a single one; give json for its numbers")
+    })
+}
+
+/// The name of a value as it is typed.
+pub fn name_of(value: impl ValueEnum) -> Option<String> {
+    Some(value.to_possible_value()?.get_name().to_owned())
 }
 
 fn sources() -> impl TypedValueParser<Value = Work> {

@@ -19,7 +19,7 @@ pub fn run(wanted: BookArguments) -> anyhow::Result<Outcome> {
 /// Builds the book, says where it is and how to open it, and opens it if that is wanted.
 pub fn build(wanted: &BuildArguments) -> anyhow::Result<()> {
     let root = workspace::root()?;
-    let out = wanted.out.clone().unwrap_or_else(|| root.join("target").join("book"));
+    let out = wanted.output.clone().unwrap_or_else(|| root.join("target").join("book"));
     let first_page = {
         let _step = progress::step("building the book");
         building::build(&root, &out, Geneva)?

@@ -9,20 +9,21 @@ mod book;
 mod claims;
 mod completions;
 mod coverage;
+mod destination;
 mod errata;
 mod escapement;
+mod fields;
 mod output;
 mod preprocess;
 mod progress;
 mod quick_return;
-mod record;
-mod sheet;
 mod summary;
 mod sweep;
+mod typed;
 mod wheel;
 mod workspace;
 
-use arguments::{Arguments, Command};
+use arguments::{Arguments, Command, Output};
 use clap::Parser;
 use output::{Outcome, print};
 use std::process::ExitCode;
@@ -41,31 +42,16 @@ fn main() -> ExitCode {
 fn run(arguments: Arguments) -> anyhow::Result<Outcome> {
     match arguments.command {
         None => verify_and_build(),
-        Some(Command::Claims(wanted)) => {
-            print(&claims::page(&wanted)?)?;
-            Ok(as_recorded())
-        }
-        Some(Command::Errata(wanted)) => {
-            print(&errata::page(&wanted)?)?;
-            Ok(as_recorded())
-        }
+        Some(Command::Claims(wanted)) => answer(&claims::page(&wanted)?, &wanted.to, as_recorded()),
+        Some(Command::Errata(wanted)) => answer(&errata::page(&wanted)?, &wanted.to, as_recorded()),
         Some(Command::Coverage(wanted)) => {
             let (page, outcome) = coverage::page(&wanted)?;
             print(&page)?;
             Ok(outcome)
         }
-        Some(Command::Wheel(wanted)) => {
-            print(&wheel::page(&wanted)?)?;
-            Ok(Outcome::AsRecorded)
-        }
-        Some(Command::QuickReturn(wanted)) => {
-            print(&quick_return::page(&wanted)?)?;
-            Ok(Outcome::AsRecorded)
-        }
-        Some(Command::Escapement(wanted)) => {
-            print(&escapement::page(&wanted)?)?;
-            Ok(Outcome::AsRecorded)
-        }
+        Some(Command::Wheel(wanted)) => answer(&wheel::page(&wanted)?, &wanted.to, Outcome::AsRecorded),
+        Some(Command::QuickReturn(wanted)) => answer(&quick_return::page(&wanted)?, &wanted.to, Outcome::AsRecorded),
+        Some(Command::Escapement(wanted)) => answer(&escapement::page(&wanted)?, &wanted.to, Outcome::AsRecorded),
         Some(Command::Sweep(wanted)) => {
             sweep::run(&wanted)?;
             Ok(Outcome::AsRecorded)
@@ -77,6 +63,12 @@ fn run(arguments: Arguments) -> anyhow::Result<Outcome> {
         }
         Some(Command::Preprocess(call)) => preprocess::run(call),
     }
+}
+
+/// Writes an answer where it was asked for.
+fn answer(text: &str, to: &Output, outcome: Outcome) -> anyhow::Result<Outcome> {
+    destination::write(text, &to.output)?;
+    Ok(outcome)
 }
 
 /// What happens without arguments. The book is built even if some verdict differs.

@@ -1,9 +1,9 @@
 //! What is going on, on a terminal.
 
-use indicatif::ProgressBar;
+use indicatif::{ProgressBar, ProgressStyle};
 use std::time::Duration;
 
-/// A step under way; its line vanishes when the value is dropped.
+/// A step under way; its line on standard error vanishes when the value is dropped.
 pub struct Step(ProgressBar);
 
 /// Shows that a step has begun: a turning sign and its name on standard error, or nothing if that is no terminal.
@@ -11,6 +11,23 @@ pub fn step(name: &'static str) -> Step {
     let bar = ProgressBar::new_spinner().with_message(name);
     bar.enable_steady_tick(Duration::from_millis(100));
     Step(bar)
+}
+
+/// A bar of so many rows, or nothing if standard error is no terminal, or in any case if it is hidden.
+pub fn bar(rows: usize, hidden: bool) -> Step {
+    let bar = if hidden { ProgressBar::hidden() } else { ProgressBar::new(rows as u64) };
+    // The template is a constant; should it be wrong, the bar has another look.
+    if let Ok(style) = ProgressStyle::with_template("{bar:40} {human_pos} of {human_len} rows, {eta} to go") {
+        bar.set_style(style);
+    }
+    Step(bar)
+}
+
+impl Step {
+    /// So many rows more.
+    pub fn add(&self, rows: usize) {
+        self.0.inc(rows as u64);
+    }
 }
 
 impl Drop for Step {

@@ -1,11 +1,10 @@
 //! The run from rest, a line for each time.
 
-use super::assembly::Assembly;
-use super::record::SETTLED;
-use super::typed::{again, neat};
+use super::SETTLED;
+use crate::fields::{self, Row};
+use crate::typed::{as_typed, rounded};
 use anyhow::{anyhow, ensure};
 use geneva_dynamics::steady::{Engagement, MOST_PRINTED, Printed, SteadyError};
-use serde::Serialize;
 
 /// Periods that follow the rise.
 const PERIODS: f64 = 3.0;
@@ -18,34 +17,20 @@ const LINES: f64 = 100.0;
 const MOST_LINES: f64 = 20_000.0;
 
 /// One line.
-#[derive(Serialize)]
-struct Line {
-    time: f64,
-    engagement: usize,
-    turned_deg: f64,
-    angle_deg: f64,
-    speed: f64,
-    acceleration: f64,
-    follower_speed: f64,
-}
-
-impl From<&Printed> for Line {
-    fn from(printed: &Printed) -> Self {
-        Self {
-            time: neat(printed.time),
-            engagement: printed.engagement,
-            turned_deg: printed.turned.to_degrees(),
-            angle_deg: printed.angle.to_degrees(),
-            speed: printed.speed,
-            acceleration: printed.acceleration,
-            follower_speed: printed.follower_speed,
-        }
-    }
+fn row(printed: &Printed) -> Row {
+    Row(vec![
+        ("time", rounded(printed.time).into()),
+        ("engagement", printed.engagement.into()),
+        ("turned_deg", printed.turned.to_degrees().into()),
+        ("angle_deg", printed.angle.to_degrees().into()),
+        ("speed", printed.speed.into()),
+        ("acceleration", printed.acceleration.into()),
+        ("follower_speed", printed.follower_speed.into()),
+    ])
 }
 
 /// A header and the lines.
-pub fn csv(assembly: &Assembly, duration: Option<f64>, interval: Option<f64>) -> anyhow::Result<String> {
-    let engagement = &assembly.engagement;
+pub fn csv(engagement: &Engagement, duration: Option<f64>, interval: Option<f64>) -> anyhow::Result<String> {
     let (duration, interval) = match (duration, interval) {
         (Some(duration), Some(interval)) => (duration, interval),
         (duration, interval) => {
@@ -60,15 +45,11 @@ pub fn csv(assembly: &Assembly, duration: Option<f64>, interval: Option<f64>) ->
     ensure!(
         interval <= duration,
         "--interval {}: longer than the run, which lasts {}; give less, or a longer --duration",
-        again(interval),
-        again(duration)
+        as_typed(interval),
+        as_typed(duration)
     );
     let lines = engagement.run(interval, duration).map_err(|error| refused(duration, interval, error))?;
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for line in &lines {
-        writer.serialize(Line::from(line))?;
-    }
-    Ok(String::from_utf8(writer.into_inner()?)?)
+    fields::csv(lines.first().map(row).as_ref(), lines.iter().map(row))
 }
 
 /// What is taken where nothing was asked for.
@@ -116,8 +97,8 @@ fn refused(duration: f64, interval: f64, error: SteadyError) -> anyhow::Error {
     match error {
         SteadyError::TooMany { name, .. } => anyhow!(
             "--duration {}, --interval {}: more than {MOST_PRINTED} {name}; give a shorter duration or a longer interval",
-            again(duration),
-            again(interval)
+            as_typed(duration),
+            as_typed(interval)
         ),
         other => other.into(),
     }

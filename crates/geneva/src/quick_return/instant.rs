@@ -1,4 +1,5 @@
-//! What is special at an instant: which stroke, whether the lever is at rest, whether the pin is on the line of centres.
+//! What is special at an instant: which stroke, whether the lever is at rest, whether the pin is on the line of centres;
+//! and what that means in words.
 
 use geneva_kinematics::quick_return::{Branch, Position, QuickReturn};
 
@@ -8,6 +9,9 @@ const AT_REST: f64 = 4e-8;
 
 /// Sine or cosine of a typed angle that is zero but for rounding.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+/// Why a vector is zero that need not be.
+pub const NOT_TOLD: &str = "too small to tell from zero";
 
 /// The part of the crank's turn at an instant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -72,5 +76,51 @@ impl Instant {
     /// Whether the lever neither speeds up nor slows down.
     pub fn steady_lever(&self) -> bool {
         self.on_centre_line || self.half_speed
+    }
+
+    /// Which of the points on its ray the pin is at.
+    pub fn branch_in_words(&self) -> &'static str {
+        match self.branch {
+            _ if self.lever_at_rest => "near and far in one: the lever is tangent to the crank's circle",
+            _ if !self.swings => "far: the lever's ray meets the crank's circle in one point only",
+            Branch::Near => "near: of the two places on the lever's ray, the one nearer to its pivot",
+            Branch::Far => "far: of the two places on the lever's ray, the one farther from its pivot",
+        }
+    }
+
+    /// Which stroke the lever is on, and what that means.
+    pub fn stroke_in_words(&self) -> &'static str {
+        match (self.stroke, self.swings) {
+            (Stroke::End, true) => "between the two: the lever reverses at the end of its swing",
+            (Stroke::Slow, true) => "slow: the lever turns with the crank",
+            (Stroke::Fast, true) => "fast: the lever turns against the crank",
+            _ if self.half_speed => "the only one: the lever turns with the crank, at half its speed",
+            (Stroke::End, false) => "between the two: the lever is at right angles to the line of centres",
+            (Stroke::Slow, false) => "slow: the lever is on the side of the crank's axis",
+            (Stroke::Fast, false) => "fast: the lever is on the side away from the crank's axis",
+        }
+    }
+
+    /// Why the lever neither speeds up nor slows down.
+    pub fn no_angular_acceleration(&self) -> &'static str {
+        match self {
+            Self { half_speed: true, .. } => "the lever turns at half the crank's speed",
+            Self { on_centre_line: true, .. } => "the pin is on the line of centres",
+            _ => NOT_TOLD,
+        }
+    }
+
+    /// Why the pin does not slide.
+    pub fn no_sliding(&self) -> &'static str {
+        if self.on_centre_line { "the pin is on the line of centres" } else { NOT_TOLD }
+    }
+
+    /// Why the sliding neither speeds up nor slows down.
+    pub fn steady_sliding(&self) -> &'static str {
+        match (self.stroke, self.swings) {
+            (Stroke::End, true) => "the lever is at rest, the crank across it",
+            (Stroke::End, false) => "the lever turns as fast as the crank",
+            _ => NOT_TOLD,
+        }
     }
 }

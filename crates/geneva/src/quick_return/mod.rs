@@ -1,48 +1,169 @@
 //! One quick-return mechanism at an instant: where its parts are, every velocity and acceleration, or a drawing.
 
-mod arguments;
-mod assembly;
-mod digits;
 mod instant;
-mod record;
-mod sheet;
+mod report;
 mod vector;
-mod words;
 
-pub use arguments::QuickReturnArguments;
-
-use crate::sheet::standalone;
-use anyhow::ensure;
-use arguments::{FigureName, QuickReturnFormat};
-use assembly::Assembly;
-use clap::ValueEnum;
+use crate::arguments::{Format, Output, formats, name_of};
+use crate::fields;
+use crate::output::standalone;
+use crate::typed::{self, as_typed};
+use anyhow::{anyhow, ensure};
+use clap::{Args, ValueEnum};
 use geneva_figures::quick_return::{acceleration_diagram, mechanism, velocity_diagram};
-use record::QuickReturnRecord;
+use geneva_kinematics::KinematicsError;
+use geneva_kinematics::quick_return::{Branch, Drive, Position, QuickReturn};
+use std::f64::consts::PI;
+
+/// Which mechanism, at which instant, and how.
+#[derive(Args, Debug)]
+pub struct QuickReturnArguments {
+    /// Distance of the crank's axis from the lever's pivot in metres, above zero
+    #[arg(long, value_name = "M", value_parser = typed::metres, allow_hyphen_values = true)]
+    pub ground: f64,
+    /// Distance of the pin from the crank's axis in metres, above zero; with one below the ground distance the lever
+    /// swings to and fro, with one above it the lever turns round and round
+    #[arg(long, value_name = "M", value_parser = typed::metres, allow_hyphen_values = true)]
+    pub crank: f64,
+    /// Where the mechanism is: one of the two.
+    #[command(flatten)]
+    pub angle: Angle,
+    /// Which of the two points where the lever's ray meets the crank's circle the pin is at; only with --lever-angle
+    /// [default: far]
+    #[arg(long, value_enum, requires = "lever_angle", conflicts_with = "crank_angle")]
+    pub branch: Option<BranchName>,
+    /// Speed of the crank in turns a minute, counter-clockwise above zero and clockwise below; constant
+    #[arg(long, value_name = "R", value_parser = typed::turns_a_minute, allow_hyphen_values = true)]
+    pub rpm: f64,
+    /// How to write it
+    #[arg(long, default_value = "text", value_parser = formats(&[
+        (Format::Text, "A sheet for reading, which says what is measured from where and in which sense"),
+        (Format::Json, "An object with all digits; a vector that is zero has null for its direction"),
+        (Format::Svg, "A drawing to scale, a file of its own; --figure says which"),
+    ]))]
+    pub format: Format,
+    /// Which drawing; only with --format svg [default: mechanism]
+    #[arg(long, value_enum)]
+    pub figure: Option<FigureName>,
+    /// Where to write it.
+    #[command(flatten)]
+    pub to: Output,
+}
+
+/// Where the mechanism is, by one of its two angles.
+#[derive(Args, Debug)]
+#[group(required = true, multiple = false)]
+pub struct Angle {
+    /// Direction from the crank's axis to the pin in degrees, counter-clockwise from the direction that points from
+    /// the lever's pivot to the crank's axis; this or --lever-angle
+    #[arg(long, value_name = "DEG", value_parser = typed::degrees, allow_hyphen_values = true)]
+    pub crank_angle: Option<f64>,
+    /// Direction from the lever's pivot to the pin in degrees, counter-clockwise from the same direction; this
+    /// or --crank-angle
+    #[arg(long, value_name = "DEG", value_parser = typed::degrees, allow_hyphen_values = true)]
+    pub lever_angle: Option<f64>,
+}
+
+/// Where the pin is on the lever's ray.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum BranchName {
+    /// The one nearer to the lever's pivot: the lever is on its fast stroke
+    Near,
+    /// The one farther from it: the lever is on its slow stroke
+    #[default]
+    Far,
+}
+
+/// What can be drawn.
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub enum FigureName {
+    /// The mechanism
+    #[default]
+    Mechanism,
+    /// The velocity diagram
+    Velocity,
+    /// The acceleration diagram
+    Acceleration,
+}
+
+/// Crank radii from the lever's pivot below which rounding would show in the lever's acceleration.
+const NEAREST: f64 = 1e-3;
 
 /// The mechanism that is wanted, as it is wanted.
 pub fn page(wanted: &QuickReturnArguments) -> anyhow::Result<String> {
-    if let Some(figure) = wanted.figure {
-        let name = figure.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default();
-        ensure!(
-            wanted.format == QuickReturnFormat::Svg,
-            "--figure {name}: only a drawing has one; give --format svg with it, or leave it out"
-        );
-    }
-    let assembly = Assembly::new(wanted)?;
-    let record = QuickReturnRecord::new(&assembly)?;
+    Format::Svg.only_with(wanted.format, "--figure", wanted.figure.and_then(name_of), "a drawing")?;
+    let linkage = QuickReturn::new(wanted.ground, wanted.crank).map_err(|error| impossible(wanted, error))?;
+    let position = place(&linkage, wanted).map_err(|error| impossible(wanted, error))?;
+    ensure!(position.pin_distance >= NEAREST * linkage.crank(), too_near(wanted, &linkage, &position));
+    let drive = Drive::steady(wanted.rpm * PI / 30.0);
+    let report = report::report(&linkage, &position, &drive, wanted.rpm)?;
     match wanted.format {
-        QuickReturnFormat::Text => Ok(sheet::page(&record)),
-        QuickReturnFormat::Json => Ok(serde_json::to_string_pretty(&record)? + "\n"),
-        QuickReturnFormat::Svg => Ok(standalone(&drawing(&assembly, wanted.figure.unwrap_or_default())) + "\n"),
+        Format::Json => fields::json(&report),
+        Format::Svg => {
+            let draw = match wanted.figure.unwrap_or_default() {
+                FigureName::Mechanism => mechanism,
+                FigureName::Velocity => velocity_diagram,
+                FigureName::Acceleration => acceleration_diagram,
+            };
+            Ok(standalone(&draw(&linkage, &position, &drive, "m").svg))
+        }
+        _ => Ok(report.sheet()),
     }
 }
 
-/// The drawing that is wanted, as it is in a page.
-fn drawing(Assembly { linkage, position, drive, .. }: &Assembly, figure: FigureName) -> String {
-    let draw = match figure {
-        FigureName::Mechanism => mechanism,
-        FigureName::Velocity => velocity_diagram,
-        FigureName::Acceleration => acceleration_diagram,
+/// Where the parts are. One of the two angles was given; the parser sees to that.
+fn place(linkage: &QuickReturn, wanted: &QuickReturnArguments) -> Result<Position, KinematicsError> {
+    let branch = match wanted.branch.unwrap_or_default() {
+        BranchName::Near => Branch::Near,
+        BranchName::Far => Branch::Far,
     };
-    draw(linkage, position, drive, "m").svg
+    match (wanted.angle.crank_angle, wanted.angle.lever_angle) {
+        (_, Some(lever)) => linkage.at_lever_degrees(lever, branch),
+        (crank, None) => linkage.at_crank_degrees(crank.unwrap_or_default()),
+    }
+}
+
+/// The library's refusal, in terms of the options and the values that the reader typed.
+fn impossible(wanted: &QuickReturnArguments, error: KinematicsError) -> anyhow::Error {
+    let (ground, crank) =
+        (format!("--ground {}", as_typed(wanted.ground)), format!("--crank {}", as_typed(wanted.crank)));
+    match error {
+        KinematicsError::Angle { name: "lever angle", asked } => {
+            KinematicsError::Angle { name: "--lever-angle", asked }.into()
+        }
+        KinematicsError::Angle { asked, .. } => KinematicsError::Angle { name: "--crank-angle", asked }.into(),
+        KinematicsError::BeyondTheSwing { asked, limit, open } => anyhow!(
+            "--lever-angle {}: the lever does not reach it; with {ground} and {crank} it swings {} −{limit}° and \
+             {limit}°; give an angle there, or a --crank-angle ({} possible)",
+            as_typed(asked),
+            if open { "between, but not to," } else { "between" },
+            if open { "all but 180° are" } else { "all are" },
+        ),
+        KinematicsError::OnlyFar { .. } => anyhow!(
+            "--branch near: with {crank}, at least as long as {ground}, the lever's ray meets the crank's circle in \
+             one point only, the far one; give --branch far (all lever angles{} are possible)",
+            if wanted.crank > wanted.ground { "" } else { " between −90° and 90°" },
+        ),
+        KinematicsError::PinOnPivot => anyhow!(
+            "--crank-angle {}: with {crank}, as long as {ground}, the pin is on the lever's pivot, and the lever has no \
+             direction; give another angle (all but 180° are possible)",
+            as_typed(wanted.angle.crank_angle.unwrap_or_default())
+        ),
+        // Lengths that can be typed are possible, and so is their ratio.
+        other => other.into(),
+    }
+}
+
+/// The pin is off the lever's pivot, but not by enough.
+fn too_near(wanted: &QuickReturnArguments, linkage: &QuickReturn, position: &Position) -> anyhow::Error {
+    let (option, asked) = match wanted.angle.lever_angle {
+        Some(lever) => ("--lever-angle", lever),
+        None => ("--crank-angle", wanted.angle.crank_angle.unwrap_or_default()),
+    };
+    anyhow!(
+        "{option} {}: the pin is {:.1e} crank radii from the lever's pivot, too near to compute the lever's motion; give \
+         an angle for which it is at least {NEAREST} from it",
+        as_typed(asked),
+        position.pin_distance / linkage.crank(),
+    )
 }

@@ -1,13 +1,13 @@
 //! A vector in the plane as data, with a direction if it has one.
 
+use crate::fields::{Row, Value};
 use geneva_kinematics::Turn;
-use serde::Serialize;
 
 /// Units in the last place, relative to what a difference was taken of, that cannot be told from zero.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// Length, direction and components. The direction is missing if the vector is zero, as near as can be told.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Vector {
     pub magnitude: f64,
     pub direction_deg: Option<f64>,
@@ -34,6 +34,17 @@ impl Vector {
     pub fn zero_below(self, size: f64) -> Self {
         let lost = self.magnitude <= ROUNDING * size;
         self.zero_if(lost)
+    }
+}
+
+impl From<&Vector> for Value {
+    fn from(vector: &Vector) -> Self {
+        Self::Object(Row(vec![
+            ("magnitude", vector.magnitude.into()),
+            ("direction_deg", vector.direction_deg.into()),
+            ("x", vector.x.into()),
+            ("y", vector.y.into()),
+        ]))
     }
 }
 

@@ -1,8 +1,7 @@
 //! Which escapements a sweep asks for, in the order of its rows.
 
-use super::arguments::SweepArguments;
-use crate::escapement::assembly::{no_fold, own_modulus};
-use crate::escapement::typed;
+use super::SweepArguments;
+use crate::escapement::{no_fold, own_modulus};
 use anyhow::ensure;
 use geneva_dynamics::steady::{Engagement, SteadyError};
 use geneva_dynamics::{Inertias, Parameters};
@@ -57,10 +56,10 @@ impl Grid {
         }
         Ok(Self {
             mechanisms,
-            frictions: wanted.friction.values("--friction", wanted.spacing, typed::friction)?,
-            inertia_ratios: wanted.inertia_ratio.values("--inertia-ratio", wanted.spacing, typed::computable)?,
-            torques: wanted.torque.values("--torque", wanted.spacing, typed::computable)?,
-            follower_inertia: typed::computable("--follower-inertia", wanted.follower_inertia)?,
+            frictions: wanted.friction.values("--friction", wanted.spacing)?,
+            inertia_ratios: wanted.inertia_ratio.values("--inertia-ratio", wanted.spacing)?,
+            torques: wanted.torque.values("--torque", wanted.spacing)?,
+            follower_inertia: wanted.follower_inertia,
             modulus_deg: wanted.modulus_deg,
         })
     }

@@ -2,26 +2,59 @@
 //!
 //! Blocks of rows are computed in parallel and written in order, so that the bytes do not depend on the threads.
 
-mod arguments;
-mod bar;
-mod destination;
 mod grid;
 mod range;
 mod row;
 
-pub use arguments::SweepArguments;
-
+use crate::arguments::Output;
+use crate::destination::Destination;
+use crate::fields;
 use crate::output::{count, print};
+use crate::{progress, typed};
 use anyhow::Context;
-use bar::Bar;
-use destination::Destination;
+use clap::Args;
 use grid::Grid;
+use range::{Range, Spacing};
 use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
-use row::{Row, Status};
+use row::Status;
 use std::io::IsTerminal;
 use std::num::NonZeroUsize;
-use std::ops::Range;
+
+/// Which escapements, and where their rows go.
+#[derive(Args, Debug)]
+pub struct SweepArguments {
+    /// Numbers of slots of the follower, each 3, 4 or 6, with commas between
+    #[arg(long, value_name = "N[,N...]", value_parser = typed::slots, value_delimiter = ',', required = true,
+          allow_negative_numbers = true)]
+    pub slots: Vec<u32>,
+    /// Coefficients of friction between pin and slot, zero or more: FROM:TO:COUNT, FROM:TO:COUNT:log, or a single one
+    #[arg(long, value_name = "RANGE", value_parser = Range::zero_or_more, allow_hyphen_values = true)]
+    pub friction: Range,
+    /// Moments of inertia of the driver over that of the follower, above zero
+    #[arg(long, value_name = "RANGE", value_parser = Range::positive, allow_hyphen_values = true)]
+    pub inertia_ratio: Range,
+    /// Torques of the spring on the driver, above zero; speeds grow with their square root
+    #[arg(long, value_name = "RANGE", value_parser = Range::positive, default_value = "1", allow_hyphen_values = true)]
+    pub torque: Range,
+    /// Moment of inertia of the follower about its axis, above zero
+    #[arg(long, value_name = "I", value_parser = typed::positive, default_value = "1", allow_hyphen_values = true)]
+    pub follower_inertia: f64,
+    /// Turn of the driver in degrees after which its angle is put back to the pin's entering, one for all slots
+    /// [default: 360 over the number of pins, which is what a mechanism does]
+    #[arg(long, value_name = "D", value_parser = typed::degrees, allow_hyphen_values = true)]
+    pub modulus_deg: Option<f64>,
+    /// How the values of a range are spaced that does not say so itself
+    #[arg(long, value_enum, default_value_t)]
+    pub spacing: Spacing,
+    /// How many threads compute; the rows do not depend on it
+    /// [default: RAYON_NUM_THREADS, or as many as the machine has]
+    #[arg(long, value_name = "N", value_parser = typed::threads, allow_negative_numbers = true)]
+    pub threads: Option<NonZeroUsize>,
+    /// Where the rows go.
+    #[command(flatten)]
+    pub to: Output,
+}
 
 /// Rows that one thread computes at a time.
 const BLOCK: usize = 16;
@@ -34,7 +67,7 @@ pub fn run(wanted: &SweepArguments) -> anyhow::Result<()> {
     let threads = wanted.threads.map_or(0, NonZeroUsize::get);
     let pool = ThreadPoolBuilder::new().num_threads(threads).build();
     let pool = pool.context("cannot start the threads; give fewer --threads")?;
-    let mut destination = Destination::new(&wanted.output)?;
+    let mut destination = Destination::new(&wanted.to.output)?;
     let Some(tally) = pool.install(|| write(&grid, &mut destination))? else { return Ok(()) };
     if let Some(file) = destination.finish()? {
         let rows = count(grid.rows(), "row");
@@ -47,9 +80,10 @@ pub fn run(wanted: &SweepArguments) -> anyhow::Result<()> {
 fn write(grid: &Grid, destination: &mut Destination) -> anyhow::Result<Option<Tally>> {
     let rows = grid.rows();
     // Rows that scroll over a terminal show by themselves how far they have come.
-    let bar = Bar::new(rows, matches!(destination, Destination::Output) && std::io::stdout().is_terminal());
+    let bar = progress::bar(rows, matches!(destination, Destination::Output) && std::io::stdout().is_terminal());
     let mut tally = Tally::default();
-    if !destination.add(format!("{}\n", Row::COLUMNS.join(",")).as_bytes())? {
+    let header = fields::csv(grid.cell(0).map(|first| row::row(&first).0).as_ref(), [])?;
+    if !destination.add(header.as_bytes())? {
         return Ok(None);
     }
     for start in (0..rows).step_by(BLOCK * HELD) {
@@ -64,9 +98,9 @@ fn write(grid: &Grid, destination: &mut Destination) -> anyhow::Result<Option<Ta
             })
             .collect();
         for written in blocks {
-            let (bytes, part) = written?;
+            let (text, part) = written?;
             tally.add(&part);
-            if !destination.add(&bytes)? {
+            if !destination.add(text.as_bytes())? {
                 return Ok(None);
             }
         }
@@ -75,15 +109,15 @@ fn write(grid: &Grid, destination: &mut Destination) -> anyhow::Result<Option<Ta
 }
 
 /// The bytes of some rows.
-fn block(grid: &Grid, rows: Range<usize>) -> anyhow::Result<(Vec<u8>, Tally)> {
+fn block(grid: &Grid, rows: std::ops::Range<usize>) -> anyhow::Result<(String, Tally)> {
     let mut tally = Tally::default();
-    let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
-    for cell in rows.filter_map(|row| grid.cell(row)) {
-        let row = Row::new(&cell);
-        tally.count(row.status);
-        writer.serialize(&row)?;
-    }
-    Ok((writer.into_inner()?, tally))
+    let rows = rows.filter_map(|row| grid.cell(row)).map(|cell| {
+        let (row, status) = row::row(&cell);
+        tally.0[status as usize] += 1;
+        row
+    });
+    let text = fields::csv(None, rows)?;
+    Ok((text, tally))
 }
 
 /// How many rows have which status, in the order of [`Status::ALL`].
@@ -91,12 +125,6 @@ fn block(grid: &Grid, rows: Range<usize>) -> anyhow::Result<(Vec<u8>, Tally)> {
 struct Tally([usize; Status::ALL.len()]);
 
 impl Tally {
-    fn count(&mut self, status: Status) {
-        for (number, counted) in self.0.iter_mut().zip(Status::ALL) {
-            *number += usize::from(counted == status);
-        }
-    }
-
     fn add(&mut self, other: &Self) {
         for (number, more) in self.0.iter_mut().zip(other.0) {
             *number += more;

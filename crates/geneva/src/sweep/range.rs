@@ -1,9 +1,8 @@
 //! Ranges of values: from, to, how many, how spaced.
 
-use crate::escapement::typed::{again, neat, number};
+use crate::typed::{self, as_typed, number, rounded};
 use anyhow::ensure;
 use clap::ValueEnum;
-use std::str::FromStr;
 
 /// How the values of a range are spaced.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -27,11 +26,20 @@ pub struct Range {
 /// How a range is written.
 const FORM: &str = "not a range; give FROM:TO:COUNT, as 0.1:0.3:5, or FROM:TO:COUNT:log, or a single number";
 
-impl FromStr for Range {
-    type Err = String;
+impl Range {
+    /// A range of numbers above zero.
+    pub fn positive(text: &str) -> Result<Self, String> {
+        Self::of(text, typed::positive)
+    }
 
-    fn from_str(text: &str) -> Result<Self, String> {
-        let value = |text: &str| number(text).ok_or_else(|| FORM.to_owned());
+    /// A range of numbers that are zero or more.
+    pub fn zero_or_more(text: &str) -> Result<Self, String> {
+        Self::of(text, typed::zero_or_more)
+    }
+
+    /// A range whose ends can be typed as `value` reads them; what is between them can be too.
+    fn of(text: &str, value: fn(&str) -> Result<f64, String>) -> Result<Self, String> {
+        let value = |text: &str| if number(text).is_some() { value(text) } else { Err(FORM.to_owned()) };
         let parts: Vec<_> = text.split(':').map(str::trim).collect();
         let (from, to, count, spacing) = match parts[..] {
             [only] => return value(only).map(|value| Self { from: value, to: value, count: 1, spacing: None }),
@@ -51,32 +59,23 @@ impl FromStr for Range {
         }
         Ok(range)
     }
-}
 
-impl Range {
     /// How many values it has.
     pub fn count(&self) -> u64 {
         self.count
     }
 
-    /// The values of an option, each of which `check` finds possible. There must not be too many of them.
-    pub fn values(
-        &self,
-        option: &str,
-        usual: Spacing,
-        check: impl Fn(&str, f64) -> anyhow::Result<f64>,
-    ) -> anyhow::Result<Vec<f64>> {
-        check(option, self.from)?;
-        check(option, self.to)?;
+    /// The values of an option. There must not be too many of them.
+    pub fn values(&self, option: &str, usual: Spacing) -> anyhow::Result<Vec<f64>> {
         let spacing = self.spacing.unwrap_or(usual);
         ensure!(
             spacing == Spacing::Linear || (self.from > 0.0 && self.to > 0.0) || self.count == 1,
             "{option} {}:{}:{}: equal ratios do not start from zero; give ends above zero, or the spacing linear",
-            again(self.from),
-            again(self.to),
+            as_typed(self.from),
+            as_typed(self.to),
             self.count
         );
-        (0..self.count).map(|number| check(option, self.value(number, spacing))).collect()
+        Ok((0..self.count).map(|number| self.value(number, spacing)).collect())
     }
 
     /// Ends as they were typed; what is between is rounded to digits that can be typed again.
@@ -92,7 +91,7 @@ impl Range {
             Spacing::Linear => self.from + (self.to - self.from) * part,
             Spacing::Log => self.from * libm::pow(self.to / self.from, part),
         };
-        neat(value)
+        rounded(value)
     }
 }
 
@@ -101,7 +100,7 @@ mod tests {
     use super::{Range, Spacing};
 
     fn values(text: &str, spacing: Spacing) -> Vec<f64> {
-        text.parse::<Range>().unwrap().values("--option", spacing, |_, value| Ok(value)).unwrap()
+        Range::zero_or_more(text).unwrap().values("--option", spacing).unwrap()
     }
 
     #[test]
@@ -117,9 +116,9 @@ mod tests {
     #[test]
     fn what_is_no_range_is_told() {
         for text in ["", ":", "1:2", "1:2:3:4:5", "1:2:x", "1:2:0", "1:2:-3", "1:2:1", "2:2:5", "1:2:3:loud", "a:2:3"] {
-            assert!(text.parse::<Range>().unwrap_err().contains("give "), "{text}");
+            assert!(Range::zero_or_more(text).unwrap_err().contains("give "), "{text}");
         }
-        let from_zero = "0:1:3:log".parse::<Range>().unwrap();
-        assert!(from_zero.values("--friction", Spacing::Linear, |_, value| Ok(value)).is_err());
+        assert!(Range::positive("0:1:3").unwrap_err().contains("above zero"));
+        assert!(Range::zero_or_more("0:1:3:log").unwrap().values("--friction", Spacing::Linear).is_err());
     }
 }

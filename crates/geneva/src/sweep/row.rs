@@ -1,35 +1,13 @@
 //! One row: an escapement, and what the library says of it.
 
 use super::grid::Cell;
-use crate::escapement::assembly::engagement;
-use crate::escapement::rise;
+use crate::escapement::{engagement, rise};
+use crate::fields::Row;
 use geneva_dynamics::steady::{SteadyError, SteadyState};
 use geneva_dynamics::{Inertias, ParameterError, Parameters};
-use serde::Serialize;
-
-/// The columns. What there is no number for is empty, and the status says why.
-#[derive(Debug, Serialize)]
-pub struct Row {
-    slots: u32,
-    pins: u32,
-    friction: f64,
-    inertia_ratio: f64,
-    torque: f64,
-    follower_inertia: f64,
-    entry_speed: Option<f64>,
-    peak_speed: Option<f64>,
-    minimum_speed: Option<f64>,
-    mean_speed: Option<f64>,
-    period: Option<f64>,
-    contraction: Option<f64>,
-    switch_angle_deg: Option<f64>,
-    rise_time: Option<f64>,
-    pub status: Status,
-}
 
 /// What became of a row.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
     /// All is there.
     Ok,
@@ -59,51 +37,31 @@ impl Status {
     }
 }
 
-impl Row {
-    /// The header, which is that of any row.
-    pub const COLUMNS: [&str; 15] = [
-        "slots",
-        "pins",
-        "friction",
-        "inertia_ratio",
-        "torque",
-        "follower_inertia",
-        "entry_speed",
-        "peak_speed",
-        "minimum_speed",
-        "mean_speed",
-        "period",
-        "contraction",
-        "switch_angle_deg",
-        "rise_time",
-        "status",
-    ];
-
-    /// The row of an escapement.
-    pub fn new(cell: &Cell) -> Self {
-        let (steady, rise_time, status) = match motion(cell) {
-            Ok((steady, Some(rise))) => (Some(steady), Some(rise), Status::Ok),
-            Ok((steady, None)) => (Some(steady), None, Status::LongRise),
-            Err(status) => (None, None, status),
-        };
-        Self {
-            slots: cell.mechanism.slots(),
-            pins: cell.mechanism.pins(),
-            friction: cell.friction,
-            inertia_ratio: cell.inertia_ratio,
-            torque: cell.torque,
-            follower_inertia: cell.follower_inertia,
-            entry_speed: steady.map(|steady| steady.entry_speed),
-            peak_speed: steady.map(|steady| steady.peak.speed),
-            minimum_speed: steady.map(|steady| steady.minimum.speed),
-            mean_speed: steady.map(|steady| steady.mean_speed),
-            period: steady.map(|steady| steady.period),
-            contraction: steady.map(|steady| steady.contraction),
-            switch_angle_deg: steady.and_then(|steady| steady.switch_angle).map(f64::to_degrees),
-            rise_time,
-            status,
-        }
-    }
+/// The row of an escapement. What there is no number for is missing, and the status says why.
+pub fn row(cell: &Cell) -> (Row, Status) {
+    let (steady, rise_time, status) = match motion(cell) {
+        Ok((steady, Some(rise))) => (Some(steady), Some(rise), Status::Ok),
+        Ok((steady, None)) => (Some(steady), None, Status::LongRise),
+        Err(status) => (None, None, status),
+    };
+    let row = Row(vec![
+        ("slots", cell.mechanism.slots().into()),
+        ("pins", cell.mechanism.pins().into()),
+        ("friction", cell.friction.into()),
+        ("inertia_ratio", cell.inertia_ratio.into()),
+        ("torque", cell.torque.into()),
+        ("follower_inertia", cell.follower_inertia.into()),
+        ("entry_speed", steady.map(|steady| steady.entry_speed).into()),
+        ("peak_speed", steady.map(|steady| steady.peak.speed).into()),
+        ("minimum_speed", steady.map(|steady| steady.minimum.speed).into()),
+        ("mean_speed", steady.map(|steady| steady.mean_speed).into()),
+        ("period", steady.map(|steady| steady.period).into()),
+        ("contraction", steady.map(|steady| steady.contraction).into()),
+        ("switch_angle_deg", steady.and_then(|steady| steady.switch_angle).map(f64::to_degrees).into()),
+        ("rise_time", rise_time.into()),
+        ("status", status.name().into()),
+    ]);
+    (row, status)
 }
 
 /// The steady state, and the time that the rise to it takes unless that is too long.

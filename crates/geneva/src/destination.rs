@@ -1,15 +1,20 @@
-//! Where the rows go: to standard output as they come, or to a file that is complete or not there.
+//! Where an answer goes: to standard output as it comes, or to a file that is complete or not there.
 //!
-//! Rows for a file are collected in a file without a name, which the system takes away with the program, however that
-//! ends. When they are complete they are copied beside the file, and the copy takes its place. Only a program that is
+//! What is for a file is collected in a file without a name, which the system takes away with the program, however that
+//! ends. When it is complete it is copied beside the file, and the copy takes its place. Only a program that is
 //! ended while it copies leaves something behind: the copy, named as the file with `.unfinished-` and some letters.
 
+use crate::output::print;
+use anstream::adapter::strip_str;
 use anyhow::{Context, bail};
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Seek, Write};
 use std::path::{Path, PathBuf};
 
-/// Where rows are written.
+/// What is asked for instead of a file.
+const STANDARD_OUTPUT: &str = "-";
+
+/// Where an answer is written.
 pub enum Destination {
     /// Standard output.
     Output,
@@ -17,10 +22,21 @@ pub enum Destination {
     File { target: PathBuf, collected: File },
 }
 
+/// Writes a whole answer: to a file without colours, and to standard output as [`print`] does.
+pub fn write(text: &str, asked: &str) -> anyhow::Result<()> {
+    if asked == STANDARD_OUTPUT {
+        return Ok(print(text)?);
+    }
+    let mut destination = Destination::new(asked)?;
+    destination.add(strip_str(text).to_string().as_bytes())?;
+    destination.finish()?;
+    Ok(())
+}
+
 impl Destination {
     /// What was asked for: a path, or `-`.
     pub fn new(asked: &str) -> anyhow::Result<Self> {
-        if asked == "-" {
+        if asked == STANDARD_OUTPUT {
             return Ok(Self::Output);
         }
         // A link stays a link; what it leads to is replaced.
@@ -40,15 +56,15 @@ impl Destination {
         Ok(Self::File { target, collected })
     }
 
-    /// Adds rows. Whether any more are wanted: a reader that has seen enough closes the pipe.
-    pub fn add(&mut self, rows: &[u8]) -> anyhow::Result<bool> {
+    /// Adds bytes. Whether any more are wanted: a reader that has seen enough closes the pipe.
+    pub fn add(&mut self, bytes: &[u8]) -> anyhow::Result<bool> {
         match self {
-            Self::Output => match io::stdout().lock().write_all(rows) {
+            Self::Output => match io::stdout().lock().write_all(bytes) {
                 Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(false),
                 result => result.map(|()| true).context("cannot write to standard output"),
             },
             Self::File { target, collected } => {
-                collected.write_all(rows).map(|()| true).with_context(|| unwritable(&target.to_string_lossy()))
+                collected.write_all(bytes).map(|()| true).with_context(|| unwritable(&target.to_string_lossy()))
             }
         }
     }

@@ -1,0 +1,270 @@
+//! What there is to say of a mechanism at an instant, and which way everything points and turns.
+
+use super::instant::{Instant, NOT_TOLD, Stroke};
+use super::vector::Vector;
+use crate::fields::{Field, Report};
+use crate::typed::as_typed;
+use anyhow::{Context, ensure};
+use geneva_kinematics::quick_return::{Branch, Drive, Motion, Position, QuickReturn, Strokes};
+
+/// What the numbers are measured from, and what adds up.
+const INTRODUCTION: &str = "\
+Angles and directions are counter-clockwise from the direction that points from the lever's pivot to the crank's axis. \
+The crank turns at constant speed. The pin's velocity is the sum of that of the lever's point under it and of its \
+sliding in the slot. The two terms of its acceleration are together the sum of those of the lever's point, of the \
+sliding and of Coriolis.";
+
+/// What no length, angle or speed that was let through should lead to.
+const BEYOND: &str =
+    "the motion there is beyond what can be computed; give other lengths, another angle or another speed";
+
+/// Which way a vector points.
+enum Way<'a> {
+    /// Outwards or inwards, seen from the lever's pivot.
+    Along,
+    /// The way in which it turns the point at which it is about the lever's pivot.
+    Across,
+    /// The way that is said.
+    Is(&'a str),
+}
+use Way::{Across, Along, Is};
+
+/// What is seen at the instant.
+struct Seen {
+    instant: Instant,
+    rpm: f64,
+    /// Direction of the lever, in degrees.
+    lever_deg: f64,
+    /// Angular velocity of the lever in rad/s, counter-clockwise positive.
+    lever_speed: f64,
+    /// Angular acceleration of the lever in rad/s², counter-clockwise positive.
+    lever_acceleration: f64,
+}
+
+/// The report on a mechanism at an instant.
+///
+/// Angles and directions are counter-clockwise from the direction lever's pivot → crank's axis, which is that of x;
+/// angular velocities and accelerations are counter-clockwise positive. A vector that is zero has no direction.
+pub fn report(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>, rpm: f64) -> anyhow::Result<Report> {
+    let motion = Motion::at(&linkage.ground(), &linkage.crank(), &position.crank, drive).context(BEYOND)?;
+    let seen = Seen {
+        instant: Instant::of(linkage, position),
+        rpm,
+        lever_deg: unsigned_zero(position.lever.degrees()),
+        lever_speed: unsigned_zero(motion.velocities.follower_speed),
+        lever_acceleration: unsigned_zero(motion.accelerations.follower_acceleration),
+    };
+    let given = vec![
+        Field::new("ground_m", linkage.ground()),
+        Field::new("crank_m", linkage.crank()),
+        Field::new("rpm", rpm),
+        Field::new("crank_speed_rad_s", drive.speed),
+    ];
+    let (velocities, accelerations) = seen.motion(&motion);
+    let report = Report {
+        title: format!(
+            "Slotted-lever quick-return mechanism: ground {} m, crank {} m, {} rpm {}",
+            as_typed(linkage.ground()),
+            as_typed(linkage.crank()),
+            as_typed(rpm.abs()),
+            sense(rpm)
+        ),
+        introduction: INTRODUCTION,
+        sections: vec![
+            ("Given", given),
+            ("Position", seen.position(position)),
+            ("Velocities", velocities),
+            ("Accelerations", accelerations),
+            ("Strokes", strokes(&linkage.strokes(), &seen.instant)),
+        ],
+        note: String::new(),
+    };
+    ensure!(report.is_finite(), BEYOND);
+    Ok(report)
+}
+
+impl Seen {
+    fn position(&self, position: &Position) -> Vec<Field> {
+        let branch = match self.instant.branch {
+            Branch::Near => "near",
+            Branch::Far => "far",
+        };
+        vec![
+            Field::in_unit("crank_angle_deg", unsigned_zero(position.crank.degrees()), "°")
+                .line("crank angle", "direction from the crank's axis to the pin"),
+            Field::in_unit("lever_angle_deg", self.lever_deg, "°")
+                .line("lever angle", "direction from the lever's pivot to the pin"),
+            Field::in_unit("angle_at_pin_deg", position.angle_at_pin().to_degrees(), "°")
+                .line("angle at the pin", "between lever and crank"),
+            Field::in_unit("pin_distance_m", position.pin_distance, "m")
+                .line("pin distance", "from the lever's pivot to the pin"),
+            Field::new("branch", branch).words("branch", self.instant.branch_in_words()),
+            Field::new("stroke", self.instant.stroke.name()).words("stroke", self.instant.stroke_in_words()),
+        ]
+    }
+
+    /// Velocities and accelerations.
+    fn motion(&self, motion: &Motion<f64>) -> (Vec<Field>, Vec<Field>) {
+        let instant = &self.instant;
+        let (velocities, terms) = (&motion.velocities, &motion.accelerations);
+        let [pin, lever, sliding] =
+            [&velocities.pin_velocity, &velocities.slot_point_velocity, &velocities.sliding_velocity]
+                .map(|velocity| Vector::new(velocity.x, velocity.y));
+        let [pin_normal, pin_tangential] =
+            [&motion.pin_normal, &motion.pin_tangential].map(|term| Vector::new(term.x, term.y));
+        let [lever_normal, lever_tangential, sliding_normal, sliding_tangential, coriolis] = [
+            &terms.follower_normal,
+            &terms.follower_tangential,
+            &terms.sliding_normal,
+            &terms.sliding_tangential,
+            &terms.coriolis,
+        ]
+        .map(|term| Vector::new(term.x, term.y));
+        let greatest =
+            [&pin_normal, &lever_normal, &coriolis].into_iter().map(|term| term.magnitude).fold(0.0, f64::max);
+
+        // Three vectors are found as differences, and may be less than the rounding of what they are differences of.
+        let lever = lever.zero_if(instant.lever_at_rest);
+        let sliding = sliding.zero_if(instant.on_centre_line).zero_below(pin.magnitude);
+        let pin_tangential = pin_tangential.zero_if(true);
+        let lever_normal = lever_normal.zero_if(instant.lever_at_rest);
+        let lever_tangential = lever_tangential.zero_if(instant.steady_lever()).zero_below(greatest);
+        let sliding_normal = sliding_normal.zero_if(true);
+        let sliding_tangential = sliding_tangential.zero_if(instant.stroke == Stroke::End).zero_below(greatest);
+        let coriolis = coriolis.zero_if(instant.lever_at_rest || sliding.direction_deg.is_none());
+
+        let told = |key, name, vector: &Vector, way, why_zero| self.vector(key, name, vector, way, why_zero);
+        let on_circle = format!("along the crank's circle, {}", sense(self.rpm));
+        let speed = if instant.lever_at_rest { 0.0 } else { self.lever_speed.abs() };
+        let speeds = vec![
+            told("pin_velocity_m_s", "pin", &pin, Is(&on_circle), NOT_TOLD),
+            told("lever_point_velocity_m_s", "lever's point", &lever, Across, "the lever is at rest"),
+            told("sliding_velocity_m_s", "sliding", &sliding, Along, instant.no_sliding()),
+            Field::in_unit("lever_speed_rad_s", self.lever_speed, "rad/s")
+                .line("lever, angular", self.lever_speed_in_words())
+                .of_size(speed, String::new()),
+        ];
+        let still = if instant.lever_at_rest { "the lever is at rest" } else { "the pin does not slide" };
+        let (constant, straight) = ("the crank turns at constant speed", "the slot is straight");
+        let (steady, steady_sliding) = (instant.no_angular_acceleration(), instant.steady_sliding());
+        let angular = lever_tangential.direction_deg.map_or(0.0, |_| self.lever_acceleration.abs());
+        let accelerations = vec![
+            told("pin_normal_acceleration_m_s2", "pin, normal", &pin_normal, Is("to the crank's axis"), NOT_TOLD),
+            told("pin_tangential_acceleration_m_s2", "pin, tangential", &pin_tangential, Along, constant),
+            told("lever_point_normal_acceleration_m_s2", "lever, normal", &lever_normal, Along, still),
+            told("lever_point_tangential_acceleration_m_s2", "lever, tangential", &lever_tangential, Across, steady),
+            told("sliding_normal_acceleration_m_s2", "sliding, normal", &sliding_normal, Across, straight),
+            told(
+                "sliding_tangential_acceleration_m_s2",
+                "sliding, tangential",
+                &sliding_tangential,
+                Along,
+                steady_sliding,
+            ),
+            told("coriolis_acceleration_m_s2", "Coriolis", &coriolis, Across, still),
+            Field::in_unit("lever_acceleration_rad_s2", self.lever_acceleration, "rad/s²")
+                .line("lever, angular", self.lever_acceleration_in_words(&lever_tangential))
+                .of_size(angular, String::new()),
+        ];
+        (speeds, accelerations)
+    }
+
+    /// A vector: why it is zero, if it is, or else which way it points.
+    fn vector(&self, key: &'static str, name: &'static str, vector: &Vector, way: Way, why_zero: &str) -> Field {
+        let unit = if key.ends_with("_s2") { "m/s²" } else { "m/s" };
+        let Some(degrees) = vector.direction_deg else {
+            return Field::in_unit(key, vector, unit)
+                .line(name, format!("zero: {why_zero}"))
+                .of_size(0.0, String::new());
+        };
+        // Seen from the lever's direction, between −180° and 180°.
+        let turned = degrees - self.lever_deg;
+        let apart = turned - 360.0 * (turned / 360.0).round();
+        let way = match way {
+            Along if apart.abs() < 90.0 => "along the lever, outwards from its pivot".to_owned(),
+            Along => "along the lever, inwards to its pivot".to_owned(),
+            Across => format!("across the lever, {}", sense(apart)),
+            Is(way) => way.to_owned(),
+        };
+        Field::in_unit(key, vector, unit)
+            .line(name, way)
+            .of_size(vector.magnitude, format!("at {:>7}°", direction(degrees)))
+    }
+
+    /// What the lever's angular velocity is like.
+    fn lever_speed_in_words(&self) -> String {
+        if self.instant.lever_at_rest {
+            return "zero: the lever is at the end of its swing".to_owned();
+        }
+        let with = if self.lever_speed * self.rpm.signum() > 0.0 { "with" } else { "against" };
+        format!("{}, {with} the crank", sense(self.lever_speed))
+    }
+
+    /// What the lever's angular acceleration does.
+    fn lever_acceleration_in_words(&self, tangential: &Vector) -> String {
+        let turning = sense(self.lever_acceleration);
+        if tangential.direction_deg.is_none() {
+            return format!("zero: {}", self.instant.no_angular_acceleration());
+        }
+        if self.instant.lever_at_rest {
+            return format!("{turning}: it starts on its way back");
+        }
+        let slows = (self.lever_speed > 0.0) != (self.lever_acceleration > 0.0);
+        format!("{turning}: the lever {}", if slows { "slows down" } else { "speeds up" })
+    }
+}
+
+fn strokes(strokes: &Strokes, instant: &Instant) -> Vec<Field> {
+    let time_ratio = (strokes.fast > 0.0).then(|| strokes.time_ratio());
+    let swing = Field::in_unit("swing_limit_deg", strokes.swing_limit.map(f64::to_degrees), "°");
+    let swing = match strokes.swing_limit {
+        None => swing
+            .words("swing", "none: the crank is longer than the ground distance, and the lever turns round and round"),
+        Some(_) if instant.half_speed => swing.words(
+            "swing",
+            "none: with a crank as long as the ground distance the pin passes through the lever's pivot at 180°, where \
+             the lever has no direction",
+        ),
+        Some(_) => swing.line("swing limit", "greatest lever angle, to either side"),
+    };
+    let mut slow = Field::in_unit("slow_stroke_deg", strokes.slow.to_degrees(), "°");
+    let mut fast = Field::in_unit("fast_stroke_deg", strokes.fast.to_degrees(), "°");
+    let mut ratio = Field::new("time_ratio", time_ratio);
+    if time_ratio.is_some() {
+        slow = slow.line("slow stroke", "of a turn of the crank");
+        fast = fast.line("fast stroke", "of a turn of the crank");
+        ratio = ratio.line("time ratio", "time of the slow stroke over that of the fast one");
+    } else {
+        ratio = ratio.words("time ratio", "none: there is no fast stroke");
+    }
+    vec![swing, slow, fast, ratio]
+}
+
+/// The direction of a vector in degrees, from above −180 to 180, with as many decimals as its neighbours in a column.
+fn direction(degrees: f64) -> String {
+    match format!("{degrees:.2}").as_str() {
+        "-0.00" => "0.00".to_owned(),
+        "-180.00" => "180.00".to_owned(),
+        written => written.replace('-', "−"),
+    }
+}
+
+/// Which way an angular velocity or acceleration turns.
+fn sense(turning: f64) -> &'static str {
+    if turning > 0.0 { "counter-clockwise" } else { "clockwise" }
+}
+
+/// Zero without the sign that a computer keeps with it.
+fn unsigned_zero(value: f64) -> f64 {
+    value + 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::direction;
+
+    #[test]
+    fn a_direction_that_is_rounded_to_nothing_or_to_a_half_turn_has_no_sign() {
+        assert_eq!([-1e-3, -179.999, -7.5].map(direction), ["0.00", "180.00", "−7.50"]);
+    }
+}

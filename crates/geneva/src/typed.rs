@@ -1,0 +1,150 @@
+//! Numbers as they are typed at the command line, each with the range in which it can be computed with, and as they are
+//! told back.
+//!
+//! The parser of an option hands over a number that the option may have. Where one number is possible only with another,
+//! the command says so.
+
+use geneva_kinematics::wheel::STATIONS;
+use std::num::NonZeroUsize;
+use std::ops::RangeInclusive;
+use std::str::FromStr;
+
+/// Numbers whose quotients and products have full precision, far outside of any machine.
+const COMPUTABLE: RangeInclusive<f64> = 1e-30..=1e30;
+
+/// Most threads that may be asked for.
+const MOST_THREADS: usize = 1024;
+
+/// A number above zero.
+pub fn positive(text: &str) -> Result<f64, String> {
+    above_zero(number(text).ok_or("not a number; give one above zero, with a point before its decimals")?)
+}
+
+/// A length in metres, above zero: the unit of all lengths that are typed.
+pub fn metres(text: &str) -> Result<f64, String> {
+    above_zero(number(text).ok_or("not a length; give metres above zero, with a point before the decimals")?)
+}
+
+/// A number that is zero or more.
+pub fn zero_or_more(text: &str) -> Result<f64, String> {
+    let value = number(text).ok_or("not a number; give zero or more, with a point before the decimals")?;
+    if value < 0.0 || !value.is_finite() {
+        return Err(format!("{} must be finite and not negative; give zero or more", as_typed(value)));
+    }
+    // A zero has no sign.
+    Ok(value + 0.0)
+}
+
+/// Turns a minute in either sense, counter-clockwise above zero.
+pub fn turns_a_minute(text: &str) -> Result<f64, String> {
+    let value = number(text).ok_or("not a speed; give turns a minute, with a point before the decimals")?;
+    if value == 0.0 || !value.is_finite() {
+        return Err(
+            "the crank must turn, or nothing moves; give turns a minute, above zero for counter-clockwise or below it \
+             for clockwise"
+                .to_owned(),
+        );
+    }
+    computable(value)
+}
+
+/// An angle in degrees. Which are possible, the mechanism says.
+pub fn degrees(text: &str) -> Result<f64, &'static str> {
+    number(text).ok_or("not an angle; give degrees, with a point before the decimals")
+}
+
+/// A number of a follower's slots. Which are possible, the library says.
+pub fn slots(text: &str) -> Result<u32, String> {
+    whole(text, "slots", "3, 4 or 6")
+}
+
+/// A number of a wheel's stations. Which are possible, the library says.
+pub fn stations(text: &str) -> Result<u32, String> {
+    whole(text, "stations", &format!("a whole number from {} to {}", STATIONS.start(), STATIONS.end()))
+}
+
+/// A number of a driver's pins. Which are possible, the library says.
+pub fn pins(text: &str) -> Result<u32, String> {
+    whole(text, "pins", "a whole number from 1 up")
+}
+
+/// A number of threads.
+pub fn threads(text: &str) -> Result<NonZeroUsize, String> {
+    let possible = format!("a whole number from 1 to {MOST_THREADS}");
+    let threads: NonZeroUsize = whole(text, "threads", &possible)?;
+    if threads.get() > MOST_THREADS { Err(format!("too many threads; give {possible}")) } else { Ok(threads) }
+}
+
+fn whole<T: FromStr>(text: &str, things: &str, possible: &str) -> Result<T, String> {
+    text.trim().parse().map_err(|_| format!("not a number of {things}; give {possible}"))
+}
+
+/// A number, with either of the signs for minus: the sheet has the typographer's.
+pub fn number(text: &str) -> Option<f64> {
+    text.trim().replace('−', "-").parse().ok()
+}
+
+/// `value`, if it is above zero and can be computed with.
+pub fn above_zero(value: f64) -> Result<f64, String> {
+    if value > 0.0 && value.is_finite() {
+        computable(value)
+    } else {
+        Err(format!("{} must be positive and finite; give a number above zero", as_typed(value)))
+    }
+}
+
+fn computable(value: f64) -> Result<f64, String> {
+    if COMPUTABLE.contains(&value.abs()) {
+        return Ok(value);
+    }
+    let (least, most) = (COMPUTABLE.start(), COMPUTABLE.end());
+    Err(format!(
+        "{} is too large or too small to compute with; give one that a machine can have, between {least:e} and {most:e}",
+        as_typed(value)
+    ))
+}
+
+/// A number that was typed, with all its digits, as it can be typed again.
+pub fn as_typed(value: f64) -> String {
+    let written = format!("{value:?}");
+    written.strip_suffix(".0").map_or(written.clone(), str::to_owned)
+}
+
+/// The number that a reader would have typed: rounded to fifteen digits, which any number between typed ones may need.
+pub fn rounded(value: f64) -> f64 {
+    format!("{value:.14e}").parse().unwrap_or(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_was_typed_is_told_back() {
+        for text in ["-60", "0.125", "1e-20", "1e30", "4e-6", "0.3", "2"] {
+            assert_eq!(number(text).map(as_typed).as_deref(), Some(text));
+        }
+        assert_eq!(number(" −7 "), Some(-7.0));
+        assert_eq!(number("0,3"), None);
+        assert_eq!([0.1 + 0.2, 3e-4 * 3.0, 0.0].map(rounded), [0.3, 9e-4, 0.0]);
+    }
+
+    #[test]
+    fn what_is_out_of_range_is_refused_with_the_range() {
+        for (said, words) in [
+            (positive("0"), "above zero"),
+            (positive("nan"), "NaN must be positive and finite"),
+            (positive("1e31"), "between 1e-30 and 1e30"),
+            (metres("0,1"), "metres above zero, with a point before the decimals"),
+            (zero_or_more("-0.3"), "not negative"),
+            (turns_a_minute("-0"), "the crank must turn"),
+            (turns_a_minute("-1e-31"), "-1e-31 is too large or too small"),
+        ] {
+            let said = said.expect_err(words);
+            assert!(said.contains(words) && said.contains("give "), "{said}");
+        }
+        assert_eq!(turns_a_minute("−60"), Ok(-60.0));
+        assert!(zero_or_more("-0").is_ok_and(f64::is_sign_positive));
+        assert!(threads("1025").is_err() && threads("0").is_err());
+    }
+}
