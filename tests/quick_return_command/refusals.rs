@@ -1,7 +1,7 @@
 //! What cannot be computed is refused with exit code 2, with what was typed, what is possible and what to give.
 
-use super::{SLOW, command, number, object};
-use crate::{geneva, pin, refusal, run, stdout};
+use super::{SLOW, command, object};
+use crate::{assert_is_plain, geneva, number, pin, refusal, run, stdout};
 
 /// The refusal of these options, which is the same in every format.
 #[track_caller]
@@ -137,8 +137,7 @@ fn values_that_are_no_lengths_angles_or_speeds_are_named() {
             .concat();
         let said = refused(&options);
         assert!(said.contains(option) && said.contains("give ") && said.contains(said_of), "{option} {value}: {said}");
-        let told = value.parse::<f64>().map_or(value.to_owned(), |number| format!("{number:?}"));
-        assert!(said.contains(value) || said.contains(&told), "{option} {value}: {said}");
+        assert!(said.to_lowercase().contains(value), "{option} {value}: {said}");
     }
 }
 
@@ -161,7 +160,8 @@ fn one_angle_is_wanted_and_a_branch_only_of_a_lever() {
 }
 
 #[test]
-fn a_figure_is_only_of_a_drawing() {
+fn a_figure_is_only_of_a_drawing_and_csv_of_a_series() {
+    pin("quick-return-is-no-series", &command(SLOW, &["--format", "csv"]));
     for format in ["text", "json"] {
         let said = refusal(geneva(&command(SLOW, &["--format", format, "--figure", "velocity"])));
         assert!(said.contains("--figure velocity") && said.contains("give --format svg"), "{said}");
@@ -198,10 +198,6 @@ fn the_sheet_is_no_wider_than_a_line_and_plain_in_a_pipe() {
         ["0.30000000000000004", "179.99999999999", "--crank-angle", "-33.3", "180.00000000000003"],
         ["1e30", "1e-30", "--crank-angle", "20", "-1e30"],
     ]) {
-        for line in stdout(&command(instant, &[]), 0).lines() {
-            assert!(line.chars().count() <= 100, "{line}");
-            assert_eq!(line.trim_end(), line);
-            assert!(!line.contains('\u{1b}'), "{line}");
-        }
+        assert_is_plain(&stdout(&command(instant, &[]), 0));
     }
 }

@@ -26,15 +26,15 @@ fn values_that_no_escapement_has_are_named() {
         ("--slots", "4,4", "twice"),
         ("--slots", "", "3, 4 or 6"),
         ("--slots", "-4", "3, 4 or 6"),
-        ("--friction", "-0.1:0.3:5", "--friction -0.1"),
-        ("--friction", "0:inf:5", "--friction inf"),
-        ("--friction", "nan", "--friction NaN"),
-        ("--inertia-ratio", "0:1:5", "--inertia-ratio 0"),
+        ("--friction", "-0.1:0.3:5", "-0.1 must be finite and not negative"),
+        ("--friction", "0:inf:5", "inf must be finite"),
+        ("--friction", "nan", "NaN must be finite"),
+        ("--inertia-ratio", "0:1:5", "0 must be positive"),
         ("--inertia-ratio", "1:1e31:5", "can have"),
         ("--inertia-ratio", "-1", "above zero"),
-        ("--torque", "1:-1:5", "--torque -1"),
-        ("--torque", "0", "--torque 0"),
-        ("--follower-inertia", "0", "--follower-inertia 0"),
+        ("--torque", "1:-1:5", "-1 must be positive"),
+        ("--torque", "0", "0 must be positive"),
+        ("--follower-inertia", "0", "0 must be positive"),
         ("--follower-inertia", "light", "above zero"),
         ("--modulus-deg", "225", "below 225°"),
         ("--modulus-deg", "0", "below 225°"),
@@ -45,7 +45,8 @@ fn values_that_no_escapement_has_are_named() {
         ("--threads", "100000", "from 1 to 1024"),
     ] {
         let said = refused(option, value);
-        assert!(said.contains(words), "{option} {value}: {said}");
+        let name = option.trim_start_matches('-');
+        assert!(said.contains(words) && said.contains(name), "{option} {value}: {said}");
     }
 }
 
@@ -85,14 +86,4 @@ fn too_many_rows_are_refused_before_any_is_computed() {
     }
     let options = ["sweep", "--slots", "3,4", "--friction", "0.1:0.3:5000", "--inertia-ratio", "0.5:1:1001"];
     pin("sweep-of-too-many-rows", &[&options[..], &["--output", "-"]].concat());
-}
-
-#[test]
-fn what_is_missing_is_named() {
-    let all = ["--slots", "4", "--friction", "0.3", "--inertia-ratio", "1", "--output", "-"];
-    for missing in all.chunks(2).map(|pair| pair[0]) {
-        let rest: Vec<_> = all.chunks(2).filter(|pair| pair[0] != missing).flatten().copied().collect();
-        let said = refusal(geneva(&[&["sweep"], &rest[..]].concat()));
-        assert!(said.contains(missing) && said.contains("required"), "{said}");
-    }
 }

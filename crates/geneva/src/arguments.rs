@@ -323,7 +323,8 @@ pub fn formats(known: &'static [(Format, &'static str)]) -> impl TypedValueParse
     let refused = (!has_series).then(|| PossibleValue::new(Format::Csv.name()).hide(true));
     PossibleValuesParser::new(names.chain(refused)).try_map(move |name| {
         let format = known.iter().map(|(format, _)| *format).find(|format| format.name() == name);
-        format.ok_or("csv is for a series, a row for each of many, and this is a single one; give json for its numbers")
+        format
+            .ok_or("csv is for a series, a row for each of many, and this is one mechanism; give json for its numbers")
     })
 }
 
