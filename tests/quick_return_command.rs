@@ -75,7 +75,7 @@ fn a_mechanism_is_written_in_each_format() {
 
 #[test]
 fn numbers_are_those_that_the_ledger_finds_right_in_the_examination_problem() {
-    let [ground, crank, lever] = ["ground", "crank", "lever-angle"].map(|name| claim_printed(name));
+    let [ground, crank, lever] = ["ground", "crank", "lever-angle"].map(claim_printed);
     let rpm = claim_printed("driver-speed");
     let found = object([ground, crank, "--lever-angle", lever, rpm], &[]);
     for (key, claim) in [

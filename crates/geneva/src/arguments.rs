@@ -100,8 +100,8 @@ Examples:
                     --modulus-deg 90
 
 A spring turns the driver. Its pins, all round, push the slotted follower on from stop to stop: one pin enters as the \
-one before it leaves. Any coherent units will do: a torque in lb·in with inertias in lb·in·s², or in N·m \
-with kg·m². Times are then in s, and speeds in rad/s.")]
+one before it leaves. Any coherent units will do: a torque in in lb with inertias in in lb s², or in N m \
+with kg m². Times are then in s, and speeds in rad/s.")]
     Escapement(EscapementArguments),
     /// Compute many escapements: ranges of friction, inertia ratio and torque, as CSV
     #[command(after_help = "\

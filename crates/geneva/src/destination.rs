@@ -4,15 +4,11 @@
 //! ends. When it is complete it is copied beside the file, and the copy takes its place. Only a program that is
 //! ended while it copies leaves something behind: the copy, named as the file with `.unfinished-` and some letters.
 
-use crate::output::print;
-use anstream::adapter::strip_str;
+use crate::output::STANDARD_OUTPUT;
 use anyhow::{Context, bail};
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Seek, Write};
 use std::path::{Path, PathBuf};
-
-/// What is asked for instead of a file.
-const STANDARD_OUTPUT: &str = "-";
 
 /// Where an answer is written.
 pub enum Destination {
@@ -20,17 +16,6 @@ pub enum Destination {
     Output,
     /// A file, and what has been collected for it.
     File { target: PathBuf, collected: File },
-}
-
-/// Writes a whole answer: to a file without colours, and to standard output as [`print`] does.
-pub fn write(text: &str, asked: &str) -> anyhow::Result<()> {
-    if asked == STANDARD_OUTPUT {
-        return Ok(print(text)?);
-    }
-    let mut destination = Destination::new(asked)?;
-    destination.add(strip_str(text).to_string().as_bytes())?;
-    destination.finish()?;
-    Ok(())
 }
 
 impl Destination {

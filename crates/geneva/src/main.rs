@@ -67,7 +67,7 @@ fn run(arguments: Arguments) -> anyhow::Result<Outcome> {
 
 /// Writes an answer where it was asked for.
 fn answer(text: &str, to: &Output, outcome: Outcome) -> anyhow::Result<Outcome> {
-    destination::write(text, &to.output)?;
+    output::write(text, &to.output)?;
     Ok(outcome)
 }
 

@@ -1,5 +1,7 @@
 //! Printing: streams, colours, exit codes, lines of a readable length, and drawings without a page.
 
+use crate::destination::Destination;
+use anstream::adapter::strip_str;
 use clap::builder::styling::{AnsiColor, Style};
 use geneva_ledger::Verdict;
 use std::io::{ErrorKind, Write};
@@ -46,6 +48,20 @@ pub fn print(text: &str) -> std::io::Result<()> {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
         result => result,
     }
+}
+
+/// What is asked for instead of a file.
+pub const STANDARD_OUTPUT: &str = "-";
+
+/// Writes a whole answer where it was asked for: to standard output, or to a file without colours.
+pub fn write(text: &str, asked: &str) -> anyhow::Result<()> {
+    if asked == STANDARD_OUTPUT {
+        return Ok(print(text)?);
+    }
+    let mut destination = Destination::new(asked)?;
+    destination.add(strip_str(text).to_string().as_bytes())?;
+    destination.finish()?;
+    Ok(())
 }
 
 /// Writes an error and its causes to standard error.
