@@ -64,7 +64,8 @@ impl TokenSink for Pieces {
                 pieces.push(Piece::Start { element: tag.name.to_string(), attributes });
                 match &*tag.name {
                     "script" => return TokenSinkResult::RawData(RawKind::ScriptData),
-                    "style" => return TokenSinkResult::RawData(RawKind::Rawtext),
+                    // A browser with scripts passes over what is for one without.
+                    "style" | "noscript" => return TokenSinkResult::RawData(RawKind::Rawtext),
                     _ => {}
                 }
             }
@@ -161,8 +162,15 @@ fn no_placeholder_is_left_and_no_number_is_none() {
 
 /// What a page loads by itself: style, scripts, pictures, fonts named in its style.
 fn loaded(page: &[Piece], files: &BTreeMap<String, Vec<u8>>) -> Vec<String> {
-    let mut names = attribute(page, &["link", "image", "use"], "href");
-    names.extend(attribute(page, &["script", "img", "iframe", "video", "audio"], "src"));
+    let linked = page.iter().filter_map(|piece| match piece {
+        Piece::Start { element, attributes } if element == "link" => {
+            let is_loaded = |kind: &str| ["stylesheet", "icon"].contains(&kind);
+            attributes.get("href").filter(|_| attributes.get("rel").is_some_and(|of| of.split(' ').any(is_loaded)))
+        }
+        _ => None,
+    });
+    let mut names: Vec<_> = linked.cloned().collect();
+    names.extend(attribute(page, &["script", "img", "image", "use", "iframe", "video", "audio"], "src"));
     let styles: Vec<_> = names.iter().filter(|name| name.ends_with(".css")).cloned().collect();
     for style in styles {
         let text = String::from_utf8_lossy(files.get(&style).map_or(&[][..], Vec::as_slice)).into_owned();

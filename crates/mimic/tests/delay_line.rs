@@ -29,7 +29,7 @@ const HOW: [(Between, Ahead); 4] = [
 #[test]
 fn between_before_and_after_its_entries_it_reads_as_told() {
     // Entries 10 at time 0 and 12 at time 1, read half a unit late; 7 before the first.
-    let times = [0.0, 0.25, 0.5, 0.75, 1.25, 1.5, 2.0];
+    let times = [0.0, 0.25, 0.5, 0.75, 5.0 / 4.0, 1.5, 2.0];
     let values = [
         [7.0, 7.0, 10.0, 10.5, 11.5, 12.0, 12.0],
         [7.0, 7.0, 10.0, 10.5, 11.5, 12.0, 13.0],
@@ -75,7 +75,7 @@ fn more_entries_than_room_are_an_error_and_change_nothing() {
     // Half a unit later the first entry is not needed any more, and then it is forgotten.
     assert_eq!(line.record(1.5, 3.0), Ok(()));
     assert_eq!(line.value(1.5), Ok(2.0));
-    assert_eq!(line.value(1.25), Err(DelayError::Forgotten { asked: 0.25, oldest: 0.5 }));
+    assert_eq!(line.value(5.0 / 4.0), Err(DelayError::Forgotten { asked: 0.25, oldest: 0.5 }));
 }
 
 #[test]

@@ -23,7 +23,7 @@ mod tests {
 
     #[test]
     fn a_minus_is_no_hyphen_and_zero_has_no_sign() {
-        assert_eq!([fixed(-1.25, 1), signed(-1.25, 1), signed(1.25, 1)], ["−1.2", "−1.2", "+1.2"]);
+        assert_eq!([fixed(-7.5, 1), signed(-7.5, 1), signed(7.5, 1)], ["−7.5", "−7.5", "+7.5"]);
         assert_eq!([signed(-0.04, 1), signed(0.0, 0)], ["0.0", "0"]);
     }
 }
