@@ -4,7 +4,7 @@ use thiserror::Error;
 
 /// What a delay line says of a time between two of its entries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Between {
+pub enum Interpolation {
     /// The straight line between the two.
     Linear,
     /// The earlier of the two.
@@ -13,11 +13,11 @@ pub enum Between {
 
 /// What a delay line says of a time after its latest entry: it is asked for one if a step is longer than the delay.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Ahead {
+pub enum Extrapolation {
     /// The latest entry. Nothing is made up, but the delay is then longer than was asked for, up to a whole step.
     Hold,
     /// The straight line through the latest two entries.
-    Line,
+    Linear,
 }
 
 /// The past of one quantity, as far back as its delay.
@@ -35,8 +35,8 @@ pub enum Ahead {
 pub struct DelayLine<const CAPACITY: usize> {
     delay: f64,
     initial: f64,
-    between: Between,
-    ahead: Ahead,
+    interpolation: Interpolation,
+    extrapolation: Extrapolation,
     entries: [Entry; CAPACITY],
     /// Place of the oldest entry.
     first: usize,
@@ -111,7 +111,12 @@ pub enum DelayError {
 
 impl<const CAPACITY: usize> DelayLine<CAPACITY> {
     /// A line without entries. `delay` is positive, in the unit of time; `initial` is the value before the first entry.
-    pub fn new(delay: f64, initial: f64, between: Between, ahead: Ahead) -> Result<Self, DelayError> {
+    pub fn new(
+        delay: f64,
+        initial: f64,
+        interpolation: Interpolation,
+        extrapolation: Extrapolation,
+    ) -> Result<Self, DelayError> {
         if CAPACITY < 2 {
             return Err(DelayError::Capacity(CAPACITY));
         }
@@ -122,7 +127,7 @@ impl<const CAPACITY: usize> DelayLine<CAPACITY> {
             return Err(DelayError::Initial(initial));
         }
         let entries = [Entry { time: 0.0, value: 0.0 }; CAPACITY];
-        Ok(Self { delay, initial, between, ahead, entries, first: 0, length: 0, forgotten: false })
+        Ok(Self { delay, initial, interpolation, extrapolation, entries, first: 0, length: 0, forgotten: false })
     }
 
     /// Enters the value at a time later than that of all entries. On an error nothing is entered.
@@ -167,9 +172,9 @@ impl<const CAPACITY: usize> DelayLine<CAPACITY> {
             return forgotten.map_or(Ok(self.initial), |oldest| Err(DelayError::Forgotten { asked, oldest }));
         };
         let (before, is_latest) = (self.entry(before), later == self.length);
-        Ok(match (is_latest, self.between, self.ahead) {
-            (false, Between::Linear, _) => line(before, self.entry(later), asked),
-            (true, _, Ahead::Line) if self.length >= 2 => line(before, self.entry(self.length - 2), asked),
+        Ok(match (is_latest, self.interpolation, self.extrapolation) {
+            (false, Interpolation::Linear, _) => line(before, self.entry(later), asked),
+            (true, _, Extrapolation::Linear) if self.length >= 2 => line(before, self.entry(self.length - 2), asked),
             _ => before.value,
         })
     }

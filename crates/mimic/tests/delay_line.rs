@@ -1,7 +1,9 @@
 //! Does a delay line give the value of a moment before, or say why not, and do systems that look back see what was kept
 //! and nothing else?
 
-use geneva_mimic::{Ahead, Between, Cause, DelayError, DelayLine, IntegrationError, Parameters, System, integrate};
+use geneva_mimic::{
+    Cause, DelayError, DelayLine, Extrapolation, IntegrationError, Interpolation, Parameters, System, integrate,
+};
 use nalgebra::{SVector, Vector1, Vector2};
 use std::f64::consts::FRAC_PI_2;
 
@@ -9,7 +11,7 @@ use std::f64::consts::FRAC_PI_2;
 #[track_caller]
 fn line<const CAPACITY: usize>(
     (delay, initial): (f64, f64),
-    (between, ahead): (Between, Ahead),
+    (between, ahead): (Interpolation, Extrapolation),
     entries: &[(f64, f64)],
 ) -> DelayLine<CAPACITY> {
     let mut line = DelayLine::new(delay, initial, between, ahead).expect("a delay line");
@@ -19,11 +21,11 @@ fn line<const CAPACITY: usize>(
     line
 }
 
-const HOW: [(Between, Ahead); 4] = [
-    (Between::Linear, Ahead::Hold),
-    (Between::Linear, Ahead::Line),
-    (Between::Hold, Ahead::Hold),
-    (Between::Hold, Ahead::Line),
+const HOW: [(Interpolation, Extrapolation); 4] = [
+    (Interpolation::Linear, Extrapolation::Hold),
+    (Interpolation::Linear, Extrapolation::Linear),
+    (Interpolation::Hold, Extrapolation::Hold),
+    (Interpolation::Hold, Extrapolation::Linear),
 ];
 
 #[test]
@@ -43,7 +45,7 @@ fn between_before_and_after_its_entries_it_reads_as_told() {
         }
     }
     // One entry alone says nothing of a slope, none of anything.
-    let one = line::<2>((0.5, 7.0), (Between::Linear, Ahead::Line), &[(0.0, 10.0)]);
+    let one = line::<2>((0.5, 7.0), (Interpolation::Linear, Extrapolation::Linear), &[(0.0, 10.0)]);
     assert_eq!([one.value(0.25), one.value(9.0)], [Ok(7.0), Ok(10.0)]);
     assert_eq!(line::<2>((0.5, 7.0), HOW[0], &[]).value(100.0), Ok(7.0));
 }
@@ -51,7 +53,7 @@ fn between_before_and_after_its_entries_it_reads_as_told() {
 #[test]
 fn a_straight_signal_is_given_exactly_at_uneven_steps() {
     for delay in [0.25, 0.0625, 1.0, 3.0] {
-        let mut line = line::<8>((delay, 1.5), (Between::Linear, Ahead::Line), &[(0.0, 1.5)]);
+        let mut line = line::<8>((delay, 1.5), (Interpolation::Linear, Extrapolation::Linear), &[(0.0, 1.5)]);
         for time in [0.125, 0.1875, 0.5, 0.53125, 1.0, 1.75, 2.0] {
             line.record(time, 1.5 - 2.0 * time).unwrap();
             for later in [0.0, 0.03125, 0.0625] {
@@ -96,8 +98,10 @@ fn a_long_uneven_past_is_that_of_a_list_without_end() {
                 let on_line = |a: (f64, f64), b: (f64, f64)| a.1 + (b.1 - a.1) * (asked - a.0) / (b.0 - a.0);
                 let expected = match (next, between, ahead) {
                     (0, _, _) => 0.0,
-                    (next, Between::Linear, _) if next < list.len() => on_line(list[next - 1], list[next]),
-                    (next, _, Ahead::Line) if next == list.len() && next > 1 => on_line(list[next - 2], list[next - 1]),
+                    (next, Interpolation::Linear, _) if next < list.len() => on_line(list[next - 1], list[next]),
+                    (next, _, Extrapolation::Linear) if next == list.len() && next > 1 => {
+                        on_line(list[next - 2], list[next - 1])
+                    }
                     (next, _, _) => list[next - 1].1,
                 };
                 let given = line.value(time + later).unwrap();
@@ -110,18 +114,19 @@ fn a_long_uneven_past_is_that_of_a_list_without_end() {
 
 #[test]
 fn what_cannot_be_a_delay_line_is_named() {
-    let new = |delay, initial| DelayLine::<4>::new(delay, initial, Between::Hold, Ahead::Hold).map(|_| ());
+    let new =
+        |delay, initial| DelayLine::<4>::new(delay, initial, Interpolation::Hold, Extrapolation::Hold).map(|_| ());
     for delay in [0.0, -1.0, f64::INFINITY] {
         assert_eq!(new(delay, 0.0), Err(DelayError::Delay(delay)));
     }
     assert!(matches!(new(f64::NAN, 0.0), Err(DelayError::Delay(_))));
     assert_eq!(new(1.0, f64::INFINITY), Err(DelayError::Initial(f64::INFINITY)));
-    let one = DelayLine::<1>::new(1.0, 0.0, Between::Hold, Ahead::Hold);
+    let one = DelayLine::<1>::new(1.0, 0.0, Interpolation::Hold, Extrapolation::Hold);
     assert_eq!(one.map(|_| ()), Err(DelayError::Capacity(1)));
-    let none = DelayLine::<0>::new(1.0, 0.0, Between::Hold, Ahead::Hold);
+    let none = DelayLine::<0>::new(1.0, 0.0, Interpolation::Hold, Extrapolation::Hold);
     assert!(none.expect_err("no room").to_string().contains("at least 2"));
 
-    let mut line = line::<4>((1.0, 0.0), (Between::Hold, Ahead::Hold), &[]);
+    let mut line = line::<4>((1.0, 0.0), (Interpolation::Hold, Extrapolation::Hold), &[]);
     assert_eq!(line.record(f64::NEG_INFINITY, 1.0), Err(DelayError::Time(f64::NEG_INFINITY)));
     line.record(2.0, 1.0).unwrap();
     for time in [2.0, 1.0] {
@@ -137,8 +142,8 @@ fn what_cannot_be_a_delay_line_is_named() {
 struct Memory<const CAPACITY: usize>(DelayLine<CAPACITY>);
 
 impl<const CAPACITY: usize> Memory<CAPACITY> {
-    fn new(between: Between) -> Self {
-        Self(line((1.0, 1.0), (between, Ahead::Hold), &[]))
+    fn new(interpolation: Interpolation) -> Self {
+        Self(line((1.0, 1.0), (between, Extrapolation::Hold), &[]))
     }
 }
 
@@ -167,7 +172,7 @@ fn memory_exact(time: f64) -> f64 {
 
 #[test]
 fn an_equation_with_delay_is_solved_to_the_order_of_its_interpolation() {
-    for (between, order) in [(Between::Linear, 2.0), (Between::Hold, 1.0)] {
+    for (between, order) in [(Interpolation::Linear, 2.0), (Interpolation::Hold, 1.0)] {
         let error = |steps: f64| {
             let fixed = Parameters::with_fixed_step(1.0 / steps, 0.5, 5.0);
             let mut worst: f64 = 0.0;
@@ -187,7 +192,8 @@ fn the_error_test_does_not_see_how_the_past_is_read() {
     // Straight lines between entries half a unit apart: integrated without a difference, and far from the solution.
     let run = |largest_step| {
         let parameters = Parameters { largest_step, initial_step: largest_step, ..Parameters::new(0.5, 5.0) };
-        let end = integrate(&mut Memory::<200>::new(Between::Linear), Vector1::new(1.0), &parameters, |_| ()).unwrap();
+        let end =
+            integrate(&mut Memory::<200>::new(Interpolation::Linear), Vector1::new(1.0), &parameters, |_| ()).unwrap();
         (end.work, (end.last.state[0] - memory_exact(5.0)).abs())
     };
     let ((work, blind), (_, close)) = (run(0.5), run(1.0 / 128.0));
@@ -198,7 +204,7 @@ fn the_error_test_does_not_see_how_the_past_is_read() {
 #[test]
 fn a_line_without_room_stops_the_run_where_it_is_full() {
     let parameters = Parameters::with_fixed_step(1.0 / 128.0, 1.0, 2.0);
-    let error = integrate(&mut Memory::<100>::new(Between::Linear), Vector1::new(1.0), &parameters, |_| ());
+    let error = integrate(&mut Memory::<100>::new(Interpolation::Linear), Vector1::new(1.0), &parameters, |_| ());
     let Err(IntegrationError::Stopped(stopped)) = error else { panic!("{error:?}") };
     assert_eq!(stopped.time, 100.0 / 128.0);
     let Cause::System(DelayError::Full { time, capacity: 100, .. }) = stopped.cause else { panic!("{stopped}") };
@@ -214,7 +220,10 @@ struct LaggedSign {
 
 impl LaggedSign {
     fn new(delay: f64) -> Self {
-        Self { old_acceleration: line((delay, 1.0), (Between::Linear, Ahead::Hold), &[]), kept: Vec::new() }
+        Self {
+            old_acceleration: line((delay, 1.0), (Interpolation::Linear, Extrapolation::Hold), &[]),
+            kept: Vec::new(),
+        }
     }
 }
 

@@ -6,7 +6,6 @@
 
 use geneva_ledger::{Consequence, Work, claims};
 use std::collections::HashMap;
-use std::fmt::Write;
 use std::ops::RangeInclusive;
 use std::sync::LazyLock;
 
@@ -16,26 +15,12 @@ pub struct Page {
     pub name: &'static str,
     /// As the table of contents has it.
     pub title: String,
-    /// Who writes it.
-    pub text: Text,
+    /// Whether it is a chapter: chapters have numbers.
+    pub is_chapter: bool,
     /// What it shows of the records, which stand at the end of the book.
     pub records: Records,
-}
-
-/// Who writes a page.
-pub enum Text {
-    /// A hand: a chapter, which has a number, or another page.
-    ByHand {
-        /// Whether the table of contents numbers it.
-        numbered: bool,
-    },
-    /// This crate: a heading and a sentence or two, before the list.
-    ByProgram {
-        /// The heading.
-        heading: String,
-        /// What stands before the list.
-        lead: &'static str,
-    },
+    /// Of a page that only lists records the heading and what stands before the list; the others are written by hand.
+    pub written: Option<[String; 2]>,
 }
 
 /// What a page lists.
@@ -62,28 +47,25 @@ pub struct Section {
 
 /// All pages, in the order of the book.
 pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
-    let by_hand = |numbered| {
-        move |name, title: &str| Page {
-            name,
-            title: title.to_owned(),
-            text: Text::ByHand { numbered },
-            records: Records::None,
-        }
+    let page = |name, title: &str| Page {
+        name,
+        title: title.to_owned(),
+        is_chapter: false,
+        records: Records::None,
+        written: None,
     };
-    let (chapter, page) = (by_hand(true), by_hand(false));
-    let listing = |name, title: &str, lead, records| {
-        let (title, heading) = (title.to_owned(), title.to_owned());
-        Page { name, title, text: Text::ByProgram { heading, lead }, records }
+    let chapter = |name, title| Page { is_chapter: true, ..page(name, title) };
+    let listing = |name, title: &str, lead: &str, records| Page {
+        records,
+        written: Some([title.to_owned(), lead.to_owned()]),
+        ..page(name, title)
     };
     let whole = |work, title| Section { work, lines: 0..=u32::MAX, title };
-    let thesis = |name, of: &str, lines, title| Page {
-        name,
-        title: format!("The ledger: escapement, {of}"),
-        text: Text::ByProgram {
-            heading: format!("The ledger of the escapement: {of}"),
-            lead: "The claims of the thesis, in the order of the source, with what was found of each.",
-        },
-        records: Records::Claims(vec![Section { work: Work::Meyer1973, lines, title }]),
+    let thesis = |name, of: &str, lines, title| {
+        let lead = "The claims of the thesis, in the order of the source, with what was found of each.";
+        let records = Records::Claims(vec![Section { work: Work::Meyer1973, lines, title }]);
+        let listing = listing(name, &format!("The ledger of the escapement: {of}"), lead, records);
+        Page { title: format!("The ledger: escapement, {of}"), ..listing }
     };
     vec![
         page("preface", "Preface"),
@@ -170,11 +152,9 @@ impl Section {
 
 /// What this crate writes into `book/src`: file names and texts.
 pub fn written() -> Vec<(String, String)> {
-    let listing = |page: &Page| match &page.text {
-        Text::ByHand { .. } => None,
-        Text::ByProgram { heading, lead } => {
-            Some((format!("{}.md", page.name), format!("# {heading}\n\n{lead}\n\n{{{{records:{}}}}}\n", page.name)))
-        }
+    let listing = |page: &Page| {
+        let [heading, lead] = page.written.as_ref()?;
+        Some((format!("{}.md", page.name), format!("# {heading}\n\n{lead}\n\n{{{{records:{}}}}}\n", page.name)))
     };
     let mut written: Vec<_> = PAGES.iter().filter_map(listing).collect();
     written.push(("SUMMARY.md".to_owned(), table_of_contents()));
@@ -183,14 +163,12 @@ pub fn written() -> Vec<(String, String)> {
 
 fn table_of_contents() -> String {
     let mut out = "# Summary\n".to_owned();
-    let mut was_numbered = None;
-    for page in PAGES.iter() {
-        let numbered = matches!(page.text, Text::ByHand { numbered: true });
-        if was_numbered.replace(numbered) != Some(numbered) {
-            out.push('\n');
+    for part in PAGES.chunk_by(|page, next| page.is_chapter == next.is_chapter) {
+        out.push('\n');
+        for page in part {
+            let bullet = if page.is_chapter { "- " } else { "" };
+            out.push_str(&format!("{bullet}[{}]({}.md)\n", page.title, page.name));
         }
-        let bullet = if numbered { "- " } else { "" };
-        let _ = writeln!(out, "{bullet}[{}]({}.md)", page.title, page.name);
     }
     out
 }
