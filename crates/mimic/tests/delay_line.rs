@@ -143,7 +143,7 @@ struct Memory<const CAPACITY: usize>(DelayLine<CAPACITY>);
 
 impl<const CAPACITY: usize> Memory<CAPACITY> {
     fn new(interpolation: Interpolation) -> Self {
-        Self(line((1.0, 1.0), (between, Extrapolation::Hold), &[]))
+        Self(line((1.0, 1.0), (interpolation, Extrapolation::Hold), &[]))
     }
 }
 

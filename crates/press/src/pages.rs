@@ -144,8 +144,8 @@ impl Page {
 impl Section {
     /// The ids of the claims made in these lines, in the order of the ledger.
     pub fn ids(&self) -> impl Iterator<Item = &'static str> {
-        let lines = self.work.inventory().iter().filter(|line| self.lines.contains(&line.number));
-        let made: Vec<_> = lines.flat_map(|line| line.entries).filter_map(|entry| entry.claimed()).collect();
+        let lines = self.work.inventory().unwrap_or_default().iter().filter(|line| self.lines.contains(&line.number));
+        let made: Vec<_> = lines.flat_map(|line| &line.entries).filter_map(|entry| entry.claimed()).collect();
         claims().iter().map(|claim| claim.id).filter(move |id| made.contains(id))
     }
 }

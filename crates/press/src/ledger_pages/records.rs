@@ -7,7 +7,7 @@ use crate::html::{Cells, escape, table, tex_or_text};
 use crate::lookup;
 use crate::pages::{PAGES, Records, Section, page_of_slips};
 use anyhow::{Context, bail};
-use geneva_ledger::{Entry, Judged, Line, Work, in_full};
+use geneva_ledger::{Entry, Judged, Work, in_full};
 
 /// What the list of pages puts on the page of this name.
 pub fn page(name: &str) -> anyhow::Result<String> {
@@ -58,14 +58,14 @@ fn slip(judged: &Judged) -> String {
 
 /// A source line by line: which claims stand where, and what is no claim, with the reason.
 fn lines(work: &Work) -> anyhow::Result<String> {
-    let lines = work.inventory();
-    let numbers: usize = lines.iter().map(numbers_in).sum();
+    let lines = work.inventory()?;
+    let numbers: usize = lines.iter().map(|line| line.numbers.len()).sum();
     let all = lines.iter().map(|line| {
         let claims: Vec<_> = line.entries.iter().filter_map(|entry| entry.claimed()).map(linked_id).collect();
         Ok(vec![
             line.number.to_string(),
             if claims.is_empty() { "–".to_owned() } else { claims.join(", ") },
-            numbers_in(line).to_string(),
+            line.numbers.len().to_string(),
             if line.is_accounted_for() { "yes" } else { "no" }.to_owned(),
         ])
     });
@@ -85,8 +85,4 @@ fn lines(work: &Work) -> anyhow::Result<String> {
         table(&format!("Lines of {work}"), Cells::Words, &["Line", "Claims", "Numbers", "Accounted for"], all)?,
         table("Exceptions", Cells::Words, &["Exception", "Line", "Why there is nothing to check"], exceptions)?,
     ))
-}
-
-fn numbers_in(line: &Line) -> usize {
-    line.entries.iter().map(|entry| entry.numbers().len()).sum()
 }
