@@ -19,6 +19,7 @@ chapters! {
     timer = "src/timer.md",
     joints = "src/joints.md",
     solver = "src/solver.md",
+    glossary = "src/glossary.md",
     errata = "src/errata.md",
     errata_small = "src/errata-small.md",
     errata_copy = "src/errata-copy.md",

@@ -80,6 +80,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
         chapter("timer", "The seven recommendations"),
         chapter("joints", "A thick pin, and bearings that rub"),
         chapter("solver", "The solver"),
+        page("glossary", "Words"),
         Page { records: Records::Slips(&[Consequence::Result, Consequence::Conclusion]), ..page("errata", "Errata") },
         listing(
             "errata-small",
