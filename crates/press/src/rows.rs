@@ -3,8 +3,9 @@
 use anyhow::Context;
 use geneva_dynamics::Parameters;
 use geneva_dynamics::steady::Engagement;
+use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::choice::least_braked;
-use geneva_ledger::meyer::runs::{Hypothesis, Mechanism, Row};
+use geneva_ledger::meyer::runs::{Hypothesis, Row};
 
 const NONE: &str = "a run's data make no escapement";
 
@@ -20,7 +21,7 @@ pub fn engagement(row: &Row, hypothesis: &Hypothesis) -> anyhow::Result<Engageme
 
 /// The four-pin run that brakes least, with the weakest spring: the example wherever one run stands for all.
 pub fn example() -> anyhow::Result<&'static Row> {
-    weakest(least_braked(Mechanism::FourPin))
+    weakest(least_braked(Mechanism::FOUR_PIN))
 }
 
 /// The row with the weakest spring, of rows by rising torque.

@@ -8,10 +8,9 @@ use crate::{lookup, rows};
 use anyhow::Context;
 use geneva_dynamics::Parameters;
 use geneva_figures::{Figure, escapement, pin, quick_return, stations};
-use geneva_kinematics::escapement::Escapement;
+use geneva_kinematics::Mechanism;
 use geneva_kinematics::quick_return::{Drive, Position, QuickReturn};
 use geneva_kinematics::wheel::Wheel;
-use geneva_ledger::meyer::runs::Mechanism::{FourPin, SixPin, ThreePin};
 use geneva_ledger::meyer::runs::{Hypothesis, choice::weakest};
 use geneva_ledger::{jazar, pin::Instant, quick_return::Instant as Lever};
 
@@ -39,12 +38,12 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("escapement-mechanism-6", || mechanism(6)),
     ("escapement-angles-4", || {
         let four = with_slots(4)?;
-        Ok(escapement::angles(&four, GENERAL * four.driver_half_angle())?)
+        Ok(escapement::angles(&four, GENERAL * four.engagement_half_angle())?)
     }),
-    ("escapement-ratios", || Ok(escapement::ratios(&Escapement::all()))),
+    ("escapement-ratios", || Ok(escapement::ratios(&Mechanism::ALL))),
     ("escapement-forces", || {
         let (parameters, speed) = in_steady_state()?;
-        let crank = -GENERAL * parameters.slots().engagement_half_angle();
+        let crank = -GENERAL * parameters.mechanism().engagement_half_angle();
         Ok(escapement::forces(&parameters, crank, speed)?)
     }),
     ("escapement-normal-force", || {
@@ -56,15 +55,15 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("runs-hypotheses", runs::hypotheses),
     ("runs-aliasing", runs::printed_too_seldom),
     ("runs-speeds", runs::of_fig_8),
-    ("runs-four-pin", || runs::over_torque(FourPin)),
-    ("runs-six-pin", || runs::over_torque(SixPin)),
-    ("runs-three-pin", || runs::over_torque(ThreePin)),
+    ("runs-four-pin", || runs::over_torque(Mechanism::FOUR_PIN)),
+    ("runs-six-pin", || runs::over_torque(Mechanism::SIX_PIN)),
+    ("runs-three-pin", || runs::over_torque(Mechanism::THREE_PIN)),
     ("steady-collapse", runs::collapse),
     ("steady-hand-over", || Ok(geneva_figures::steady::hand_over(&parameters(example()?)?)?)),
     ("steady-phase", || Ok(geneva_figures::steady::phase(&parameters(example()?)?)?)),
-    ("steady-map-four-pin", || runs::map(FourPin)),
-    ("steady-map-six-pin", || runs::map(SixPin)),
-    ("steady-map-three-pin", || runs::map(ThreePin)),
+    ("steady-map-four-pin", || runs::map(Mechanism::FOUR_PIN)),
+    ("steady-map-six-pin", || runs::map(Mechanism::SIX_PIN)),
+    ("steady-map-three-pin", || runs::map(Mechanism::THREE_PIN)),
     ("joints-losses", runs::losses),
     ("solver-work-precision", runs::work_precision),
 ];
@@ -107,14 +106,14 @@ const MODEL_ANGLE: f64 = 0.5;
 /// Driver angle of the drawings of a general position, as a part of the half angle of the engagement.
 const GENERAL: f64 = -0.5;
 
-fn with_slots(slots: u32) -> anyhow::Result<Escapement> {
-    Escapement::new(slots).context("the thesis's mechanism cannot be built")
+fn with_slots(slots: u32) -> anyhow::Result<Mechanism> {
+    Mechanism::new(slots).context("the thesis's mechanism cannot be built")
 }
 
 /// The escapement in a general position.
 fn mechanism(slots: u32) -> anyhow::Result<Figure> {
     let escapement = with_slots(slots)?;
-    Ok(escapement::mechanism(&escapement, GENERAL * escapement.driver_half_angle())?)
+    Ok(escapement::mechanism(&escapement, GENERAL * escapement.engagement_half_angle())?)
 }
 
 /// The example among the runs, and its speed as a pin enters in the steady state.
@@ -129,7 +128,7 @@ fn designs() -> anyhow::Result<Vec<escapement::Design>> {
         let parameters = parameters(row)?;
         Ok(escapement::Design {
             name: format!("{} pins", row.mechanism.pins()),
-            slots: parameters.slots(),
+            mechanism: parameters.mechanism(),
             inertia_ratio: parameters.inertias().ratio(),
             friction: parameters.friction(),
         })

@@ -9,8 +9,9 @@ use geneva_dynamics::joints::{Joints, Varied, series};
 use geneva_figures::Figure;
 use geneva_figures::runs::{self, Deviation, Deviations, Group, Run};
 use geneva_figures::steady::{self, Line, Measurement};
+use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::choice::{comparable, least_braked, of_fig_8 as rows_of_fig_8, rows_of};
-use geneva_ledger::meyer::runs::{Column, Hypothesis, Mechanism, Row, Score, duration, interval, rows, scores};
+use geneva_ledger::meyer::runs::{Column, Hypothesis, Row, Score, duration, interval, rows, scores};
 
 /// What each of the compared hypotheses makes of the rows.
 pub fn hypotheses() -> anyhow::Result<Figure> {
@@ -23,7 +24,7 @@ fn deviations(score: &Score) -> anyhow::Result<Deviations> {
         let run = run.context("a run of the program comes to no end")?;
         let off = |column| run.number(column) / row.number(column) - 1.0;
         Ok(Deviation {
-            slots: parameters(row)?.slots(),
+            mechanism: row.mechanism,
             peak: off(Column::Peak),
             minimum: off(Column::Minimum),
             period: off(Column::Period),
@@ -35,7 +36,7 @@ fn deviations(score: &Score) -> anyhow::Result<Deviations> {
 
 /// The speed between the printed instants: of the four-pin runs that brake least the one with the strongest spring.
 pub fn printed_too_seldom() -> anyhow::Result<Figure> {
-    let row = least_braked(Mechanism::FourPin).and_then(<[Row]>::last).context("no run with four pins")?;
+    let row = least_braked(Mechanism::FOUR_PIN).and_then(<[Row]>::last).context("no run with four pins")?;
     Ok(runs::aliasing(&rows::engagement(row, &Hypothesis::BEST)?, interval(), duration())?)
 }
 
@@ -74,7 +75,7 @@ fn group(mechanism: Mechanism) -> anyhow::Result<Group> {
         period: row.number(Column::Period),
     });
     Ok(Group {
-        slots: parameters.slots(),
+        mechanism,
         inertias: parameters.inertias(),
         fold: Hypothesis::BEST.angle(mechanism),
         runs: runs.collect(),
@@ -83,7 +84,7 @@ fn group(mechanism: Mechanism) -> anyhow::Result<Group> {
 
 /// The map of a mechanism, with its runs.
 pub fn map(mechanism: Mechanism) -> anyhow::Result<Figure> {
-    Ok(steady::map(group(mechanism)?.slots, &designs()?)?)
+    Ok(steady::map(mechanism, &designs()?)?)
 }
 
 /// Mean speed and contraction over the radius of the pin, of the driver's journal, and of the follower's.
@@ -93,7 +94,7 @@ pub fn losses() -> anyhow::Result<Figure> {
     /// The largest radius, in crank radii, and how many there are.
     const LARGEST: f64 = 0.2;
     const RADII: u32 = 8;
-    let of = parameters(weakest(comparable(Mechanism::FourPin))?)?;
+    let of = parameters(weakest(comparable(Mechanism::FOUR_PIN))?)?;
     let journals = Joints { bearing_friction: BEARINGS, ..Joints::IDEAL };
     let varied = [
         ("pin", Joints::IDEAL, Varied::PinRadius),

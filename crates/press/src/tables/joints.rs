@@ -3,7 +3,8 @@
 use crate::html::{Cells, table};
 use crate::rows::{parameters, weakest};
 use geneva_dynamics::joints::{Joints, effects as all_effects, largest_pin_radius};
-use geneva_ledger::meyer::runs::{Mechanism, choice::comparable};
+use geneva_kinematics::Mechanism;
+use geneva_ledger::meyer::runs::choice::comparable;
 
 /// Radii in crank radii: of the pin, of both journals, and the friction of the journals.
 const COMPARED: [(f64, f64, f64); 8] = [
@@ -31,7 +32,7 @@ pub fn effects() -> anyhow::Result<String> {
         let found = all_effects(&parameters, list.map(|joints| (joints.pin_radius, joints)))?;
         for (cells, effect) in cells.iter_mut().zip(found) {
             let numbers = [format!("{:.3}", effect.mean_speed), format!("{:.3}", effect.contraction)];
-            let on_paper = effect.value >= largest_pin_radius(parameters.slots());
+            let on_paper = effect.value >= largest_pin_radius(parameters.mechanism());
             cells.extend(numbers.map(|number| if on_paper { format!("({number})") } else { number }));
         }
     }

@@ -4,9 +4,10 @@ use crate::html::{Cells, table};
 use crate::numbers::signed;
 use crate::rows::engagement;
 use anyhow::Context;
+use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::choice::rows_of;
 use geneva_ledger::meyer::runs::{
-    Column, Fit, Hypothesis, Mechanism, Row, Score, SixPin, delays as all_delays, integrator as integrators, scores,
+    Column, Fit, Hypothesis, Row, Score, SixPin, delays as all_delays, integrator as integrators, scores,
 };
 
 /// The hypotheses, how many cells each explains, and how likely it makes the tables.
@@ -89,22 +90,22 @@ fn logs(score: &Score) -> [String; 2] {
 
 /// The runs with six pins, printed and as they should have been.
 pub fn six_pin() -> anyhow::Result<String> {
-    corrected(Mechanism::SixPin, &Hypothesis::TRUE)
+    corrected(Mechanism::SIX_PIN, &Hypothesis::TRUE)
 }
 
 /// The same of four pins.
 pub fn four_pin() -> anyhow::Result<String> {
-    corrected(Mechanism::FourPin, &Hypothesis::TRUE)
+    corrected(Mechanism::FOUR_PIN, &Hypothesis::TRUE)
 }
 
 /// The same of three pins.
 pub fn three_pin() -> anyhow::Result<String> {
-    corrected(Mechanism::ThreePin, &Hypothesis::TRUE)
+    corrected(Mechanism::THREE_PIN, &Hypothesis::TRUE)
 }
 
 /// The same of six pins with the inertias of the table's heading.
 pub fn six_pin_as_headed() -> anyhow::Result<String> {
-    corrected(Mechanism::SixPin, &Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::TRUE })
+    corrected(Mechanism::SIX_PIN, &Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::TRUE })
 }
 
 fn corrected(mechanism: Mechanism, hypothesis: &Hypothesis) -> anyhow::Result<String> {

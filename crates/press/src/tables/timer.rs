@@ -18,7 +18,7 @@ pub fn settling() -> anyhow::Result<String> {
     let own = parameters(example()?)?;
     let rows = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0].map(|part| {
         let inertias = Inertias::new(own.inertias().driver(), own.inertias().follower() / part)?;
-        let settling = Settling::new(&Parameters::new(own.slots(), inertias, own.torque(), own.friction())?)?;
+        let settling = Settling::new(&Parameters::new(own.mechanism(), inertias, own.torque(), own.friction())?)?;
         let name = if part > 1.0 { format!("1/{part}") } else { "as run".to_owned() };
         Ok(vec![
             name,
