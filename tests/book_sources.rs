@@ -1,29 +1,52 @@
 //! Are the chapters written as chapters should be? Looks at the Markdown, before anything is drawn in.
 
 use geneva_ledger::{Consequence, Decimal, Verdict, numeric_tokens, slips, verdicts};
-use geneva_press::fences;
+use geneva_press::pages::{self, PAGES, Page, Records};
+use geneva_press::{fences, figures};
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 
+/// The pages by file name, with their Markdown.
 fn chapters() -> Vec<(String, String)> {
-    geneva_suite::CHAPTERS
-        .iter()
-        .map(|file| {
-            let text = std::fs::read_to_string(crate::path("book").join(file)).expect("a chapter");
-            ((*file).to_owned(), text)
-        })
-        .collect()
+    let read = |page: &Page| {
+        let file = format!("{}.md", page.name);
+        let text = std::fs::read_to_string(crate::path("book/src").join(&file)).expect("a page of the list");
+        (file, text)
+    };
+    PAGES.iter().map(read).collect()
+}
+
+/// Writes a file anew and fails if it stood otherwise.
+#[track_caller]
+fn stands_written(file: &str, text: &str) {
+    let path = crate::path(file);
+    if std::fs::read_to_string(&path).is_ok_and(|standing| standing == text) {
+        return;
+    }
+    std::fs::write(&path, text).expect("written");
+    panic!("{file} was not as the list of pages has it and is written anew: look at the difference and test again");
 }
 
 #[test]
-fn the_chapters_that_are_tested_are_those_of_the_table_of_contents() {
-    let summary = std::fs::read_to_string(crate::path("book/src/SUMMARY.md")).expect("a table of contents");
-    let listed: Vec<_> = Parser::new(&summary)
-        .filter_map(|event| match event {
-            Event::Start(Tag::Link { dest_url, .. }) => Some(format!("src/{dest_url}")),
-            _ => None,
-        })
-        .collect();
-    assert_eq!(listed, geneva_suite::CHAPTERS);
+fn what_the_list_of_pages_writes_is_written() {
+    for (file, text) in pages::written() {
+        stands_written(&format!("book/src/{file}"), &text);
+    }
+    let library = std::fs::read_to_string(crate::path("book/lib.rs")).expect("the chapters' library");
+    let (before, _) = library.split_once("\nchapters! {\n").expect("the list of chapters");
+    stands_written("book/lib.rs", &format!("{before}\nchapters! {{\n{}}}\n", pages::chapters_to_test()));
+}
+
+#[test]
+fn no_page_is_left_out_of_the_list_and_what_it_is_to_list_is_shown() {
+    let listed: Vec<_> = chapters().into_iter().map(|(file, _)| file).collect();
+    for (path, _) in crate::files("book/src", &[".md"]) {
+        let name = path.file_name().expect("a name").to_string_lossy().into_owned();
+        assert!(name == "SUMMARY.md" || listed.contains(&name), "{name} is in no list");
+    }
+    for (page, (file, text)) in PAGES.iter().zip(chapters()) {
+        let shows = text.contains(&format!("{{{{records:{}}}}}", page.name));
+        assert_eq!(shows, !matches!(page.records, Records::None), "{file} and the list of pages differ");
+    }
 }
 
 #[test]
@@ -59,7 +82,7 @@ fn no_decimal_of_the_ledger_is_typed_in_a_chapter() {
 #[test]
 fn every_figure_is_shown_in_some_chapter() {
     let all: String = chapters().into_iter().map(|(_, text)| text).collect();
-    for name in geneva_press::drawings::NAMES {
+    for (name, _) in figures::FIGURES {
         assert!(all.contains(&format!("{{{{figure:{name}}}}}")), "{name} is drawn and not shown");
     }
 }

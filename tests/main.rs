@@ -1,4 +1,8 @@
-//! Truths between the rooms: one file, one question.
+//! Truths between the crates: one file, one question.
+//!
+//! The files in this folder make two test programs. This one has what can be asked of the libraries, the book and the
+//! repository. The other belongs to `crates/geneva`, starts in `command_line.rs` and has the files that run the command
+//! line, whose names end in `_command`: Cargo tells the path of a built program only to the tests of its own package.
 
 mod book_pages;
 mod book_sources;

@@ -1,7 +1,7 @@
 //! What numbers stand behind the figures and the verdicts? Pinned as text, the drawings beside them.
 
 use geneva_ledger::verdicts;
-use geneva_press::drawings;
+use geneva_press::figures;
 use insta::{Settings, assert_snapshot};
 
 /// Binds snapshots to `snapshots/<area>`, named without a module.
@@ -14,17 +14,10 @@ fn in_area(area: &str, pin: impl FnOnce()) {
 }
 
 #[test]
-fn the_numbers_behind_the_figures() {
-    for name in drawings::NAMES {
-        let figure = drawings::by_name(name).expect("a figure");
+fn the_figures_and_the_numbers_behind_them() {
+    for (name, _) in figures::FIGURES {
+        let figure = figures::by_name(name).expect("a figure");
         in_area("series", || assert_snapshot!(*name, figure.series.to_text()));
-    }
-}
-
-#[test]
-fn the_drawings() {
-    for name in drawings::NAMES {
-        let figure = drawings::by_name(name).expect("a figure");
         in_area("drawings", || assert_snapshot!(*name, figure.svg));
     }
 }

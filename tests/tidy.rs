@@ -1,10 +1,9 @@
-//! Are the rules of the house kept?
+//! Are the rules of the repository kept?
 
 use geneva_ledger::numeric_tokens;
-use std::collections::BTreeMap;
 use toml::Table;
 
-/// Which rooms of the workspace each room may use.
+/// Which crates of the workspace each crate may use.
 const MAY_USE: &[(&str, &[&str])] = &[
     ("kinematics", &[]),
     ("dynamics", &["kinematics", "mimic"]),
@@ -15,48 +14,48 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("geneva", &["kinematics", "dynamics", "mimic", "ledger", "figures", "press"]),
 ];
 
-fn manifest(path: &str) -> Table {
-    let text = std::fs::read_to_string(crate::path(path)).expect("a manifest");
-    text.parse().expect("TOML")
+/// Each crate, what it depends on, and whether the version is the workspace's.
+fn dependencies() -> Vec<(String, String, bool)> {
+    let mut found = Vec::new();
+    for entry in std::fs::read_dir(crate::path("crates")).expect("the crates") {
+        let room = entry.expect("readable").file_name().to_string_lossy().into_owned();
+        let text = std::fs::read_to_string(crate::path(&format!("crates/{room}/Cargo.toml"))).expect("a manifest");
+        let manifest: Table = text.parse().expect("TOML");
+        for section in ["dependencies", "dev-dependencies", "build-dependencies"] {
+            for (name, value) in manifest.get(section).and_then(|used| used.as_table()).into_iter().flatten() {
+                let inherited = value.get("workspace").and_then(|of| of.as_bool()) == Some(true);
+                found.push((room.clone(), name.clone(), inherited));
+            }
+        }
+    }
+    found
 }
 
 #[test]
 fn dependencies_point_one_way() {
-    let rooms: BTreeMap<_, _> = MAY_USE.iter().copied().collect();
-    for entry in std::fs::read_dir(crate::path("crates")).expect("the rooms") {
-        let room = entry.expect("readable").file_name().to_string_lossy().into_owned();
-        let allowed = rooms.get(room.as_str()).unwrap_or_else(|| panic!("say in this test what {room} may use"));
-        let manifest = manifest(&format!("crates/{room}/Cargo.toml"));
-        for section in ["dependencies", "dev-dependencies", "build-dependencies"] {
-            let used = manifest.get(section).and_then(|used| used.as_table()).cloned().unwrap_or_default();
-            for name in used.keys().filter_map(|name| name.strip_prefix("geneva-")) {
-                assert!(allowed.contains(&name), "{room} must not use {name}");
-            }
-        }
+    for (room, name, _) in dependencies() {
+        let Some(name) = name.strip_prefix("geneva-") else { continue };
+        let (_, allowed) =
+            MAY_USE.iter().find(|(known, _)| *known == room).unwrap_or_else(|| panic!("say here what {room} may use"));
+        assert!(allowed.contains(&name), "{room} must not use {name}");
     }
 }
 
 #[test]
 fn versions_stand_in_one_place() {
-    for entry in std::fs::read_dir(crate::path("crates")).expect("the rooms") {
-        let room = entry.expect("readable").file_name().to_string_lossy().into_owned();
-        let manifest = manifest(&format!("crates/{room}/Cargo.toml"));
-        for section in ["dependencies", "dev-dependencies"] {
-            let used = manifest.get(section).and_then(|used| used.as_table()).cloned().unwrap_or_default();
-            for (name, value) in &used {
-                let inherited = value.get("workspace").and_then(|w| w.as_bool()) == Some(true);
-                assert!(inherited, "{room}: {name} takes its version from the workspace");
-            }
-        }
+    for (room, name, inherited) in dependencies() {
+        assert!(inherited, "{room}: {name} takes its version from the workspace");
     }
 }
 
 #[test]
 fn every_file_says_what_it_is_about_and_is_not_too_long() {
+    const LONGEST: usize = 600;
     for folder in ["crates", "tests", "book"] {
         for (path, text) in crate::files(folder, &[".rs"]) {
             assert!(text.starts_with("//!"), "{} does not open with //!", path.display());
-            assert!(text.lines().count() <= 600, "{} has {} lines: split it", path.display(), text.lines().count());
+            let lines = text.lines().count();
+            assert!(lines <= LONGEST, "{} has {lines} lines: split it", path.display());
         }
     }
 }
@@ -124,14 +123,6 @@ fn formulas_use_no_mathematics_of_the_platform() {
                 assert!(called.is_none() || excused, "{} calls {called:?}; use libm's", path.display());
             }
         }
-    }
-}
-
-#[test]
-fn the_changelog_keeps_its_kinds() {
-    let text = std::fs::read_to_string(crate::path("CHANGELOG.md")).expect("a changelog");
-    for line in text.lines().filter_map(|line| line.strip_prefix("### ")) {
-        assert!(["Added", "Changed", "Fixed", "Removed", "Verdicts", "Errata"].contains(&line), "what is {line}?");
     }
 }
 

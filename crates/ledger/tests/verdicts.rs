@@ -1,8 +1,8 @@
 //! Does every claim stand as recorded, and would it be noticed if it did not?
 
 use geneva_ledger::{
-    Check, Choice, Claim, Decimal, Entry, Evidence, Finding, Kind, Number, Route, Test, Verdict, Work, claims, judge,
-    slips, verdicts,
+    Check, Choice, Claim, Decimal, Evidence, Finding, Kind, Number, Route, Test, Verdict, claims, judge, slips,
+    verdicts,
 };
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -31,22 +31,13 @@ fn ids_are_unique_and_start_with_their_source() {
 }
 
 #[test]
-fn every_claim_is_checked_twice_unless_a_datum_is_missing() {
+fn every_claim_says_what_and_where_and_what_is_missing_if_anything_is() {
     for claim in claims() {
-        match &claim.check {
-            Check::Missing { reason } => assert!(!reason.is_empty(), "{}", claim.id),
-            check => assert_eq!(check.evidence().len(), 2, "{}", claim.id),
-        }
         assert!(!claim.meaning.is_empty() && !claim.locator.is_empty() && !claim.printed.is_empty(), "{}", claim.id);
+        if let Check::Missing { reason } = &claim.check {
+            assert!(!reason.is_empty(), "{}", claim.id);
+        }
     }
-}
-
-#[test]
-fn the_two_routes_of_a_number_do_not_round_alike_everywhere() {
-    // Two routes that gave the same bits for every number would be one route under two names.
-    let numbers: Vec<_> = verdicts().iter().filter_map(|judged| judged.computed.zip(judged.witnessed)).collect();
-    let different = numbers.iter().filter(|(computed, witnessed)| computed != witnessed).count();
-    assert!(different > numbers.len() / 3, "only {different} of {} numbers differ in their last bits", numbers.len());
 }
 
 #[test]
@@ -158,16 +149,6 @@ fn a_wrong_route_is_noticed() {
             let judged = judge(leaked(claim, check.clone()));
             assert!(!judged.holds(), "{} stands with a wrong route: {check:?}", claim.id);
         }
-    }
-}
-
-#[test]
-fn every_claim_is_listed_in_the_line_that_makes_it() {
-    for work in Work::ALL {
-        let lines = work.inventory().unwrap_or_else(|malformed| panic!("{malformed}"));
-        let listed = lines.iter().flat_map(|line| &line.entries);
-        let ids: Vec<_> = listed.filter_map(Entry::claimed).collect();
-        assert_eq!(ids.len(), work.claims().len(), "{work}: a claim is listed and gone, or made and not listed");
     }
 }
 

@@ -1,11 +1,10 @@
 //! A value of a moment before: MIMIC's time delay `TDL`.
 
-use core::error::Error;
-use core::fmt;
+use thiserror::Error;
 
 /// What a delay line says of a time between two of its entries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Between {
+pub enum Interpolation {
     /// The straight line between the two.
     Linear,
     /// The earlier of the two.
@@ -14,11 +13,11 @@ pub enum Between {
 
 /// What a delay line says of a time after its latest entry: it is asked for one if a step is longer than the delay.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Ahead {
+pub enum Extrapolation {
     /// The latest entry. Nothing is made up, but the delay is then longer than was asked for, up to a whole step.
     Hold,
     /// The straight line through the latest two entries.
-    Line,
+    Linear,
 }
 
 /// The past of one quantity, as far back as its delay.
@@ -36,8 +35,8 @@ pub enum Ahead {
 pub struct DelayLine<const CAPACITY: usize> {
     delay: f64,
     initial: f64,
-    between: Between,
-    ahead: Ahead,
+    interpolation: Interpolation,
+    extrapolation: Extrapolation,
     entries: [Entry; CAPACITY],
     /// Place of the oldest entry.
     first: usize,
@@ -53,27 +52,43 @@ struct Entry {
 }
 
 /// What a delay line cannot do.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum DelayError {
     /// A capacity below two: between which entries should it read?
+    #[error("capacity {0}: a delay line needs at least 2 entries; give it more")]
     Capacity(usize),
     /// A delay that is not positive and finite.
+    #[error("delay {0:?}: it must be positive and finite; give a number above zero")]
     Delay(f64),
-    /// A value that is not finite, as the initial one or at the time given.
+    /// An initial value that is not finite.
+    #[error("initial value {0:?}: it must be finite")]
+    Initial(f64),
+    /// A value that is not finite.
+    #[error("value {asked:?} at time {time:?}: it must be finite; look for where it comes from")]
     Value {
         /// The value.
         asked: f64,
-        /// When, if it is not the initial one.
-        time: Option<f64>,
+        /// When.
+        time: f64,
     },
-    /// A time that is not finite or, for an entry, not after that of the latest one.
-    Time {
+    /// A time that is not finite.
+    #[error("time {0:?}: it must be finite")]
+    Time(f64),
+    /// A time for an entry that is not after that of the latest one.
+    #[error(
+        "time {asked:?}: to be recorded it must be after the latest entry's {latest:?}; record kept steps only, each once"
+    )]
+    Order {
         /// The time.
         asked: f64,
-        /// The time of the latest entry, if there is one.
-        latest: Option<f64>,
+        /// The time of the latest entry.
+        latest: f64,
     },
     /// All entries are within the delay and there is no room for another.
+    #[error(
+        "no room for an entry at time {time:?}: all {capacity} entries, from time {oldest:?} on, are within the delay \
+         {delay:?}; give the line a larger capacity, or the run longer steps"
+    )]
     Full {
         /// The time of the entry that does not fit.
         time: f64,
@@ -85,6 +100,7 @@ pub enum DelayError {
         capacity: usize,
     },
     /// A time so long ago that its entries have made room.
+    #[error("time {asked:?}: the line remembers from {oldest:?} on; ask at times not before the latest entry")]
     Forgotten {
         /// The time that was asked for, less the delay.
         asked: f64,
@@ -93,43 +109,14 @@ pub enum DelayError {
     },
 }
 
-impl fmt::Display for DelayError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Capacity(asked) => write!(f, "capacity {asked}: a delay line needs at least 2 entries; give it more"),
-            Self::Delay(asked) => {
-                write!(f, "delay {asked:?}: it must be positive and finite; give a number above zero")
-            }
-            Self::Value { asked, time: None } => write!(f, "initial value {asked:?}: it must be finite"),
-            Self::Value { asked, time: Some(time) } => {
-                write!(f, "value {asked:?} at time {time:?}: it must be finite; look for where it comes from")
-            }
-            Self::Time { asked, latest: None } => write!(f, "time {asked:?}: it must be finite"),
-            Self::Time { asked, latest: Some(latest) } => write!(
-                f,
-                "time {asked:?}: it must be finite and, to be recorded, after the latest entry's {latest:?}; record kept steps \
-                 only, each once"
-            ),
-            Self::Full { time, oldest, delay, capacity } => write!(
-                f,
-                "no room for an entry at time {time:?}: all {capacity} entries, from time {oldest:?} on, are within the delay \
-                 {delay:?}; give the line a larger capacity, or the run longer steps"
-            ),
-            Self::Forgotten { asked, oldest } => {
-                write!(
-                    f,
-                    "time {asked:?}: the line remembers from {oldest:?} on; ask at times not before the latest entry"
-                )
-            }
-        }
-    }
-}
-
-impl Error for DelayError {}
-
 impl<const CAPACITY: usize> DelayLine<CAPACITY> {
     /// A line without entries. `delay` is positive, in the unit of time; `initial` is the value before the first entry.
-    pub fn new(delay: f64, initial: f64, between: Between, ahead: Ahead) -> Result<Self, DelayError> {
+    pub fn new(
+        delay: f64,
+        initial: f64,
+        interpolation: Interpolation,
+        extrapolation: Extrapolation,
+    ) -> Result<Self, DelayError> {
         if CAPACITY < 2 {
             return Err(DelayError::Capacity(CAPACITY));
         }
@@ -137,20 +124,23 @@ impl<const CAPACITY: usize> DelayLine<CAPACITY> {
             return Err(DelayError::Delay(delay));
         }
         if !initial.is_finite() {
-            return Err(DelayError::Value { asked: initial, time: None });
+            return Err(DelayError::Initial(initial));
         }
         let entries = [Entry { time: 0.0, value: 0.0 }; CAPACITY];
-        Ok(Self { delay, initial, between, ahead, entries, first: 0, length: 0, forgotten: false })
+        Ok(Self { delay, initial, interpolation, extrapolation, entries, first: 0, length: 0, forgotten: false })
     }
 
     /// Enters the value at a time later than that of all entries. On an error nothing is entered.
     pub fn record(&mut self, time: f64, value: f64) -> Result<(), DelayError> {
+        if !time.is_finite() {
+            return Err(DelayError::Time(time));
+        }
         let latest = self.length.checked_sub(1).map(|latest| self.entry(latest).time);
-        if !time.is_finite() || latest.is_some_and(|latest| time <= latest) {
-            return Err(DelayError::Time { asked: time, latest });
+        if let Some(latest) = latest.filter(|latest| time <= *latest) {
+            return Err(DelayError::Order { asked: time, latest });
         }
         if !value.is_finite() {
-            return Err(DelayError::Value { asked: value, time: Some(time) });
+            return Err(DelayError::Value { asked: value, time });
         }
         // From now on nobody asks for a time before this; the entry at it or next before it must stay.
         let needed = time - self.delay;
@@ -174,7 +164,7 @@ impl<const CAPACITY: usize> DelayLine<CAPACITY> {
     pub fn value(&self, time: f64) -> Result<f64, DelayError> {
         let asked = time - self.delay;
         if !asked.is_finite() {
-            return Err(DelayError::Time { asked: time, latest: None });
+            return Err(DelayError::Time(time));
         }
         let later = (0..self.length).find(|&index| self.entry(index).time > asked).unwrap_or(self.length);
         let Some(before) = later.checked_sub(1) else {
@@ -182,9 +172,9 @@ impl<const CAPACITY: usize> DelayLine<CAPACITY> {
             return forgotten.map_or(Ok(self.initial), |oldest| Err(DelayError::Forgotten { asked, oldest }));
         };
         let (before, is_latest) = (self.entry(before), later == self.length);
-        Ok(match (is_latest, self.between, self.ahead) {
-            (false, Between::Linear, _) => line(before, self.entry(later), asked),
-            (true, _, Ahead::Line) if self.length >= 2 => line(before, self.entry(self.length - 2), asked),
+        Ok(match (is_latest, self.interpolation, self.extrapolation) {
+            (false, Interpolation::Linear, _) => line(before, self.entry(later), asked),
+            (true, _, Extrapolation::Linear) if self.length >= 2 => line(before, self.entry(self.length - 2), asked),
             _ => before.value,
         })
     }

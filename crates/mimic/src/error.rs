@@ -1,9 +1,9 @@
 //! Why a run was not begun, or not ended.
 
 use crate::{MOST_STEPS, Work};
-use core::error::Error;
 use core::fmt;
 use nalgebra::SVector;
+use thiserror::Error;
 
 /// The numbers that a parameter can take. All are finite.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,9 +40,10 @@ impl fmt::Display for Allowed {
 }
 
 /// A parameter with which no run can be made.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum ParameterError {
     /// A number outside its range.
+    #[error("{name} {asked:?}: it must be {allowed}; give such a number")]
     Range {
         /// The field of [`Parameters`](crate::Parameters).
         name: &'static str,
@@ -52,8 +53,13 @@ pub enum ParameterError {
         allowed: Allowed,
     },
     /// A bound on the number of steps that is zero or above [`MOST_STEPS`].
+    #[error("most_steps {0}: it must be from 1 to {MOST_STEPS}; give a number between them")]
     MostSteps(u64),
     /// There are more points to print than steps to reach them with.
+    #[error(
+        "{points:?} printed points: most_steps allows {most_steps} steps, and each point takes at least one; print at a \
+         longer interval, run for a shorter time or allow more steps"
+    )]
     PrintedPoints {
         /// The run length over the print interval.
         points: f64,
@@ -61,26 +67,6 @@ pub enum ParameterError {
         most_steps: u64,
     },
 }
-
-impl fmt::Display for ParameterError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Range { name, asked, allowed } => {
-                write!(f, "{name} {asked:?}: it must be {allowed}; give such a number")
-            }
-            Self::MostSteps(asked) => {
-                write!(f, "most_steps {asked}: it must be from 1 to {MOST_STEPS}; give a number between them")
-            }
-            Self::PrintedPoints { points, most_steps } => write!(
-                f,
-                "{points:?} printed points: most_steps allows {most_steps} steps, and each point takes at least one; \
-                 print at a longer interval, run for a shorter time or allow more steps"
-            ),
-        }
-    }
-}
-
-impl Error for ParameterError {}
 
 /// What was found not to be finite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -93,10 +79,24 @@ pub enum Quantity {
     Derivative,
 }
 
+impl fmt::Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Start => "the start",
+            Self::State => "the state after the smallest step from there",
+            Self::Derivative => "the derivative there",
+        })
+    }
+}
+
 /// What stopped a run.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum Cause<F> {
     /// The error is too large and the step cannot be made smaller.
+    #[error(
+        "with a step of {step:?} the error is {excess:?} times what is allowed, and a step must be at least \
+         {smallest_step:?} and move the time; look for a singularity there, or allow a smaller step or a larger error"
+    )]
     StepUnderflow {
         /// The step that was refused or is too short for time to be told apart.
         step: f64,
@@ -106,6 +106,10 @@ pub enum Cause<F> {
         excess: f64,
     },
     /// A number is infinite or not a number.
+    #[error(
+        "component {component} of {quantity} is {value:?}; it must be finite: look for a division by zero, a root of a \
+         negative number or a growth without bound"
+    )]
     NonFinite {
         /// What it belongs to.
         quantity: Quantity,
@@ -115,16 +119,19 @@ pub enum Cause<F> {
         value: f64,
     },
     /// The bound on the number of steps is reached.
+    #[error("{most_steps} steps, refused ones included, are made; allow more, a larger error or a shorter run")]
     TooManySteps {
         /// The bound.
         most_steps: u64,
     },
     /// The system itself gave up.
+    #[error("{0}")]
     System(F),
 }
 
 /// Where a run was stopped, and by what.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
+#[error("stopped at time {time:?} in state {:?}: {cause}", .state.as_slice())]
 pub struct Stopped<const D: usize, F> {
     /// Time of the last point that was kept.
     pub time: f64,
@@ -136,58 +143,16 @@ pub struct Stopped<const D: usize, F> {
     pub cause: Cause<F>,
 }
 
-impl<const D: usize, F: fmt::Display> fmt::Display for Stopped<D, F> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "stopped at time {:?} in state {:?}: ", self.time, self.state.as_slice())?;
-        match &self.cause {
-            Cause::StepUnderflow { step, smallest_step, excess } => write!(
-                f,
-                "with a step of {step:?} the error is {excess:?} times what is allowed, and a step must be at least \
-                 {smallest_step:?} and move the time; look for a singularity there, or allow a smaller step or a larger \
-                 error"
-            ),
-            Cause::NonFinite { quantity, component, value } => {
-                let what = match quantity {
-                    Quantity::Start => "of the start",
-                    Quantity::State => "of the state after the smallest step from there",
-                    Quantity::Derivative => "of the derivative there",
-                };
-                write!(
-                    f,
-                    "component {component} {what} is {value:?}; it must be finite: look for a division by zero, a root of a \
-                     negative number or a growth without bound"
-                )
-            }
-            Cause::TooManySteps { most_steps } => write!(
-                f,
-                "{most_steps} steps, refused ones included, are made; allow more, a larger error or a shorter run"
-            ),
-            Cause::System(fault) => write!(f, "{fault}"),
-        }
-    }
-}
-
-impl<const D: usize, F: Error> Error for Stopped<D, F> {}
-
 /// Why a run has no end.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum IntegrationError<const D: usize, F> {
     /// It was not begun.
+    #[error("{0}")]
     Parameter(ParameterError),
     /// It was stopped on the way.
+    #[error("{0}")]
     Stopped(Stopped<D, F>),
 }
-
-impl<const D: usize, F: fmt::Display> fmt::Display for IntegrationError<D, F> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Parameter(error) => write!(f, "{error}"),
-            Self::Stopped(stopped) => write!(f, "{stopped}"),
-        }
-    }
-}
-
-impl<const D: usize, F: Error> Error for IntegrationError<D, F> {}
 
 impl<const D: usize, F> From<ParameterError> for IntegrationError<D, F> {
     fn from(error: ParameterError) -> Self {

@@ -38,7 +38,7 @@ mod run;
 mod step;
 mod system;
 
-pub use delay::{Ahead, Between, DelayError, DelayLine};
+pub use delay::{DelayError, DelayLine, Extrapolation, Interpolation};
 pub use error::{Allowed, Cause, IntegrationError, ParameterError, Quantity, Stopped};
 pub use parameters::{AtSmallestStep, Kept, MOST_STEPS, Parameters};
 pub use run::{Outcome, Point, Work, integrate};

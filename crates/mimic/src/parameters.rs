@@ -148,38 +148,3 @@ impl Parameters {
         Ok(())
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_defaults_are_those_of_the_documentation() {
-        let usual = Parameters::new(0.5, 3.0);
-        let documented = Parameters {
-            print_interval: 0.5,
-            run_length: 3.0,
-            relative_tolerance: 5e-6,
-            absolute_floor: 1e-3,
-            growth_below: 0.015_625,
-            growth_factor: 2.0,
-            shrink_factor: 0.5,
-            smallest_step: 0.5 * 2_f64.powi(-30),
-            largest_step: 0.5,
-            initial_step: 0.5,
-            kept: Kept::TwoHalfSteps,
-            at_smallest_step: AtSmallestStep::Stop,
-            most_steps: 10_000_000,
-        };
-        assert_eq!(usual, documented);
-        assert_eq!(usual.check(), Ok(()));
-    }
-
-    #[test]
-    fn a_fixed_step_is_the_first_the_smallest_and_the_largest() {
-        let fixed = Parameters::with_fixed_step(0.125, 0.5, 3.0);
-        assert_eq!([fixed.smallest_step, fixed.largest_step, fixed.initial_step], [0.125; 3]);
-        assert_eq!(fixed.at_smallest_step, AtSmallestStep::Continue);
-        assert_eq!(fixed.check(), Ok(()));
-    }
-}

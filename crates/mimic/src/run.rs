@@ -73,7 +73,7 @@ where
         work: Work::default(),
     };
     run.finite(Quantity::Start, &start)?;
-    run.keep(0.0, start)?;
+    run.accept(0.0, start)?;
     let mut last = run.point(0);
     print(&last);
     for index in 1..=grid.last {
@@ -84,7 +84,7 @@ where
     Ok(Outcome { last, work: run.work })
 }
 
-/// A run at the last point that it has kept.
+/// A run at the last point that it has accepted.
 struct Run<'a, S, const D: usize> {
     system: &'a mut S,
     parameters: &'a Parameters,
@@ -126,7 +126,7 @@ impl<S: System<D>, const D: usize> Run<'_, S, D> {
             if excess <= 1.0 || forced {
                 self.work.accepted += 1;
                 self.work.forced += u64::from(excess > 1.0);
-                self.keep(end, attempt.kept(parameters.kept))?;
+                self.accept(end, attempt.kept(parameters.kept))?;
                 // A step cut short by a printed point says nothing of a longer one.
                 if excess <= parameters.growth_below && !cut {
                     self.step = (self.step * parameters.growth_factor).min(parameters.largest_step);
@@ -157,7 +157,7 @@ impl<S: System<D>, const D: usize> Run<'_, S, D> {
     }
 
     /// Goes on from this point: its derivative is the first of the steps that start here.
-    fn keep(&mut self, time: f64, state: SVector<f64, D>) -> Result<(), Stopped<D, S::Fault>> {
+    fn accept(&mut self, time: f64, state: SVector<f64, D>) -> Result<(), Stopped<D, S::Fault>> {
         self.finite(Quantity::State, &state)?;
         (self.time, self.state) = (time, state);
         self.work.evaluations += 1;

@@ -10,7 +10,7 @@ use nalgebra::SVector;
 /// [`accepted`](Self::accepted), and nowhere else: trial steps that are refused then leave no trace.
 ///
 /// ```
-/// use geneva_mimic::{Ahead, Between, DelayError, DelayLine, Parameters, System, integrate};
+/// use geneva_mimic::{Extrapolation, Interpolation, DelayError, DelayLine, Parameters, System, integrate};
 /// use nalgebra::Vector2;
 ///
 /// /// (1 + s/2) x'' = 1 - t, with s the sign of x'' a moment before.
@@ -33,7 +33,7 @@ use nalgebra::SVector;
 ///
 /// // With no step longer than the delay, what is read has been kept before.
 /// let (print_interval, delay) = (0.125, 0.0125);
-/// let old_acceleration = DelayLine::new(delay, 0.0, Between::Linear, Ahead::Hold)?;
+/// let old_acceleration = DelayLine::new(delay, 0.0, Interpolation::Linear, Extrapolation::Hold)?;
 /// let parameters = Parameters { largest_step: delay, initial_step: delay, ..Parameters::new(print_interval, 2.0) };
 /// let end = integrate(&mut Push { old_acceleration }, Vector2::zeros(), &parameters, |_| ())?;
 /// // A gain of 1/3 while it is pushed forwards, a loss of 1 while backwards.

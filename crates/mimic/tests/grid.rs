@@ -53,8 +53,7 @@ fn a_run_that_is_no_multiple_of_the_interval_ends_with_a_shorter_one() {
     // Three tenths are not three times a tenth in f64, but are meant to be.
     assert_eq!(times(&Parameters::new(0.1, 0.3)), [0.0, 0.1, 0.2, 3.0 * 0.1]);
     let (points, end) = run(&SPRING, &Parameters::new(0.25, 1.125));
-    assert_eq!((end.last.time, end.last.index), (1.125, 5));
-    assert_eq!(end.last.state, points[5].1);
+    assert_eq!((end.last.time, end.last.index, end.last.state), (1.125, 5, points[5].1));
 }
 
 #[test]

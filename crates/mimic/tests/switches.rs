@@ -1,10 +1,9 @@
 //! What is lost where the right-hand side jumps: the order falls to one, whichever value is kept.
 
+use crate::problems::KEPT;
 use geneva_mimic::{Kept, Outcome, Parameters, Work, integrate};
 use nalgebra::{SVector, Vector1, Vector2};
 use std::f64::consts::PI;
-
-const KEPT: [Kept; 3] = [Kept::FullStep, Kept::TwoHalfSteps, Kept::Extrapolated];
 
 #[track_caller]
 fn run<const D: usize>(
@@ -64,7 +63,6 @@ fn the_order_is_one() {
             order(|steps| worst(|speed| sliding_block(speed, &fixed(kept, steps, 1.0)), 0.5, 0.8)),
             order(|steps| worst(|end| dry_swing(end, &fixed(kept, steps, end)), 8.0, 9.0)),
         ];
-        println!("{kept:?}: orders {orders:.3?}");
         for order in orders {
             assert!((order - 1.0).abs() < 0.2, "{kept:?}: {orders:?}");
         }
@@ -77,7 +75,6 @@ fn a_switch_costs_a_third_of_a_step_times_the_jump_and_extrapolation_does_not_he
     // of the weight, where a half would be right.
     let steps = 64.0;
     let cost = KEPT.map(|kept| steps * worst(|switch| speed_up(switch, &fixed(kept, steps, 1.0)).0, 0.3, 0.6));
-    println!("worst cost of a switch in steps: {cost:.4?}");
     let [full, halves, extrapolated] = cost;
     assert!((full - 1.0 / 3.0).abs() < 0.01, "{cost:?}");
     assert!((halves - 1.0 / 6.0).abs() < 0.01, "{cost:?}");
@@ -91,7 +88,6 @@ fn the_tolerance_holds_at_a_switch_and_a_few_dozen_refusals_pay_for_it() {
             let parameters = Parameters { kept, relative_tolerance: tolerance, ..Parameters::new(0.125, 1.0) };
             let error = worst(|switch| speed_up(switch, &parameters).0, 0.3, 0.6);
             let refused = (0..100).map(|place| speed_up(0.3 + 0.003 * f64::from(place), &parameters).1.rejected).max();
-            println!("{kept:?} at {tolerance}: {:.2} tolerances, {refused:?} refused", error / tolerance);
             assert!(error < 1.5 * tolerance, "{kept:?} at {tolerance}: {error}");
             assert!(refused.is_some_and(|refused| (10..40).contains(&refused)), "{refused:?}");
         }

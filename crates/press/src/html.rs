@@ -38,8 +38,13 @@ pub enum Cells {
 
 /// A table with a head, which scrolls inside itself, under a name for screen readers.
 ///
-/// The cells are HTML already; the first of each row is its head.
-pub fn table(name: &str, cells: Cells, head: &[&str], rows: &[Vec<String>]) -> String {
+/// The cells are HTML already; the first of each row is its head. A row that cannot be made is an error of the table.
+pub fn table(
+    name: &str,
+    cells: Cells,
+    head: &[&str],
+    rows: impl IntoIterator<Item = anyhow::Result<Vec<String>>>,
+) -> anyhow::Result<String> {
     let class = match cells {
         Cells::Numbers => "compare",
         Cells::NamedNumbers => "compare named",
@@ -54,14 +59,14 @@ pub fn table(name: &str, cells: Cells, head: &[&str], rows: &[Vec<String>]) -> S
     out.push_str("</tr></thead>\n<tbody>\n");
     for row in rows {
         out.push_str("<tr>");
-        for (at, cell) in row.iter().enumerate() {
+        for (at, cell) in row?.iter().enumerate() {
             let (open, close) = if at == 0 { ("th scope=\"row\"", "th") } else { ("td", "td") };
             out.push_str(&format!("<{open}>{cell}</{close}>"));
         }
         out.push_str("</tr>\n");
     }
     out.push_str("</tbody>\n</table>\n</div>");
-    out
+    Ok(out)
 }
 
 #[cfg(test)]

@@ -1,24 +1,32 @@
-//! The press: turns chapters into pages.
+//! The book builder: turns chapters into pages.
 //!
-//! It knows Markdown, mathematics and mdBook. A chapter passes through the rooms in this order: its formulas
-//! become markup, what the ledger and the figures have to say is drawn in, and the renderer of mdBook makes the
-//! page. Nothing here computes a number or prints a line.
-
-// A chapter.
-pub mod drawing_in;
-pub mod drawings;
-pub mod fences;
-mod formula;
-mod html;
-mod ledger_pages;
-pub mod maths;
-mod preprocessor;
-mod records;
-mod tables;
-
-pub use preprocessor::Geneva;
+//! It knows Markdown, mathematics and mdBook, and what stands on which page. A chapter's formulas become markup, its
+//! placeholders give way to what the ledger and the figures have to say, and the renderer of mdBook makes the page.
+//! Nothing here prints a line, and nothing derives a formula: a table or a figure calls the solvers for what it shows.
 
 // The book.
 pub mod building;
-mod lean;
 mod libraries;
+mod minify;
+pub mod pages;
+
+// A chapter.
+pub mod fences;
+mod formula;
+pub mod maths;
+pub mod placeholders;
+mod preprocessor;
+
+// What stands for a placeholder.
+pub mod figures;
+mod ledger_pages;
+mod tables;
+
+// What these need.
+mod html;
+mod lookup;
+mod measurements;
+mod numbers;
+mod rows;
+
+pub use preprocessor::Geneva;

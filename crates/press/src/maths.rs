@@ -132,7 +132,8 @@ pub(crate) fn line(chapter: &str, at: usize) -> usize {
     chapter[..at].matches('\n').count() + 1
 }
 
-fn apply(chapter: &str, edits: &[(Range<usize>, String)]) -> String {
+/// The chapter with these places replaced, which follow one another.
+pub(crate) fn apply(chapter: &str, edits: &[(Range<usize>, String)]) -> String {
     let mut page = String::with_capacity(chapter.len() * 4);
     let mut at = 0;
     for (range, text) in edits {

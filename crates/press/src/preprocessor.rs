@@ -1,6 +1,6 @@
 //! The preprocessor that mdBook calls, in process or as a program.
 
-use crate::{drawing_in, fences, maths};
+use crate::{fences, maths, placeholders};
 use anyhow::{Context, bail};
 use mdbook_preprocessor::book::{Book, BookItem, Chapter};
 use mdbook_preprocessor::errors::Result;
@@ -8,7 +8,7 @@ use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
 
 /// Turns a chapter with formulas and placeholders into one that is all there.
 ///
-/// For pages, formulas become markup and the ledger's numbers, tables and figures are drawn in. For tests, the
+/// For pages, formulas become markup and placeholders give way to the ledger's numbers, tables and figures. For tests, the
 /// examples are told which crates they may use; the rest stays as it is.
 pub struct Geneva;
 
@@ -45,5 +45,5 @@ fn content(chapter: &Chapter, renderer: &str) -> Result<String> {
     }
     let number = chapter.number.as_ref().map_or_else(String::new, ToString::to_string);
     let with_formulas = maths::render(&chapter.content).with_context(file)?;
-    drawing_in::draw_in(&with_formulas, &number).with_context(file)
+    placeholders::put_in(&with_formulas, &number).with_context(file)
 }

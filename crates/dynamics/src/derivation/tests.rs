@@ -14,7 +14,7 @@ fn both<const V: usize, I: Identity<V>>(name: &str, of: impl Fn(Form) -> I) {
 #[test]
 fn the_pose_turns_as_the_pair_of_cosine_and_sine_does() {
     // Halves and quarters: nothing is rounded.
-    let pose = Pose::from_square(&3.5, &0.25, &-1.25);
+    let pose = Pose::from_square(&3.5, &0.25, &(-5.0 / 4.0));
     assert_eq!(turning(&pose), pose.moving_by(&Jet::variable(0.0)));
 }
 

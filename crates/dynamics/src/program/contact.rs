@@ -1,6 +1,6 @@
 //! How the sign of the friction term is chosen: exactly, or by an acceleration of a moment before.
 
-use geneva_mimic::{Ahead, Between, DelayError, DelayLine};
+use geneva_mimic::{DelayError, DelayLine, Extrapolation, Interpolation};
 
 /// How the program chooses between the two signs of C θ'² + D θ''.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,7 +30,9 @@ impl Memory {
     pub fn new(contact: &Contact) -> Result<Self, DelayError> {
         Ok(match contact {
             Contact::Exact => Self::None,
-            Contact::Delayed(delay) => Self::Line(Box::new(DelayLine::new(*delay, 0.0, Between::Linear, Ahead::Hold)?)),
+            Contact::Delayed(delay) => {
+                Self::Line(Box::new(DelayLine::new(*delay, 0.0, Interpolation::Linear, Extrapolation::Hold)?))
+            }
         })
     }
 }

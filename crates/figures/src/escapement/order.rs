@@ -39,7 +39,7 @@ pub fn order() -> Figure {
     let rows = errors.iter().map(|at| [at.step, at.smooth, at.switched]);
     let series = Series { decimals: DECIMALS, ..Series::new(columns, rows) };
     let words = Words {
-        id: "escapement-order".to_owned(),
+        id: "integrator-order".to_owned(),
         title: "Error over step length, for a smooth problem and for one with a switch".to_owned(),
         description: format!(
             "Two rows of points on logarithmic axes, the step length to the right, the error upwards. The errors of \

@@ -1,8 +1,8 @@
 //! The table of printed against computed numbers, with the differing digits marked.
 
 use super::inline::{computed, linked_badge, rounded, with_unit};
-use super::lookup;
 use crate::html::{Cells, escape, table as html_table};
+use crate::lookup;
 use geneva_ledger::{Claim, Decimal, Judged, Kind, Mark, Marked};
 
 const LEGEND: &str = "<p class=\"legend\">Digits of the printed number: plain where they agree with the computed one, \
@@ -21,9 +21,9 @@ pub fn table(of: &str) -> anyhow::Result<String> {
     let name = |claim: &Claim| {
         if alike(claim) { format!("{}: {}", claim.locator, claim.meaning) } else { claim.meaning.to_owned() }
     };
-    let rows = listed.iter().map(|judged| row(judged, &name(judged.claim))).collect::<anyhow::Result<Vec<_>>>()?;
+    let rows = listed.iter().map(|judged| row(judged, &name(judged.claim)));
     let head = ["Quantity", "Printed", "Computed", "From rounded steps", "Verdict"];
-    let table = html_table("Printed against computed", Cells::NamedNumbers, &head, &rows);
+    let table = html_table("Printed against computed", Cells::NamedNumbers, &head, rows)?;
     // The legend explains marks; a table without marks needs none.
     Ok(if table.contains("class=\"digit") { format!("{table}\n{LEGEND}") } else { table })
 }

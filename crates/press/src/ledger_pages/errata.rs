@@ -2,9 +2,10 @@
 
 use super::forms::how;
 use super::inline::{badge, linked_id, rounded, with_unit};
-use super::lookup;
 use crate::html::{Cells, escape, table, tex_or_text};
-use anyhow::{anyhow, ensure};
+use crate::lookup;
+use crate::pages::page_of_slips;
+use anyhow::anyhow;
 use geneva_ledger::{Consequence, Judged, Places, in_full, slip, slips, slips_of};
 
 /// The erratum of a claim, as a box.
@@ -15,66 +16,38 @@ pub fn one(id: &str) -> anyhow::Result<String> {
     boxed(judged, places.ok_or_else(|| anyhow!("slip `{}` has no places", erratum.slip.id))?, false)
 }
 
-/// All slips with these consequences, with spaces between, each under a heading that says what it does.
-pub fn page(consequences: &str) -> anyhow::Result<String> {
-    let mut out = String::new();
-    for slug in consequences.split_whitespace() {
-        let consequence = lookup::consequence(slug)?;
-        out.push_str(&format!("\n\n## {}\n", consequence.heading()));
-        for places in slips_of(consequence) {
-            out.push_str(&format!("\n{}\n", boxed(places.main(), places, true)?));
-        }
-    }
-    Ok(out)
+/// All slips with a consequence, under a heading that says what they do.
+pub fn all(consequence: &Consequence) -> anyhow::Result<String> {
+    let slip = |places: &Places| Ok(format!("\n{}\n", boxed(places.main(), places, true)?));
+    let slips = slips_of(*consequence).map(slip).collect::<anyhow::Result<String>>()?;
+    Ok(format!("\n\n## {}\n{slips}", consequence.heading()))
 }
 
 /// What changes a result or a conclusion, a row each.
 pub fn grave() -> anyhow::Result<String> {
     let grave = [Consequence::Result, Consequence::Conclusion].into_iter().flat_map(slips_of);
-    let rows = grave
-        .map(|places| {
-            let (claim, slip) = (places.main().claim, &places.slip);
-            Ok(vec![
-                format!(
-                    "<a href=\"#slip-{}\">{}, {}</a>: {}",
-                    slip.id,
-                    claim.work,
-                    escape(claim.locator),
-                    escape(claim.meaning)
-                ),
-                with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?,
-                right(places.main())?,
-                escape(slip.changes) + &numbers(places),
-            ])
-        })
-        .collect::<anyhow::Result<Vec<_>>>()?;
-    ensure!(!rows.is_empty(), "no slip changes a result");
-    Ok(table(
-        "What changes a result or a conclusion",
-        Cells::Words,
-        &["Where, and what it says", "Printed", "Right", "What it does"],
-        &rows,
-    ))
-}
-
-/// The page that tells the slips of a consequence.
-pub fn page_of(consequence: Consequence) -> &'static str {
-    match consequence {
-        Consequence::Result | Consequence::Conclusion => "errata",
-        Consequence::Derivation | Consequence::Wording => "errata-small",
-        Consequence::Copy => "errata-copy",
-    }
+    let rows = grave.map(|places| {
+        let (claim, slip) = (places.main().claim, &places.slip);
+        let (work, locator, meaning) = (claim.work, escape(claim.locator), escape(claim.meaning));
+        Ok(vec![
+            format!("<a href=\"#slip-{}\">{work}, {locator}</a>: {meaning}", slip.id),
+            with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?,
+            right(places.main())?,
+            escape(slip.changes) + &numbers(places),
+        ])
+    });
+    let head = ["Where, and what it says", "Printed", "Right", "What it does"];
+    table("What changes a result or a conclusion", Cells::Words, &head, rows)
 }
 
 /// How many slips there are of each consequence, and how many without those of the copy.
-pub fn summary() -> String {
-    let row = |consequence: &Consequence| {
+pub fn summary() -> anyhow::Result<String> {
+    let rows = Consequence::ALL.iter().filter(|of| **of != Consequence::Copy).map(|consequence| {
         let (slips, places) =
             (slips_of(*consequence).count(), slips_of(*consequence).map(|of| of.claims.len()).sum::<usize>());
-        vec![consequence.to_string(), consequence.meaning().to_owned(), slips.to_string(), places.to_string()]
-    };
-    let rows: Vec<_> = Consequence::ALL.iter().filter(|of| **of != Consequence::Copy).map(row).collect();
-    table("Slips by what they do", Cells::Words, &["Consequence", "What it means", "Slips", "Claims reached"], &rows)
+        Ok(vec![consequence.to_string(), consequence.meaning().to_owned(), slips.to_string(), places.to_string()])
+    });
+    table("Slips by what they do", Cells::Words, &["Consequence", "What it means", "Slips", "Claims reached"], rows)
 }
 
 /// How many slips there are of a consequence, or of all but those of the copy.
@@ -109,7 +82,7 @@ fn boxed(judged: &Judged, places: &Places, in_full_detail: bool) -> anyhow::Resu
     if in_full_detail {
         found(judged, places, &mut entry)?;
     }
-    let more = format!("<a href=\"{}.html#slip-{}\">how it was found</a>", page_of(slip.consequence), slip.id);
+    let more = format!("<a href=\"{}.html#slip-{}\">how it was found</a>", page_of_slips(slip.consequence), slip.id);
     let more = if in_full_detail { String::new() } else { format!(", {more}") };
     out.push_str(&format!("</dl>\n<p>{}{more}</p>\n</aside>", linked_id(claim.id)));
     Ok(out)

@@ -1,8 +1,8 @@
 //! Pieces of the ledger inside a sentence.
 
-use super::lookup;
-use super::pages::page_of;
 use crate::html::{escape, tex_or_text};
+use crate::pages::page_of_claim;
+use crate::{lookup, maths, numbers};
 use anyhow::anyhow;
 use geneva_ledger::{Decimal, Judged, Verdict, claims, in_full};
 
@@ -54,13 +54,13 @@ pub fn citation(slug: &str) -> anyhow::Result<String> {
 
 /// The verdict of a claim as a badge that leads to the claim's row in the ledger.
 pub fn linked_badge(judged: &Judged) -> String {
-    let (id, page) = (judged.claim.id, page_of(judged.claim.id));
+    let (id, page) = (judged.claim.id, page_of_claim(judged.claim.id));
     format!("<a class=\"to-ledger\" href=\"{page}.html#{id}\">{}</a>", badge(judged.verdict))
 }
 
 /// The id of a claim, leading to its row in the ledger.
 pub fn linked_id(id: &str) -> String {
-    format!("<a href=\"{}.html#{id}\"><code>{id}</code></a>", page_of(id))
+    format!("<a href=\"{}.html#{id}\"><code>{id}</code></a>", page_of_claim(id))
 }
 
 /// A verdict as a badge: the word, to which style only adds.
@@ -82,7 +82,7 @@ pub fn rounded(judged: &Judged, number: f64) -> String {
         Some(decimal) => decimal.places() as usize + MORE_PLACES,
         None => MORE_PLACES,
     };
-    format!("{number:.*}", places).replace('-', "−")
+    numbers::fixed(number, places)
 }
 
 /// A number, already HTML, with its unit behind.
@@ -92,7 +92,7 @@ pub fn with_unit(number: &str, unit: &str) -> anyhow::Result<String> {
         "°" => format!("{number}°"),
         _ if unit.ends_with("^2") => format!("{number}&nbsp;{}²", escape(unit.trim_end_matches("^2"))),
         // Lengths in crank radii have a letter for a unit.
-        "R" => format!("{number}&nbsp;{}", crate::maths::formula("R", false)?),
+        "R" => format!("{number}&nbsp;{}", maths::formula("R", false)?),
         _ => format!("{number}&nbsp;{}", tex_or_text(unit)?.replace("10&#94;-6", "10<sup>−6</sup>")),
     })
 }

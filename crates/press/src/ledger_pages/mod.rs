@@ -1,10 +1,8 @@
 //! What the ledger shows in the book: words in a line, tables, whole pages.
 
 pub mod compare;
-pub mod coverage;
 pub mod errata;
 pub mod forms;
 pub mod inline;
 pub mod lists;
-pub mod lookup;
-mod pages;
+pub mod records;

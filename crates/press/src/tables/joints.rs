@@ -1,14 +1,10 @@
 //! What a thick pin and rubbing journals make of the thesis's mechanisms.
 
 use crate::html::{Cells, table};
-use anyhow::Context;
-use geneva_dynamics::Parameters;
+use crate::rows::{parameters, weakest};
 use geneva_dynamics::joints::{Joints, effects as all_effects, largest_pin_radius};
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::{Column, Hypothesis, Row, rows};
-
-/// The friction of the runs that are compared, as printed.
-const FRICTION: &str = ".25";
+use geneva_ledger::meyer::runs::choice::comparable;
 
 /// Radii in crank radii: of the pin, of both journals, and the friction of the journals.
 const COMPARED: [(f64, f64, f64); 8] = [
@@ -31,7 +27,7 @@ pub fn effects() -> anyhow::Result<String> {
     let mut cells = vec![vec!["ideal".to_owned()]];
     cells.extend(COMPARED.map(|of| vec![named(of)]));
     for mechanism in Mechanism::ALL {
-        let parameters = parameters(mechanism)?;
+        let parameters = parameters(weakest(comparable(mechanism))?)?;
         let list = std::iter::once(Joints::IDEAL).chain(COMPARED.map(joints));
         let found = all_effects(&parameters, list.map(|joints| (joints.pin_radius, joints)))?;
         for (cells, effect) in cells.iter_mut().zip(found) {
@@ -43,14 +39,8 @@ pub fn effects() -> anyhow::Result<String> {
     let pins = Mechanism::ALL.map(|mechanism| format!("{} pins: mean speed", mechanism.pins()));
     let [first, second, third] = &pins;
     let head = ["Joints", first, "contraction", second, "contraction", third, "contraction"];
-    Ok(table("Mean speed and contraction with a thick pin and rubbing journals", Cells::NamedNumbers, &head, &cells))
-}
-
-/// The escapement of the weakest run of a mechanism with this friction.
-pub fn parameters(mechanism: Mechanism) -> anyhow::Result<Parameters> {
-    let is_it = |row: &&Row| row.mechanism == mechanism && row.printed(Column::Friction) == FRICTION;
-    let row = rows().iter().find(is_it).context("no run with this friction")?;
-    Hypothesis::TRUE.parameters(row).context("a run's data make no escapement")
+    let cells = cells.into_iter().map(Ok);
+    table("Mean speed and contraction with a thick pin and rubbing journals", Cells::NamedNumbers, &head, cells)
 }
 
 fn named((pin, journals, friction): (f64, f64, f64)) -> String {

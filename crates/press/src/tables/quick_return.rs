@@ -2,6 +2,7 @@
 
 use crate::html::{Cells, table};
 use crate::maths::formula;
+use crate::numbers::fixed;
 use anyhow::Context;
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_vectors::quarter_turn;
@@ -16,23 +17,23 @@ const NOTHING: f64 = 1e-9;
 pub fn terms() -> anyhow::Result<String> {
     let [ours, mirrored] = [Instant::printed()?, Instant::mirrored()?].map(|instant| instant.by_diagrams());
     let (ours, mirrored) = (ours.context("the pin is on the pivot")?, mirrored.context("the pin is on the pivot")?);
-    let mut rows = Vec::new();
-    for ((symbol, unit, vector), (_, _, mirror)) in vectors(&ours).into_iter().zip(vectors(&mirrored)) {
+    let both = vectors(&ours).into_iter().zip(vectors(&mirrored));
+    let rows = both.map(|((symbol, unit, vector), (_, _, mirror))| {
         let symbol = formula(symbol, false)?;
-        rows.push(if vector.norm() == 0.0 {
+        Ok(if vector.norm() == 0.0 {
             vec![symbol, "0".to_owned(), "–".to_owned(), "none".to_owned(), "none".to_owned()]
         } else {
             vec![
                 symbol,
                 format!("{:.4}&nbsp;{unit}", vector.norm()),
-                format!("{:.2}°", direction(&vector)).replace('-', "−"),
+                format!("{}°", fixed(direction(&vector), 2)),
                 words(&vector, &ours),
                 words(&mirror, &mirrored),
             ]
-        });
-    }
+        })
+    });
     let head = ["Vector", "Magnitude", "Direction", "Sense", "Sense in the mirror image"];
-    Ok(table("Vectors of the quick-return mechanism", Cells::Words, &head, &rows))
+    table("Vectors of the quick-return mechanism", Cells::Words, &head, rows)
 }
 
 /// The printed data on the branch of the source, on the other one, and with the angle printed for the velocities.
@@ -84,15 +85,13 @@ pub fn branches() -> anyhow::Result<String> {
         (r"a_4^\mathrm{t}", "in m/s², across"),
         (r"\alpha_4", "in rad/s²"),
     ];
-    let mut rows = Vec::new();
-    for (at, (symbol, unit)) in names.into_iter().enumerate() {
-        let number = |value: f64| format!("{value:.4}").replace('-', "−");
+    let rows = names.into_iter().enumerate().map(|(at, (symbol, unit))| {
         let mut row = vec![format!("{} {unit}", formula(symbol, false)?)];
-        row.extend([far_column[at], near_column[at], with_printed_angle[at]].map(number));
-        rows.push(row);
-    }
+        row.extend([far_column[at], near_column[at], with_printed_angle[at]].map(|value| fixed(value, 4)));
+        Ok(row)
+    });
     let head = ["Quantity", "This branch", "The other branch", "Had the printed angle been right"];
-    Ok(table("Other readings of the quick-return problem", Cells::NamedNumbers, &head, &rows))
+    table("Other readings of the quick-return problem", Cells::NamedNumbers, &head, rows)
 }
 
 /// Symbol, unit and vector: three velocities, then the seven terms of the acceleration.

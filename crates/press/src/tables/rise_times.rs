@@ -1,24 +1,22 @@
 //! The printed rise times against definitions, and against the law of similarity.
 
-use super::signed;
 use crate::html::{Cells, escape, table};
+use crate::numbers::signed;
 use geneva_ledger::meyer::runs::rise_times::{Misread, explained, groups as all_groups};
 
 /// How many rows each definition explains.
 pub fn definitions() -> anyhow::Result<String> {
-    let rows: Vec<Vec<String>> = explained()
-        .iter()
-        .map(|(definition, tried)| {
-            let mut row = vec![escape(definition.name)];
-            for of in tried {
-                row.extend(of.within_one.map(|count| count.to_string()));
-                row.push(of.within_one.iter().sum::<usize>().to_string());
-                row.push(signed(100.0 * of.mean, 0));
-                row.push(format!("{:.2} to {:.2}", of.range[0], of.range[1]));
-            }
-            row
-        })
-        .collect();
+    let explained = explained();
+    let rows = explained.iter().map(|(definition, tried)| {
+        let mut row = vec![escape(definition.name)];
+        for of in tried {
+            row.extend(of.within_one.map(|count| count.to_string()));
+            row.push(of.within_one.iter().sum::<usize>().to_string());
+            row.push(signed(100.0 * of.mean, 0));
+            row.push(format!("{:.2} to {:.2}", of.range[0], of.range[1]));
+        }
+        Ok(row)
+    });
     let head = [
         "Time from rest until",
         "as run: six pins",
@@ -34,32 +32,26 @@ pub fn definitions() -> anyhow::Result<String> {
         "mean %",
         "over printed",
     ];
-    Ok(table("Definitions of a rise time", Cells::NamedNumbers, &head, &rows))
+    table("Definitions of a rise time", Cells::NamedNumbers, &head, rows)
 }
 
 /// Printed rise times times √K: equal within a group, were they defined by the motion alone.
 pub fn groups() -> anyhow::Result<String> {
-    let rows: Vec<Vec<String>> = all_groups()
-        .iter()
-        .map(|group| {
-            let scaled: Vec<String> = group.scaled.iter().map(|time| format!("{:.1}", 1e3 * time)).collect();
-            let possible = if group.possible { "yes" } else { "no" };
-            let misread: Vec<String> = group.misread.iter().map(misread).collect();
-            let misread = match (group.possible, misread.is_empty()) {
-                (true, _) => "–".to_owned(),
-                (false, true) => "no".to_owned(),
-                (false, false) => misread.join("; or "),
-            };
-            vec![
-                format!("{} pins, μ = {}", group.mechanism.pins(), group.friction),
-                scaled.join(", "),
-                possible.to_owned(),
-                misread,
-            ]
-        })
-        .collect();
+    let all = all_groups();
+    let rows = all.iter().map(|group| {
+        let scaled: Vec<String> = group.scaled.iter().map(|time| format!("{:.1}", 1e3 * time)).collect();
+        let possible = if group.possible { "yes" } else { "no" };
+        let misread: Vec<String> = group.misread.iter().map(misread).collect();
+        let misread = match (group.possible, misread.is_empty()) {
+            (true, _) => "–".to_owned(),
+            (false, true) => "no".to_owned(),
+            (false, false) => misread.join("; or "),
+        };
+        let name = format!("{} pins, μ = {}", group.mechanism.pins(), group.friction);
+        Ok(vec![name, scaled.join(", "), possible.to_owned(), misread])
+    });
     let head = ["Rows", "1000 t √K, by rising K", "one number for all?", "if one row is misread?"];
-    Ok(table("Printed rise times and the law of similarity", Cells::NamedNumbers, &head, &rows))
+    table("Printed rise times and the law of similarity", Cells::NamedNumbers, &head, rows)
 }
 
 /// A row that may be misread, and what it should have been.

@@ -1,7 +1,8 @@
 //! What the solver and other integrators cost, from the record.
 
 use crate::html::{Cells, escape, table};
-use crate::records::{Measurement, integrators};
+use crate::measurements::{Measurement, integrators};
+use crate::numbers::with_minus_sign;
 
 /// The contestants of the record and what they are, in the order of the table.
 pub const CONTESTANTS: [(&str, &str); 8] = [
@@ -28,17 +29,17 @@ pub fn speeds() -> anyhow::Result<String> {
         for one in all.iter().filter(|one| one.contestant == contestant).filter(is_shown) {
             let evaluations = one.evaluations.map_or_else(|| "–".to_owned(), |count| count.to_string());
             let error = one.true_error.map_or_else(|| "–".to_owned(), |error| format!("{error:.0e}"));
-            rows.push(vec![
+            rows.push(Ok(vec![
                 escape(words),
-                one.tolerance.replace('-', "−"),
+                with_minus_sign(&one.tolerance),
                 evaluations,
                 format!("{:.2}", one.milliseconds),
-                error.replace('-', "−"),
-            ]);
+                with_minus_sign(&error),
+            ]));
         }
     }
     let head = ["Solver", "asked for", "evaluations", "ms for 49", "true error"];
-    Ok(table("Cost and error of the solvers", Cells::NamedNumbers, &head, &rows))
+    table("Cost and error of the solvers", Cells::NamedNumbers, &head, rows)
 }
 
 /// Maps of the terminal speed: time against points.
@@ -46,14 +47,14 @@ pub fn maps() -> anyhow::Result<String> {
     let all = integrators()?;
     let rows = all.iter().filter_map(|one| {
         let (points, threads) = (one.points?, one.threads?);
-        Some(vec![
+        Some(Ok(vec![
             points.to_string(),
-            one.tolerance.replace('-', "−"),
+            with_minus_sign(&one.tolerance),
             threads.to_string(),
             format!("{:.2}", one.milliseconds / 1e3),
             format!("{:.2}", 1e3 * one.milliseconds / points as f64),
-        ])
+        ]))
     });
     let head = ["points", "asked for", "threads", "s", "µs a point"];
-    Ok(table("Maps of the terminal speed", Cells::Numbers, &head, &rows.collect::<Vec<_>>()))
+    table("Maps of the terminal speed", Cells::Numbers, &head, rows)
 }

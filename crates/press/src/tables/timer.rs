@@ -1,13 +1,13 @@
 //! What a clockmaker asks: settling, sensitivity, accelerations and mean speed of the thesis's mechanisms.
 
-use super::signed;
 use crate::html::{Cells, table};
 use crate::maths::formula;
-use anyhow::Context;
+use crate::numbers::signed;
+use crate::rows::{engagement, example, parameters};
 use geneva_dynamics::timer::{Accelerations, Sensitivities, Settling};
 use geneva_dynamics::{Inertias, Parameters};
-use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::{Column, Hypothesis, Row, series};
+use geneva_ledger::meyer::runs::choice::{strongest, weakest};
+use geneva_ledger::meyer::runs::{Column, Hypothesis, Row};
 
 /// Seconds of a day.
 const DAY: f64 = 86_400.0;
@@ -15,9 +15,8 @@ const DAY: f64 = 86_400.0;
 /// How fast four pins settle, with followers of another size, down to a part.
 pub fn settling() -> anyhow::Result<String> {
     const PART: f64 = 0.01;
-    let row = firsts().find(|row| row.mechanism == Mechanism::FOUR_PIN).context("no run with four pins")?;
-    let own = parameters(row)?;
-    let rows = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0].map(|part| -> anyhow::Result<Vec<String>> {
+    let own = parameters(example()?)?;
+    let rows = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0].map(|part| {
         let inertias = Inertias::new(own.inertias().driver(), own.inertias().follower() / part)?;
         let settling = Settling::new(&Parameters::new(own.mechanism(), inertias, own.torque(), own.friction())?)?;
         let name = if part > 1.0 { format!("1/{part}") } else { "as run".to_owned() };
@@ -32,13 +31,12 @@ pub fn settling() -> anyhow::Result<String> {
     });
     let ratio = formula("I_D/I_f", false)?;
     let head = ["Follower", &ratio, "contraction", "engagements to 1%", "period, ms", "time to 1%, ms"];
-    let rows = rows.into_iter().collect::<anyhow::Result<Vec<_>>>()?;
-    Ok(table("Settling with a lighter follower", Cells::NamedNumbers, &head, &rows))
+    table("Settling with a lighter follower", Cells::NamedNumbers, &head, rows)
 }
 
 /// Powers of the mean speed, and what one per cent of each quantity costs a day.
 pub fn sensitivity() -> anyhow::Result<String> {
-    let rows = firsts().map(|row| {
+    let rows = weakest().map(|row| {
         let found = Sensitivities::new(&parameters(row)?)?;
         let powers = [found.torque, found.friction, found.driver_inertia, found.follower_inertia];
         let mut cells = vec![name(row)];
@@ -52,13 +50,12 @@ pub fn sensitivity() -> anyhow::Result<String> {
     let costs = [&torque, &friction, &driver, &follower].map(|symbol| format!("1% of {symbol}, s a day"));
     let mut head = vec!["Mechanism", &torque, &friction, &driver, &follower];
     head.extend(costs.iter().map(String::as_str));
-    let rows = rows.collect::<anyhow::Result<Vec<_>>>()?;
-    Ok(table("Sensitivities of the mean speed", Cells::NamedNumbers, &head, &rows))
+    table("Sensitivities of the mean speed", Cells::NamedNumbers, &head, rows)
 }
 
 /// The greatest accelerations and forces of the strongest run of each mechanism and friction.
 pub fn accelerations() -> anyhow::Result<String> {
-    let rows = lasts().map(|row| {
+    let rows = strongest().map(|row| {
         let found = Accelerations::new(&parameters(row)?)?;
         let degrees = |angle: f64| signed(angle.to_degrees(), 1) + "°";
         Ok(vec![
@@ -73,14 +70,13 @@ pub fn accelerations() -> anyhow::Result<String> {
     });
     let force = formula("N r/K", false)?;
     let head = ["Run", "driver, 1000 rad/s²", "at", "follower, 1000 rad/s²", "at", "its jump", &force];
-    let rows = rows.collect::<anyhow::Result<Vec<_>>>()?;
-    Ok(table("Accelerations of the members", Cells::NamedNumbers, &head, &rows))
+    table("Accelerations of the members", Cells::NamedNumbers, &head, rows)
 }
 
 /// The average of the thesis beside the mean speed over a revolution.
 pub fn mean_speed() -> anyhow::Result<String> {
-    let rows = firsts().map(|row| {
-        let steady = Hypothesis::TRUE.engagement(row).context("a run's data make no escapement")?.steady_state()?;
+    let rows = weakest().map(|row| {
+        let steady = engagement(row, &Hypothesis::TRUE)?.steady_state()?;
         let printed = (row.number(Column::Peak) + row.number(Column::Minimum)) / 2.0;
         Ok(vec![
             with_torque(row),
@@ -93,12 +89,7 @@ pub fn mean_speed() -> anyhow::Result<String> {
     });
     let head =
         ["Run", "printed extremes", "right extremes", "revolution", "printed over revolution", "right over revolution"];
-    let rows = rows.collect::<anyhow::Result<Vec<_>>>()?;
-    Ok(table("Two meanings of the average terminal velocity", Cells::NamedNumbers, &head, &rows))
-}
-
-fn parameters(row: &Row) -> anyhow::Result<Parameters> {
-    Hypothesis::TRUE.parameters(row).context("a run's data make no escapement")
+    table("Two meanings of the average terminal velocity", Cells::NamedNumbers, &head, rows)
 }
 
 fn name(row: &Row) -> String {
@@ -107,14 +98,4 @@ fn name(row: &Row) -> String {
 
 fn with_torque(row: &Row) -> String {
     format!("{}, K&nbsp;=&nbsp;{}", name(row), row.printed(Column::Torque))
-}
-
-/// The first row of each mechanism and friction: the weakest spring.
-fn firsts() -> impl Iterator<Item = &'static Row> {
-    series().filter_map(|own| own.first())
-}
-
-/// The last one: the strongest.
-fn lasts() -> impl Iterator<Item = &'static Row> {
-    series().filter_map(|own| own.last())
 }

@@ -9,9 +9,12 @@
 //! - `integrator`: whether the tables depend on what is not known of the integrator.
 //! - `cells`: the claims, one for each printed result.
 //! - `steps`, `lagged`: the second routes, to the motion of the mechanism and to the runs with the lagged sign.
+//! - `choice`: which rows stand for the others where not all are shown.
+//! - `words`: a hypothesis in words.
 //! - `headings`: the inertias above the tables.
 
 mod cells;
+pub mod choice;
 mod headings;
 mod hypotheses;
 pub mod integrator;
@@ -22,6 +25,7 @@ pub mod rise_times;
 mod scores;
 pub mod steps;
 mod table;
+mod words;
 
 pub use cells::claims;
 pub use headings::{of_figures, of_headings};

@@ -1,20 +1,22 @@
-//! Is the step halved and doubled by the rule, and is what is kept what the rule says? A whole run, done again by hand.
+//! Is the step halved and doubled by the rule, is what is kept what the rule says, and what does a run cost?
 
-use crate::problems::{DRIVEN, LOGISTIC, Problem, SMOOTH};
-use geneva_mimic::{Kept, Parameters, System, integrate, runge_kutta_step};
-use nalgebra::Vector2;
+use crate::problems::{KEPT, LOGISTIC, Points, Problem, SMOOTH, SPRING, run};
+use geneva_mimic::{AtSmallestStep, Kept, Parameters, System, Work, integrate, runge_kutta_step};
+use nalgebra::{Vector1, Vector2};
 use std::convert::Infallible;
 
-/// A problem that keeps every point of the run.
+/// A problem that records every point of the run, and how often it is asked.
 struct Recorded {
     problem: Problem,
-    kept: Vec<(f64, Vector2<f64>)>,
+    kept: Points,
+    calls: u64,
 }
 
 impl System<2> for Recorded {
     type Fault = Infallible;
 
     fn derivative(&mut self, time: f64, state: &Vector2<f64>) -> Result<Vector2<f64>, Infallible> {
+        self.calls += 1;
         Ok((self.problem.rate)(time, state))
     }
 
@@ -23,6 +25,12 @@ impl System<2> for Recorded {
         self.kept.push((time, *state));
         Ok(())
     }
+}
+
+fn recorded(problem: Problem, parameters: &Parameters) -> (Recorded, Work) {
+    let mut system = Recorded { problem, kept: Vec::new(), calls: 0 };
+    let work = integrate(&mut system, (problem.exact)(0.0), parameters, |_| ()).expect("a smooth problem").work;
+    (system, work)
 }
 
 /// The whole step and two half steps from a time to another.
@@ -42,7 +50,7 @@ fn excess(full: &Vector2<f64>, halves: &Vector2<f64>, parameters: &Parameters) -
 }
 
 /// The kept points and the number of refused steps, from the first step on.
-fn by_hand(problem: &Problem, parameters: &Parameters) -> (Vec<(f64, Vector2<f64>)>, u64) {
+fn by_hand(problem: &Problem, parameters: &Parameters) -> (Points, u64) {
     let (mut time, mut state, mut step) = (0.0, (problem.exact)(0.0), parameters.initial_step);
     let (mut kept, mut refused) = (vec![(time, state)], 0);
     let points = (parameters.run_length / parameters.print_interval).round() as u32;
@@ -76,11 +84,9 @@ fn a_run_is_its_rule_step_by_step_to_the_bit() {
             for (relative_tolerance, parts) in [(5e-6, 1.0), (5e-6, 7.0), (1e-9, 10.0)] {
                 let whole = Parameters::new(problem.run_length / parts, problem.run_length);
                 let parameters = Parameters { kept, relative_tolerance, ..whole };
-                let mut system = Recorded { problem, kept: Vec::new() };
-                let end = integrate(&mut system, (problem.exact)(0.0), &parameters, |_| ()).unwrap();
+                let (system, work) = recorded(problem, &parameters);
                 let (expected, refused) = by_hand(&problem, &parameters);
-                assert_eq!(end.work.rejected, refused, "{}", problem.name);
-                assert_eq!(end.work.accepted + 1, expected.len() as u64, "{}", problem.name);
+                assert_eq!(work.rejected, refused, "{}", problem.name);
                 assert!(system.kept == expected, "{}: another way", problem.name);
                 let steps: Vec<f64> = expected.windows(2).map(|pair| pair[1].0 - pair[0].0).collect();
                 doubled_in_all += steps.windows(2).filter(|pair| pair[1] > 1.9 * pair[0]).count();
@@ -88,31 +94,17 @@ fn a_run_is_its_rule_step_by_step_to_the_bit() {
             }
         }
     }
-    println!("{refused_in_all} refused, {doubled_in_all} doubled");
     assert!(refused_in_all > 100 && doubled_in_all > 20, "{refused_in_all} refused, {doubled_in_all} doubled");
-}
-
-#[test]
-fn no_kept_step_is_above_the_tolerance() {
-    let parameters = Parameters::new(0.2, 2.0);
-    let mut system = Recorded { problem: DRIVEN, kept: Vec::new() };
-    integrate(&mut system, (DRIVEN.exact)(0.0), &parameters, |_| ()).unwrap();
-    for pair in system.kept.windows(2) {
-        let (full, halves) = both(&DRIVEN, pair[0].0, pair[1].0, &pair[0].1);
-        assert!(excess(&full, &halves, &parameters) <= 1.0, "from {}", pair[0].0);
-    }
 }
 
 #[test]
 fn a_step_is_refused_as_soon_as_it_is_above_the_tolerance() {
     for problem in SMOOTH {
-        let start = (problem.exact)(0.0);
-        let (full, halves) = both(&problem, 0.0, 0.25, &start);
+        let (full, halves) = both(&problem, 0.0, 0.25, &(problem.exact)(0.0));
         let limit = excess(&full, &halves, &Parameters { relative_tolerance: 1.0, ..Parameters::new(0.25, 0.25) });
         for (part, steps) in [(1.0 + 1e-12, 1), (1.0 - 1e-12, 2)] {
             let parameters = Parameters { relative_tolerance: part * limit, ..Parameters::new(0.25, 0.25) };
-            let mut system = Recorded { problem, kept: Vec::new() };
-            let work = integrate(&mut system, start, &parameters, |_| ()).unwrap().work;
+            let work = recorded(problem, &parameters).1;
             assert_eq!((work.accepted, work.rejected), (steps, steps - 1), "{}", problem.name);
         }
     }
@@ -123,9 +115,7 @@ fn each_named_parameter_is_heeded() {
     let steps = |change: fn(&mut Parameters)| {
         let mut parameters = Parameters { relative_tolerance: 1e-8, ..Parameters::new(0.5, 4.0) };
         change(&mut parameters);
-        let mut system = Recorded { problem: LOGISTIC, kept: Vec::new() };
-        integrate(&mut system, (LOGISTIC.exact)(0.0), &parameters, |_| ()).unwrap();
-        system.kept
+        recorded(LOGISTIC, &parameters).0.kept
     };
     let usual = steps(|_| ());
     assert_eq!(steps(|p| p.initial_step = 0.015_625)[1].0, 0.015_625);
@@ -135,4 +125,43 @@ fn each_named_parameter_is_heeded() {
     assert!(steps(|p| p.shrink_factor = 0.125).len() > usual.len());
     assert!(steps(|p| p.absolute_floor = 10.0).len() < usual.len());
     assert_ne!(steps(|p| p.kept = Kept::Extrapolated).last(), usual.last());
+    assert!(steps(|p| p.relative_tolerance = 1e-11).len() > 2 * usual.len());
+}
+
+#[test]
+fn an_attempt_takes_ten_evaluations_and_a_kept_point_one() {
+    for problem in SMOOTH {
+        for points in [1.0, 10.0, 300.0] {
+            for kept in KEPT {
+                let parameters = Parameters::new(problem.run_length / points, problem.run_length);
+                let (system, work) = recorded(problem, &Parameters { kept, ..parameters });
+                assert_eq!(work.evaluations, system.calls, "{}: hidden work", problem.name);
+                assert_eq!(work.evaluations, 10 * (work.accepted + work.rejected) + work.accepted + 1);
+                assert_eq!((system.kept.len() as u64, work.forced), (work.accepted + 1, 0), "{}", problem.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn the_spring_takes_this_many_steps() {
+    let table = [
+        (Parameters::new(0.5, 6.0), Work { accepted: 52, rejected: 4, forced: 0, evaluations: 613 }),
+        // Each printed point takes a step.
+        (Parameters::new(0.005, 6.0), Work { accepted: 1200, rejected: 0, forced: 0, evaluations: 13_201 }),
+        // Steps kept against the tolerance are counted.
+        (Parameters::with_fixed_step(1.0, 1.0, 6.0), Work { accepted: 6, rejected: 0, forced: 6, evaluations: 67 }),
+    ];
+    for (parameters, work) in table {
+        assert_eq!(run(&SPRING, &parameters).1.work, work);
+    }
+}
+
+#[test]
+fn over_a_jump_that_no_step_can_hide_the_smallest_is_forced() {
+    let mut jump = |time: f64, _: &Vector1<f64>| Vector1::new(if time < 0.3 { 0.0 } else { 1e6 });
+    let forced = Parameters { at_smallest_step: AtSmallestStep::Continue, ..Parameters::new(0.25, 1.0) };
+    let end = integrate(&mut jump, Vector1::zeros(), &forced, |_| ()).unwrap();
+    assert!((end.last.state[0] / 0.7e6 - 1.0).abs() < 1e-8);
+    assert!(end.work.forced == 1 && end.work.rejected >= 29, "{:?}", end.work);
 }

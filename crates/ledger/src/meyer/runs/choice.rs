@@ -1,0 +1,71 @@
+//! Which rows stand for the others where not all are shown.
+
+use super::*;
+
+/// The rows of a mechanism, in the order of its table.
+pub fn rows_of(mechanism: Mechanism) -> impl Iterator<Item = &'static Row> {
+    rows().iter().filter(move |row| row.mechanism == mechanism)
+}
+
+/// For each mechanism and friction the row with the weakest spring.
+pub fn weakest() -> impl Iterator<Item = &'static Row> {
+    series().filter_map(|own| own.first())
+}
+
+/// For each mechanism and friction the row with the strongest spring.
+pub fn strongest() -> impl Iterator<Item = &'static Row> {
+    series().filter_map(|own| own.last())
+}
+
+/// The rows of a mechanism with the least friction, by rising torque: those whose engagements differ longest.
+pub fn least_braked(mechanism: Mechanism) -> Option<&'static [Row]> {
+    let own = series().filter(|own| own[0].mechanism == mechanism);
+    own.min_by(|a, b| a[0].friction().total_cmp(&b[0].friction()))
+}
+
+/// A friction with which all three mechanisms were run with nearly the same torques, as printed.
+const COMMON_FRICTION: &str = ".25";
+
+/// The rows of a mechanism with a friction that the others were run with too, by rising torque.
+pub fn comparable(mechanism: Mechanism) -> Option<&'static [Row]> {
+    series().find(|own| own[0].mechanism == mechanism && own[0].printed(Column::Friction) == COMMON_FRICTION)
+}
+
+/// The four-pin rows that may be the run drawn in Fig. 8, which the thesis does not name: their first minimum rounds to
+/// the rise time printed of the figure. None if the motion of a row has no solution.
+pub fn of_fig_8() -> Option<Vec<&'static Row>> {
+    let printed = crate::checks::decimal("meyer.fig-8.rise");
+    let mut fitting = Vec::new();
+    for row in rows_of(Mechanism::FOUR_PIN) {
+        let first = Hypothesis::BEST.engagement(row)?.first_minimum().ok()??;
+        if printed.is_rounding_of(first.time) {
+            fitting.push(row);
+        }
+    }
+    Some(fitting)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_runs_may_be_that_of_fig_8_and_the_table_gives_both_another_rise_time() {
+        let printed = crate::checks::decimal("meyer.fig-8.rise");
+        let fitting = of_fig_8().expect("solved");
+        assert_eq!(fitting.len(), 2);
+        assert!(fitting.iter().all(|row| !printed.is_rounding_of(row.number(Column::Rise))));
+    }
+
+    #[test]
+    fn each_mechanism_has_its_rows_and_examples() {
+        assert_eq!(Mechanism::ALL.map(|mechanism| rows_of(mechanism).count()).iter().sum::<usize>(), rows().len());
+        for mechanism in Mechanism::ALL {
+            for own in [least_braked(mechanism), comparable(mechanism)].map(|own| own.expect("rows")) {
+                assert!(own.len() > 3 && own.iter().all(|row| row.mechanism == mechanism));
+            }
+            let least = rows_of(mechanism).map(Row::friction).fold(f64::INFINITY, f64::min);
+            assert_eq!(least_braked(mechanism).expect("rows")[0].friction(), least);
+        }
+    }
+}

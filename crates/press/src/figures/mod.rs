@@ -1,0 +1,150 @@
+//! The figures of the book: the ledger says for which mechanism, `geneva_figures` draws it.
+
+mod runs;
+
+use crate::html::escape;
+use crate::rows::{example, parameters};
+use crate::{lookup, rows};
+use anyhow::Context;
+use geneva_dynamics::Parameters;
+use geneva_figures::{Figure, escapement, pin, quick_return, stations};
+use geneva_kinematics::Mechanism;
+use geneva_kinematics::quick_return::{Drive, Position, QuickReturn};
+use geneva_kinematics::wheel::Wheel;
+use geneva_ledger::meyer::runs::{Hypothesis, choice::weakest};
+use geneva_ledger::{jazar, pin::Instant, quick_return::Instant as Lever};
+
+/// Draws a figure for the printed data of its source.
+type Draw = fn() -> anyhow::Result<Figure>;
+
+/// All figures by name, in the order of the book.
+pub const FIGURES: &[(&str, Draw)] = &[
+    ("pin-position", || of_pin(|at| pin::position_triangle(&at.mechanism, &at.crank))),
+    ("pin-velocity", || of_pin(|at| pin::velocity_triangle(&at.mechanism, &at.crank, at.driver_speed, "mm/s"))),
+    ("pin-engagement", || of_pin(|at| pin::over_the_engagement(&at.mechanism, &at.crank, at.driver_speed, "mm"))),
+    ("quick-return-mechanism", || of_lever(quick_return::mechanism)),
+    ("quick-return-velocity", || of_lever(quick_return::velocity_diagram)),
+    ("quick-return-acceleration", || of_lever(quick_return::acceleration_diagram)),
+    ("quick-return-turn", || of_lever(|linkage, at, drive, _| quick_return::over_a_turn(linkage, at, drive))),
+    ("wheel-mechanism", || Ok(stations::mechanism(&four_stations()?))),
+    ("wheel-model", || Ok(stations::model(&four_stations()?, MODEL_ANGLE)?)),
+    ("wheel-critical", || Ok(stations::critical_geometry(&jazar::example().context(NO_WHEEL)?))),
+    ("wheel-advance", || Ok(stations::advance(&four_stations()?))),
+    ("wheel-motion", || Ok(stations::motion(&four_stations()?))),
+    ("wheel-extremes", || Ok(stations::extremes(3..=18))),
+    ("escapement-mechanism-4", || mechanism(4)),
+    ("escapement-hand-over-4", || Ok(escapement::hand_over(&with_slots(4)?))),
+    ("escapement-mechanism-3", || mechanism(3)),
+    ("escapement-mechanism-6", || mechanism(6)),
+    ("escapement-angles-4", || {
+        let four = with_slots(4)?;
+        Ok(escapement::angles(&four, GENERAL * four.engagement_half_angle())?)
+    }),
+    ("escapement-ratios", || Ok(escapement::ratios(&Mechanism::ALL))),
+    ("escapement-forces", || {
+        let (parameters, speed) = in_steady_state()?;
+        let crank = -GENERAL * parameters.mechanism().engagement_half_angle();
+        Ok(escapement::forces(&parameters, crank, speed)?)
+    }),
+    ("escapement-normal-force", || {
+        let (parameters, speed) = in_steady_state()?;
+        Ok(escapement::normal_force(&parameters, speed)?)
+    }),
+    ("escapement-existence", || Ok(escapement::existence(&designs()?))),
+    ("integrator-order", || Ok(escapement::order())),
+    ("runs-hypotheses", runs::hypotheses),
+    ("runs-aliasing", runs::printed_too_seldom),
+    ("runs-speeds", runs::of_fig_8),
+    ("runs-four-pin", || runs::over_torque(Mechanism::FOUR_PIN)),
+    ("runs-six-pin", || runs::over_torque(Mechanism::SIX_PIN)),
+    ("runs-three-pin", || runs::over_torque(Mechanism::THREE_PIN)),
+    ("steady-collapse", runs::collapse),
+    ("steady-hand-over", || Ok(geneva_figures::steady::hand_over(&parameters(example()?)?)?)),
+    ("steady-phase", || Ok(geneva_figures::steady::phase(&parameters(example()?)?)?)),
+    ("steady-map-four-pin", || runs::map(Mechanism::FOUR_PIN)),
+    ("steady-map-six-pin", || runs::map(Mechanism::SIX_PIN)),
+    ("steady-map-three-pin", || runs::map(Mechanism::THREE_PIN)),
+    ("joints-losses", runs::losses),
+    ("solver-work-precision", runs::work_precision),
+];
+
+/// The figure of this name.
+pub fn by_name(name: &str) -> anyhow::Result<Figure> {
+    lookup::named("figure", name, FIGURES)?()
+}
+
+/// The figure as HTML, with its number and caption.
+pub fn html(name: &str, number: &str) -> anyhow::Result<String> {
+    let figure = by_name(name)?;
+    Ok(format!(
+        "<figure class=\"fig\" id=\"fig-{name}\">\n{}\n<figcaption><strong>Figure {number}.</strong> {}</figcaption>\n</figure>",
+        figure.svg.trim_end(),
+        escape(&figure.caption),
+    ))
+}
+
+/// A drawing of the pin in the slot at the printed instant.
+fn of_pin(draw: fn(&Instant) -> Figure) -> anyhow::Result<Figure> {
+    Ok(draw(&Instant::printed().context("the printed data make no mechanism")?))
+}
+
+/// A drawing of the quick-return mechanism at the printed instant, in metres.
+fn of_lever(draw: fn(&QuickReturn, &Position, &Drive<f64>, &str) -> Figure) -> anyhow::Result<Figure> {
+    let at = Lever::printed().context("the printed data make no quick-return mechanism")?;
+    Ok(draw(&at.linkage, &at.position, &at.drive, "m"))
+}
+
+const NO_WHEEL: &str = "the source's wheel cannot be built";
+
+fn four_stations() -> anyhow::Result<Wheel> {
+    jazar::four_stations().context(NO_WHEEL)
+}
+
+/// Crank angle at which the model of a wheel is drawn: wide enough apart from the line of centres to see the angles.
+const MODEL_ANGLE: f64 = 0.5;
+
+/// Driver angle of the drawings of a general position, as a part of the half angle of the engagement.
+const GENERAL: f64 = -0.5;
+
+fn with_slots(slots: u32) -> anyhow::Result<Mechanism> {
+    Mechanism::new(slots).context("the thesis's mechanism cannot be built")
+}
+
+/// The escapement in a general position.
+fn mechanism(slots: u32) -> anyhow::Result<Figure> {
+    let escapement = with_slots(slots)?;
+    Ok(escapement::mechanism(&escapement, GENERAL * escapement.engagement_half_angle())?)
+}
+
+/// The example among the runs, and its speed as a pin enters in the steady state.
+fn in_steady_state() -> anyhow::Result<(Parameters, f64)> {
+    let steady = rows::engagement(example()?, &Hypothesis::TRUE)?.steady_state()?;
+    Ok((parameters(example()?)?, steady.entry_speed))
+}
+
+/// The runs of the thesis as points of the map: one for each mechanism and friction, whatever the torque.
+fn designs() -> anyhow::Result<Vec<escapement::Design>> {
+    let design = |row| {
+        let parameters = parameters(row)?;
+        Ok(escapement::Design {
+            name: format!("{} pins", row.mechanism.pins()),
+            mechanism: parameters.mechanism(),
+            inertia_ratio: parameters.inertias().ratio(),
+            friction: parameters.friction(),
+        })
+    };
+    weakest().map(design).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_ids_inside_a_figure_begin_with_its_name() {
+        for (name, _) in FIGURES {
+            let id = by_name(name).expect("drawn").id;
+            assert!(id.starts_with(name), "the figure `{name}` calls itself `{id}`");
+        }
+    }
+}

@@ -1,0 +1,148 @@
+//! The figures of the runs of the thesis, of the steady motion and of the solvers.
+
+use super::designs;
+use crate::measurements::integrators;
+use crate::rows::{self, parameters, weakest};
+use crate::tables::solver::CONTESTANTS;
+use anyhow::Context;
+use geneva_dynamics::joints::{Joints, Varied, series};
+use geneva_figures::Figure;
+use geneva_figures::runs::{self, Deviation, Deviations, Group, Run};
+use geneva_figures::steady::{self, Line, Measurement};
+use geneva_kinematics::Mechanism;
+use geneva_ledger::meyer::runs::choice::{comparable, least_braked, of_fig_8 as rows_of_fig_8, rows_of};
+use geneva_ledger::meyer::runs::{Column, Hypothesis, Row, Score, duration, interval, rows, scores};
+
+/// What each of the compared hypotheses makes of the rows.
+pub fn hypotheses() -> anyhow::Result<Figure> {
+    let compared = scores().iter().map(deviations).collect::<anyhow::Result<Vec<_>>>()?;
+    Ok(runs::deviations(&compared))
+}
+
+fn deviations(score: &Score) -> anyhow::Result<Deviations> {
+    let of = |(row, run): (&Row, &Option<geneva_ledger::meyer::runs::Run>)| {
+        let run = run.context("a run of the program comes to no end")?;
+        let off = |column| run.number(column) / row.number(column) - 1.0;
+        Ok(Deviation {
+            mechanism: row.mechanism,
+            peak: off(Column::Peak),
+            minimum: off(Column::Minimum),
+            period: off(Column::Period),
+        })
+    };
+    let runs = rows().iter().zip(&score.runs).map(of).collect::<anyhow::Result<_>>()?;
+    Ok(Deviations { name: score.hypothesis.brief_words(), runs })
+}
+
+/// The speed between the printed instants: of the four-pin runs that brake least the one with the strongest spring.
+pub fn printed_too_seldom() -> anyhow::Result<Figure> {
+    let row = least_braked(Mechanism::FOUR_PIN).and_then(<[Row]>::last).context("no run with four pins")?;
+    Ok(runs::aliasing(&rows::engagement(row, &Hypothesis::BEST)?, interval(), duration())?)
+}
+
+/// Fig. 8: the first of the rows that it may show.
+pub fn of_fig_8() -> anyhow::Result<Figure> {
+    let named = |row: &Row| format!("μ = {}, K = {}", row.printed(Column::Friction), row.printed(Column::Torque));
+    let fitting = rows_of_fig_8().context("no rise time of Fig. 8")?;
+    let (row, others) = fitting.split_first().context("no run has the printed rise time")?;
+    let others: Vec<String> = others.iter().map(|row| named(row)).collect();
+    let fits = if others.is_empty() { String::new() } else { format!(" So does that of {}.", others.join(" and of ")) };
+    let words =
+        format!("Four pins, {}: its first minimum rounds to the rise time printed of Fig. 8.{fits}", named(row));
+    Ok(runs::speeds(&rows::engagement(row, &Hypothesis::BEST)?, &words)?)
+}
+
+/// The printed numbers of a mechanism over the torque.
+pub fn over_torque(mechanism: Mechanism) -> anyhow::Result<Figure> {
+    Ok(runs::over_torque(&group(mechanism)?)?)
+}
+
+/// All runs on one curve.
+pub fn collapse() -> anyhow::Result<Figure> {
+    let groups = Mechanism::ALL.into_iter().map(group).collect::<anyhow::Result<Vec<_>>>()?;
+    Ok(steady::collapse(&groups)?)
+}
+
+/// A mechanism's rows, with the reset angle and the inertias that explain the tables.
+fn group(mechanism: Mechanism) -> anyhow::Result<Group> {
+    let parameters = parameters(weakest(least_braked(mechanism))?)?;
+    let runs = rows_of(mechanism).map(|row| Run {
+        friction: row.friction(),
+        torque: row.torque(),
+        peak: row.number(Column::Peak),
+        minimum: row.number(Column::Minimum),
+        rise: row.number(Column::Rise),
+        period: row.number(Column::Period),
+    });
+    Ok(Group {
+        mechanism,
+        inertias: parameters.inertias(),
+        fold: Hypothesis::BEST.angle(mechanism),
+        runs: runs.collect(),
+    })
+}
+
+/// The map of a mechanism, with its runs.
+pub fn map(mechanism: Mechanism) -> anyhow::Result<Figure> {
+    Ok(steady::map(mechanism, &designs()?)?)
+}
+
+/// Mean speed and contraction over the radius of the pin, of the driver's journal, and of the follower's.
+pub fn losses() -> anyhow::Result<Figure> {
+    /// Friction of the journals.
+    const BEARINGS: f64 = 0.2;
+    /// The largest radius, in crank radii, and how many there are.
+    const LARGEST: f64 = 0.2;
+    const RADII: u32 = 8;
+    let of = parameters(weakest(comparable(Mechanism::FOUR_PIN))?)?;
+    let journals = Joints { bearing_friction: BEARINGS, ..Joints::IDEAL };
+    let varied = [
+        ("pin", Joints::IDEAL, Varied::PinRadius),
+        ("driver's journal", journals, Varied::DriverJournal),
+        ("follower's journal", journals, Varied::FollowerJournal),
+    ];
+    let (mut speeds, mut contractions) = (Vec::new(), Vec::new());
+    for (name, joints, varied) in varied {
+        let radii = (0..=RADII).map(|k| LARGEST * f64::from(k) / f64::from(RADII));
+        let effects = series(&of, &joints, varied, radii)?;
+        let line = |points: Vec<(f64, f64)>| Line { name: name.to_owned(), points };
+        speeds.push(line(effects.iter().map(|effect| (effect.value, effect.mean_speed)).collect()));
+        contractions.push(line(effects.iter().map(|effect| (effect.value, effect.contraction)).collect()));
+    }
+    Ok(steady::losses("radius in crank radii", &speeds, &contractions))
+}
+
+/// Work and precision of those solvers in the record that run over the same times.
+pub fn work_precision() -> anyhow::Result<Figure> {
+    let all = integrators()?;
+    let runs = CONTESTANTS.iter().filter_map(|(contestant, words)| Some((*contestant, words.strip_suffix(": run")?)));
+    let drawn = runs.flat_map(|(contestant, words)| {
+        all.iter().filter(move |one| one.contestant == contestant).filter_map(move |one| {
+            Some(Measurement {
+                contestant: words.to_owned(),
+                tolerance: one.tolerance.parse().ok()?,
+                evaluations: one.evaluations,
+                milliseconds: one.milliseconds,
+                true_error: one.true_error?,
+            })
+        })
+    });
+    Ok(steady::work_precision(&drawn.collect::<Vec<_>>()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_marks_of_the_drawing_are_of_the_deviations_that_the_ledger_scores() {
+        for score in scores() {
+            let drawn = deviations(score).expect("deviations");
+            assert_eq!(drawn.runs.len(), rows().len());
+            let further = |worst: f64, off: f64| if off.abs() > worst.abs() { off } else { worst };
+            let worst = drawn.runs.iter().map(|run| run.peak).fold(0.0, further);
+            let scored = score.on(Column::Peak).expect("a fit").worst;
+            assert!((worst - scored).abs() < 1e-12, "{}: {worst} and {scored}", drawn.name);
+        }
+    }
+}

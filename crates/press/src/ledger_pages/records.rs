@@ -1,0 +1,88 @@
+//! What the pages of the records list: all claims, all slips, the sources line by line.
+
+use super::errata;
+use super::forms::how;
+use super::inline::{badge, computed, linked_id, rounded, with_unit};
+use crate::html::{Cells, escape, table, tex_or_text};
+use crate::lookup;
+use crate::pages::{PAGES, Records, Section, page_of_slips};
+use anyhow::{Context, bail};
+use geneva_ledger::{Entry, Judged, Work, in_full};
+
+/// What the list of pages puts on the page of this name.
+pub fn page(name: &str) -> anyhow::Result<String> {
+    let page = PAGES.iter().find(|page| page.name == name).with_context(|| format!("no page `{name}` in the list"))?;
+    match &page.records {
+        Records::None => bail!("the list of pages puts no records on `{name}`"),
+        Records::Claims(sections) => sections.iter().map(claims).collect(),
+        Records::Slips(consequences) => consequences.iter().map(errata::all).collect(),
+        Records::Lines(works) => works.iter().map(lines).collect(),
+    }
+}
+
+/// The claims of a section; every row can be linked to by the claim's id.
+fn claims(section: &Section) -> anyhow::Result<String> {
+    let head = ["Claim", "Where", "What", "Printed", "Computed", "Evidence", "Verdict"];
+    let title = format!("Source {}: {}", section.work, section.title);
+    let rows = section.ids().map(|id| claim(lookup::judged(id)?));
+    Ok(format!("## {title}\n\n{}\n\n", table(&title, Cells::Words, &head, rows)?))
+}
+
+fn claim(judged: &Judged) -> anyhow::Result<Vec<String>> {
+    let claim = judged.claim;
+    let evidence: Vec<_> = claim.check.evidence().iter().map(ToString::to_string).collect();
+    Ok(vec![
+        format!("<code id=\"{0}\">{0}</code>", claim.id),
+        escape(claim.locator),
+        format!("{}: {}", claim.kind, escape(claim.meaning)),
+        with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?,
+        numbers(judged),
+        if judged.computed.is_some() { evidence.join(", ") } else { how(judged) },
+        badge(judged.verdict) + &slip(judged),
+    ])
+}
+
+/// What was computed and, where the printed number is not right, what is.
+fn numbers(judged: &Judged) -> String {
+    let computed = computed(judged).unwrap_or_else(|| "–".to_owned());
+    let in_error = judged.right_value.filter(|right| judged.computed != Some(*right));
+    in_error.map_or(computed.clone(), |right| format!("{computed}; right: {}", rounded(judged, right)))
+}
+
+/// The slip that reaches a claim, as a link to where it is told.
+fn slip(judged: &Judged) -> String {
+    let Some(erratum) = &judged.claim.erratum else { return String::new() };
+    let page = page_of_slips(erratum.slip.consequence);
+    format!("<br><a href=\"{page}.html#slip-{}\">{}</a>", erratum.slip.id, erratum.slip.consequence)
+}
+
+/// A source line by line: which claims stand where, and what is no claim, with the reason.
+fn lines(work: &Work) -> anyhow::Result<String> {
+    let lines = work.inventory()?;
+    let numbers: usize = lines.iter().map(|line| line.numbers.len()).sum();
+    let all = lines.iter().map(|line| {
+        let claims: Vec<_> = line.entries.iter().filter_map(|entry| entry.claimed()).map(linked_id).collect();
+        Ok(vec![
+            line.number.to_string(),
+            if claims.is_empty() { "–".to_owned() } else { claims.join(", ") },
+            line.numbers.len().to_string(),
+            if line.is_accounted_for() { "yes" } else { "no" }.to_owned(),
+        ])
+    });
+    let exceptions = lines.iter().flat_map(|line| {
+        line.entries.iter().filter_map(|entry| match entry {
+            Entry::Exception { id, reason, .. } => {
+                Some(Ok(vec![format!("<code>{id}</code>"), line.number.to_string(), escape(reason)]))
+            }
+            _ => None,
+        })
+    });
+    Ok(format!(
+        "## Source {work}\n\n{} claims, with the labels of equations and figures and the exceptions below, account for \
+         all {numbers} numbers in {} lines.\n\n{}\n\n### No claims: {work}\n\n{}\n\n",
+        lookup::of_work(*work).count(),
+        lines.len(),
+        table(&format!("Lines of {work}"), Cells::Words, &["Line", "Claims", "Numbers", "Accounted for"], all)?,
+        table("Exceptions", Cells::Words, &["Exception", "Line", "Why there is nothing to check"], exceptions)?,
+    ))
+}

@@ -1,0 +1,54 @@
+//! Finding things by name; the error tells the nearest name or all there are.
+
+use anyhow::anyhow;
+use geneva_ledger::{Consequence, Judged, Work, verdict, verdicts};
+
+/// What bears this name in a list.
+pub fn named<T: Copy>(what: &str, name: &str, list: &[(&str, T)]) -> anyhow::Result<T> {
+    let found = list.iter().find(|(known, _)| *known == name).map(|(_, found)| *found);
+    found.ok_or_else(|| {
+        let names: Vec<_> = list.iter().map(|(name, _)| *name).collect();
+        anyhow!("no {what} `{name}`; there are: {}", names.join(", "))
+    })
+}
+
+/// The judged claim with this id.
+pub fn judged(id: &str) -> anyhow::Result<&'static Judged> {
+    verdict(id).ok_or_else(|| unknown("claim", id, verdicts().iter().map(|judged| judged.claim.id)))
+}
+
+/// The source with this slug.
+pub fn work(slug: &str) -> anyhow::Result<Work> {
+    let found = Work::ALL.iter().copied().find(|work| work.slug() == slug);
+    found.ok_or_else(|| unknown("source", slug, Work::ALL.iter().map(|work| work.slug())))
+}
+
+/// The consequence with this slug.
+pub fn consequence(slug: &str) -> anyhow::Result<Consequence> {
+    let found = Consequence::ALL.iter().copied().find(|consequence| consequence.slug() == slug);
+    found.ok_or_else(|| unknown("consequence", slug, Consequence::ALL.iter().map(|consequence| consequence.slug())))
+}
+
+/// The judged claims of a source.
+pub fn of_work(work: Work) -> impl Iterator<Item = &'static Judged> {
+    verdicts().iter().filter(move |judged| judged.claim.work == work)
+}
+
+fn unknown<'a>(what: &str, name: &str, names: impl Iterator<Item = &'a str>) -> anyhow::Error {
+    let closest = names.max_by(|a, b| strsim::jaro(name, a).total_cmp(&strsim::jaro(name, b)));
+    let nearest = closest.map_or_else(String::new, |closest| format!("; the nearest is `{closest}`"));
+    anyhow!("no {what} `{name}`{nearest}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_unknown_name_is_answered_with_those_there_are() {
+        let error = named("table", "terms", &[("quick-return-terms", 0), ("joints", 1)]).expect_err("unknown");
+        assert_eq!(error.to_string(), "no table `terms`; there are: quick-return-terms, joints");
+        let error = work("jasar").expect_err("unknown").to_string();
+        assert_eq!(error, "no source `jasar`; the nearest is `jazar`");
+    }
+}

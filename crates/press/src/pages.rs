@@ -1,0 +1,207 @@
+//! The pages of the book: one list, from which the table of contents, the list of chapters to be tested and the pages
+//! that only list something are written.
+//!
+//! What is written stands in `book`; a test writes it anew and fails on a difference. One page for the whole ledger
+//! would be too heavy for a phone, so each page lists some sections of the sources.
+
+use geneva_ledger::{Consequence, Work, claims};
+use std::collections::HashMap;
+use std::ops::RangeInclusive;
+use std::sync::LazyLock;
+
+/// A page of the book.
+pub struct Page {
+    /// Its file in `book/src`, without the ending.
+    pub name: &'static str,
+    /// As the table of contents has it.
+    pub title: String,
+    /// Whether it is a chapter: chapters have numbers.
+    pub is_chapter: bool,
+    /// What it shows of the records, which stand at the end of the book.
+    pub records: Records,
+    /// Of a page that only lists records the heading and what stands before the list; the others are written by hand.
+    pub written: Option<[String; 2]>,
+}
+
+/// What a page lists.
+pub enum Records {
+    /// Nothing.
+    None,
+    /// The claims of these sections.
+    Claims(Vec<Section>),
+    /// The slips with these consequences.
+    Slips(&'static [Consequence]),
+    /// The lines of these sources.
+    Lines(&'static [Work]),
+}
+
+/// A section of a source.
+pub struct Section {
+    /// The source.
+    pub work: Work,
+    /// The lines of the source's text.
+    pub lines: RangeInclusive<u32>,
+    /// What the section is.
+    pub title: &'static str,
+}
+
+/// All pages, in the order of the book.
+pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
+    let page = |name, title: &str| Page {
+        name,
+        title: title.to_owned(),
+        is_chapter: false,
+        records: Records::None,
+        written: None,
+    };
+    let chapter = |name, title| Page { is_chapter: true, ..page(name, title) };
+    let listing = |name, title: &str, lead: &str, records| Page {
+        records,
+        written: Some([title.to_owned(), lead.to_owned()]),
+        ..page(name, title)
+    };
+    let whole = |work, title| Section { work, lines: 0..=u32::MAX, title };
+    let thesis = |name, of: &str, lines, title| {
+        let lead = "The claims of the thesis, in the order of the source, with what was found of each.";
+        let records = Records::Claims(vec![Section { work: Work::Meyer1973, lines, title }]);
+        let listing = listing(name, &format!("The ledger of the escapement: {of}"), lead, records);
+        Page { title: format!("The ledger: escapement, {of}"), ..listing }
+    };
+    vec![
+        page("preface", "Preface"),
+        chapter("pin", "The pin in the slot"),
+        chapter("quick-return", "The quick-return mechanism"),
+        chapter("jazar", "The wheel of N stations"),
+        chapter("escapement", "The Geneva escapement"),
+        chapter("program", "The program of 1973"),
+        chapter("runs", "The runs of 1973"),
+        chapter("never-printed", "The tables never printed"),
+        chapter("terminal-speed", "How a terminal speed comes about"),
+        chapter("timer", "The seven recommendations"),
+        chapter("joints", "A thick pin, and bearings that rub"),
+        chapter("solver", "The solver"),
+        page("glossary", "Words"),
+        Page { records: Records::Slips(&[Consequence::Result, Consequence::Conclusion]), ..page("errata", "Errata") },
+        listing(
+            "errata-small",
+            "Errata in displays and words",
+            "What is wrong in the sources and changes no result and no conclusion. [Errata](errata.md) has what does.",
+            Records::Slips(&[Consequence::Derivation, Consequence::Wording]),
+        ),
+        Page { records: Records::Slips(&[Consequence::Copy]), ..page("errata-copy", "Characters of the copies") },
+        listing(
+            "ledger",
+            "The ledger",
+            "Every claim, in the order of its source, with what was found of it. The same list as data:\n\
+             `cargo run --release -- claims --format json`.",
+            Records::Claims(vec![
+                whole(Work::Pin, "the pin in the slot"),
+                whole(Work::QuickReturn, "the quick-return mechanism"),
+                whole(Work::Jazar2003, "the wheel of N stations"),
+            ]),
+        ),
+        thesis("ledger-meyer", "geometry", 0..=262, "front matter and geometry"),
+        thesis("ledger-meyer-friction", "friction and energy", 263..=336, "friction and energy"),
+        thesis("ledger-meyer-motion", "Lagrange’s equation", 337..=425, "Lagrange’s equation"),
+        thesis("ledger-meyer-study", "chapter II and appendix A", 426..=592, "chapter II, appendix A"),
+        thesis("ledger-meyer-program", "appendices B to D", 593..=775, "appendices B, C and D"),
+        thesis("ledger-meyer-runs", "appendix E", 776..=u32::MAX, "appendix E"),
+        Page {
+            records: Records::Lines(&[Work::Pin, Work::QuickReturn, Work::Jazar2003]),
+            ..page("coverage", "Coverage")
+        },
+        listing(
+            "coverage-meyer",
+            "Coverage of the escapement",
+            "The thesis line by line; [what coverage means](coverage.md) is told with the other sources.",
+            Records::Lines(&[Work::Meyer1973]),
+        ),
+        page("house", "The house"),
+    ]
+});
+
+/// The page that lists a claim. The ledger's first one if none does, which a test excludes.
+pub fn page_of_claim(id: &str) -> &'static str {
+    static PAGE: LazyLock<HashMap<&str, &str>> = LazyLock::new(|| {
+        let sections = PAGES.iter().flat_map(|page| page.sections().iter().map(|section| (page.name, section)));
+        sections.flat_map(|(page, section)| section.ids().map(move |id| (id, page))).collect()
+    });
+    PAGE.get(id).copied().unwrap_or("ledger")
+}
+
+/// The page that tells the slips of a consequence. The first of the errata if none does, which a test excludes.
+pub fn page_of_slips(consequence: Consequence) -> &'static str {
+    let tells = |page: &&Page| matches!(page.records, Records::Slips(told) if told.contains(&consequence));
+    PAGES.iter().find(tells).map_or("errata", |page| page.name)
+}
+
+impl Page {
+    /// The sections whose claims it lists.
+    pub fn sections(&self) -> &[Section] {
+        if let Records::Claims(sections) = &self.records { sections } else { &[] }
+    }
+}
+
+impl Section {
+    /// The ids of the claims made in these lines, in the order of the ledger.
+    pub fn ids(&self) -> impl Iterator<Item = &'static str> {
+        let lines = self.work.inventory().unwrap_or_default().iter().filter(|line| self.lines.contains(&line.number));
+        let made: Vec<_> = lines.flat_map(|line| &line.entries).filter_map(|entry| entry.claimed()).collect();
+        claims().iter().map(|claim| claim.id).filter(move |id| made.contains(id))
+    }
+}
+
+/// What this crate writes into `book/src`: file names and texts.
+pub fn written() -> Vec<(String, String)> {
+    let listing = |page: &Page| {
+        let [heading, lead] = page.written.as_ref()?;
+        Some((format!("{}.md", page.name), format!("# {heading}\n\n{lead}\n\n{{{{records:{}}}}}\n", page.name)))
+    };
+    let mut written: Vec<_> = PAGES.iter().filter_map(listing).collect();
+    written.push(("SUMMARY.md".to_owned(), table_of_contents()));
+    written
+}
+
+fn table_of_contents() -> String {
+    let mut out = "# Summary\n".to_owned();
+    for part in PAGES.chunk_by(|page, next| page.is_chapter == next.is_chapter) {
+        out.push('\n');
+        for page in part {
+            let bullet = if page.is_chapter { "- " } else { "" };
+            out.push_str(&format!("{bullet}[{}]({}.md)\n", page.title, page.name));
+        }
+    }
+    out
+}
+
+/// The chapters as `book/lib.rs` lists them, each to be compiled as tests.
+pub fn chapters_to_test() -> String {
+    let line = |page: &Page| format!("    {} = \"src/{}.md\",\n", page.name.replace('-', "_"), page.name);
+    PAGES.iter().map(line).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_claim_stands_on_one_page() {
+        let listed: Vec<_> =
+            PAGES.iter().flat_map(Page::sections).flat_map(|section| section.ids().collect::<Vec<_>>()).collect();
+        for claim in claims() {
+            assert_eq!(listed.iter().filter(|id| **id == claim.id).count(), 1, "{}", claim.id);
+        }
+    }
+
+    #[test]
+    fn every_slip_and_every_line_stands_on_one_page() {
+        for consequence in Consequence::ALL {
+            let tells = |page: &&Page| matches!(page.records, Records::Slips(told) if told.contains(consequence));
+            assert_eq!(PAGES.iter().filter(tells).count(), 1, "{consequence}");
+        }
+        for work in Work::ALL {
+            let lists = |page: &&Page| matches!(page.records, Records::Lines(works) if works.contains(work));
+            assert_eq!(PAGES.iter().filter(lists).count(), 1, "{work}");
+        }
+    }
+}
