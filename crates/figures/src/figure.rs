@@ -1,12 +1,12 @@
 //! A figure: the drawing, its words and its numbers.
 
 use crate::series::Series;
-use crate::svg::canvas::{Canvas, Kind};
+use crate::svg::{Canvas, Kind};
 
 /// A drawing with its text alternative, its caption and the numbers it was drawn from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
-    /// Name in lower-case letters and hyphens; the ids inside the SVG begin with it.
+    /// The figure's one name, in lower-case letters and hyphens; the ids inside the SVG begin with it.
     pub id: String,
     /// What the figure is, in a few words.
     pub title: String,
@@ -22,13 +22,23 @@ pub struct Figure {
 
 /// The words of a figure, before it is drawn.
 pub(crate) struct Words {
-    pub id: String,
-    pub title: String,
-    pub description: String,
-    pub caption: String,
+    id: String,
+    title: String,
+    description: String,
+    caption: String,
 }
 
 impl Words {
+    /// A figure's name, title, description and caption.
+    pub fn new(
+        id: impl Into<String>,
+        title: impl Into<String>,
+        description: impl Into<String>,
+        caption: impl Into<String>,
+    ) -> Self {
+        Self { id: id.into(), title: title.into(), description: description.into(), caption: caption.into() }
+    }
+
     /// The figure that these words, this canvas and these numbers make.
     pub fn figure(self, canvas: Canvas, kind: Kind, series: Series) -> Figure {
         let svg = canvas.finish(kind, &self.id, &self.title, &self.description);

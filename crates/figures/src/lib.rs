@@ -9,17 +9,17 @@
 
 #[cfg(test)]
 mod checks;
+
+mod error;
 mod figure;
-mod markers;
-mod number;
-mod panel;
-mod plot;
-mod samples;
 mod series;
+
+mod chart;
+mod number;
+mod parts;
 mod star;
 mod svg;
 mod theme;
-mod trace;
 
 pub mod escapement;
 pub mod pin;
@@ -28,5 +28,7 @@ pub mod runs;
 pub mod stations;
 pub mod steady;
 
+pub use error::FigureError;
 pub use figure::Figure;
+pub(crate) use figure::Words;
 pub use series::{Column, Series};

@@ -26,6 +26,15 @@ pub fn significant(value: f64, digits: usize) -> String {
     fixed(scientific.parse().unwrap_or(value), decimals)
 }
 
+/// A number of pins as a word.
+pub fn count_word(pins: u32) -> &'static str {
+    match pins {
+        3 => "three",
+        4 => "four",
+        _ => "six",
+    }
+}
+
 /// Which escapement a figure shows, as its caption ends: pins, friction and the ratio of the inertias.
 pub fn shown(parameters: &Parameters) -> String {
     format!(
@@ -46,9 +55,29 @@ pub fn with_minus_sign(text: &str) -> String {
     text.replace('-', "−")
 }
 
+/// The same text with hyphens that a label does not take for minus signs.
+pub fn with_hyphens(text: &str) -> String {
+    text.replace('-', "\u{2010}")
+}
+
 /// An angle given in radians, as text: degrees to a tenth, with their sign.
 pub fn degrees(radians: f64) -> String {
     with_minus_sign(&format!("{}°", trimmed(radians.to_degrees(), 1)))
+}
+
+/// A number to so many significant digits, with a power of ten if it is very small or large; zero is 0.
+pub fn short(value: f64, digits: usize) -> String {
+    let text = match value.abs() {
+        0.0 => "0".to_owned(),
+        size if (1e-3..1e6).contains(&size) => significant(value, digits),
+        size => {
+            let scientific = format!("{value:.*e}", digits.saturating_sub(1));
+            let mantissa = scientific.split_once('e').map_or("", |(mantissa, _)| mantissa);
+            let rounded = scientific.parse::<f64>().map_or(size, f64::abs);
+            format!("{mantissa}·{}", power_of_ten(rounded))
+        }
+    };
+    with_minus_sign(&text)
 }
 
 /// The power of ten not above a positive value: 10⁻³.
@@ -96,6 +125,12 @@ mod tests {
     #[test]
     fn only_what_is_lost_in_rounding_counts_as_noise() {
         assert_eq!([without_noise(-3e-13, 2.0), without_noise(-3e-11, 2.0)], [0.0, -3e-11]);
+    }
+
+    #[test]
+    fn very_small_and_large_numbers_have_a_power_of_ten() {
+        let texts = [0.0, -2.5, 0.012_345, 123_456.0, -1.5e-6, 9.999_99e11].map(|value| short(value, 4));
+        assert_eq!(texts, ["0", "−2.500", "0.01235", "123500", "−1.500·10⁻⁶", "1.000·10¹²"]);
     }
 
     #[test]

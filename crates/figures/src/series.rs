@@ -32,6 +32,22 @@ impl Series {
         Self { columns, rows: rows.into_iter().map(|row| row.to_vec()).collect(), decimals: DECIMALS }
     }
 
+    /// A series of one row: name, unit and value of each column.
+    pub fn of_one<const N: usize>(columns: [(&str, &str, f64); N]) -> Self {
+        Self::new(columns.map(|(name, unit, _)| (name, unit)), [columns.map(|(_, _, value)| value)])
+    }
+
+    /// A series of any number of columns, each row with as many values, written to nine decimals.
+    pub fn of_columns(columns: impl IntoIterator<Item = (String, &'static str)>, rows: Vec<Vec<f64>>) -> Self {
+        let column = |(name, unit): (String, &str)| Column { name, unit: unit.to_owned() };
+        Self { columns: columns.into_iter().map(column).collect(), rows, decimals: DECIMALS }
+    }
+
+    /// The same, written to so many decimals.
+    pub fn to_decimals(self, decimals: usize) -> Self {
+        Self { decimals, ..self }
+    }
+
     /// The table as text of fixed width: a line of names and units, then one line per row, all flush right.
     ///
     /// Values are rounded to [`decimals`](Self::decimals); zero has no sign. Each line ends with a line feed.

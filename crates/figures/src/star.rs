@@ -1,7 +1,7 @@
 //! The outline of a slotted wheel, with true arcs.
 
-use crate::svg::path::{Path, Sense};
-use crate::svg::view::{Pixels, View};
+use crate::svg::{Path, Pixels, Sense, Shape, View};
+use crate::theme::{FILL, FOLLOWER};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::PinSlot;
 use geneva_kinematics::wheel::Wheel;
@@ -98,6 +98,12 @@ impl Star {
             path = path.arc_to(rim_px, Sense::CounterClockwise, &at(slot + step, tip, -half_width));
         }
         path.close()
+    }
+
+    /// The wheel as a body, its outline so many pixels wide.
+    pub fn body(&self, slot_angle: f64, view: &View, width: f64) -> Shape {
+        let outline = Shape::path(self.outline(slot_angle, view)).fill(FILL).stroke(FOLLOWER, width);
+        outline.with("stroke-linejoin", "round")
     }
 
     /// Half the angle that a locking arc takes as seen from its centre, in radians; zero without locking arcs.

@@ -1,17 +1,12 @@
 //! The general position: the triangle of the two axes and the pin.
 
-use super::pose::{Bodies, Margins, NEAR, WIDTH, angle, id, side};
-use crate::figure::{Figure, Words};
+use super::pose::{Bodies, Margins, id, side};
 use crate::number::{degrees, significant, without_noise};
-use crate::series::Series;
-use crate::svg::canvas::{Canvas, Kind};
-use crate::svg::label::Label;
-use crate::svg::marks::right_angle;
-use crate::svg::placing::{Placing, around, beside_line};
-use crate::svg::shape::{DASHED, Shape};
-use crate::svg::view::Pixels;
+use crate::parts::{NEAR, WIDTH, angle, right_angle};
+use crate::svg::{Canvas, DASHED, Kind, Label, Pixels, Placing, Shape, around, beside_line};
 use crate::theme::{DRIVER, FOLLOWER, INK};
-use geneva_kinematics::{EscapementError, Mechanism};
+use crate::{Figure, FigureError, Series, Words};
+use geneva_kinematics::Mechanism;
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
@@ -27,8 +22,8 @@ const TALL: f64 = 34.0;
 ///
 /// # Errors
 ///
-/// [`EscapementError::Wheel`] if the angle is beyond ±π/m or not finite.
-pub fn angles(escapement: &Mechanism, crank: f64) -> Result<Figure, EscapementError> {
+/// [`FigureError::Escapement`] if the angle is beyond ±π/m or not finite.
+pub fn angles(escapement: &Mechanism, crank: f64) -> Result<Figure, FigureError> {
     let bodies = Bodies::at(escapement, crank, MARGINS)?;
     let mut canvas = Canvas::new(WIDTH, bodies.height);
     let mut placing = bodies.placing();
@@ -44,29 +39,35 @@ pub fn angles(escapement: &Mechanism, crank: f64) -> Result<Figure, EscapementEr
     let ratio = escapement.centre_distance_ratio();
     let place = bodies.layout.pins[0];
     let distance = (place - bodies.layout.follower_axis).norm();
-    let columns = [("theta", "deg"), ("phi", "deg"), ("c/r", "1"), ("R/r", "1"), ("x_P/r", "1"), ("y_P/r", "1")];
-    let row = [crank.to_degrees(), bodies.phi.to_degrees(), ratio, distance, place.x, place.y];
+    let series = Series::of_one([
+        ("theta", "deg", crank.to_degrees()),
+        ("phi", "deg", bodies.phi.to_degrees()),
+        ("c/r", "1", ratio),
+        ("R/r", "1", distance),
+        ("x_P/r", "1", place.x),
+        ("y_P/r", "1", place.y),
+    ]);
     let (theta, phi) = (degrees(crank), degrees(without_noise(bodies.phi, 1.0)));
-    let words = Words {
-        id: id("angles", escapement),
-        title: format!(
+    let words = Words::new(
+        id("angles", escapement),
+        format!(
             "The angles of the escapement with {} slots and {} pins at θ = {theta}",
             escapement.slots(),
             escapement.pins()
         ),
-        description: format!(
+        format!(
             "The driver's axis B at the left, the follower's axis O at the right, {} crank radii away, and the pin P in \
              a slot of the follower. BP is r; OP is R, {} r; BO is c. The driver angle θ at B is {theta}, the follower \
              angle φ at O {phi}. The distance of P from the line of centres is both r sin θ and R sin φ.",
             significant(ratio, 4),
             significant(distance, 4)
         ),
-        caption: format!(
+        format!(
             "A general position, to scale at θ = {theta}. The pin's distance from the line of centres belongs to both \
              angles: r sin θ = R sin φ; its foot divides c into r cos θ and R cos φ."
         ),
-    };
-    Ok(words.figure(canvas, Kind::Mechanism, Series::new(columns, [row])))
+    );
+    Ok(words.figure(canvas, Kind::Mechanism, series))
 }
 
 /// Sides, height, pins and axes.

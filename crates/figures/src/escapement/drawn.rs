@@ -1,54 +1,28 @@
 //! What must hold of the drawings as they are written, read back from the SVG.
 
-use super::{DrawingError, angles, existence, forces, hand_over, mechanism, normal_force, order, ratios};
-use crate::Figure;
-use crate::checks::{corners, labels_inside, named, number, only_numbers, overlapping_labels, start, well_formed};
-use geneva_dynamics::{EquationError, Inertias, Parameters};
-use geneva_kinematics::{EscapementError, Mechanism};
+use super::{angles, existence, forces, hand_over, mechanism, normal_force, order, ratios};
+use crate::checks::{Drawing, PIXELS, drawn, number, sound};
+use crate::{Figure, FigureError};
+use geneva_dynamics::{Inertias, Parameters};
+use geneva_kinematics::Mechanism;
 use nalgebra::Vector2;
-use roxmltree::Document;
-
-/// Half a unit of the last written digit of a coordinate, in each of a length's four coordinates, with room to spare.
-const PIXELS: f64 = 0.02;
 
 fn parameters(mechanism: Mechanism, friction: f64) -> Parameters {
     Parameters::new(mechanism, Inertias::new(3.0, 40.0).expect("sound"), 7.0, friction).expect("sound")
 }
 
-/// The figures as a reader is shown them.
-fn usual() -> Vec<Figure> {
-    let mut figures = vec![ratios(&Mechanism::ALL), existence(&existence::tests::designs()), order()];
+#[test]
+fn the_figures_as_a_reader_is_shown_them_are_sound() {
+    [ratios(&Mechanism::ALL), existence(&existence::tests::designs()), order()].iter().for_each(sound);
     for one in Mechanism::ALL {
-        let (sound, half) = (parameters(one, 0.125), one.engagement_half_angle());
-        figures.push(mechanism(&one, -0.4 * half).expect("engaged"));
-        figures.push(hand_over(&one));
+        let (state, half) = (parameters(one, 0.125), one.engagement_half_angle());
+        sound(&mechanism(&one, -0.4 * half).expect("engaged"));
+        sound(&hand_over(&one));
         for share in [-0.6, 0.6] {
-            figures.push(angles(&one, share * half).expect("engaged"));
-            figures.push(forces(&sound, share * half, 0.5).expect("engaged"));
+            sound(&angles(&one, share * half).expect("engaged"));
+            sound(&forces(&state, share * half, 0.5).expect("engaged"));
         }
-        figures.push(normal_force(&sound, 0.5).expect("followed"));
-    }
-    figures
-}
-
-#[test]
-fn labels_of_the_usual_figures_do_not_overlap() {
-    for figure in usual() {
-        assert_eq!(overlapping_labels(&figure), [], "{}", figure.id);
-        labels_inside(&figure);
-        well_formed(&figure);
-        only_numbers(&figure);
-    }
-}
-
-#[test]
-fn drawing_twice_gives_the_same_bytes_and_not_too_many() {
-    let figures = usual();
-    assert_eq!(figures, usual());
-    for figure in figures {
-        let bodies = ["mechanism", "hand-over", "angles", "forces"].iter().any(|name| figure.id.contains(name));
-        let most = if bodies { 15_000 } else { 25_000 };
-        assert!(figure.svg.len() < most, "{}: {} bytes", figure.id, figure.svg.len());
+        sound(&normal_force(&state, 0.5).expect("followed"));
     }
 }
 
@@ -57,39 +31,31 @@ fn every_position_and_state_is_drawn_in_true_numbers() {
     for one in Mechanism::ALL {
         let half = one.engagement_half_angle();
         for share in [-1.0, -0.97, -0.5, -1e-3, -1e-14, 0.0, 0.3, 1.0] {
-            let mut figures = vec![mechanism(&one, share * half).expect("engaged")];
-            figures.push(angles(&one, share * half).expect("engaged"));
+            drawn(&mechanism(&one, share * half).expect("engaged"));
+            drawn(&angles(&one, share * half).expect("engaged"));
             for (friction, speed) in [(0.0, 0.0), (0.125, 0.0), (0.125, 2.0), (0.0, 90.0)] {
-                figures.push(forces(&parameters(one, friction), share * half, speed).expect("engaged"));
-            }
-            for figure in figures {
-                well_formed(&figure);
-                only_numbers(&figure);
-                labels_inside(&figure);
+                drawn(&forces(&parameters(one, friction), share * half, speed).expect("engaged"));
             }
         }
     }
+    // Nothing, one and one twice are drawn too.
+    let four = Mechanism::FOUR_PIN;
+    [vec![], vec![four], vec![four, four]].iter().for_each(|some| drawn(&ratios(some)));
 }
 
 #[test]
 fn what_cannot_be_drawn_is_an_error() {
-    let (one, sound) = (Mechanism::FOUR_PIN, parameters(Mechanism::FOUR_PIN, 0.0));
+    let (one, state) = (Mechanism::FOUR_PIN, parameters(Mechanism::FOUR_PIN, 0.0));
     for angle in [0.8, f64::NAN, f64::NEG_INFINITY] {
-        assert!(matches!(mechanism(&one, angle), Err(EscapementError::Wheel(_))));
-        assert!(matches!(angles(&one, angle), Err(EscapementError::Wheel(_))));
-        assert!(matches!(forces(&sound, angle, 1.0), Err(DrawingError::Escapement(_))));
+        assert!(matches!(mechanism(&one, angle), Err(FigureError::Escapement(_))));
+        assert!(matches!(angles(&one, angle), Err(FigureError::Escapement(_))));
+        assert!(matches!(forces(&state, angle, 1.0), Err(FigureError::Escapement(_))));
     }
     for speed in [-1.0, f64::NAN, f64::INFINITY] {
-        assert!(matches!(forces(&sound, 0.0, speed), Err(DrawingError::Equation(EquationError::Speed(_)))));
-        assert!(matches!(normal_force(&sound, speed), Err(DrawingError::Equation(EquationError::Speed(_)))));
+        assert!(matches!(forces(&state, 0.0, speed), Err(FigureError::Equation(_))));
+        assert!(matches!(normal_force(&state, speed), Err(FigureError::Steady(_))));
     }
-    assert!(matches!(normal_force(&sound, 1e200), Err(DrawingError::Integration(_) | DrawingError::Equation(_))));
-}
-
-/// The ends of a side of a triangle.
-fn side(document: &Document<'_>, name: &str) -> [Vector2<f64>; 2] {
-    let ends = corners(named(document, name)[0].attribute("d").expect("a path"), 1.0);
-    [ends[0], ends[1]]
+    assert!(matches!(normal_force(&state, 1e200), Err(FigureError::Steady(_))));
 }
 
 #[test]
@@ -101,10 +67,10 @@ fn the_triangles_close_to_nine_places() {
             drawn.push((angles(&one, share * half).expect("engaged"), share * half));
         }
         for (figure, theta) in drawn {
-            let document = Document::parse(&figure.svg).expect("well-formed");
-            let [c, r, distance] = ["side-c", "side-r", "side-R"].map(|name| side(&document, name));
+            let drawing = Drawing::of(&figure);
+            let [c, r, distance] = ["side-c", "side-r", "side-R"].map(|name| drawing.path(name, 0));
             assert_eq!([c[0], c[1], r[1]], [r[0], distance[0], distance[1]], "{}", figure.id);
-            let vector = |ends: [Vector2<f64>; 2]| ends[1] - ends[0];
+            let vector = |ends: Vec<Vector2<f64>>| ends[1] - ends[0];
             let [c, r, distance] = [c, r, distance].map(vector);
             let ratio = one.centre_distance_ratio();
             assert!((c.norm() / r.norm() - ratio).abs() < 1e-9);
@@ -128,40 +94,31 @@ fn the_follower_and_the_pins_are_to_scale() {
     for one in Mechanism::ALL {
         for share in [-1.0, 0.0, 0.7] {
             let figure = mechanism(&one, share * one.engagement_half_angle()).expect("engaged");
-            let document = Document::parse(&figure.svg).expect("well-formed");
-            let circle = named(&document, "pin-circle")[0];
-            let [x, y, crank] = ["cx", "cy", "r"].map(|name| number(&circle, name));
-            let pins = named(&document, "pin");
+            let drawing = Drawing::of(&figure);
+            let (axis, crank) = (drawing.centre("pin-circle"), drawing.number("pin-circle", "r"));
+            let pins = drawing.all("pin");
             assert_eq!(pins.len() as u32, one.pins());
             for pin in &pins {
-                let distance = (number(pin, "cx") - x).hypot(number(pin, "cy") - y);
-                assert!((distance - crank).abs() < PIXELS);
+                let at = Vector2::new(number(pin, "cx"), number(pin, "cy"));
+                assert!(((at - axis).norm() - crank).abs() < PIXELS);
             }
-            let pivot = Vector2::new(x + one.centre_distance_ratio() * crank, y);
-            let outline = corners(named(&document, "follower")[0].attribute("d").expect("a path"), 0.1);
-            let reach = outline.iter().map(|at| (at - pivot).norm()).fold(0.0, f64::max);
+            let pivot = axis + Vector2::new(one.centre_distance_ratio() * crank, 0.0);
+            let reach = drawing.path("follower", 0).iter().map(|at| (at - pivot).norm()).fold(0.0, f64::max);
             assert!((reach - one.rim_radius() * crank).abs() < 0.1, "{reach}");
-            let half_angles = named(&document, "half-angle").len();
-            assert_eq!(half_angles, 4);
+            assert_eq!(drawing.count("half-angle"), 4);
         }
     }
-}
-
-/// Tail and tip of an arrow.
-fn ends(document: &Document<'_>, name: &str) -> Option<[Vector2<f64>; 2]> {
-    let parts = named(document, name);
-    (parts.len() == 2).then(|| [Vector2::from(start(&parts[0])), Vector2::from(start(&parts[1]))])
 }
 
 #[test]
 fn at_the_hand_over_both_pins_move_along_their_slots() {
     for one in Mechanism::ALL {
         let figure = hand_over(&one);
-        let document = Document::parse(&figure.svg).expect("well-formed");
-        let [axis, leaving] = side(&document, "side-r");
-        let [pivot, _] = side(&document, "side-R");
+        let drawing = Drawing::of(&figure);
+        let (r, pivot) = (drawing.path("side-r", 0), drawing.path("side-R", 0)[0]);
+        let (axis, leaving) = (r[0], r[1]);
         for (name, outward) in [("v-leaving", 1.0), ("v-entering", -1.0)] {
-            let [tail, tip] = ends(&document, name).expect("an arrow");
+            let [tail, tip] = drawing.arrow(name).expect("an arrow");
             let (v, arm) = (tip - tail, tail - axis);
             assert!(v.dot(&arm).abs() < 0.01 * v.norm() * arm.norm(), "at right angles to the crank");
             // Counter-clockwise as seen, with y downwards.
@@ -169,7 +126,7 @@ fn at_the_hand_over_both_pins_move_along_their_slots() {
             let along = v.dot(&(tail - pivot).normalize());
             assert!((along * outward - v.norm()).abs() < 0.01 * v.norm(), "{name}");
         }
-        assert!((ends(&document, "v-leaving").expect("an arrow")[0] - leaving).norm() < PIXELS);
+        assert!((drawing.arrow("v-leaving").expect("an arrow")[0] - leaving).norm() < PIXELS);
         let row = &figure.series.rows[0];
         assert_eq!(row[8..], [1.0, 0.0, -1.0, 0.0]);
     }
@@ -183,31 +140,28 @@ fn forces_point_as_the_equation_of_motion_says() {
         for share in [-0.9, -0.5, -0.2, 0.2, 0.5, 0.9] {
             for speed in [0.0, 0.5, 5.0] {
                 let figure = forces(&sound, share * half, speed).expect("engaged");
-                let document = Document::parse(&figure.svg).expect("well-formed");
-                let circle = named(&document, "pin-circle")[0];
-                let [x, y, crank] = ["cx", "cy", "r"].map(|name| number(&circle, name));
-                let axis = Vector2::new(x, y);
-                let pivot = Vector2::new(x + one.centre_distance_ratio() * crank, y);
+                let drawing = Drawing::of(&figure);
+                let (axis, crank) = (drawing.centre("pin-circle"), drawing.number("pin-circle", "r"));
+                let pivot = axis + Vector2::new(one.centre_distance_ratio() * crank, 0.0);
                 // Counter-clockwise as seen is positive, in pixels.
                 let moment = |about: Vector2<f64>, [tail, tip]: [Vector2<f64>; 2]| -(tail - about).perp(&(tip - tail));
                 let row = &figure.series.rows[0];
                 let normal = row[3];
                 seen[usize::from(normal > 0.0)] += 1;
-                let reaction = moment(axis, ends(&document, "normal-on-pin").expect("an arrow"));
+                let reaction = moment(axis, drawing.arrow("normal-on-pin").expect("an arrow"));
                 assert!(reaction * normal < 0.0, "{}", figure.id);
-                let [tail, tip] = ends(&document, "friction-on-pin").expect("an arrow");
+                let [tail, tip] = drawing.arrow("friction-on-pin").expect("an arrow");
                 let friction = moment(axis, [tail, tip]);
                 assert!(friction < 0.0, "against the driver");
                 let arm = -friction / (tip - tail).norm();
                 assert!((arm - row[6] * crank).abs() < 0.1, "{arm} for {}", row[6] * crank);
                 assert!(moment(pivot, [tail, tip]).abs() < 0.1 * (tip - tail).norm(), "along the slot");
                 // The follower turns clockwise for a positive force.
-                let [tail, tip] = ends(&document, "normal-on-follower").expect("an arrow");
-                let at = named(&document, "arm-R")[0];
-                let free = Vector2::new(number(&at, "x1"), number(&at, "y1"));
+                let [tail, tip] = drawing.arrow("normal-on-follower").expect("an arrow");
+                let free = drawing.line("arm-R")[0];
                 assert!(moment(free, [tail, tip]) * row[8] < 0.0 && normal * row[8] > 0.0);
-                assert_eq!(figure.id.ends_with("-leading"), normal > 0.0);
-                assert_eq!(named(&document, "bearing-flank").len(), 1);
+                assert_eq!(figure.title.contains("leading"), normal > 0.0);
+                assert_eq!(drawing.count("bearing-flank"), 1);
                 // N R = I_f φ'' and the torque of friction is μ |N| c |sin φ|.
                 assert!((normal * row[7] - row[8]).abs() < 1e-12 * (1.0 + normal.abs()));
                 assert!((row[5] - row[4] * normal.abs() * row[6]).abs() < 1e-12 * (1.0 + normal.abs()));
@@ -237,8 +191,8 @@ fn over_an_engagement_the_torque_goes_into_motion_and_friction() {
                 assert!((row[3] - row[4].abs()).abs() < 1e-12 * (1.0 + row[3]), "the torque of friction is |F|");
                 assert!(friction == 0.0 || row[2] * row[0] * row[4] >= 0.0, "F has the sign of N sin θ");
             }
-            let document = Document::parse(&figure.svg).expect("well-formed");
-            let strips = ["switch", "positive", "negative"].map(|class| named(&document, class).len());
+            let drawing = Drawing::of(&figure);
+            let strips = ["switch", "positive", "negative"].map(|class| drawing.count(class));
             assert_eq!(strips, if friction > 0.0 { [1, 2, 3] } else { [1, 1, 1] }, "{}", figure.id);
         }
     }
@@ -258,11 +212,5 @@ fn the_curves_of_the_ratios_have_their_means() {
             assert_eq!((row[column], row[0]), (mirror[column], -mirror[0]));
             assert_eq!(row[column] * row[column], row[column + 1]);
         }
-    }
-    // Nothing, one and one twice are drawn too.
-    let four = Mechanism::FOUR_PIN;
-    for some in [vec![], vec![four], vec![four, four]] {
-        well_formed(&ratios(&some));
-        only_numbers(&ratios(&some));
     }
 }

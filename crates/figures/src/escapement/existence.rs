@@ -1,19 +1,16 @@
 //! How much friction an escapement can bear before its equation of motion has no single solution.
 
-use super::axes::{blank, style, upright};
-use super::map_labels::names;
-use crate::figure::{Figure, Words};
+use crate::chart::{Axis, Chart, Panel, Spot, of_mechanism};
 use crate::number::trimmed;
-use crate::plot::{Axis, Curve, Plot, Scale, Side};
-use crate::series::Series;
-use crate::svg::canvas::Kind;
+use crate::svg::Label;
+use crate::{Figure, Series, Words};
 use geneva_dynamics::existence::{critical_friction, critical_inertia_ratio};
 use geneva_kinematics::Mechanism;
+use std::f64::consts::PI;
 use std::ops::Range;
 
-const SIZE: (u32, u32) = (640, 540);
 /// Points of a curve.
-pub const STEPS: u32 = 80;
+const STEPS: u32 = 80;
 /// The least range of I_D / I_f and of μ that is shown.
 const INERTIAS: Range<f64> = 0.005..5.0;
 const FRICTION: f64 = 0.8;
@@ -44,6 +41,9 @@ impl Design {
     }
 }
 
+/// Designs of one name and mechanism, with their places on the map.
+type Group<'a> = (&'a str, Mechanism, Vec<(f64, f64)>);
+
 /// The critical friction μ* over I_D / I_f for the three mechanisms, with designs marked on it.
 ///
 /// Below its curve a mechanism has one acceleration at every angle; on it and above there are angles with none or more
@@ -51,29 +51,50 @@ impl Design {
 /// are among the rows.
 pub fn existence(designs: &[Design]) -> Figure {
     let designs: Vec<&Design> = designs.iter().filter(|design| design.can_be_shown()).collect();
-    let frame = Frame::new(&designs);
-    let plot = frame.plot();
-    let mut canvas = plot.canvas();
-    names(&mut canvas, &plot, &designs);
+    let [inertias, frictions] = axes(&designs);
+    let mut panel = Panel::new(426.0, &inertias, &frictions);
+    for mechanism in Mechanism::ALL {
+        panel = panel.curve(curve(mechanism, &inertias.range, frictions.range.end), of_mechanism(mechanism.slots()).0);
+    }
+    let mut groups: Vec<Group<'_>> = Vec::new();
+    for design in &designs {
+        let point = (design.inertia_ratio, design.friction);
+        match groups.iter_mut().find(|(name, mechanism, _)| *name == design.name && *mechanism == design.mechanism) {
+            Some((.., points)) => points.push(point),
+            None => groups.push((&design.name, design.mechanism, vec![point])),
+        }
+        panel = panel.marks([point], of_mechanism(design.mechanism.slots()).1.sized(11.0).class("point"));
+    }
+    for mechanism in Mechanism::ALL {
+        let high = curve(mechanism, &inertias.range, frictions.range.end).into_iter().rev().take(STEPS as usize / 2);
+        let label =
+            Label::words(&format!("{} slots", mechanism.slots())).shade(of_mechanism(mechanism.slots()).0.shade);
+        panel = panel.near(high.step_by(4), PI, label);
+    }
+    for (name, mechanism, points) in groups {
+        panel = panel.near(points, 0.0, Label::words(name).shade(of_mechanism(mechanism.slots()).0.shade));
+    }
+    let above = [0.06, 0.1, 0.16, 0.22].into_iter().flat_map(|y| [0.18, 0.2, 0.24].map(|x| [x, 1.0 - y]));
+    let below = [0.84, 0.78, 0.9, 0.7, 0.66, 0.6].into_iter().flat_map(|y| [0.78, 0.72].map(|x| [x, 1.0 - y]));
+    let panel = panel
+        .name(Label::words("above its curve:\nnone or two"), Spot::Free(above.collect()))
+        .name(Label::words("below its curve:\none acceleration"), Spot::Free(below.collect()));
 
     let columns = [("I_D/I_f", "1"), ("mu* n=3", "1"), ("mu* n=4", "1"), ("mu* n=6", "1")];
     let said: Vec<String> = designs.iter().map(|design| said(design)).collect();
-    let words = Words {
-        id: "escapement-existence".to_owned(),
-        title: "Friction that the equation of motion can bear, over the ratio of the inertias".to_owned(),
-        description: format!(
+    let marked = if said.is_empty() { String::new() } else { format!(" Marked: {}.", said.join("; ")) };
+    let words = Words::new(
+        "escapement-existence",
+        "Friction that the equation of motion can bear, over the ratio of the inertias",
+        format!(
             "Three rising curves of the critical friction μ* over I_D / I_f on a logarithmic axis, for 3, 4 and 6 slots, \
              from right to left: fewer slots bear less friction. Below its curve a mechanism has exactly one \
-             acceleration at every angle. {}",
-            if said.is_empty() { String::new() } else { format!("Marked: {}.", said.join("; ")) }
-        )
-        .trim_end()
-        .to_owned(),
-        caption: "Critical friction: below its curve a mechanism has exactly one acceleration at every angle of the \
-                  engagement; above it there are angles with none, or with two. A light driver bears little friction."
-            .to_owned(),
-    };
-    words.figure(canvas, Kind::Plot, Series::new(columns, frame.rows(&designs)))
+             acceleration at every angle.{marked}"
+        ),
+        "Critical friction: below its curve a mechanism has exactly one acceleration at every angle of the engagement; \
+         above it there are angles with none, or with two. A light driver bears little friction.",
+    );
+    Chart::new([panel]).figure(words, Series::new(columns, rows(&inertias.range, &designs)))
 }
 
 fn said(design: &Design) -> String {
@@ -87,73 +108,49 @@ fn said(design: &Design) -> String {
     )
 }
 
-/// What is shown.
-struct Frame {
-    inertias: Range<f64>,
-    upright: Axis,
+/// Axes of I_D / I_f and of μ that hold the designs.
+fn axes(designs: &[&Design]) -> [Axis; 2] {
+    let ratios = || designs.iter().map(|design| design.inertia_ratio);
+    let start = ratios().fold(INERTIAS.start, |least, one| least.min(one / 1.6));
+    let end = ratios().fold(INERTIAS.end, |most, one| most.max(one * 1.6));
+    let top = designs.iter().map(|design| design.friction).fold(FRICTION, f64::max);
+    let ratio = Label::words("inertia of the driver over that of the follower, ").and_symbol("I").sub("D");
+    let ratio = ratio.and(" / ").and_symbol("I").sub("f");
+    let friction = Label::words("friction ").and_symbol("μ");
+    [Axis::logarithmic(start..end).titled(ratio), Axis::from_zero(0.0, top, 4.0).titled(friction)]
 }
 
-impl Frame {
-    fn new(designs: &[&Design]) -> Self {
-        let inertias = || designs.iter().map(|design| design.inertia_ratio);
-        let start = inertias().fold(INERTIAS.start, |least, one| least.min(one / 1.6));
-        let end = inertias().fold(INERTIAS.end, |most, one| most.max(one * 1.6));
-        let top = designs.iter().map(|design| design.friction).fold(FRICTION, f64::max);
-        Self { inertias: start..end, upright: upright(0.0, top, 4.0) }
-    }
+/// A curve, by steps of μ: from the left side of the frame to its top or its right side.
+fn curve(mechanism: Mechanism, inertias: &Range<f64>, top: f64) -> Vec<(f64, f64)> {
+    let friction = |inertia: f64| critical_friction(mechanism, inertia).map_or(0.0, |critical| critical.friction);
+    let (low, high) = (friction(inertias.start), friction(inertias.end).min(top));
+    let at = |k: u32| {
+        let mu = low + (high - low) * f64::from(k) / f64::from(STEPS);
+        (critical_inertia_ratio(mechanism, mu).unwrap_or_default().max(inertias.start), mu)
+    };
+    if low < high { (0..=STEPS).map(at).collect() } else { Vec::new() }
+}
 
-    fn plot(&self) -> Plot {
-        let decades = (-7..7).flat_map(|k| {
-            let decade = format!("1e{k}").parse::<f64>().unwrap_or(1.0);
-            [1.0, 2.0, 5.0].map(|m| m * decade)
-        });
-        let marks: Vec<f64> =
-            decades.filter(|mark| self.inertias.contains(mark) || *mark == self.inertias.end).collect();
-        // Over a wide range powers of ten are enough.
-        let wide = marks.len() > 9;
-        let is_power = |mark: &f64| format!("{mark:e}").starts_with("1e");
-        let marks = marks.into_iter().filter(|mark| !wide || is_power(mark)).collect();
-        let level = Axis { range: self.inertias.clone(), marks, decimals: 9, scale: Scale::Logarithmic };
-        let curves = Mechanism::ALL.map(|mechanism| self.curve(mechanism)).to_vec();
-        let right = blank(&self.upright);
-        Plot { size: SIZE, level, left: self.upright.clone(), right, curves }
-    }
-
-    /// A curve, by steps of μ: from the left side of the frame to its top or its right side.
-    fn curve(&self, mechanism: Mechanism) -> Curve {
-        let friction = |inertia: f64| critical_friction(mechanism, inertia).map_or(0.0, |critical| critical.friction);
-        let (low, high) = (friction(self.inertias.start), friction(self.inertias.end).min(self.upright.range.end));
-        let at = |k: u32| {
-            let mu = low + (high - low).max(0.0) * f64::from(k) / f64::from(STEPS);
-            (critical_inertia_ratio(mechanism, mu).unwrap_or_default().max(self.inertias.start), mu)
-        };
-        let points = if low < high { (0..=STEPS).map(at).collect() } else { Vec::new() };
-        let (shade, dashes) = style(mechanism.slots());
-        Curve { points, side: Side::Left, shade, dashes }
-    }
-
-    /// μ* of the three at equal ratios of the inertias, and at those of the designs.
-    fn rows(&self, designs: &[&Design]) -> Vec<[f64; 4]> {
-        let Range { start, end } = self.inertias;
-        let step = |k: u32| start * libm::exp(libm::log(end / start) * f64::from(k) / f64::from(STEPS));
-        let mut inertias: Vec<f64> = (0..=STEPS).map(step).collect();
-        inertias.extend(designs.iter().map(|design| design.inertia_ratio));
-        inertias.sort_by(f64::total_cmp);
-        inertias.dedup();
-        let row = |inertia: f64| {
-            let [a, b, c] =
-                Mechanism::ALL.map(|mechanism| critical_friction(mechanism, inertia).map_or(0.0, |at| at.friction));
-            [inertia, a, b, c]
-        };
-        inertias.into_iter().map(row).collect()
-    }
+/// μ* of the three at equal ratios of the inertias, and at those of the designs.
+fn rows(inertias: &Range<f64>, designs: &[&Design]) -> Vec<[f64; 4]> {
+    let step =
+        |k: u32| inertias.start * libm::exp(libm::log(inertias.end / inertias.start) * f64::from(k) / f64::from(STEPS));
+    let mut ratios: Vec<f64> = (0..=STEPS).map(step).collect();
+    ratios.extend(designs.iter().map(|design| design.inertia_ratio));
+    ratios.sort_by(f64::total_cmp);
+    ratios.dedup();
+    let row = |inertia: f64| {
+        let [a, b, c] =
+            Mechanism::ALL.map(|mechanism| critical_friction(mechanism, inertia).map_or(0.0, |at| at.friction));
+        [inertia, a, b, c]
+    };
+    ratios.into_iter().map(row).collect()
 }
 
 #[cfg(test)]
 pub mod tests {
     use super::*;
-    use crate::checks::{labels_inside, named, only_numbers, well_formed};
-    use roxmltree::Document;
+    use crate::checks::{Drawing, drawn};
 
     fn design(name: &str, mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> Design {
         Design { name: name.to_owned(), mechanism, inertia_ratio, friction }
@@ -182,11 +179,10 @@ pub mod tests {
             assert!(!Design { friction: row[column] * 1.001, ..design }.is_sound());
         }
         // A curve's points are where μ is critical.
-        let frame = Frame::new(&[]);
         for mechanism in Mechanism::ALL {
-            for (inertia, friction) in &frame.curve(mechanism).points {
-                let critical = critical_friction(mechanism, *inertia).expect("sound").friction;
-                approx::assert_relative_eq!(critical, *friction, max_relative = 1e-9);
+            for (inertia, friction) in curve(mechanism, &INERTIAS, FRICTION) {
+                let critical = critical_friction(mechanism, inertia).expect("sound").friction;
+                approx::assert_relative_eq!(critical, friction, max_relative = 1e-9);
             }
         }
     }
@@ -205,11 +201,9 @@ pub mod tests {
             (0, far(1.0, -0.125)),
         ] {
             let figure = existence(&designs);
-            well_formed(&figure);
-            only_numbers(&figure);
-            labels_inside(&figure);
-            let document = Document::parse(&figure.svg).expect("well-formed");
-            assert_eq!(named(&document, "point").len(), marked, "{designs:?}");
+            drawn(&figure);
+            let drawing = Drawing::of(&figure);
+            assert_eq!(drawing.count("point"), marked, "{designs:?}");
         }
     }
 }

@@ -1,14 +1,9 @@
 //! The three panels of the forces.
 
-use super::pose::{Bodies, NEAR, WIDTH, angle};
-use super::senses::Senses;
-use crate::svg::canvas::Canvas;
-use crate::svg::label::Label;
-use crate::svg::marks::{arc_arrow, arrow, right_angle};
-use crate::svg::path::Path;
-use crate::svg::placing::{Placing, around, beside_line};
-use crate::svg::shape::{DASHED, Shape};
-use crate::svg::view::{Pixels, View, angle_of, heading};
+use super::forces::Senses;
+use super::pose::Bodies;
+use crate::parts::{NEAR, WIDTH, angle, arrow, axis, numbered, right_angle, sense, vector};
+use crate::svg::{Canvas, DASHED, Label, Path, Pixels, Placing, Shape, View, angle_of, around, beside_line, heading};
 use crate::theme::{CORIOLIS, DRIVER, FILL, FOLLOWER, INK, PAPER, RELATIVE, Shade};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
@@ -29,35 +24,18 @@ const WALL: f64 = 32.0;
 const BESIDE: f64 = 6.0;
 
 /// The number of a panel and its title, at a corner.
-fn title(canvas: &mut Canvas, corner: &Pixels, number: u32, words: &str) {
+fn title(canvas: &mut Canvas, corner: &Pixels, number: usize, words: &str) {
     let at = corner + Vector2::new(20.0, 24.0);
-    canvas.draw(Shape::circle(&at, 14.0).stroke(INK, 1.5));
-    canvas.label(&at, &Pixels::zeros(), 0.0, &Label::words(&number.to_string()).bare());
+    numbered(canvas, &at, number);
     canvas.label(&(at + Vector2::new(22.0, 0.0)), &Vector2::new(1.0, 0.0), 0.0, &Label::words(words).bare());
 }
 
-/// An arrow of a force, kept clear of later labels, with its label beside it.
-fn force(
-    canvas: &mut Canvas,
-    placing: &mut Placing,
-    from: &Pixels,
-    to: &Pixels,
-    shade: Shade,
-    label: &Label,
-    name: &str,
-) {
-    arrow(canvas, from, to, shade, 4.0, name);
-    placing.avoid(from, to, 2.5);
-    let tip = from.lerp(to, 0.45);
-    placing.put(canvas, &label.clone().shade(shade), beside_line(&tip, to, &NEAR));
-}
-
 fn normal_label() -> Label {
-    Label::symbol("N")
+    Label::symbol("N").shade(NORMAL)
 }
 
 fn friction_label() -> Label {
-    Label::symbol("μ").and("\u{2009}|").and_symbol("N").and("|")
+    Label::symbol("μ").and("\u{2009}|").and_symbol("N").and("|").shade(FRICTION)
 }
 
 /// Panel 1: driver and pin with the forces on the pin; the arm of the friction; the driving torque.
@@ -85,24 +63,18 @@ pub fn pin_and_driver(canvas: &mut Canvas, at: &Bodies, senses: &Senses) {
     angle(canvas, &mut placing, &at.pivot, mark, (PI, PI - at.phi), &Label::symbol("φ"));
     if senses.normal != 0.0 {
         let (to, label) = (pin - senses.ahead * (senses.normal * LONG), normal_label().and(" on the pin"));
-        force(canvas, &mut placing, &pin, &to, NORMAL, &label, "normal-on-pin");
+        vector(canvas, &mut placing, &pin, &to, 4.0, &label, "normal-on-pin");
     }
     if senses.rubs {
         let to = pin - senses.out * (senses.sliding * LONG);
-        force(canvas, &mut placing, &pin, &to, FRICTION, &friction_label(), "friction-on-pin");
+        vector(canvas, &mut placing, &pin, &to, 4.0, &friction_label(), "friction-on-pin");
     }
     if has_arm {
         let label = Label::symbol("c").and(" sin ").and_symbol("φ").shade(FRICTION);
         placing.put(canvas, &label, beside_line(&at.axis, &foot, &NEAR));
     }
     let radius = at.disc() + 14.0;
-    arc_arrow(canvas, &at.axis, radius, PI - 40.0 / radius, PI + 40.0 / radius, DRIVER, 3.0);
-    canvas.label(
-        &(at.axis - Vector2::new(radius, 0.0)),
-        &Vector2::new(-1.0, 0.0),
-        7.0,
-        &Label::symbol("K").shade(DRIVER),
-    );
+    sense(canvas, &at.axis, radius, PI, 1.0, &Label::symbol("K").shade(DRIVER));
     placing.put(canvas, &Label::words("B"), around(&at.axis, PI, &NEAR));
     placing.put(canvas, &Label::words("O"), around(&at.pivot, -0.9, &NEAR));
     title(canvas, &Pixels::zeros(), 1, "The driver, with the forces on its pin");
@@ -132,12 +104,12 @@ pub fn contact(canvas: &mut Canvas, senses: &Senses, top: f64, height: f64) {
     let touch = at(0.0, senses.normal * HALF_SLOT);
     if senses.normal != 0.0 {
         let to = touch - senses.ahead * (senses.normal * (LONG + 16.0));
-        force(canvas, &mut placing, &touch, &to, NORMAL, &normal_label(), "normal-at-contact");
+        vector(canvas, &mut placing, &touch, &to, 4.0, &normal_label(), "normal-at-contact");
     }
     if senses.rubs {
         let from = touch - senses.ahead * (senses.normal * BESIDE);
         let to = from - senses.out * (senses.sliding * LONG);
-        force(canvas, &mut placing, &from, &to, FRICTION, &friction_label(), "friction-at-contact");
+        vector(canvas, &mut placing, &from, &to, 4.0, &friction_label(), "friction-at-contact");
     }
     for (side, words) in [(1.0, "leading"), (-1.0, "trailing")] {
         let [from, to] = [-FLANK, FLANK].map(|along| at(along, side * (HALF_SLOT + WALL)));
@@ -164,8 +136,7 @@ pub fn follower(canvas: &mut Canvas, at: &Bodies, senses: &Senses, top: f64, hei
     let scale = RIM / at.star.rim;
     let pivot = corner + Vector2::new(WIDTH / 2.0 - RIM - 46.0, height / 2.0 + 16.0);
     let view = View { origin: pivot, scale };
-    let star = Shape::path(at.star.outline(PI - at.phi, &view)).fill(FILL).stroke(FOLLOWER, 2.0);
-    canvas.draw(star.with("stroke-linejoin", "round").class("free-follower"));
+    canvas.draw(at.star.body(PI - at.phi, &view, 2.0).class("free-follower"));
     let mut placing =
         Placing::within(corner + Vector2::new(4.0, 44.0), corner + Vector2::new(WIDTH / 2.0 - 6.0, height - 6.0));
     let distance = (at.layout.pins[0] - at.layout.follower_axis).norm() * scale;
@@ -178,23 +149,20 @@ pub fn follower(canvas: &mut Canvas, at: &Bodies, senses: &Senses, top: f64, hei
     }
     if senses.normal != 0.0 {
         let from = pin + senses.ahead * (senses.normal * at.star.half_width * scale);
-        force(
+        vector(
             canvas,
             &mut placing,
             &from,
             &(from + senses.ahead * (senses.normal * LONG)),
-            NORMAL,
+            4.0,
             &normal_label(),
             "normal-on-follower",
         );
         right_angle(canvas, &pin, &-senses.out, &(senses.ahead * senses.normal), 11.0);
         let radius = RIM + 14.0;
-        let half = -senses.normal * 32.0 / radius;
-        arc_arrow(canvas, &pivot, radius, -half, half, FOLLOWER, 2.5);
-        let label = Label::symbol("φ").and("″").shade(FOLLOWER);
-        canvas.label(&(pivot + Vector2::new(radius, 0.0)), &Vector2::new(1.0, 0.0), 7.0, &label);
+        sense(canvas, &pivot, radius, 0.0, -senses.normal, &Label::symbol("φ").and("″").shade(FOLLOWER));
     }
-    canvas.draw(Shape::circle(&pivot, 5.0).fill(PAPER).stroke(FOLLOWER, 2.0));
+    axis(canvas, &pivot, FOLLOWER);
     placing.put(canvas, &Label::symbol("R"), beside_line(&pivot, &pin, &NEAR));
     placing.put(canvas, &Label::words("O"), around(&pivot, 0.0, &NEAR));
 }

@@ -1,19 +1,17 @@
 //! The forces at one instant: on the pin, at the contact, on the follower.
 
-use super::axes::short;
-use super::engagement::{DrawingError, Instant};
+use super::engagement::Instant;
 use super::force_panels::{contact, follower, pin_and_driver};
-use super::pose::{Bodies, Margins, WIDTH};
-use super::senses::Senses;
-use crate::figure::{Figure, Words};
-use crate::number::{degrees, significant, without_noise};
-use crate::series::Series;
-use crate::svg::canvas::{Canvas, Kind};
-use crate::svg::label::Label;
-use crate::svg::shape::Shape;
+use super::pose::{Bodies, Margins};
+use crate::number::{degrees, short, significant, without_noise};
+use crate::parts::{WIDTH, angle_label};
+use crate::svg::{Canvas, Kind, Label, Pixels, Shape, heading};
 use crate::theme::GRID;
+use crate::{Figure, FigureError, Series, Words};
 use geneva_dynamics::Parameters;
+use geneva_dynamics::forces::Flank;
 use nalgebra::Vector2;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 const MARGINS: Margins = Margins { side: 46.0, above: 48.0, below: 30.0 };
 /// Height of the two lower panels and of the values under them, in pixels.
@@ -26,13 +24,13 @@ const LINE: f64 = 28.0;
 /// 1, the pin on the driver: the reaction to N across the slot, the friction μ N along it, and its arm c sin φ about the
 /// driver's axis. 2, the contact, enlarged: the flank that the pin bears on. 3, the follower by itself with N, R and
 /// its angular acceleration. Which way the forces point and which flank it is are those of the equation of motion at
-/// this state; the lengths of the arrows are not to scale. The id ends with the flank: leading, trailing or neither.
+/// this state; the lengths of the arrows are not to scale.
 /// Series: θ, φ, θ', N r/K, μ, friction's torque over K, its arm over r, R/r, φ'' over K / I_f.
 ///
 /// # Errors
 ///
-/// [`DrawingError`] if the angle is beyond ±π/m or not finite, or the speed negative or not finite.
-pub fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<Figure, DrawingError> {
+/// [`FigureError`] if the angle is beyond ±π/m or not finite, or the speed negative or not finite.
+pub fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<Figure, FigureError> {
     let escapement = parameters.mechanism();
     let bodies = Bodies::at(&escapement, crank, MARGINS)?;
     let at = Instant::new(parameters, crank, speed)?;
@@ -53,28 +51,26 @@ pub fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<Figure,
     let arm = escapement.centre_distance_ratio() * libm::sin(bodies.phi).abs();
     let friction = without_noise(at.friction, 1.0);
     values(&mut canvas, &bodies, [normal, friction, acceleration], top + LOWER);
-    let columns = [
-        ("theta", "deg"),
-        ("phi", "deg"),
-        ("theta'", "1/time"),
-        ("N r/K", "1"),
-        ("mu", "1"),
-        ("tau_2/K", "1"),
-        ("arm/r", "1"),
-        ("R/r", "1"),
-        ("phi'' I_f/K", "1"),
-    ];
-    let angles = [crank, bodies.phi].map(f64::to_degrees);
-    let row = [angles[0], angles[1], speed, normal, parameters.friction(), friction, arm, distance, acceleration];
-    let words = Words {
-        id: format!("escapement-forces-{}-{}", escapement.slots(), senses.flank_name()),
-        title: format!(
+    let series = Series::of_one([
+        ("theta", "deg", crank.to_degrees()),
+        ("phi", "deg", bodies.phi.to_degrees()),
+        ("theta'", "1/time", speed),
+        ("N r/K", "1", normal),
+        ("mu", "1", parameters.friction()),
+        ("tau_2/K", "1", friction),
+        ("arm/r", "1", arm),
+        ("R/r", "1", distance),
+        ("phi'' I_f/K", "1", acceleration),
+    ]);
+    let words = Words::new(
+        "escapement-forces",
+        format!(
             "Forces between pin and slot at θ = {}, {} slots: {}",
             degrees(crank),
             escapement.slots(),
             senses.flank_words()
         ),
-        description: format!(
+        format!(
             "Three panels. 1: the driver with the pin in its slot at θ = {}, φ = {}. {} \
              2: the contact enlarged: {}. 3: the follower by itself, with N at the distance R = {} r from its axis O; \
              N R = I_f φ″. N r / K is {}, the friction's torque over K is {}.",
@@ -83,27 +79,26 @@ pub fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<Figure,
             senses.said(),
             senses.flank_words(),
             significant(distance, 4),
-            short(normal),
-            short(friction)
+            short(normal, 3),
+            short(friction, 3)
         ),
-        caption: format!(
+        format!(
             "Forces at θ = {}: {}. Friction acts on the pin against its sliding; its arm about B is c sin φ, \
              the distance of B from the slot's centre line. What acts through O has no moment and is left out; arrows \
              show directions, not sizes.",
             degrees(crank),
             senses.flank_words()
         ),
-    };
-    Ok(words.figure(canvas, Kind::Steps, Series::new(columns, [row])))
+    );
+    Ok(words.figure(canvas, Kind::Steps, series))
 }
 
 /// The state in numbers, below the panels.
 fn values(canvas: &mut Canvas, at: &Bodies, [normal, friction, acceleration]: [f64; 3], top: f64) {
     let rule = [20.0, WIDTH - 20.0].map(|x| Vector2::new(x, top));
     canvas.draw(Shape::line(&rule[0], &rule[1]).stroke(GRID, 1.2));
-    let number = |value: f64| format!(" = {}", short(value));
-    let angle =
-        |symbol: &str, value: f64| Label::symbol(symbol).and(&format!(" = {}", degrees(without_noise(value, 1.0))));
+    let number = |value: f64| format!(" = {}", short(value, 3));
+    let angle = |symbol: &str, value: f64| angle_label(symbol, without_noise(value, 1.0));
     let over = |label: Label| label.and(" / ").and_symbol("K");
     let columns = [
         (28.0, [angle("θ", at.theta), angle("φ", at.phi)]),
@@ -124,4 +119,63 @@ fn values(canvas: &mut Canvas, at: &Bodies, [normal, friction, acceleration]: [f
     let label =
         Label::symbol("φ").and("″ ").and_symbol("I").sub("f").and(" / ").and_symbol("K").and(&number(acceleration));
     canvas.label(&Vector2::new(430.0, top + LINE * 0.8), &Vector2::new(1.0, 0.0), 0.0, &label.bare());
+}
+
+/// Below this angle (radians) the pin does not slide that one could see, and friction has no arm.
+const STILL: f64 = 1e-9;
+
+/// Which way everything points on the page. Unit vectors.
+#[derive(Clone, Copy, Debug)]
+pub struct Senses {
+    /// Along the slot, away from the follower's axis.
+    pub out: Pixels,
+    /// Across the slot, as the follower turns.
+    pub ahead: Pixels,
+    /// +1 where the pin drives the follower, −1 where the follower drives the pin, 0 if neither.
+    pub normal: f64,
+    /// +1 if the pin slides outwards, −1 inwards, 0 on the line of centres.
+    pub sliding: f64,
+    /// Whether there is friction to be drawn.
+    pub rubs: bool,
+}
+
+impl Senses {
+    /// The senses at these angles, for a normal force and a coefficient of friction.
+    pub fn new(theta: f64, phi: f64, normal: f64, friction: f64) -> Self {
+        let sign = |value: f64, least: f64| if value.abs() <= least { 0.0 } else { value.signum() };
+        let (normal, sliding) = (sign(normal, 0.0), sign(theta, STILL));
+        let rubs = friction > 0.0 && normal != 0.0 && sliding != 0.0;
+        Self { out: heading(PI - phi), ahead: heading(FRAC_PI_2 - phi), normal, sliding, rubs }
+    }
+
+    fn flank(&self) -> Flank {
+        match self.normal {
+            normal if normal > 0.0 => Flank::Leading,
+            normal if normal < 0.0 => Flank::Trailing,
+            _ => Flank::Neither,
+        }
+    }
+
+    /// The flank, in words.
+    pub fn flank_words(&self) -> &'static str {
+        match self.flank() {
+            Flank::Leading => "the pin bears on the leading flank and drives the follower",
+            Flank::Trailing => "the pin bears on the trailing flank, driven by the follower",
+            Flank::Neither => "the pin bears on neither flank",
+        }
+    }
+
+    /// What acts on the pin, in a sentence.
+    pub fn said(&self) -> String {
+        let towards = if self.sliding > 0.0 {
+            "outwards, so that the friction on it points to O"
+        } else {
+            "inwards, so that the friction on it points away from O"
+        };
+        match (self.normal == 0.0, self.rubs) {
+            (true, _) => "No force acts on the pin.".to_owned(),
+            (_, true) => format!("The reaction to N acts on the pin across the slot. The pin slides {towards}."),
+            (_, false) => "The reaction to N acts on the pin across the slot; there is no friction.".to_owned(),
+        }
+    }
 }

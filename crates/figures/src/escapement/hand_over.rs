@@ -1,16 +1,11 @@
 //! The instant at which one pin leaves its slot and the next enters one.
 
-use super::pose::{Bodies, Margins, NEAR, WIDTH, angle, half_angle, id, side};
-use crate::figure::{Figure, Words};
+use super::pose::{Bodies, Margins, half_angle, id, side};
 use crate::number::{degrees, significant};
-use crate::series::Series;
-use crate::svg::canvas::{Canvas, Kind};
-use crate::svg::label::Label;
-use crate::svg::marks::{arrow, right_angle};
-use crate::svg::placing::{Placing, around, beside_line};
-use crate::svg::shape::{DASHED, Shape};
-use crate::svg::view::Pixels;
+use crate::parts::{NEAR, WIDTH, angle, right_angle, vector};
+use crate::svg::{Canvas, DASHED, Kind, Label, Pixels, Placing, Shape, around, beside_line};
 use crate::theme::{DRIVER, FOLLOWER, INK, RELATIVE};
+use crate::{Figure, Series, Words};
 use geneva_kinematics::Field;
 use geneva_kinematics::escapement::{Layout, Mechanism, Roots, Slot};
 use nalgebra::Vector2;
@@ -51,27 +46,24 @@ pub fn hand_over(escapement: &Mechanism) -> Figure {
     let [theta, phi] = angles.map(f64::to_degrees);
     let (n, m) = (escapement.slots(), escapement.pins());
     let (rim, ratio) = (escapement.rim_radius(), escapement.centre_distance_ratio());
-    let row = [f64::from(n), f64::from(m), theta, phi, theta + phi, 1.0, rim, ratio];
-    let [a, b, c, d, e, f, g, h] = row;
-    let row = [a, b, c, d, e, f, g, h, speeds[0][0], speeds[0][1], speeds[1][0], speeds[1][1]];
-    let columns = [
-        ("n", "1"),
-        ("m", "1"),
-        ("theta_0", "deg"),
-        ("phi_0", "deg"),
-        ("sum", "deg"),
-        ("r/r", "1"),
-        ("R/r", "1"),
-        ("c/r", "1"),
-        ("leaving, along", "1"),
-        ("across", "1"),
-        ("entering, along", "1"),
-        ("across", "1"),
-    ];
-    let words = Words {
-        id: id("hand-over", escapement),
-        title: format!("The hand-over of the escapement with {n} slots and {m} pins"),
-        description: format!(
+    let series = Series::of_one([
+        ("n", "1", f64::from(n)),
+        ("m", "1", f64::from(m)),
+        ("theta_0", "deg", theta),
+        ("phi_0", "deg", phi),
+        ("sum", "deg", theta + phi),
+        ("r/r", "1", 1.0),
+        ("R/r", "1", rim),
+        ("c/r", "1", ratio),
+        ("leaving, along", "1", speeds[0][0]),
+        ("across", "1", speeds[0][1]),
+        ("entering, along", "1", speeds[1][0]),
+        ("across", "1", speeds[1][1]),
+    ]);
+    let words = Words::new(
+        id("hand-over", escapement),
+        format!("The hand-over of the escapement with {n} slots and {m} pins"),
+        format!(
             "A right-angled triangle: the driver's axis B, the follower's axis O and the leaving pin P, with the right \
              angle at P. The angle at B is θ₀ = π/{m}, {}; that at O is φ₀ = π/{n}, {}. BP is r, OP is {} r, BO is c, {} \
              r. The triangle of the entering pin is its mirror image below the line of centres. \
@@ -81,12 +73,10 @@ pub fn hand_over(escapement: &Mechanism) -> Figure {
             significant(rim, 4),
             significant(ratio, 4)
         ),
-        caption:
-            "The hand-over. Each crank is at right angles to its slot, so both pins move along their slots' centre \
-                  lines and the follower stands still for this instant: θ₀ + φ₀ is a quarter turn."
-                .to_owned(),
-    };
-    words.figure(canvas, Kind::Mechanism, Series::new(columns, [row]))
+        "The hand-over. Each crank is at right angles to its slot, so both pins move along their slots' centre \
+                  lines and the follower stands still for this instant: θ₀ + φ₀ is a quarter turn.",
+    );
+    words.figure(canvas, Kind::Mechanism, series)
 }
 
 /// Exact places as floating-point numbers.
@@ -130,12 +120,10 @@ fn velocity(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, pin: &Pixel
     // The line is long enough for an arrow from the pin outwards; that of the entering pin ends at the pin's side of it.
     canvas.draw(Shape::line(pin, &(pin + out * BEYOND)).stroke(FOLLOWER, 1.2).dashed(DASHED).class("slot-line"));
     let tip = pin + out * (outward * VELOCITY);
-    let class = if outward > 0.0 { "v-leaving" } else { "v-entering" };
-    arrow(canvas, pin, &tip, RELATIVE, 3.0, class);
     placing.avoid(pin, &(pin + out * BEYOND), 1.0);
-    placing.avoid(pin, &tip, 2.0);
     let label = Label::symbol("v").and(&format!(": {name}")).shade(RELATIVE);
-    placing.put(canvas, &label, beside_line(pin, &tip, &NEAR));
+    let class = if outward > 0.0 { "v-leaving" } else { "v-entering" };
+    vector(canvas, placing, pin, &tip, 3.0, &label, class);
 }
 
 /// Angles, sides and corners.

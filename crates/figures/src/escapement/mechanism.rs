@@ -1,15 +1,12 @@
 //! The whole mechanism to scale.
 
-use super::pose::{Bodies, Margins, NEAR, angle, half_angle, id};
-use crate::figure::{Figure, Words};
+use super::pose::{Bodies, Margins, half_angle, id};
 use crate::number::{degrees, significant, without_noise};
-use crate::series::Series;
-use crate::svg::canvas::{Canvas, Kind};
-use crate::svg::label::Label;
-use crate::svg::placing::{Placing, around};
-use crate::svg::shape::Shape;
+use crate::parts::{NEAR, WIDTH, angle};
+use crate::svg::{Canvas, Kind, Label, Placing, Shape, around};
 use crate::theme::{DRIVER, FOLLOWER};
-use geneva_kinematics::{EscapementError, Mechanism};
+use crate::{Figure, FigureError, Series, Words};
+use geneva_kinematics::Mechanism;
 use nalgebra::Vector2;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -25,10 +22,10 @@ const MARKS: [f64; 2] = [62.0, 46.0];
 ///
 /// # Errors
 ///
-/// [`EscapementError::Wheel`] if the angle is beyond ±π/m or not finite.
-pub fn mechanism(escapement: &Mechanism, crank: f64) -> Result<Figure, EscapementError> {
+/// [`FigureError::Escapement`] if the angle is beyond ±π/m or not finite.
+pub fn mechanism(escapement: &Mechanism, crank: f64) -> Result<Figure, FigureError> {
     let bodies = Bodies::at(escapement, crank, MARGINS)?;
-    let mut canvas = Canvas::new(super::pose::WIDTH, bodies.height);
+    let mut canvas = Canvas::new(WIDTH, bodies.height);
     let mut placing = bodies.placing();
     bodies.draw_driver(&mut canvas, 1.8);
     bodies.draw_follower(&mut canvas, 2.0);
@@ -41,42 +38,39 @@ pub fn mechanism(escapement: &Mechanism, crank: f64) -> Result<Figure, Escapemen
 
     let (n, m) = (escapement.slots(), escapement.pins());
     let distance = (bodies.layout.pins[0] - bodies.layout.follower_axis).norm();
-    let [first, second, third, fourth] =
-        [escapement.engagement_half_angle(), escapement.follower_half_angle(), crank, bodies.phi].map(f64::to_degrees);
-    let sizes = [escapement.centre_distance_ratio(), escapement.rim_radius()];
-    let row = [f64::from(n), f64::from(m), sizes[0], sizes[1], first, second, third, fourth, distance];
-    let columns = [
-        ("n", "1"),
-        ("m", "1"),
-        ("c/r", "1"),
-        ("rim/r", "1"),
-        ("theta_0", "deg"),
-        ("phi_0", "deg"),
-        ("theta", "deg"),
-        ("phi", "deg"),
-        ("R/r", "1"),
-    ];
-    let words = Words {
-        id: id("mechanism", escapement),
-        title: format!("Geneva escapement with {n} slots and {m} pins"),
-        description: format!(
+    let (ratio, rim) = (escapement.centre_distance_ratio(), escapement.rim_radius());
+    let series = Series::of_one([
+        ("n", "1", f64::from(n)),
+        ("m", "1", f64::from(m)),
+        ("c/r", "1", ratio),
+        ("rim/r", "1", rim),
+        ("theta_0", "deg", escapement.engagement_half_angle().to_degrees()),
+        ("phi_0", "deg", escapement.follower_half_angle().to_degrees()),
+        ("theta", "deg", crank.to_degrees()),
+        ("phi", "deg", bodies.phi.to_degrees()),
+        ("R/r", "1", distance),
+    ]);
+    let words = Words::new(
+        id("mechanism", escapement),
+        format!("Geneva escapement with {n} slots and {m} pins"),
+        format!(
             "At the left the driver, a disc with {m} pins all round, turning counter-clockwise about B. At the right \
              the follower, a star with {n} slots, turning clockwise about O, {} crank radii from B; its rim has a \
              radius of {}. Lines from B and O to the places where a pin enters and leaves make angles of {} \
              and {} with the line of centres. The engaged pin stands at θ = {}, its slot at φ = {}.",
-            significant(sizes[0], 4),
-            significant(sizes[1], 4),
+            significant(ratio, 4),
+            significant(rim, 4),
             degrees(escapement.engagement_half_angle()),
             degrees(escapement.follower_half_angle()),
             degrees(crank),
             degrees(without_noise(bodies.phi, 1.0))
         ),
-        caption: format!(
+        format!(
             "The escapement with {n} slots and {m} pins, to scale. A pin enters at the lower crossing of the thin \
              lines and leaves at the upper one, π/{m} before and after the line of centres."
         ),
-    };
-    Ok(words.figure(canvas, Kind::Mechanism, Series::new(columns, [row])))
+    );
+    Ok(words.figure(canvas, Kind::Mechanism, series))
 }
 
 /// Lines to the places of entry and exit, and their angles with the line of centres.
@@ -101,7 +95,7 @@ fn names(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, escapement: &M
     let driver = Label::words(&format!("driver, {} pins", escapement.pins())).shade(DRIVER);
     canvas.label(&Vector2::new(0.0, row), &right, 14.0, &driver);
     let follower = Label::words(&format!("follower, {} slots", escapement.slots())).shade(FOLLOWER);
-    canvas.label(&Vector2::new(super::pose::WIDTH, row), &-right, 14.0, &follower);
+    canvas.label(&Vector2::new(WIDTH, row), &-right, 14.0, &follower);
     placing.put(canvas, &Label::words("B"), around(&at.axis, -FRAC_PI_2 - 0.4, &NEAR));
     placing.put(canvas, &Label::words("O"), around(&at.pivot, -FRAC_PI_2 + 0.4, &NEAR));
 }

@@ -6,25 +6,21 @@
 //! with the driving torque K.
 
 mod angles;
-pub(crate) mod axes;
 #[cfg(test)]
 mod drawn;
-pub(crate) mod engagement;
+mod engagement;
 mod existence;
 mod force_panels;
 mod forces;
 mod hand_over;
-mod map_labels;
 mod mechanism;
 mod normal_force;
 mod order;
 mod pose;
-mod problems;
 mod ratios;
-mod senses;
 
 pub use angles::angles;
-pub use engagement::DrawingError;
+pub(crate) use engagement::speeds;
 pub use existence::{Design, existence};
 pub use forces::forces;
 pub use hand_over::hand_over;

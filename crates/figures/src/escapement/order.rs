@@ -1,27 +1,28 @@
 //! By which power of the step the error falls: on a smooth problem, and on one with a switch.
 
-use super::axes::{blank, decades};
-use super::problems::{Errors, errors, observed_order};
-use crate::figure::{Figure, Words};
+use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
 use crate::number::fixed;
-use crate::plot::{Curve, Plot, Side};
-use crate::series::Series;
-use crate::svg::canvas::{Canvas, Kind};
-use crate::svg::label::Label;
-use crate::svg::path::Path;
-use crate::svg::placing::{Place, Placing};
-use crate::svg::shape::{DASHED, Shape};
-use crate::svg::view::Pixels;
-use crate::theme::{DRIVER, FOLLOWER, INK, PAPER, Shade};
-use nalgebra::Vector2;
+use crate::svg::{DASHED, Label};
+use crate::theme::{DRIVER, FOLLOWER};
+use crate::{Figure, Series, Words};
+use geneva_mimic::{Kept, Parameters, integrate};
+use nalgebra::{SVector, Vector1, Vector2};
+use std::f64::consts::FRAC_PI_2;
 
-const SIZE: (u32, u32) = (640, 520);
 /// The reference lines lie so many times above the errors.
 const ABOVE: f64 = 8.0;
 /// Digits after the point of an error in the series: the smallest are near the last place of a number of size one.
 const DECIMALS: usize = 18;
-/// How far labels may stand from their curves, in pixels.
-const NEAR: [f64; 5] = [16.0, 22.0, 30.0, 40.0, 54.0];
+/// Step lengths are 1/2, 1/4 and so on, so many of them.
+const HALVINGS: i32 = 9;
+/// How far the smooth problem is followed, in whole units of time.
+const SMOOTH_END: f64 = 4.0;
+/// So many places of the switch are tried, between these.
+const PLACES: u32 = 60;
+const BETWEEN: [f64; 2] = [0.3, 0.7];
+
+/// The error of one of the problems.
+type ErrorOf = fn(&Errors) -> f64;
 
 /// Error over step length of the integrator with steps of one length, on logarithmic axes, with lines of slope 4 and 1.
 ///
@@ -29,104 +30,109 @@ const NEAR: [f64; 5] = [16.0, 22.0, 30.0, 40.0, 54.0];
 /// from 0 to time 1, and its error the greatest over places of s. Series: the step, both errors.
 pub fn order() -> Figure {
     let errors = errors();
-    let plot = plot(&errors);
-    let mut canvas = plot.canvas();
-    draw(&mut canvas, &plot, &errors);
+    let steps = || errors.iter().map(|at| at.step);
+    let values = || errors.iter().flat_map(|at| [at.smooth, at.switched]).filter(|error| *error > 0.0);
+    let x = Axis::decades(steps().fold(1.0, f64::min), steps().fold(0.0, f64::max), 1);
+    let y = Axis::decades(values().fold(1.0, f64::min), 1.0, 2).titled(Label::words("error at the end"));
+    let mut panel = Panel::new(406.0, &x.titled(Label::words("step ").and_symbol("h")), &y);
+    let problems: [(ErrorOf, f64, Stroke, Marker, &str); 2] = [
+        (|at| at.switched, 1.0, Stroke::new(DRIVER).dashed("10 6"), Marker::new(DRIVER, Mark::Square), "with a switch"),
+        (|at| at.smooth, 4.0, Stroke::new(FOLLOWER), Marker::new(FOLLOWER, Mark::Disc), "smooth"),
+    ];
+    for (error, slope, stroke, marker, name) in problems {
+        let points: Vec<_> = errors.iter().map(|at| (at.step, error(at))).filter(|(_, error)| *error > 0.0).collect();
+        let reference = |at: &Errors| ABOVE * error(&errors[0]) * libm::pow(at.step / errors[0].step, slope);
+        let reference: Vec<_> = errors.iter().map(|at| (at.step, reference(at))).collect();
+        panel = panel.curve(reference.iter().copied(), Stroke::thin("slope").dashed(DASHED));
+        panel = panel.curve(points.iter().copied(), stroke).marks(points.iter().copied(), marker.class("point"));
+        let middle = |points: &[(f64, f64)]| points.iter().copied().skip(3).take(4).collect::<Vec<_>>();
+        panel = panel.near(middle(&reference), FRAC_PI_2, Label::words(&format!("slope {slope}")));
+        panel = panel.near(middle(&points), -FRAC_PI_2, Label::words(name).shade(stroke.shade));
+    }
 
     let [smooth, switched] = [observed_order(&errors, |at| at.smooth), observed_order(&errors, |at| at.switched)]
         .map(|order| fixed(order, 2));
-    let columns = [("h", "1"), ("smooth", "1"), ("switch", "1")];
     let rows = errors.iter().map(|at| [at.step, at.smooth, at.switched]);
-    let series = Series { decimals: DECIMALS, ..Series::new(columns, rows) };
-    let words = Words {
-        id: "integrator-order".to_owned(),
-        title: "Error over step length, for a smooth problem and for one with a switch".to_owned(),
-        description: format!(
+    let series = Series::new([("h", "1"), ("smooth", "1"), ("switch", "1")], rows).to_decimals(DECIMALS);
+    let words = Words::new(
+        "integrator-order",
+        "Error over step length, for a smooth problem and for one with a switch",
+        format!(
             "Two rows of points on logarithmic axes, the step length to the right, the error upwards. The errors of \
              the smooth problem lie along a line of slope 4 (observed: {smooth}), those of the problem with a switch, \
              far above, along one of slope 1 (observed: {switched})."
         ),
-        caption: "Half the step, a sixteenth of the error: so it is while the right-hand side is smooth. Where it \
-                  switches within a step, half the step gives only half the error, whatever the method's order."
-            .to_owned(),
-    };
-    words.figure(canvas, Kind::Plot, series)
+        "Half the step, a sixteenth of the error: so it is while the right-hand side is smooth. Where it switches \
+         within a step, half the step gives only half the error, whatever the method's order.",
+    );
+    Chart::new([panel]).figure(words, series)
 }
 
-fn plot(errors: &[Errors]) -> Plot {
-    let steps = || errors.iter().map(|at| at.step);
-    let values = || errors.iter().flat_map(|at| [at.smooth, at.switched]).filter(|error| *error > 0.0);
-    let level = decades(steps().fold(1.0, f64::min), steps().fold(0.0, f64::max), 1);
-    let left = decades(values().fold(1.0, f64::min), 1.0, 2);
-    let curve = |value: fn(&Errors) -> f64, shade, dashes| Curve {
-        points: errors.iter().map(|at| (at.step, value(at))).filter(|(_, error)| *error > 0.0).collect(),
-        side: Side::Left,
-        shade,
-        dashes,
-    };
-    let curves = vec![curve(|at| at.switched, DRIVER, Some([10, 6])), curve(|at| at.smooth, FOLLOWER, None)];
-    let right = blank(&left);
-    Plot { size: SIZE, level, left, right, curves }
+/// Error at the end with one length of step.
+#[derive(Clone, Copy, Debug)]
+struct Errors {
+    /// The step.
+    step: f64,
+    /// x'' = −x from 1 at rest: the greater of both components' errors.
+    smooth: f64,
+    /// x' = 1 before x = s and 2 beyond, from 0 to time 1: the greatest error over places of s.
+    switched: f64,
 }
 
-/// Marks, lines of reference, names.
-fn draw(canvas: &mut Canvas, plot: &Plot, errors: &[Errors]) {
-    let (right, down) = (Vector2::new(1.0, 0.0), Vector2::new(0.0, 1.0));
-    let (steps, values) = (&plot.level.range, &plot.left.range);
-    let at = |x: f64, y: f64| plot.place(Side::Left, x, y);
-    let (corner, end) = (at(steps.start, values.end), at(steps.end, values.start));
-    canvas.label(&(corner - down * 26.0), &right, -48.0, &Label::words("error at the end"));
-    let foot = Vector2::new((corner.x + end.x) / 2.0, end.y);
-    canvas.label(&foot, &down, 50.0, &Label::words("step ").and_symbol("h"));
-    let mut placing = Placing::within(corner + Vector2::new(6.0, 4.0), end - Vector2::new(6.0, 4.0));
-    let (Some(first), Some(last)) = (errors.first(), errors.last()) else { return };
-    let references = [(first.switched, 1.0), (first.smooth, 4.0)].map(|(error, slope)| {
-        let value = |step: f64| ABOVE * error * libm::pow(step / first.step, slope);
-        // As far as the frame goes.
-        let share = plot.left.share(value(first.step));
-        let top = if share <= 1.0 {
-            first.step
-        } else {
-            first.step * libm::pow(values.end / value(first.step), slope.recip())
-        };
-        [at(last.step, value(last.step).max(values.start)), at(top, value(top))]
-    });
-    for [from, to] in &references {
-        canvas.draw(Shape::line(from, to).stroke(INK, 1.3).dashed(DASHED).class("slope"));
-        placing.avoid(from, to, 1.5);
-    }
-    for (curve, square) in plot.curves.iter().zip([true, false]) {
-        let points: Vec<Pixels> = curve.points.iter().map(|(x, y)| at(*x, *y)).collect();
-        placing.avoid_all(&points, 2.0);
-        points.iter().for_each(|point| mark(canvas, point, square, curve.shade));
-    }
-    let labels = [("slope 1", "with a switch", DRIVER), ("slope 4", "smooth", FOLLOWER)];
-    for (([from, to], curve), (slope, name, shade)) in references.iter().zip(&plot.curves).zip(labels) {
-        let above = |from: &Pixels, to: &Pixels, side: f64| -> Vec<Place> {
-            let along = to - from;
-            let towards = Vector2::new(along.y, -along.x) * side;
-            let places = [0.5, 0.4, 0.6, 0.3, 0.7].into_iter().flat_map(|share| {
-                let point = from.lerp(to, share);
-                NEAR.map(move |distance| Place { point, towards, distance })
-            });
-            places.collect()
-        };
-        placing.put(canvas, &Label::words(slope), above(from, to, 1.0));
-        if let [(x, y), .., (u, v)] = curve.points.as_slice() {
-            let (start, end) = (at(*u, *v), at(*x, *y));
-            placing.put(canvas, &Label::words(name).shade(shade), above(&start, &end, -1.0));
-        }
+/// Errors for all lengths of step, the longest first.
+fn errors() -> Vec<Errors> {
+    let one = |halvings: i32| {
+        let step = libm::ldexp(1.0, -halvings);
+        Errors { step, smooth: spring(step), switched: worst_switch(step) }
+    };
+    (1..=HALVINGS).map(one).collect()
+}
+
+/// How many powers of the step the error falls by, from the longest step to the shortest.
+fn observed_order(errors: &[Errors], error: ErrorOf) -> f64 {
+    match errors {
+        [first, .., last] => libm::log(error(first) / error(last)) / libm::log(first.step / last.step),
+        _ => 0.0,
     }
 }
 
-/// A point: a square or a circle.
-fn mark(canvas: &mut Canvas, at: &Pixels, square: bool, shade: Shade) {
-    let shape = if square {
-        let corner = |x: f64, y: f64| at + Vector2::new(x, y) * 4.5;
-        let path = Path::start(&corner(-1.0, -1.0)).line_to(&corner(1.0, -1.0)).line_to(&corner(1.0, 1.0));
-        Shape::path(path.line_to(&corner(-1.0, 1.0)).close())
-    } else {
-        Shape::circle(at, 5.0)
+fn spring(step: f64) -> f64 {
+    let exact = Vector2::new(libm::cos(SMOOTH_END), -libm::sin(SMOOTH_END));
+    let end = last(|_, at| Vector2::new(at[1], -at[0]), Vector2::new(1.0, 0.0), step, SMOOTH_END);
+    (end - exact).amax()
+}
+
+fn worst_switch(step: f64) -> f64 {
+    let error = |place: u32| {
+        let switch = BETWEEN[0] + (BETWEEN[1] - BETWEEN[0]) * f64::from(place) / f64::from(PLACES);
+        let end = last(|_, at| Vector1::new(if at[0] < switch { 1.0 } else { 2.0 }), Vector1::zeros(), step, 1.0);
+        (end[0] - (2.0 - switch)).abs()
     };
-    canvas.draw(shape.fill(shade).stroke(PAPER, 1.2).class("point"));
+    (0..=PLACES).map(error).fold(0.0, f64::max)
+}
+
+/// The state at the end; no number if there is none, which these problems do not come to.
+fn last<const D: usize>(
+    mut rate: impl FnMut(f64, &SVector<f64, D>) -> SVector<f64, D>,
+    start: SVector<f64, D>,
+    step: f64,
+    end: f64,
+) -> SVector<f64, D> {
+    let run = Parameters { kept: Kept::FullStep, ..Parameters::with_fixed_step(step, end, end) };
+    integrate(&mut rate, start, &run, |_| ()).map_or(SVector::repeat(f64::NAN), |outcome| outcome.last.state)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_orders_are_four_and_one() {
+        let errors = errors();
+        let [smooth, switched] = [|at: &Errors| at.smooth, |at: &Errors| at.switched];
+        assert!((observed_order(&errors, smooth) - 4.0).abs() < 0.2, "{errors:?}");
+        assert!((observed_order(&errors, switched) - 1.0).abs() < 0.1, "{errors:?}");
+        // A switch in a step costs at most a third of it, times the jump.
+        assert!(errors.iter().all(|at| at.switched < at.step / 2.9), "{errors:?}");
+    }
 }

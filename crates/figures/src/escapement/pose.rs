@@ -1,20 +1,14 @@
 //! Driver and follower in one position, and where they lie on the page.
 
+use crate::FigureError;
+use crate::parts::{WIDTH, axis, construction, pin, pin_circle, sense};
 use crate::star::Star;
-use crate::svg::canvas::Canvas;
-use crate::svg::label::Label;
-use crate::svg::marks::{arc, arc_arrow};
-use crate::svg::path::Path;
-use crate::svg::placing::{Place, Placing, around};
-use crate::svg::shape::{DASHED, Shape};
-use crate::svg::view::{Pixels, View, heading};
-use crate::theme::{DRIVER, FILL, FOLLOWER, INK, PAPER, Shade};
-use geneva_kinematics::escapement::{EscapementError, Layout, Mechanism};
+use crate::svg::{Canvas, Label, Path, Pixels, Placing, Shape, View, heading};
+use crate::theme::{DRIVER, FOLLOWER, Shade};
+use geneva_kinematics::escapement::{Layout, Mechanism};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
-/// Width of every drawing of the mechanism, in pixels.
-pub const WIDTH: f64 = 640.0;
 /// Radius of the driver's disc, in crank radii: it lies behind the follower and carries the pins.
 const DISC: f64 = 1.1;
 /// Radius of a pin over half the width of its slot: some play, so that both can be seen.
@@ -23,8 +17,6 @@ const PIN_IN_SLOT: f64 = 0.86;
 const SIDE_DECIMALS: usize = 10;
 /// From a body to the arrow of its sense, in pixels.
 const TO_ARROW: f64 = 14.0;
-/// How far labels may stand from what they name, in pixels.
-pub const NEAR: [f64; 6] = [8.0, 13.0, 20.0, 30.0, 44.0, 62.0];
 
 /// Free space around the mechanism, in pixels.
 #[derive(Clone, Copy, Debug)]
@@ -55,7 +47,7 @@ pub struct Bodies {
 
 impl Bodies {
     /// The mechanism at a driver angle within ±π/m, as large as it can be.
-    pub fn at(escapement: &Mechanism, theta: f64, margins: Margins) -> Result<Self, EscapementError> {
+    pub fn at(escapement: &Mechanism, theta: f64, margins: Margins) -> Result<Self, FigureError> {
         let layout = escapement.layout(theta)?;
         let phi = escapement.wheel().engaged(theta)?.angle;
         Ok(Self::new(escapement, layout, [theta, phi], margins))
@@ -105,30 +97,25 @@ impl Bodies {
     /// The follower about its axis.
     pub fn draw_follower(&self, canvas: &mut Canvas, width: f64) {
         let view = View { origin: self.pivot, ..self.view };
-        let star = Shape::path(self.star.outline(PI - self.phi, &view)).fill(FILL).stroke(FOLLOWER, width);
-        canvas.draw(star.with("stroke-linejoin", "round").class("follower"));
+        canvas.draw(self.star.body(PI - self.phi, &view, width).class("follower"));
     }
 
     /// The driver's disc and the pins' circle.
     pub fn draw_driver(&self, canvas: &mut Canvas, width: f64) {
         let disc = Shape::circle(&self.axis, self.disc()).stroke(DRIVER, width).with("fill-opacity", "0.12");
         canvas.draw(disc.fill(DRIVER).class("driver"));
-        let circle = Shape::circle(&self.axis, self.view.scale).stroke(DRIVER, 1.3).dashed("2 4");
-        canvas.draw(circle.class("pin-circle"));
+        pin_circle(canvas, &self.axis, self.view.scale);
     }
 
     /// All pins.
     pub fn draw_pins(&self, canvas: &mut Canvas) {
-        for pin in &self.layout.pins {
-            let circle = Shape::circle(&self.view.place(pin), self.pin_radius()).fill(PAPER).stroke(INK, 2.0);
-            canvas.draw(circle.class("pin"));
-        }
+        self.layout.pins.iter().for_each(|at| pin(canvas, &self.view.place(at), self.pin_radius()));
     }
 
     /// The marks of both axes.
     pub fn draw_axes(&self, canvas: &mut Canvas) {
         for (at, shade) in [(&self.axis, DRIVER), (&self.pivot, FOLLOWER)] {
-            canvas.draw(Shape::circle(at, 5.0).fill(PAPER).stroke(shade, 2.0));
+            axis(canvas, at, shade);
             canvas.draw(Shape::circle(at, 1.5).fill(shade));
         }
     }
@@ -136,21 +123,14 @@ impl Bodies {
     /// The line of centres, somewhat longer than it is.
     pub fn draw_line_of_centres(&self, canvas: &mut Canvas) {
         let beyond = Vector2::new(26.0, 0.0);
-        let line = Shape::line(&(self.axis - beyond), &(self.pivot + beyond)).stroke(INK, 1.2).dashed(DASHED);
-        canvas.draw(line.class("line-of-centres"));
+        construction(canvas, &(self.axis - beyond), &(self.pivot + beyond), "line-of-centres");
     }
 
     /// The sense of each body, as an arrow outside it with the symbol of its angle.
     pub fn draw_senses(&self, canvas: &mut Canvas) {
-        let follower = (&self.pivot, self.star.rim * self.view.scale, 0.0, -1.0, "φ", FOLLOWER);
-        for (centre, reach, middle, sense, letter, shade) in [(&self.axis, self.disc(), PI, 1.0, "θ", DRIVER), follower]
-        {
-            let radius = reach + TO_ARROW;
-            let half = sense * 34.0 / radius;
-            arc_arrow(canvas, centre, radius, middle - half, middle + half, shade, 2.5);
-            let label = Label::symbol(letter).shade(shade);
-            canvas.label(&(centre + heading(middle) * radius), &heading(middle), 7.0, &label);
-        }
+        let [theta, phi] = [("θ", DRIVER), ("φ", FOLLOWER)].map(|(letter, shade)| Label::symbol(letter).shade(shade));
+        sense(canvas, &self.axis, self.disc() + TO_ARROW, PI, 1.0, &theta);
+        sense(canvas, &self.pivot, self.star.rim * self.view.scale + TO_ARROW, 0.0, -1.0, &phi);
     }
 
     /// What labels on the mechanism keep clear of: lines of it, pins and axes.
@@ -178,30 +158,6 @@ pub fn side(canvas: &mut Canvas, placing: &mut Placing, from: &Pixels, to: &Pixe
     let path = Path::start_rounded(from, SIDE_DECIMALS).line_to(to);
     canvas.draw(Shape::path(path).stroke(shade, 3.0).with("stroke-linecap", "round").class(name));
     placing.avoid(from, to, 2.0);
-}
-
-/// The mark of an angle at a corner, with its label within or beyond; nothing if it is too narrow.
-pub fn angle(
-    canvas: &mut Canvas,
-    placing: &mut Placing,
-    corner: &Pixels,
-    radius: f64,
-    (from, to): (f64, f64),
-    label: &Label,
-) {
-    if (to - from).abs() * radius < 3.0 {
-        return;
-    }
-    arc(canvas, corner, radius, from, to, INK, 1.6);
-    placing.avoid_arc(corner, radius, from, to, 1.5);
-    let at = |share: f64, distance: f64| {
-        let towards = heading(from + share * (to - from));
-        Place { point: corner + towards * radius, towards, distance }
-    };
-    let shares = [0.5, 0.35, 0.65, 0.2, 0.8];
-    let within = shares.into_iter().flat_map(|share| NEAR.map(|distance| at(share, distance)));
-    let middle = (from + to) / 2.0;
-    placing.put(canvas, label, within.chain(around(&(corner + heading(middle) * radius), middle, &NEAR)));
 }
 
 /// The id of a figure of this escapement: the name and the slots.

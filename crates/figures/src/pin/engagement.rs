@@ -1,24 +1,15 @@
 //! The motion over the whole engagement: the follower's speed and the pin's speed along the slot.
 
 use super::instant::Instant;
-use crate::figure::{Figure, Words};
-use crate::number::{degrees, round_step, significant, trimmed, with_minus_sign, without_noise};
-use crate::plot::{Axis, Curve, Plot, Scale, Side};
-use crate::series::Series;
-use crate::svg::canvas::{Canvas, Kind};
-use crate::svg::label::Label;
-use crate::svg::shape::Shape;
-use crate::theme::{FOLLOWER, INK, PAPER, RELATIVE};
+use crate::chart::{Axis, Chart, Mark, Marker, Panel, Side, Stroke};
+use crate::number::{degrees, significant, with_minus_sign, without_noise};
+use crate::svg::Label;
+use crate::theme::{FOLLOWER, RELATIVE};
+use crate::{Figure, Series, Words};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::PinSlot;
-use nalgebra::Vector2;
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-const SIZE: (u32, u32) = (640, 450);
-/// Steps from zero to either end of an upright axis.
-const STEPS: i32 = 3;
-/// How far beyond the greatest value an upright axis goes at least.
-const HEADROOM: f64 = 1.05;
 /// Degrees between marks of the crank angle.
 const MARKS: f64 = 15.0;
 
@@ -34,32 +25,27 @@ pub fn over_the_engagement(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed:
     let rows = rows(mechanism, driver_speed);
     let instant = Instant::new(mechanism, crank, driver_speed);
     let half = mechanism.engagement_half_angle();
-    let plot = plot(&rows, half.to_degrees());
-    let mut canvas = plot.canvas();
-    name_axes(&mut canvas, &plot, &speed_unit);
-    name_curves(&mut canvas, &plot, &rows, &instant);
+    let mut panel = curves(&rows, half.to_degrees(), &speed_unit);
     if (instant.crank_angle - PI).abs() <= half + 1e-9 {
-        mark(&mut canvas, &plot, &instant, &speed_unit);
+        panel = mark(panel, &instant, &speed_unit);
     }
-
+    panel = names(panel, &rows, &instant);
     let columns = [("phi", "deg"), ("omega_S/omega_D", "1"), ("v_P/S", speed_unit.as_str()), ("r/R", "1")];
     let [entry, exit] = [PI - half, PI + half].map(degrees);
     let lowest = Instant::new(mechanism, &Turn::from_radians(PI), 1.0).speed_ratio;
     let lowest = with_minus_sign(&significant(lowest, 4));
-    let words = Words {
-        id: "pin-engagement".to_owned(),
-        title: "Speeds of the follower and along the slot over the engagement".to_owned(),
-        description: format!(
+    let words = Words::new(
+        "pin-engagement",
+        "Speeds of the follower and along the slot over the engagement",
+        format!(
             "Two curves over the crank angle from {entry} to {exit}. The follower's angular velocity over the driver's \
              is zero at both ends and falls to {lowest} on the line of centres; the pin's speed along the slot goes \
              from the pin's full speed inwards, through zero on the line of centres, to its full speed outwards."
         ),
-        caption:
-            "Over the engagement. The follower starts and stops at rest; the pin turns round in the slot where the \
-                  follower is fastest. Negative ratio: the two turn in opposite senses. Sliding towards O is positive."
-                .to_owned(),
-    };
-    words.figure(canvas, Kind::Plot, Series::new(columns, rows))
+        "Over the engagement. The follower starts and stops at rest; the pin turns round in the slot where the \
+         follower is fastest. Negative ratio: the two turn in opposite senses. Sliding towards O is positive.",
+    );
+    Chart::new([panel]).figure(words, Series::new(columns, rows))
 }
 
 /// φ in degrees, ω_S/ω_D, speed along the slot, r/R; from entry to exit, both included.
@@ -75,38 +61,18 @@ fn rows(mechanism: &PinSlot, driver_speed: f64) -> Vec<[f64; 4]> {
     (0..=steps).map(row).collect()
 }
 
-fn plot(rows: &[[f64; 4]], half_degrees: f64) -> Plot {
-    let each = f64::from(((half_degrees / MARKS / 4.0).ceil() as u32).max(1)) * MARKS;
-    let count = ((half_degrees + 1e-9) / each) as i32;
-    let level = Axis {
-        range: 180.0 - half_degrees..180.0 + half_degrees,
-        marks: (-count..=count).map(|k| 180.0 + each * f64::from(k)).collect(),
-        decimals: 0,
-        scale: Scale::Even,
-    };
-    let curve = |column: usize, side, shade, dashes| Curve {
-        points: rows.iter().map(|row| (row[0], row[column])).collect(),
-        side,
-        shade,
-        dashes,
-    };
-    let curves = vec![curve(1, Side::Left, FOLLOWER, None), curve(2, Side::Right, RELATIVE, Some([10, 6]))];
-    Plot { size: SIZE, level, left: symmetric_axis(rows, 1), right: symmetric_axis(rows, 2), curves }
-}
-
-/// An axis from −3 to 3 round steps, so that zero is at one height on both sides.
-fn symmetric_axis(rows: &[[f64; 4]], column: usize) -> Axis {
-    let greatest = rows.iter().map(|row| row[column].abs()).fold(0.0, f64::max);
-    let step = round_step(HEADROOM * greatest / f64::from(STEPS));
-    let end = step * f64::from(STEPS);
-    let digits = trimmed(step, 6);
-    let decimals = digits.split_once('.').map_or(0, |(_, after)| after.len());
-    Axis {
-        range: -end..end,
-        marks: (-STEPS..=STEPS).map(|k| step * f64::from(k)).collect(),
-        decimals,
-        scale: Scale::Even,
-    }
+fn curves(rows: &[[f64; 4]], half: f64, speed_unit: &str) -> Panel {
+    let each = f64::from(((half / MARKS / 4.0).ceil() as u32).max(1)) * MARKS;
+    let count = ((half + 1e-9) / each) as i32;
+    let x = Axis::whole(180.0 - half..180.0 + half, (-count..=count).map(|k| 180.0 + each * f64::from(k)));
+    let greatest = |k: usize| rows.iter().map(|row| row[k].abs()).fold(0.0, f64::max);
+    let [ratio, sliding] = symbols();
+    let points = |k: usize| rows.iter().map(move |row| (row[0], row[k]));
+    let angle = Label::words("crank angle ").and_symbol("φ").and(" in degrees");
+    Panel::new(336.0, &x.titled(angle), &Axis::symmetric(greatest(1)).titled(ratio))
+        .right(Axis::symmetric(greatest(2)).titled(sliding.and(&format!(" in {speed_unit}"))))
+        .curve(points(1), Stroke::new(FOLLOWER))
+        .curve_on(Side::Right, points(2), Stroke::new(RELATIVE).dashed("10 6"))
 }
 
 /// The symbols of the two curves.
@@ -115,61 +81,30 @@ fn symbols() -> [Label; 2] {
     [ratio, Label::symbol("v").sub("P/S").shade(RELATIVE)]
 }
 
-fn name_axes(canvas: &mut Canvas, plot: &Plot, speed_unit: &str) {
-    let ends = &plot.level.range;
-    let (right, down) = (Vector2::new(1.0, 0.0), Vector2::new(0.0, 1.0));
+/// Each curve's symbol, in the half that the instant is not in.
+fn names(panel: Panel, rows: &[[f64; 4]], instant: &Instant) -> Panel {
+    let late = instant.crank_angle <= PI;
+    let part =
+        |k: usize| rows.iter().filter(move |row| (row[0] > 180.0) == late).step_by(3).map(move |row| (row[0], row[k]));
     let [ratio, sliding] = symbols();
-    canvas.label(&(plot.place(Side::Left, ends.start, plot.left.range.end) - down * 26.0), &right, -48.0, &ratio);
-    let corner = plot.place(Side::Right, ends.end, plot.right.range.end) - down * 26.0;
-    canvas.label(&corner, &-right, -56.0, &sliding.and(&format!(" in {speed_unit}")));
-    let middle = plot.place(Side::Left, (ends.start + ends.end) / 2.0, plot.left.range.start);
-    canvas.label(&middle, &down, 50.0, &Label::words("crank angle ").and_symbol("φ").and(" in degrees"));
-}
-
-/// Names each curve beside it, in the half that the instant is not in.
-fn name_curves(canvas: &mut Canvas, plot: &Plot, rows: &[[f64; 4]], instant: &Instant) {
-    let at = |share: f64| {
-        let share = if instant.crank_angle <= PI { share } else { 1.0 - share };
-        rows.get((share * (rows.len() - 1) as f64) as usize).copied().unwrap_or_default()
-    };
-    let [ratio, sliding] = symbols();
-    let (rising, flat) = (at(0.8), at(0.9));
-    canvas.label(&plot.place(Side::Left, rising[0], rising[1]), &Vector2::new(0.0, -1.0), 29.0, &ratio);
-    let inwards = Vector2::new(0.0, flat[2].signum());
-    canvas.label(&plot.place(Side::Right, flat[0], flat[2]), &inwards, 22.0, &sliding);
+    panel.near(part(1), FRAC_PI_2, ratio).near_on(Side::Right, part(2), -FRAC_PI_2, sliding)
 }
 
 /// Marks the instant on both curves.
-fn mark(canvas: &mut Canvas, plot: &Plot, instant: &Instant, speed_unit: &str) {
+fn mark(panel: Panel, instant: &Instant, speed_unit: &str) -> Panel {
     let x = instant.crank_angle.to_degrees();
-    let [foot, head] = [plot.left.range.start, plot.left.range.end].map(|y| plot.place(Side::Left, x, y));
-    canvas.draw(Shape::line(&foot, &head).stroke(INK, 1.2).dashed("3 4").class("instant"));
     let ratio = without_noise(instant.speed_ratio, 1.0);
     let speed = without_noise(instant.inward_speed, instant.pin_velocity.norm());
+    let [at_left, at_right] = [FOLLOWER, RELATIVE].map(|shade| Marker::new(shade, Mark::Disc).sized(11.0));
+    let text = |text: String, marker: &Marker| Label::words(&text).shade(marker.shade);
     let name = Label::symbol("φ").and(&format!(" = {}", degrees(instant.crank_angle)));
-    // At the end of the line that the sliding speed leaves free, inside the frame.
-    let (end, away) = if speed >= 0.0 { (foot, -1.4) } else { (head, 1.4) };
-    canvas.label(&end, &Vector2::new(instant.side(), away), 22.0, &name);
-    let ratio_falls = instant.side() > 0.0;
-    let speed_falls = speed * instant.side() >= 0.0;
-    for (side, y, falls, shade, text) in [
-        (Side::Left, ratio, ratio_falls, FOLLOWER, significant(ratio, 4)),
-        (Side::Right, speed, speed_falls, RELATIVE, format!("{} {speed_unit}", significant(speed, 4))),
-    ] {
-        let at = plot.place(side, x, y);
-        canvas.draw(Shape::circle(&at, 6.0).fill(shade).stroke(PAPER, 1.5));
-        let towards = beside_slope(falls, plot.level.share(x));
-        canvas.label(&at, &towards, 14.0, &Label::words(&text).shade(shade));
-    }
-}
-
-/// Where a label finds room beside a point of a falling or rising curve, at this share of the way across the plot.
-fn beside_slope(falls: bool, share: f64) -> Vector2<f64> {
-    let (forward, upward) = match (falls, share) {
-        (true, share) if share <= 0.72 => (1.0, -0.8),
-        (true, _) => (-1.0, 0.8),
-        (false, share) if share >= 0.28 => (-1.0, -0.8),
-        (false, _) => (1.0, 0.8),
-    };
-    Vector2::new(forward, upward)
+    let written = [significant(ratio, 4), format!("{} {speed_unit}", significant(speed, 4))];
+    let [ratio_text, speed_text] = written;
+    panel
+        .vertical(x, Stroke::thin("instant").dashed("3 4"))
+        .marks([(x, ratio)], at_left)
+        .marks_on(Side::Right, [(x, speed)], at_right)
+        .near([(x, ratio)], FRAC_PI_4, text(ratio_text, &at_left))
+        .near_on(Side::Right, [(x, speed)], FRAC_PI_4, text(speed_text, &at_right))
+        .near_on(Side::Right, [(x, -0.9 * instant.pin_velocity.norm())], 0.0, name)
 }

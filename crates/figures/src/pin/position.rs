@@ -1,23 +1,19 @@
 //! The triangle of the two axes and the pin, drawn on the mechanism.
 
 use super::instant::Instant;
-use crate::figure::{Figure, Words};
 use crate::number::{degrees, significant, without_noise};
-use crate::series::Series;
+use crate::parts::{
+    self, WIDTH, angle_label, arc, arc_arrow, construction, dimension, fixed_pivot, pin, pin_circle, sense,
+};
 use crate::star::{SLOT_HALF_WIDTH, Star, rim_radius};
-use crate::svg::canvas::{Canvas, Kind};
-use crate::svg::label::Label;
-use crate::svg::marks::{arc, arc_arrow, dimension, fixed_pivot};
-use crate::svg::path::Sense;
-use crate::svg::shape::{DASHED, Shape};
-use crate::svg::view::{Pixels, View, heading};
-use crate::theme::{DRIVER, FILL, FOLLOWER, INK, PAPER};
+use crate::svg::{Canvas, Kind, Label, Pixels, View, heading};
+use crate::theme::{DRIVER, FILL, FOLLOWER, INK};
+use crate::{Figure, Series, Words};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::PinSlot;
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
-const WIDTH: f64 = 640.0;
 /// Free space around the mechanism, in pixels.
 const MARGIN: f64 = 26.0;
 /// Room on the far side of the line of centres for the dimension of the centre distance, in pixels.
@@ -74,30 +70,35 @@ pub fn position_triangle(mechanism: &PinSlot, crank: &Turn<f64>) -> Figure {
 
     let (ratio, beta) = (mechanism.ratio(), instant.slot_angle.to_degrees());
     let position = instant.position / mechanism.crank_radius();
-    let row = [instant.crank_angle.to_degrees(), ratio, instant.radius_ratio, beta, position.x, position.y];
-    let columns = [("phi", "deg"), ("l/R", "1"), ("r/R", "1"), ("beta", "deg"), ("x_P/R", "1"), ("y_P/R", "1")];
+    let series = Series::of_one([
+        ("phi", "deg", instant.crank_angle.to_degrees()),
+        ("l/R", "1", ratio),
+        ("r/R", "1", instant.radius_ratio),
+        ("beta", "deg", beta),
+        ("x_P/R", "1", position.x),
+        ("y_P/R", "1", position.y),
+    ]);
     let (phi, beta) = (degrees(instant.crank_angle), degrees(instant.slot_angle));
     let (l, r) = (significant(ratio, 4), significant(instant.radius_ratio, 4));
-    let words = Words {
-        id: "pin-position".to_owned(),
-        title: format!("The triangle of the two axes and the pin at a crank angle of {phi}"),
-        description: format!(
+    let words = Words::new(
+        "pin-position",
+        format!("The triangle of the two axes and the pin at a crank angle of {phi}"),
+        format!(
             "The follower's pivot O on the left, the driver's axis B on the right at a distance of {l} crank radii, and \
              the pin P on the crank circle about B, at an angle of {phi} from the extension of OB beyond B. \
              P lies in a slot of the follower: OP is {r} crank radii long and makes an angle of {beta} with OB."
         ),
-        caption: format!("Pivot O, axis B and pin P to scale at φ = {phi}. One slot of the follower S lies along OP."),
-    };
-    words.figure(canvas, Kind::Mechanism, Series::new(columns, [row]))
+        format!("Pivot O, axis B and pin P to scale at φ = {phi}. One slot of the follower S lies along OP."),
+    );
+    words.figure(canvas, Kind::Mechanism, series)
 }
 
 /// The follower with its slots and the pin's circle, in the background.
 fn bodies(canvas: &mut Canvas, at: &Layout, mechanism: &PinSlot, instant: &Instant) {
-    let follower = Shape::path(Star::of_pin_slot(mechanism).outline(instant.slot_angle, &at.view)).fill(FILL);
-    canvas.draw(follower.stroke(FOLLOWER, 1.5).with("stroke-opacity", "0.6").class("follower"));
-    canvas.draw(Shape::circle(&at.axis, at.crank).stroke(DRIVER, 1.3).dashed("2 4").class("pin-circle"));
-    let end = at.axis + Vector2::new(at.crank + 14.0, 0.0);
-    canvas.draw(Shape::line(&at.axis, &end).stroke(INK, 1.2).dashed(DASHED));
+    let follower = Star::of_pin_slot(mechanism).body(instant.slot_angle, &at.view, 1.5);
+    canvas.draw(follower.with("stroke-opacity", "0.6").class("follower"));
+    pin_circle(canvas, &at.axis, at.crank);
+    construction(canvas, &at.axis, &(at.axis + Vector2::new(at.crank + 14.0, 0.0)), "line-of-centres");
 }
 
 /// The three sides with their lengths, and the corners.
@@ -105,17 +106,15 @@ fn sides(canvas: &mut Canvas, at: &Layout, mechanism: &PinSlot, instant: &Instan
     let row = if at.side > 0.0 { at.height - 0.55 * DIMENSION } else { 0.55 * DIMENSION };
     let drop = Vector2::new(0.0, row - at.pivot.y);
     let middle = dimension(canvas, &at.pivot, &at.axis, &drop);
-    for (from, to, shade, name) in [
+    let triangle = [
         (&at.pivot, &at.axis, INK, "side-l"),
         (&at.axis, &at.pin, DRIVER, "side-R"),
         (&at.pivot, &at.pin, FOLLOWER, "side-r"),
-    ] {
-        canvas.draw(Shape::line(from, to).stroke(shade, 3.0).with("stroke-linecap", "round").class(name));
-    }
+    ];
+    parts::sides(canvas, triangle);
     fixed_pivot(canvas, &at.pivot, at.side);
     fixed_pivot(canvas, &at.axis, at.side);
-    let radius = 0.8 * SLOT_HALF_WIDTH * at.crank;
-    canvas.draw(Shape::circle(&at.pin, radius).stroke(INK, 2.0).fill(PAPER).class("pin"));
+    pin(canvas, &at.pin, 0.8 * SLOT_HALF_WIDTH * at.crank);
 
     let length =
         |letter: &str, ratio: f64| Label::symbol(letter).and(&format!(" = {} ", significant(ratio, 4))).and_symbol("R");
@@ -124,7 +123,7 @@ fn sides(canvas: &mut Canvas, at: &Layout, mechanism: &PinSlot, instant: &Instan
     canvas.label(&level, &Pixels::zeros(), 0.0, &length("l", mechanism.ratio()));
     let r = length("r", instant.radius_ratio).shade(FOLLOWER);
     canvas.label(&Vector2::new(WIDTH, level.y), &-right, MARGIN, &r);
-    canvas.label(&Vector2::new(0.0, level.y), &right, MARGIN, &angle("β", instant.slot_angle.abs()));
+    canvas.label(&Vector2::new(0.0, level.y), &right, MARGIN, &angle_label("β", instant.slot_angle.abs()));
     let across = heading(instant.slot_angle + at.side * PI / 2.0);
     canvas.label(&at.pivot.lerp(&at.pin, 0.4), &across, 16.0, &Label::symbol("r").shade(FOLLOWER).on(FILL));
     let across = heading(instant.crank_angle - at.side * PI / 2.0);
@@ -146,17 +145,12 @@ fn angles(canvas: &mut Canvas, at: &Layout, instant: &Instant) {
     }
     arc_arrow(canvas, &at.axis, 40.0, 0.0, phi, INK, 1.5);
     let middle = at.towards(58.0);
-    canvas.label(&(at.axis + middle * 40.0), &middle, 10.0, &angle("φ", instant.crank_angle));
+    canvas.label(&(at.axis + middle * 40.0), &middle, 10.0, &angle_label("φ", instant.crank_angle));
     // The rest to the half turn is too narrow for its label: the arc leads out of the triangle to it.
     let out = half_turn + at.side * 0.3;
     arc(canvas, &at.axis, 62.0, phi, out, INK, 1.5);
     let rest = Label::words("180° − ").and_symbol("φ");
     canvas.label(&(at.axis + heading(out) * 62.0), &at.towards(-109.0), 22.0, &rest);
-}
-
-/// A symbol with its angle, which is given in radians.
-fn angle(symbol: &str, radians: f64) -> Label {
-    Label::symbol(symbol).and(&format!(" = {}", degrees(radians)))
 }
 
 /// The names of the two bodies and which way they turn, for a driver turning counter-clockwise.
@@ -168,16 +162,7 @@ fn senses(canvas: &mut Canvas, at: &Layout, instant: &Instant) {
     let lobe = at.pivot + heading(instant.slot_angle + at.side * PI / 4.0) * 0.54 * at.crank;
     canvas.label(&lobe, &Pixels::zeros(), 0.0, &follower.0.on(FILL));
 
-    let (radius, middle, half) = (0.74 * at.crank, -at.side * 0.72, 0.37);
-    arc_arrow(canvas, &at.axis, radius, middle - half, middle + half, DRIVER, 2.5);
-    let towards = heading(middle);
-    canvas.label(&(at.axis + towards * radius), &(-towards), 12.0, &driver.1);
+    sense(canvas, &at.axis, 0.74 * at.crank, -at.side * 0.72, 1.0, &driver.1);
     // At entry and exit the follower stands still and has no sense.
-    let turning = without_noise(instant.speed_ratio, 1.0);
-    if turning != 0.0 {
-        let (radius, half) = (58.0, 0.57 * Sense::of(turning).sign());
-        arc_arrow(canvas, &at.pivot, radius, PI - half, PI + half, FOLLOWER, 2.5);
-        let towards = heading(PI);
-        canvas.label(&(at.pivot + towards * radius), &towards, 10.0, &follower.1.on(FILL));
-    }
+    sense(canvas, &at.pivot, 58.0, PI, without_noise(instant.speed_ratio, 1.0), &follower.1.on(FILL));
 }

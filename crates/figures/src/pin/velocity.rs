@@ -1,23 +1,18 @@
 //! The velocity triangle of the pin in the slot.
 
 use super::instant::Instant;
-use crate::figure::{Figure, Words};
-use crate::number::{degrees, round_step, significant, trimmed};
-use crate::series::Series;
-use crate::svg::canvas::{Canvas, Kind};
-use crate::svg::label::Label;
-use crate::svg::marks::{arc, arrow, right_angle};
-use crate::svg::shape::{DASHED, Shape};
-use crate::svg::view::{Pixels, View, angle_of, heading};
+use crate::number::{degrees, significant};
+use crate::parts::{WIDTH, angle_label, arc, arrow, right_angle, scale_bar};
+use crate::svg::{Canvas, DASHED, Kind, Label, Pixels, Shape, View, angle_of, heading};
 use crate::theme::{DRIVER, FOLLOWER, GRID, INK, RELATIVE};
+use crate::{Figure, Series, Words};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::PinSlot;
 use nalgebra::Vector2;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-const WIDTH: f64 = 640.0;
 /// The largest the triangle may be: width and height in pixels. Labels stand beside it.
-const ROOM: (f64, f64) = (330.0, 400.0);
+const ROOM: Pixels = Vector2::new(330.0, 400.0);
 /// Free space above and below the triangle, in pixels.
 const MARGIN: f64 = 44.0;
 
@@ -39,15 +34,11 @@ struct Layout {
 impl Layout {
     fn new(instant: &Instant) -> Self {
         let corners = [Vector2::zeros(), instant.slot_point_velocity, instant.pin_velocity];
-        let least = corners.iter().fold(Vector2::zeros(), |a: Vector2<f64>, b| a.inf(b));
-        let most = corners.iter().fold(Vector2::zeros(), |a: Vector2<f64>, b| a.sup(b));
-        let size = most - least;
-        let fit = |room: f64, size: f64| if size > 0.0 { room / size } else { f64::INFINITY };
-        let scale = fit(ROOM.0, size.x).min(fit(ROOM.1, size.y));
-        let scale = if scale.is_finite() { scale } else { 1.0 };
-        let height = (size.y * scale).max(0.3 * WIDTH) + 2.0 * MARGIN;
-        let middle = (least + most) / 2.0 * scale;
-        let view = View { origin: Vector2::new(WIDTH / 2.0 - middle.x, height / 2.0 + middle.y), scale };
+        let view = View::fitting(corners, ROOM, Pixels::zeros());
+        let heights = corners.map(|corner| corner.y * view.scale);
+        let size = heights.iter().fold(0.0, |a: f64, b| a.max(*b)) - heights.iter().fold(0.0, |a: f64, b| a.min(*b));
+        let height = size.max(0.3 * WIDTH) + 2.0 * MARGIN;
+        let view = View { origin: view.origin + Vector2::new(WIDTH, height) / 2.0, ..view };
         let [tail, corner, tip] = corners.map(|corner| view.place(&corner));
         Self { view, tail, corner, tip, height }
     }
@@ -73,34 +64,34 @@ pub fn velocity_triangle(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed: f
     let mut canvas = Canvas::new(WIDTH, layout.height);
     directions(&mut canvas, &layout, &instant);
     vectors(&mut canvas, &layout, &instant, speed_unit);
-    scale_bar(&mut canvas, &layout, speed_unit);
+    // In the upper corner away from the triangle's tail.
+    let at_right = layout.tip.x > layout.tail.x;
+    let start = Vector2::new(if at_right { WIDTH - 24.0 } else { 24.0 }, 34.0);
+    scale_bar(&mut canvas, &start, layout.view.scale, at_right, speed_unit);
 
     let speeds = instant.speeds();
     let [phi, gamma, beta] = [instant.crank_angle, instant.velocity_angle(), instant.slot_angle].map(f64::to_degrees);
-    let row = [phi, speeds[0], speeds[1], speeds[2], gamma, beta];
-    let columns = [
-        ("phi", "deg"),
-        ("v_P", speed_unit),
-        ("v_P'", speed_unit),
-        ("v_P/S", speed_unit),
-        ("gamma", "deg"),
-        ("beta", "deg"),
-    ];
+    let series = Series::of_one([
+        ("phi", "deg", phi),
+        ("v_P", speed_unit, speeds[0]),
+        ("v_P'", speed_unit, speeds[1]),
+        ("v_P/S", speed_unit, speeds[2]),
+        ("gamma", "deg", gamma),
+        ("beta", "deg", beta),
+    ]);
     let (phi, gamma) = (degrees(instant.crank_angle), degrees(instant.velocity_angle()));
     let [pin, across, along] = speeds.map(|speed| format!("{} {speed_unit}", significant(speed, 4)));
-    let words = Words {
-        id: "pin-velocity".to_owned(),
-        title: format!("Velocity triangle of the pin at a crank angle of {phi}"),
-        description: format!(
+    let words = Words::new(
+        "pin-velocity",
+        format!("Velocity triangle of the pin at a crank angle of {phi}"),
+        format!(
             "A right-angled triangle of arrows, to scale. The pin's velocity, {pin}, is the hypotenuse; it is the sum \
              of the velocity of the slot's point under the pin, {across}, and of the pin's velocity along the slot, \
              {along}. The angle between the pin's velocity and the slot is {gamma}."
         ),
-        caption:
-            "The pin's velocity is that of the slot under it plus that along the slot, which stand at right angles."
-                .to_owned(),
-    };
-    words.figure(canvas, Kind::Diagram, Series::new(columns, [row]))
+        "The pin's velocity is that of the slot under it plus that along the slot, which stand at right angles.",
+    );
+    words.figure(canvas, Kind::Diagram, series)
 }
 
 /// Reference directions and the angles from them.
@@ -127,8 +118,7 @@ fn directions(canvas: &mut Canvas, at: &Layout, instant: &Instant) {
     let out = pin + turn.signum() * 20.0 / radius.max(20.0);
     arc(canvas, &at.tip, radius, out - wrapped(out - slot), out, INK, 1.5);
     let end = at.tip + heading(out) * radius;
-    let label = Label::symbol("γ").and(&format!(" = {}", degrees(instant.velocity_angle())));
-    canvas.label(&end, &at.outwards(&at.tail, &at.tip), 6.0, &label);
+    canvas.label(&end, &at.outwards(&at.tail, &at.tip), 6.0, &angle_label("γ", instant.velocity_angle()));
 }
 
 /// A reference direction at `corner`, and the angle from it to another, drawn as an arc of so many pixels.
@@ -140,8 +130,7 @@ fn angle_from(canvas: &mut Canvas, corner: &Pixels, reference: f64, angle: f64, 
     canvas.draw(Shape::line(corner, &(corner + heading(reference) * (radius + 40.0))).stroke(GRID, 1.3).dashed(DASHED));
     arc(canvas, corner, radius, reference, reference + turn, INK, 1.5);
     let middle = heading(reference + turn / 2.0);
-    let value = if with_value { format!(" = {}", degrees(turn.abs())) } else { String::new() };
-    let label = Label::symbol("β").and(&value);
+    let label = if with_value { angle_label("β", turn.abs()) } else { Label::symbol("β") };
     canvas.label(&(corner + middle * radius), &middle, 8.0, &label);
 }
 
@@ -160,22 +149,6 @@ fn vectors(canvas: &mut Canvas, at: &Layout, instant: &Instant, unit: &str) {
     ] {
         canvas.label(&from.lerp(to, share), &at.outwards(from, to), 14.0, &label);
     }
-}
-
-/// A bar of a round speed, in the upper corner away from the triangle's tail.
-fn scale_bar(canvas: &mut Canvas, at: &Layout, unit: &str) {
-    let speed = round_step(60.0 / at.view.scale);
-    let length = speed * at.view.scale;
-    let left = if at.tip.x <= at.tail.x { 24.0 } else { WIDTH - 24.0 - length };
-    let start = Vector2::new(left, 34.0);
-    let end = start + Vector2::new(length, 0.0);
-    canvas.draw(Shape::line(&start, &end).stroke(INK, 2.0).class("scale-bar"));
-    for at in [start, end] {
-        let tick = Vector2::new(0.0, 6.0);
-        canvas.draw(Shape::line(&(at - tick), &(at + tick)).stroke(INK, 2.0));
-    }
-    let label = Label::words(&format!("{} {unit}", trimmed(speed, 6)));
-    canvas.label(&((start + end) / 2.0), &Vector2::new(0.0, 1.0), 16.0, &label);
 }
 
 /// An angle in radians, brought into (−π, π].

@@ -1,15 +1,12 @@
 //! The acceleration diagram, step by step.
 
-use super::instant::{Instant, turning, turning_label, written};
+use super::instant::{Instant, a, alpha, coriolis, omega, row, turning, turning_label, written};
 use super::order::{Laid, Order};
 use super::steps::{Arrow, Diagram, Step};
-use super::symbols::{a, alpha, coriolis, omega, row};
-use crate::figure::{Figure, Words};
 use crate::number::degrees;
-use crate::series::Series;
-use crate::svg::canvas::Kind;
-use crate::svg::label::Label;
+use crate::svg::{Kind, Label};
 use crate::theme::{CORIOLIS, DRIVER, FOLLOWER, RELATIVE};
+use crate::{Figure, Series, Words};
 use geneva_kinematics::quick_return::{Drive, Motion, Position, QuickReturn};
 use nalgebra::Vector2;
 
@@ -57,13 +54,13 @@ pub fn acceleration_diagram(
         ("direction", "deg"),
     ];
     let value = |name: &str| diagram.value_of(name);
-    let words = Words {
-        id: "quick-return-acceleration".to_owned(),
-        title: format!(
+    let words = Words::new(
+        "quick-return-acceleration",
+        format!(
             "Acceleration diagram of the quick-return mechanism at a lever angle of {}",
             degrees(instant.lever_angle)
         ),
-        description: format!(
+        format!(
             "Five steps to one scale. 1: from the pole, the pin's normal acceleration, {}, and its tangential one, {}. 2 \
              and 3: the normal acceleration of the lever's point P4, {}, and the Coriolis acceleration, {}. 4: two \
              dashed lines of known direction, one across the lever, one along it. 5: they meet and close the polygon \
@@ -78,11 +75,9 @@ pub fn acceleration_diagram(
             written(alpha_4.abs(), "rad/s²"),
             turning(alpha_4)
         ),
-        caption:
-            "The acceleration diagram in five steps. Normal and Coriolis terms follow from the velocities; of the \
-                  two terms that are left the directions are known, and they close the polygon. The pole is o."
-                .to_owned(),
-    };
+        "The acceleration diagram in five steps. Normal and Coriolis terms follow from the velocities; of the \
+                  two terms that are left the directions are known, and they close the polygon. The pole is o.",
+    );
     words.figure(diagram.draw(), Kind::Steps, Series::new(columns, rows))
 }
 

@@ -2,17 +2,12 @@
 
 use super::{acceleration_diagram, mechanism, over_a_turn, velocity_diagram};
 use crate::Figure;
-use crate::checks::{
-    labels_inside, length, named, number, only_numbers, overlapping_labels, start, well_formed, words,
-};
+use crate::checks::{Drawing, PIXELS, drawn, sound};
 use geneva_kinematics::Turn;
 use geneva_kinematics::quick_return::{Branch, Drive, Position, QuickReturn};
 use nalgebra::Vector2;
-use roxmltree::Document;
 use std::f64::consts::PI;
 
-/// Half a unit of the last written digit of a coordinate, in each of a length's four coordinates, with room to spare.
-const PIXELS: f64 = 0.02;
 const STEADY: Drive<f64> = Drive { speed: 4.0, acceleration: 0.0 };
 
 fn linkage(ground: f64, crank: f64) -> QuickReturn {
@@ -50,21 +45,15 @@ fn each_case(mut check: impl FnMut(&QuickReturn, &Position, &Drive<f64>)) {
 }
 
 #[test]
-fn every_figure_is_well_formed_labelled_and_fit_for_markdown() {
+fn every_case_is_drawn_and_a_usual_one_is_sound() {
+    usual().iter().for_each(sound);
     each_case(|linkage, position, drive| {
-        let mut figures = vec![
-            mechanism(linkage, position, drive, "m"),
-            velocity_diagram(linkage, position, drive, "m"),
-            acceleration_diagram(linkage, position, drive, "m"),
-        ];
+        drawn(&mechanism(linkage, position, drive, "m"));
+        drawn(&velocity_diagram(linkage, position, drive, "m"));
+        drawn(&acceleration_diagram(linkage, position, drive, "m"));
         // The curves of a linkage are the same but for the marked instant.
         if position.crank.sin >= 0.0 && drive.speed > 0.0 {
-            figures.push(over_a_turn(linkage, position, drive));
-        }
-        for figure in figures {
-            well_formed(&figure);
-            only_numbers(&figure);
-            labels_inside(&figure);
+            drawn(&over_a_turn(linkage, position, drive));
         }
     });
 }
@@ -75,26 +64,10 @@ fn a_crank_at_rest_and_sizes_far_apart_are_drawn_too() {
     for (ground, crank) in [(0.5, 0.22), (1e-9, 1e3), (1e6, 1e-3), (3e-160, 1e-160)] {
         let linkage = linkage(ground, crank);
         for drive in [rest.clone(), STEADY] {
-            for figure in all_four(&linkage, &linkage.at_crank_degrees(100.0).expect("off the pivot"), &drive) {
-                well_formed(&figure);
-                only_numbers(&figure);
-            }
+            let position = linkage.at_crank_degrees(100.0).expect("off the pivot");
+            all_four(&linkage, &position, &drive).iter().for_each(drawn);
         }
     }
-}
-
-#[test]
-fn labels_of_a_usual_position_do_not_overlap() {
-    for figure in usual() {
-        assert_eq!(overlapping_labels(&figure), [], "{}", figure.id);
-    }
-}
-
-#[test]
-fn drawing_twice_gives_the_same_bytes_and_not_too_many() {
-    assert_eq!(usual(), usual());
-    let sizes = usual().map(|figure| figure.svg.len());
-    assert!(sizes[..3].iter().all(|size| *size < 25_000) && sizes[3] < 30_000, "{sizes:?}");
 }
 
 #[test]
@@ -117,12 +90,6 @@ fn both_sides_of_both_equations_meet() {
     });
 }
 
-/// The tail and the tip of an arrow in the last step.
-fn ends(document: &Document<'_>, name: &str) -> [Vector2<f64>; 2] {
-    let parts = named(document, name);
-    [Vector2::from(start(&parts[0])), Vector2::from(start(&parts[1]))]
-}
-
 #[test]
 fn the_arrows_close_and_are_to_scale() {
     let [_, velocity, acceleration, _] = usual();
@@ -132,13 +99,13 @@ fn the_arrows_close_and_are_to_scale() {
         &[("a-pin-normal", 0), ("a-lever-normal", 2), ("a-lever-tangential", 3), ("a-sliding", 5), ("a-coriolis", 6)],
     ];
     for (figure, names) in [velocity, acceleration].iter().zip(names) {
-        let document = Document::parse(&figure.svg).expect("well-formed");
-        let [tail, tip] = ends(&document, names[0].0);
+        let drawing = Drawing::of(figure);
+        let [tail, tip] = drawing.arrow(names[0].0).expect("an arrow");
         let scale = (tip - tail).norm() / row(figure, 0).norm();
         let mut tips = vec![tip];
         let mut tails = vec![tail];
         for (name, k) in &names[1..] {
-            let [tail, tip] = ends(&document, name);
+            let [tail, tip] = drawing.arrow(name).expect("an arrow");
             assert!((tip - tail - row(figure, *k) * scale).norm() < PIXELS, "{name}");
             tails.push(tail);
             tips.push(tip);
@@ -146,21 +113,18 @@ fn the_arrows_close_and_are_to_scale() {
         // Every arrow but those at the pole begins where another ends, to the digit.
         let loose = tails.iter().filter(|at| !tips.contains(at)).count();
         assert_eq!(loose, 2, "{}: two begin at the pole", figure.id);
-        let bars = named(&document, "scale-bar");
-        let value = length(&bars[0]) / scale;
-        let texts = document.descendants().filter(|node| node.tag_name().name() == "text");
-        let said = texts.map(|node| words(&node)).find(|text| text.contains("in every step"));
-        let said: f64 = said.expect("said").split(' ').next().expect("a number").parse().expect("a number");
-        assert!(bars.len() == 1 && (value - said).abs() * scale < PIXELS, "{value} for {said}");
+        let value = drawing.length("scale-bar") / scale;
+        let said = drawing.texts().into_iter().find(|text| text.contains("in every step")).expect("said");
+        let said: f64 = said.split(' ').next().expect("a number").parse().expect("a number");
+        assert!((value - said).abs() * scale < PIXELS, "{value} for {said}");
     }
 }
 
 #[test]
 fn the_steps_are_numbered() {
     for (figure, count) in usual()[1..3].iter().zip([3, 5]) {
-        let document = Document::parse(&figure.svg).expect("well-formed");
-        let texts: Vec<String> =
-            document.descendants().filter(|n| n.tag_name().name() == "text").map(|n| words(&n)).collect();
+        let drawing = Drawing::of(figure);
+        let texts = drawing.texts();
         for number in 1..=count {
             assert!(texts.contains(&number.to_string()), "{}: {number}", figure.id);
         }
@@ -171,18 +135,14 @@ fn the_steps_are_numbered() {
 fn the_mechanism_is_to_scale_and_shows_the_other_branch_only_where_there_is_one() {
     each_case(|linkage, position, drive| {
         let figure = mechanism(linkage, position, drive, "m");
-        let document = Document::parse(&figure.svg).expect("well-formed");
-        let circle = &named(&document, "pin-circle")[0];
-        let pin = &named(&document, "pin")[0];
-        let at = |node, x, y| Vector2::new(number(node, x), number(node, y));
-        let (radius, from_axis) = (number(circle, "r"), at(pin, "cx", "cy") - at(circle, "cx", "cy"));
-        assert!((from_axis.norm() - radius).abs() < PIXELS);
+        let drawing = Drawing::of(&figure);
+        let radius = drawing.number("pin-circle", "r");
+        let from_axis = drawing.centre("pin") - drawing.centre("pin-circle");
         let direction = Vector2::new(position.crank.cos, -position.crank.sin);
         assert!((from_axis - direction * radius).norm() < PIXELS);
-        let ends = named(&document, "swing-end").len();
-        assert_eq!(ends, if linkage.strokes().swing_limit.is_some() { 2 } else { 0 });
-        let other = named(&document, "other-branch").len();
-        assert!(other == 0 || linkage.ratio() > 1.0);
+        let swings = linkage.strokes().swing_limit.is_some();
+        assert_eq!(drawing.count("swing-end"), if swings { 2 } else { 0 });
+        assert!(drawing.count("other-branch") == 0 || linkage.ratio() > 1.0);
     });
     let document = usual().map(|figure| figure.svg).concat();
     assert_eq!(document.matches("other branch").count(), 1);
@@ -212,9 +172,9 @@ fn the_curves_go_all_around_and_reverse_with_the_lever() {
             let after = rows.iter().filter(|row| row[0] > end && row[0] < 360.0 - end).all(|row| row[2] < 0.0);
             assert!(before && after);
         }
-        let document = Document::parse(&figure.svg).expect("well-formed");
+        let drawing = Drawing::of(&figure);
         for (class, count) in [("fast", 3), ("reversal", 6), ("instant", 3), ("now", 3)] {
-            assert_eq!(named(&document, class).len(), count, "{class}");
+            assert_eq!(drawing.count(class), count, "{class}");
         }
     }
 }

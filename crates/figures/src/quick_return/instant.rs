@@ -1,6 +1,7 @@
-//! One instant: the kinematics of the linkage, and how its values are written.
+//! One instant: the kinematics of the linkage, and how its terms are called and written.
 
-use crate::number::{significant, with_minus_sign};
+use crate::number::short;
+use crate::svg::Label;
 use geneva_kinematics::pin_vectors::PinMotion;
 use geneva_kinematics::quick_return::{Drive, Motion, Position, QuickReturn};
 use geneva_kinematics::relative_motion::SlotAccelerations;
@@ -9,9 +10,6 @@ use std::f64::consts::PI;
 
 /// What is so small beside the greatest of its kind is written as zero.
 const NOTHING: f64 = 1e-7;
-/// Outside these sizes values are written with a power of ten.
-const SMALL: f64 = 1e-3;
-const LARGE: f64 = 1e6;
 
 /// Position and motion at one instant. Angles in radians, the rest in the units of the arguments.
 #[derive(Clone, Debug)]
@@ -82,23 +80,7 @@ pub fn cleared(value: f64, scale: f64) -> f64 {
 
 /// A value with its unit, to four significant digits; zero without any.
 pub fn written(value: f64, unit: &str) -> String {
-    let digits = match value.abs() {
-        0.0 => "0".to_owned(),
-        size if (SMALL..LARGE).contains(&size) => significant(value, 4),
-        _ => {
-            let scientific = format!("{value:.3e}");
-            let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
-            format!("{mantissa}·10{}", raised(exponent))
-        }
-    };
-    with_minus_sign(&format!("{digits} {unit}"))
-}
-
-/// A whole number in superscript digits.
-fn raised(number: &str) -> String {
-    let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    let raise = |c: char| c.to_digit(10).and_then(|digit| digits.get(digit as usize)).copied().unwrap_or('⁻');
-    number.chars().map(raise).collect()
+    format!("{} {unit}", short(value, 4))
 }
 
 /// The sense of a rate, after its value: nothing for a rate of zero.
@@ -115,13 +97,36 @@ pub fn turning_label(rate: f64) -> String {
     turning(rate).replace('-', "\u{2010}")
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+/// Velocity of a point.
+pub fn v(point: &str) -> Label {
+    Label::symbol("v").sub(point)
+}
 
-    #[test]
-    fn values_have_four_digits_and_very_small_and_large_ones_a_power_of_ten() {
-        let texts = [0.0, -2.5, 0.012_345, 123_456.0, -1.5e-6, 9.999_99e11].map(|value| written(value, "m"));
-        assert_eq!(texts, ["0 m", "−2.500 m", "0.01235 m", "123500 m", "−1.500·10⁻⁶ m", "1.000·10¹² m"]);
-    }
+/// A part of the acceleration of a point: normal, n, or tangential, t.
+pub fn a(part: &str, point: &str) -> Label {
+    Label::symbol("a").sup(part).sub(point)
+}
+
+/// The Coriolis acceleration, 2 ω₄ × v.
+pub fn coriolis() -> Label {
+    Label::words("2").and_symbol("ω").sub("4").and(" × ").and_label(&v("P2P4"))
+}
+
+/// Angular velocity of a link.
+pub fn omega(link: &str) -> Label {
+    Label::symbol("ω").sub(link)
+}
+
+/// Angular acceleration of a link.
+pub fn alpha(link: &str) -> Label {
+    Label::symbol("α").sub(link)
+}
+
+/// The number of a vector in its series, its components, its magnitude and its direction in degrees.
+///
+/// The direction is counted counter-clockwise from O4 → O2; that of a vector that is nothing beside `scale` is zero.
+pub fn row(number: usize, vector: &Vector2<f64>, scale: f64) -> [f64; 5] {
+    let magnitude = libm::hypot(vector.x, vector.y);
+    let direction = if cleared(magnitude, scale) == 0.0 { 0.0 } else { libm::atan2(vector.y, vector.x).to_degrees() };
+    [number as f64, vector.x, vector.y, magnitude, direction]
 }

@@ -1,17 +1,25 @@
 //! The mechanism to scale at an instant.
 
-use super::bodies::bodies;
-use super::instant::{Instant, turning, written};
-use super::links::{Layout, WIDTH, length};
-use super::names::{VALUES, names, scale_bar, values};
-use crate::figure::{Figure, Words};
+use super::instant::{Instant, alpha, omega, turning, written};
+use super::linkage::{LEVER, Layout, bodies, length, other_branch, wrapped};
 use crate::number::degrees;
-use crate::series::Series;
-use crate::svg::canvas::{Canvas, Kind};
-use crate::svg::placing::Placing;
+use crate::parts::{NEAR, WIDTH, along_arc, angle_label, arc, arc_arrow, scale_bar};
+use crate::svg::{Canvas, Kind, Label, Pixels, Placing, Sense, Shape, around, beside_line, heading, leader};
+use crate::theme::{DRIVER, FOLLOWER, GRID, INK};
+use crate::{Figure, Series, Words};
 use geneva_kinematics::quick_return::{Drive, Position, QuickReturn};
 use nalgebra::Vector2;
+use std::f64::consts::{FRAC_PI_2, PI};
 
+/// Room for the values below the mechanism, its lines and where its columns begin, in pixels.
+const VALUES: f64 = 3.0 * LINE + 8.0;
+const LINE: f64 = 28.0;
+const COLUMNS: [f64; 3] = [30.0, 225.0, 410.0];
+/// From a body to the arrow of its sense, in pixels, and half the arrow's length.
+const TO_ARROW: f64 = 15.0;
+const HALF_ARROW: f64 = 30.0;
+/// The narrowest angle with a mark, in radians.
+const NARROWEST: f64 = 0.05;
 /// Room for the scale bar above the mechanism.
 const SCALE_BAR: f64 = 34.0;
 
@@ -28,49 +36,34 @@ pub fn mechanism(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>,
     let mut placing = Placing::within(Vector2::new(6.0, SCALE_BAR), Vector2::new(WIDTH - 6.0, bottom));
     bodies(&mut canvas, &mut placing, &layout, linkage, &instant);
     names(&mut canvas, &mut placing, &layout, linkage, &instant, drive);
-    scale_bar(&mut canvas, &layout, length_unit);
+    scale_bar(&mut canvas, &Vector2::new(COLUMNS[0], 24.0), layout.view.scale, false, length_unit);
     values(&mut canvas, linkage, &instant, drive, length_unit, bottom);
 
     let speed_unit = format!("{length_unit}/s");
-    let columns = [
-        ("phi", "deg"),
-        ("psi", "deg"),
-        ("beta", "deg"),
-        ("l", length_unit),
-        ("R", length_unit),
-        ("r", length_unit),
-        ("omega_2", "rad/s"),
-        ("alpha_2", "rad/s^2"),
-        ("omega_4", "rad/s"),
-        ("alpha_4", "rad/s^2"),
-        ("v_P2P4", speed_unit.as_str()),
-    ];
-    let angles = [instant.crank_angle, instant.lever_angle, instant.angle_at_pin].map(f64::to_degrees);
     let motion = &instant.motion;
-    let sliding = motion.velocities.sliding_velocity.dot(&instant.along);
-    let row = [
-        angles[0],
-        angles[1],
-        angles[2],
-        linkage.ground(),
-        linkage.crank(),
-        instant.pin_distance,
-        drive.speed,
-        drive.acceleration,
-        motion.velocities.follower_speed,
-        motion.accelerations.follower_acceleration,
-        sliding,
-    ];
+    let series = Series::of_one([
+        ("phi", "deg", instant.crank_angle.to_degrees()),
+        ("psi", "deg", instant.lever_angle.to_degrees()),
+        ("beta", "deg", instant.angle_at_pin.to_degrees()),
+        ("l", length_unit, linkage.ground()),
+        ("R", length_unit, linkage.crank()),
+        ("r", length_unit, instant.pin_distance),
+        ("omega_2", "rad/s", drive.speed),
+        ("alpha_2", "rad/s^2", drive.acceleration),
+        ("omega_4", "rad/s", motion.velocities.follower_speed),
+        ("alpha_4", "rad/s^2", motion.accelerations.follower_acceleration),
+        ("v_P2P4", &speed_unit, motion.velocities.sliding_velocity.dot(&instant.along)),
+    ]);
     let [phi, psi, beta] = [instant.crank_angle, instant.lever_angle, instant.angle_at_pin].map(degrees);
     let (omega_2, omega_4) = (drive.speed, instant.lever_speed(drive));
     let kind = match linkage.strokes().swing_limit {
         Some(limit) => format!("swings between −{0} and {0}", degrees(limit)),
         None => "turns round and round".to_owned(),
     };
-    let words = Words {
-        id: "quick-return-mechanism".to_owned(),
-        title: format!("Quick-return mechanism at a lever angle of {psi}"),
-        description: format!(
+    let words = Words::new(
+        "quick-return-mechanism",
+        format!("Quick-return mechanism at a lever angle of {psi}"),
+        format!(
             "A crank of {} turns about O2. Its pin slides in the slot of a lever that turns about O4, {} to the left of \
              O2. The crank's angle is {phi}, the lever's {psi}, the angle between them at the pin {beta}; the pin is \
              {} from O4. The crank's angular velocity is {}{}; the \
@@ -83,10 +76,123 @@ pub fn mechanism(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>,
             written(omega_4.abs(), "rad/s"),
             turning(omega_4)
         ),
-        caption:
-            "The mechanism to scale. The pin P2 on the crank slides in the slot; P4 is the lever's point under it, \
-                  at the same place at this instant."
-                .to_owned(),
-    };
-    words.figure(canvas, Kind::Mechanism, Series::new(columns, [row]))
+        "The mechanism to scale. The pin P2 on the crank slides in the slot; P4 is the lever's point under it, \
+                  at the same place at this instant.",
+    );
+    words.figure(canvas, Kind::Mechanism, series)
+}
+
+/// Angles, senses and names, the most bound to their places first.
+fn names(
+    canvas: &mut Canvas,
+    placing: &mut Placing,
+    at: &Layout,
+    linkage: &QuickReturn,
+    instant: &Instant,
+    drive: &Drive<f64>,
+) {
+    let (phi, psi) = (instant.crank_angle, instant.lever_angle);
+    let distance = (at.pin - at.pivot).norm();
+    let at_pivot = (0.42 * at.view.place(&Vector2::zeros()).metric_distance(&at.axis)).min(0.7 * distance).max(40.0);
+    let at_pin = (0.3 * at.crank.min(distance)).clamp(24.0, 44.0);
+    let swept = wrapped(phi - psi);
+    mark(canvas, placing, &at.pin, at_pin, (psi + PI, psi + PI + swept), false, ("β", instant.angle_at_pin));
+    mark(canvas, placing, &at.pivot, at_pivot, (0.0, psi), false, ("ψ", psi));
+    mark(canvas, placing, &at.axis, (0.42 * at.crank).min(58.0), (0.0, phi), true, ("φ", phi));
+
+    let omega_4 = instant.lever_speed(drive);
+    let aside = if linkage.strokes().swing_limit.is_some() { -0.85 * at.side } else { psi - FRAC_PI_2 };
+    for (centre, radius, middle, rate, symbol, shade) in [
+        (&at.axis, at.crank + TO_ARROW, aside, drive.speed, omega("2").shade(DRIVER), DRIVER),
+        (&at.pivot, at.lever + LEVER + TO_ARROW, psi, omega_4, omega("4").shade(FOLLOWER), FOLLOWER),
+    ] {
+        // At rest there is no sense.
+        if rate != 0.0 {
+            let half = HALF_ARROW / radius * Sense::of(rate).sign();
+            arc_arrow(canvas, centre, radius, middle - half, middle + half, shade, 2.5);
+            placing.avoid_arc(centre, radius, middle - half, middle + half, 2.0);
+            placing.put(canvas, &symbol, around(&(centre + heading(middle) * radius), middle, &NEAR));
+        }
+    }
+    let outwards = psi + FRAC_PI_2 * at.side;
+    let pin = Label::words("P").sub("2").and(", P").sub("4");
+    placing.put(canvas, &pin, around(&at.pin, outwards, &[12.0, 18.0, 26.0, 36.0, 50.0]));
+    for (point, name) in [(&at.pivot, "4"), (&at.axis, "2")] {
+        let label = Label::words("O").sub(name);
+        placing.put(canvas, &label, around(point, -at.side * 0.5, &[14.0, 20.0, 28.0, 38.0]));
+    }
+    if let Some(ghost) = other_branch(at, linkage, instant) {
+        let places =
+            beside_line(&at.axis, &ghost, &NEAR).into_iter().chain(around(&ghost, -FRAC_PI_2 * at.side, &NEAR));
+        if let Some(place) = placing.put(canvas, &Label::words("other branch").shade(DRIVER), places) {
+            leader(canvas, &place);
+        }
+    }
+    if let Some(limit) = linkage.strokes().swing_limit {
+        for angle in [limit, -limit] {
+            let from = at.pivot.lerp(&at.tip(angle), 0.3);
+            let label = Label::words(&format!("end of swing {}", degrees(angle))).shade(FOLLOWER);
+            placing.put(canvas, &label, beside_line(&from, &at.tip(angle), &NEAR));
+        }
+    }
+}
+
+/// The mark of an angle about a point, with an arrow head if it is counted in one sense, and its label: with the value
+/// if it has room within the angle.
+fn mark(
+    canvas: &mut Canvas,
+    placing: &mut Placing,
+    centre: &Pixels,
+    radius: f64,
+    (from, to): (f64, f64),
+    counted: bool,
+    (symbol, angle): (&str, f64),
+) {
+    if (to - from).abs() < NARROWEST {
+        return;
+    }
+    if counted && (to - from).abs() * radius > 24.0 {
+        arc_arrow(canvas, centre, radius, from, to, INK, 1.5);
+    } else {
+        arc(canvas, centre, radius, from, to, INK, 1.5);
+    }
+    placing.avoid_arc(centre, radius, from, to, 1.0);
+    let places = |distances: &[f64]| along_arc(centre, radius, (from, to), distances);
+    let whole = angle_label(symbol, angle);
+    if placing.has_room(&whole, places(&NEAR[..3])) {
+        placing.put(canvas, &whole, places(&NEAR[..3]));
+    } else {
+        let middle = (from + to) / 2.0;
+        let elsewhere = around(&(centre + heading(middle) * radius), middle, &NEAR);
+        placing.put(canvas, &Label::symbol(symbol), places(&NEAR).into_iter().chain(elsewhere));
+    }
+}
+
+/// Lengths, angles, and the motion of the two links, in columns below.
+fn values(canvas: &mut Canvas, linkage: &QuickReturn, instant: &Instant, drive: &Drive<f64>, unit: &str, top: f64) {
+    let rule = [COLUMNS[0], WIDTH - COLUMNS[0]].map(|x| Vector2::new(x, top));
+    canvas.draw(Shape::line(&rule[0], &rule[1]).stroke(GRID, 1.2));
+    let columns = [
+        [
+            Label::symbol("l").and(&format!(" = {}", length(linkage.ground(), unit))),
+            Label::symbol("R").and(&format!(" = {}", length(linkage.crank(), unit))).shade(DRIVER),
+            Label::symbol("r").and(&format!(" = {}", written(instant.pin_distance, unit))).shade(FOLLOWER),
+        ],
+        [
+            angle_label("φ", instant.crank_angle),
+            angle_label("ψ", instant.lever_angle),
+            angle_label("β", instant.angle_at_pin),
+        ],
+        [
+            omega("2").and(&format!(" = {}", written(drive.speed, "rad/s"))).shade(DRIVER),
+            omega("4").and(&format!(" = {}", written(instant.lever_speed(drive), "rad/s"))).shade(FOLLOWER),
+            alpha("4").and(&format!(" = {}", written(instant.lever_acceleration(drive), "rad/s²"))).shade(FOLLOWER),
+        ],
+    ];
+    for (x, labels) in COLUMNS.into_iter().zip(columns) {
+        for (k, label) in labels.into_iter().enumerate() {
+            let at = Vector2::new(x, top + LINE * (k as f64 + 0.7));
+            canvas.label(&at, &Vector2::new(1.0, 0.0), 0.0, &label.bare());
+        }
+    }
 }

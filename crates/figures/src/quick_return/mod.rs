@@ -6,17 +6,13 @@
 //! pin's distance from O4.
 
 mod acceleration;
-mod bodies;
 #[cfg(test)]
 mod drawn;
 mod instant;
-mod links;
+mod linkage;
 mod mechanism;
-mod names;
 mod order;
-mod panels;
 mod steps;
-mod symbols;
 mod turn;
 mod velocity;
 

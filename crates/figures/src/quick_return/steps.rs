@@ -1,19 +1,13 @@
 //! A vector diagram in numbered steps, all to one scale: how the steps lie on the page.
 
 use super::instant::{cleared, written};
-use crate::number::{round_step, trimmed};
-use crate::svg::canvas::Canvas;
-use crate::svg::label::Label;
-use crate::svg::marks::arrow;
-use crate::svg::placing::{Placing, around, beside_line, leader};
-use crate::svg::shape::{DASHED, Shape};
-use crate::svg::view::{Pixels, View};
+use crate::parts::{WIDTH, arrow, numbered, scale_bar};
+use crate::svg::{Canvas, DASHED, Label, Pixels, Placing, Shape, View, around, beside_line, leader};
 use crate::theme::{INK, PAPER, Shade};
 use nalgebra::Vector2;
 
-const WIDTH: f64 = 640.0;
 /// The largest that the vectors may be: width and height in pixels.
-const ROOM: (f64, f64) = (208.0, 214.0);
+const ROOM: Pixels = Vector2::new(208.0, 214.0);
 /// Free space above and below the vectors, in pixels: in the small steps and in the last one.
 const MARGIN: f64 = 42.0;
 const LAST_MARGIN: f64 = 52.0;
@@ -96,14 +90,12 @@ pub struct Diagram {
 impl Diagram {
     /// The steps in two columns, the last one across both, and the scale bar.
     pub fn draw(&self) -> Canvas {
-        let (least, greatest) = self.bounds();
-        let size = greatest - least;
-        let fit = |room: f64, size: f64| if size > 0.0 { room / size } else { f64::INFINITY };
-        let scale = fit(ROOM.0, size.x).min(fit(ROOM.1, size.y));
-        let scale = if scale.is_finite() && scale > 0.0 { scale } else { 1.0 };
-        let drawn = (size.y * scale).max(40.0);
-        let middle = (least + greatest) / 2.0 * scale;
-        let view = |x: f64, y: f64| View { origin: Vector2::new(x - middle.x, y + middle.y), scale };
+        let ends = self.arrows.iter().flat_map(|at| [at.tail, at.tail + at.vector]);
+        let fitted = View::fitting(ends.clone(), ROOM, Pixels::zeros());
+        let (scale, y) = (fitted.scale, |end: Vector2<f64>| end.y * fitted.scale);
+        let drawn = ends.clone().map(y).fold(0.0, f64::max) - ends.map(y).fold(0.0, f64::min);
+        let drawn = drawn.max(40.0);
+        let view = |x: f64, y: f64| View { origin: fitted.origin + Vector2::new(x, y), scale };
 
         let closing = self.closing_step(scale);
         let rows: Vec<f64> = self.steps.chunks(2).map(|row| head(row) + drawn + 2.0 * MARGIN).collect();
@@ -134,7 +126,8 @@ impl Diagram {
         let shifts = SHIFTS.map(|shift| (cost(shift), shift));
         let (_, shift) = shifts.into_iter().fold(shifts[0], |best, at| if at.0 < best.0 - 1e-6 { at } else { best });
         draw(&mut canvas, shift);
-        self.scale_bar(&mut canvas, scale, height);
+        let start = Vector2::new(NUMBER, height - SCALE_BAR / 2.0);
+        scale_bar(&mut canvas, &start, scale, false, &format!("{}, in every step", self.unit));
         canvas
     }
 
@@ -147,11 +140,6 @@ impl Diagram {
     fn written(&self, arrow: &Arrow) -> String {
         let value = self.value(arrow);
         if value == 0.0 { "0".to_owned() } else { written(value, &self.unit) }
-    }
-
-    fn bounds(&self) -> (Vector2<f64>, Vector2<f64>) {
-        let ends = self.arrows.iter().flat_map(|at| [at.tail, at.tail + at.vector]);
-        ends.fold((Vector2::zeros(), Vector2::zeros()), |(a, b), at| (a.inf(&at), b.sup(&at)))
     }
 
     /// The last step: its words, then what is zero and therefore not drawn.
@@ -183,8 +171,7 @@ impl Diagram {
     ) -> f64 {
         let [corner, end] = corners;
         let line = |x: f64, k: usize| corner + Vector2::new(x, FIRST_LINE + LINE * k as f64);
-        canvas.draw(Shape::circle(&line(NUMBER, 0), 14.0).stroke(INK, 1.5));
-        canvas.label(&line(NUMBER, 0), &Pixels::zeros(), 0.0, &Label::words(&number.to_string()).bare());
+        numbered(canvas, &line(NUMBER, 0), number);
         for (k, words) in step.words.iter().enumerate() {
             canvas.label(&line(WORDS, k), &Vector2::new(1.0, 0.0), 0.0, &words.clone().bare());
         }
@@ -234,19 +221,6 @@ impl Diagram {
         }
         placing.put(canvas, &Label::symbol("o"), around(&pole, 0.0, &[8.0, 12.0, 18.0, 26.0]));
         placing.spent()
-    }
-
-    fn scale_bar(&self, canvas: &mut Canvas, scale: f64, height: f64) {
-        let value = round_step(60.0 / scale);
-        let start = Vector2::new(NUMBER, height - SCALE_BAR / 2.0);
-        let end = start + Vector2::new(value * scale, 0.0);
-        canvas.draw(Shape::line(&start, &end).stroke(INK, 2.0).class("scale-bar"));
-        for at in [start, end] {
-            let tick = Vector2::new(0.0, 6.0);
-            canvas.draw(Shape::line(&(at - tick), &(at + tick)).stroke(INK, 2.0));
-        }
-        let label = Label::words(&format!("{} {}, in every step", trimmed(value, 6), self.unit));
-        canvas.label(&end, &Vector2::new(1.0, 0.0), 14.0, &label);
     }
 }
 

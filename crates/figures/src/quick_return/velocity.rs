@@ -1,14 +1,11 @@
 //! The velocity diagram, step by step.
 
-use super::instant::{Instant, turning, turning_label, written};
+use super::instant::{Instant, omega, row, turning, turning_label, v, written};
 use super::steps::{Arrow, Diagram, Direction, Step};
-use super::symbols::{omega, row, v};
-use crate::figure::{Figure, Words};
 use crate::number::degrees;
-use crate::series::Series;
-use crate::svg::canvas::Kind;
-use crate::svg::label::Label;
+use crate::svg::{Kind, Label};
 use crate::theme::{DRIVER, FOLLOWER, RELATIVE};
+use crate::{Figure, Series, Words};
 use geneva_kinematics::pin_vectors::quarter_turn;
 use geneva_kinematics::quick_return::{Drive, Position, QuickReturn};
 use nalgebra::Vector2;
@@ -81,10 +78,10 @@ pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Driv
     ];
     let [pin, slot, sliding] = ["v-pin", "v-lever", "v-sliding"].map(|name| diagram.value_of(name));
     let psi = degrees(instant.lever_angle);
-    let words = Words {
-        id: "quick-return-velocity".to_owned(),
-        title: format!("Velocity diagram of the quick-return mechanism at a lever angle of {psi}"),
-        description: format!(
+    let words = Words::new(
+        "quick-return-velocity",
+        format!("Velocity diagram of the quick-return mechanism at a lever angle of {psi}"),
+        format!(
             "Three steps to one scale. 1: from the pole, the velocity of the pin P2, {pin}. 2: two dashed lines of known \
              direction, across the lever from the pole and along the lever through the tip. 3: they meet and close a \
              right-angled triangle: the velocity of the lever's point P4, {slot}, and the velocity of P2 relative to \
@@ -92,10 +89,9 @@ pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Driv
             written(omega_4.abs(), "rad/s"),
             turning(omega_4)
         ),
-        caption: "The velocity diagram in three steps. One vector is known; of the other two the directions are, and \
-                  two directions close a triangle. The pole is o."
-            .to_owned(),
-    };
+        "The velocity diagram in three steps. One vector is known; of the other two the directions are, and \
+                  two directions close a triangle. The pole is o.",
+    );
     words.figure(diagram.draw(), Kind::Steps, Series::new(columns, rows))
 }
 

@@ -14,7 +14,7 @@ pub use deviations::{Deviation, Deviations, deviations};
 pub use over_torque::over_torque;
 pub use speeds::{first_minimum, speeds};
 
-use crate::steady::MotionError;
+use crate::error::FigureError;
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
@@ -54,7 +54,7 @@ pub struct Group {
 
 impl Group {
     /// The engagement at a friction and a torque, with this fold.
-    pub(crate) fn engagement(&self, friction: f64, torque: f64, fold: f64) -> Result<Engagement, MotionError> {
+    pub(crate) fn engagement(&self, friction: f64, torque: f64, fold: f64) -> Result<Engagement, FigureError> {
         let parameters = Parameters::new(self.mechanism, self.inertias, torque, friction)?;
         Ok(Engagement::folded(&parameters, fold, TOLERANCE)?)
     }

@@ -1,12 +1,11 @@
 //! What must hold of the drawings of single runs.
 
 use super::{aliasing, first_minimum, speeds};
-use crate::checks::{named, number, sound};
-use crate::steady::MotionError;
+use crate::FigureError;
+use crate::checks::{Drawing, sound};
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
-use roxmltree::Document;
 
 fn engagement(mechanism: Mechanism, friction: f64) -> Engagement {
     let inertias = Inertias::new(3.0, 40.0).expect("sound");
@@ -38,9 +37,9 @@ fn printed_peaks_are_below_the_true_ones_and_swing() {
 fn a_run_of_a_few_engagements_does_not_tell() {
     let one = engagement(Mechanism::FOUR_PIN, 0.25);
     let period = one.steady_state().expect("steady").period;
-    assert_eq!(aliasing(&one, period / 50.0, 2.0 * period), Err(MotionError::Nothing));
-    assert!(matches!(aliasing(&one, 0.0, 1.0), Err(MotionError::Steady(_))));
-    assert!(matches!(speeds(&engagement(Mechanism::FOUR_PIN, 0.0), ""), Err(MotionError::Steady(_))));
+    assert_eq!(aliasing(&one, period / 50.0, 2.0 * period), Err(FigureError::Nothing));
+    assert!(matches!(aliasing(&one, 0.0, 1.0), Err(FigureError::Steady(_))));
+    assert!(matches!(speeds(&engagement(Mechanism::FOUR_PIN, 0.0), ""), Err(FigureError::Steady(_))));
 }
 
 #[test]
@@ -63,11 +62,10 @@ fn the_first_minimum_is_marked_and_the_follower_keeps_its_sense() {
         };
         let period = rise.steady.period;
         assert!(around(first - 0.1 * period, first + 0.1 * period) >= speed * (1.0 - 1e-6));
-        let document = Document::parse(&figure.svg).expect("well-formed");
-        let ring = &named(&document, "first-minimum")[0];
+        let drawing = Drawing::of(&figure);
         let duration = rise.cycles[0].end + 4.0 * period;
-        let frame = number(&named(&document, "zero")[0], "x1")..number(&named(&document, "zero")[0], "x2");
-        let share = (number(ring, "cx") - frame.start) / (frame.end - frame.start);
+        let frame = drawing.path("zero", 0);
+        let share = (drawing.centre("first-minimum").x - frame[0].x) / (frame[1].x - frame[0].x);
         assert!((share - first / duration).abs() < 1e-3, "{share}");
     }
 }

@@ -4,7 +4,7 @@ use super::driver::Driver;
 use super::pose::Bodies;
 use crate::checks::{corners, depth};
 use crate::star::Star;
-use crate::svg::view::View;
+use crate::svg::View;
 use geneva_kinematics::Turn;
 use geneva_kinematics::wheel::Wheel;
 use nalgebra::Vector2;

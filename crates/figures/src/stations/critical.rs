@@ -1,20 +1,15 @@
 //! The geometry of entry: the right angle at the pin, from which all sizes follow.
 
-use super::pose::{Bodies, Margins, id};
-use crate::figure::{Figure, Words};
+use super::pose::{Bodies, Margins};
 use crate::number::{degrees, significant};
-use crate::series::Series;
-use crate::svg::canvas::{Canvas, Kind};
-use crate::svg::label::Label;
-use crate::svg::marks::{arc, dimension, right_angle};
-use crate::svg::shape::{DASHED, Shape};
-use crate::svg::view::{Pixels, heading};
-use crate::theme::{DRIVER, FILL, FOLLOWER, INK, PAPER};
+use crate::parts::{self, WIDTH, arc, dimension, pin_circle, right_angle};
+use crate::svg::{Canvas, DASHED, Kind, Label, Pixels, Shape, heading};
+use crate::theme::{DRIVER, FILL, FOLLOWER, INK};
+use crate::{Figure, Series, Words};
 use geneva_kinematics::wheel::Wheel;
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
-const WIDTH: f64 = 640.0;
 const MARGINS: Margins = Margins { left: 30.0, right: 30.0, above: 80.0, below: 44.0 };
 /// From the top of the page to the dimension of the centre distance, in pixels.
 const DIMENSION: f64 = 50.0;
@@ -35,19 +30,24 @@ pub fn critical_geometry(wheel: &Wheel) -> Figure {
     canvas.group("opacity=\"0.5\"", |canvas| bodies.draw_wheel(canvas, &bodies.pivot, alpha, 1.3));
     let rim = Shape::circle(&bodies.pivot, bodies.star.rim * scale).stroke(FOLLOWER, 1.3).dashed("2 4");
     canvas.draw(rim.class("rim"));
-    canvas.draw(Shape::circle(&bodies.axis, scale).stroke(DRIVER, 1.3).dashed("2 4").class("pin-circle"));
+    pin_circle(&mut canvas, &bodies.axis, scale);
     triangle(&mut canvas, &bodies, alpha, &pin);
     angles(&mut canvas, &bodies, alpha, theta, &pin);
     lengths(&mut canvas, &bodies, alpha, theta, &pin);
 
     let (l, radius) = (wheel.centre_distance_ratio(), wheel.wheel_radius_ratio());
-    let columns =
-        [("N", "1"), ("alpha", "deg"), ("pi/2-alpha", "deg"), ("l/r", "1"), ("wheel/r", "1"), ("crank/r", "1")];
-    let row = [f64::from(wheel.stations()), alpha.to_degrees(), theta.to_degrees(), l, radius, 1.0];
-    let words = Words {
-        id: id("critical", wheel),
-        title: format!("Geometry of a wheel with {} stations as the pin enters", wheel.stations()),
-        description: format!(
+    let series = Series::of_one([
+        ("N", "1", f64::from(wheel.stations())),
+        ("alpha", "deg", alpha.to_degrees()),
+        ("pi/2-alpha", "deg", theta.to_degrees()),
+        ("l/r", "1", l),
+        ("wheel/r", "1", radius),
+        ("crank/r", "1", 1.0),
+    ]);
+    let words = Words::new(
+        "wheel-critical",
+        format!("Geometry of a wheel with {} stations as the pin enters", wheel.stations()),
+        format!(
             "A right-angled triangle of the wheel's axis O, the driver's axis B and the pin P, with the right angle at \
              P. The angle at O is α, {}; that at B is π/2 − α, {}. With a crank of length 1 the centre distance OB is \
              1 / sin α, {}, and the wheel's radius OP is 1 / tan α, {}. Neighbouring slots make an angle of 2α.",
@@ -56,27 +56,25 @@ pub fn critical_geometry(wheel: &Wheel) -> Figure {
             significant(l, 4),
             significant(radius, 4)
         ),
-        caption: "The moment of entry. The slot is tangent to the crank circle, so the triangle has a right angle at \
-                  the pin; crank 1, centre distance 1 / sin α and the wheel's radius 1 / tan α follow."
-            .to_owned(),
-    };
-    words.figure(canvas, Kind::Mechanism, Series::new(columns, [row]))
+        "The moment of entry. The slot is tangent to the crank circle, so the triangle has a right angle at \
+                  the pin; crank 1, centre distance 1 / sin α and the wheel's radius 1 / tan α follow.",
+    );
+    words.figure(canvas, Kind::Mechanism, series)
 }
 
 fn triangle(canvas: &mut Canvas, at: &Bodies, alpha: f64, pin: &Pixels) {
     let next = at.on_wheel(at.star.rim + 14.0 / at.view.scale, alpha);
     canvas.draw(Shape::line(&at.pivot, &next).stroke(FOLLOWER, 1.5).dashed(DASHED).class("next-slot"));
-    for (from, to, shade, name) in [
+    let sides = [
         (&at.pivot, &at.axis, INK, "side-l"),
         (&at.axis, pin, DRIVER, "side-1"),
         (&at.pivot, pin, FOLLOWER, "side-rim"),
-    ] {
-        canvas.draw(Shape::line(from, to).stroke(shade, 3.0).with("stroke-linecap", "round").class(name));
-    }
+    ];
+    parts::sides(canvas, sides);
     for (centre, shade) in [(&at.pivot, FOLLOWER), (&at.axis, DRIVER)] {
-        canvas.draw(Shape::circle(centre, 5.0).stroke(shade, 2.0).fill(PAPER));
+        parts::axis(canvas, centre, shade);
     }
-    canvas.draw(Shape::circle(pin, at.driver.pin * at.view.scale).stroke(INK, 2.0).fill(PAPER).class("pin"));
+    parts::pin(canvas, pin, at.driver.pin * at.view.scale);
 }
 
 fn angles(canvas: &mut Canvas, at: &Bodies, alpha: f64, theta: f64, pin: &Pixels) {

@@ -1,56 +1,30 @@
 //! What must hold of the drawings of wheels as they are written, read back from the SVG.
 
 use super::{advance, critical_geometry, extremes, mechanism, model, motion};
-use crate::Figure;
-use crate::checks::{corners, length, named, number, only_numbers, well_formed};
-use geneva_kinematics::KinematicsError;
+use crate::FigureError;
+use crate::checks::{Drawing, PIXELS, drawn};
 use geneva_kinematics::wheel::{Wheel, acceleration_peak, entry_acceleration, peak_velocity};
-use roxmltree::Document;
-use std::collections::BTreeSet;
-
-/// Half a unit of the last written digit of a coordinate, in each of a length's four coordinates, with room to spare.
-const PIXELS: f64 = 0.02;
 
 fn wheels() -> Vec<Wheel> {
     let all = (3..=18).flat_map(|stations| (1..=6).filter_map(move |pins| Wheel::with_pins(stations, pins).ok()));
     all.collect()
 }
 
-fn all(wheel: &Wheel) -> Vec<Figure> {
-    let half = wheel.engagement_half_angle();
-    let mut figures = vec![mechanism(wheel), critical_geometry(wheel), advance(wheel), motion(wheel)];
-    figures.extend([-1.0, -0.4, 0.0, 0.7, 1.0].map(|share| model(wheel, share * half).expect("engaged")));
-    figures
-}
-
 #[test]
-fn every_figure_is_well_formed_in_true_numbers_and_small() {
-    let mut ids = BTreeSet::new();
+fn every_wheel_is_drawn_light_and_in_true_numbers() {
     for wheel in wheels() {
-        for (k, figure) in all(&wheel).iter().enumerate() {
-            well_formed(figure);
-            only_numbers(figure);
-            let most = if figure.id.starts_with("wheel-motion") { 32_000 } else { 17_000 };
-            assert!(figure.svg.len() < most, "{}: {} bytes", figure.id, figure.svg.len());
-            assert!(ids.insert(figure.id.clone()) || k > 4, "{} twice", figure.id);
+        [mechanism(&wheel), critical_geometry(&wheel), advance(&wheel), motion(&wheel)].iter().for_each(drawn);
+        for share in [-1.0, -0.4, 0.0, 0.7, 1.0] {
+            drawn(&model(&wheel, share * wheel.engagement_half_angle()).expect("engaged"));
         }
     }
-    for range in [3..=18, 3..=60, 5..=5, 0..=2] {
-        well_formed(&extremes(range.clone()));
-        only_numbers(&extremes(range));
-    }
-}
-
-#[test]
-fn drawing_twice_gives_the_same_bytes() {
-    let wheel = Wheel::with_pins(6, 2).expect("possible");
-    assert_eq!(all(&wheel), all(&wheel));
+    [3..=18, 3..=60, 5..=5, 0..=2].into_iter().for_each(|range| drawn(&extremes(range)));
 }
 
 #[test]
 fn an_angle_outside_the_engagement_has_no_triangle() {
     let wheel = Wheel::new(6).expect("possible");
-    assert!(matches!(model(&wheel, 1.1), Err(KinematicsError::OutsideEngagement { .. })));
+    assert!(matches!(model(&wheel, 1.1), Err(FigureError::Wheel(_))));
 }
 
 #[test]
@@ -58,19 +32,18 @@ fn the_triangles_are_to_scale() {
     for wheel in wheels() {
         let (l, rim) = (wheel.centre_distance_ratio(), wheel.wheel_radius_ratio());
         let figure = model(&wheel, 0.6 * wheel.engagement_half_angle()).expect("engaged");
-        let document = Document::parse(&figure.svg).expect("well-formed");
-        let side = |class: &str| length(&named(&document, class)[0]);
-        let crank = number(&named(&document, "pin-circle")[0], "r");
-        assert!((side("side-r") - crank).abs() < PIXELS);
-        assert!((side("side-l") - l * crank).abs() < PIXELS + 0.01 * l);
-        assert!((side("side-x") - figure.series.rows[0][2] * crank).abs() < PIXELS + 0.01 * l);
+        let drawing = Drawing::of(&figure);
+        let crank = drawing.number("pin-circle", "r");
+        assert!((drawing.length("side-r") - crank).abs() < PIXELS);
+        assert!((drawing.length("side-l") - l * crank).abs() < PIXELS + 0.01 * l);
+        assert!((drawing.length("side-x") - figure.series.rows[0][2] * crank).abs() < PIXELS + 0.01 * l);
 
         let figure = critical_geometry(&wheel);
-        let document = Document::parse(&figure.svg).expect("well-formed");
-        let [a, b, c] = ["side-1", "side-rim", "side-l"].map(|class| length(&named(&document, class)[0]));
+        let drawing = Drawing::of(&figure);
+        let [a, b, c] = ["side-1", "side-rim", "side-l"].map(|side| drawing.length(side));
         assert!((a.hypot(b) - c).abs() < 2.0 * PIXELS, "a right angle at the pin");
         assert!((b / a - rim).abs() < PIXELS / a * (1.0 + rim) && (c / a - l).abs() < PIXELS / a * (1.0 + l));
-        assert!((number(&named(&document, "rim")[0], "r") - b).abs() < PIXELS);
+        assert!((drawing.number("rim", "r") - b).abs() < PIXELS);
     }
 }
 
@@ -78,27 +51,26 @@ fn the_triangles_are_to_scale() {
 fn the_wheel_of_the_mechanism_is_to_scale_and_faces_the_driver() {
     for wheel in wheels() {
         let figure = mechanism(&wheel);
-        let document = Document::parse(&figure.svg).expect("well-formed");
-        let circle = named(&document, "pin-circle")[0];
-        let [x, y, crank] = ["cx", "cy", "r"].map(|name| number(&circle, name));
-        let outline = corners(named(&document, "wheel")[0].attribute("d").expect("a path"), 0.1);
-        let axis = x - wheel.centre_distance_ratio() * crank;
-        let from = |cx: f64| outline.iter().map(move |at| (at.x - cx).hypot(at.y - y));
+        let drawing = Drawing::of(&figure);
+        let (driver, crank) = (drawing.centre("pin-circle"), drawing.number("pin-circle", "r"));
+        let outline = drawing.path("wheel", 0);
+        let axis = driver.x - wheel.centre_distance_ratio() * crank;
+        let from = |cx: f64| outline.iter().map(move |at| (at.x - cx).hypot(at.y - driver.y));
         let rounded = 2.0 * PIXELS + 0.01 * wheel.centre_distance_ratio();
         assert!((from(axis).fold(0.0, f64::max) - wheel.wheel_radius_ratio() * crank).abs() < rounded);
         // The nearest part of the wheel to the driver's axis is the locking arc that is centred there.
         let journal = figure.series.rows[0][5] * crank;
-        assert!((from(x).fold(f64::INFINITY, f64::min) - journal).abs() < rounded);
-        assert_eq!(named(&document, "pin").len() as u32, wheel.pins());
-        assert_eq!(named(&document, "journal").len(), usize::from(wheel.dwell_fraction() > 1e-9));
+        assert!((from(driver.x).fold(f64::INFINITY, f64::min) - journal).abs() < rounded);
+        assert_eq!(drawing.count("pin") as u32, wheel.pins());
+        assert_eq!(drawing.count("journal"), usize::from(wheel.dwell_fraction() > 1e-9));
     }
 }
 
 #[test]
 fn the_series_of_an_advance_is_symmetric_with_both_ends() {
     for wheel in wheels() {
-        let series = advance(&wheel).series;
-        let (rows, last) = (&series.rows, series.rows.len() - 1);
+        let rows = advance::rows(&wheel);
+        let last = rows.len() - 1;
         assert!(rows.len() >= 91);
         approx::assert_relative_eq!(rows[0][0], -wheel.engagement_half_angle().to_degrees(), max_relative = 1e-14);
         approx::assert_relative_eq!(rows[0][1], -wheel.half_station(), max_relative = 1e-13);
@@ -111,17 +83,16 @@ fn the_series_of_an_advance_is_symmetric_with_both_ends() {
         }
         assert_eq!([rows[0][2], rows[last][2]], [0.0, 0.0]);
     }
-    assert_eq!(advance(&Wheel::new(4).expect("possible")).series.rows.len(), 91);
+    assert_eq!(advance::rows(&Wheel::new(4).expect("possible")).len(), 91);
 }
 
 #[test]
 fn the_jumps_are_drawn_where_there_is_a_dwell() {
     for wheel in wheels() {
         let figure = advance(&wheel);
-        let document = Document::parse(&figure.svg).expect("well-formed");
+        let drawing = Drawing::of(&figure);
         let dwells = 2 * usize::from(wheel.dwell_fraction() > 1e-9);
-        assert_eq!(named(&document, "advance-end").len(), 2);
-        assert_eq!([named(&document, "dwell-end").len(), named(&document, "jump").len()], [dwells; 2]);
+        assert_eq!(["advance-end", "dwell-end", "jump"].map(|class| drawing.count(class)), [2, dwells, dwells]);
     }
 }
 

@@ -1,8 +1,7 @@
 //! The driver: a journal with a cut-out before each pin, and the arms that carry the pins behind the wheel.
 
 use crate::star::Star;
-use crate::svg::path::{Path, Sense};
-use crate::svg::view::{View, heading};
+use crate::svg::{Path, Sense, View, heading};
 use geneva_kinematics::wheel::Wheel;
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -1,42 +1,47 @@
 //! How the extremes fall with the number of stations.
 
-use crate::figure::{Figure, Words};
-use crate::plot::{Axis, Curve, Plot, Scale, Side};
-use crate::series::Series;
-use crate::svg::canvas::{Canvas, Kind};
-use crate::svg::label::Label;
-use crate::svg::path::Path;
-use crate::svg::shape::Shape;
-use crate::svg::view::Pixels;
-use crate::theme::{DRIVER, FOLLOWER, PAPER, RELATIVE, Shade};
+use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
+use crate::svg::Label;
+use crate::theme::{DRIVER, FOLLOWER, RELATIVE, Shade};
+use crate::{Figure, Series, Words};
 use geneva_kinematics::wheel::{Wheel, acceleration_peak, entry_acceleration, peak_velocity};
-use nalgebra::Vector2;
-use std::ops::{Range, RangeInclusive};
+use std::f64::consts::PI;
+use std::ops::RangeInclusive;
 
-const SIZE: (u32, u32) = (640, 520);
-/// Part of the plot's width, left of the first point, that the curves' names take.
-const NAMES: f64 = 0.22;
-/// How many marks the level axis has room for.
+/// Part of the frame's width, left of the first point, that the curves' names take.
+const NAMES: f64 = 0.35;
+/// How many marks the x axis has room for.
 const MARKS: f64 = 6.0;
-/// Columns of the series: peak velocity, peak acceleration, entry acceleration.
-const CURVES: [(usize, Shade); 3] = [(7, DRIVER), (5, FOLLOWER), (6, RELATIVE)];
+/// Columns of the series with their colours, marks and names: peak acceleration, peak velocity, entry acceleration.
+const CURVES: [(usize, Shade, Mark, &str); 3] =
+    [(7, DRIVER, Mark::Disc, "peak "), (5, FOLLOWER, Mark::Ring, "peak "), (6, RELATIVE, Mark::Diamond, "entry ")];
 
 /// Peak velocity, entry acceleration and peak acceleration of the wheel, over the driver's speed and its square, for
-/// each number of stations in the range that a wheel can have, with one pin. The upright axis is logarithmic.
+/// each number of stations in the range that a wheel can have, with one pin. The y axis is logarithmic.
 ///
 /// Series, a row for each: N, fractions of motion and of dwell, centre distance and wheel radius in crank radii, peak
 /// velocity, entry acceleration, peak acceleration, and the crank angle of that peak.
 pub fn extremes(stations: RangeInclusive<u32>) -> Figure {
     let rows: Vec<_> = stations.filter_map(|n| Wheel::new(n).ok()).map(|wheel| row(&wheel)).collect();
-    let plot = plot(&rows);
-    let mut canvas = plot.canvas();
-    for (column, shade) in CURVES {
-        for row in &rows {
-            mark(&mut canvas, &plot.place(Side::Left, row[0], row[column]), column, shade);
-        }
+    let [first, last] = [rows.first(), rows.last()].map(|row| row.map_or(0.0, |row| row[0]));
+    let room = (last - first).max(1.0) * NAMES / (1.0 - NAMES);
+    let each = libm::ceil((last - first) / MARKS).max(1.0) as u32;
+    let marks = rows.iter().map(|row| row[0]).filter(|n| *n == first || (*n as u32).is_multiple_of(each));
+    let x = Axis::whole(first - room..last + 0.06 * room, marks)
+        .titled(Label::words("number of stations ").and_symbol("N"));
+    let values = || rows.iter().flat_map(|row| CURVES.map(|(column, ..)| row[column]));
+    let y = Axis::logarithmic_about(values().fold(f64::INFINITY, f64::min)..values().fold(0.0, f64::max));
+    let mut panel = Panel::new(426.0, &x, &y);
+    let points = |column: usize| rows.iter().map(move |row| (row[0], row[column]));
+    for (column, shade, mark, _) in CURVES {
+        panel = panel.curve(points(column), Stroke::new(shade).wide(2.0).dashed("4 5"));
+        panel = panel.marks(points(column), Marker::new(shade, mark).class("point"));
     }
-    names(&mut canvas, &plot, &rows);
-
+    for (column, shade, _, name) in CURVES {
+        let symbol = Label::words(name).and_symbol("φ").and(if column == 5 { "′ / " } else { "″ / " }).and_symbol("θ");
+        let label = symbol.and(if column == 5 { "\u{200a}′" } else { "\u{200a}′²" }).shade(shade);
+        panel = panel.near(points(column).take(1), PI, label);
+    }
     let columns = [
         ("N", "1"),
         ("motion", "1"),
@@ -48,21 +53,19 @@ pub fn extremes(stations: RangeInclusive<u32>) -> Figure {
         ("peak phi''/theta'^2", "1"),
         ("theta of peak", "deg"),
     ];
-    let [first, last] = [rows.first(), rows.last()].map(|row| row.map_or(0.0, |row| row[0]));
-    let words = Words {
-        id: "wheel-extremes".to_owned(),
-        title: format!("Extremes of velocity and acceleration for {first} to {last} stations"),
-        description: format!(
+    let words = Words::new(
+        "wheel-extremes",
+        format!("Extremes of velocity and acceleration for {first} to {last} stations"),
+        format!(
             "Three falling rows of points on a logarithmic axis against the number of stations from {first} to {last}: \
              the peak acceleration falls most, the peak velocity less, and the acceleration at entry, the lowest of \
              the three, least. {}",
             crossing(&rows)
         ),
-        caption: "More stations, gentler motion: peak velocity over the driver's speed; peak acceleration and \
-                  acceleration at entry over its square. The dotted lines only lead the eye."
-            .to_owned(),
-    };
-    words.figure(canvas, Kind::Plot, Series::new(columns, rows))
+        "More stations, gentler motion: peak velocity over the driver's speed; peak acceleration and acceleration at \
+         entry over its square. The dotted lines only lead the eye.",
+    );
+    Chart::new([panel]).figure(words, Series::new(columns, rows))
 }
 
 /// Where the ratio of the peak acceleration comes to lie below that of the peak velocity.
@@ -86,79 +89,4 @@ fn row(wheel: &Wheel) -> [f64; 9] {
         peak.ratio,
         peak.angle.to_degrees(),
     ]
-}
-
-fn plot(rows: &[[f64; 9]]) -> Plot {
-    let (first, last) = match rows {
-        [first, .., last] => (first[0], last[0]),
-        [only] => (only[0], only[0] + 1.0),
-        [] => (0.0, 1.0),
-    };
-    let room = (last - first) * NAMES / (1.0 - NAMES - 0.03);
-    let each = libm::ceil((last - first) / MARKS).max(1.0) as u32;
-    let level = Axis {
-        range: first - room..last + 0.03 * (last - first + room),
-        marks: rows.iter().map(|row| row[0]).filter(|n| *n == first || (*n as u32).is_multiple_of(each)).collect(),
-        decimals: 0,
-        scale: Scale::Even,
-    };
-    let values = || rows.iter().flat_map(|row| CURVES.map(|(column, _)| row[column]));
-    let upright = logarithmic(values().fold(f64::INFINITY, f64::min)..values().fold(0.0, f64::max));
-    let curve = |(column, shade)| Curve {
-        points: rows.iter().map(|row| (row[0], row[column])).collect(),
-        side: Side::Left,
-        shade,
-        dashes: Some([4, 5]),
-    };
-    Plot { size: SIZE, level, left: upright.clone(), right: upright, curves: CURVES.map(curve).to_vec() }
-}
-
-/// A logarithmic axis over whole steps of 1, 2 and 5 times powers of ten that holds all values of the range.
-fn logarithmic(values: Range<f64>) -> Axis {
-    let steps = (-9..9).flat_map(|k| {
-        let decade = format!("1e{k}").parse::<f64>().unwrap_or(1.0);
-        [1.0, 2.0, 5.0].map(|m| m * decade)
-    });
-    let steps: Vec<f64> = steps.collect();
-    let low = steps.iter().copied().filter(|step| *step <= values.start).fold(steps[0], f64::max);
-    let high = steps.iter().copied().filter(|step| *step >= values.end && *step > low).fold(f64::INFINITY, f64::min);
-    let high = if high.is_finite() { high } else { 10.0 * low };
-    let marks = steps.into_iter().filter(|step| (low..=high).contains(step)).collect();
-    Axis { range: low..high, marks, decimals: 9, scale: Scale::Logarithmic }
-}
-
-/// A point of a curve: filled, open, or a diamond.
-fn mark(canvas: &mut Canvas, at: &Pixels, column: usize, shade: Shade) {
-    let shape = match column {
-        7 => Shape::circle(at, 4.5).fill(shade),
-        5 => Shape::circle(at, 4.5).stroke(shade, 2.0).fill(PAPER),
-        _ => {
-            let corner = |x: f64, y: f64| at + Vector2::new(x, y) * 5.5;
-            let path = Path::start(&corner(0.0, -1.0)).line_to(&corner(1.0, 0.0)).line_to(&corner(0.0, 1.0));
-            Shape::path(path.line_to(&corner(-1.0, 0.0)).close()).fill(shade)
-        }
-    };
-    canvas.draw(shape.class("point"));
-}
-
-/// The curves' names before their first points, and the axes'.
-fn names(canvas: &mut Canvas, plot: &Plot, rows: &[[f64; 9]]) {
-    let (left, down) = (Vector2::new(-1.0, 0.0), Vector2::new(0.0, 1.0));
-    if let Some(first) = rows.first() {
-        for (column, shade) in CURVES {
-            let at = plot.place(Side::Left, first[0], first[column]);
-            let (words, symbol) = match column {
-                7 => ("greatest", "″ / "),
-                5 => ("greatest", "′ / "),
-                _ => ("at entry", "″ / "),
-            };
-            let square = if column == 5 { "\u{200a}′" } else { "\u{200a}′²" };
-            let symbol = Label::symbol("φ").and(symbol).and_symbol("θ").and(square).shade(shade);
-            canvas.label(&(at - down * 12.0), &left, 14.0, &Label::words(words).shade(shade));
-            canvas.label(&(at + down * 12.0), &left, 14.0, &symbol);
-        }
-    }
-    let middle = (plot.level.range.start + plot.level.range.end) / 2.0;
-    let foot = plot.place(Side::Left, middle, plot.left.range.start);
-    canvas.label(&foot, &down, 50.0, &Label::words("number of stations ").and_symbol("N"));
 }

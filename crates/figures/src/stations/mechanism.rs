@@ -1,20 +1,15 @@
 //! The whole mechanism to scale, locked.
 
-use super::pose::{Bodies, Margins, counted, id};
-use crate::figure::{Figure, Words};
+use super::pose::{Bodies, Margins, counted};
 use crate::number::significant;
-use crate::series::Series;
-use crate::svg::canvas::{Canvas, Kind};
-use crate::svg::label::Label;
-use crate::svg::marks::arc_arrow;
-use crate::svg::shape::Shape;
-use crate::svg::view::{Pixels, heading};
+use crate::parts::{WIDTH, pin_circle, sense};
+use crate::svg::{Canvas, Kind, Label, Pixels, Shape, heading};
 use crate::theme::{DRIVER, FOLLOWER, INK};
+use crate::{Figure, Series, Words};
 use geneva_kinematics::wheel::Wheel;
 use nalgebra::Vector2;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-const WIDTH: f64 = 640.0;
 const MARGINS: Margins = Margins { left: 50.0, right: 50.0, above: 44.0, below: 44.0 };
 /// From the outermost of a body to the arrow of its sense, in pixels.
 const TO_ARROW: f64 = 16.0;
@@ -33,33 +28,29 @@ pub fn mechanism(wheel: &Wheel) -> Figure {
     let bodies = Bodies::new(wheel, WIDTH, MARGINS);
     let (theta, phi) = (-locked_crank(&bodies), -wheel.half_station());
     let mut canvas = Canvas::new(WIDTH, bodies.height);
-    circles(&mut canvas, &bodies);
+    pin_circle(&mut canvas, &bodies.axis, bodies.view.scale);
     bodies.draw(&mut canvas, theta, phi, 2.0);
     senses(&mut canvas, &bodies);
     names(&mut canvas, &bodies, wheel, theta);
 
-    let sizes = [bodies.star.centre, bodies.star.rim, wheel.slot_length_ratio(), bodies.driver.journal];
-    let angles = [wheel.half_station(), theta, phi].map(f64::to_degrees);
-    let [l, rim, slot, journal] = sizes;
-    let row = [f64::from(wheel.stations()), f64::from(wheel.pins()), l, rim, slot, journal];
-    let row = [row[0], row[1], row[2], row[3], row[4], row[5], angles[0], angles[1], angles[2]];
-    let columns = [
-        ("N", "1"),
-        ("pins", "1"),
-        ("l/r", "1"),
-        ("wheel/r", "1"),
-        ("slot/r", "1"),
-        ("journal/r", "1"),
-        ("alpha", "deg"),
-        ("theta", "deg"),
-        ("phi", "deg"),
-    ];
+    let (l, rim, journal) = (bodies.star.centre, bodies.star.rim, bodies.driver.journal);
+    let series = Series::of_one([
+        ("N", "1", f64::from(wheel.stations())),
+        ("pins", "1", f64::from(wheel.pins())),
+        ("l/r", "1", l),
+        ("wheel/r", "1", rim),
+        ("slot/r", "1", wheel.slot_length_ratio()),
+        ("journal/r", "1", journal),
+        ("alpha", "deg", wheel.half_station().to_degrees()),
+        ("theta", "deg", theta.to_degrees()),
+        ("phi", "deg", phi.to_degrees()),
+    ]);
     let locks = if locks_fully(&bodies) { "The journal fills the locking arc that faces it. " } else { "" };
     let (stations, pins) = (wheel.stations(), counted(wheel.pins(), "pin"));
-    let words = Words {
-        id: id("mechanism", wheel),
-        title: format!("Geneva mechanism with {stations} stations and {pins}, locked"),
-        description: format!(
+    let words = Words::new(
+        "wheel-mechanism",
+        format!("Geneva mechanism with {stations} stations and {pins}, locked"),
+        format!(
             "At the left a star wheel with {stations} slots and a hollow locking arc between each two; at the right, at \
              a distance of {} crank radii, the driver: a round journal with a cut-out before each pin, and {pins} on an \
              arm that turns behind the wheel. {locks}The wheel's radius is {} \
@@ -68,11 +59,10 @@ pub fn mechanism(wheel: &Wheel) -> Figure {
             significant(rim, 4),
             significant(journal, 4)
         ),
-        caption: "The mechanism to scale while the wheel is locked: the journal fills a locking arc until the pin \
-                  comes round to the next slot."
-            .to_owned(),
-    };
-    words.figure(canvas, Kind::Mechanism, Series::new(columns, [row]))
+        "The mechanism to scale while the wheel is locked: the journal fills a locking arc until the pin \
+                  comes round to the next slot.",
+    );
+    words.figure(canvas, Kind::Mechanism, series)
 }
 
 /// How far before the line of centres the next pin is: half-way through the part of the dwell in which the journal
@@ -91,25 +81,14 @@ fn locks_fully(bodies: &Bodies) -> bool {
     bodies.driver.half_angle + bodies.star.locking_half_angle() < bodies.driver.pitch() / 2.0
 }
 
-/// The pin's circle, behind the bodies.
-fn circles(canvas: &mut Canvas, at: &Bodies) {
-    canvas.draw(Shape::circle(&at.axis, at.view.scale).stroke(DRIVER, 1.3).dashed("2 4").class("pin-circle"));
-}
-
 /// Which way the two turn: arrows outside both, and their angles.
 fn senses(canvas: &mut Canvas, at: &Bodies) {
     let scale = at.view.scale;
+    let [phi, theta] = [("φ", FOLLOWER), ("θ", DRIVER)].map(|(letter, shade)| Label::symbol(letter).shade(shade));
+    sense(canvas, &at.pivot, at.star.rim * scale + TO_ARROW, PI, 1.0, &phi);
     // Clear of the name of a single pin at the lower right.
     let raised = if at.driver.pins == 1 { 29.0 / scale } else { 0.0 };
-    for (centre, reach, middle, sense, letter, shade) in [
-        (&at.pivot, at.star.rim * scale, PI, 1.0, "φ", FOLLOWER),
-        (&at.axis, (1.0 + at.driver.arm) * scale, raised, -1.0, "θ", DRIVER),
-    ] {
-        let radius = reach + TO_ARROW;
-        let half = 34.0 / radius;
-        arc_arrow(canvas, centre, radius, middle - sense * half, middle + sense * half, shade, 2.5);
-        canvas.label(&(centre + heading(middle) * radius), &heading(middle), 7.0, &Label::symbol(letter).shade(shade));
-    }
+    sense(canvas, &at.axis, (1.0 + at.driver.arm) * scale + TO_ARROW, raised, -1.0, &theta);
 }
 
 /// Names of the parts, where there is room for them.

@@ -1,23 +1,17 @@
 //! The triangle of the two axes and the pin, with the angles and their positive senses.
 
-use super::pose::{Bodies, Margins, id};
-use crate::figure::{Figure, Words};
+use super::pose::{Bodies, Margins};
 use crate::number::{degrees, significant, without_noise};
-use crate::series::Series;
-use crate::svg::canvas::{Canvas, Kind};
-use crate::svg::label::Label;
-use crate::svg::marks::{arc_arrow, dimension, fixed_pivot};
-use crate::svg::shape::{DASHED, Shape};
-use crate::svg::view::{Pixels, heading};
-use crate::theme::{DRIVER, FILL, FOLLOWER, INK, PAPER};
-use geneva_kinematics::KinematicsError;
+use crate::parts::{self, WIDTH, arc_arrow, construction, dimension, fixed_pivot, pin_circle};
+use crate::svg::{Canvas, Kind, Label, Pixels, heading};
+use crate::theme::{DRIVER, FILL, FOLLOWER, INK};
+use crate::{Figure, FigureError, Series, Words};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::{pin_from_pivot, slot_radius_squared};
 use geneva_kinematics::wheel::Wheel;
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
-const WIDTH: f64 = 640.0;
 const MARGINS: Margins = Margins { left: 26.0, right: 30.0, above: 26.0, below: 80.0 };
 /// From the lowest of the bodies to the dimension of the centre distance, in pixels.
 const DIMENSION: f64 = 46.0;
@@ -32,7 +26,7 @@ const NARROWEST: f64 = 0.05;
 ///
 /// Sides: crank radius R, pin's distance r from the wheel's axis, centre distance l. θ is counted clockwise
 /// from B → O and φ counter-clockwise from O → B. Series: θ, φ, r/R and l/R.
-pub fn model(wheel: &Wheel, crank: f64) -> Result<Figure, KinematicsError> {
+pub fn model(wheel: &Wheel, crank: f64) -> Result<Figure, FigureError> {
     let phi = wheel.engaged(crank)?.angle;
     let (ratio, turn) = (wheel.centre_distance_ratio(), Turn::from_radians(crank));
     let pin = pin_from_pivot(&ratio, &turn);
@@ -40,46 +34,42 @@ pub fn model(wheel: &Wheel, crank: f64) -> Result<Figure, KinematicsError> {
     let bodies = Bodies::new(wheel, WIDTH, MARGINS);
     let mut canvas = Canvas::new(WIDTH, bodies.height);
     canvas.group("opacity=\"0.6\"", |canvas| bodies.draw_wheel(canvas, &bodies.pivot, phi, 1.3));
-    let scale = bodies.view.scale;
-    canvas.draw(Shape::circle(&bodies.axis, scale).stroke(DRIVER, 1.3).dashed("2 4").class("pin-circle"));
+    pin_circle(&mut canvas, &bodies.axis, bodies.view.scale);
     triangle(&mut canvas, &bodies, &bodies.view.place(&pin));
     angles(&mut canvas, &bodies, crank, phi, x);
     sides(&mut canvas, &bodies, crank, phi, &bodies.view.place(&pin));
 
-    let columns = [("theta", "deg"), ("phi", "deg"), ("r/R", "1"), ("l/R", "1")];
-    let row = [crank.to_degrees(), phi.to_degrees(), x, ratio];
-    let words = Words {
-        id: id("model", wheel),
-        title: format!("The triangle of the two axes and the pin for {} stations", wheel.stations()),
-        description: format!(
+    let (theta, phi) = (crank.to_degrees(), phi.to_degrees());
+    let series = Series::of_one([("theta", "deg", theta), ("phi", "deg", phi), ("r/R", "1", x), ("l/R", "1", ratio)]);
+    let words = Words::new(
+        "wheel-model",
+        format!("The triangle of the two axes and the pin for {} stations", wheel.stations()),
+        format!(
             "The wheel's axis O at the left, the driver's axis B at the right, {} crank radii away, and the pin P in a \
              slot of the wheel. BP is the crank R; OP is r, {} crank radii. The crank angle θ at B, {}, is counted \
              clockwise from BO; the wheel's angle φ at O, {}, counter-clockwise from OB.",
             significant(ratio, 4),
             significant(x, 4),
             degrees(crank),
-            degrees(without_noise(phi, 1.0))
+            degrees(without_noise(phi.to_radians(), 1.0))
         ),
-        caption: format!(
+        format!(
             "The model: crank R, distance r of the pin from the wheel's axis, angles θ and φ with opposite positive \
              senses, drawn to scale at θ = {}.",
             degrees(crank)
         ),
-    };
-    Ok(words.figure(canvas, Kind::Mechanism, Series::new(columns, [row])))
+    );
+    Ok(words.figure(canvas, Kind::Mechanism, series))
 }
 
 fn triangle(canvas: &mut Canvas, at: &Bodies, pin: &Pixels) {
-    for (from, to, shade, name) in
-        [(&at.pivot, &at.axis, INK, "side-l"), (&at.axis, pin, DRIVER, "side-r"), (&at.pivot, pin, FOLLOWER, "side-x")]
-    {
-        canvas.draw(Shape::line(from, to).stroke(shade, 3.0).with("stroke-linecap", "round").class(name));
-    }
-    let end = at.axis + Vector2::new(at.view.scale + 14.0, 0.0);
-    canvas.draw(Shape::line(&at.axis, &end).stroke(INK, 1.2).dashed(DASHED));
+    let triangle =
+        [(&at.pivot, &at.axis, INK, "side-l"), (&at.axis, pin, DRIVER, "side-r"), (&at.pivot, pin, FOLLOWER, "side-x")];
+    parts::sides(canvas, triangle);
+    construction(canvas, &at.axis, &(at.axis + Vector2::new(at.view.scale + 14.0, 0.0)), "line-of-centres");
     fixed_pivot(canvas, &at.pivot, 1.0);
     fixed_pivot(canvas, &at.axis, 1.0);
-    canvas.draw(Shape::circle(pin, at.driver.pin * at.view.scale).stroke(INK, 2.0).fill(PAPER).class("pin"));
+    parts::pin(canvas, pin, at.driver.pin * at.view.scale);
 }
 
 fn angles(canvas: &mut Canvas, at: &Bodies, theta: f64, phi: f64, x: f64) {

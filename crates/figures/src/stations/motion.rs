@@ -1,21 +1,16 @@
 //! The mechanism in motion: one large drawing that moves, and the steps of a cycle side by side.
 
 use super::cycle::{Key, keys};
-use super::pose::{Bodies, Margins, counted, id};
-use crate::figure::{Figure, Words};
+use super::pose::{Bodies, Margins, counted};
 use crate::number::{degrees, trimmed};
-use crate::series::Series;
-use crate::svg::canvas::{Canvas, Kind};
-use crate::svg::label::Label;
-use crate::svg::path::Path;
-use crate::svg::shape::Shape;
-use crate::svg::view::{Pixels, heading};
+use crate::parts::WIDTH;
+use crate::svg::{Canvas, Kind, Label, Path, Pixels, Shape, heading};
 use crate::theme::{DRIVER, FOLLOWER, GRID};
+use crate::{Figure, Series, Words};
 use geneva_kinematics::wheel::Wheel;
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
-const WIDTH: f64 = 640.0;
 const LARGE: Margins = Margins { left: 70.0, right: 70.0, above: 10.0, below: 24.0 };
 /// Frames in a row, and the space about each.
 const COLUMNS: usize = 3;
@@ -39,14 +34,14 @@ struct Frame {
 /// paper and for readers who want less motion. Series: the key frames, as shares of the cycle from the middle of a
 /// dwell to the middle of the next, with θ and φ in degrees.
 pub fn motion(wheel: &Wheel) -> Figure {
-    let (name, keys) = (id("motion", wheel), keys(wheel));
+    let (name, keys) = ("wheel-motion", keys(wheel));
     let large = Bodies::new(wheel, WIDTH, LARGE);
     let small = Bodies::new(wheel, WIDTH / COLUMNS as f64, SMALL);
     let frames = frames(wheel);
     let rows = frames.len().div_ceil(COLUMNS);
     let mut canvas = Canvas::new(WIDTH, large.height + small.height * rows as f64);
-    canvas.draw_markup(style(&name, wheel, &keys));
-    moving(&mut canvas, &large, wheel, &name);
+    canvas.draw_markup(style(name, wheel, &keys));
+    moving(&mut canvas, &large, wheel, name);
     for (k, frame) in frames.iter().enumerate() {
         let corner = Vector2::new((k % COLUMNS) as f64 / COLUMNS as f64 * WIDTH, (k / COLUMNS) as f64 * small.height);
         still(&mut canvas, &small, &(corner + Vector2::new(0.0, large.height)), k + 1, frame);
@@ -54,20 +49,20 @@ pub fn motion(wheel: &Wheel) -> Figure {
 
     let steps: Vec<String> =
         frames.iter().enumerate().map(|(k, at)| format!("{} {}, at {}", k + 1, at.name, degrees(at.theta))).collect();
-    let words = Words {
-        title: format!("One cycle of a wheel with {} stations and {}", wheel.stations(), counted(wheel.pins(), "pin")),
-        description: format!(
+    let words = Words::new(
+        name,
+        format!("One cycle of a wheel with {} stations and {}", wheel.stations(), counted(wheel.pins(), "pin")),
+        format!(
             "The mechanism as it turns, the driver clockwise and the wheel counter-clockwise, and its steps: {}. A dot \
              marks the same arm of the wheel in each.",
             steps.join("; ")
         ),
-        caption: format!(
-            "One cycle in {} positions, by crank angle θ: the advance, and the dwell. The upper drawing moves where the reader's settings allow it \
-             and rests under the pointer.",
+        format!(
+            "One cycle in {} positions, by crank angle θ: the advance, and the dwell. The upper drawing moves where the \
+             reader's settings allow it and rests under the pointer.",
             frames.len()
         ),
-        id: name,
-    };
+    );
     let row = |key: &Key| [key.share, key.theta.to_degrees(), key.phi.to_degrees()];
     let columns = [("cycle", "1"), ("theta", "deg"), ("phi", "deg")];
     words.figure(canvas, Kind::Mechanism, Series::new(columns, keys.iter().map(row)))

@@ -2,10 +2,8 @@
 
 use super::driver::Driver;
 use crate::star::Star;
-use crate::svg::canvas::Canvas;
-use crate::svg::shape::Shape;
-use crate::svg::view::{Pixels, View, heading};
-use crate::theme::{DRIVER, FILL, FOLLOWER, INK, PAPER};
+use crate::svg::{Canvas, Pixels, Shape, View, heading};
+use crate::theme::{DRIVER, FOLLOWER, INK, PAPER};
 use geneva_kinematics::wheel::Wheel;
 use nalgebra::Vector2;
 use std::f64::consts::PI;
@@ -84,8 +82,7 @@ impl Bodies {
     /// The wheel about this point of the page, one slot at φ.
     pub fn draw_wheel(&self, canvas: &mut Canvas, about: &Pixels, phi: f64, width: f64) {
         let view = View { origin: *about, ..self.view };
-        let star = Shape::path(self.star.outline(phi, &view)).fill(FILL).stroke(FOLLOWER, width);
-        canvas.draw(star.with("stroke-linejoin", "round").class("wheel"));
+        canvas.draw(self.star.body(phi, &view, width).class("wheel"));
         canvas.draw(Shape::circle(about, self.dot()).fill(PAPER).stroke(FOLLOWER, width));
     }
 
@@ -113,14 +110,6 @@ impl Bodies {
     /// Radius of the mark of an axis in pixels: within the driver even where its cut-out is deepest.
     fn dot(&self) -> f64 {
         AXIS.min(AXIS_IN_DRIVER * self.driver.depth * self.view.scale)
-    }
-}
-
-/// The id of a figure of this wheel: the name, the stations and, unless there is one, the pins.
-pub fn id(name: &str, wheel: &Wheel) -> String {
-    match wheel.pins() {
-        1 => format!("wheel-{name}-{}", wheel.stations()),
-        pins => format!("wheel-{name}-{}-{pins}", wheel.stations()),
     }
 }
 

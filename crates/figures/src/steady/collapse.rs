@@ -1,25 +1,18 @@
 //! All runs of a mechanism on one curve: peak, minimum and period without the torque and the size of the inertias.
 
-use super::error::MotionError;
-use crate::escapement::axes::{spanning, upright};
-use crate::figure::{Figure, Words};
-use crate::markers::{marks, of_mechanism};
+use crate::chart::{Axis, Chart, Entry, Panel, Spot, Stroke, of_mechanism};
 use crate::number::significant;
-use crate::panel::{Panel, Stroke, WIDTH};
 use crate::runs::{Group, Run};
-use crate::series::Series;
-use crate::svg::canvas::{Canvas, Kind};
-use crate::svg::label::Label;
+use crate::svg::Label;
+use crate::{Figure, FigureError, Series, Words};
 use geneva_dynamics::steady::SteadyState;
-use nalgebra::Vector2;
 
-const KEY: f64 = 28.0;
-const HEIGHTS: [u32; 3] = [314, 314, 344];
 /// Steps of a curve.
 const STEPS: u32 = 32;
-const SIZE: f64 = 8.0;
 /// Of the runs that were put back at another angle than the mechanism's own.
 const DASHES: &str = "5 5";
+/// The panels: the beginning of their titles, and the heights of their frames.
+const PANELS: [(&str, f64); 3] = [("peak over √(", 200.0), ("minimum over √(", 200.0), ("period times √(", 230.0)];
 
 /// Peak and minimum over √(K / I_f), and period times the same.
 fn scaled(steady: &SteadyState, unit: f64) -> [f64; 3] {
@@ -30,6 +23,9 @@ fn given(run: &Run, unit: f64) -> [f64; 3] {
     [run.peak / unit, run.minimum / unit, run.period * unit]
 }
 
+/// A curve over the friction, with all three results at each point.
+type Results = Vec<(f64, [f64; 3])>;
+
 /// Peak, minimum and period of every run without scale, over the friction, with the curve of each mechanism.
 ///
 /// Speeds are over √(K / I_f), the period is times that: by the law of similarity nothing but the friction is left in
@@ -39,8 +35,8 @@ fn given(run: &Run, unit: f64) -> [f64; 3] {
 ///
 /// # Errors
 ///
-/// [`MotionError`] if there is no run, or one without a steady motion.
-pub fn collapse(groups: &[Group]) -> Result<Figure, MotionError> {
+/// [`FigureError`] if there is no run, or one without a steady motion.
+pub fn collapse(groups: &[Group]) -> Result<Figure, FigureError> {
     let mut rows: Vec<[f64; 11]> = Vec::new();
     for group in groups {
         for run in &group.runs {
@@ -54,68 +50,13 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, MotionError> {
             rows.push([f64::from(group.mechanism.slots()), run.friction, a, b, c, d, e, f, g, h, i]);
         }
     }
-    let frictions = || rows.iter().map(|row| row[1]);
-    let (least, most) = (frictions().fold(f64::INFINITY, f64::min), frictions().fold(0.0, f64::max));
-    if rows.is_empty() {
-        return Err(MotionError::Nothing);
-    }
-    let room = 0.06 * (most - least).max(0.1 * most);
-    let level = spanning((least - room).max(0.5 * least), most + room, 4.0);
-    let range = (least - room).max(0.5 * least)..most + room;
-    let level = crate::plot::Axis {
-        marks: level.marks.iter().copied().filter(|mark| range.contains(mark)).collect(),
-        range: range.clone(),
-        ..level
-    };
-    let drawn = |fold: Option<f64>, group: &Group| -> Result<_, MotionError> {
-        fold.map(|fold| curve(group, fold, [range.start, range.end])).transpose()
-    };
-    let own = |group: &Group| drawn(Some(group.own_fold().unwrap_or(group.fold)), group);
-    let as_run = |group: &Group| drawn(group.own_fold().map(|_| group.fold), group);
-    let curves = groups.iter().map(|of| Ok([own(of)?, as_run(of)?])).collect::<Result<Vec<_>, MotionError>>()?;
-    let (corners, height) = Panel::stack(KEY, HEIGHTS);
-    let mut canvas = Canvas::new(f64::from(WIDTH), height);
-    for (k, (corner, height)) in corners.into_iter().zip(HEIGHTS).enumerate() {
-        let values = rows.iter().flat_map(|row| [row[2 + k], row[5 + k]]);
-        let values = values.chain(curves.iter().flatten().flatten().flatten().map(|(_, values)| values[k]));
-        let panel = Panel::new(corner, height, level.clone(), upright(0.0, values.fold(0.0, f64::max), 4.0));
-        panel.draw(&mut canvas, k == 2);
-        let mut ends = Vec::new();
-        for (group, both) in groups.iter().zip(&curves) {
-            let (shade, mark) = of_mechanism(group.mechanism.slots());
-            let mut line = Vec::new();
-            for (points, (width, dashes)) in both.iter().rev().zip([(1.6, Some(DASHES)), (2.2, None)]) {
-                let Some(points) = points else { continue };
-                line = points.iter().map(|(friction, values)| (*friction, values[k])).collect();
-                panel.curve(&mut canvas, &line, Stroke { shade, width, dashes, class: "curve" });
-            }
-            let own = rows.iter().filter(|row| row[0] == f64::from(group.mechanism.slots()));
-            let own: Vec<_> = own.map(|row| (row[1], row[2 + k])).collect();
-            panel.marks(&mut canvas, &own, (shade, mark), SIZE);
-            if let Some((_, value)) = line.last() {
-                ends.push((*value, Label::words(&format!("{}", group.mechanism.pins())), shade));
-            }
-        }
-        panel.beside(&mut canvas, ends);
-        let unit = |label: Label| label.and_symbol("K").and("/").and_symbol("I").sub("f").and(")");
-        panel.name(
-            &mut canvas,
-            &match k {
-                0 => unit(Label::words("peak over √(")),
-                1 => unit(Label::words("minimum over √(")),
-                _ => unit(Label::words("period times √(")),
-            },
-        );
-        if k == 2 {
-            panel.foot(&mut canvas, &Label::words("friction ").and_symbol("μ"));
-        }
-    }
-    for (k, group) in groups.iter().enumerate() {
-        let (at, style) = (Vector2::new(24.0 + 160.0 * k as f64, 18.0), of_mechanism(group.mechanism.slots()));
-        marks(&mut canvas, &[at], style, 10.0);
-        let label = Label::words(&format!("{} pins", group.mechanism.pins())).shade(style.0).bare();
-        canvas.label(&at, &Vector2::new(1.0, 0.0), 12.0, &label);
-    }
+    let x = frictions(&rows)?;
+    let curves = groups.iter().map(|group| both(group, &x)).collect::<Result<Vec<_>, FigureError>>()?;
+    let panels = [0, 1, 2].map(|k| panel(groups, &rows, &curves, &x, k));
+    let key = groups.iter().map(|group| {
+        let marker = of_mechanism(group.mechanism.slots()).1;
+        Entry::marks([marker], Label::words(&format!("{} pins", group.mechanism.pins())).shade(marker.shade))
+    });
     let columns = [
         ("n", "1"),
         ("mu", "1"),
@@ -131,28 +72,71 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, MotionError> {
     ];
     let worst = |k: usize| rows.iter().map(|row| (row[2 + k] / row[5 + k] - 1.0).abs()).fold(0.0, f64::max);
     let [peak, minimum, period] = [0, 1, 2].map(|k| significant(100.0 * worst(k), 2));
-    let words = Words {
-        id: "steady-collapse".to_owned(),
-        title: "All runs without the torque: peak, minimum and period over the friction".to_owned(),
-        description: format!(
+    let words = Words::new(
+        "steady-collapse",
+        "All runs without the torque: peak, minimum and period over the friction",
+        format!(
             "Three panels over the friction μ: peak and minimum over the root of K / I_f, and period times that root. \
              In each an unbroken curve for every mechanism, and a broken one where the program put the driver back at \
              another angle. On the curves of what was run lie the {} runs of all torques, one over another. The farthest \
              from these are off by {peak} % for the peaks, {minimum} % for the minima and {period} % for the periods.",
             rows.len()
         ),
-        caption:
-            "The law of similarity: measured in the units that torque and inertias make, runs of all torques fall \
-             together, and each mechanism has one curve (unbroken). The points are the printed rows. Those of six and three \
-             pins lie on the broken curves, for a driver that is put back after 90° as the program does, and not on those of \
-             the mechanisms. What is left is rounding and, in the peaks, the time between two printed lines."
-                .to_owned(),
-    };
-    Ok(words.figure(canvas, Kind::Panels, Series::new(columns, rows)))
+        "The law of similarity: measured in the units that torque and inertias make, runs of all torques fall \
+         together, and each mechanism has one curve (unbroken). The points are the printed rows. Those of six and three \
+         pins lie on the broken curves, for a driver that is put back after 90° as the program does, and not on those of \
+         the mechanisms. What is left is rounding and, in the peaks, the time between two printed lines.",
+    );
+    Ok(Chart::new(panels).key(key).figure(words, Series::new(columns, rows)))
+}
+
+/// The axis of the frictions of all rows.
+fn frictions(rows: &[[f64; 11]]) -> Result<Axis, FigureError> {
+    let frictions = || rows.iter().map(|row| row[1]);
+    let (least, most) = (frictions().fold(f64::INFINITY, f64::min), frictions().fold(0.0, f64::max));
+    if rows.is_empty() {
+        return Err(FigureError::Nothing);
+    }
+    let room = 0.06 * (most - least).max(0.1 * most);
+    let range = (least - room).max(0.5 * least)..most + room;
+    let steps = Axis::spanning(range.start, range.end, 4.0);
+    Ok(Axis { marks: steps.marks.iter().copied().filter(|mark| range.contains(mark)).collect(), range, ..steps })
+}
+
+/// The curve of the mechanism as it was run, if that is another than its own, and its own.
+fn both(group: &Group, x: &Axis) -> Result<[Option<Results>; 2], FigureError> {
+    let of = |fold: f64| curve(group, fold, [x.range.start, x.range.end]);
+    let as_run = group.own_fold().map(|_| of(group.fold)).transpose()?;
+    Ok([as_run, Some(of(group.own_fold().unwrap_or(group.fold))?)])
+}
+
+/// The panel of one of the three results.
+fn panel(groups: &[Group], rows: &[[f64; 11]], curves: &[[Option<Results>; 2]], x: &Axis, k: usize) -> Panel {
+    let values = rows.iter().flat_map(|row| [row[2 + k], row[5 + k]]);
+    let values = values.chain(curves.iter().flatten().flatten().flatten().map(|(_, values)| values[k]));
+    let (name, height) = PANELS[k];
+    let title = Label::words(name).and_symbol("K").and("/").and_symbol("I").sub("f").and(")");
+    let last = k + 1 == PANELS.len();
+    let x = if last { x.clone().titled(Label::words("friction ").and_symbol("μ")) } else { x.clone().unnumbered() };
+    let mut panel = Panel::new(height, &x, &Axis::from_zero(0.0, values.fold(0.0, f64::max), 4.0).titled(title));
+    for (group, both) in groups.iter().zip(curves) {
+        let (stroke, marker) = of_mechanism(group.mechanism.slots());
+        let stroke = Stroke { dashes: None, ..stroke };
+        for (points, stroke) in both.iter().zip([stroke.wide(1.6).dashed(DASHES), stroke.wide(2.2)]) {
+            panel = panel.curve(points.iter().flatten().map(|(friction, values)| (*friction, values[k])), stroke);
+        }
+        let own = rows.iter().filter(|row| row[0] == f64::from(group.mechanism.slots()));
+        panel = panel.marks(own.map(|row| (row[1], row[2 + k])), marker.sized(8.0));
+        if let Some((_, values)) = both[1].as_ref().and_then(|points| points.last()) {
+            let label = Label::words(&group.mechanism.pins().to_string()).shade(marker.shade);
+            panel = panel.name(label, Spot::Beside(values[k]));
+        }
+    }
+    panel
 }
 
 /// A mechanism's results without scale, over the friction, if the driver is put back after this angle.
-fn curve(group: &Group, fold: f64, [from, to]: [f64; 2]) -> Result<Vec<(f64, [f64; 3])>, MotionError> {
+fn curve(group: &Group, fold: f64, [from, to]: [f64; 2]) -> Result<Vec<(f64, [f64; 3])>, FigureError> {
     let point = |step: u32| {
         let friction = from + (to - from) * f64::from(step) / f64::from(STEPS);
         let torque = group.inertias.follower();
@@ -164,10 +148,9 @@ fn curve(group: &Group, fold: f64, [from, to]: [f64; 2]) -> Result<Vec<(f64, [f6
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::{labels_inside, named, only_numbers, overlapping_labels, well_formed};
+    use crate::checks::{Drawing, sound};
     use geneva_dynamics::Inertias;
     use geneva_kinematics::Mechanism;
-    use roxmltree::Document;
     use std::f64::consts::FRAC_PI_2;
 
     #[test]
@@ -184,19 +167,16 @@ mod tests {
             group
         });
         let figure = collapse(&groups).expect("drawn");
-        well_formed(&figure);
-        only_numbers(&figure);
-        labels_inside(&figure);
-        assert_eq!(overlapping_labels(&figure), []);
+        sound(&figure);
         for pair in figure.series.rows.chunks(2) {
             for (one, other) in pair[0].iter().zip(&pair[1]).skip(2) {
                 approx::assert_relative_eq!(*one, *other, max_relative = 1e-9);
             }
         }
-        let document = Document::parse(&figure.svg).expect("well-formed");
+        let drawing = Drawing::of(&figure);
         // One for four slots, two for six and three, in three panels.
-        assert_eq!(named(&document, "curve").len(), 15);
-        assert_eq!(named(&document, "marks").len(), 12);
-        assert_eq!(collapse(&[]), Err(MotionError::Nothing));
+        assert_eq!(drawing.count("curve"), 15);
+        assert_eq!(drawing.count("marks"), 9);
+        assert_eq!(collapse(&[]), Err(FigureError::Nothing));
     }
 }

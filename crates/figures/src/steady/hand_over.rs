@@ -1,29 +1,19 @@
 //! The speed at the end of an engagement over that at its start, and how motion from rest climbs to the fixed point.
 
-use super::error::MotionError;
-use crate::escapement::axes::{short, upright};
-use crate::figure::{Figure, Words};
-use crate::number::{shown, significant, trimmed};
-use crate::panel::{Panel, Stroke, WIDTH};
-use crate::series::Series;
-use crate::svg::canvas::{Canvas, Kind};
-use crate::svg::label::Label;
-use crate::svg::placing::{Place, around, leader};
-use crate::svg::shape::Shape;
-use crate::svg::view::Pixels;
-use crate::theme::{CORIOLIS, DRIVER, FOLLOWER, INK, PAPER};
+use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
+use crate::number::{short, shown, significant, trimmed};
+use crate::svg::{DASHED, Label};
+use crate::theme::{CORIOLIS, DRIVER, FOLLOWER};
+use crate::{Figure, FigureError, Series, Words};
 use geneva_dynamics::Parameters;
 use geneva_dynamics::steady::Engagement;
-use nalgebra::Vector2;
-use std::f64::consts::{FRAC_PI_4, PI};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-const HEIGHT: u32 = 600;
 /// The axes go so far beyond the fixed point, in parts of it; steps of a curve.
 const BEYOND: f64 = 1.7;
 const STEPS: u32 = 60;
 /// Steps of the staircase.
 const STAIRS: usize = 5;
-const NEAR: [f64; 8] = [12.0, 18.0, 26.0, 36.0, 50.0, 66.0, 84.0, 104.0];
 
 /// u at exit over u at entry, where u is the square of the driver's speed over K / I_f: with friction, and without.
 ///
@@ -33,13 +23,13 @@ const NEAR: [f64; 8] = [12.0, 18.0, 26.0, 36.0, 50.0, 66.0, 84.0, 104.0];
 ///
 /// # Errors
 ///
-/// [`MotionError`] without friction, where there is no fixed point, or if the motion cannot be computed.
-pub fn hand_over(parameters: &Parameters) -> Result<Figure, MotionError> {
+/// [`FigureError`] without friction, where there is no fixed point, or if the motion cannot be computed.
+pub fn hand_over(parameters: &Parameters) -> Result<Figure, FigureError> {
     let engagement = Engagement::new(parameters)?;
     let free = Parameters::new(parameters.mechanism(), parameters.inertias(), parameters.torque(), 0.0)?;
     let free = Engagement::new(&free)?;
     let drive = parameters.drive();
-    let next = |of: &Engagement, u: f64| -> Result<f64, MotionError> {
+    let next = |of: &Engagement, u: f64| -> Result<f64, FigureError> {
         let speed = of.hand_over((u * drive).sqrt())?;
         Ok(speed * speed / drive)
     };
@@ -47,7 +37,7 @@ pub fn hand_over(parameters: &Parameters) -> Result<Figure, MotionError> {
     let fixed = steady.entry_speed * steady.entry_speed / drive;
     let gain = next(&free, 0.0)?;
     // Wide enough to see that the curve without friction keeps its distance.
-    let axis = upright(0.0, (BEYOND * fixed).max(1.3 * gain), 5.0);
+    let axis = Axis::from_zero(0.0, (BEYOND * fixed).max(1.3 * gain), 5.0);
     let end = axis.range.end;
     let mut rows = Vec::new();
     for step in 0..=STEPS {
@@ -62,58 +52,29 @@ pub fn hand_over(parameters: &Parameters) -> Result<Figure, MotionError> {
         u = exit;
     }
 
-    let panel = Panel::new(Vector2::new(0.0, 0.0), HEIGHT, axis.clone(), axis.clone());
-    let mut canvas = Canvas::new(f64::from(WIDTH), f64::from(HEIGHT));
-    panel.draw(&mut canvas, true);
-    let mut placing = panel.placing();
-    let mut curve = |canvas: &mut Canvas, points: &[(f64, f64)], stroke: Stroke| {
-        let places = panel.curve(canvas, points, stroke);
-        placing.avoid_all(&places, 2.0);
-        places
-    };
-    let top = axis.range.end;
-    let diagonal = Stroke { shade: INK, width: 1.2, dashes: Some("7 5"), class: "diagonal" };
-    let line =
-        curve(&mut canvas, &(0..=20).map(|k| f64::from(k) / 20.0 * top).map(|u| (u, u)).collect::<Vec<_>>(), diagonal);
-    let column = |k: usize| rows.iter().map(|row| (row[0], row[k])).collect::<Vec<_>>();
-    let stroke = |shade, dashes, class| Stroke { shade, width: 2.6, dashes, class };
-    let without = curve(&mut canvas, &column(2), stroke(FOLLOWER, Some("3 4"), "free"));
-    let with = curve(&mut canvas, &column(1), stroke(DRIVER, None, "braked"));
-    let stairs_stroke = Stroke { shade: CORIOLIS, width: 1.6, dashes: None, class: "stairs" };
-    curve(&mut canvas, &stairs, stairs_stroke);
-    let at = panel.at((fixed, fixed));
-    canvas.draw(Shape::circle(&at, 6.0).fill(PAPER).stroke(DRIVER, 2.2).class("fixed-point"));
-    placing.take([at - Vector2::new(7.0, 7.0), at + Vector2::new(7.0, 7.0)]);
-    let label = Label::words(&format!("steady: {}", significant(fixed, 3))).shade(DRIVER);
-    if let Some(place) = placing.put(&mut canvas, &label, around(&at, -FRAC_PI_4, &NEAR)) {
-        leader(&mut canvas, &place);
-    }
-    let stairs_at = panel.at(stairs.get(1).copied().unwrap_or_default());
-    let label = Label::words("from rest").shade(CORIOLIS);
-    if let Some(place) = placing.put(&mut canvas, &label, around(&stairs_at, FRAC_PI_4, &NEAR)) {
-        leader(&mut canvas, &place);
-    }
-    let mu = |mu: f64| Label::symbol("μ").and(&format!(" = {}", trimmed(mu, 4)));
-    let names = [
-        (mu(parameters.friction()).shade(DRIVER), with, PI / 2.0),
-        (mu(0.0).shade(FOLLOWER), without, PI),
-        (Label::words("exit as entry"), line, -FRAC_PI_4),
-    ];
-    for (label, points, first) in names {
-        let from = points.len() / 2;
-        let nearby = points.iter().skip(from).rev().step_by(3).take(12);
-        let places: Vec<Place> = nearby.flat_map(|point: &Pixels| around(point, first, &NEAR[..5])).collect();
-        placing.put(&mut canvas, &label, places);
-    }
     let symbol = || Label::symbol("θ").and("\u{200a}′² ").and_symbol("I").sub("f").and(" / ").and_symbol("K");
-    panel.name(&mut canvas, &symbol().and(" at exit"));
-    panel.foot(&mut canvas, &symbol().and(" at entry"));
-
-    let contraction = short(steady.contraction);
-    let words = Words {
-        id: "steady-hand-over".to_owned(),
-        title: "What an engagement makes of the square of the speed".to_owned(),
-        description: format!(
+    let mu = |mu: f64| Label::symbol("μ").and(&format!(" = {}", trimmed(mu, 4)));
+    let column = |k: usize| rows.iter().map(move |row| (row[0], row[k]));
+    let late = |k: usize| rows.iter().rev().step_by(3).map(move |row| (row[0], row[k]));
+    let start = stairs.get(1).copied();
+    let point = Marker::new(DRIVER, Mark::Ring).sized(12.0).class("fixed-point");
+    let axes = ["at entry", "at exit"].map(|end| axis.clone().titled(symbol().and(" ").and(end)));
+    let panel = Panel::new(486.0, &axes[0], &axes[1])
+        .curve([(0.0, 0.0), (end, end)], Stroke::thin("diagonal").dashed(DASHED))
+        .curve(column(2), Stroke::new(FOLLOWER).dashed("3 4").class("free"))
+        .curve(column(1), Stroke::new(DRIVER).class("braked"))
+        .curve(stairs, Stroke::new(CORIOLIS).wide(1.6).class("stairs"))
+        .marks([(fixed, fixed)], point)
+        .near([(fixed, fixed)], -FRAC_PI_4, Label::words(&format!("steady: {}", significant(fixed, 3))).shade(DRIVER))
+        .near(start, FRAC_PI_4, Label::words("from rest").shade(CORIOLIS))
+        .near(late(1), FRAC_PI_2, mu(parameters.friction()).shade(DRIVER))
+        .near(late(2), PI, mu(0.0).shade(FOLLOWER))
+        .near(late(0), -FRAC_PI_4, Label::words("exit as entry"));
+    let contraction = short(steady.contraction, 3);
+    let words = Words::new(
+        "steady-hand-over",
+        "What an engagement makes of the square of the speed",
+        format!(
             "The square of the driver's speed at exit over that at entry, both over K / I_f, for {} pins and μ = {}. \
              The curve rises little and crosses the diagonal once, at {}; there its slope is {contraction}. A \
              staircase from rest is there after a few steps. Without friction the curve lies {} above the diagonal \
@@ -123,13 +84,13 @@ pub fn hand_over(parameters: &Parameters) -> Result<Figure, MotionError> {
             significant(fixed, 4),
             significant(gain, 4)
         ),
-        caption: format!(
+        format!(
             "One engagement takes the square of the speed at entry to that at exit. With friction all motions are \
              drawn to one: near it a difference shrinks to {contraction} of itself each time. Without friction each \
              engagement adds the same, and there is no terminal speed. {}",
             shown(parameters)
         ),
-    };
+    );
     let columns = [("u entry", "1"), ("u exit", "1"), ("without friction", "1")];
-    Ok(words.figure(canvas, Kind::Plot, Series::new(columns, rows)))
+    Ok(Chart::new([panel]).figure(words, Series::new(columns, rows)))
 }

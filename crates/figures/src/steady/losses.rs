@@ -1,17 +1,10 @@
 //! What the size of the joints costs: mean speed and contraction against it.
 
-use crate::escapement::axes::{spanning, upright};
-use crate::figure::{Figure, Words};
-use crate::markers::kind;
-use crate::number::significant;
-use crate::panel::{Panel, Stroke, WIDTH};
-use crate::samples::{Samples, dashes};
-use crate::series::{Column, Series};
-use crate::svg::canvas::{Canvas, Kind};
-use crate::svg::label::Label;
+use crate::chart::{Axis, Chart, Entry, Panel, kind};
+use crate::number::{significant, with_hyphens};
+use crate::svg::Label;
+use crate::{Figure, Series, Words};
 
-const HEIGHTS: [u32; 2] = [374, 404];
-const SIZE: f64 = 8.0;
 /// A curve of more points has no marks on them.
 const MARKED: usize = 16;
 
@@ -44,31 +37,27 @@ pub fn losses(size: &str, speeds: &[Line], contractions: &[Line]) -> Figure {
     let all = || groups.into_iter().flatten().flat_map(finite);
     let sizes = || all().map(|point| point.0);
     let (least, greatest) = (sizes().fold(f64::INFINITY, f64::min), sizes().fold(f64::NEG_INFINITY, f64::max));
-    let level = if least < greatest { spanning(least, greatest, 5.0) } else { upright(0.0, greatest.max(1.0), 5.0) };
-    let key = Samples::new(&names);
-    let (corners, height) = Panel::stack(key.height(), HEIGHTS);
-    let mut canvas = Canvas::new(f64::from(WIDTH), height);
+    let x = if least < greatest {
+        Axis::spanning(least, greatest, 5.0)
+    } else {
+        Axis::from_zero(0.0, greatest.max(1.0), 5.0)
+    };
     let titles = ["mean speed over the ideal one", "contraction"];
-    for (k, (corner, lines)) in corners.into_iter().zip(groups).enumerate() {
-        let values = || lines.iter().flat_map(finite).map(|point| point.1);
+    let panels = [0, 1].map(|k| {
+        let values = || groups[k].iter().flat_map(finite).map(|point| point.1);
         let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
-        let left = if low < high { spanning(low, high, 4.0) } else { upright(0.0, high.max(1.0), 4.0) };
-        let panel = Panel::new(corner, HEIGHTS[k], level.clone(), left);
-        panel.draw(&mut canvas, true);
-        for line in lines {
-            let (points, style) = (finite(line), kind(number(line)));
-            let stroke = Stroke { shade: style.0, width: 2.2, dashes: dashes(number(line)), class: "loss" };
-            panel.curve(&mut canvas, &points, stroke);
-            if points.len() <= MARKED {
-                panel.marks(&mut canvas, &points, style, SIZE);
-            }
-        }
-        panel.name(&mut canvas, &Label::words(titles[k]));
-        if k == 1 {
-            panel.foot(&mut canvas, &Label::words(size));
-        }
-    }
-    key.draw(&mut canvas, 2.2);
+        let y = if low < high { Axis::spanning(low, high, 4.0) } else { Axis::from_zero(0.0, high.max(1.0), 4.0) };
+        let x = if k == 1 { x.clone().titled(Label::words(size)) } else { x.clone() };
+        groups[k].iter().fold(Panel::new(260.0, &x, &y.titled(Label::words(titles[k]))), |panel, line| {
+            let (points, (stroke, marker)) = (finite(line), kind(number(line)));
+            let panel = panel.curve(points.iter().copied(), stroke.wide(2.2).class("loss"));
+            if points.len() <= MARKED { panel.marks(points, marker.sized(8.0)) } else { panel }
+        })
+    });
+    let key = names
+        .iter()
+        .enumerate()
+        .map(|(k, name)| Entry::both(kind(k), Label::words(&with_hyphens(name)).shade(kind(k).0.shade)));
     let said = groups.into_iter().zip(titles).flat_map(|(lines, title)| {
         lines.iter().filter_map(move |line| {
             let points = finite(line);
@@ -78,32 +67,29 @@ pub fn losses(size: &str, speeds: &[Line], contractions: &[Line]) -> Figure {
         })
     });
     let said: Vec<String> = said.collect();
-    let words = Words {
-        id: "joints-losses".to_owned(),
-        title: "What the size of the joints costs".to_owned(),
-        description: format!(
+    let words = Words::new(
+        "joints-losses",
+        "What the size of the joints costs",
+        format!(
             "Two panels over the {size}: the mean speed over that of the ideal mechanism, and the contraction. {}.",
             said.join("; ")
         ),
-        caption: format!("Mean speed over that of the ideal mechanism, and contraction, over the {size}."),
-    };
+        format!("Mean speed over that of the ideal mechanism, and contraction, over the {size}."),
+    );
     let rows = groups.into_iter().enumerate().flat_map(|(panel, lines)| {
         lines.iter().flat_map(move |line| {
             let points = finite(line).into_iter();
-            points.map(move |(x, y)| vec![(panel + 1) as f64, (number(line) + 1) as f64, x, y])
+            points.map(move |(x, y)| [(panel + 1) as f64, (number(line) + 1) as f64, x, y])
         })
     });
-    let columns = [("panel", "1"), ("line", "1"), ("size", "1"), ("value", "1")];
-    let column = |(name, unit): (&str, &str)| Column { name: name.to_owned(), unit: unit.to_owned() };
-    let series = Series { columns: columns.map(column).to_vec(), rows: rows.collect(), ..Series::new([("", "")], []) };
-    words.figure(canvas, Kind::Panels, series)
+    let series = Series::new([("panel", "1"), ("line", "1"), ("size", "1"), ("value", "1")], rows);
+    Chart::new(panels).key(key).figure(words, series)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::{labels_inside, named, only_numbers, overlapping_labels, well_formed};
-    use roxmltree::Document;
+    use crate::checks::{Drawing, drawn, sound};
 
     fn lines(count: usize, points: i32, value: fn(f64) -> f64) -> Vec<Line> {
         let point = |k: i32| (f64::from(k) / f64::from(points), value(f64::from(k) / f64::from(points)));
@@ -115,16 +101,12 @@ mod tests {
         for (count, points) in [(1, 4), (3, 12), (5, 40)] {
             let (speeds, contractions) = (lines(count, points, |x| 1.0 - 0.5 * x), lines(count, points, |x| 0.1 + x));
             let figure = losses("radius of the pin over the crank", &speeds, &contractions);
-            well_formed(&figure);
-            only_numbers(&figure);
-            labels_inside(&figure);
-            assert_eq!(overlapping_labels(&figure), []);
-            let document = Document::parse(&figure.svg).expect("well-formed");
-            let curves = named(&document, "loss");
-            assert_eq!(curves.len(), 2 * count);
+            sound(&figure);
+            let drawing = Drawing::of(&figure);
+            assert_eq!(drawing.count("loss"), 2 * count);
             // Straight lines are left with two points, falling and rising.
-            for (k, curve) in curves.iter().enumerate() {
-                let points = crate::checks::corners(curve.attribute("d").expect("a path"), 1.0);
+            for k in 0..2 * count {
+                let points = drawing.path("loss", k);
                 assert_eq!(points.len(), 2);
                 assert_eq!(points[1].y > points[0].y, k < count);
             }
@@ -138,8 +120,7 @@ mod tests {
             vec![Line { name: "odd".to_owned(), points: vec![(f64::NAN, 1.0), (0.5, f64::INFINITY), (0.25, 0.5)] }];
         for some in [vec![], odd] {
             let figure = losses("size", &some, &some);
-            well_formed(&figure);
-            only_numbers(&figure);
+            drawn(&figure);
         }
     }
 }

@@ -2,7 +2,6 @@
 
 mod collapse;
 mod contours;
-mod error;
 mod hand_over;
 mod losses;
 mod map;
@@ -12,7 +11,6 @@ mod tests;
 mod work_precision;
 
 pub use collapse::collapse;
-pub use error::MotionError;
 pub use hand_over::hand_over;
 pub use losses::{Line, losses};
 pub use map::map;

@@ -1,25 +1,15 @@
 //! The driver's speed over its angle, engagement by engagement, from rest and from above.
 
-use super::error::MotionError;
-use crate::escapement::axes::upright;
-use crate::escapement::engagement::{Engagement as Followed, Instant};
-use crate::figure::{Figure, Words};
-use crate::markers::Mark;
+use crate::chart::{Axis, Chart, Entry, Mark, Marker, Panel, Spot, Stroke};
+use crate::escapement::speeds;
 use crate::number::{degrees, shown, significant, trimmed};
-use crate::panel::{Panel, Stroke, WIDTH};
-use crate::plot::{Axis, Scale};
-use crate::series::Series;
-use crate::svg::canvas::{Canvas, Kind};
-use crate::svg::label::Label;
-use crate::svg::placing::around;
-use crate::svg::shape::Shape;
+use crate::svg::Label;
 use crate::theme::{CORIOLIS, DRIVER, FOLLOWER, INK};
+use crate::{Figure, FigureError, Series, Words};
 use geneva_dynamics::Parameters;
-use geneva_dynamics::steady::Engagement;
-use nalgebra::Vector2;
+use geneva_dynamics::steady::{Engagement, SteadyState};
 use std::f64::consts::FRAC_PI_4;
 
-const HEIGHT: u32 = 520;
 /// Engagements from rest, and from above.
 const SHOWN: usize = 3;
 /// The start from above, in steady entry speeds.
@@ -28,7 +18,12 @@ const ABOVE: f64 = 2.0;
 const MARKS: i32 = 3;
 /// Every how many instants of the drawing are a row of the series.
 const KEPT: usize = 6;
-const NEAR: [f64; 6] = [10.0, 16.0, 24.0, 34.0, 46.0, 60.0];
+/// How the engagements from rest look, those from above, and the steady cycle.
+const STROKES: [Stroke; 3] = [
+    Stroke::new(DRIVER).wide(2.0).class("from-rest"),
+    Stroke::new(FOLLOWER).wide(2.0).dashed("8 4").class("from-above"),
+    Stroke::new(CORIOLIS).wide(3.4).dashed("2 4").class("cycle"),
+];
 
 /// One engagement: angle in degrees and speed, and the switch.
 struct Round {
@@ -44,15 +39,15 @@ struct Round {
 ///
 /// # Errors
 ///
-/// [`MotionError`] if there is no steady motion or it cannot be followed.
-pub fn phase(parameters: &Parameters) -> Result<Figure, MotionError> {
+/// [`FigureError`] if there is no steady motion or it cannot be followed.
+pub fn phase(parameters: &Parameters) -> Result<Figure, FigureError> {
     let engagement = Engagement::new(parameters)?;
     let (steady, unit) = (engagement.steady_state()?, parameters.drive().sqrt());
     let half = parameters.mechanism().engagement_half_angle().to_degrees();
-    let round = |entry: f64| -> Result<Round, MotionError> {
+    let round = |entry: f64| -> Result<Round, FigureError> {
         let passage = engagement.passage(entry)?;
-        let instants = Followed::new(parameters, entry).and_then(|followed| Ok(followed.instants()?))?;
-        let points: Vec<_> = instants.iter().map(|at: &Instant| (at.theta.to_degrees(), at.speed / unit)).collect();
+        let points: Vec<_> =
+            speeds(parameters, entry)?.iter().map(|[theta, speed]| (theta.to_degrees(), speed / unit)).collect();
         let switch = passage.switch_angle().map(|angle| {
             let angle = angle.to_degrees();
             let pair = points.windows(2).find(|pair| pair[0].0 <= angle && angle <= pair[1].0);
@@ -64,7 +59,7 @@ pub fn phase(parameters: &Parameters) -> Result<Figure, MotionError> {
         });
         Ok(Round { points, switch: switch.filter(|(_, speed)| speed.is_finite()), end: passage.end_speed() })
     };
-    let rounds = |mut entry: f64| -> Result<Vec<Round>, MotionError> {
+    let rounds = |mut entry: f64| -> Result<Vec<Round>, FigureError> {
         let mut rounds = Vec::new();
         for _ in 0..SHOWN {
             rounds.push(round(entry)?);
@@ -75,63 +70,37 @@ pub fn phase(parameters: &Parameters) -> Result<Figure, MotionError> {
     let (from_rest, from_above) = (rounds(0.0)?, rounds(ABOVE * steady.entry_speed)?);
     let cycle = round(steady.entry_speed)?;
 
-    let marks = (-MARKS..=MARKS).map(|k| half * f64::from(k) / f64::from(MARKS)).collect();
-    let level = Axis { range: -half..half, marks, decimals: 0, scale: Scale::Even };
-    let all = || from_rest.iter().chain(&from_above).flat_map(|round| &round.points);
-    let left = upright(0.0, all().map(|point| point.1).fold(0.0, f64::max), 5.0);
-    let key = 56.0;
-    let panel = Panel::new(Vector2::new(0.0, key), HEIGHT, level, left.clone());
-    let mut canvas = Canvas::new(f64::from(WIDTH), f64::from(HEIGHT) + key);
-    panel.draw(&mut canvas, true);
-    let centres = [0.0, left.range.end].map(|y| panel.at((0.0, y)));
-    canvas.draw(Shape::line(&centres[0], &centres[1]).stroke(INK, 1.3).dashed("5 4").class("centres"));
-    let mut placing = panel.placing();
-    placing.avoid(&centres[0], &centres[1], 1.5);
-    let strokes = [
-        Stroke { shade: DRIVER, width: 2.0, dashes: None, class: "from-rest" },
-        Stroke { shade: FOLLOWER, width: 2.0, dashes: Some("8 4"), class: "from-above" },
-        Stroke { shade: CORIOLIS, width: 3.4, dashes: Some("2 4"), class: "cycle" },
-    ];
-    let groups = [from_rest.as_slice(), from_above.as_slice(), std::slice::from_ref(&cycle)];
-    for (rounds, stroke) in groups.into_iter().zip(strokes) {
-        for round in rounds {
-            placing.avoid_all(&panel.curve(&mut canvas, &round.points, stroke), 1.5);
-        }
-    }
-    for (rounds, stroke) in groups.into_iter().zip(strokes) {
-        let switches: Vec<_> = rounds.iter().filter_map(|round| round.switch).collect();
-        panel.marks(&mut canvas, &switches, (stroke.shade, Mark::Diamond), 10.0);
-        for (number, round) in rounds.iter().enumerate().filter(|_| rounds.len() > 1) {
-            if let (Some(first), true) = (round.points.get(round.points.len() / 10), number < 2) {
-                let label = Label::words(&(number + 1).to_string()).shade(stroke.shade);
-                placing.put(&mut canvas, &label, around(&panel.at(*first), FRAC_PI_4, &NEAR[..3]));
-            }
-        }
-    }
-    let label = Label::words("line of centres");
-    placing.put(&mut canvas, &label, around(&(centres[1] + Vector2::new(0.0, 26.0)), 0.0, &NEAR));
-    let symbol = Label::symbol("θ").and("\u{200a}′ over √(").and_symbol("K").and("/").and_symbol("I").sub("f").and(")");
-    panel.name(&mut canvas, &symbol);
-    panel.foot(&mut canvas, &Label::words("driver angle ").and_symbol("θ").and(" in degrees"));
-    samples(&mut canvas, strokes);
-    Ok(words(parameters, &steady, unit, &cycle).figure(canvas, Kind::Plot, series(&from_rest, &from_above, &cycle)))
+    let panel = panel(half, [&from_rest, &from_above, std::slice::from_ref(&cycle)]);
+    let names = ["from rest", "from twice the steady speed", "steady cycle"];
+    let curves = STROKES.into_iter().zip(names);
+    let mut key: Vec<Entry> =
+        curves.map(|(stroke, name)| Entry::curve(stroke, Label::words(name).shade(stroke.shade))).collect();
+    key.push(Entry::marks([Marker::new(INK, Mark::Diamond)], Label::words("friction changes its sign")));
+    let series = series(&from_rest, &from_above, &cycle);
+    Ok(Chart::new([panel]).key(key).figure(words(parameters, &steady, unit, &cycle), series))
 }
 
-/// What the curves are, above the frame.
-fn samples(canvas: &mut Canvas, strokes: [Stroke; 3]) {
-    let names = ["from rest", "from twice the steady speed", "steady cycle"];
-    for ((stroke, name), (x, y)) in strokes.into_iter().zip(names).zip([(16.0, 18.0), (230.0, 18.0), (16.0, 46.0)]) {
-        let at = |x: f64| Vector2::new(x, y);
-        let line = Shape::line(&at(x), &at(x + 40.0)).stroke(stroke.shade, stroke.width);
-        canvas.draw(match stroke.dashes {
-            Some(dashes) => line.dashed(dashes),
-            None => line,
-        });
-        canvas.label(&at(x + 40.0), &Vector2::new(1.0, 0.0), 10.0, &Label::words(name).shade(stroke.shade).bare());
+/// All engagements over angles of ±`half` degrees, the first two of each kind numbered.
+fn panel(half: f64, groups: [&[Round]; 3]) -> Panel {
+    let all = groups.iter().flat_map(|rounds| rounds.iter()).flat_map(|round| &round.points);
+    let symbol = Label::symbol("θ").and("\u{200a}′ over √(").and_symbol("K").and("/").and_symbol("I").sub("f").and(")");
+    let y = Axis::from_zero(0.0, all.map(|point| point.1).fold(0.0, f64::max), 5.0).titled(symbol);
+    let angle = Label::words("driver angle ").and_symbol("θ").and(" in degrees");
+    let x = Axis::of_engagement(half, MARKS).titled(angle);
+    let mut panel = Panel::new(406.0, &x, &y).vertical(0.0, Stroke::thin("centres").dashed("5 4"));
+    for (rounds, stroke) in groups.iter().zip(STROKES) {
+        panel = rounds.iter().fold(panel, |panel, round| panel.curve(round.points.iter().copied(), stroke));
     }
-    let at = Vector2::new(268.0, 46.0);
-    crate::markers::marks(canvas, &[at], (INK, Mark::Diamond), 10.0);
-    canvas.label(&at, &Vector2::new(1.0, 0.0), 12.0, &Label::words("friction changes its sign").bare());
+    for (rounds, stroke) in groups.iter().zip(STROKES) {
+        let marker = Marker::new(stroke.shade, Mark::Diamond).sized(10.0);
+        panel = panel.marks(rounds.iter().filter_map(|round| round.switch), marker);
+        for (number, round) in rounds.iter().take(2).enumerate().filter(|_| rounds.len() > 1) {
+            let label = Label::words(&(number + 1).to_string()).shade(stroke.shade);
+            panel = panel.near(round.points.get(round.points.len() / 10).copied(), FRAC_PI_4, label);
+        }
+    }
+    let shares = [0.72, 0.28].into_iter().flat_map(|x| [0.94, 0.06, 0.88, 0.12].map(|y| [x, y]));
+    panel.name(Label::words("line of centres"), Spot::Free(shares.collect()))
 }
 
 fn series(from_rest: &[Round], from_above: &[Round], cycle: &Round) -> Series {
@@ -153,17 +122,17 @@ fn series(from_rest: &[Round], from_above: &[Round], cycle: &Round) -> Series {
     Series::new(columns, rows)
 }
 
-fn words(parameters: &Parameters, steady: &geneva_dynamics::steady::SteadyState, unit: f64, cycle: &Round) -> Words {
+fn words(parameters: &Parameters, steady: &SteadyState, unit: f64, cycle: &Round) -> Words {
     let switch = cycle.switch.map_or(String::new(), |(angle, _)| {
         format!(
             " Past the line of centres the friction changes its sign at {} in the steady cycle.",
             degrees(angle.to_radians())
         )
     });
-    Words {
-        id: "steady-phase".to_owned(),
-        title: "The driver's speed over its angle, engagement by engagement".to_owned(),
-        description: format!(
+    Words::new(
+        "steady-phase",
+        "The driver's speed over its angle, engagement by engagement",
+        format!(
             "Speed over angle for {} pins and μ = {}, for three engagements from rest, three from twice the steady \
              speed, and the steady cycle, which enters at {}, falls to {} and rises to {}. The curves from rest come \
              from below and those from above from above; from the third engagement on they can hardly be told from \
@@ -174,11 +143,11 @@ fn words(parameters: &Parameters, steady: &geneva_dynamics::steady::SteadyState,
             significant(steady.minimum.speed / unit, 3),
             significant(steady.peak.speed / unit, 3)
         ),
-        caption: format!(
+        format!(
             "Successive engagements, numbered, from rest and from above: the third can hardly be told from the steady \
              cycle. The friction changes its sign on the line of centres and at the diamonds, where the follower begins \
              to run ahead of the pin. {}",
             shown(parameters)
         ),
-    }
+    )
 }

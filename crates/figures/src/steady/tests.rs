@@ -1,11 +1,11 @@
 //! What must hold of the drawings of the steady motion.
 
-use super::{MotionError, hand_over, phase};
-use crate::checks::{named, number, sound, start};
+use super::{hand_over, phase};
+use crate::FigureError;
+use crate::checks::{Drawing, sound};
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
-use roxmltree::Document;
 
 fn parameters(mechanism: Mechanism, friction: f64) -> Parameters {
     Parameters::new(mechanism, Inertias::new(3.0, 40.0).expect("sound"), 7.0, friction).expect("sound")
@@ -26,16 +26,14 @@ fn the_curve_crosses_the_diagonal_at_the_steady_motion_only() {
         // Without friction the gain is the work of the torque: 2 × 2π/m over the driver's inertia.
         let gain = 4.0 * mechanism.engagement_half_angle() / one.inertias().ratio();
         assert!(rows.iter().all(|row| (row[2] - row[0] - gain).abs() < 1e-9 * gain));
-        let document = Document::parse(&figure.svg).expect("well-formed");
-        let point = &named(&document, "fixed-point")[0];
-        let [x, y] = start(&named(&document, "stairs")[0]);
         // The fixed point is on the diagonal through the corner, where the staircase begins.
-        let (right, up) = (number(point, "cx") - x, y - number(point, "cy"));
-        let data = named(&document, "diagonal")[0].attribute("d").expect("a path").to_owned();
-        let end: Vec<f64> = data.split('L').nth(1).expect("an end").split(' ').map(|v| v.parse().expect("v")).collect();
-        assert!((up / right - (y - end[1]) / (end[0] - x)).abs() < 0.02, "{up} {right}");
+        let drawing = Drawing::of(&figure);
+        let diagonal = drawing.path("diagonal", 0);
+        let (point, along) = (drawing.centre("fixed-point") - diagonal[0], diagonal[1] - diagonal[0]);
+        assert!(along.perp(&point).abs() < 0.2 * along.norm() && point.norm() > 1.0, "{point}");
+        assert_eq!(drawing.path("stairs", 0)[0], diagonal[0]);
     }
-    assert!(matches!(hand_over(&parameters(Mechanism::FOUR_PIN, 0.0)), Err(MotionError::Steady(_))));
+    assert!(matches!(hand_over(&parameters(Mechanism::FOUR_PIN, 0.0)), Err(FigureError::Steady(_))));
 }
 
 #[test]
@@ -46,7 +44,7 @@ fn engagements_from_rest_and_from_above_enclose_the_steady_cycle() {
         sound(&figure);
         let steady = Engagement::new(&one).and_then(|of| of.steady_state()).expect("steady");
         let rows = &figure.series.rows;
-        // Two integrations by different variables: the entry speed is the steady one's.
+        // The steady cycle ends with the speed at which it begins.
         let unit = one.drive().sqrt();
         assert!((rows[0][7] - steady.entry_speed / unit).abs() < 1e-12);
         assert!((rows[rows.len() - 1][7] - steady.entry_speed / unit).abs() < 1e-6 * rows[0][7]);
@@ -55,10 +53,9 @@ fn engagements_from_rest_and_from_above_enclose_the_steady_cycle() {
             assert!(row[1] <= row[2] + slack && row[2] <= row[3] + slack && row[3] <= row[7] + slack, "{row:?}");
             assert!(row[4] >= row[5] - slack && row[5] >= row[6] - slack && row[6] >= row[7] - slack, "{row:?}");
         }
-        let document = Document::parse(&figure.svg).expect("well-formed");
-        assert_eq!(["from-rest", "from-above", "cycle"].map(|class| named(&document, class).len()), [3, 3, 1]);
-        // Three kinds of curves, and the key.
-        assert_eq!(named(&document, "marks").len(), 4);
+        let drawing = Drawing::of(&figure);
+        assert_eq!(["from-rest", "from-above", "cycle"].map(|class| drawing.count(class)), [3, 3, 1]);
+        assert_eq!(drawing.count("marks"), 3);
     }
     assert!(phase(&parameters(Mechanism::FOUR_PIN, 0.0)).is_err());
 }

@@ -1,17 +1,10 @@
 //! How much work a solver needs for how small an error.
 
-use crate::escapement::axes::decades;
-use crate::figure::{Figure, Words};
-use crate::markers::kind;
-use crate::number::significant;
-use crate::panel::{Panel, Stroke, WIDTH};
-use crate::samples::{Samples, dashes};
-use crate::series::Series;
-use crate::svg::canvas::{Canvas, Kind};
-use crate::svg::label::Label;
+use crate::chart::{Axis, Chart, Entry, Panel, kind};
+use crate::number::{significant, with_hyphens};
+use crate::svg::Label;
+use crate::{Figure, Series, Words};
 
-const HEIGHTS: [u32; 2] = [404, 424];
-const SIZE: f64 = 9.0;
 /// At most so many marks of an axis.
 const MARKS: usize = 7;
 /// Digits after the point of the numbers of the series.
@@ -59,34 +52,27 @@ pub fn work_precision(measurements: &[Measurement]) -> Figure {
     let of =
         |name: &str| measurements.iter().filter(|one| one.contestant == name).filter_map(Measurement::point).collect();
     let families: Vec<Vec<[f64; 3]>> = names.iter().map(|name| of(name)).collect();
-    let key = Samples::new(&names);
-    let (corners, height) = Panel::stack(key.height(), HEIGHTS);
-    let mut canvas = Canvas::new(f64::from(WIDTH), height);
     let axis = |column: usize| {
         let values = || families.iter().flatten().map(|point| point[column]).filter(|value| value.is_finite());
         let (least, greatest) = (values().fold(f64::INFINITY, f64::min), values().fold(0.0, f64::max));
         let (least, greatest) = if least <= greatest { (least, greatest) } else { (1.0, 10.0) };
         let each = (libm::log10(greatest / least) as usize + 2) / MARKS + 1;
-        decades(least, greatest, each)
+        Axis::decades(least, greatest, each)
     };
-    let feet = ["evaluations of the right-hand side", "milliseconds"];
-    for (k, corner) in corners.into_iter().enumerate() {
-        let panel = Panel::new(corner, HEIGHTS[k], axis(k + 1), axis(0));
-        panel.draw(&mut canvas, true);
-        for (number, points) in families.iter().enumerate() {
-            let (shade, _) = kind(number);
-            let curve: Vec<_> =
-                points.iter().map(|point| (point[k + 1], point[0])).filter(|(work, _)| work.is_finite()).collect();
-            if curve.is_empty() {
-                continue;
-            }
-            panel.curve(&mut canvas, &curve, Stroke { shade, width: 1.8, dashes: dashes(number), class: "contestant" });
-            panel.marks(&mut canvas, &curve, kind(number), SIZE);
-        }
-        // The panel below leaves no room for a name under the numbers.
-        panel.name(&mut canvas, &Label::words(&format!("true error over {}", feet[k]).replace('-', "\u{2010}")));
-    }
-    key.draw(&mut canvas, 1.8);
+    let works = ["evaluations of the right-hand side", "milliseconds"];
+    let panels = [0, 1].map(|k| {
+        let title = Label::words(&with_hyphens(&format!("true error over {}", works[k])));
+        let panel = Panel::new(290.0, &axis(k + 1), &axis(0).titled(title));
+        families.iter().enumerate().fold(panel, |panel, (number, points)| {
+            let points = points.iter().map(|point| (point[k + 1], point[0])).filter(|(work, _)| work.is_finite());
+            let (stroke, marker) = kind(number);
+            panel.curve(points.clone(), stroke.wide(1.8).class("contestant")).marks(points, marker)
+        })
+    });
+    let key = names
+        .iter()
+        .enumerate()
+        .map(|(k, name)| Entry::both(kind(k), Label::words(&with_hyphens(name)).shade(kind(k).0.shade)));
     let best = names.iter().zip(&families).filter_map(|(name, points)| {
         let point = points.iter().min_by(|a, b| a[0].total_cmp(&b[0]))?;
         let [error, work, time] = [0, 1, 2].map(|k| significant(point[k], 2));
@@ -101,28 +87,24 @@ pub fn work_precision(measurements: &[Measurement]) -> Figure {
         [number as f64, one.tolerance, one.evaluations.unwrap_or(0) as f64, one.milliseconds, one.true_error]
     });
     let columns = [("contestant", "1"), ("tolerance", "1"), ("evaluations", "1"), ("time", "ms"), ("error", "1")];
-    let words = Words {
-        id: "solver-work-precision".to_owned(),
-        title: "Work and precision of the solvers".to_owned(),
-        description: format!(
+    let words = Words::new(
+        "solver-work-precision",
+        "Work and precision of the solvers",
+        format!(
             "Two panels on logarithmic axes: the true error over the evaluations, and over the time. Down and to the \
              left is better. The smallest errors: {}.",
             best.join("; ")
         ),
-        caption:
-            "The error that is left over the work that was done. A curve that runs lower needs less work for the same \
-                  error; a steeper one gains more from further work."
-                .to_owned(),
-    };
-    let series = Series { decimals: DECIMALS, ..Series::new(columns, rows) };
-    words.figure(canvas, Kind::Panels, series)
+        "The error that is left over the work that was done. A curve that runs lower needs less work for the same \
+         error; a steeper one gains more from further work.",
+    );
+    Chart::new(panels).key(key).figure(words, Series::new(columns, rows).to_decimals(DECIMALS))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::checks::{corners, labels_inside, named, only_numbers, overlapping_labels, well_formed};
-    use roxmltree::Document;
+    use crate::checks::{Drawing, corners, drawn, sound};
 
     /// Solvers of orders 2, 4 and 8, whose errors fall as they must.
     fn made_up(count: usize) -> Vec<Measurement> {
@@ -146,22 +128,17 @@ mod tests {
     fn a_contestant_of_order_p_has_a_line_of_slope_p() {
         for count in [1, 3, 6] {
             let figure = work_precision(&made_up(count));
-            well_formed(&figure);
-            only_numbers(&figure);
-            labels_inside(&figure);
-            assert_eq!(overlapping_labels(&figure), []);
-            assert!(figure.svg.len() < 25_000);
+            sound(&figure);
             assert_eq!(figure.series.rows.len(), 6 * count);
         }
         let figure = work_precision(&made_up(3));
-        let document = Document::parse(&figure.svg).expect("well-formed");
-        let curves = named(&document, "contestant");
-        assert_eq!(curves.len(), 6);
+        let drawing = Drawing::of(&figure);
+        assert_eq!(drawing.count("contestant"), 6);
         // Over the milliseconds, which go as the steps: slopes as the orders, in the same axes.
         let slope = |k: usize| {
-            let points = corners(curves[3 + k].attribute("d").expect("a path"), 1.0);
-            let (first, last) = (points[0], points[points.len() - 1]);
-            (last.y - first.y) / (last.x - first.x)
+            let points = drawing.path("contestant", 3 + k);
+            let along = points[points.len() - 1] - points[0];
+            along.y / along.x
         };
         assert!((slope(1) / slope(0) - 2.0).abs() < 0.02, "{} {}", slope(1), slope(0));
         assert!((slope(2) / slope(0) - 4.0).abs() < 0.05);
@@ -171,12 +148,11 @@ mod tests {
             let all = || figure.series.rows.iter().map(logs);
             let low = all().fold(f64::INFINITY, f64::min).floor();
             let high = all().fold(f64::NEG_INFINITY, f64::max).ceil();
-            let frame = corners(
-                named(&document, "axes")[panel].attribute("d").expect("a path").split("M").nth(1).expect("M"),
-                1.0,
-            );
-            let (left, right) = (frame[0].x, frame[2].x);
-            let curve = corners(curves[3 * panel].attribute("d").expect("a path"), 1.0);
+            // The left axis comes first, the right one is the farthest to the right.
+            let axes = drawing.all("axes")[panel].attribute("d").expect("a path");
+            let ends = axes.split('M').skip(1).map(|line| corners(line, 1.0)[0].x);
+            let (left, right) = (ends.clone().next().expect("an axis"), ends.fold(0.0, f64::max));
+            let curve = drawing.path("contestant", 3 * panel);
             let expected = left + (right - left) * (logs(&figure.series.rows[0]) - low) / (high - low);
             assert!((curve[0].x - expected).abs() < 0.2, "{} for {expected}", curve[0].x);
         }
@@ -190,8 +166,7 @@ mod tests {
         some[7].evaluations = Some(0);
         assert_eq!(work_precision(&some).series.rows.len(), 9);
         for few in [&some[..0], &some[1..2]] {
-            well_formed(&work_precision(few));
-            only_numbers(&work_precision(few));
+            drawn(&work_precision(few));
         }
     }
 }

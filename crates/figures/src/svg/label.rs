@@ -96,6 +96,23 @@ impl Label {
         self
     }
 
+    /// The colour of the letters.
+    pub fn colour(&self) -> Shade {
+        self.shade
+    }
+
+    /// The label's first word alone.
+    pub fn first_word(&self) -> Self {
+        let first = self.runs.first().map(|(style, text)| (*style, text.split(' ').next().unwrap_or(text).to_owned()));
+        Self { runs: first.into_iter().collect(), ..self.clone() }
+    }
+
+    /// The lines of a label of words, which are parted by line feeds.
+    pub fn lines(&self) -> Vec<Self> {
+        let text: String = self.runs.iter().map(|(_, text)| text.as_str()).collect();
+        text.lines().map(|line| Self { runs: Vec::new(), ..self.clone() }.and(line)).collect()
+    }
+
     /// The label's markup, so far from `point` in the direction of `towards` (an offset of any length).
     ///
     /// Sideways the label begins or ends there; above and below it is centred.
@@ -154,7 +171,7 @@ impl Label {
             spans += &format!("<tspan{shift}{look}>{}</tspan>", escape(text));
         }
         let halo = if self.haloed {
-            format!(" stroke=\"{}\" stroke-width=\"5\" stroke-linejoin=\"round\" paint-order=\"stroke\"", self.halo.css)
+            format!(" stroke=\"{}\" stroke-width=\"5\" stroke-linejoin=\"round\" paint-order=\"stroke\"", self.halo.0)
         } else {
             String::new()
         };
@@ -162,7 +179,7 @@ impl Label {
             "<text x=\"{}\" y=\"{}\" text-anchor=\"{anchor}\" fill=\"{}\"{halo}>{spans}</text>",
             trimmed(x, 2),
             trimmed(base, 2),
-            self.shade.css,
+            self.shade.0,
         )
     }
 }

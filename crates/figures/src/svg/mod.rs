@@ -1,11 +1,17 @@
-//! A small SVG of our own: shapes with true arcs, labels with halos, the marks of a technical drawing.
+//! A small SVG of our own: shapes with true arcs, labels with halos, and labels that find room by themselves.
 //!
 //! Positions are pixels of the view box, y downwards. Angles are radians, counter-clockwise as seen.
 
-pub mod canvas;
-pub mod label;
-pub mod marks;
-pub mod path;
-pub mod placing;
-pub mod shape;
-pub mod view;
+mod canvas;
+mod label;
+mod path;
+mod placing;
+mod shape;
+mod view;
+
+pub use canvas::{Canvas, Kind};
+pub use label::{Label, TEXT_SIZE, escape};
+pub use path::{Path, Sense};
+pub use placing::{Place, Placing, around, beside_line, leader};
+pub use shape::{DASHED, Shape};
+pub use view::{Pixels, View, angle_of, heading, part_within};

@@ -45,6 +45,24 @@ impl Path {
         Self { data: format!("M{}", pair(at, decimals)), decimals }
     }
 
+    /// A path without a beginning, of which all coordinates are written to so many decimals.
+    pub fn empty(decimals: usize) -> Self {
+        Self { data: String::new(), decimals }
+    }
+
+    /// Whether nothing has been drawn.
+    pub fn is_empty(&self) -> bool {
+        self.data.is_empty()
+    }
+
+    /// An outline through points, returning to the first.
+    pub fn through(points: &[Pixels], decimals: usize) -> Self {
+        let next = |path: Self, point: &Pixels| {
+            if path.is_empty() { path.again_at(point) } else { path.line_to(point) }
+        };
+        points.iter().fold(Self::empty(decimals), next).close()
+    }
+
     /// Goes straight on to a point.
     pub fn line_to(mut self, to: &Pixels) -> Self {
         self.data += &format!(" L{}", pair(to, self.decimals));

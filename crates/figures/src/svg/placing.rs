@@ -3,7 +3,7 @@
 use super::canvas::Canvas;
 use super::label::Label;
 use super::shape::Shape;
-use super::view::{Pixels, heading};
+use super::view::{Pixels, heading, part_within};
 use crate::theme::INK;
 use std::f64::consts::PI;
 
@@ -154,21 +154,8 @@ pub fn leader(canvas: &mut Canvas, place: &Place) {
 }
 
 /// How much of a line lies within an area.
-fn length_within(from: &Pixels, to: &Pixels, [least, greatest]: &[Pixels; 2]) -> f64 {
-    let along = to - from;
-    let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
-    for axis in 0..2 {
-        let (start, step) = (from[axis], along[axis]);
-        if step.abs() < 1e-9 {
-            if start < least[axis] || start > greatest[axis] {
-                return 0.0;
-            }
-            continue;
-        }
-        let (a, b) = ((least[axis] - start) / step, (greatest[axis] - start) / step);
-        (enter, leave) = (enter.max(a.min(b)), leave.min(a.max(b)));
-    }
-    (leave - enter).max(0.0) * along.norm()
+fn length_within(from: &Pixels, to: &Pixels, area: &[Pixels; 2]) -> f64 {
+    part_within(from, to, area).map_or(0.0, |[enter, leave]| (leave - enter) * (to - from).norm())
 }
 
 #[cfg(test)]

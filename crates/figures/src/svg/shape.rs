@@ -36,7 +36,7 @@ impl Shape {
 
     /// Draws the outline in a colour, so many pixels wide.
     pub fn stroke(self, shade: Shade, width: f64) -> Self {
-        self.with("stroke", shade.css).with("stroke-width", &trimmed(width, 2))
+        self.with("stroke", shade.0).with("stroke-width", &trimmed(width, 2))
     }
 
     /// Breaks the outline: lengths of dashes and gaps in pixels.
@@ -46,7 +46,7 @@ impl Shape {
 
     /// Fills the inside with a colour.
     pub fn fill(self, shade: Shade) -> Self {
-        self.with("fill", shade.css)
+        self.with("fill", shade.0)
     }
 
     /// Names what is drawn: a class by which pages and tests find it.

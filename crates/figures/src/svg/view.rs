@@ -16,6 +16,20 @@ pub struct View {
 }
 
 impl View {
+    /// Points of the plane as large as they have room, in pixels each way, with their middle at a place of the page.
+    ///
+    /// Points that all lie in one place have a scale of one.
+    pub fn fitting(points: impl IntoIterator<Item = Vector2<f64>>, room: Pixels, middle: Pixels) -> Self {
+        let bounds = |(a, b): (Vector2<f64>, Vector2<f64>), point: Vector2<f64>| (a.inf(&point), b.sup(&point));
+        let (least, greatest) = points.into_iter().fold((Vector2::zeros(), Vector2::zeros()), bounds);
+        let size = greatest - least;
+        let fit = |room: f64, size: f64| if size > 0.0 { room / size } else { f64::INFINITY };
+        let scale = fit(room.x, size.x).min(fit(room.y, size.y));
+        let scale = if scale.is_finite() && scale > 0.0 { scale } else { 1.0 };
+        let centre = (least + greatest) / 2.0 * scale;
+        Self { origin: middle + Vector2::new(-centre.x, centre.y), scale }
+    }
+
     /// Where a point of the plane lies on the page.
     pub fn place(&self, point: &Vector2<f64>) -> Pixels {
         self.origin + Vector2::new(point.x, -point.y) * self.scale
@@ -31,4 +45,23 @@ pub fn heading(angle: f64) -> Pixels {
 /// The angle (radians, counter-clockwise as seen) of an offset of the page.
 pub fn angle_of(offset: &Pixels) -> f64 {
     libm::atan2(-offset.y, offset.x)
+}
+
+/// Which part of a line lies within an area, given by its least and its greatest corner: from which share of the way
+/// to which.
+pub fn part_within(from: &Pixels, to: &Pixels, [least, greatest]: &[Pixels; 2]) -> Option<[f64; 2]> {
+    let along = to - from;
+    let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
+    for axis in 0..2 {
+        let (start, step) = (from[axis], along[axis]);
+        if step.abs() < 1e-9 {
+            if start < least[axis] || start > greatest[axis] {
+                return None;
+            }
+            continue;
+        }
+        let (a, b) = ((least[axis] - start) / step, (greatest[axis] - start) / step);
+        (enter, leave) = (enter.max(a.min(b)), leave.min(a.max(b)));
+    }
+    (enter <= leave && !enter.is_nan() && !leave.is_nan()).then_some([enter, leave])
 }

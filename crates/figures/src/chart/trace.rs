@@ -1,6 +1,6 @@
-//! A curve on the page: as far as it lies in a frame, and with no more points than can be seen.
+//! A curve on the page: with no more points than can be seen.
 
-use crate::svg::view::Pixels;
+use crate::svg::Pixels;
 
 /// A curve's point is left out if it is no farther from the rest, in pixels.
 const THIN: f64 = 0.1;
@@ -27,40 +27,13 @@ pub fn thinned(points: &[Pixels]) -> Vec<Pixels> {
     kept
 }
 
-/// The part of a line within a frame.
-pub fn within(from: &Pixels, to: &Pixels, [least, greatest]: &[Pixels; 2]) -> Option<[Pixels; 2]> {
-    let along = to - from;
-    let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
-    for axis in 0..2 {
-        let (start, step) = (from[axis], along[axis]);
-        if step == 0.0 {
-            if start < least[axis] || start > greatest[axis] {
-                return None;
-            }
-            continue;
-        }
-        let (a, b) = ((least[axis] - start) / step, (greatest[axis] - start) / step);
-        (enter, leave) = (enter.max(a.min(b)), leave.min(a.max(b)));
-    }
-    let at = |share: f64| {
-        if share == 0.0 {
-            *from
-        } else if share == 1.0 {
-            *to
-        } else {
-            from + along * share
-        }
-    };
-    (enter <= leave && !enter.is_nan() && !leave.is_nan()).then(|| [at(enter), at(leave)])
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn what_is_left_of_a_curve_is_the_curve() {
-        let circle = |k: u32| crate::svg::view::heading(f64::from(k) / 100.0) * 200.0;
+        let circle = |k: u32| crate::svg::heading(f64::from(k) / 100.0) * 200.0;
         let points: Vec<Pixels> = (0..=600).map(circle).collect();
         let kept = thinned(&points);
         assert!(kept.len() < 150, "{}", kept.len());

@@ -1,0 +1,253 @@
+//! Axes: what they cover, how their values are spaced, where the marks are and how they are numbered.
+
+use crate::number::{fixed, power_of_ten, round_step, trimmed, with_minus_sign};
+use crate::svg::Label;
+use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
+use std::ops::Range;
+
+/// How far beyond the greatest value an axis from zero goes at least.
+const HEADROOM: f64 = 1.04;
+/// Round steps from zero to either end of a symmetric axis, and how far beyond the greatest value it goes at least.
+const SYMMETRIC: i32 = 3;
+const SYMMETRIC_HEADROOM: f64 = 1.05;
+/// How far beyond an axis a value can lie, in lengths of the axis: enough for any line to leave the frame.
+const FAR: f64 = 50.0;
+
+/// How the values of an axis are spaced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scale {
+    /// Equal differences, equal lengths.
+    Linear,
+    /// Equal ratios, equal lengths; only for values above zero.
+    Logarithmic,
+    /// The same, with marks at powers of ten that are written as such.
+    Decades,
+    /// Equal ratios, equal lengths to either side of zero; near it, below a half, equal differences: arsinh(2 x).
+    SymmetricLog,
+}
+
+/// One axis: what it covers, the marks on it, and its title.
+#[derive(Clone, Debug)]
+pub struct Axis {
+    /// From the least to the greatest value.
+    pub range: Range<f64>,
+    /// Where the marks are.
+    pub marks: Vec<f64>,
+    /// Digits after the point of the marks' numbers; at most so many where the scale is logarithmic.
+    pub decimals: usize,
+    /// How its values are spaced.
+    pub scale: Scale,
+    /// What it shows, with the unit.
+    pub title: Option<Label>,
+    /// Whether the marks have numbers, and lines across the frame.
+    pub numbered: bool,
+    pub grid: bool,
+}
+
+impl Axis {
+    /// An axis with these marks, numbered with so many digits after the point.
+    pub fn new(scale: Scale, range: Range<f64>, marks: Vec<f64>, decimals: usize) -> Self {
+        Self { range, marks, decimals, scale, title: None, numbered: true, grid: true }
+    }
+
+    /// A linear axis with marks at whole numbers.
+    pub fn whole(range: Range<f64>, marks: impl IntoIterator<Item = f64>) -> Self {
+        Self::new(Scale::Linear, range, marks.into_iter().collect(), 0)
+    }
+
+    /// An axis in at least so many round steps that holds zero and both values, with some room beyond them.
+    pub fn from_zero(least: f64, greatest: f64, steps: f64) -> Self {
+        Self::in_steps(round_step(HEADROOM * (greatest - least) / steps), HEADROOM * least, HEADROOM * greatest)
+    }
+
+    /// An axis of angles in degrees, in at least so many steps that divide a turn, which holds zero and both values.
+    pub fn of_angles(least: f64, greatest: f64, steps: f64) -> Self {
+        let wanted = (greatest - least) / steps;
+        let step = [1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 90.0].into_iter().find(|step| *step >= wanted);
+        Self::in_steps(step.unwrap_or(120.0), least, greatest)
+    }
+
+    /// An axis in at least so many round steps that holds both values, and zero only if it must.
+    pub fn spanning(least: f64, greatest: f64, steps: f64) -> Self {
+        let step = round_step((greatest - least) / steps);
+        let low = libm::floor(least / step + 1e-9) as i32;
+        let high = (libm::ceil(greatest / step - 1e-9) as i32).max(low + 1);
+        Self::stepped(step, low, high)
+    }
+
+    /// An axis from −3 to 3 round steps that holds a value of this size: zero is at one height on any two of them.
+    pub fn symmetric(greatest: f64) -> Self {
+        Self::stepped(round_step(SYMMETRIC_HEADROOM * greatest / f64::from(SYMMETRIC)), -SYMMETRIC, SYMMETRIC)
+    }
+
+    /// Driver angles in degrees over an engagement of this half angle, with marks in so many parts of it.
+    pub fn of_engagement(half: f64, parts: i32) -> Self {
+        Self::whole(-half..half, (-parts..=parts).map(|k| half * f64::from(k) / f64::from(parts)))
+    }
+
+    /// Whole powers of ten that hold all values of the range, with a mark at each so many.
+    pub fn decades(least: f64, greatest: f64, each: usize) -> Self {
+        let low = (-20..20).rev().find(|k| power(*k) <= least).unwrap_or(-20);
+        let high = (low + 1..21).find(|k| power(*k) >= greatest).unwrap_or(20);
+        let marks = (low..=high).rev().step_by(each).map(power).collect();
+        Self::new(Scale::Decades, power(low)..power(high), marks, 0)
+    }
+
+    /// A logarithmic axis over a range, with marks at 1, 2 and 5 times powers of ten; at powers of ten alone if those
+    /// are too many.
+    pub fn logarithmic(range: Range<f64>) -> Self {
+        let within = |mark: &f64| (range.start..=range.end).contains(mark);
+        let marks: Vec<f64> = one_two_five().filter(within).collect();
+        let wide = marks.len() > 9;
+        let marks = if wide { (-20..20).map(power).filter(within).collect() } else { marks };
+        Self::new(Scale::Logarithmic, range, marks, 9)
+    }
+
+    /// A logarithmic axis over whole steps of 1, 2 and 5 times powers of ten that holds all values of the range.
+    pub fn logarithmic_about(values: Range<f64>) -> Self {
+        let low = one_two_five().filter(|step| *step <= values.start).fold(1e-9, f64::max);
+        let high = one_two_five().find(|step| *step >= values.end && *step > low).unwrap_or(10.0 * low);
+        Self::logarithmic(low..high)
+    }
+
+    /// The same axis with a title.
+    pub fn titled(self, title: Label) -> Self {
+        Self { title: Some(title), ..self }
+    }
+
+    /// The same axis without numbers.
+    pub fn unnumbered(self) -> Self {
+        Self { numbered: false, ..self }
+    }
+
+    /// The same axis without lines across the frame.
+    pub fn without_grid(self) -> Self {
+        Self { grid: false, ..self }
+    }
+
+    /// The same values without marks and title: for a side of the frame that is not read.
+    pub fn blank(&self) -> Self {
+        Self { marks: Vec::new(), title: None, ..self.clone() }
+    }
+
+    fn in_steps(step: f64, least: f64, greatest: f64) -> Self {
+        let low = libm::floor(least / step + 1e-9).min(0.0) as i32;
+        let high = (libm::ceil(greatest / step - 1e-9) as i32).max(low + 1);
+        Self::stepped(step, low, high)
+    }
+
+    /// An axis from one multiple of a step to another, with a mark at each.
+    fn stepped(step: f64, low: i32, high: i32) -> Self {
+        let digits = trimmed(step, 6);
+        let decimals = digits.split_once('.').map_or(0, |(_, after)| after.len());
+        let marks = (low..=high).map(|k| step * f64::from(k)).collect();
+        Self::new(Scale::Linear, step * f64::from(low)..step * f64::from(high), marks, decimals)
+    }
+
+    /// How far along the axis a value lies: 0 at its start, 1 at its end.
+    pub fn share(&self, value: f64) -> f64 {
+        let Range { start, end } = self.range;
+        let share = match self.scale {
+            Scale::Linear => (value - start) / (end - start),
+            Scale::Logarithmic | Scale::Decades => libm::log(value / start) / libm::log(end / start),
+            Scale::SymmetricLog => {
+                let [low, at, high] = [start, value, end].map(|x| libm::asinh(2.0 * x));
+                (at - low) / (high - low)
+            }
+        };
+        share.clamp(-FAR, FAR)
+    }
+
+    /// The value so far along the axis.
+    pub fn value_at(&self, share: f64) -> f64 {
+        let Range { start, end } = self.range;
+        match self.scale {
+            Scale::Linear => start + share * (end - start),
+            Scale::Logarithmic | Scale::Decades => start * libm::exp(share * libm::log(end / start)),
+            Scale::SymmetricLog => {
+                let [low, high] = [start, end].map(|x| libm::asinh(2.0 * x));
+                libm::sinh(low + share * (high - low)) / 2.0
+            }
+        }
+    }
+
+    /// A mark's number as it is written.
+    pub fn written(&self, value: f64) -> String {
+        match self.scale {
+            _ if !self.numbered => String::new(),
+            Scale::Linear => with_minus_sign(&fixed(value, self.decimals)),
+            Scale::Logarithmic | Scale::SymmetricLog => with_minus_sign(&trimmed(value, self.decimals)),
+            Scale::Decades => power_of_ten(value),
+        }
+    }
+}
+
+fn power(exponent: i32) -> f64 {
+    format!("1e{exponent}").parse().unwrap_or(1.0)
+}
+
+fn one_two_five() -> impl Iterator<Item = f64> {
+    (-9..9).flat_map(|k| [1.0, 2.0, 5.0].map(|m| m * power(k)))
+}
+
+impl Ranged for Axis {
+    type FormatOption = NoDefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
+        limit.0 + libm::round(self.share(*value) * f64::from(limit.1 - limit.0)) as i32
+    }
+
+    fn key_points<Hint: KeyPointHint>(&self, _: Hint) -> Vec<f64> {
+        self.marks.clone()
+    }
+
+    fn range(&self) -> Range<f64> {
+        self.range.clone()
+    }
+}
+
+impl ValueFormatter<f64> for Axis {
+    fn format_ext(&self, value: &f64) -> String {
+        self.written(*value)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_kind_of_axis_holds_its_values_between_its_ends() {
+        for (least, greatest) in [(-0.3, 7.1), (0.0, 1e-4), (-250.0, 3.0), (2.0, 2.5)] {
+            for axis in [Axis::from_zero(least, greatest, 4.0), Axis::spanning(least, greatest, 5.0)] {
+                assert!([least, greatest].iter().all(|value| (-1e-9..=1.0 + 1e-9).contains(&axis.share(*value))));
+                assert!(axis.marks.len() >= 4, "{axis:?}");
+            }
+            assert!(Axis::from_zero(least, greatest, 4.0).marks.contains(&0.0));
+        }
+        for axis in [Axis::decades(0.03, 40.0, 1), Axis::logarithmic_about(0.03..40.0)] {
+            assert!(axis.share(0.03) >= 0.0 && axis.share(40.0) <= 1.0, "{axis:?}");
+            assert!((axis.share(4.0) - axis.share(0.4) - axis.share(0.4) + axis.share(0.04)).abs() < 1e-12);
+        }
+        assert_eq!(Axis::symmetric(2.9).marks, [-6.0, -4.0, -2.0, 0.0, 2.0, 4.0, 6.0]);
+        assert_eq!(Axis::of_angles(-27.0, 27.0, 4.0).range, -30.0..30.0);
+    }
+
+    #[test]
+    fn the_value_at_a_share_has_that_share() {
+        for scale in [Scale::Linear, Scale::Logarithmic, Scale::Decades, Scale::SymmetricLog] {
+            let axis = Axis::new(scale, 0.1..30.0, vec![], 1);
+            assert!([0.0, 0.3, 1.0].iter().all(|share| (axis.share(axis.value_at(*share)) - share).abs() < 1e-12));
+        }
+    }
+
+    #[test]
+    fn marks_are_written_as_their_scale_wants() {
+        let axis = |scale| Axis::new(scale, 0.1..100.0, vec![], 1);
+        let written = [Scale::Linear, Scale::Logarithmic, Scale::Decades].map(|scale| axis(scale).written(10.0));
+        assert_eq!(written, ["10.0", "10", "10¹"]);
+        assert_eq!(axis(Scale::SymmetricLog).written(-10.0), "−10");
+        assert_eq!(axis(Scale::Linear).unnumbered().written(10.0), "");
+    }
+}

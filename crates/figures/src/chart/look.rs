@@ -1,0 +1,185 @@
+//! How curves and marks look, and how they are told apart.
+
+use crate::svg::{Canvas, Path, Pixels, Shape};
+use crate::theme::{CORIOLIS, DRIVER, FOLLOWER, GRID, INK, PAPER, RELATIVE, Shade};
+use nalgebra::Vector2;
+
+/// How a line looks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stroke {
+    /// Its colour.
+    pub shade: Shade,
+    /// Its width in pixels.
+    pub width: f64,
+    /// Its dashes and gaps; none for an unbroken line.
+    pub dashes: Option<&'static str>,
+    /// What it is, for pages and tests.
+    pub class: &'static str,
+}
+
+impl Stroke {
+    /// An unbroken curve of this colour.
+    pub const fn new(shade: Shade) -> Self {
+        Self { shade, width: 2.8, dashes: None, class: "curve" }
+    }
+
+    /// A thin line of reference.
+    pub const fn thin(class: &'static str) -> Self {
+        Self { shade: INK, width: 1.3, dashes: None, class }
+    }
+
+    /// A line that parts a frame.
+    pub const fn edge() -> Self {
+        Self { shade: GRID, width: 1.2, dashes: None, class: "edge" }
+    }
+
+    /// The same, so many pixels wide.
+    pub const fn wide(self, width: f64) -> Self {
+        Self { width, ..self }
+    }
+
+    /// The same in dashes: their lengths and those of the gaps, in pixels.
+    pub const fn dashed(self, dashes: &'static str) -> Self {
+        Self { dashes: Some(dashes), ..self }
+    }
+
+    /// The same of another class.
+    pub const fn class(self, class: &'static str) -> Self {
+        Self { class, ..self }
+    }
+
+    /// A shape drawn with it.
+    pub fn on(&self, shape: Shape) -> Shape {
+        let shape = shape.stroke(self.shade, self.width).class(self.class);
+        self.dashes.map_or(shape.clone(), |dashes| shape.dashed(dashes))
+    }
+}
+
+/// The shape of a mark.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mark {
+    /// A disc.
+    Disc,
+    /// A square.
+    Square,
+    /// A square on its corner.
+    Diamond,
+    /// A triangle.
+    Triangle,
+    /// A circle filled with the paper's colour.
+    Ring,
+    /// A circle through which the curve can be seen.
+    Circle,
+}
+
+/// How the marks of a kind look.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Marker {
+    /// Their colour.
+    pub shade: Shade,
+    /// Their shape.
+    pub mark: Mark,
+    /// Their size in pixels.
+    pub size: f64,
+    /// What they are, for pages and tests.
+    pub class: &'static str,
+}
+
+impl Marker {
+    /// A marker of the usual size.
+    pub const fn new(shade: Shade, mark: Mark) -> Self {
+        Self { shade, mark, size: 9.0, class: "marks" }
+    }
+
+    /// The same, so many pixels large.
+    pub const fn sized(self, size: f64) -> Self {
+        Self { size, ..self }
+    }
+
+    /// The same of another class.
+    pub const fn class(self, class: &'static str) -> Self {
+        Self { class, ..self }
+    }
+}
+
+/// Dashes and gaps, one after another.
+const DASHES: [Option<&str>; 3] = [None, Some("9 4"), Some("3 4")];
+
+/// The curve and the marks of the first to the eighth of several kinds: from the fifth on in the colour of the text,
+/// and with other dashes.
+pub fn kind(number: usize) -> (Stroke, Marker) {
+    let (shade, mark) = match number % 4 {
+        0 => (FOLLOWER, Mark::Disc),
+        1 => (DRIVER, Mark::Square),
+        2 => (RELATIVE, Mark::Diamond),
+        _ => (CORIOLIS, Mark::Triangle),
+    };
+    let shade = if number % 8 < 4 { shade } else { INK };
+    let dashes = DASHES.get((number + number / 4) % DASHES.len()).copied().flatten();
+    (Stroke { dashes, ..Stroke::new(shade) }, Marker::new(shade, mark))
+}
+
+/// The curve and the marks of a mechanism with so many slots: the same in all figures.
+pub fn of_mechanism(slots: u32) -> (Stroke, Marker) {
+    kind(match slots {
+        3 => 0,
+        4 => 1,
+        _ => 2,
+    })
+}
+
+/// Marks of fewer pixels have no rim.
+const RIMMED: f64 = 7.0;
+
+/// Draws equal marks at places of the page: they weigh little, for all are one path.
+pub fn draw_marks(canvas: &mut Canvas, places: &[Pixels], marker: &Marker) {
+    let Marker { shade, mark, size, class } = *marker;
+    if matches!(mark, Mark::Ring | Mark::Circle) {
+        for at in places {
+            let circle = Shape::circle(at, size / 2.0).stroke(shade, 2.0).class(class);
+            canvas.draw(if mark == Mark::Ring { circle.fill(PAPER) } else { circle });
+        }
+        return;
+    }
+    let corners: &[(f64, f64)] = if mark == Mark::Triangle { &[(0.0, -0.64), (0.6, 1.04), (-1.2, 0.0)] } else { &[] };
+    let begin = |at: &Pixels| corners.first().map_or(*at, |(x, y)| at + Vector2::new(*x, *y) * size);
+    let mut path = Path::empty(1);
+    for place in places {
+        path = path.again_at(&begin(place));
+        path = match mark {
+            // Square ends stand across the line, however short it is.
+            Mark::Diamond => path.line_by(&Vector2::new(0.1, 0.1)),
+            Mark::Triangle => {
+                let steps = corners.iter().skip(1).map(|(x, y)| Vector2::new(*x, *y) * size);
+                steps.fold(path, |path, step| path.line_by(&step)).close()
+            }
+            _ => path.dot(),
+        };
+    }
+    if path.is_empty() {
+        return;
+    }
+    let shape = Shape::path(path);
+    if mark == Mark::Triangle {
+        let shape = shape.fill(shade);
+        canvas.draw(if size >= RIMMED { shape.stroke(PAPER, 1.2) } else { shape }.class(class));
+        return;
+    }
+    let (cap, size) = if mark == Mark::Disc { ("round", size) } else { ("square", 0.86 * size) };
+    let shape = shape.with("stroke-linecap", cap);
+    if size >= RIMMED {
+        canvas.draw(shape.clone().stroke(PAPER, size + 2.4).class("rim"));
+    }
+    canvas.draw(shape.stroke(shade, size).class(class));
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_two_of_eight_look_the_same() {
+        let looks: Vec<_> = (0..8).map(kind).collect();
+        assert!(looks.iter().enumerate().all(|(k, look)| !looks[..k].contains(look)), "{looks:?}");
+    }
+}

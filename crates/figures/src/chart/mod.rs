@@ -1,0 +1,226 @@
+//! The grammar of the charts: a figure says what it shows, and the rest is laid out here.
+//!
+//! A [`Chart`] is a key, [`Panel`]s one under another, and lines of notes. A panel has axes and layers: areas, curves,
+//! marks and lines of reference, all in data of the axes; and names, which find their places by themselves. plotters
+//! draws frame, grid, numbers and layers on a [pen](pen::Pen) that writes our SVG.
+
+mod axis;
+mod look;
+mod names;
+mod panel;
+mod pen;
+mod trace;
+
+pub use axis::{Axis, Scale};
+pub use look::{Mark, Marker, Stroke, kind, of_mechanism};
+pub use names::Spot;
+pub use panel::{Panel, Side};
+
+use crate::svg::{Canvas, Kind, Label, Pixels, Shape, escape};
+use crate::{Figure, Series, Words};
+use look::draw_marks;
+use nalgebra::Vector2;
+use panel::WIDTH;
+
+/// From line to line of the key and of the notes, and from the left side to either, in pixels.
+const LINE: f64 = 28.0;
+const LEFT: f64 = 16.0;
+/// Room below all, in pixels.
+const FOOT: f64 = 6.0;
+/// Length of a piece of curve in the key, room of a mark, and from either to its name.
+const PIECE: f64 = 44.0;
+const MARK: f64 = 15.0;
+const GAP: f64 = 9.0;
+
+/// One entry of a key: a piece of a curve, marks, and what they stand for.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    stroke: Option<Stroke>,
+    markers: Vec<Marker>,
+    label: Label,
+}
+
+impl Entry {
+    /// A curve and what it stands for.
+    pub fn curve(stroke: Stroke, label: Label) -> Self {
+        Self { stroke: Some(stroke), markers: Vec::new(), label }
+    }
+
+    /// Marks and what they stand for.
+    pub fn marks(markers: impl IntoIterator<Item = Marker>, label: Label) -> Self {
+        Self { stroke: None, markers: markers.into_iter().collect(), label }
+    }
+
+    /// A curve with marks on it, and what they stand for.
+    pub fn both((stroke, marker): (Stroke, Marker), label: Label) -> Self {
+        Self { stroke: Some(stroke), markers: vec![marker], label }
+    }
+
+    /// Words alone.
+    pub fn words(label: Label) -> Self {
+        Self { stroke: None, markers: Vec::new(), label }
+    }
+
+    fn sample(&self) -> f64 {
+        if self.stroke.is_some() { PIECE } else { MARK * self.markers.len() as f64 }
+    }
+
+    fn width(&self) -> f64 {
+        self.sample() + self.label.width() + 2.0 * GAP
+    }
+
+    fn draw(&self, canvas: &mut Canvas, at: &Pixels) {
+        let right = Vector2::new(1.0, 0.0);
+        if let Some(stroke) = &self.stroke {
+            canvas.draw(stroke.class("sample").on(Shape::line(at, &(at + right * PIECE))));
+        }
+        let pitch = self.sample() / self.markers.len().max(1) as f64;
+        for (k, marker) in self.markers.iter().enumerate() {
+            draw_marks(canvas, &[at + right * (pitch * (k as f64 + 0.5))], &marker.class("sample"));
+        }
+        canvas.label(&(at + right * self.sample()), &right, GAP, &self.label.clone().bare());
+    }
+}
+
+/// What a figure with axes shows.
+#[derive(Clone, Debug, Default)]
+pub struct Chart {
+    key: Vec<Entry>,
+    panels: Vec<Panel>,
+    notes: Vec<Label>,
+}
+
+impl Chart {
+    /// Panels one under another.
+    pub fn new(panels: impl IntoIterator<Item = Panel>) -> Self {
+        Self { panels: panels.into_iter().collect(), ..Self::default() }
+    }
+
+    /// What curves and marks stand for, above the panels.
+    pub fn key(self, entries: impl IntoIterator<Item = Entry>) -> Self {
+        Self { key: entries.into_iter().collect(), ..self }
+    }
+
+    /// Lines of words below the panels.
+    pub fn notes(self, notes: impl IntoIterator<Item = Label>) -> Self {
+        Self { notes: notes.into_iter().collect(), ..self }
+    }
+
+    /// The figure with its words and the numbers behind it.
+    pub fn figure(self, words: Words, series: Series) -> Figure {
+        let places = self.key_places();
+        let head = places.last().map_or(0.0, |at| at.y + LINE / 2.0);
+        let panels: f64 = self.panels.iter().map(Panel::room).sum();
+        let notes = if self.notes.is_empty() { 0.0 } else { LINE * (self.notes.len() as f64 + 0.5) };
+        let notes = notes + FOOT;
+        let size = Vector2::new(WIDTH, head + panels + notes);
+        let mut canvas = Canvas::new(size.x, size.y);
+        for (entry, at) in self.key.iter().zip(&places) {
+            entry.draw(&mut canvas, at);
+        }
+        let mut top = head;
+        for panel in &self.panels {
+            // Nothing that is written can fail. Should plotters fail all the same, the page says so.
+            if let Err(error) = panel.draw(&mut canvas, size, top) {
+                canvas.draw_markup(format!("<desc>plot failed: {}</desc>", escape(&error.to_string())));
+            }
+            top += panel.room();
+        }
+        for (k, note) in self.notes.iter().enumerate() {
+            let at = Vector2::new(LEFT, top + LINE * (k as f64 + 0.8));
+            canvas.label(&at, &Vector2::new(1.0, 0.0), 0.0, &note.clone().bare());
+        }
+        let kind = if self.panels.len() > 1 { Kind::Panels } else { Kind::Plot };
+        words.figure(canvas, kind, series)
+    }
+
+    /// Where the entries of the key begin: in equal columns, or one after another if that takes fewer lines.
+    fn key_places(&self) -> Vec<Pixels> {
+        let room = WIDTH - LEFT;
+        let widest = self.key.iter().map(Entry::width).fold(1.0, f64::max);
+        let columns = ((room / widest) as usize).clamp(1, self.key.len().max(1));
+        let place = |x: f64, line: usize| Vector2::new(LEFT + x, 18.0 + LINE * line as f64);
+        let (mut flowing, mut x, mut line) = (Vec::new(), 0.0, 0);
+        for width in self.key.iter().map(Entry::width) {
+            if x > 0.0 && x + width > room {
+                (x, line) = (0.0, line + 1);
+            }
+            flowing.push(place(x, line));
+            x += width + GAP;
+        }
+        if line + 1 < self.key.len().div_ceil(columns) {
+            return flowing;
+        }
+        (0..self.key.len()).map(|k| place(room / columns as f64 * (k % columns) as f64, k / columns)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::{Drawing, drawn, number};
+    use crate::theme::DRIVER;
+
+    fn figure(chart: Chart) -> Figure {
+        chart.figure(Words::new("a", "b", "c", "d"), Series::new([("x", "1")], []))
+    }
+
+    fn panel() -> Panel {
+        let axis = Axis::whole(0.0..1.0, [0.0, 1.0]);
+        Panel::new(200.0, &axis, &axis)
+    }
+
+    #[test]
+    fn curves_and_marks_end_on_the_frame() {
+        let points = [(-1.0, 0.5), (0.5, 0.5), (0.5, 3.0), (0.75, 0.25)];
+        let some = figure(Chart::new([panel().curve(points, Stroke::new(DRIVER)).marks(points, kind(3).1)]));
+        drawn(&some);
+        let data = Drawing::of(&some).all("curve")[0].attribute("d").expect("a path").to_owned();
+        let corners: Vec<f64> = data.split(['M', 'L', ' ']).filter_map(|word| word.parse().ok()).collect();
+        let heights: Vec<f64> = corners.iter().skip(1).step_by(2).copied().collect();
+        let widths: Vec<f64> = corners.iter().step_by(2).copied().collect();
+        // In from the left, out at the top, and in again.
+        assert_eq!((data.matches('M').count(), widths[0], heights.len()), (2, 66.0, 5), "{data}");
+        assert!(
+            heights.iter().all(|y| (22.0..=222.0).contains(y)) && widths.iter().all(|x| (66.0..=574.0).contains(x))
+        );
+        assert_eq!(Drawing::of(&some).all("marks")[0].attribute("d").expect("a path").matches('M').count(), 2);
+        for outside in [[(0.2, 2.0), (0.8, 3.0)], [(-0.2, 0.9), (0.1, 1.3)], [(2.0, 0.1), (2.0, 0.9)]] {
+            let none = figure(Chart::new([panel().curve(outside, Stroke::new(DRIVER))]));
+            assert_eq!(Drawing::of(&none).count("curve"), 0, "{outside:?}");
+        }
+    }
+
+    #[test]
+    fn names_beside_the_frame_keep_apart() {
+        let name = |panel: Panel, y: f64| panel.name(Label::words("x"), Spot::Beside(y));
+        let figure = figure(Chart::new([[0.5, 0.5, 0.52, 0.0].into_iter().fold(panel(), name)]));
+        let drawing = Drawing::of(&figure);
+        let mut heights: Vec<f64> = drawing.all("leader").iter().map(|line| number(line, "y2")).collect();
+        heights.sort_by(f64::total_cmp);
+        assert_eq!(heights.len(), 4);
+        assert!(heights.windows(2).all(|pair| pair[1] - pair[0] > 22.0), "{heights:?}");
+    }
+
+    #[test]
+    fn a_name_that_has_no_room_is_left_out_and_one_on_a_curve_interrupts_it() {
+        let curve = [(0.0, 0.5), (0.5, 0.5), (1.0, 0.5)];
+        let panel = panel().curve(curve, Stroke::new(DRIVER)).name(Label::words("on"), Spot::On(curve.to_vec()));
+        let figure = figure(Chart::new([panel.name(Label::words("under"), Spot::Free(vec![[0.5, 0.5]]))]));
+        let drawing = Drawing::of(&figure);
+        assert_eq!(drawing.count("ground"), 1);
+        assert!(drawing.texts().contains(&"on".to_owned()) && !drawing.texts().contains(&"under".to_owned()));
+    }
+
+    #[test]
+    fn long_entries_of_a_key_stand_one_under_another() {
+        let places = |names: &[&str]| {
+            let entries = names.iter().map(|name| Entry::both(kind(0), Label::words(name)));
+            Chart::new([]).key(entries).key_places()
+        };
+        let long = "a name that takes more than half of the width of a figure";
+        assert!(places(&["one", "two", "three"]).iter().all(|at| at.y == 18.0));
+        assert!(places(&[long, long]).windows(2).all(|pair| pair[0].x == pair[1].x && pair[0].y < pair[1].y));
+        assert!(places(&[]).is_empty());
+    }
+}

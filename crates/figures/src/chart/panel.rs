@@ -1,0 +1,346 @@
+//! One frame with its axes, and what it shows: areas, curves, marks, lines of reference and names.
+
+use super::axis::Axis;
+use super::look::{Marker, Stroke};
+use super::names::{Name, Spot, write};
+use super::pen::{ENLARGED, Look, Pen, colour};
+use crate::svg::{Canvas, Label, Pixels, Placing, part_within};
+use crate::theme::Shade;
+use nalgebra::Vector2;
+use plotters::prelude::*;
+use std::ops::Range;
+
+/// Width of a figure, in pixels.
+pub const WIDTH: f64 = 640.0;
+/// Room at the left and the right of a frame: for the numbers of the axes.
+const SIDE: f64 = 66.0;
+/// Room above a frame: for the title of the y axis; below it for the numbers of the x axis, and for its title.
+const ABOVE: f64 = 44.0;
+const NUMBERS: f64 = 34.0;
+const TITLE: f64 = 36.0;
+/// Length of a tick; the numbers are twice as far from the frame.
+const TICK: f64 = 6.0;
+
+/// On which of the two y axes values are read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// The axis at the left.
+    Left,
+    /// The axis at the right.
+    Right,
+}
+
+/// What is drawn in a frame, in data of its axes.
+#[derive(Clone, Debug)]
+enum Layer {
+    /// A filled area, under the grid.
+    Area { corners: Vec<(f64, f64)>, shade: Shade, class: &'static str },
+    /// A curve, as far as it lies in the frame.
+    Curve { side: Side, points: Vec<(f64, f64)>, stroke: Stroke },
+    /// Equal marks, as far as they lie in the frame.
+    Marks { side: Side, points: Vec<(f64, f64)>, marker: Marker },
+}
+
+/// A frame with axes and what it shows, drawn in the order in which it is added; areas lie under the grid.
+#[derive(Clone, Debug)]
+pub struct Panel {
+    height: f64,
+    x: Axis,
+    left: Axis,
+    right: Axis,
+    layers: Vec<Layer>,
+    names: Vec<Name>,
+}
+
+impl Panel {
+    /// An empty frame of this height in pixels.
+    pub fn new(height: f64, x: &Axis, left: &Axis) -> Self {
+        let right = left.blank();
+        Self { height, x: x.clone(), left: left.clone(), right, layers: Vec::new(), names: Vec::new() }
+    }
+
+    /// Another y axis, at the right.
+    pub fn right(self, right: Axis) -> Self {
+        Self { right, ..self }
+    }
+
+    /// A filled area, given by its corners.
+    pub fn area(mut self, corners: impl IntoIterator<Item = (f64, f64)>, shade: Shade, class: &'static str) -> Self {
+        self.layers.push(Layer::Area { corners: corners.into_iter().collect(), shade, class });
+        self
+    }
+
+    /// A filled area over a range of the x axis, from the foot of the frame to its top.
+    pub fn band(self, range: Range<f64>, shade: Shade, class: &'static str) -> Self {
+        let Range { start, end } = self.left.range;
+        let corners = [(range.start, start), (range.start, end), (range.end, end), (range.end, start)];
+        self.area(corners, shade, class)
+    }
+
+    /// A curve, as far as it lies in the frame.
+    pub fn curve(self, points: impl IntoIterator<Item = (f64, f64)>, stroke: Stroke) -> Self {
+        self.curve_on(Side::Left, points, stroke)
+    }
+
+    /// A curve that is read on one of the y axes.
+    pub fn curve_on(mut self, side: Side, points: impl IntoIterator<Item = (f64, f64)>, stroke: Stroke) -> Self {
+        self.layers.push(Layer::Curve { side, points: points.into_iter().collect(), stroke });
+        self
+    }
+
+    /// Equal marks at points, as far as they lie in the frame.
+    pub fn marks(self, points: impl IntoIterator<Item = (f64, f64)>, marker: Marker) -> Self {
+        self.marks_on(Side::Left, points, marker)
+    }
+
+    /// Equal marks that are read on one of the y axes.
+    pub fn marks_on(mut self, side: Side, points: impl IntoIterator<Item = (f64, f64)>, marker: Marker) -> Self {
+        self.layers.push(Layer::Marks { side, points: points.into_iter().collect(), marker });
+        self
+    }
+
+    /// A line from the foot of the frame to its top.
+    pub fn vertical(self, x: f64, stroke: Stroke) -> Self {
+        let Range { start, end } = self.left.range;
+        self.curve([(x, start), (x, end)], stroke)
+    }
+
+    /// A line across the frame.
+    pub fn horizontal(self, y: f64, stroke: Stroke) -> Self {
+        let Range { start, end } = self.x.range;
+        self.curve([(start, y), (end, y)], stroke)
+    }
+
+    /// A name near one of the points, first in this direction (radians, counter-clockwise as seen).
+    pub fn near(self, points: impl IntoIterator<Item = (f64, f64)>, first: f64, label: Label) -> Self {
+        self.near_on(Side::Left, points, first, label)
+    }
+
+    /// A name near points that are read on one of the y axes.
+    pub fn near_on(self, side: Side, points: impl IntoIterator<Item = (f64, f64)>, first: f64, label: Label) -> Self {
+        self.name(label, Spot::Near(side, points.into_iter().collect(), first))
+    }
+
+    /// A name where it may stand.
+    pub fn name(mut self, label: Label, spot: Spot) -> Self {
+        self.names.push(Name { label, spot });
+        self
+    }
+
+    /// The room that it takes, from the line above its frame to the end of what stands below.
+    pub fn room(&self) -> f64 {
+        let numbers = if self.x.numbered && !self.x.marks.is_empty() { NUMBERS } else { 0.0 };
+        let above = if self.left.title.is_some() { ABOVE } else { ABOVE / 2.0 };
+        above + self.height + numbers + if self.x.title.is_some() { TITLE } else { 0.0 }
+    }
+
+    fn frame(&self, top: f64) -> Frame {
+        let above = if self.left.title.is_some() { ABOVE } else { ABOVE / 2.0 };
+        let corner = Vector2::new(SIDE, top + above);
+        let end = corner + Vector2::new(WIDTH - 2.0 * SIDE, self.height);
+        Frame { corners: [corner, end], x: self.x.clone(), left: self.left.clone(), right: self.right.clone() }
+    }
+
+    /// Draws it on a canvas of this size, from `top` on.
+    pub fn draw(&self, canvas: &mut Canvas, size: Pixels, top: f64) -> Result<(), Box<dyn std::error::Error + '_>> {
+        let frame = self.frame(top);
+        self.plot(canvas, size, &frame)?;
+        self.titles(canvas, &frame);
+        let all = self.placing(&frame, |_| true);
+        let off_curves = self.placing(&frame, |curve| !self.is_named(curve));
+        write(canvas, &frame, all, off_curves, &self.names);
+        Ok(())
+    }
+
+    /// Frame, grid, numbers and layers, by plotters.
+    fn plot(&self, canvas: &mut Canvas, size: Pixels, frame: &Frame) -> Result<(), Box<dyn std::error::Error + '_>> {
+        let looks: Vec<Look> =
+            [Look::Frame, Look::Grid].into_iter().chain(self.layers.iter().map(Layer::look)).collect();
+        let large = |length: f64| (length * ENLARGED) as u32;
+        let [least, greatest] = frame.corners;
+        let below = size.y - greatest.y;
+        let root = Pen::new(canvas, size, &looks).into_drawing_area();
+        let mut chart = ChartBuilder::on(&root)
+            .margin_top(large(least.y))
+            .margin_bottom(large(below - below.min(NUMBERS)))
+            .x_label_area_size(large(below.min(NUMBERS)))
+            .y_label_area_size(large(SIDE))
+            .right_y_label_area_size(large(SIDE))
+            .build_cartesian_2d(self.x.clone(), self.left.clone())?
+            .set_secondary_coord(self.x.clone(), self.right.clone());
+        let number = |k: usize| colour(k + 2);
+        for (k, layer) in self.layers.iter().enumerate() {
+            if let Layer::Area { corners, .. } = layer {
+                chart.draw_series([Polygon::new(corners.clone(), number(k).filled())])?;
+            }
+        }
+        let (axes, grid) = (colour(0), colour(1));
+        let mut mesh = chart.configure_mesh();
+        if !self.x.grid {
+            mesh.disable_x_mesh();
+        }
+        mesh.set_all_tick_mark_size(large(TICK))
+            .axis_style(axes)
+            .label_style(("sans-serif", 1).into_font().color(&axes))
+            .bold_line_style(grid)
+            .light_line_style(TRANSPARENT)
+            .draw()?;
+        chart
+            .configure_secondary_axes()
+            .set_all_tick_mark_size(large(TICK))
+            .axis_style(axes)
+            .label_style(("sans-serif", 1).into_font().color(&axes))
+            .draw()?;
+        let ends = &self.x.range;
+        let top = [ends.start, ends.end].map(|x| (x, self.left.range.end));
+        chart.draw_series([PathElement::new(top.to_vec(), axes)])?;
+        root.present()?;
+        for (k, layer) in self.layers.iter().enumerate() {
+            let style = number(k);
+            match layer {
+                Layer::Area { .. } => {}
+                Layer::Curve { side, points, .. } => {
+                    for part in frame.parts(*side, points) {
+                        let line = LineSeries::new(part, style);
+                        match side {
+                            Side::Left => chart.draw_series(line)?,
+                            Side::Right => chart.draw_secondary_series(line)?,
+                        };
+                    }
+                }
+                Layer::Marks { side, points, .. } => {
+                    let inside = points.iter().filter(|(x, y)| frame.holds(&frame.at(*side, *x, *y)));
+                    let marks = inside.map(|point| Circle::new(*point, 1, style));
+                    match side {
+                        Side::Left => chart.draw_series(marks)?,
+                        Side::Right => chart.draw_secondary_series(marks)?,
+                    };
+                }
+            }
+            root.present()?;
+        }
+        Ok(())
+    }
+
+    fn titles(&self, canvas: &mut Canvas, frame: &Frame) {
+        let [least, greatest] = frame.corners;
+        let (right, up) = (Vector2::new(1.0, 0.0), Vector2::new(0.0, 25.0));
+        if let Some(title) = &self.left.title {
+            canvas.label(&Vector2::new(8.0, least.y - up.y), &right, 0.0, &title.clone().bare());
+        }
+        if let Some(title) = &self.right.title {
+            canvas.label(&Vector2::new(WIDTH - 8.0, least.y - up.y), &-right, 0.0, &title.clone().bare());
+        }
+        if let Some(title) = &self.x.title {
+            let foot = Vector2::new((least.x + greatest.x) / 2.0, greatest.y + 50.0);
+            canvas.label(&foot, &up, 0.0, &title.clone().bare());
+        }
+    }
+
+    /// Whether a curve has its name on it.
+    fn is_named(&self, curve: &[(f64, f64)]) -> bool {
+        self.names.iter().any(|name| matches!(&name.spot, Spot::On(points) if points == curve))
+    }
+
+    /// What names keep clear of, within the frame: marks, and those of the curves that are asked for.
+    fn placing(&self, frame: &Frame, avoided: impl Fn(&[(f64, f64)]) -> bool) -> Placing {
+        let [least, greatest] = frame.corners;
+        let room = Vector2::new(6.0, 4.0);
+        let mut placing = Placing::within(least + room, greatest - room);
+        for layer in &self.layers {
+            match layer {
+                Layer::Area { .. } => {}
+                Layer::Curve { points, .. } if !avoided(points) => {}
+                Layer::Curve { side, points, stroke } => {
+                    let places: Vec<Pixels> = points.iter().map(|(x, y)| frame.at(*side, *x, *y)).collect();
+                    placing.avoid_all(&super::trace::thinned(&places), if stroke.width < 1.5 { 0.3 } else { 2.0 });
+                }
+                Layer::Marks { side, points, marker } => {
+                    let room = Vector2::new(1.0, 1.0) * (marker.size / 2.0 + 1.0);
+                    for at in points.iter().map(|(x, y)| frame.at(*side, *x, *y)) {
+                        placing.take([at - room, at + room]);
+                    }
+                }
+            }
+        }
+        placing
+    }
+}
+
+impl Layer {
+    fn look(&self) -> Look {
+        match self {
+            Self::Area { shade, class, .. } => Look::Area(*shade, class),
+            Self::Curve { stroke, .. } => Look::Line(*stroke),
+            Self::Marks { marker, .. } => Look::Marks(*marker),
+        }
+    }
+}
+
+/// Where data lie on the page.
+#[derive(Clone, Debug)]
+pub struct Frame {
+    corners: [Pixels; 2],
+    /// The x axis.
+    pub x: Axis,
+    left: Axis,
+    right: Axis,
+}
+
+impl Frame {
+    /// The upper left and the lower right corner.
+    pub fn corners(&self) -> [Pixels; 2] {
+        self.corners
+    }
+
+    /// Where values of the x axis and of a y axis meet.
+    pub fn at(&self, side: Side, x: f64, y: f64) -> Pixels {
+        let upright = if side == Side::Left { &self.left } else { &self.right };
+        self.at_share([self.x.share(x), upright.share(y)])
+    }
+
+    /// A place in shares of the frame, from its lower left corner.
+    pub fn at_share(&self, [x, y]: [f64; 2]) -> Pixels {
+        let [least, greatest] = self.corners;
+        Vector2::new(least.x + x * (greatest.x - least.x), greatest.y + y * (least.y - greatest.y))
+    }
+
+    /// The places of points, as far as they lie within.
+    pub fn inside(&self, side: Side, points: &[(f64, f64)]) -> Vec<Pixels> {
+        points.iter().map(|(x, y)| self.at(side, *x, *y)).filter(|at| self.holds(at)).collect()
+    }
+
+    fn holds(&self, at: &Pixels) -> bool {
+        let [least, greatest] = self.corners;
+        let slack = Vector2::new(1e-6, 1e-6);
+        at.sup(&(least - slack)) == *at && at.inf(&(greatest + slack)) == *at
+    }
+
+    /// The parts of a curve that lie within: plotters would draw the rest along the edge.
+    fn parts(&self, side: Side, points: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
+        let mut parts: Vec<Vec<(f64, f64)>> = Vec::new();
+        let mut goes_on = false;
+        for pair in points.windows(2) {
+            let [from, to] = [pair[0], pair[1]].map(|(x, y)| self.at(side, x, y));
+            let Some([enter, leave]) = part_within(&from, &to, &self.corners) else {
+                goes_on = false;
+                continue;
+            };
+            let end = if leave < 1.0 { self.data(side, &from.lerp(&to, leave)) } else { pair[1] };
+            match parts.last_mut() {
+                Some(part) if goes_on => part.push(end),
+                _ => parts.push(vec![if enter > 0.0 { self.data(side, &from.lerp(&to, enter)) } else { pair[0] }, end]),
+            }
+            goes_on = leave >= 1.0;
+        }
+        parts
+    }
+
+    /// The values at a place.
+    fn data(&self, side: Side, at: &Pixels) -> (f64, f64) {
+        let [least, greatest] = self.corners;
+        let upright = if side == Side::Left { &self.left } else { &self.right };
+        let x = self.x.value_at((at.x - least.x) / (greatest.x - least.x));
+        (x, upright.value_at((greatest.y - at.y) / (greatest.y - least.y)))
+    }
+}

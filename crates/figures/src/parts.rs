@@ -1,0 +1,220 @@
+//! What drawings of mechanisms are made of: links, pins and pivots; vectors, angles and senses; dimensions and scales.
+
+use crate::number::{degrees, round_step, trimmed};
+use crate::svg::{
+    Canvas, DASHED, Label, Path, Pixels, Place, Placing, Sense, Shape, angle_of, around, beside_line, heading,
+};
+use crate::theme::{DRIVER, GRID, INK, PAPER, Shade};
+use nalgebra::Vector2;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Length of an arrow head, in pixels, for a line of width 1; it grows with half the width beyond.
+const HEAD: f64 = 11.0;
+/// Lines shorter than this (pixels) get no head.
+const SHORTEST: f64 = 1.0;
+/// Width of a drawing of a mechanism, in pixels.
+pub const WIDTH: f64 = 640.0;
+/// How far labels may stand from what they name, in pixels.
+pub const NEAR: [f64; 6] = [8.0, 13.0, 20.0, 30.0, 44.0, 62.0];
+/// Half the length of the arrow of a sense, in pixels, and from the arrow to its label.
+const HALF_SENSE: f64 = 34.0;
+const TO_LABEL: f64 = 7.0;
+
+/// A straight arrow whose tip is exactly at `to`: a shaft and a head, both of the class `name`.
+///
+/// The shaft's path begins at the tail, the head's at the tip.
+pub fn arrow(canvas: &mut Canvas, from: &Pixels, to: &Pixels, shade: Shade, width: f64, name: &str) {
+    let along = to - from;
+    if along.norm() < SHORTEST {
+        return;
+    }
+    let path = Path::start(from).line_to(&(to - along.normalize() * head_length(width) * 0.8));
+    canvas.draw(Shape::path(path).stroke(shade, width).class(name));
+    canvas.draw(head(to, angle_of(&along), width, shade).class(name));
+}
+
+/// A vector with its label, in the label's colour: both are kept clear of by later labels. The label stands beside the
+/// vector's outer part.
+pub fn vector(
+    canvas: &mut Canvas,
+    placing: &mut Placing,
+    from: &Pixels,
+    to: &Pixels,
+    width: f64,
+    label: &Label,
+    name: &str,
+) {
+    arrow(canvas, from, to, label.colour(), width, name);
+    placing.avoid(from, to, 2.5);
+    placing.put(canvas, label, beside_line(&from.lerp(to, 0.45), to, &NEAR));
+}
+
+/// An arc about `centre` from one angle to another, with an arrow head at its end.
+pub fn arc_arrow(canvas: &mut Canvas, centre: &Pixels, radius: f64, from: f64, to: f64, shade: Shade, width: f64) {
+    let sense = Sense::of(to - from);
+    let covered = head_length(width) / radius * sense.sign();
+    arc(canvas, centre, radius, from, to - 0.8 * covered, shade, width);
+    // The head is a chord: it points along the arc's tangent at its own middle.
+    let tangent = to + sense.sign() * FRAC_PI_2 - covered / 2.0;
+    canvas.draw(head(&(centre + heading(to) * radius), tangent, width, shade));
+}
+
+/// An arc about `centre` from one angle to another: the mark of an angle.
+pub fn arc(canvas: &mut Canvas, centre: &Pixels, radius: f64, from: f64, to: f64, shade: Shade, width: f64) {
+    let end = centre + heading(to) * radius;
+    let path = Path::start(&(centre + heading(from) * radius));
+    canvas.draw(Shape::path(path.arc(radius, (to - from).abs() > PI, Sense::of(to - from), &end)).stroke(shade, width));
+}
+
+/// The mark of a right angle at `corner` between two directions (offsets of any length), with sides of `size` pixels.
+pub fn right_angle(canvas: &mut Canvas, corner: &Pixels, one: &Pixels, other: &Pixels, size: f64) {
+    if let (Some(one), Some(other)) = (one.try_normalize(SHORTEST), other.try_normalize(SHORTEST)) {
+        let (a, b) = (one * size, other * size);
+        let path = Path::start(&(corner + a)).line_to(&(corner + a + b)).line_to(&(corner + b));
+        canvas.draw(Shape::path(path).stroke(INK, 1.5));
+    }
+}
+
+/// A dimension line beside the distance from one point to another, `offset` away from both, with extension lines.
+///
+/// Gives the middle of the dimension line, for its label.
+pub fn dimension(canvas: &mut Canvas, from: &Pixels, to: &Pixels, offset: &Pixels) -> Pixels {
+    let beyond = offset * (1.0 + 7.0 / offset.norm().max(1.0));
+    for end in [from, to] {
+        canvas.draw(Shape::line(end, &(end + beyond)).stroke(GRID, 1.0));
+    }
+    let (a, b) = (from + offset, to + offset);
+    canvas.draw(Shape::line(&a, &b).stroke(INK, 1.2));
+    canvas.draw(head(&b, angle_of(&(b - a)), 1.0, INK));
+    canvas.draw(head(&a, angle_of(&(a - b)), 1.0, INK));
+    (a + b) / 2.0
+}
+
+/// A pivot on the ground: a pin joint, and below it (`down` = 1) or above it (−1) its hatched support.
+pub fn fixed_pivot(canvas: &mut Canvas, at: &Pixels, down: f64) {
+    let (half, height) = (15.0, 24.0);
+    let corner = |x: f64, y: f64| at + Vector2::new(x, y * down);
+    let support = Path::start(at).line_to(&corner(-half, height)).line_to(&corner(half, height)).close();
+    canvas.draw(Shape::path(support).stroke(INK, 1.5).fill(PAPER).with("stroke-linejoin", "round"));
+    canvas.draw(Shape::line(&corner(-half - 7.0, height), &corner(half + 7.0, height)).stroke(INK, 1.8));
+    for k in 0..5 {
+        let x = -half - 2.0 + 9.0 * f64::from(k);
+        canvas.draw(Shape::line(&corner(x, height), &corner(x - 7.0, height + 8.0)).stroke(INK, 1.1));
+    }
+    axis(canvas, at, INK);
+}
+
+fn head_length(width: f64) -> f64 {
+    HEAD + 2.0 * (width - 1.0)
+}
+
+fn head(tip: &Pixels, angle: f64, width: f64, shade: Shade) -> Shape {
+    let (forward, aside) = (heading(angle), heading(angle + FRAC_PI_2));
+    let back = tip - forward * head_length(width);
+    let half = aside * head_length(width) * 0.38;
+    Shape::path(Path::start(tip).line_to(&(back + half)).line_to(&(back - half)).close()).fill(shade)
+}
+
+/// The mark of an axis.
+pub fn axis(canvas: &mut Canvas, at: &Pixels, shade: Shade) {
+    canvas.draw(Shape::circle(at, 5.0).fill(PAPER).stroke(shade, 2.0));
+}
+
+/// A pin in its place.
+pub fn pin(canvas: &mut Canvas, at: &Pixels, radius: f64) {
+    canvas.draw(Shape::circle(at, radius).fill(PAPER).stroke(INK, 2.0).class("pin"));
+}
+
+/// The circle of a crank's pin about its axis.
+pub fn pin_circle(canvas: &mut Canvas, axis: &Pixels, radius: f64) {
+    canvas.draw(Shape::circle(axis, radius).stroke(DRIVER, 1.3).dashed("2 4").class("pin-circle"));
+}
+
+/// A dashed line of construction.
+pub fn construction(canvas: &mut Canvas, from: &Pixels, to: &Pixels, class: &str) {
+    canvas.draw(Shape::line(from, to).stroke(INK, 1.2).dashed(DASHED).class(class));
+}
+
+/// The sides of a triangle, each from one point to another, in a colour and of a class.
+pub fn sides<const N: usize>(canvas: &mut Canvas, sides: [(&Pixels, &Pixels, Shade, &str); N]) {
+    for (from, to, shade, name) in sides {
+        canvas.draw(Shape::line(from, to).stroke(shade, 3.0).with("stroke-linecap", "round").class(name));
+    }
+}
+
+/// The outline of a link with round ends.
+pub fn link(from: &Pixels, to: &Pixels, half_width: f64) -> Path {
+    let along = to - from;
+    let angle = if along.norm() > 0.0 { angle_of(&along) } else { 0.0 };
+    let aside = heading(angle + FRAC_PI_2) * half_width;
+    Path::start(&(from + aside))
+        .arc_to(half_width, Sense::CounterClockwise, &(from - aside))
+        .line_to(&(to - aside))
+        .arc_to(half_width, Sense::CounterClockwise, &(to + aside))
+        .close()
+}
+
+/// Which way a body turns: an arrow about its axis, at an angle, and its symbol beyond it. `sense` is that of the
+/// rate; at rest there is none.
+pub fn sense(canvas: &mut Canvas, axis: &Pixels, radius: f64, middle: f64, sense: f64, label: &Label) {
+    if sense != 0.0 {
+        let half = HALF_SENSE / radius * sense.signum();
+        arc_arrow(canvas, axis, radius, middle - half, middle + half, label.colour(), 2.5);
+        canvas.label(&(axis + heading(middle) * radius), &heading(middle), TO_LABEL, label);
+    }
+}
+
+/// Places for the label of an angle between two directions, along its arc.
+pub fn along_arc(corner: &Pixels, radius: f64, (from, to): (f64, f64), distances: &[f64]) -> Vec<Place> {
+    let at = |share: f64, distance: f64| {
+        let towards = heading(from + share * (to - from));
+        Place { point: corner + towards * radius, towards, distance }
+    };
+    let shares = [0.5, 0.35, 0.65, 0.2, 0.8].into_iter();
+    shares.flat_map(|share| distances.iter().map(move |distance| at(share, *distance))).collect()
+}
+
+/// The mark of an angle at a corner, with its label within or beyond; nothing if it is too narrow.
+pub fn angle(
+    canvas: &mut Canvas,
+    placing: &mut Placing,
+    corner: &Pixels,
+    radius: f64,
+    (from, to): (f64, f64),
+    label: &Label,
+) {
+    if (to - from).abs() * radius < 3.0 {
+        return;
+    }
+    arc(canvas, corner, radius, from, to, INK, 1.6);
+    placing.avoid_arc(corner, radius, from, to, 1.5);
+    let middle = (from + to) / 2.0;
+    let elsewhere = around(&(corner + heading(middle) * radius), middle, &NEAR);
+    placing.put(canvas, label, along_arc(corner, radius, (from, to), &NEAR).into_iter().chain(elsewhere));
+}
+
+/// A symbol with its angle, which is given in radians.
+pub fn angle_label(symbol: &str, radians: f64) -> Label {
+    Label::symbol(symbol).and(&format!(" = {}", degrees(radians)))
+}
+
+/// A bar of a round value of at least so many pixels, from `start` to the right or, if `leftwards`, to the left: with
+/// its value, unit and further words at its end.
+pub fn scale_bar(canvas: &mut Canvas, start: &Pixels, scale: f64, leftwards: bool, unit: &str) {
+    let value = round_step(60.0 / scale);
+    let side = if leftwards { -1.0 } else { 1.0 };
+    let end = start + Vector2::new(side * value * scale, 0.0);
+    canvas.draw(Shape::line(start, &end).stroke(INK, 2.0).class("scale-bar"));
+    for at in [start, &end] {
+        let tick = Vector2::new(0.0, 6.0);
+        canvas.draw(Shape::line(&(at - tick), &(at + tick)).stroke(INK, 2.0));
+    }
+    let label = Label::words(&format!("{} {unit}", trimmed(value, 6)));
+    canvas.label(&end, &Vector2::new(side, 0.0), 14.0, &label);
+}
+
+/// The number of a step or a part of a drawing, in a circle.
+pub fn numbered(canvas: &mut Canvas, at: &Pixels, number: usize) {
+    canvas.draw(Shape::circle(at, 14.0).stroke(INK, 1.5));
+    canvas.label(at, &Pixels::zeros(), 0.0, &Label::words(&number.to_string()).bare());
+}
