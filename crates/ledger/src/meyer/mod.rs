@@ -27,7 +27,6 @@ mod parameters;
 mod peaks;
 mod profile;
 mod rates;
-mod reading;
 mod recommendations;
 pub mod runs;
 mod singularity;
@@ -40,6 +39,7 @@ mod symbols;
 pub use symbols::SYMBOLS;
 
 use crate::checks::{agrees, characters, named, numbers, printed, reads, right_side, same, vanishes};
+use crate::tex as reading;
 use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Verdict, Work, claim, numeric_tokens};
 use geneva_kinematics::escapement::{HandOver, Mechanism, Roots};
 use geneva_kinematics::pin_vectors::quarter_turn;
