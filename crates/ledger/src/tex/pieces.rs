@@ -42,8 +42,8 @@ pub fn pieces(tex: &str) -> Vec<Piece> {
                 // A bracket starts where its size is said.
                 let (start, size) = sized.take().unwrap_or((start, ""));
                 let text = match (size, piece) {
-                    ("", r"\lvert") => r"\left|".to_owned(),
-                    ("", r"\rvert") => r"\right|".to_owned(),
+                    (_, r"\lvert") => r"\left|".to_owned(),
+                    (_, r"\rvert") => r"\right|".to_owned(),
                     (size, "|") => format!("{size}|"),
                     _ => piece.to_owned(),
                 };
