@@ -7,7 +7,7 @@ use geneva_dynamics::existence::critical_friction;
 use geneva_dynamics::{Inertias, Parameters, Pose, Sign};
 use geneva_kinematics::escapement::{Continuous, possible};
 use geneva_kinematics::{Jet, Mechanism, Turn, pin_slot};
-use geneva_ledger::tex::Moment;
+use geneva_ledger::tex::{By, Moment};
 
 /// All three mechanisms, with many inertias, torques, frictions, angles and speeds.
 pub fn states() -> Vec<Moment> {
@@ -86,7 +86,7 @@ pub fn state(number: usize, wanted: &Wanted) -> Moment {
         .with([("S", if found.sign == Sign::Plus { 1.0 } else { -1.0 }), (r"\ddot\theta_0", start.value)])
         .with([("T", energy.value), (r"\frac{\partial T}{\partial\theta}", energy.by_angle)])
         .with([(r"\frac{\partial T}{\partial\dot\theta}", energy.by_speed)])
-        .with_rate(r"\frac{\partial T}{\partial\dot\theta}", energy.growth)
+        .changing(By::Time, [("dT/dtheta'", energy.growth)])
 }
 
 /// The kinetic energy and its derivatives, by power series in time and in the speed.

@@ -6,7 +6,7 @@ use geneva_kinematics::wheel::{
     Wheel, acceleration_peak, acceleration_ratio, gamma, jerk_ratio, unsteady_acceleration,
 };
 use geneva_kinematics::{Jet, Turn, pin_slot, pin_triangle, pin_vectors};
-use geneva_ledger::tex::{Moment, Value};
+use geneva_ledger::tex::{By, Moment, Value};
 use geneva_mimic::runge_kutta_step;
 use nalgebra::{Vector1, Vector2};
 use std::convert::Infallible;
@@ -114,7 +114,7 @@ pub fn wheel(number: usize, stations: Option<u32>, when: When) -> Moment {
         .with([(r"\varphi", libm::atan2(pin.y, pin.x))])
         .with([(r"\dot\varphi", pin_slot::velocity_ratio(&ratio, &crank) * speed)])
         .with([(r"\ddot\varphi", unsteady_acceleration(&ratio, &crank, &speed, &gain))])
-        .with_rate(r"\ddot\varphi", jerk_ratio(&ratio, &crank) * speed * speed * speed)
+        .changing(By::Time, [("varphi''", jerk_ratio(&ratio, &crank) * speed * speed * speed)])
         .with([(r"\text{wheel radius}", wheel.wheel_radius_ratio() * radius)])
         .with([(r"\theta_{\text{exit}}", half), (r"\theta_{\text{entry}}", -half)])
         .with([

@@ -71,7 +71,7 @@ impl Display {
     }
 
     /// Reads what may be a line of a longer display: brackets that are left open at the end of a side are closed there,
-    /// and those closed too often are passed over.
+    /// those closed too often are passed over, and any kind closes any other.
     ///
     /// # Errors
     ///

@@ -91,13 +91,6 @@ impl Moment {
         self
     }
 
-    /// The same with the rate of change of a name. What has neither such a rate nor a name for it is then constant.
-    #[must_use]
-    pub fn with_rate(mut self, tex: &str, rate: f64) -> Self {
-        self.rates[By::Time as usize].extend(name(tex).ok().map(|name| (name, rate)));
-        self
-    }
-
     /// The same with other names for the same things and for their rates: theirs, then ours. Not a number, if ours
     /// stands for nothing.
     #[must_use]
@@ -130,6 +123,13 @@ impl<N: Number> Moment<N> {
     pub fn of(letters: Letters<N>) -> Self {
         let rates = [const { Letters::new() }; 3];
         Self { letters, vectors: BTreeMap::new(), rates, slope: None, given: Vec::new(), bars: None }
+    }
+
+    /// The same with rates of letters, by their [`name`]s. What has no rate among others is constant.
+    #[must_use]
+    pub fn changing<'a>(mut self, by: By, rates: impl IntoIterator<Item = (&'a str, N)>) -> Self {
+        self.rates[by as usize].extend(rates.into_iter().map(|(name, rate)| (name.to_owned(), rate)));
+        self
     }
 
     /// The same with a slope that the letter f stands for.

@@ -14,11 +14,13 @@ type Read<T> = Result<T, Illegible>;
 const WRAPPERS: [&str; 6] = [r"\mathrm", r"\text", r"\dot", r"\ddot", r"\vec", r"\overrightarrow"];
 /// Pieces that say only how a name looks.
 const FACES: [&str; 5] = ["{", "}", r"\mathrm", r"\text", r"\rm"];
+/// What closes a bracket that is no bar.
+const CLOSING: [&str; 3] = [")", "]", r"\}"];
 /// Pieces behind a whole formula, where another may begin.
 const ENDS: [&str; 5] = [",", ".", r"\qquad", r"\quad", r"\tag"];
 
 /// Reads a display. One that is cut out of a longer one may have brackets that are not its own: those left open at the
-/// end of a side are closed there, those closed too often are passed over.
+/// end of a side are closed there, those closed too often are passed over, and any kind closes any other.
 pub fn read(tex: &str, is_cut: bool) -> Read<Display> {
     let pieces = without_layout(tex);
     let pieces: Vec<&str> = pieces.iter().map(String::as_str).collect();
@@ -101,7 +103,7 @@ struct Reader<'a> {
     at: usize,
     /// How many plain bars are open.
     bars: usize,
-    /// Whether brackets may be open at the end, and closed too often.
+    /// Whether brackets may be open at the end, closed too often, or closed by another kind.
     is_cut: bool,
 }
 
@@ -120,6 +122,10 @@ impl<'a> Reader<'a> {
         match self.next() {
             _ if self.takes(piece) => Ok(()),
             None | Some("=") if self.is_cut => Ok(()),
+            Some(other) if self.is_cut && [other, piece].iter().all(|piece| CLOSING.contains(piece)) => {
+                self.at += 1;
+                Ok(())
+            }
             next => illegible(format!("`{}` where `{piece}` should be", next.unwrap_or("the end"))),
         }
     }
@@ -153,7 +159,7 @@ impl<'a> Reader<'a> {
 
     fn side(&mut self) -> Read<Node> {
         let side = self.sum()?;
-        while self.is_cut && self.next().is_some_and(|piece| [")", "]", r"\}", r"\right|"].contains(&piece)) {
+        while self.is_cut && self.next().is_some_and(|piece| piece == r"\right|" || CLOSING.contains(&piece)) {
             self.at += 1;
         }
         Ok(side)

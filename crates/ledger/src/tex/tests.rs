@@ -74,6 +74,7 @@ fn a_line_of_a_display_may_lack_brackets() {
         (r"x[a + 2 ( a", 18.0),
         (r"a + x \right] \right]", 5.0),
         (r"\left| -a", 3.0),
+        (r"\left[ a + x \right\}", 5.0),
     ] {
         assert_eq!(value(tex, moment().letters()), expected, "{tex}");
         assert!(Display::read(tex).is_err(), "{tex}");
