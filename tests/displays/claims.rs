@@ -15,7 +15,12 @@ const ILLEGIBLE: &[(&str, &str)] = &[
     ("pin.centre-distance", "a bar where the root sign was"),
     ("pin.pin-speed-equation", "a v that is no speed"),
     ("pin.follower-speed-equation", "a v that is no speed"),
+    ("meyer.app-b.example.second", LETTER_FOR_FIGURE),
+    ("meyer.app-b.example.first", LETTER_FOR_FIGURE),
+    ("meyer.app-b.example.place", LETTER_FOR_FIGURE),
 ];
+
+const LETTER_FOR_FIGURE: &str = "a name with a letter for its figure, which names nothing";
 
 /// Misprints that make no difference.
 const HARMLESS: &Harmless = &[

@@ -6,7 +6,7 @@
 //! by the rules of calculus. The identities stay for all that: they tell one slip of a display from another.
 
 use geneva_kinematics::{Field, Jet, prove};
-use geneva_ledger::tex::{By, Characters, Exact, LettersOverAnyField, Moment};
+use geneva_ledger::tex::{By, Characters, Exact, ExactLetters, Moment};
 use geneva_ledger::{Verdict, claim};
 
 /// The mechanism of chapter I, with a given sign of what stands between bars.
@@ -16,9 +16,9 @@ struct Mechanism {
     bars: i64,
 }
 
-impl LettersOverAnyField<9> for Mechanism {
+impl ExactLetters<9> for Mechanism {
     fn at<S: Field>(&self, variables: &[S; 9]) -> Moment<Exact<S>> {
-        let [distance, a, sine, speed, gain, driver, follower, friction, radius] = variables.clone().map(Exact);
+        let [distance, a, sine, speed, acceleration, driver, follower, friction, radius] = variables.clone().map(Exact);
         let number = |n: i64| Exact(S::integer(n));
         let square = distance.clone() * distance.clone();
         let cosine = (number(1) + a.clone() * a.clone() - square.clone()) / (number(2) * a.clone());
@@ -29,34 +29,35 @@ impl LettersOverAnyField<9> for Mechanism {
         let ratio = above / below;
         let [turning, change] = [ratio.value(), ratio.rate()].map(Exact);
         let square_speed = speed.clone() * speed.clone();
-        let follower_gain = change.clone() * square_speed.clone() + turning.clone() * gain.clone();
+        let follower_acceleration = change.clone() * square_speed.clone() + turning.clone() * acceleration.clone();
         // Moments on the follower: the pin presses at the distance r R from its axis.
-        let force = follower.clone() * follower_gain.clone() / (radius.clone() * distance.clone());
-        // Virtual work: the pin slides by r dR/dθ = r a sin θ/R.
-        let arm = radius.clone() * across / distance.clone();
-        let lost = |force: Exact<S>| friction.clone() * force * arm.clone();
+        let force = follower.clone() * follower_acceleration.clone() / (radius.clone() * distance.clone());
+        // Virtual work: the pin slides by r dR/dθ = r a sin θ/R, so that r cancels.
+        let lost = |follower_acceleration: Exact<S>| {
+            friction.clone() * follower_acceleration * across.clone() / square.clone()
+        };
         let moving = driver.clone() + follower.clone() * turning.clone() * turning.clone();
         let momentum = moving.clone() * speed.clone();
         let by_angle = follower.clone() * turning.clone() * change.clone() * square_speed.clone();
-        let growth = moving.clone() * gain.clone() + number(2) * by_angle.clone();
-        let torque = growth.clone() - by_angle.clone() + number(self.bars) * lost(force.clone());
-        let pressed = |gain: Exact<S>| gain / (radius.clone() * distance.clone());
+        let growth = moving.clone() * acceleration.clone() + number(2) * by_angle.clone();
+        let rubbing = number(-self.bars) * follower.clone() * lost(follower_acceleration.clone());
+        let torque = growth.clone() - by_angle.clone() - rubbing.clone();
         let letters = [
             ("a", a),
             ("r", radius.clone()),
             ("R", radius.clone() * distance.clone()),
             ("theta'", speed.clone()),
-            ("theta''", gain.clone()),
+            ("theta''", acceleration.clone()),
             ("phi'", turning.clone() * speed.clone()),
-            ("phi''", follower_gain),
+            ("phi''", follower_acceleration),
             ("I_D", driver.clone()),
             ("I_f", follower.clone()),
             // Slips for I_f and I_D: any other numbers.
             ("I_P", follower.clone() + number(1)),
             ("I_b", driver.clone() + number(1)),
             ("mu", friction.clone()),
-            ("N", force.clone()),
-            ("tau_2", number(-self.bars) * lost(force)),
+            ("N", force),
+            ("tau_2", rubbing),
             ("K", torque.clone()),
             ("T", moving.clone() * square_speed / number(2)),
             ("dT/dtheta'", momentum),
@@ -64,11 +65,11 @@ impl LettersOverAnyField<9> for Mechanism {
             // Eq. (1-19): what multiplies θ'' and θ'², outside the bars and between them.
             ("A", moving / follower.clone()),
             ("B", turning.clone() * change.clone()),
-            ("C", lost(pressed(change))),
-            ("D", lost(pressed(turning))),
+            ("C", lost(change)),
+            ("D", lost(turning)),
             ("E", torque / follower),
         ];
-        let rates = [("theta", speed.clone()), ("theta'", gain), ("dT/dtheta'", growth)];
+        let rates = [("theta", speed.clone()), ("theta'", acceleration), ("dT/dtheta'", growth)];
         Moment::of(letters.map(|(name, value)| (name.to_owned(), value)).into())
             .changing(By::Time, rates)
             .changing(By::Angle, [("theta", number(1))])
@@ -87,16 +88,16 @@ struct Factors {
     bars: i64,
 }
 
-impl LettersOverAnyField<7> for Factors {
+impl ExactLetters<7> for Factors {
     fn at<S: Field>(&self, variables: &[S; 7]) -> Moment<Exact<S>> {
-        let [slope, b, c, d, speed, gain, angle] = variables.clone().map(Exact);
+        let [slope, b, c, d, speed, acceleration, angle] = variables.clone().map(Exact);
         let sign = Exact(S::integer(self.bars));
         let square = speed.clone() * speed.clone();
-        let between = c.clone() * square.clone() + d.clone() * gain.clone();
+        let between = c.clone() * square.clone() + d.clone() * acceleration.clone();
         let a = slope.clone() - sign.clone() * d.clone();
-        let driven = a.clone() * gain.clone() + b.clone() * square + sign.clone() * between.clone();
+        let driven = a.clone() * acceleration.clone() + b.clone() * square + sign.clone() * between.clone();
         let letters = [("A", a), ("B", b), ("C", c), ("D", d), ("E", driven), ("F", between)];
-        let motion = [("S", sign.clone()), ("theta", angle), ("theta'", speed), ("theta''", gain)];
+        let motion = [("S", sign.clone()), ("theta", angle), ("theta'", speed), ("theta''", acceleration)];
         Moment::of(letters.into_iter().chain(motion).map(|(name, value)| (name.to_owned(), value)).collect())
             .giving("A + SD", slope)
             .opening_bars(sign)
@@ -104,7 +105,7 @@ impl LettersOverAnyField<7> for Factors {
 }
 
 /// Whether characters are proven for both signs of what stands between bars, and how.
-fn decide<const V: usize, L: LettersOverAnyField<V>>(tex: &str, letters: &impl Fn(i64) -> L) -> Result<String, String> {
+fn decide<const V: usize, L: ExactLetters<V>>(tex: &str, letters: &impl Fn(i64) -> L) -> Result<String, String> {
     let decide = |sign: i64| {
         let letters = letters(sign);
         let characters = Characters::read(tex, &letters).map_err(|error| error.to_string())?;
@@ -115,7 +116,7 @@ fn decide<const V: usize, L: LettersOverAnyField<V>>(tex: &str, letters: &impl F
 
 /// The right characters of these displays are proven, and are not any more with one line as it is printed with a slip.
 #[track_caller]
-fn are_decided<const V: usize, L: LettersOverAnyField<V>>(displays: &[&[&str]], letters: impl Fn(i64) -> L) {
+fn are_decided<const V: usize, L: ExactLetters<V>>(displays: &[&[&str]], letters: impl Fn(i64) -> L) {
     for lines in displays {
         let lines = lines.iter().map(|line| claim(&format!("meyer.{line}")).unwrap_or_else(|| panic!("no {line}")));
         let lines: Vec<_> = lines.collect();

@@ -57,7 +57,7 @@ impl<S: Field> Number for Exact<S> {
 }
 
 /// What the letters of a display stand for, as functions of `V` free variables over any field.
-pub trait Letters<const V: usize> {
+pub trait ExactLetters<const V: usize> {
     /// The letters for these values of the variables.
     fn at<S: Field>(&self, variables: &[S; V]) -> Moment<Exact<S>>;
 }
@@ -76,7 +76,7 @@ impl<'a, L> Characters<'a, L> {
     /// If it cannot be read, if it has not two sides, or if a letter stands for nothing.
     pub fn read<const V: usize>(tex: &str, letters: &'a L) -> Result<Self, Illegible>
     where
-        L: Letters<V>,
+        L: ExactLetters<V>,
     {
         let display = Display::read_line(tex)?;
         // On real numbers first: what has a value there has one on every field.
@@ -85,7 +85,7 @@ impl<'a, L> Characters<'a, L> {
     }
 }
 
-impl<const V: usize, L: Letters<V>> Identity<V> for Characters<'_, L> {
+impl<const V: usize, L: ExactLetters<V>> Identity<V> for Characters<'_, L> {
     fn difference<S: Field>(&self, variables: &[S; V]) -> S {
         // Whatever cannot be evaluated has been refused by `read`; it would be no identity.
         self.display.difference(&self.letters.at(variables)).map_or(S::one(), |difference| difference.0)

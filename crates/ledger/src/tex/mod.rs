@@ -13,7 +13,7 @@ mod pieces;
 mod reader;
 mod tree;
 
-pub use exact::{Characters, Exact, Letters as LettersOverAnyField};
+pub use exact::{Characters, Exact, ExactLetters};
 pub use misprints::{Class, Misprint, misprints};
 pub use moment::{Letters, Moment, Value};
 pub use number::Number;
