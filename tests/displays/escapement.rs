@@ -1,29 +1,24 @@
 //! The escapement in many states of motion, as the programs compute them: what the letters of its chapter stand for.
 
 use super::spread;
-use super::state::State;
-use super::value::What;
 use geneva_dynamics::energy::kinetic_energy;
 use geneva_dynamics::equation::{coefficient_a, coefficient_b};
 use geneva_dynamics::existence::critical_friction;
 use geneva_dynamics::{Inertias, Parameters, Pose, Sign};
 use geneva_kinematics::escapement::{Continuous, possible};
 use geneva_kinematics::{Jet, Mechanism, Turn, pin_slot};
+use geneva_ledger::tex::{By, Moment};
 
 /// All three mechanisms, with many inertias, torques, frictions, angles and speeds.
-pub fn states() -> Vec<State> {
+pub fn states() -> Vec<Moment> {
     (0..45).map(|number| state(number, &Wanted::default())).collect()
 }
 
 /// The same with the square of the speed as a function of the angle: u' is twice the acceleration.
-pub fn over_the_angle() -> Vec<State> {
-    let squared = |state: State| {
-        let number = |name| match state.value(name).map(|value| value.what) {
-            Some(What::Number(number)) => number,
-            _ => panic!("no number {name}"),
-        };
-        let [speed, gain, follower] = [r"\dot{\theta}", r"\ddot{\theta}", r"\dot{\varphi}"].map(number);
-        let [ratio, angle, distance, radius] = ["a", r"\theta", "R", "r"].map(number);
+pub fn over_the_angle() -> Vec<Moment> {
+    let squared = |state: Moment| {
+        let [speed, gain, follower] = ["theta'", "theta''", "varphi'"].map(|name| state.letters()[name]);
+        let [ratio, angle, distance, radius] = ["a", "theta", "R", "r"].map(|name| state.letters()[name]);
         let slide = ratio * libm::sin(angle) * (radius / distance) * (radius / distance);
         state.with([("u", speed * speed), ("u'", 2.0 * gain), ("q", follower / speed), ("k", slide)])
     };
@@ -31,13 +26,13 @@ pub fn over_the_angle() -> Vec<State> {
 }
 
 /// Other numbers of pins and slots than those of the three mechanisms too, as one pin takes over from the next.
-pub fn taking_over(number: usize) -> State {
+pub fn taking_over(number: usize) -> Moment {
     let pairs = (2..=8).flat_map(|pins| (3..=8).filter_map(move |slots| Continuous::new(pins, slots)));
     let pairs: Vec<Continuous> = pairs.collect();
     let pair = pairs[number % pairs.len()];
     let (ratio, speed) = (pair.centre_distance_ratio(), 0.2 + 4.0 * spread(number, 5));
     let follower = pin_slot::velocity_ratio(&ratio, &Turn::from_radians(pair.engagement_half_angle())) * speed;
-    State::default()
+    Moment::default()
         .with([("a", ratio), ("m", f64::from(pair.pins())), ("n", f64::from(pair.slots()))])
         .with([(r"\dot\theta", speed), (r"\dot\varphi", follower)])
 }
@@ -52,7 +47,7 @@ pub struct Wanted {
 }
 
 /// One state of the mechanism, of many.
-pub fn state(number: usize, wanted: &Wanted) -> State {
+pub fn state(number: usize, wanted: &Wanted) -> Moment {
     let mechanism = wanted.mechanism.unwrap_or(Mechanism::ALL[number % 3]);
     let between = |which, least: f64, most: f64| least + (most - least) * spread(number, which);
     let inertias = Inertias::new(between(0, 0.1, 2.0), between(1, 0.5, 3.0)).expect("two inertias");
@@ -79,7 +74,7 @@ pub fn state(number: usize, wanted: &Wanted) -> State {
     approx::assert_relative_eq!(energy.growth - energy.by_angle, driven * inertias.follower(), epsilon = 1e-9);
     approx::assert_abs_diff_eq!(factors.residual(&speed, &found.value, found.sign), 0.0, epsilon = 1e-9);
 
-    State::default()
+    Moment::default()
         .with([("a", ratio), ("n", f64::from(count)), ("m", f64::from(pins)), ("r", radius), ("c", ratio * radius)])
         .with([(r"\theta", angle), (r"\dot\theta", speed), (r"\ddot\theta", found.value)])
         .with([(r"\varphi", follower), (r"\dot\varphi", velocity)])
@@ -91,7 +86,7 @@ pub fn state(number: usize, wanted: &Wanted) -> State {
         .with([("S", if found.sign == Sign::Plus { 1.0 } else { -1.0 }), (r"\ddot\theta_0", start.value)])
         .with([("T", energy.value), (r"\frac{\partial T}{\partial\theta}", energy.by_angle)])
         .with([(r"\frac{\partial T}{\partial\dot\theta}", energy.by_speed)])
-        .with_rate(r"\frac{\partial T}{\partial\dot\theta}", energy.growth)
+        .changing(By::Time, [("dT/dtheta'", energy.growth)])
 }
 
 /// The kinetic energy and its derivatives, by power series in time and in the speed.

@@ -1,19 +1,19 @@
 //! The escapement with a thick pin and rubbing journals: what the letters of its chapter stand for.
 
 use super::spread;
-use super::state::State;
 use geneva_dynamics::existence::critical_friction;
 use geneva_dynamics::joints::{Escapement, Joints};
 use geneva_dynamics::{Inertias, Parameters, Sign};
 use geneva_kinematics::Mechanism;
 use geneva_kinematics::{Turn, pin_slot};
+use geneva_ledger::tex::Moment;
 
 /// All three mechanisms, with many joints, on both flanks and with both senses of sliding.
-pub fn states() -> Vec<State> {
+pub fn states() -> Vec<Moment> {
     (0..60).map(state).collect()
 }
 
-fn state(number: usize) -> State {
+fn state(number: usize) -> Moment {
     let mechanism = Mechanism::ALL[number % 3];
     let between = |which, least: f64, most: f64| least + (most - least) * spread(number, which);
     let inertias = Inertias::new(between(0, 0.1, 2.0), between(1, 0.5, 3.0)).expect("two inertias");
@@ -46,7 +46,7 @@ fn state(number: usize) -> State {
     let kappa = (torque - joints.driver_preload - inertias.driver() * motion.gain) / motion.normal_moment;
     let sign = |sign: Sign| if sign == Sign::Plus { 1.0 } else { -1.0 };
 
-    State::default()
+    Moment::default()
         .with([("R", radius), (r"\dot R", slide * speed), (r"\frac{dR}{d\theta}", slide)])
         .with([("q", q), ("p", parameters.pose(angle).acceleration_ratio()), (r"\dot\varphi", q * speed)])
         .with([(r"\dot\theta", speed), (r"\ddot\theta", motion.gain), (r"\ddot\varphi", motion.follower_gain)])

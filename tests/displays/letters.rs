@@ -2,9 +2,9 @@
 
 use super::escapement::{self, Wanted};
 use super::mechanisms::{When, frame, pin, quick_return, wheel};
-use super::state::State;
 use geneva_kinematics::Mechanism;
 use geneva_kinematics::wheel::Wheel;
+use geneva_ledger::tex::Moment;
 use geneva_ledger::{Claim, Work};
 use std::f64::consts::PI;
 
@@ -53,8 +53,8 @@ pub fn equation(claim: &Claim, tex: &str) -> String {
 }
 
 /// States in which a claim's equation must hold, with the letters of its source.
-pub fn states(claim: &Claim) -> Vec<State> {
-    let many = |state: &dyn Fn(usize) -> State| (0..40).map(state).collect();
+pub fn states(claim: &Claim) -> Vec<Moment> {
+    let many = |state: &dyn Fn(usize) -> Moment| (0..40).map(state).collect();
     match claim.work {
         Work::Pin => many(&|number| of_pin(claim.id, number)),
         Work::QuickReturn => many(&|number| of_quick_return(claim.id, number)),
@@ -63,7 +63,7 @@ pub fn states(claim: &Claim) -> Vec<State> {
     }
 }
 
-fn of_pin(id: &str, number: usize) -> State {
+fn of_pin(id: &str, number: usize) -> Moment {
     let four = id == "pin.centre-distance";
     let angle = (id == "pin.law-of-sines").then_some(30f64.to_radians());
     let state = pin(number, four.then_some(2f64.sqrt()), angle).called([("b", r"\beta"), ("g", r"\gamma")]);
@@ -73,7 +73,7 @@ fn of_pin(id: &str, number: usize) -> State {
     state
 }
 
-fn of_quick_return(id: &str, number: usize) -> State {
+fn of_quick_return(id: &str, number: usize) -> Moment {
     let state = quick_return(number, 0.0);
     match id {
         "quick-return.sum-of-places" | "quick-return.velocity-in-a-frame" | "quick-return.acceleration-in-a-frame" => {
@@ -86,7 +86,7 @@ fn of_quick_return(id: &str, number: usize) -> State {
             frame(number, 0.0).called([("v_{P2}", r"\dot{r}"), ("v_{P4}", r"\dot{R}"), ("v_{P2/P4}", r"\dot{p}")])
         }
         // Units of any size.
-        "quick-return.rate-conversion" => State::default().with([
+        "quick-return.rate-conversion" => Moment::default().with([
             (r"\text{rev}", 2.0 * PI * 3.0),
             (r"\text{rad}", 3.0),
             (r"\text{min}", 60.0 * 5.0),
@@ -115,7 +115,7 @@ fn of_quick_return(id: &str, number: usize) -> State {
     }
 }
 
-fn of_jazar(claim: &Claim, number: usize) -> State {
+fn of_jazar(claim: &Claim, number: usize) -> Moment {
     let when = match claim.id {
         "jazar.ex-e.condition" | "jazar.ex-e.quadratic" | "jazar.ex-e.roots" | "jazar.eq-5.34" => When::AtPeak,
         "jazar.unsteady-acceleration" => When::Unsteady,
@@ -140,7 +140,7 @@ fn of_jazar(claim: &Claim, number: usize) -> State {
     }
 }
 
-fn of_meyer(id: &str, number: usize) -> State {
+fn of_meyer(id: &str, number: usize) -> Moment {
     let handing_over = ["meyer.phi-0", "meyer.theta-0"].contains(&id) || id.ends_with(".radius-equation");
     let mechanism =
         [("three-slots", Mechanism::SIX_PIN), ("four-slots", Mechanism::FOUR_PIN), ("six-slots", Mechanism::THREE_PIN)];

@@ -1,12 +1,12 @@
 //! The other mechanisms in many states of motion: what the letters of their chapters stand for.
 
 use super::spread;
-use super::state::State;
 use geneva_kinematics::quick_return::{Branch, Drive, Motion, QuickReturn};
 use geneva_kinematics::wheel::{
     Wheel, acceleration_peak, acceleration_ratio, gamma, jerk_ratio, unsteady_acceleration,
 };
 use geneva_kinematics::{Jet, Turn, pin_slot, pin_triangle, pin_vectors};
+use geneva_ledger::tex::{By, Moment, Value};
 use geneva_mimic::runge_kutta_step;
 use nalgebra::{Vector1, Vector2};
 use std::convert::Infallible;
@@ -17,7 +17,7 @@ fn between(number: usize, which: usize, least: f64, most: f64) -> f64 {
 }
 
 /// A pin in a slot, its angle θ decreasing as the driver turns; at a given ratio of lengths or at many, and so of θ.
-pub fn pin(number: usize, ratio: Option<f64>, angle: Option<f64>) -> State {
+pub fn pin(number: usize, ratio: Option<f64>, angle: Option<f64>) -> Moment {
     let radius = between(number, 0, 0.5, 2.0);
     let ratio = ratio.unwrap_or(between(number, 1, 1.1, 4.0));
     let mechanism = pin_slot::PinSlot::new(radius, ratio * radius).expect("a mechanism");
@@ -26,17 +26,17 @@ pub fn pin(number: usize, ratio: Option<f64>, angle: Option<f64>) -> State {
     let triangle = pin_triangle::solve(&mechanism, &theta, speed);
     let phi = theta.supplement();
     let vectors = pin_vectors::solve(&radius, &(ratio * radius), &phi, &speed).expect("off the pivot");
-    State::default()
+    Moment::default()
         .with([("R", radius), ("l", ratio * radius), ("k", ratio), (r"\theta", angle), (r"\varphi", PI - angle)])
         .with([("r", triangle.slot_radius), (r"\beta", triangle.angle_at_pivot), (r"\gamma", triangle.velocity_angle)])
         .with([("v_P", triangle.pin_speed), ("v_{P'}", triangle.slot_point_speed), ("v_{P/S}", triangle.sliding_speed)])
         .with([(r"\omega_D", speed), (r"\omega_S", triangle.follower_speed)])
-        .with_vectors([(r"\vec{v}_P", vectors.pin_velocity), (r"\vec{v}_{P'}", vectors.slot_point_velocity)])
-        .with_vectors([(r"\vec{v}_{P/S}", vectors.sliding_velocity), (r"\overrightarrow{OP}", vectors.position)])
+        .with([(r"\vec{v}_P", vectors.pin_velocity), (r"\vec{v}_{P'}", vectors.slot_point_velocity)])
+        .with([(r"\vec{v}_{P/S}", vectors.sliding_velocity), (r"\overrightarrow{OP}", vectors.position)])
 }
 
 /// The quick-return mechanism on the branch of the source, its lever above the line of centres.
-pub fn quick_return(number: usize, acceleration: f64) -> State {
+pub fn quick_return(number: usize, acceleration: f64) -> Moment {
     let (crank, speed) = (between(number, 0, 0.5, 2.0), between(number, 1, 0.5, 3.0));
     let ground = crank * between(number, 2, 1.2, 3.0);
     let linkage = QuickReturn::new(ground, crank).expect("a linkage");
@@ -50,7 +50,7 @@ pub fn quick_return(number: usize, acceleration: f64) -> State {
     // As the source counts: towards the pivot along the lever; across it, as the pin's acceleration points.
     let (along, across) = (position.lever.direction(), pin_vectors::quarter_turn(&position.lever.direction()));
     let turning = velocities.follower_speed;
-    State::default()
+    Moment::default()
         .with([("l", ground), ("R", crank), ("r", position.pin_distance), (r"\psi", lever)])
         .with([(r"\varphi", position.crank.radians()), (r"\beta", position.angle_at_pin())])
         .with([(r"\omega_2", speed), (r"\omega_4", turning), ("v_2", velocities.pin_velocity.norm())])
@@ -64,27 +64,21 @@ pub fn quick_return(number: usize, acceleration: f64) -> State {
         ])
         .with([(r"t_\mathrm{slow}", strokes.slow / speed), (r"t_\mathrm{fast}", strokes.fast / speed)])
         .with([(r"\psi_\mathrm{max}", limit)])
-        .with_vectors([(r"\vec{v}_2", velocities.pin_velocity), (r"\vec{v}_4", velocities.slot_point_velocity)])
-        .with_vectors([
-            (r"\vec{v}_\mathrm{rel}", velocities.sliding_velocity),
-            (r"\vec{a}_2^\mathrm{n}", motion.pin_normal),
-        ])
-        .with_vectors([
-            (r"\vec{a}_2^\mathrm{t}", motion.pin_tangential),
-            (r"\vec{a}_4^\mathrm{n}", terms.follower_normal),
-        ])
-        .with_vectors([(r"\vec{a}_4^\mathrm{t}", terms.follower_tangential), (r"\vec{a}_\mathrm{Cor}", terms.coriolis)])
-        .with_vectors([(r"\vec{a}_\mathrm{rel}^\mathrm{n}", terms.sliding_normal)])
-        .with_vectors([(r"\vec{a}_\mathrm{rel}^\mathrm{t}", terms.sliding_tangential)])
-        .with_vectors([(r"\vec{r}", velocities.position), (r"\vec{a}_2", motion.pin_normal + motion.pin_tangential)])
-        .with_vectors([(r"\vec{a}_4", terms.follower_normal + terms.follower_tangential)])
+        .with([(r"\vec{v}_2", velocities.pin_velocity), (r"\vec{v}_4", velocities.slot_point_velocity)])
+        .with([(r"\vec{v}_\mathrm{rel}", velocities.sliding_velocity), (r"\vec{a}_2^\mathrm{n}", motion.pin_normal)])
+        .with([(r"\vec{a}_2^\mathrm{t}", motion.pin_tangential), (r"\vec{a}_4^\mathrm{n}", terms.follower_normal)])
+        .with([(r"\vec{a}_4^\mathrm{t}", terms.follower_tangential), (r"\vec{a}_\mathrm{Cor}", terms.coriolis)])
+        .with([(r"\vec{a}_\mathrm{rel}^\mathrm{n}", terms.sliding_normal)])
+        .with([(r"\vec{a}_\mathrm{rel}^\mathrm{t}", terms.sliding_tangential)])
+        .with([(r"\vec{r}", velocities.position), (r"\vec{a}_2", motion.pin_normal + motion.pin_tangential)])
+        .with([(r"\vec{a}_4", terms.follower_normal + terms.follower_tangential)])
         // As seen by one who moves along and does not turn.
-        .with_vectors([(r"\vec{a}_{2/4}", terms.sliding_tangential + terms.coriolis)])
+        .with([(r"\vec{a}_{2/4}", terms.sliding_tangential + terms.coriolis)])
         .with([
             (r"\gamma_2", PI - position.crank.radians()),
             (r"a_\mathrm{rel}^\mathrm{n}", terms.sliding_normal.norm()),
         ])
-        .with_turning([(r"\vec{\omega}_4", turning)])
+        .with([(r"\vec{\omega}_4", Value::turning(turning))])
 }
 
 /// When to look at a wheel.
@@ -99,7 +93,7 @@ pub enum When {
 }
 
 /// A wheel of many numbers of stations, or of one.
-pub fn wheel(number: usize, stations: Option<u32>, when: When) -> State {
+pub fn wheel(number: usize, stations: Option<u32>, when: When) -> Moment {
     let wheel = Wheel::new(stations.unwrap_or(3 + number as u32 % 16)).expect("a wheel");
     let half = wheel.engagement_half_angle();
     let angle = match when {
@@ -113,14 +107,14 @@ pub fn wheel(number: usize, stations: Option<u32>, when: When) -> State {
     let pin = pin_slot::pin_from_pivot(&ratio, &crank) * radius;
     let entry = acceleration_ratio(&ratio, &Turn::from_radians(-half)) * speed * speed;
     let cycle = 2.0 * PI / speed;
-    State::default()
+    Moment::default()
         .with([("N", f64::from(wheel.stations())), (r"\alpha", wheel.half_station()), ("k", ratio)])
         .with([("R", radius), ("l", ratio * radius), ("r", pin.norm()), (r"\gamma", gamma(&wheel))])
         .with([(r"\theta", angle), (r"\dot\theta", speed), (r"\ddot\theta", gain)])
         .with([(r"\varphi", libm::atan2(pin.y, pin.x))])
         .with([(r"\dot\varphi", pin_slot::velocity_ratio(&ratio, &crank) * speed)])
         .with([(r"\ddot\varphi", unsteady_acceleration(&ratio, &crank, &speed, &gain))])
-        .with_rate(r"\ddot\varphi", jerk_ratio(&ratio, &crank) * speed * speed * speed)
+        .changing(By::Time, [("varphi''", jerk_ratio(&ratio, &crank) * speed * speed * speed)])
         .with([(r"\text{wheel radius}", wheel.wheel_radius_ratio() * radius)])
         .with([(r"\theta_{\text{exit}}", half), (r"\theta_{\text{entry}}", -half)])
         .with([
@@ -136,7 +130,7 @@ pub fn wheel(number: usize, stations: Option<u32>, when: When) -> State {
 /// A point in a frame that turns, by power series in time of where it is.
 ///
 /// Its place in the frame is `scale` times one at random, and so not at the frame's origin unless that is zero.
-pub fn frame(number: usize, scale: f64) -> State {
+pub fn frame(number: usize, scale: f64) -> Moment {
     let pair = |which| Vector2::new(between(number, which, -2.0, 2.0), between(number, which + 1, -2.0, 2.0));
     let series = |[place, velocity, acceleration]: [Vector2<f64>; 3]| {
         let of = |at: usize| Jet::<f64, 3>::from_coefficients([place[at], velocity[at], acceleration[at] / 2.0]);
@@ -153,15 +147,15 @@ pub fn frame(number: usize, scale: f64) -> State {
     );
     let place = series(origin) + turned;
     let order = |order: usize| Vector2::new(place.x.derivative(order), place.y.derivative(order)).map(Option::unwrap);
-    State::default()
-        .with_vectors([("r", order(0)), (r"\dot{r}", order(1)), (r"\ddot{r}", order(2))])
-        .with_vectors([("R", origin[0]), (r"\dot{R}", origin[1]), (r"\ddot{R}", origin[2])])
-        .with_vectors([("p", inside[0]), (r"\dot{p}", inside[1]), (r"\ddot{p}", inside[2])])
-        .with_turning([(r"\omega", speed), (r"\dot{\omega}", gain)])
+    Moment::default()
+        .with([("r", order(0)), (r"\dot{r}", order(1)), (r"\ddot{r}", order(2))])
+        .with([("R", origin[0]), (r"\dot{R}", origin[1]), (r"\ddot{R}", origin[2])])
+        .with([("p", inside[0]), (r"\dot{p}", inside[1]), (r"\ddot{p}", inside[2])])
+        .with([(r"\omega", Value::turning(speed)), (r"\dot{\omega}", Value::turning(gain))])
 }
 
 /// One step of the integration, its four slopes as the program asks for them.
-pub fn step(number: usize) -> State {
+pub fn step(number: usize) -> Moment {
     let slope: fn(f64, f64) -> f64 = |x, y| libm::sin(2.0 * x) + x * y - y * y / 3.0;
     let [x, y, h] = [between(number, 0, -1.0, 1.0), between(number, 1, -1.0, 1.0), between(number, 2, 0.1, 0.5)];
     let mut slopes = vec![slope(x, y)];
@@ -170,7 +164,7 @@ pub fn step(number: usize) -> State {
         Ok::<_, Infallible>(Vector1::new(slope(x, y.x)))
     };
     let Ok(next) = runge_kutta_step(rate, x, x + h, &Vector1::new(y), &Vector1::new(slope(x, y)));
-    State::default().with_function("f", slope).with([("x_n", x), ("y_n", y), ("h", h), ("y_{n+1}", next.x)]).with([
+    Moment::default().sloping(slope).with([("x_n", x), ("y_n", y), ("h", h), ("y_{n+1}", next.x)]).with([
         ("f_1", slopes[0]),
         ("f_2", slopes[1]),
         ("f_3", slopes[2]),

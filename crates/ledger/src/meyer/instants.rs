@@ -54,31 +54,16 @@ pub fn instants() -> impl ExactSizeIterator<Item = &'static Letters> {
     moments().iter().map(Moment::letters)
 }
 
-/// The pin at an angle and a motion of the driver.
-fn seen(ratio: f64, angle: f64, (speed, gain): (f64, f64)) -> Seen {
-    let crank = Turn::from_radians(angle);
-    let from_driver = crank.direction();
-    let across = quarter_turn(&from_driver);
-    let mirrored = |vector: Vector2<f64>| Vector2::new(-vector.x, vector.y);
-    Seen {
-        ratio,
-        place: mirrored(from_driver - Vector2::new(ratio, 0.0)),
-        velocity: mirrored(across * speed),
-        acceleration: mirrored(across * gain - from_driver * (speed * speed)),
-        crank,
-    }
-}
-
 fn letters(ratio: f64, angle: f64, driver: (f64, f64)) -> Letters {
     let (speed, gain) = driver;
-    let now = seen(ratio, angle, driver);
+    let now = Seen::driven(ratio, angle, driver);
     // At the speed one and without acceleration of the driver: φ' and φ'' are then derivatives by θ.
-    let unit = seen(ratio, angle, (1.0, 0.0));
+    let unit = Seen::driven(ratio, angle, (1.0, 0.0));
     let (turning, change) = (unit.turning(), unit.turning_rate());
     // How far the pin slides out per radian, in the unit of length.
     let sliding = RADIUS * unit.place.normalize().dot(&unit.velocity);
     let distance = RADIUS * now.radius();
-    let normal = |gain: f64| FOLLOWER_INERTIA * seen(ratio, angle, (speed, gain)).turning_rate() / distance;
+    let normal = |gain: f64| FOLLOWER_INERTIA * Seen::driven(ratio, angle, (speed, gain)).turning_rate() / distance;
     let friction = |gain: f64| FRICTION * normal(gain) * sliding;
     // What the two members ask of the driver's torque beside friction: Newton's laws for each.
     let asked = |gain: f64| {

@@ -27,7 +27,6 @@ mod parameters;
 mod peaks;
 mod profile;
 mod rates;
-mod reading;
 mod recommendations;
 pub mod runs;
 mod singularity;
@@ -40,6 +39,7 @@ mod symbols;
 pub use symbols::SYMBOLS;
 
 use crate::checks::{agrees, characters, named, numbers, printed, reads, right_side, same, vanishes};
+use crate::tex as reading;
 use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Verdict, Work, claim, numeric_tokens};
 use geneva_kinematics::escapement::{HandOver, Mechanism, Roots};
 use geneva_kinematics::pin_vectors::quarter_turn;
@@ -106,9 +106,15 @@ struct Seen {
 }
 
 impl Seen {
+    /// An escapement at an angle of its driver.
     fn new(escapement: &Mechanism, angle: f64) -> Self {
-        let (ratio, crank) = (escapement.centre_distance_ratio(), Turn::from_radians(angle));
-        let ((speed, gain), from_driver) = (DRIVER, crank.direction());
+        Self::driven(escapement.centre_distance_ratio(), angle, DRIVER)
+    }
+
+    /// The same for a ratio of lengths, and for a speed and an acceleration of the driver.
+    fn driven(ratio: f64, angle: f64, (speed, gain): (f64, f64)) -> Self {
+        let crank = Turn::from_radians(angle);
+        let from_driver = crank.direction();
         let across = quarter_turn(&from_driver);
         let mirrored = |vector: Vector2<f64>| Vector2::new(-vector.x, vector.y);
         Self {

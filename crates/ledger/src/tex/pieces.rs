@@ -5,7 +5,7 @@
 pub struct Piece {
     /// Its characters. Bars behind `\left` and `\right` are told apart from plain ones.
     pub text: String,
-    /// The byte at which it starts.
+    /// The byte at which it starts, with the command for its size if it is a bracket.
     pub start: usize,
     /// The byte behind it.
     pub end: usize,
@@ -14,7 +14,7 @@ pub struct Piece {
 /// The pieces of a formula, in order. Blanks, spacing and the sizes of brackets are dropped.
 pub fn pieces(tex: &str) -> Vec<Piece> {
     let mut pieces: Vec<Piece> = Vec::new();
-    let mut at = 0;
+    let (mut at, mut sized) = (0, None);
     while let Some(c) = tex[at..].chars().next() {
         let start = at;
         let run = |from: usize, is: fn(char) -> bool| from + tex[from..].find(|c| !is(c)).unwrap_or(tex.len() - from);
@@ -34,15 +34,21 @@ pub fn pieces(tex: &str) -> Vec<Piece> {
             c => at + c.len_utf8(),
         };
         at = at.min(tex.len());
-        let mut push = |text: &str| pieces.push(Piece { text: text.to_owned(), start, end: at });
         match &tex[start..at] {
-            r"\," | r"\;" | r"\:" | r"\!" | r"\ " | "~" | r"\left" | r"\right" | r"\left." | r"\right." => {}
+            r"\," | r"\;" | r"\:" | r"\!" | r"\ " | "~" | r"\left." | r"\right." => {}
+            size @ (r"\left" | r"\right") => sized = Some((start, size)),
             piece if piece.trim().is_empty() => {}
-            r"\lvert" => push(r"\left|"),
-            r"\rvert" => push(r"\right|"),
-            "|" if tex[..start].trim_end().ends_with(r"\left") => push(r"\left|"),
-            "|" if tex[..start].trim_end().ends_with(r"\right") => push(r"\right|"),
-            piece => push(piece),
+            piece => {
+                // A bracket starts where its size is said.
+                let (start, size) = sized.take().unwrap_or((start, ""));
+                let text = match (size, piece) {
+                    (_, r"\lvert") => r"\left|".to_owned(),
+                    (_, r"\rvert") => r"\right|".to_owned(),
+                    (size, "|") => format!("{size}|"),
+                    _ => piece.to_owned(),
+                };
+                pieces.push(Piece { text, start, end: at });
+            }
         }
     }
     pieces
@@ -101,7 +107,8 @@ mod tests {
     fn a_piece_knows_where_it_stands() {
         let tex = r"\left[\frac{I_f}{2} \right] \theta";
         for piece in pieces(tex) {
-            assert_eq!(&tex[piece.start..piece.end], piece.text);
+            let whole = &tex[piece.start..piece.end];
+            assert!(whole == piece.text || [r"\left[", r"\right]"].contains(&whole), "{whole} for {}", piece.text);
         }
     }
 }

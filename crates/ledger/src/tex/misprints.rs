@@ -3,7 +3,7 @@
 //! An equation that is right must not be right any more with a misprint in it; else nobody has looked at the place. The
 //! sources' own slips are of these kinds: a lost dot, a lost sign, another letter, another power.
 
-use crate::tex::{Piece, pieces};
+use super::pieces::{Piece, pieces};
 use std::collections::BTreeSet;
 
 /// A formula with one misprint.

@@ -1,0 +1,153 @@
+//! Formulas as they are printed: read character by character, and evaluated.
+//!
+//! [`Display::read`] makes a tree of the characters between two dollar signs; [`Moment`] says what its names stand for.
+//! The tree is evaluated on real or complex numbers and vectors, or, for a proof, on the numbers of any [`Field`].
+//! Nothing is taken from the formula crates' own identities, so what is found here is found about the characters.
+//! [`misprints`] makes slips by rule, to see that each would be noticed.
+
+mod exact;
+mod misprints;
+mod moment;
+mod number;
+mod pieces;
+mod reader;
+mod tree;
+
+pub use exact::{Characters, Exact, ExactLetters};
+pub use misprints::{Class, Misprint, misprints};
+pub use moment::{Letters, Moment, Value};
+pub use number::Number;
+pub use pieces::{GREEK, Piece, pieces};
+pub use tree::By;
+
+use crate::tolerance::{DIFFERENCES, ROUTES};
+use std::collections::BTreeSet;
+use std::fmt;
+use tree::{Function, Node};
+
+/// What of a formula has no meaning here.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Illegible(String);
+
+impl fmt::Display for Illegible {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the formula cannot be evaluated: {}", self.0)
+    }
+}
+
+impl std::error::Error for Illegible {}
+
+/// The one spelling of a name that TeX may write in several ways: without braces, type faces and backslashes, its dots
+/// behind the letter as `theta'`, `theta''_0`.
+///
+/// # Errors
+///
+/// If it is not one name.
+pub fn name(tex: &str) -> Result<String, Illegible> {
+    reader::name(tex)
+}
+
+/// The name of what something is at an instant that a formula names.
+pub fn name_at(name: &str, instant: &str) -> String {
+    format!("{name} at {instant}")
+}
+
+/// A display: its number, if it has one, and its chains of equal things, of one alone if it equates nothing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Display {
+    /// The number at its side.
+    pub tag: Option<String>,
+    chains: Vec<Vec<Node>>,
+}
+
+impl Display {
+    /// Reads a display.
+    ///
+    /// # Errors
+    ///
+    /// If something in it has no meaning here.
+    pub fn read(tex: &str) -> Result<Self, Illegible> {
+        reader::read(tex, false)
+    }
+
+    /// Reads what may be a line of a longer display: brackets that are left open at the end of a side are closed there,
+    /// those closed too often are passed over, and any kind closes any other.
+    ///
+    /// # Errors
+    ///
+    /// If something in it has no meaning here.
+    pub fn read_line(tex: &str) -> Result<Self, Illegible> {
+        reader::read(tex, true)
+    }
+
+    /// Whether all its chains hold at all of these instants; where a double sign stands, for one of the signs.
+    ///
+    /// # Errors
+    ///
+    /// If it equates nothing, or if a name stands for nothing.
+    pub fn holds<'a, N: Number>(&self, moments: impl IntoIterator<Item = &'a Moment<N>>) -> Result<bool, Illegible> {
+        if self.chains.is_empty() || self.chains.iter().any(|chain| chain.len() < 2) {
+            return Err(Illegible("it equates nothing".to_owned()));
+        }
+        let any = |is: fn(&Node) -> bool| self.chains.iter().flatten().any(|side| side.contains(is));
+        let differs = any(|node| matches!(node, Node::Of(Function::Rate(_), _)));
+        let allowed = if differs { DIFFERENCES } else { ROUTES }.relative;
+        let signs = if any(|node| matches!(node, Node::Of(Function::PlusMinus, _))) { &[1, -1][..] } else { &[1] };
+        for moment in moments {
+            for chain in &self.chains {
+                let agrees = |sign: &i64| Ok(moment.misfit(chain, *sign)? <= allowed);
+                if !signs.iter().map(agrees).collect::<Result<Vec<bool>, Illegible>>()?.contains(&true) {
+                    return Ok(false);
+                }
+            }
+        }
+        Ok(true)
+    }
+
+    /// The left side of an equation minus its right side.
+    fn difference<N: Number>(&self, moment: &Moment<N>) -> Result<N, Illegible> {
+        match &self.chains[..] {
+            [chain] if chain.len() == 2 => Ok(moment.number(&chain[0])? - moment.number(&chain[1])?),
+            _ => Err(Illegible("it is no equation of two sides".to_owned())),
+        }
+    }
+
+    /// What stands alone in a display that equates nothing.
+    fn alone(&self) -> Option<&Node> {
+        match &self.chains[..] {
+            [chain] if chain.len() == 1 => chain.first(),
+            _ => None,
+        }
+    }
+}
+
+/// Whether an equation holds at all of these instants; none if it cannot be read.
+pub fn holds<'a, N: Number>(tex: &str, moments: impl IntoIterator<Item = &'a Moment<N>>) -> Option<bool> {
+    Display::read_line(tex).and_then(|display| display.holds(moments)).ok()
+}
+
+/// The value of a formula without an equals sign; not a number if it cannot be read or a letter has no value.
+pub fn value(formula: &str, letters: &Letters) -> f64 {
+    let display = Display::read_line(formula).ok();
+    let value = display.and_then(|display| Moment::of(letters.clone()).number(display.alone()?).ok());
+    value.unwrap_or(f64::NAN)
+}
+
+/// The letters that a formula needs; none if it cannot be read.
+pub fn letters_in(formula: &str) -> BTreeSet<String> {
+    let mut letters = BTreeSet::new();
+    if let Ok(display) = Display::read_line(formula) {
+        for side in display.chains.iter().flatten() {
+            side.visit(&mut |node| {
+                if let Node::Name(name) = node {
+                    letters.insert(name.clone());
+                }
+            });
+        }
+    }
+    letters.remove("pi");
+    letters
+}
+
+#[cfg(test)]
+mod tests;
