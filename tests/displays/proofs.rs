@@ -5,126 +5,102 @@
 //! variable R, and cos θ is (1 + a² − R²)/2a; what stands between bars is taken with either sign. Derivatives are taken
 //! by the rules of calculus. The identities stay for all that: they tell one slip of a display from another.
 
-use geneva_kinematics::{Field, Jet, prove};
-use geneva_ledger::tex::{By, Characters, Exact, ExactLetters, Moment};
-use geneva_ledger::{Verdict, claim};
+use geneva_kinematics::{Expression, Jet, prove};
+use geneva_ledger::tex::{By, Characters, Moment};
+use geneva_ledger::{Claim, Verdict, claim};
+use std::array::from_fn;
 
-/// The mechanism of chapter I, with a given sign of what stands between bars.
+/// The letters of chapter I, with a given sign of what stands between bars.
 ///
 /// Variables: R, a, sin θ, θ', θ'', I_D, I_f, μ, r. That sine and cosine are of one angle is nowhere needed.
-struct Mechanism {
-    bars: i64,
-}
-
-impl ExactLetters<9> for Mechanism {
-    fn at<S: Field>(&self, variables: &[S; 9]) -> Moment<Exact<S>> {
-        let [distance, a, sine, speed, acceleration, driver, follower, friction, radius] = variables.clone().map(Exact);
-        let number = |n: i64| Exact(S::integer(n));
-        let square = distance.clone() * distance.clone();
-        let cosine = (number(1) + a.clone() * a.clone() - square.clone()) / (number(2) * a.clone());
-        // φ'/θ' = (a cos θ − 1)/R², Eq. (1-7), while θ grows: (cos θ)' = −sin θ and (R²)' = 2 a sin θ.
-        let across = a.clone() * sine.clone();
-        let above = Jet::<S, 2>::from_coefficients([(a.clone() * cosine.clone() - number(1)).0, (-across.clone()).0]);
-        let below = Jet::from_coefficients([square.clone().0, (number(2) * across.clone()).0]);
-        let ratio = above / below;
-        let [turning, change] = [ratio.value(), ratio.rate()].map(Exact);
-        let square_speed = speed.clone() * speed.clone();
-        let follower_acceleration = change.clone() * square_speed.clone() + turning.clone() * acceleration.clone();
-        // Moments on the follower: the pin presses at the distance r R from its axis.
-        let force = follower.clone() * follower_acceleration.clone() / (radius.clone() * distance.clone());
-        // Virtual work: the pin slides by r dR/dθ = r a sin θ/R, so that r cancels.
-        let lost = |follower_acceleration: Exact<S>| {
-            friction.clone() * follower_acceleration * across.clone() / square.clone()
-        };
-        let moving = driver.clone() + follower.clone() * turning.clone() * turning.clone();
-        let momentum = moving.clone() * speed.clone();
-        let by_angle = follower.clone() * turning.clone() * change.clone() * square_speed.clone();
-        let growth = moving.clone() * acceleration.clone() + number(2) * by_angle.clone();
-        let rubbing = number(-self.bars) * follower.clone() * lost(follower_acceleration.clone());
-        let torque = growth.clone() - by_angle.clone() - rubbing.clone();
-        let letters = [
-            ("a", a),
-            ("r", radius.clone()),
-            ("R", radius.clone() * distance.clone()),
-            ("theta'", speed.clone()),
-            ("theta''", acceleration.clone()),
-            ("phi'", turning.clone() * speed.clone()),
-            ("phi''", follower_acceleration),
-            ("I_D", driver.clone()),
-            ("I_f", follower.clone()),
-            // Slips for I_f and I_D: any other numbers.
-            ("I_P", follower.clone() + number(1)),
-            ("I_b", driver.clone() + number(1)),
-            ("mu", friction.clone()),
-            ("N", force),
-            ("tau_2", rubbing),
-            ("K", torque.clone()),
-            ("T", moving.clone() * square_speed / number(2)),
-            ("dT/dtheta'", momentum),
-            ("dT/dtheta", by_angle),
-            // Eq. (1-19): what multiplies θ'' and θ'², outside the bars and between them.
-            ("A", moving / follower.clone()),
-            ("B", turning.clone() * change.clone()),
-            ("C", lost(change)),
-            ("D", lost(turning)),
-            ("E", torque / follower),
-        ];
-        let rates = [("theta", speed.clone()), ("theta'", acceleration), ("dT/dtheta'", growth)];
-        Moment::of(letters.map(|(name, value)| (name.to_owned(), value)).into())
-            .changing(By::Time, rates)
-            .changing(By::Angle, [("theta", number(1))])
-            .giving(r"\cos\theta", cosine)
-            .giving(r"\sin\theta", sine)
-            .giving(r"1 + a^2 - 2a\cos\theta", square)
-            .giving(r"(1 + a^2 - 2a\cos\theta)^{1/2}", distance)
-            .opening_bars(number(self.bars))
-    }
+fn mechanism(bars: i64) -> Moment<Expression> {
+    let [distance, a, sine, speed, acceleration, driver, follower, friction, radius] = from_fn(Expression::variable);
+    let square = distance * distance;
+    let cosine = (1 + a * a - square) / (2 * a);
+    // φ'/θ' = (a cos θ − 1)/R², Eq. (1-7), while θ grows: (cos θ)' = −sin θ and (R²)' = 2 a sin θ.
+    let across = a * sine;
+    let above = Jet::<Expression, 2>::from_coefficients([a * cosine - 1, -across]);
+    let ratio = above / Jet::from_coefficients([square, 2 * across]);
+    let (turning, change) = (ratio.value(), ratio.rate());
+    let follower_acceleration = change * speed * speed + turning * acceleration;
+    // Virtual work: the pin presses at the distance r R from the follower's axis and slides by r dR/dθ = r a sin θ/R.
+    let lost = |follower_acceleration: Expression| friction * follower_acceleration * across / square;
+    let moving = driver + follower * turning * turning;
+    let by_angle = follower * turning * change * speed * speed;
+    let growth = moving * acceleration + 2 * by_angle;
+    let rubbing = -bars * follower * lost(follower_acceleration);
+    let torque = growth - by_angle - rubbing;
+    let letters = [
+        ("a", a),
+        ("r", radius),
+        ("R", radius * distance),
+        ("theta'", speed),
+        ("theta''", acceleration),
+        ("phi'", turning * speed),
+        ("phi''", follower_acceleration),
+        ("I_D", driver),
+        ("I_f", follower),
+        // Slips for I_f and I_D: any other numbers.
+        ("I_P", follower + 1),
+        ("I_b", driver + 1),
+        ("mu", friction),
+        ("N", follower * follower_acceleration / (radius * distance)),
+        ("tau_2", rubbing),
+        ("K", torque),
+        ("T", moving * speed * speed / 2),
+        ("dT/dtheta'", moving * speed),
+        ("dT/dtheta", by_angle),
+        // Eq. (1-19): what multiplies θ'' and θ'², outside the bars and between them.
+        ("A", moving / follower),
+        ("B", turning * change),
+        ("C", lost(change)),
+        ("D", lost(turning)),
+        ("E", torque / follower),
+    ];
+    Moment::of(letters.map(|(name, value)| (name.to_owned(), value)).into())
+        .changing(By::Time, [("theta", speed), ("theta'", acceleration), ("dT/dtheta'", growth)])
+        .changing(By::Angle, [("theta", Expression::ONE)])
+        .giving(r"\cos\theta", cosine)
+        .giving(r"\sin\theta", sine)
+        .giving(r"1 + a^2 - 2a\cos\theta", square)
+        .giving(r"(1 + a^2 - 2a\cos\theta)^{1/2}", distance)
+        .opening_bars(bars * Expression::ONE)
 }
 
 /// Eq. (1-19) by its letters, with S for the sign of what stands between the bars.
 ///
 /// Variables: A + S D, B, C, D, θ', θ'', and a θ that is a slip for θ'.
-struct Factors {
-    bars: i64,
-}
-
-impl ExactLetters<7> for Factors {
-    fn at<S: Field>(&self, variables: &[S; 7]) -> Moment<Exact<S>> {
-        let [slope, b, c, d, speed, acceleration, angle] = variables.clone().map(Exact);
-        let sign = Exact(S::integer(self.bars));
-        let square = speed.clone() * speed.clone();
-        let between = c.clone() * square.clone() + d.clone() * acceleration.clone();
-        let a = slope.clone() - sign.clone() * d.clone();
-        let driven = a.clone() * acceleration.clone() + b.clone() * square + sign.clone() * between.clone();
-        let letters = [("A", a), ("B", b), ("C", c), ("D", d), ("E", driven), ("F", between)];
-        let motion = [("S", sign.clone()), ("theta", angle), ("theta'", speed), ("theta''", acceleration)];
-        Moment::of(letters.into_iter().chain(motion).map(|(name, value)| (name.to_owned(), value)).collect())
-            .giving("A + SD", slope)
-            .opening_bars(sign)
-    }
+fn factors(bars: i64) -> Moment<Expression> {
+    let [slope, b, c, d, speed, acceleration, angle] = from_fn(Expression::variable);
+    let between = c * speed * speed + d * acceleration;
+    let a = slope - bars * d;
+    let driven = a * acceleration + b * speed * speed + bars * between;
+    let letters = [("A", a), ("B", b), ("C", c), ("D", d), ("E", driven), ("F", between)];
+    let motion = [("S", bars * Expression::ONE), ("theta", angle), ("theta'", speed), ("theta''", acceleration)];
+    Moment::of(letters.into_iter().chain(motion).map(|(name, value)| (name.to_owned(), value)).collect())
+        .giving("A + SD", slope)
+        .opening_bars(bars * Expression::ONE)
 }
 
 /// Whether characters are proven for both signs of what stands between bars, and how.
-fn decide<const V: usize, L: ExactLetters<V>>(tex: &str, letters: &impl Fn(i64) -> L) -> Result<String, String> {
+fn decide<const V: usize>(tex: &str, letters: fn(i64) -> Moment<Expression>) -> Result<String, String> {
     let decide = |sign: i64| {
-        let letters = letters(sign);
-        let characters = Characters::read(tex, &letters).map_err(|error| error.to_string())?;
-        prove(&characters).map(|proof| proof.to_string()).map_err(|refutation| refutation.to_string())
+        let characters = Characters::read(tex, &letters(sign)).map_err(|error| error.to_string())?;
+        prove::<V>(&characters).map(|proof| proof.to_string()).map_err(|refutation| refutation.to_string())
     };
     decide(1).and(decide(-1))
 }
 
 /// The right characters of these displays are proven, and are not any more with one line as it is printed with a slip.
 #[track_caller]
-fn are_decided<const V: usize, L: ExactLetters<V>>(displays: &[&[&str]], letters: impl Fn(i64) -> L) {
+fn are_decided<const V: usize>(displays: &[&[&str]], letters: fn(i64) -> Moment<Expression>) {
     for lines in displays {
         let lines = lines.iter().map(|line| claim(&format!("meyer.{line}")).unwrap_or_else(|| panic!("no {line}")));
-        let lines: Vec<_> = lines.collect();
+        let lines: Vec<&'static Claim> = lines.collect();
         let with_printed = |printed: &str| {
-            let characters = |line: &&'static geneva_ledger::Claim| {
-                if line.id == printed { line.printed } else { line.right_characters() }
-            };
-            decide(&lines.iter().map(characters).collect::<Vec<_>>().join(" "), &letters)
+            let characters =
+                lines.iter().map(|line| if line.id == printed { line.printed } else { line.right_characters() });
+            decide::<V>(&characters.collect::<Vec<_>>().join(" "), letters)
         };
         let right = with_printed("");
         println!("{}: {right:?}", lines[0].id);
@@ -146,7 +122,7 @@ fn the_characters_of_the_friction_are_proven_without_rounding() {
         &["friction-torque.substituted"],
         &["eq-1-14"],
     ];
-    are_decided(&displays, |bars| Mechanism { bars });
+    are_decided::<9>(&displays, mechanism);
 }
 
 #[test]
@@ -174,7 +150,7 @@ fn the_characters_of_the_kinetic_energy_are_proven_without_rounding() {
         &["position-rate"],
         &["left-side"],
     ];
-    are_decided(&displays, |bars| Mechanism { bars });
+    are_decided::<9>(&displays, mechanism);
 }
 
 #[test]
@@ -190,7 +166,7 @@ fn the_characters_of_the_equation_of_motion_are_proven_without_rounding() {
         &["factor-e"],
         &["eq-1-19"],
     ];
-    are_decided(&displays, |bars| Mechanism { bars });
+    are_decided::<9>(&displays, mechanism);
     let displays: [&[&str]; 6] = [
         &["app-b.eq-1-19"],
         &["app-b.f"],
@@ -199,5 +175,5 @@ fn the_characters_of_the_equation_of_motion_are_proven_without_rounding() {
         &["app-b.collected"],
         &["app-b.solved"],
     ];
-    are_decided(&displays, |bars| Factors { bars });
+    are_decided::<7>(&displays, factors);
 }

@@ -1,7 +1,7 @@
 //! Formulas as they are printed: read character by character, and evaluated.
 //!
 //! [`Display::read`] makes a tree of the characters between two dollar signs; [`Moment`] says what its names stand for.
-//! The tree is evaluated on real or complex numbers and vectors, or, for a proof, on the numbers of any [`Field`].
+//! The tree is evaluated on real or complex numbers and vectors, or, for a proof, as an expression over any field.
 //! Nothing is taken from the formula crates' own identities, so what is found here is found about the characters.
 //! [`misprints`] makes slips by rule, to see that each would be noticed.
 
@@ -13,7 +13,7 @@ mod pieces;
 mod reader;
 mod tree;
 
-pub use exact::{Characters, Exact, ExactLetters};
+pub use exact::Characters;
 pub use misprints::{Class, Misprint, misprints};
 pub use moment::{Letters, Moment, Value};
 pub use number::Number;
