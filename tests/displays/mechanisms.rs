@@ -141,10 +141,7 @@ pub fn frame(number: usize, scale: f64) -> Moment {
     // The frame's axes are those of the ground at the instant.
     let turn = Turn { cos: 1.0, sin: 0.0 }.moving_by(&Jet::from_coefficients([0.0, speed, gain / 2.0]));
     let [p, q] = [series(inside).x, series(inside).y];
-    let turned = Vector2::new(
-        turn.cos * p - turn.sin * q,
-        turn.sin * p + turn.cos * q,
-    );
+    let turned = Vector2::new(turn.cos * p - turn.sin * q, turn.sin * p + turn.cos * q);
     let place = series(origin) + turned;
     let order = |order: usize| Vector2::new(place.x.derivative(order), place.y.derivative(order)).map(Option::unwrap);
     Moment::default()
