@@ -3,9 +3,9 @@
 //! "Rise time to 99 %" needs a definition: of what, and counted to when. Each that is offered here has its own name.
 
 use super::engagement::Engagement;
-use super::error::SteadyError;
 use super::extremes::Extreme;
-use super::terminal::SteadyState;
+use super::steady_state::SteadyState;
+use crate::Error;
 
 /// One engagement of a start from rest. Times are from the start, speeds the driver's.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,11 +44,11 @@ impl Engagement {
     ///
     /// # Errors
     ///
-    /// As for [`Engagement::steady_state`]; [`SteadyError::Tolerance`] if `settled` is not between 0 and 1;
-    /// [`SteadyError::TooMany`] if [`MOST_CYCLES`] are not enough.
-    pub fn rise(&self, settled: f64) -> Result<Rise, SteadyError> {
+    /// As for [`Engagement::steady_state`]; [`Error::OutOfRange`] if `settled` is not between 0 and 1;
+    /// [`Error::TooMany`] if [`MOST_CYCLES`] are not enough.
+    pub fn rise(&self, settled: f64) -> Result<Rise, Error> {
         if !(settled > 0.0 && settled < 1.0) {
-            return Err(SteadyError::Tolerance(settled));
+            return Err(Error::OutOfRange { name: "settled part", asked: settled, least: 0.0, most: 1.0 });
         }
         let steady = self.steady_state()?;
         let (mut cycles, mut time, mut square) = (Vec::new(), 0.0, 0.0);
@@ -71,7 +71,7 @@ impl Engagement {
                 return Ok(Rise { steady, cycles });
             }
         }
-        Err(SteadyError::TooMany { name: "engagements", limit: MOST_CYCLES })
+        Err(Error::TooMany { name: "engagements", limit: MOST_CYCLES })
     }
 
     /// Engagements from rest until the speed at the end is within a relative `settled` of the steady one, and the time.
@@ -79,7 +79,7 @@ impl Engagement {
     /// # Errors
     ///
     /// As for [`Engagement::rise`].
-    pub fn engagements_to_settle(&self, settled: f64) -> Result<(usize, f64), SteadyError> {
+    pub fn engagements_to_settle(&self, settled: f64) -> Result<(usize, f64), Error> {
         let rise = self.rise(settled)?;
         Ok((rise.cycles.len(), rise.cycles.last().map_or(0.0, |cycle| cycle.end)))
     }
