@@ -10,7 +10,7 @@
 //! 1973, after Eq. (1-18). The pin enters and leaves where ρ = 0, at ψ = ∓(π/2 + π/n).
 //!
 //! As a variable to compute with, w = tan(ψ/4) needs no sine: all the above are rational in it. It runs from 0 on the
-//! line of centres to 1 where the crank nodes away from the follower. The motion before the line of centres is
+//! line of centres to 1 where the crank points away from the follower. The motion before the line of centres is
 //! the mirror image, ρ the same and k with the other sign; so w ≥ 0 is enough.
 
 use geneva_kinematics::Mechanism;
@@ -35,16 +35,16 @@ pub(super) struct Circle {
 /// One place on the circle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
-    /// ρ, follower's speed over driver's.
+    /// ρ, the velocity ratio: follower's speed over driver's.
     pub rho: f64,
-    /// k, positive past the line of centres.
+    /// k, the sliding ratio: sliding per radian over R, positive past the line of centres.
     pub k: f64,
-    /// dψ/dw.
+    /// dψ/dw, the Jacobian.
     pub jacobian: f64,
 }
 
 impl Place {
-    /// dψ/dθ.
+    /// dψ/dθ, the angular velocity of ψ over the driver's.
     #[inline]
     pub fn angular_velocity(&self) -> f64 {
         1.0 + 2.0 * self.rho

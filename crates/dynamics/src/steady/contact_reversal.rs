@@ -1,4 +1,5 @@
-//! Where the friction changes its sign.
+//! The contact reversal past the line of centres: where the pin goes over to the trailing flank, and friction changes its
+//! sign.
 //!
 //! The sign is that of A C u + D (E − B u) = μ k (i ρ' u + ρ E). Before the line of centres k < 0 < ρ', so it is minus
 //! all the way. From the line of centres on k > 0 > ρ', and it is plus while u < Q with Q = ρ/(i k (1 + 2 ρ)), u over E.
@@ -19,7 +20,7 @@ const FINE: f64 = 1e-6;
 /// Most steps, halvings included.
 pub(super) const STEPS: u32 = 100;
 
-/// Where the sign of the friction goes from plus to minus.
+/// Where the pin goes from the leading to the trailing flank, and the sign of the friction from plus to minus.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ContactReversal {
     /// Number of the subinterval.
@@ -28,7 +29,7 @@ pub(super) struct ContactReversal {
     pub at: f64,
 }
 
-/// A subinterval divided at its switch, but for a step of [`Engagement::fine`].
+/// A subinterval divided at the contact reversal, but for a step of [`Engagement::fine`].
 ///
 /// At the switch both signs have the same slope, so that what the motion errs by is of the order of the step's square.
 #[derive(Clone, Debug)]
@@ -80,7 +81,7 @@ impl Engagement {
         Part { nodes, solution }
     }
 
-    /// ρ − i k (1 + 2 ρ) u, positive before the switch.
+    /// The switching function ρ − i k (1 + 2 ρ) u, positive before the contact reversal.
     pub(super) fn switching_function(&self, w: f64, square: f64) -> f64 {
         let place = self.circle.place(w);
         place.rho - self.inertia * place.k * place.angular_velocity() * square

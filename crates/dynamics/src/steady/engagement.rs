@@ -3,8 +3,7 @@
 use super::circle::{Circle, Place};
 use super::quadrature::{GaussLegendre, NODES, rule};
 use super::subinterval::{NodeMapping, Nodes, NodesOf, Solution, bisected, middle};
-use crate::Error;
-use crate::Parameters;
+use crate::{Error, Parameters};
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 use std::sync::{LazyLock, OnceLock};
@@ -46,7 +45,7 @@ pub struct Engagement {
     pub(super) ends_before_centres: bool,
 }
 
-/// One subinterval, with both signs.
+/// One subinterval, with both signs of the friction.
 #[derive(Clone, Debug)]
 pub(super) struct Subinterval {
     pub nodes: NodesOf<'static>,
@@ -54,15 +53,15 @@ pub(super) struct Subinterval {
     pub plus: Solution,
     /// e^Λ and J of the plus sign from the line of centres to the subinterval's lower end.
     pub before: (f64, f64),
-    /// Made when it is asked for: the motion has this sign from the switch on only.
+    /// Made when it is asked for: the motion has this sign from the contact reversal on only.
     trailing: OnceLock<Trailing>,
 }
 
-/// Friction with the minus sign past the line of centres.
+/// The trailing flank: friction with the minus sign past the line of centres.
 #[derive(Clone, Debug)]
 pub(super) struct Trailing {
     pub minus: Solution,
-    /// ln of plus's growth less ln of minus's, without cancellation.
+    /// Λ of the plus sign less Λ of the minus sign at the upper end, without cancellation.
     pub gap: f64,
 }
 
@@ -306,7 +305,7 @@ const SAFETY: f64 = 1.0 / 1024.0;
 struct Scales {
     /// Least distance of a pole, in half lengths.
     distance: f64,
-    /// Most change of the logarithm of the solution.
+    /// Most change of Λ.
     exponent: f64,
     /// Most change of the energy, where the time is asked for.
     energy_range: f64,

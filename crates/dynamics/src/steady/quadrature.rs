@@ -1,11 +1,11 @@
-//! Gauss and Legendre's rule: integrals over an interval, up to each of its nodes, and what lies between them.
+//! The Gauss-Legendre rule: integrals over an interval, up to each of its nodes, and what lies between them.
 
 use std::sync::LazyLock;
 
 /// Nodes of one subinterval of the motion.
 pub(super) const NODES: usize = 16;
 
-/// One number for each point.
+/// Nodal values: one number for each node.
 pub(super) type NodalValues = [f64; NODES];
 
 /// The rule for the interval from −1 to 1.

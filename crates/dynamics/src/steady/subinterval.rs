@@ -16,7 +16,7 @@ use geneva_kinematics::Mechanism;
 use std::ops::Deref;
 use std::sync::LazyLock;
 
-/// How the rule's interval lies on the axis of w.
+/// The node mapping: how the rule's interval lies on the axis of w.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum NodeMapping {
     /// Evenly.
@@ -33,9 +33,9 @@ pub(super) struct Nodes {
     /// Greatest w.
     pub high: f64,
     pub mapping: NodeMapping,
-    /// ρ.
+    /// ρ at them.
     pub rho: NodalValues,
-    /// k.
+    /// k at them.
     pub k: NodalValues,
     /// ψ per unit of the rule.
     jacobian: NodalValues,
