@@ -14,9 +14,8 @@
 //! positive: the sign of the numerator is the sign of the friction term. Proven in
 //! [`equation_proofs`](crate::equation_proofs).
 
-use crate::{Pose, Sign};
+use crate::{Error, Pose, Sign};
 use geneva_kinematics::{Field, Turn};
-use std::fmt;
 
 /// A: inertia that the driver feels, over the follower's: I_D / I_f + (a cos θ − 1)² / R⁴. Meyer 1973, after (1-18).
 pub fn coefficient_a<S: Field>(pose: &Pose<S>, inertia_ratio: &S) -> S {
@@ -106,51 +105,15 @@ pub struct Acceleration {
     pub sign: Sign,
 }
 
-/// Why there is no single acceleration.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum EquationError {
-    /// A crank angle that is not finite.
-    Angle(f64),
-    /// A speed of the driver that is negative or not finite.
-    Speed(f64),
-    /// A ≤ |D|, or a coefficient that is not a number: no acceleration, or more than one.
-    NotUnique {
-        /// A.
-        a: f64,
-        /// |D|.
-        d: f64,
-    },
-}
-
-impl fmt::Display for EquationError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Angle(asked) => write!(f, "crank angle {asked} rad: it must be finite; give a number"),
-            Self::Speed(asked) => write!(
-                f,
-                "driver speed {asked}: it must be finite and not negative, because friction is taken against forward \
-                 motion; give zero or more"
-            ),
-            Self::NotUnique { a, d } => write!(
-                f,
-                "A = {a} does not exceed |D| = {d}: the equation has no solution or more than one; lower the friction \
-                 or raise the driver's inertia"
-            ),
-        }
-    }
-}
-
-impl std::error::Error for EquationError {}
-
 impl Coefficients<f64> {
     /// The one acceleration at this speed of the driver (≥ 0, radians per unit of time), with the sign of the bars.
-    pub fn acceleration(&self, speed: f64) -> Result<Acceleration, EquationError> {
+    pub fn acceleration(&self, speed: f64) -> Result<Acceleration, Error> {
         if !(speed >= 0.0 && speed.is_finite()) {
-            return Err(EquationError::Speed(speed));
+            return Err(Error::Speed { name: "driver speed", asked: speed });
         }
         let single = self.a > self.d.abs();
         if !single {
-            return Err(EquationError::NotUnique { a: self.a, d: self.d.abs() });
+            return Err(Error::NotUnique { a: self.a, d: self.d.abs() });
         }
         let sign = Sign::from_number(self.sign_decider(&speed));
         Ok(Acceleration { value: self.acceleration_with(&speed, sign), sign })
@@ -236,7 +199,7 @@ mod tests {
     fn what_cannot_be_solved_is_said() {
         let sound = Coefficients { a: 2.0, b: 1.0, c: -1.0, d: 1.0, e: 3.0 };
         for speed in [-1.0, f64::NAN, f64::INFINITY] {
-            assert!(matches!(sound.acceleration(speed), Err(EquationError::Speed(_))), "{speed}");
+            assert!(matches!(sound.acceleration(speed), Err(Error::Speed { .. })), "{speed}");
         }
         for d in [2.0, -3.0, f64::NAN] {
             let error = Coefficients { d, ..sound.clone() }.acceleration(1.0).expect_err("A does not exceed |D|");

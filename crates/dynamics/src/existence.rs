@@ -24,8 +24,8 @@
 //!
 //! The algebra is proven in [`existence_proofs`](crate::existence_proofs).
 
-use crate::parameters::{not_negative, positive};
-use crate::{ParameterError, Pose, equation};
+use crate::error::{not_negative, positive};
+use crate::{Error, Pose, equation};
 use geneva_kinematics::Mechanism;
 
 /// The least friction at which the equation of motion fails to have one solution, and where that happens.
@@ -52,7 +52,7 @@ pub fn margin(pose: &Pose<f64>, inertia_ratio: f64, friction: f64) -> f64 {
 }
 
 /// The friction from which on A > |D| fails somewhere in the engagement, for I_D / I_f (positive and finite).
-pub fn critical_friction(mechanism: Mechanism, inertia_ratio: f64) -> Result<CriticalFriction, ParameterError> {
+pub fn critical_friction(mechanism: Mechanism, inertia_ratio: f64) -> Result<CriticalFriction, Error> {
     let inertia = positive("driver inertia over follower inertia", inertia_ratio)?;
     let half = Half::new(mechanism);
     // All over 1 + i, so that no inertia ratio is too great.
@@ -98,15 +98,15 @@ const BISECTIONS: u32 = 6;
 /// The least A − |D| in the engagement, for I_D / I_f (positive and finite) and μ (finite, not negative).
 ///
 /// Without friction it is I_D / I_f, where the pin enters and leaves; with friction it is less.
-pub fn least_margin(mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> Result<LeastMargin, ParameterError> {
+pub fn least_margin(mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> Result<LeastMargin, Error> {
     let inertia = positive("driver inertia over follower inertia", inertia_ratio)?;
-    let (worst, angle) = worst(mechanism, not_negative(friction)?);
+    let (worst, angle) = worst(mechanism, not_negative("friction coefficient", friction)?);
     Ok(LeastMargin { margin: inertia - worst, angle })
 }
 
 /// The ratio I_D / I_f that must be exceeded for one solution everywhere with this friction: zero without friction.
-pub fn critical_inertia_ratio(mechanism: Mechanism, friction: f64) -> Result<f64, ParameterError> {
-    Ok(worst(mechanism, not_negative(friction)?).0)
+pub fn critical_inertia_ratio(mechanism: Mechanism, friction: f64) -> Result<f64, Error> {
+    Ok(worst(mechanism, not_negative("friction coefficient", friction)?).0)
 }
 
 /// The greatest h (μ g − h) / R⁴ and its crank angle.
@@ -170,7 +170,7 @@ impl Half {
 }
 
 /// Where `before` turns from true to false between `low` and `high`, to the last places.
-fn bisect(mut low: f64, mut high: f64, before: impl Fn(f64) -> bool) -> f64 {
+pub(crate) fn bisect(mut low: f64, mut high: f64, before: impl Fn(f64) -> bool) -> f64 {
     loop {
         let middle = low + (high - low) / 2.0;
         if middle <= low || middle >= high {

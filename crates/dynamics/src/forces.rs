@@ -4,7 +4,7 @@
 //! bears on the flank ahead of it; a negative one holds it back, so the pin bears on the flank behind it. Friction acts
 //! along the slot, against the sliding, with the moment arm c |sin φ| = |dR/dθ| about the driver's axis.
 
-use crate::{EquationError, Parameters};
+use crate::{Error, Parameters};
 
 /// The flank of the slot that the pin bears on; ahead and behind as the follower turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,7 +41,7 @@ impl Parameters {
     /// Forces at a crank angle (radians from the line of centres) and a speed of the driver (≥ 0).
     ///
     /// Meyer 1973, Eqs. (1-13), with its first exponent put right, and (1-14).
-    pub fn contact_forces(&self, angle: f64, speed: f64) -> Result<ContactForces, EquationError> {
+    pub fn contact_forces(&self, angle: f64, speed: f64) -> Result<ContactForces, Error> {
         let gain = self.acceleration(angle, speed)?.value;
         let pose = self.pose(angle);
         let follower_acceleration = pose.follower_acceleration(&speed, &gain);

@@ -16,6 +16,7 @@ pub mod derivation;
 pub mod energy;
 pub mod equation;
 pub mod equation_proofs;
+mod error;
 pub mod existence;
 pub mod existence_proofs;
 pub mod forces;
@@ -30,7 +31,8 @@ pub mod similarity;
 pub mod steady;
 pub mod timer;
 
-pub use equation::{Acceleration, Coefficients, EquationError};
-pub use parameters::{Inertias, ParameterError, Parameters};
+pub use equation::{Acceleration, Coefficients};
+pub use error::Error;
+pub use parameters::{Inertias, Parameters};
 pub use pose::Pose;
 pub use sign::Sign;

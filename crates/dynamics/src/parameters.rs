@@ -3,10 +3,10 @@
 //! Any coherent system of units will do; the source measures in inches, pounds (force) and seconds, so that a torque is
 //! in in·lb and a moment of inertia in in·lb·s².
 
+use crate::error::{not_negative, positive};
 use crate::existence;
-use crate::{Acceleration, Coefficients, EquationError, Pose};
+use crate::{Acceleration, Coefficients, Error, Pose};
 use geneva_kinematics::{Mechanism, Turn};
-use std::fmt;
 
 /// Moments of inertia of the two members about their own axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,7 +21,7 @@ impl Inertias {
     /// Without inertia of the driver nothing is left to accelerate as a pin enters, where the follower stands still:
     /// there A = D = 0, and near it A < |D| for any friction. Without inertia of the follower there is no normal
     /// force, no friction and no brake; the equation, written per unit of I_f, does not cover it.
-    pub fn new(driver: f64, follower: f64) -> Result<Self, ParameterError> {
+    pub fn new(driver: f64, follower: f64) -> Result<Self, Error> {
         let inertias =
             Self { driver: positive("driver inertia", driver)?, follower: positive("follower inertia", follower)? };
         positive("driver inertia over follower inertia", inertias.ratio())?;
@@ -53,62 +53,19 @@ pub struct Parameters {
     friction: f64,
 }
 
-/// A value that no such escapement can have.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum ParameterError {
-    /// A quantity that must be positive and finite is not.
-    NotPositive {
-        /// Which quantity.
-        name: &'static str,
-        /// What was asked for.
-        asked: f64,
-    },
-    /// A coefficient of friction that is negative or not finite.
-    Friction(f64),
-    /// So much friction that somewhere no acceleration, or more than one, obeys the equation of motion.
-    TooMuchFriction {
-        /// What was asked for.
-        asked: f64,
-        /// The friction that it must stay below.
-        limit: f64,
-        /// Crank angle in radians, to either side of the line of centres, where the limit is first reached.
-        angle: f64,
-    },
-}
-
-impl fmt::Display for ParameterError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotPositive { name, asked } => {
-                write!(f, "{name} {asked}: it must be positive and finite; give a number above zero")
-            }
-            Self::Friction(asked) => {
-                write!(f, "friction coefficient {asked}: it must be finite and not negative; give zero or more")
-            }
-            Self::TooMuchFriction { asked, limit, angle } => write!(
-                f,
-                "friction coefficient {asked}: from {limit} on, the equation of motion has no single solution at \
-                 {angle} rad from the line of centres; give less friction or a driver with more inertia"
-            ),
-        }
-    }
-}
-
-impl std::error::Error for ParameterError {}
-
 impl Parameters {
     /// An escapement with this torque K (> 0) on its driver and this coefficient of friction μ between pin and slot.
     ///
     /// μ may be zero; it must stay below [`existence::critical_friction`].
-    pub fn new(mechanism: Mechanism, inertias: Inertias, torque: f64, friction: f64) -> Result<Self, ParameterError> {
+    pub fn new(mechanism: Mechanism, inertias: Inertias, torque: f64, friction: f64) -> Result<Self, Error> {
         let torque = positive("torque", torque)?;
         positive("torque over follower inertia", torque / inertias.follower)?;
-        let friction = not_negative(friction)?;
+        let friction = not_negative("friction coefficient", friction)?;
         if !existence::surely_below_critical(mechanism, inertias.ratio(), friction) {
             let critical = existence::critical_friction(mechanism, inertias.ratio())?;
             if friction >= critical.friction {
                 let (limit, angle) = (critical.friction, critical.angle);
-                return Err(ParameterError::TooMuchFriction { asked: friction, limit, angle });
+                return Err(Error::TooMuchFriction { asked: friction, limit, angle });
             }
         }
         Ok(Self { mechanism, inertias, torque, friction })
@@ -154,22 +111,12 @@ impl Parameters {
     ///
     /// While a pin is in its slot there always is one. Beyond, the formula is evaluated all the same, and may have
     /// none.
-    pub fn acceleration(&self, angle: f64, speed: f64) -> Result<Acceleration, EquationError> {
+    pub fn acceleration(&self, angle: f64, speed: f64) -> Result<Acceleration, Error> {
         if !angle.is_finite() {
-            return Err(EquationError::Angle(angle));
+            return Err(Error::NotFinite { name: "crank angle", asked: angle });
         }
         self.coefficients(angle).acceleration(speed)
     }
-}
-
-/// The value, if it is positive and finite.
-pub(crate) fn positive(name: &'static str, asked: f64) -> Result<f64, ParameterError> {
-    if asked > 0.0 && asked.is_finite() { Ok(asked) } else { Err(ParameterError::NotPositive { name, asked }) }
-}
-
-/// The coefficient of friction, if it is finite and not negative.
-pub(crate) fn not_negative(friction: f64) -> Result<f64, ParameterError> {
-    if friction >= 0.0 && friction.is_finite() { Ok(friction) } else { Err(ParameterError::Friction(friction)) }
 }
 
 #[cfg(test)]
@@ -186,12 +133,12 @@ mod tests {
         }
         for friction in &bad[1..] {
             let error = Parameters::new(Mechanism::FOUR_PIN, sound, 1.0, *friction).expect_err("bad friction");
-            assert!(matches!(error, ParameterError::Friction(_)), "{error}");
+            assert!(matches!(error, Error::Negative { .. }), "{error}");
         }
         assert!(Inertias::new(f64::MAX, f64::MIN_POSITIVE).is_err(), "their ratio overflows");
         assert!(Inertias::new(f64::MIN_POSITIVE, f64::MAX).is_err(), "their ratio vanishes");
         let error = Parameters::new(Mechanism::FOUR_PIN, sound, 1.0, 3.0).expect_err("too much friction");
-        assert!(matches!(error, ParameterError::TooMuchFriction { .. }), "{error}");
+        assert!(matches!(error, Error::TooMuchFriction { .. }), "{error}");
         assert!(Parameters::new(Mechanism::FOUR_PIN, sound, 1.0, 0.0).is_ok());
     }
 
@@ -218,7 +165,7 @@ mod tests {
             }
             let escapement = Parameters::new(mechanism, inertias, 7.0, 0.0).expect("no friction");
             for angle in [f64::NAN, f64::INFINITY] {
-                assert!(matches!(escapement.acceleration(angle, 1.0), Err(EquationError::Angle(_))));
+                assert!(matches!(escapement.acceleration(angle, 1.0), Err(Error::NotFinite { .. })));
             }
         }
     }

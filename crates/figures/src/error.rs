@@ -1,7 +1,5 @@
 //! Why there is no drawing.
 
-use geneva_dynamics::steady::SteadyError;
-use geneva_dynamics::{EquationError, ParameterError};
 use geneva_kinematics::{EscapementError, KinematicsError};
 
 /// Why there is no drawing.
@@ -13,15 +11,9 @@ pub enum FigureError {
     /// The driver angle is beyond the engagement of the escapement.
     #[error(transparent)]
     Escapement(#[from] EscapementError),
-    /// The data make no escapement.
+    /// The data make no escapement, the equation of motion has no forces at this state, or there is no steady motion.
     #[error(transparent)]
-    Parameters(#[from] ParameterError),
-    /// The equation of motion has no forces at this state.
-    #[error(transparent)]
-    Equation(#[from] EquationError),
-    /// There is no steady motion, or none that can be computed.
-    #[error(transparent)]
-    Steady(#[from] SteadyError),
+    Dynamics(#[from] geneva_dynamics::Error),
     /// A design lies beyond the axes of a map.
     #[error("{name} of a design is {value}, the map shows {least} to {greatest}: leave the design out")]
     OffTheMap {

@@ -48,7 +48,8 @@ fn line(mechanism: Mechanism, number: u32, side: u32, tolerance: f64) -> Vec<f64
         let friction = critical.friction * (0.05 + 0.9 * f64::from(column) / f64::from(side));
         let inertias = Inertias::new(inertia, 1.0).ok()?;
         let escapement = Parameters::new(mechanism, inertias, 1.0, friction).ok()?;
-        Some(Engagement::with_tolerance(&escapement, tolerance).ok()?.terminal().ok()?.mean_speed)
+        let engagement = Engagement::with_tolerance(&escapement, tolerance).ok()?;
+        Some(engagement.fold() / engagement.entry_speed_and_period().ok()?.1)
     };
     (0..side).filter_map(speed).collect()
 }

@@ -11,10 +11,11 @@ pub fn steady(row: &Row, tolerance: f64) -> Option<Answer> {
     Some(Answer { numbers: numbers(&steady), evaluations: None })
 }
 
-/// The same without the extremes.
+/// Its entry speed and period alone.
 pub fn terminal(row: &Row, tolerance: f64) -> Option<Answer> {
-    let terminal = Engagement::with_tolerance(&row.escapement, tolerance).ok()?.terminal().ok()?;
-    Some(Answer { numbers: vec![terminal.entry_speed, terminal.period], evaluations: None })
+    let (entry_speed, period) =
+        Engagement::with_tolerance(&row.escapement, tolerance).ok()?.entry_speed_and_period().ok()?;
+    Some(Answer { numbers: vec![entry_speed, period], evaluations: None })
 }
 
 /// The run from rest by integrals over the angle.

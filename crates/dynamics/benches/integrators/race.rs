@@ -1,8 +1,8 @@
 //! What the contestants are asked for, and how far from the truth their answers are.
 
 use crate::rows::escapements;
-use geneva_dynamics::Parameters;
-use geneva_dynamics::steady::{Engagement, SteadyError, SteadyState};
+use geneva_dynamics::steady::{Engagement, SteadyState};
+use geneva_dynamics::{Error, Parameters};
 use std::time::{Duration, Instant};
 
 /// A run lasts so many periods of the steady state: about ten engagements, as the first ones are slower.
@@ -27,7 +27,7 @@ pub struct Row {
 }
 
 impl Row {
-    fn new(escapement: Parameters) -> Result<Self, SteadyError> {
+    fn new(escapement: Parameters) -> Result<Self, Error> {
         let engagement = Engagement::with_tolerance(&escapement, REFERENCE)?;
         let steady = engagement.steady_state()?;
         let duration = PERIODS * steady.period;
@@ -39,7 +39,7 @@ impl Row {
 }
 
 /// All rows.
-pub fn rows(count: usize) -> Result<Vec<Row>, SteadyError> {
+pub fn rows(count: usize) -> Result<Vec<Row>, Error> {
     escapements().into_iter().take(count).map(Row::new).collect()
 }
 

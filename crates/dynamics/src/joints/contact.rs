@@ -13,7 +13,11 @@
 //!
 //! *Moment on the driver.* The point of contact, moving with the driver, has the velocity φ' R across the slot and
 //! R' + s ρ θ' along it. Over θ' these are the arms: N (q R + σ μ (s dR/dθ + ρ)) with q = φ'/θ', against the driver.
+//!
+//! *Journals.* Each member is balanced and lies in a level plane, and K is a couple. So what its bearing carries is the force
+//! of the contact, N across the slot and μ |N| along it: |N| √(1 + μ²) on either. Its torque is in proportion to that.
 
+use super::Joints;
 use crate::{Pose, Sign};
 use geneva_kinematics::Field;
 
@@ -59,6 +63,32 @@ impl<S: Field> Reach<S> {
         Arms {
             follower: self.radius.clone() - sliding.of(friction.clone() * pin.clone()),
             driver: self.ratio.clone() * self.radius.clone() + sliding.of(friction.clone() * side),
+        }
+    }
+}
+
+/// Arms of the journals' friction over |N|, in crank radii: torque against the rotation over normal force.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Journals {
+    pub driver: f64,
+    pub follower: f64,
+}
+
+impl Journals {
+    /// μ_b r_b √(1 + μ²) of either journal, for the friction μ between pin and slot.
+    pub fn new(joints: &Joints, friction: f64) -> Self {
+        let load = (1.0 + friction * friction).sqrt();
+        let arm = |radius: f64| joints.bearing_friction * radius * load;
+        Self { driver: arm(joints.driver_journal), follower: arm(joints.follower_journal) }
+    }
+}
+
+impl<S: Field> Arms<S> {
+    /// With journals whose torques have these arms over |N| = s N: both take from what the force gives.
+    pub fn with_journals(&self, driver: &S, follower: &S, flank: Sign) -> Self {
+        Self {
+            follower: self.follower.clone() - flank.of(follower.clone()),
+            driver: self.driver.clone() + flank.of(driver.clone()),
         }
     }
 }

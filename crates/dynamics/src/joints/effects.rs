@@ -2,8 +2,8 @@
 
 use super::Joints;
 use super::equation::Escapement;
-use super::error::JointError;
-use super::steady::SteadyState;
+use super::passage::Passage;
+use crate::Error;
 use crate::Parameters;
 
 /// A size of the joints that a series goes through.
@@ -65,7 +65,7 @@ pub struct Effect {
     /// Greatest less least speed, over the mean.
     pub swing: f64,
     /// The steady motion itself.
-    pub state: SteadyState,
+    pub state: Passage,
 }
 
 /// Relative tolerance of the steady states.
@@ -76,15 +76,13 @@ const TOLERANCE: f64 = 1e-9;
 /// # Errors
 ///
 /// As for [`Escapement::new`] and [`Escapement::steady_state`]; without friction in the slot the ideal escapement has
-/// no terminal speed to compare with ([`JointError::NoTerminalSpeed`]).
-pub fn effects(
-    parameters: &Parameters,
-    joints: impl IntoIterator<Item = (f64, Joints)>,
-) -> Result<Vec<Effect>, JointError> {
-    let steady = |joints| Ok(Escapement::new(parameters, joints)?.steady_state(TOLERANCE)?.state);
-    let ideal: SteadyState = steady(Joints::IDEAL)?;
+/// no terminal speed to compare with ([`Error::NoTerminalSpeed`]).
+pub fn effects(parameters: &Parameters, joints: impl IntoIterator<Item = (f64, Joints)>) -> Result<Vec<Effect>, Error> {
+    let steady =
+        |joints| -> Result<Passage, Error> { Ok(Escapement::new(parameters, joints)?.steady_state(TOLERANCE)?.state) };
+    let ideal = steady(Joints::IDEAL)?;
     let effect = |(value, joints)| {
-        let state: SteadyState = steady(joints)?;
+        let state = steady(joints)?;
         Ok(Effect {
             value,
             mean_speed: state.mean_speed / ideal.mean_speed,
@@ -107,6 +105,6 @@ pub fn series(
     joints: &Joints,
     varied: Varied,
     values: impl IntoIterator<Item = f64>,
-) -> Result<Vec<Effect>, JointError> {
+) -> Result<Vec<Effect>, Error> {
     effects(parameters, values.into_iter().map(|value| (value, varied.set(joints, value))))
 }

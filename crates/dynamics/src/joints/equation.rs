@@ -15,10 +15,10 @@
 //! which it would bear without any friction. Proven in [`equation_proofs`](super::equation_proofs).
 
 use super::Joints;
-use super::bearings::Journals;
-use super::contact::{Arms, Reach};
-use super::error::JointError;
-use crate::{Parameters, Sign};
+use super::contact::{Arms, Journals, Reach};
+use super::existence;
+use crate::error::not_negative;
+use crate::{Error, Parameters, Sign};
 use geneva_kinematics::Field;
 
 /// What the equation of motion asks of one crank angle but for the contact; inertias and torques over I_f.
@@ -96,30 +96,28 @@ impl Escapement {
     ///
     /// # Errors
     ///
-    /// [`JointError::Value`], [`JointError::PinTooThick`] and [`JointError::Preload`] for sizes out of range;
-    /// [`JointError::SelfLocking`] if friction can hold the follower against any force;
-    /// [`JointError::NotUnique`] if somewhere no acceleration, or more than one, obeys the equation.
-    pub fn new(parameters: &Parameters, joints: Joints) -> Result<Self, JointError> {
+    /// [`Error::Negative`], [`Error::PinTooThick`] and [`Error::Preload`] for sizes out of range;
+    /// [`Error::SelfLocking`] if friction can hold the follower against any force;
+    /// [`Error::Jams`] if somewhere no acceleration, or more than one, obeys the equation.
+    pub fn new(parameters: &Parameters, joints: Joints) -> Result<Self, Error> {
         let escapement = Self::assembled(parameters, joints)?;
         escapement.exists()?;
         Ok(escapement)
     }
 
     /// An escapement with sizes in range, which may lock or jam.
-    pub(super) fn assembled(parameters: &Parameters, joints: Joints) -> Result<Self, JointError> {
+    pub(super) fn assembled(parameters: &Parameters, joints: Joints) -> Result<Self, Error> {
         for (name, asked) in joints.named() {
-            if !(asked >= 0.0 && asked.is_finite()) {
-                return Err(JointError::Value { name, asked });
-            }
+            not_negative(name, asked)?;
         }
         if joints.pin_radius >= 1.0 {
-            return Err(JointError::PinTooThick { asked: joints.pin_radius });
+            return Err(Error::PinTooThick { asked: joints.pin_radius });
         }
         if joints.driver_preload >= parameters.torque() {
-            return Err(JointError::Preload { asked: joints.driver_preload, torque: parameters.torque() });
+            return Err(Error::Preload { asked: joints.driver_preload, torque: parameters.torque() });
         }
         let journals = Journals::new(&joints, parameters.friction());
-        let reversal = super::existence::reversal(parameters, joints.pin_radius);
+        let reversal = existence::reversal(parameters, joints.pin_radius);
         Ok(Self { parameters: *parameters, joints, journals, reversal })
     }
 
@@ -144,16 +142,16 @@ impl Escapement {
     ///
     /// # Errors
     ///
-    /// [`JointError::Angle`], [`JointError::Speed`].
-    pub fn motion(&self, angle: f64, speed: f64) -> Result<Motion, JointError> {
+    /// [`Error::OutsideTheSlot`], [`Error::Speed`].
+    pub fn motion(&self, angle: f64, speed: f64) -> Result<Motion, Error> {
         let limit = self.parameters.mechanism().engagement_half_angle();
         // Half a turn over the number of pins is known to its last place only.
         let within = angle.abs() <= limit * (1.0 + f64::EPSILON);
         if !within {
-            return Err(JointError::Angle { asked: angle, limit });
+            return Err(Error::OutsideTheSlot { asked: angle, limit });
         }
         if !(speed >= 0.0 && (speed * speed).is_finite()) {
-            return Err(JointError::Speed(speed));
+            return Err(Error::Speed { name: "driver speed", asked: speed });
         }
         let (place, square) = (self.place(angle), speed * speed);
         let flank = Sign::from_number(place.terms.flank_decider(&square));
@@ -185,5 +183,64 @@ impl Escapement {
     pub(super) fn arms(&self, reach: &Reach<f64>, flank: Sign, sliding: Sign) -> Arms<f64> {
         let contact = reach.arms(&self.joints.pin_radius, &self.parameters.friction(), flank, sliding);
         contact.with_journals(&self.journals.driver, &self.journals.follower, flank)
+    }
+}
+
+/// Power at one instant, torque times radians per unit of time. Work done, when the rates are summed over a time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Power {
+    /// K θ', from the spring.
+    pub input: f64,
+    /// μ |N| times the sliding speed of the pin's surface; not negative.
+    pub sliding: f64,
+    /// Into the driver's bearing; not negative.
+    pub driver_bearing: f64,
+    /// Into the follower's bearing; not negative.
+    pub follower_bearing: f64,
+}
+
+impl Power {
+    /// What friction takes in all three places.
+    pub fn losses(&self) -> f64 {
+        self.sliding + self.driver_bearing + self.follower_bearing
+    }
+
+    /// Growth of the kinetic energy of both members.
+    pub fn growth(&self) -> f64 {
+        self.input - self.losses()
+    }
+
+    /// All four times a factor.
+    pub(super) fn times(&self, factor: f64) -> Self {
+        Self {
+            input: self.input * factor,
+            sliding: self.sliding * factor,
+            driver_bearing: self.driver_bearing * factor,
+            follower_bearing: self.follower_bearing * factor,
+        }
+    }
+}
+
+impl Escapement {
+    /// Where the power goes at a crank angle (radians, within the engagement) and a speed of the driver (≥ 0).
+    ///
+    /// # Errors
+    ///
+    /// As for [`Escapement::motion`].
+    pub fn power(&self, angle: f64, speed: f64) -> Result<Power, Error> {
+        let motion = self.motion(angle, speed)?;
+        Ok(self.work_rate(self.place(angle).reach.ratio, &motion).times(speed))
+    }
+
+    /// The power over θ', that is the work per radian of the driver.
+    pub(super) fn work_rate(&self, ratio: f64, motion: &Motion) -> Power {
+        let load = motion.normal_moment.abs();
+        let joints = self.joints();
+        Power {
+            input: self.parameters().torque(),
+            sliding: self.parameters().friction() * load * motion.sliding.abs(),
+            driver_bearing: self.journals.driver * load + joints.driver_preload,
+            follower_bearing: (self.journals.follower * load + joints.follower_preload) * ratio,
+        }
     }
 }

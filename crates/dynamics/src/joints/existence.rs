@@ -11,8 +11,8 @@
 
 use super::contact::Reach;
 use super::equation::Escapement;
-use super::error::JointError;
-use crate::{Parameters, Sign};
+use crate::existence::bisect;
+use crate::{Error, Parameters, Sign};
 use geneva_kinematics::Mechanism;
 
 /// The least factor of θ'' over I_f in an engagement, over both flanks; positive in a sound escapement.
@@ -43,35 +43,25 @@ const GRID: u32 = 2048;
 /// from entry to the line of centres: the first term by h + 1, the second by −ρ g h/R³ with g = a sin θ < 0. At entry
 /// it is −R + ρ R < 0 if ρ < 1, on the line of centres it is not negative.
 pub(super) fn reversal(parameters: &Parameters, pin: f64) -> f64 {
-    let (mut low, mut high) = (0.0, parameters.mechanism().engagement_half_angle());
     if pin == 0.0 {
         return 0.0;
     }
-    loop {
-        let middle = low + (high - low) / 2.0;
-        if middle <= low || middle >= high {
-            return high;
-        }
-        if Reach::of_pose(&parameters.pose(middle)).sliding(&pin, Sign::Minus) < 0.0 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
+    let inward = |angle| Reach::of_pose(&parameters.pose(angle)).sliding(&pin, Sign::Minus) < 0.0;
+    bisect(0.0, parameters.mechanism().engagement_half_angle(), inward)
 }
 
 impl Escapement {
     /// An error unless the equation of motion has one solution in every pose and at every speed.
-    pub(super) fn exists(&self) -> Result<(), JointError> {
+    pub(super) fn exists(&self) -> Result<(), Error> {
         let lever = self.parameters().mechanism().centre_distance_ratio() - 1.0;
         let taken = self.parameters().friction() * self.joints().pin_radius + self.journals.follower;
         // Written so that what is not a number is refused.
         let turns = taken < lever;
         if !turns {
-            return Err(JointError::SelfLocking { taken, lever });
+            return Err(Error::SelfLocking { taken, lever });
         }
         let LeastMargin { margin, angle, .. } = self.least_margin();
-        if margin > 0.0 { Ok(()) } else { Err(JointError::NotUnique { margin, angle }) }
+        if margin > 0.0 { Ok(()) } else { Err(Error::Jams { margin, angle }) }
     }
 
     /// The least factor of θ'' in the engagement: how far the escapement is from jamming.

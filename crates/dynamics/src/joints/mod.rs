@@ -46,22 +46,19 @@
 //!
 //! # In order
 //!
-//! Lengths are in crank radii, so that a normal force becomes a moment N r. The contact and its moments (`contact`),
-//! the journals (`bearings`), the equation of motion with the flank decided beforehand (`equation`, proven in
+//! Lengths are in crank radii, so that a normal force becomes a moment N r. The contact and its moments (`contact`)
+//! with those of the journals, the equation of motion with the flank decided beforehand and where the power goes (`equation`, proven in
 //! [`equation_proofs`]; [`contact_proofs`] has the moments and the sliding from vectors), where it has one solution
-//! (`existence`), the power (`power`), the motion over one engagement by Runge-Kutta steps of the angle
-//! ([`Passage`]), the [`SteadyState`], and what each size does to it ([`series`]).
+//! (`existence`), the motion over one engagement by Runge-Kutta steps of the angle
+//! ([`Passage`]), the one that repeats itself ([`Settled`]), and what each size does to it ([`series`]).
 
-mod bearings;
 mod contact;
 pub mod contact_proofs;
 mod effects;
 mod equation;
 pub mod equation_proofs;
-mod error;
 mod existence;
 mod passage;
-mod power;
 mod steady;
 
 #[cfg(test)]
@@ -69,12 +66,10 @@ mod tests;
 
 pub use contact::{Arms, Reach};
 pub use effects::{Effect, Varied, effects, series};
-pub use equation::{Escapement, Motion, Terms};
-pub use error::JointError;
+pub use equation::{Escapement, Motion, Power, Terms};
 pub use existence::{LeastMargin, largest_pin_radius};
 pub use passage::{Passage, STEPS};
-pub use power::Power;
-pub use steady::{Settled, SteadyState};
+pub use steady::Settled;
 
 /// Sizes and frictions of the joints. Lengths in crank radii; frictions without a unit; torques in the unit of K.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,9 +6,8 @@
 //! itself. With u go the logarithm of how much a small difference of two motions shrinks, the time, and the work of
 //! friction. Two changes of the flank within one step would be missed.
 
-use super::equation::{Escapement, Motion};
-use super::error::JointError;
-use super::power::Power;
+use super::equation::{Escapement, Motion, Power};
+use crate::Error;
 use crate::Sign;
 use crate::steady::Extreme;
 use geneva_mimic::runge_kutta_step;
@@ -35,6 +34,8 @@ pub struct Passage {
     pub contraction: f64,
     /// Units of time from entry to exit.
     pub duration: f64,
+    /// 2π/m over the duration.
+    pub mean_speed: f64,
     /// Greatest speed.
     pub peak: Extreme,
     /// Least speed.
@@ -45,8 +46,8 @@ pub struct Passage {
     pub work: Power,
 }
 
-/// A stretch of the engagement within which the sliding has one sense on either flank.
-struct Stretch {
+/// A part of the engagement within which the sliding has one sense on either flank.
+struct Part {
     start: f64,
     end: f64,
     leading: Sign,
@@ -65,33 +66,38 @@ impl Escapement {
     ///
     /// # Errors
     ///
-    /// [`JointError::Steps`], [`JointError::Speed`], and [`JointError::Stalls`] if the driver comes to rest. A start
+    /// [`Error::OutOfRange`], [`Error::Speed`], and [`Error::Stalls`] if the driver comes to rest. A start
     /// from rest is refused too: over the angle, the time of the first step has no bound there.
-    pub fn passage(&self, entry_speed: f64, steps: u32) -> Result<Passage, JointError> {
+    pub fn passage(&self, entry_speed: f64, steps: u32) -> Result<Passage, Error> {
         let square = entry_speed * entry_speed;
         if !(entry_speed >= 0.0 && square.is_finite()) {
-            return Err(JointError::Speed(entry_speed));
+            return Err(Error::Speed { name: "driver speed", asked: entry_speed });
         }
         self.passage_of_square(square, steps)
     }
 
     /// The same from the square of the speed.
-    pub(super) fn passage_of_square(&self, square: f64, steps: u32) -> Result<Passage, JointError> {
+    pub(super) fn passage_of_square(&self, square: f64, steps: u32) -> Result<Passage, Error> {
         if !STEPS.contains(&steps) {
-            return Err(JointError::Steps(steps));
+            return Err(Error::OutOfRange {
+                name: "steps",
+                asked: steps.into(),
+                least: (*STEPS.start()).into(),
+                most: (*STEPS.end()).into(),
+            });
         }
         let half = self.parameters().mechanism().engagement_half_angle();
         let mut state = State::zeros();
         state[0] = square;
         let mut track = Track::new(square, -half);
         let mut flank = self.flank(-half, square);
-        for stretch in self.stretches() {
-            let width = stretch.end - stretch.start;
+        for part in self.parts() {
+            let width = part.end - part.start;
             let count = (width / (2.0 * half) * f64::from(steps)).ceil().max(4.0);
-            let (mut from, mut number) = (stretch.start, 1.0);
+            let (mut from, mut number) = (part.start, 1.0);
             while number <= count {
-                let to = if number == count { stretch.end } else { stretch.start + width * (number / count) };
-                (state, flank) = self.advance(&stretch, (from, to), state, flank, &mut track)?;
+                let to = if number == count { part.end } else { part.start + width * (number / count) };
+                (state, flank) = self.advance(&part, (from, to), state, flank, &mut track)?;
                 from = to;
                 number += 1.0;
             }
@@ -102,6 +108,7 @@ impl Escapement {
             exit_speed: state[0].sqrt(),
             contraction: libm::exp(state[1]),
             duration: state[2],
+            mean_speed: 2.0 * half / state[2],
             peak: track.peak.extreme(),
             minimum: track.minimum.extreme(),
             changes: track.changes,
@@ -114,29 +121,29 @@ impl Escapement {
         Sign::from_number(self.place(angle).terms.flank_decider(&square))
     }
 
-    /// The stretches between entry, the two angles at which the sliding can turn, and exit.
-    fn stretches(&self) -> impl Iterator<Item = Stretch> {
+    /// The parts between entry, the two angles at which the sliding can turn, and exit.
+    fn parts(&self) -> impl Iterator<Item = Part> {
         let (half, turn) = (self.parameters().mechanism().engagement_half_angle(), self.reversal_angle());
-        let stretch = |start, end, leading, trailing| Stretch { start, end, leading, trailing };
+        let part = |start, end, leading, trailing| Part { start, end, leading, trailing };
         let all = [
-            stretch(-half, -turn, Sign::Minus, Sign::Minus),
-            stretch(-turn, turn, Sign::Plus, Sign::Minus),
-            stretch(turn, half, Sign::Plus, Sign::Plus),
+            part(-half, -turn, Sign::Minus, Sign::Minus),
+            part(-turn, turn, Sign::Plus, Sign::Minus),
+            part(turn, half, Sign::Plus, Sign::Plus),
         ];
-        all.into_iter().filter(|stretch| stretch.end > stretch.start)
+        all.into_iter().filter(|part| part.end > part.start)
     }
 
     /// The state and the flank after a step, cut where the flank changes.
     fn advance(
         &self,
-        stretch: &Stretch,
+        part: &Part,
         (mut from, to): (f64, f64),
         mut state: State,
         mut flank: Sign,
         track: &mut Track,
-    ) -> Result<(State, Sign), JointError> {
+    ) -> Result<(State, Sign), Error> {
         for _ in 0..MOST_CHANGES {
-            let end = self.step(stretch, flank, from, to, &state)?;
+            let end = self.step(part, flank, from, to, &state)?;
             if self.flank(to, end[0]) == flank {
                 break;
             }
@@ -146,15 +153,15 @@ impl Escapement {
                 if middle <= low || middle >= high {
                     break;
                 }
-                let there = self.step(stretch, flank, from, middle, &state)?;
+                let there = self.step(part, flank, from, middle, &state)?;
                 if self.flank(middle, there[0]) == flank {
                     low = middle;
                 } else {
                     high = middle;
                 }
             }
-            let there = self.step(stretch, flank, from, high, &state)?;
-            self.record(stretch, flank, (from, state), (high, there), track)?;
+            let there = self.step(part, flank, from, high, &state)?;
+            self.record(part, flank, (from, state), (high, there), track)?;
             track.changes.push(high);
             flank = if flank == Sign::Plus { Sign::Minus } else { Sign::Plus };
             (from, state) = (high, there);
@@ -162,29 +169,29 @@ impl Escapement {
                 return Ok((state, flank));
             }
         }
-        let end = self.step(stretch, flank, from, to, &state)?;
-        self.record(stretch, flank, (from, state), (to, end), track)?;
+        let end = self.step(part, flank, from, to, &state)?;
+        self.record(part, flank, (from, state), (to, end), track)?;
         Ok((end, flank))
     }
 
     /// One step on one flank.
-    fn step(&self, stretch: &Stretch, flank: Sign, from: f64, to: f64, state: &State) -> Result<State, JointError> {
-        let first = self.rate(stretch, flank, from, state)?;
-        let rate = |angle: f64, state: &State| self.rate(stretch, flank, angle, state);
+    fn step(&self, part: &Part, flank: Sign, from: f64, to: f64, state: &State) -> Result<State, Error> {
+        let first = self.rate(part, flank, from, state)?;
+        let rate = |angle: f64, state: &State| self.rate(part, flank, angle, state);
         let end = runge_kutta_step(rate, from, to, state, &first)?;
         let runs = end[0] > 0.0 && end[0].is_finite();
-        if runs { Ok(end) } else { Err(JointError::Stalls { angle: to }) }
+        if runs { Ok(end) } else { Err(Error::Stalls { angle: to }) }
     }
 
     /// The state's slope over the angle on one flank.
-    fn rate(&self, stretch: &Stretch, flank: Sign, angle: f64, state: &State) -> Result<State, JointError> {
+    fn rate(&self, part: &Part, flank: Sign, angle: f64, state: &State) -> Result<State, Error> {
         let square = state[0];
         let runs = square > 0.0 && square.is_finite();
         if !runs {
-            return Err(JointError::Stalls { angle });
+            return Err(Error::Stalls { angle });
         }
         let place = self.place(angle);
-        let sense = if flank == Sign::Plus { stretch.leading } else { stretch.trailing };
+        let sense = if flank == Sign::Plus { part.leading } else { part.trailing };
         let arms = self.arms(&place.reach, flank, sense);
         let leverage = arms.driver / arms.follower;
         let gain = place.terms.gain(&square, &leverage);
@@ -205,15 +212,15 @@ impl Escapement {
     /// Takes a step into account that is on one flank.
     fn record(
         &self,
-        stretch: &Stretch,
+        part: &Part,
         flank: Sign,
         (from, state): (f64, State),
         (to, end): (f64, State),
         track: &mut Track,
-    ) -> Result<(), JointError> {
-        let slope = self.rate(stretch, flank, from, &state)?;
+    ) -> Result<(), Error> {
+        let slope = self.rate(part, flank, from, &state)?;
         let before = Node { angle: from, state, slope };
-        let slope = self.rate(stretch, flank, to, &end)?;
+        let slope = self.rate(part, flank, to, &end)?;
         track.take(&before, &Node { angle: to, state: end, slope });
         Ok(())
     }

@@ -4,37 +4,14 @@
 //! is the slope of that function. So Newton's method finds the u that is handed on unchanged.
 
 use super::equation::Escapement;
-use super::error::JointError;
 use super::passage::{Passage, STEPS};
-use super::power::Power;
-use crate::steady::Extreme;
-
-/// The motion that repeats itself. Speeds are the driver's, in radians per unit of time.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SteadyState {
-    /// Speed at entry and at exit.
-    pub entry_speed: f64,
-    /// Greatest speed in the cycle.
-    pub peak: Extreme,
-    /// Least speed in the cycle.
-    pub minimum: Extreme,
-    /// Units of time from one engagement to the next.
-    pub period: f64,
-    /// 2π/m over the period.
-    pub mean_speed: f64,
-    /// Factor by which one engagement reduces a small difference of two speeds; between 0 and 1.
-    pub contraction: f64,
-    /// Crank angles at which the pin changes its flank within an engagement, in order.
-    pub changes: Vec<f64>,
-    /// Work over one engagement: of the spring, and of friction in the three places, which together take it all.
-    pub work: Power,
-}
+use crate::Error;
 
 /// A steady state with what halving the steps told of its error.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settled {
     /// With the finer steps.
-    pub state: SteadyState,
+    pub state: Passage,
     /// Steps that an engagement was divided into at last.
     pub steps: u32,
     /// Greatest relative change of entry speed, peak, minimum, period and contraction when the steps were last halved.
@@ -47,47 +24,47 @@ const MOST_TRIALS: u32 = 200;
 const FIRST_STEPS: u32 = 256;
 
 impl Escapement {
-    /// The steady state in about so many steps an engagement ([`STEPS`]). Its error falls as their fourth power.
+    /// The passage that repeats itself, the steady state, in about so many steps an engagement ([`STEPS`]). Its error falls as their fourth power.
     ///
     /// # Errors
     ///
-    /// [`JointError::Steps`]; [`JointError::NoTerminalSpeed`] if only constant torques brake, or nothing does;
-    /// [`JointError::Stalls`] if the driver slows down until it stops on the way; [`JointError::NotRepeated`] if no
+    /// [`Error::OutOfRange`]; [`Error::NoTerminalSpeed`] if only constant torques brake, or nothing does;
+    /// [`Error::Stalls`] if the driver slows down until it stops on the way; [`Error::NotRepeated`] if no
     /// speed was found that repeats itself.
-    pub fn steady_state_in(&self, steps: u32) -> Result<SteadyState, JointError> {
+    pub fn steady_state_in(&self, steps: u32) -> Result<Passage, Error> {
         let mut passage = self.running(steps)?;
         for _ in 0..MOST_TRIALS {
             let (entry, exit) = (passage.entry_speed, passage.exit_speed);
             let rest = 1.0 - passage.contraction;
             // Within rounding: the contraction is a sum over all steps.
             if rest <= 1e-12 {
-                return Err(JointError::NoTerminalSpeed { contraction: passage.contraction });
+                return Err(Error::NoTerminalSpeed { contraction: passage.contraction });
             }
             let excess = (exit - entry) * (exit + entry);
             if excess.abs() <= 4.0 * f64::EPSILON * entry * entry {
-                return Ok(self.state(passage));
+                return Ok(passage);
             }
             let next = self.nearer(entry * entry + excess / rest, exit, steps)?;
             let left = (next.exit_speed - next.entry_speed).abs();
             // Rounding keeps a passage of many steps from repeating itself to the last place.
             if left >= (exit - entry).abs() && left <= 1e-12 * next.entry_speed {
-                return Ok(self.state(passage));
+                return Ok(passage);
             }
             passage = next;
         }
-        Err(JointError::NotRepeated { entry: passage.entry_speed, exit: passage.exit_speed })
+        Err(Error::NotRepeated { entry: passage.entry_speed, exit: passage.exit_speed })
     }
 
     /// The passage from a square of the speed, or if that stalls, the one that follows on the last.
     ///
     /// u at exit grows with u at entry, so that passages which follow on one another go the right way, if slowly.
-    fn nearer(&self, square: f64, exit: f64, steps: u32) -> Result<Passage, JointError> {
+    fn nearer(&self, square: f64, exit: f64, steps: u32) -> Result<Passage, Error> {
         let follow = || self.passage_of_square(exit * exit, steps);
         if !(square > 0.0 && square.is_finite()) {
             return follow();
         }
         match self.passage_of_square(square, steps) {
-            Err(JointError::Stalls { .. }) => follow(),
+            Err(Error::Stalls { .. }) => follow(),
             other => other,
         }
     }
@@ -96,8 +73,8 @@ impl Escapement {
     ///
     /// # Errors
     ///
-    /// As for [`Escapement::steady_state_in`], and [`JointError::NotSettled`] if the most steps do not reach it.
-    pub fn steady_state(&self, tolerance: f64) -> Result<Settled, JointError> {
+    /// As for [`Escapement::steady_state_in`], and [`Error::NotSettled`] if the most steps do not reach it.
+    pub fn steady_state(&self, tolerance: f64) -> Result<Settled, Error> {
         let mut steps = FIRST_STEPS;
         let mut coarse = self.steady_state_in(steps)?;
         loop {
@@ -108,45 +85,30 @@ impl Escapement {
                 return Ok(Settled { state: fine, steps, change });
             }
             if steps >= *STEPS.end() {
-                return Err(JointError::NotSettled { tolerance, reached: change });
+                return Err(Error::NotSettled { tolerance, reached: change });
             }
             coarse = fine;
         }
     }
 
     /// A passage that does not stall, entered as fast as need be.
-    fn running(&self, steps: u32) -> Result<Passage, JointError> {
+    fn running(&self, steps: u32) -> Result<Passage, Error> {
         let mut square = self.parameters().drive();
         let mut tried = self.passage_of_square(square, steps);
         for _ in 0..20 {
             match tried {
-                Err(JointError::Stalls { .. }) => square *= 4.0,
+                Err(Error::Stalls { .. }) => square *= 4.0,
                 other => return other,
             }
             tried = self.passage_of_square(square, steps);
         }
         tried
     }
-
-    fn state(&self, passage: Passage) -> SteadyState {
-        let turn = 2.0 * self.parameters().mechanism().engagement_half_angle();
-        SteadyState {
-            entry_speed: passage.entry_speed,
-            peak: passage.peak,
-            minimum: passage.minimum,
-            period: passage.duration,
-            mean_speed: turn / passage.duration,
-            contraction: passage.contraction,
-            changes: passage.changes,
-            work: passage.work,
-        }
-    }
 }
 
 /// The greatest relative change of what a steady state is made of.
-fn change(old: &SteadyState, new: &SteadyState) -> f64 {
-    let of = |state: &SteadyState| {
-        [state.entry_speed, state.peak.speed, state.minimum.speed, state.period, state.contraction]
-    };
+fn change(old: &Passage, new: &Passage) -> f64 {
+    let of =
+        |state: &Passage| [state.entry_speed, state.peak.speed, state.minimum.speed, state.duration, state.contraction];
     of(old).into_iter().zip(of(new)).map(|(old, new)| ((new - old) / new).abs()).fold(0.0, f64::max)
 }

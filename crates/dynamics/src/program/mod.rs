@@ -6,19 +6,23 @@
 //! exact sign. For the motion itself there is a faster and sharper way, [`steady`](crate::steady).
 //! Work::Meyer1973, Appendix B.
 
-mod contact;
-mod printout;
-
-pub use contact::Contact;
-pub use printout::{Line, Printout};
-
-use crate::{Coefficients, EquationError, Inertias, ParameterError, Parameters, Pose, Sign};
-use contact::Memory;
-use geneva_kinematics::Mechanism;
-use geneva_kinematics::Turn;
-use geneva_mimic::{DelayError, IntegrationError, System, integrate};
+use crate::error::positive;
+use crate::{Coefficients, Error, Inertias, Parameters, Pose, Sign};
+use geneva_kinematics::{Mechanism, Turn};
+use geneva_mimic::{DelayError, DelayLine, Extrapolation, IntegrationError, Interpolation, System, Work, integrate};
 use nalgebra::Vector2;
 use std::fmt;
+
+/// How the program chooses between the two signs of C θ'² + D θ''.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Contact {
+    /// The one sign that agrees with itself.
+    Exact,
+    /// By the acceleration of so long ago, in units of time.
+    ///
+    /// Before the integrator's steps are as short, it is the acceleration at the step before that counts.
+    Delayed(f64),
+}
 
 /// One run's data cards, and what the program makes of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,38 +45,10 @@ pub struct Program {
     pub contact: Contact,
 }
 
-/// Why a run does not end well.
-#[derive(Clone, Debug, PartialEq)]
-pub enum ProgramError {
-    /// The fold is not positive and finite.
-    Fold(f64),
-    /// The start or the ratio of the lengths is not finite.
-    NotFinite(f64),
-    /// A mechanism that cannot be.
-    Parameter(ParameterError),
-    /// The integrator stopped, in its own words.
-    Stopped(String),
-}
-
-impl fmt::Display for ProgramError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Fold(asked) => {
-                write!(f, "fold {asked} rad: it must be positive and finite; give an angle above zero")
-            }
-            Self::NotFinite(asked) => write!(f, "{asked}: a start and a ratio must be finite; give a number"),
-            Self::Parameter(error) => write!(f, "{error}"),
-            Self::Stopped(words) => f.write_str(words),
-        }
-    }
-}
-
-impl std::error::Error for ProgramError {}
-
 /// What can go wrong at an instant of a run.
 #[derive(Clone, Debug, PartialEq)]
 enum Fault {
-    NoSolution { angle: f64, error: EquationError },
+    NoSolution { angle: f64, error: Error },
     Delay(DelayError),
 }
 
@@ -110,18 +86,16 @@ impl Program {
     ///
     /// A fold that is not positive, or whatever stops the integrator: a bad parameter of its own, a step that becomes
     /// too small, an angle at which the equation has no single solution.
-    pub fn run(&self, integrator: &geneva_mimic::Parameters) -> Result<Printout, ProgramError> {
-        if !(self.fold > 0.0 && self.fold.is_finite()) {
-            return Err(ProgramError::Fold(self.fold));
-        }
-        for asked in [self.start, self.ratio] {
+    pub fn run(&self, integrator: &geneva_mimic::Parameters) -> Result<Printout, Error> {
+        positive("fold", self.fold)?;
+        for (name, asked) in [("start of an engagement", self.start), ("centre distance ratio", self.ratio)] {
             if !asked.is_finite() {
-                return Err(ProgramError::NotFinite(asked));
+                return Err(Error::NotFinite { name, asked });
             }
         }
         // Checks the ranges of torque and friction; the friction's limit is that of the mechanism as it is.
-        Parameters::new(self.mechanism, self.inertias, self.torque, self.friction).map_err(ProgramError::Parameter)?;
-        let memory = Memory::new(&self.contact).map_err(|error| ProgramError::Stopped(error.to_string()))?;
+        Parameters::new(self.mechanism, self.inertias, self.torque, self.friction)?;
+        let memory = Memory::new(&self.contact).map_err(|error| Error::Stopped(error.to_string()))?;
         let mut motion = Motion { program: *self, memory, acceleration: 0.0 };
         let mut lines = Vec::new();
         let outcome = integrate(&mut motion, Vector2::zeros(), integrator, |point| {
@@ -137,7 +111,7 @@ impl Program {
         });
         match outcome {
             Ok(outcome) => Ok(Printout { lines, work: outcome.work }),
-            Err(error) => Err(ProgramError::Stopped(words(&error))),
+            Err(error) => Err(Error::Stopped(words(&error))),
         }
     }
 
@@ -145,6 +119,63 @@ impl Program {
     fn pose(&self, turned: f64) -> (f64, Pose<f64>) {
         let angle = libm::fmod(turned, self.fold) + self.start;
         (angle, Pose::new(&self.ratio, &Turn::from_radians(angle)))
+    }
+}
+
+/// One printed line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Line {
+    /// Time from the start.
+    pub time: f64,
+    /// Angle in radians through which the driver has turned, unfolded.
+    pub turned: f64,
+    /// The folded crank angle, in radians from the line of centres.
+    pub angle: f64,
+    /// Driver's speed.
+    pub speed: f64,
+    /// Driver's acceleration.
+    pub acceleration: f64,
+    /// Follower's speed, by the velocity ratio at the folded angle.
+    pub follower_speed: f64,
+}
+
+/// All lines of a run, and the work that it took.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Printout {
+    /// The lines, the start included.
+    pub lines: Vec<Line>,
+    /// Steps and evaluations.
+    pub work: Work,
+}
+
+impl Printout {
+    /// The largest printed speed of the driver.
+    pub fn largest(&self) -> f64 {
+        self.lines.iter().map(|line| line.speed).fold(f64::NEG_INFINITY, f64::max)
+    }
+}
+
+/// Kept points that a delay line holds. The integrator's steps are a few to a print interval, but crowd where a late sign
+/// makes the acceleration jump to and fro.
+const KEPT: usize = 16_384;
+
+/// What a run remembers for its choice.
+enum Memory {
+    /// Nothing: the sign is exact.
+    None,
+    /// The accelerations.
+    Line(Box<DelayLine<KEPT>>),
+}
+
+impl Memory {
+    /// An empty memory for a way to choose.
+    fn new(contact: &Contact) -> Result<Self, DelayError> {
+        Ok(match contact {
+            Contact::Exact => Self::None,
+            Contact::Delayed(delay) => {
+                Self::Line(Box::new(DelayLine::new(*delay, 0.0, Interpolation::Linear, Extrapolation::Hold)?))
+            }
+        })
     }
 }
 
@@ -169,7 +200,7 @@ impl System<2> for Motion {
         let coefficients = Coefficients::of_pose(&pose, &self.program.inertias.ratio(), &self.program.friction, &drive);
         let (a, d) = (coefficients.a, coefficients.d.abs());
         if a.partial_cmp(&d) != Some(std::cmp::Ordering::Greater) {
-            return Err(Fault::NoSolution { angle, error: EquationError::NotUnique { a, d } });
+            return Err(Fault::NoSolution { angle, error: Error::NotUnique { a, d } });
         }
         let speed = state[1];
         let sign = match &self.memory {

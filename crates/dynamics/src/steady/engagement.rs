@@ -1,11 +1,9 @@
 //! One engagement: the solution of the equation of motion between two hand-overs, for all entry speeds at once.
 
-use super::arc::{Circle, Place};
-use super::error::SteadyError;
-use super::halves::{Net, halves, middle};
-use super::rule::{POINTS, Rule, rule};
-use super::stretch::{Branch, Points, Spread};
-use crate::Parameters;
+use super::circle::{Circle, Place};
+use super::quadrature::{GaussLegendre, NODES, rule};
+use super::subinterval::{NodeMapping, Nodes, NodesOf, Solution, bisected, middle};
+use crate::{Error, Parameters};
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 use std::sync::{LazyLock, OnceLock};
@@ -13,7 +11,7 @@ use std::sync::{LazyLock, OnceLock};
 /// The tolerances that an [`Engagement`] can be asked for.
 pub const TOLERANCES: RangeInclusive<f64> = 1e-13..=1e-6;
 
-/// Most stretches, of sixteen points each, into which half an engagement is divided.
+/// Most subintervals, of sixteen nodes each, into which half an engagement is divided.
 pub const MOST_STRETCHES: usize = 4096;
 
 /// The motion over one engagement of an escapement, worked out but for the speed at entry.
@@ -29,7 +27,7 @@ pub struct Engagement {
     tolerance: f64,
     /// A change of the energy by more than this factor is divided: the time goes as the inverse of its root.
     pub(super) energy_range: f64,
-    pub(super) rule: &'static Rule,
+    pub(super) rule: &'static GaussLegendre,
     pub(super) circle: Circle,
     /// I_D/I_f.
     pub(super) inertia: f64,
@@ -38,7 +36,7 @@ pub struct Engagement {
     /// √E: θ' over √u.
     pub(super) unit: f64,
     /// By rising w, from the line of centres to the exit or to the end, whichever is farther.
-    pub(super) panels: Vec<Panel>,
+    pub(super) subintervals: Vec<Subinterval>,
     /// How many of them lie within the mechanism's engagement.
     pub(super) to_exit: usize,
     /// How many of them lie nearer to the line of centres than the end.
@@ -47,31 +45,31 @@ pub struct Engagement {
     pub(super) ends_before_centres: bool,
 }
 
-/// One stretch, with both signs.
+/// One subinterval, with both signs of the friction.
 #[derive(Clone, Debug)]
-pub(super) struct Panel {
-    pub points: Net<'static>,
+pub(super) struct Subinterval {
+    pub nodes: NodesOf<'static>,
     /// Friction with the plus sign past the line of centres; mirrored, with the minus sign before it.
-    pub plus: Branch,
-    /// e^Λ and J of the plus sign from the line of centres to the stretch's lower end.
+    pub plus: Solution,
+    /// e^Λ and J of the plus sign from the line of centres to the subinterval's lower end.
     pub before: (f64, f64),
-    /// Made when it is asked for: the motion has this sign from the switch on only.
-    held: OnceLock<Held>,
+    /// Made when it is asked for: the motion has this sign from the contact reversal on only.
+    trailing: OnceLock<Trailing>,
 }
 
-/// Friction with the minus sign past the line of centres.
+/// The trailing flank: friction with the minus sign past the line of centres.
 #[derive(Clone, Debug)]
-pub(super) struct Held {
-    pub minus: Branch,
-    /// ln of plus's growth less ln of minus's, without cancellation.
+pub(super) struct Trailing {
+    pub minus: Solution,
+    /// Λ of the plus sign less Λ of the minus sign at the upper end, without cancellation.
     pub gap: f64,
 }
 
-impl Panel {
-    /// e^Λ and J of the plus sign from the line of centres to the stretch's upper end.
+impl Subinterval {
+    /// e^Λ and J of the plus sign from the line of centres to the subinterval's upper end.
     pub fn after(&self) -> (f64, f64) {
         let (product, sum) = self.before;
-        (product * self.plus.growth_end, sum + self.plus.drive_end / product)
+        (product * self.plus.factor_end, sum + self.plus.integral_end / product)
     }
 }
 
@@ -80,8 +78,8 @@ impl Engagement {
     ///
     /// # Errors
     ///
-    /// [`SteadyError::TooSharp`] if the friction is within rounding of the critical one, or the inertias differ too much.
-    pub fn new(parameters: &Parameters) -> Result<Self, SteadyError> {
+    /// [`Error::TooSharp`] if the friction is within rounding of the critical one, or the inertias differ too much.
+    pub fn new(parameters: &Parameters) -> Result<Self, Error> {
         Self::with_tolerance(parameters, 1e-12)
     }
 
@@ -89,8 +87,8 @@ impl Engagement {
     ///
     /// # Errors
     ///
-    /// As for [`Engagement::new`], and [`SteadyError::Tolerance`].
-    pub fn with_tolerance(parameters: &Parameters, tolerance: f64) -> Result<Self, SteadyError> {
+    /// As for [`Engagement::new`], and [`Error::OutOfRange`].
+    pub fn with_tolerance(parameters: &Parameters, tolerance: f64) -> Result<Self, Error> {
         let exit = Circle::of(parameters.mechanism()).exit;
         Self::to(parameters, 2.0 * parameters.mechanism().engagement_half_angle(), exit, tolerance)
     }
@@ -103,38 +101,37 @@ impl Engagement {
     ///
     /// # Errors
     ///
-    /// As for [`Engagement::with_tolerance`], and [`SteadyError::Fold`].
+    /// As for [`Engagement::with_tolerance`], and [`Error::Fold`].
     ///
     /// Beyond the exit the equation has one solution if it has within: with |ρ| = x there, k² = c² a² − (c + x)², and
     /// at the place within where ρ = x it is c² a² − (c − x)², which is more; so |D| − ρ² = x (μ k − x) is less.
-    pub fn folded(parameters: &Parameters, fold: f64, tolerance: f64) -> Result<Self, SteadyError> {
+    pub fn folded(parameters: &Parameters, fold: f64, tolerance: f64) -> Result<Self, Error> {
         let half = parameters.mechanism().engagement_half_angle();
         if fold == 2.0 * half {
             return Self::with_tolerance(parameters, tolerance);
         }
         let (limit, end) = (PI + half, fold - half);
         if !(fold > 0.0 && end < PI) {
-            return Err(SteadyError::Fold { asked: fold, limit });
+            return Err(Error::Fold { asked: fold, limit });
         }
         let circle = Circle::of(parameters.mechanism());
         Self::to(parameters, fold, circle.at_angle(end.abs()).copysign(end), tolerance)
     }
 
     /// `end` is w at the end, negative before the line of centres.
-    fn to(parameters: &Parameters, fold: f64, end: f64, tolerance: f64) -> Result<Self, SteadyError> {
+    fn to(parameters: &Parameters, fold: f64, end: f64, tolerance: f64) -> Result<Self, Error> {
         if !TOLERANCES.contains(&tolerance) {
-            return Err(SteadyError::Tolerance(tolerance));
+            return Err(Error::OutOfRange {
+                name: "tolerance",
+                asked: tolerance,
+                least: *TOLERANCES.start(),
+                most: *TOLERANCES.end(),
+            });
         }
         Self::divided(parameters, fold, end, tolerance, &Scales::of_integrals(tolerance))
     }
 
-    fn divided(
-        parameters: &Parameters,
-        fold: f64,
-        end: f64,
-        tolerance: f64,
-        scales: &Scales,
-    ) -> Result<Self, SteadyError> {
+    fn divided(parameters: &Parameters, fold: f64, end: f64, tolerance: f64, scales: &Scales) -> Result<Self, Error> {
         let mut engagement = Self {
             parameters: *parameters,
             fold,
@@ -145,7 +142,7 @@ impl Engagement {
             inertia: parameters.inertias().ratio(),
             friction: parameters.friction(),
             unit: parameters.drive().sqrt(),
-            panels: Vec::with_capacity(8),
+            subintervals: Vec::with_capacity(8),
             to_exit: 0,
             to_end: 0,
             ends_before_centres: end <= 0.0,
@@ -154,44 +151,45 @@ impl Engagement {
         let (exit, reach) = (engagement.circle.exit, end.abs());
         // At the exit A falls to i within √i: places, which are known to some units of 2⁻⁵³, must be finer than that.
         if engagement.inertia.sqrt() * tolerance < 4.0 * f64::EPSILON {
-            return Err(SteadyError::TooSharp { angle: engagement.circle.angle(exit), margin: engagement.inertia });
+            return Err(Error::TooSharp { angle: engagement.circle.angle(exit), margin: engagement.inertia });
         }
         engagement.divide(0.0, exit.min(reach), scales)?;
-        let nearer = engagement.panels.len();
+        let nearer = engagement.subintervals.len();
         engagement.divide(exit.min(reach), exit.max(reach), scales)?;
-        let farther = engagement.panels.len();
+        let farther = engagement.subintervals.len();
         (engagement.to_exit, engagement.to_end) = if end > exit { (nearer, farther) } else { (farther, nearer) };
         Ok(engagement)
     }
 
-    /// Adds stretches from `low` to `high`, each short enough for its points to resolve.
-    fn divide(&mut self, low: f64, high: f64, scales: &Scales) -> Result<(), SteadyError> {
+    /// Adds subintervals from `low` to `high`, each short enough for its nodes to resolve.
+    fn divide(&mut self, low: f64, high: f64, scales: &Scales) -> Result<(), Error> {
         if low >= high {
             return Ok(());
         }
         let mut rest = Vec::with_capacity(8);
-        let halves = halves(self.parameters.mechanism());
+        let tree = bisected(self.parameters.mechanism());
         rest.push((low, high, (low == 0.0 && high == self.circle.exit).then_some(0)));
         while let Some((low, high, number)) = rest.pop() {
             let middle = middle(low, high);
-            let half = number.and_then(|number| halves.get(number));
-            let places = half.map_or_else(|| [low, middle, high].map(|w| self.circle.place(w)), |half| half.places);
+            let shared = number.and_then(|number| tree.get(number));
+            let places =
+                shared.map_or_else(|| [low, middle, high].map(|w| self.circle.place(w)), |shared| shared.places);
             if self.resolves(low, middle, high, &places, scales) {
-                let points = half.map_or_else(
-                    || Net::Own(Box::new(Points::new(&self.circle, self.rule, low, high, Spread::Even))),
-                    |half| Net::Shared(&half.points),
+                let nodes = shared.map_or_else(
+                    || NodesOf::Own(Box::new(self.nodes(low, high, NodeMapping::Linear))),
+                    |shared| NodesOf::Shared(&shared.nodes),
                 );
-                let plus = points.branch(self.rule, self.inertia, self.friction);
-                let before = self.panels.last().map_or((1.0, 0.0), Panel::after);
-                self.panels.push(Panel { points, plus, before, held: OnceLock::new() });
-            } else if self.panels.len() + rest.len() < MOST_STRETCHES && low < middle && middle < high {
+                let plus = self.solution(&nodes, self.friction);
+                let before = self.subintervals.last().map_or((1.0, 0.0), Subinterval::after);
+                self.subintervals.push(Subinterval { nodes, plus, before, trailing: OnceLock::new() });
+            } else if self.subintervals.len() + rest.len() < MOST_STRETCHES && low < middle && middle < high {
                 let child = |which: usize| number.map(|number| number.saturating_mul(2).saturating_add(which));
                 rest.push((middle, high, child(2)));
                 rest.push((low, middle, child(1)));
             } else {
                 let sigma = if middle < self.circle.exit { -self.friction } else { self.friction };
                 let margin = self.inert(&self.circle.place(middle), sigma).value;
-                return Err(SteadyError::TooSharp { angle: self.circle.angle(middle), margin });
+                return Err(Error::TooSharp { angle: self.circle.angle(middle), margin });
             }
         }
         Ok(())
@@ -208,43 +206,53 @@ impl Engagement {
         let sigma = if middle < self.circle.exit { -self.friction } else { self.friction };
         far && places.iter().rev().all(|place| {
             let inert = self.inert(place, sigma);
-            let other = inert.value - 2.0 * sigma * place.slide * place.lead;
-            let (part, rest) = (place.lead + sigma * place.slide, place.lead - sigma * place.slide);
-            let scale = 2.0 * place.slide * place.stretch * (high - low);
-            inert.has_no_root_within(near * place.stretch)
-                && libm::fabs(part) * scale <= scales.growth * inert.value
-                && libm::fabs(rest) * scale <= scales.growth * other
+            let other = inert.value - 2.0 * sigma * place.k * place.rho;
+            let (part, rest) = (place.rho + sigma * place.k, place.rho - sigma * place.k);
+            let scale = 2.0 * place.k * place.jacobian * (high - low);
+            inert.has_no_root_within(near * place.jacobian)
+                && libm::fabs(part) * scale <= scales.exponent * inert.value
+                && libm::fabs(rest) * scale <= scales.exponent * other
         })
     }
 
     /// A + S D past the line of centres, with the first two derivatives by ψ, for σ = S μ.
     fn inert(&self, place: &Place, sigma: f64) -> Parabola {
         let centre = self.circle.centre;
-        let (lead, slide, across) = (place.lead, place.slide, place.lead - centre);
+        let (rho, k, across) = (place.rho, place.k, place.rho - centre);
         Parabola {
-            value: self.inertia + lead * (lead + sigma * slide),
-            slope: -2.0 * lead * slide + sigma * (lead * across - slide * slide),
-            bend: 2.0 * slide * slide - 2.0 * lead * across - sigma * slide * (4.0 * lead - 3.0 * centre),
+            value: self.inertia + rho * (rho + sigma * k),
+            slope: -2.0 * rho * k + sigma * (rho * across - k * k),
+            bend: 2.0 * k * k - 2.0 * rho * across - sigma * k * (4.0 * rho - 3.0 * centre),
         }
     }
 
-    /// A stretch with the minus sign.
-    pub(super) fn held<'a>(&self, panel: &'a Panel) -> &'a Held {
-        panel.held.get_or_init(|| {
-            let minus = panel.points.branch(self.rule, self.inertia, -self.friction);
-            let difference = panel.plus.exponent - minus.exponent;
+    /// The nodes of the rule between two w.
+    pub(super) fn nodes(&self, low: f64, high: f64, mapping: NodeMapping) -> Nodes {
+        Nodes::new(&self.circle, self.rule, low, high, mapping)
+    }
+
+    /// The solution at nodes with σ = S μ.
+    pub(super) fn solution(&self, nodes: &Nodes, sigma: f64) -> Solution {
+        nodes.solution(self.rule, self.inertia, sigma)
+    }
+
+    /// A subinterval with the minus sign.
+    pub(super) fn trailing<'a>(&self, subinterval: &'a Subinterval) -> &'a Trailing {
+        subinterval.trailing.get_or_init(|| {
+            let minus = self.solution(&subinterval.nodes, -self.friction);
+            let difference = subinterval.plus.exponent - minus.exponent;
             // Where the difference has lost digits it is found by itself.
-            let gap = if difference > 0.01 * libm::fabs(panel.plus.exponent) {
+            let gap = if difference > 0.01 * libm::fabs(subinterval.plus.exponent) {
                 difference
             } else {
-                self.rule.integral(&panel.points.gap(self.inertia, self.friction))
+                self.rule.integral(&subinterval.nodes.gap(self.inertia, self.friction))
             };
-            Held { minus, gap }
+            Trailing { minus, gap }
         })
     }
 
-    /// The same, with stretches so short that what lies between their points is as good as the integrals.
-    pub(super) fn refined(&self) -> Result<Self, SteadyError> {
+    /// The same, with subintervals so short that what lies between their nodes is as good as the integrals.
+    pub(super) fn refined(&self) -> Result<Self, Error> {
         Self::divided(&self.parameters, self.fold, self.end, self.tolerance, &Scales::between(self.tolerance))
     }
 
@@ -263,9 +271,9 @@ impl Engagement {
         self.tolerance
     }
 
-    /// Into how many stretches, of sixteen points each, half the engagement was divided.
+    /// Into how many subintervals, of sixteen nodes each, half the engagement was divided.
     pub fn stretches(&self) -> usize {
-        self.panels.len()
+        self.subintervals.len()
     }
 }
 
@@ -290,45 +298,45 @@ impl Parabola {
     }
 }
 
-/// What is asked of a stretch is this much less than what is asked of the whole. Measured: see the tests.
+/// What is asked of a subinterval is this much less than what is asked of the whole. Measured: see the tests.
 const SAFETY: f64 = 1.0 / 1024.0;
 
-/// What a stretch with [`POINTS`] points resolves.
+/// What a subinterval with [`NODES`] nodes resolves.
 struct Scales {
     /// Least distance of a pole, in half lengths.
     distance: f64,
-    /// Most change of the logarithm of the solution.
-    growth: f64,
+    /// Most change of Λ.
+    exponent: f64,
     /// Most change of the energy, where the time is asked for.
     energy_range: f64,
 }
 
 impl Scales {
-    /// For integrals over a stretch, whose error is the square of that between its points.
+    /// For integrals over a subinterval, whose error is the square of that between its nodes.
     fn of_integrals(tolerance: f64) -> Self {
         // Measured: see the tests.
         let energy_range = if tolerance < 1e-11 { 2.0 } else { 3.0 };
         Self { energy_range, ..Self::between((SAFETY * tolerance).sqrt()) }
     }
 
-    /// For values between the points.
+    /// For values between the nodes.
     ///
-    /// A polynomial through n points errs as e⁻ⁿ, where e is the sum of the half axes of the ellipse through the pole;
+    /// A polynomial through n nodes errs as e⁻ⁿ, where e is the sum of the half axes of the ellipse through the pole;
     /// for an exponential function of range x, as (x/2)ⁿ/(2ⁿ⁻¹ n!).
     fn between(tolerance: f64) -> Self {
         let root = sixteenth_root(tolerance);
-        Self { distance: (1.0 / root - root) / 2.0, growth: 2.0 * root * *GROWTH, energy_range: 2.0 }
+        Self { distance: (1.0 / root - root) / 2.0, exponent: 2.0 * root * *GROWTH, energy_range: 2.0 }
     }
 }
 
 /// The root of order sixteen, by four of order two.
 fn sixteenth_root(x: f64) -> f64 {
-    const { assert!(POINTS == 16) };
+    const { assert!(NODES == 16) };
     x.sqrt().sqrt().sqrt().sqrt()
 }
 
 /// Root of order n of 2ⁿ⁻¹ n!.
 static GROWTH: LazyLock<f64> = LazyLock::new(|| {
-    let factorial: f64 = (1..=POINTS).map(|n| n as f64).product();
-    sixteenth_root(factorial * libm::exp2(POINTS as f64 - 1.0))
+    let factorial: f64 = (1..=NODES).map(|n| n as f64).product();
+    sixteenth_root(factorial * libm::exp2(NODES as f64 - 1.0))
 });

@@ -3,9 +3,9 @@
 //! "Rise time to 99 %" needs a definition: of what, and counted to when. Each that is offered here has its own name.
 
 use super::engagement::Engagement;
-use super::error::SteadyError;
 use super::extremes::Extreme;
-use super::terminal::SteadyState;
+use super::steady_state::SteadyState;
+use crate::Error;
 
 /// One engagement of a start from rest. Times are from the start, speeds the driver's.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -44,11 +44,11 @@ impl Engagement {
     ///
     /// # Errors
     ///
-    /// As for [`Engagement::steady_state`]; [`SteadyError::Tolerance`] if `settled` is not between 0 and 1;
-    /// [`SteadyError::TooMany`] if [`MOST_CYCLES`] are not enough.
-    pub fn rise(&self, settled: f64) -> Result<Rise, SteadyError> {
+    /// As for [`Engagement::steady_state`]; [`Error::OutOfRange`] if `settled` is not between 0 and 1;
+    /// [`Error::TooMany`] if [`MOST_CYCLES`] are not enough.
+    pub fn rise(&self, settled: f64) -> Result<Rise, Error> {
         if !(settled > 0.0 && settled < 1.0) {
-            return Err(SteadyError::Tolerance(settled));
+            return Err(Error::OutOfRange { name: "settled part", asked: settled, least: 0.0, most: 1.0 });
         }
         let steady = self.steady_state()?;
         let (mut cycles, mut time, mut square) = (Vec::new(), 0.0, 0.0);
@@ -71,7 +71,7 @@ impl Engagement {
                 return Ok(Rise { steady, cycles });
             }
         }
-        Err(SteadyError::TooMany { name: "engagements", limit: MOST_CYCLES })
+        Err(Error::TooMany { name: "engagements", limit: MOST_CYCLES })
     }
 
     /// Engagements from rest until the speed at the end is within a relative `settled` of the steady one, and the time.
@@ -79,7 +79,7 @@ impl Engagement {
     /// # Errors
     ///
     /// As for [`Engagement::rise`].
-    pub fn engagements_to_settle(&self, settled: f64) -> Result<(usize, f64), SteadyError> {
+    pub fn engagements_to_settle(&self, settled: f64) -> Result<(usize, f64), Error> {
         let rise = self.rise(settled)?;
         Ok((rise.cycles.len(), rise.cycles.last().map_or(0.0, |cycle| cycle.end)))
     }
@@ -91,36 +91,38 @@ fn near(speed: f64, steady: f64, part: f64) -> bool {
 }
 
 impl Rise {
+    /// The first engagement of which a speed is within `part` of the steady one.
+    fn first(&self, part: f64, steady: f64, speed: fn(&Cycle) -> f64) -> Option<&Cycle> {
+        self.cycles.iter().find(|cycle| near(speed(cycle), steady, part))
+    }
+
     /// When the first engagement starts at a speed within `part` of the steady entry speed.
     pub fn until_entry_speed(&self, part: f64) -> Option<f64> {
-        let start = |cycle: &Cycle| near(cycle.entry_speed, self.steady.entry_speed, part).then_some(cycle.start);
-        let last = self.cycles.last().filter(|cycle| near(cycle.end_speed, self.steady.entry_speed, part));
-        self.cycles.iter().find_map(start).or(last.map(|cycle| cycle.end))
+        let steady = self.steady.entry_speed;
+        let last = self.cycles.last().filter(|cycle| near(cycle.end_speed, steady, part));
+        let first = self.first(part, steady, |cycle| cycle.entry_speed);
+        first.map(|cycle| cycle.start).or(last.map(|cycle| cycle.end))
     }
 
     /// When the first engagement ends whose mean speed is within `part` of the steady one.
     pub fn until_mean_speed(&self, part: f64) -> Option<f64> {
-        self.cycles.iter().find(|cycle| near(cycle.mean_speed, self.steady.mean_speed, part)).map(|cycle| cycle.end)
+        self.first(part, self.steady.mean_speed, |cycle| cycle.mean_speed).map(|cycle| cycle.end)
     }
 
     /// When the first engagement starts whose mean speed is within `part` of the steady one.
     pub fn until_mean_speed_begins(&self, part: f64) -> Option<f64> {
-        self.cycles.iter().find(|cycle| near(cycle.mean_speed, self.steady.mean_speed, part)).map(|cycle| cycle.start)
+        self.first(part, self.steady.mean_speed, |cycle| cycle.mean_speed).map(|cycle| cycle.start)
     }
 
     /// When the driver is first at a greatest speed of an engagement that is within `part` of the steady one.
     pub fn until_peak(&self, part: f64) -> Option<f64> {
-        self.cycles
-            .iter()
-            .find(|cycle| near(cycle.peak.speed, self.steady.peak.speed, part))
-            .map(|cycle| cycle.peak.time)
+        self.first(part, self.steady.peak.speed, |cycle| cycle.peak.speed).map(|cycle| cycle.peak.time)
     }
 
     /// When the driver is first, not counting the start, at a least speed of an engagement within `part` of the steady
     /// one.
     pub fn until_minimum(&self, part: f64) -> Option<f64> {
-        let near = |cycle: &&Cycle| near(cycle.minimum.speed, self.steady.minimum.speed, part);
-        self.cycles.iter().find(near).map(|cycle| cycle.minimum.time)
+        self.first(part, self.steady.minimum.speed, |cycle| cycle.minimum.speed).map(|cycle| cycle.minimum.time)
     }
 
     /// When the driver is slowest in its second engagement: the first minimum after a hand-over.
@@ -132,7 +134,6 @@ impl Rise {
     /// that engagement.
     pub fn until_mean_of_extremes(&self, part: f64) -> Option<f64> {
         let mean = |cycle: &Cycle| f64::midpoint(cycle.peak.speed, cycle.minimum.speed);
-        let steady = self.steady.mean_of_extremes();
-        self.cycles.iter().find(|cycle| near(mean(cycle), steady, part)).map(|cycle| cycle.end)
+        self.first(part, self.steady.mean_of_extremes(), mean).map(|cycle| cycle.end)
     }
 }

@@ -3,15 +3,172 @@
 //! How exact the timer is, in [`Sensitivities`]; how hard its members are accelerated, in [`Accelerations`]; and how
 //! fast it settles, in [`Settling`]. All of it is drawn from the steady motion, [`steady`](crate::steady).
 
-mod accelerations;
-mod error;
-mod sensitivity;
-mod settling;
+use crate::steady::Engagement;
+use crate::{Error, Inertias, Parameters};
 
-pub use accelerations::{Accelerations, INSTANTS, Strongest};
-pub use error::TimerError;
-pub use sensitivity::Sensitivities;
-pub use settling::Settling;
+/// The greatest value of a quantity, by its size, and where it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Strongest {
+    /// The value, with its sign.
+    pub value: f64,
+    /// Crank angle in radians from the line of centres.
+    pub angle: f64,
+}
+
+/// Accelerations and forces of a steady cycle. Angular accelerations in radians per square of the unit of time; moments
+/// in the unit of the torque.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Accelerations {
+    /// Of the driver, θ''.
+    pub driver: Strongest,
+    /// Of the follower, φ''.
+    pub follower: Strongest,
+    /// Normal force between pin and slot times the crank radius.
+    pub normal_moment: Strongest,
+    /// By how much the follower's acceleration jumps as one pin hands over to the next: entry less exit.
+    pub jump: f64,
+}
+
+/// Into how many equal parts of its period the cycle is divided to find what is strongest.
+///
+/// Where a quantity is smooth at its strongest, the parabola through three instants leaves an error of some millionths.
+pub const INSTANTS: usize = 4000;
+
+impl Accelerations {
+    /// Of the steady motion of an escapement; to about four digits where a quantity has a kink at its strongest, and to
+    /// more elsewhere.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Engagement::steady_state`]: without friction there is no steady state.
+    pub fn new(parameters: &Parameters) -> Result<Self, Error> {
+        let lines = Engagement::new(parameters)?.steady_cycle(INSTANTS)?;
+        let all = lines.iter().map(|line| Ok((line.angle, at(parameters, line.angle, line.speed)?)));
+        let all = all.collect::<Result<Vec<_>, Error>>()?;
+        let jump = match all.as_slice() {
+            [(_, first), .., (_, last)] => first[1] - last[1],
+            _ => 0.0,
+        };
+        Ok(Self {
+            driver: Strongest::of(&all, 0),
+            follower: Strongest::of(&all, 1),
+            normal_moment: Strongest::of(&all, 2),
+            jump,
+        })
+    }
+}
+
+/// Accelerations of driver and follower and normal force times crank radius.
+fn at(parameters: &Parameters, angle: f64, speed: f64) -> Result<[f64; 3], Error> {
+    let driver = parameters.acceleration(angle, speed)?.value;
+    let forces = parameters.contact_forces(angle, speed)?;
+    Ok([driver, forces.follower_acceleration, forces.normal_moment])
+}
+
+impl Strongest {
+    /// Of one of three quantities at instants that are equally far apart: by the parabola through the strongest and its
+    /// neighbours.
+    fn of(instants: &[(f64, [f64; 3])], quantity: usize) -> Self {
+        let value = |(_, values): &(f64, [f64; 3])| values[quantity];
+        let strength = |at: &usize| libm::fabs(value(&instants[*at]));
+        let Some(at) = (0..instants.len()).max_by(|a, b| strength(a).total_cmp(&strength(b))) else {
+            return Self { value: 0.0, angle: f64::NAN };
+        };
+        let here = &instants[at];
+        let beside = at.checked_sub(1).and_then(|before| Some((instants.get(before)?, instants.get(at + 1)?)));
+        let Some((before, after)) = beside else { return Self { value: value(here), angle: here.0 } };
+        let along = |a: f64, b: f64, c: f64, shift: f64| b + shift * ((c - a) / 2.0 + shift * (a - 2.0 * b + c) / 2.0);
+        let (a, b, c) = (value(before), value(here), value(after));
+        let bend = a - 2.0 * b + c;
+        let shift = if bend == 0.0 { 0.0 } else { (a - c) / (2.0 * bend) };
+        Self { value: along(a, b, c, shift), angle: along(before.0, here.0, after.0, shift) }
+    }
+}
+
+/// Powers of the mean speed: one per cent more of the quantity makes the speed so many per cent greater.
+///
+/// d ln(mean speed) / d ln(quantity), all others kept. A timer that runs for a given angle loses as much time as its
+/// mean speed gains.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sensitivities {
+    /// To the torque K: one half, by the law of similarity.
+    pub torque: f64,
+    /// To the friction μ.
+    pub friction: f64,
+    /// To the driver's moment of inertia I_D.
+    pub driver_inertia: f64,
+    /// To the follower's moment of inertia I_f.
+    pub follower_inertia: f64,
+}
+
+/// Relative change of a quantity by which the powers are found. The solver errs by 10⁻¹², so the rounding of the
+/// quotient is about 10⁻⁹; the fourth power of the change, which the second difference leaves over, is 10⁻¹².
+const CHANGE: f64 = 1e-3;
+
+impl Sensitivities {
+    /// Of an escapement, to about nine digits; the one to the torque is exact.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Engagement::steady_state`]: without friction there is no steady state. Too near to the critical friction
+    /// the neighbours of the escapement have none either.
+    pub fn new(parameters: &Parameters) -> Result<Self, Error> {
+        let friction = power(|factor| of(parameters, factor, 1.0))?;
+        let driver_inertia = power(|factor| of(parameters, 1.0, factor))?;
+        // Speeds are a function of μ and I_D/I_f times √(K/I_f).
+        Ok(Self { torque: 0.5, friction, driver_inertia, follower_inertia: -0.5 - driver_inertia })
+    }
+}
+
+/// The logarithm of the mean speed with this much times the friction and the driver's inertia.
+fn of(parameters: &Parameters, friction: f64, driver: f64) -> Result<f64, Error> {
+    let inertias = parameters.inertias();
+    let inertias = Inertias::new(inertias.driver() * driver, inertias.follower())?;
+    let changed =
+        Parameters::new(parameters.mechanism(), inertias, parameters.torque(), parameters.friction() * friction)?;
+    Ok(libm::log(Engagement::new(&changed)?.steady_state()?.mean_speed))
+}
+
+/// d f / d ln x at x = 1, by differences of the whole and of half the change.
+fn power(f: impl Fn(f64) -> Result<f64, Error>) -> Result<f64, Error> {
+    let slope =
+        |change: f64| -> Result<f64, Error> { Ok((f(libm::exp(change))? - f(libm::exp(-change))?) / (2.0 * change)) };
+    let (whole, half) = (slope(CHANGE)?, slope(CHANGE / 2.0)?);
+    Ok(half + (half - whole) / 3.0)
+}
+
+/// How an escapement forgets how it was started.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settling {
+    /// Factor by which one engagement reduces a small difference of two speeds.
+    pub contraction: f64,
+    /// Units of time that an engagement takes in the steady motion.
+    pub period: f64,
+}
+
+impl Settling {
+    /// Of an escapement.
+    ///
+    /// # Errors
+    ///
+    /// As for [`Engagement::steady_state`]: without friction there is no steady state.
+    pub fn new(parameters: &Parameters) -> Result<Self, Error> {
+        let steady = Engagement::new(parameters)?.steady_state()?;
+        Ok(Self { contraction: steady.contraction, period: steady.period })
+    }
+
+    /// Engagements, not rounded, until a small difference is down to this part of itself, which is between 0 and 1.
+    pub fn engagements(&self, part: f64) -> f64 {
+        libm::log(part) / libm::log(self.contraction)
+    }
+
+    /// Units of time until then, counted as if each engagement took a period.
+    ///
+    /// A start from rest lasts longer than its first engagement, however small the number is here.
+    pub fn time(&self, part: f64) -> f64 {
+        self.engagements(part) * self.period
+    }
+}
 
 #[cfg(test)]
 mod tests;

@@ -51,10 +51,10 @@ fn a_small_change_of_each_quantity_changes_the_mean_speed_as_its_power_says() {
         assert!(found.friction < 0.0, "friction brakes");
     }
     let free = escapement(Mechanism::FOUR_PIN, 1.0, 1.0, 1.0, 0.0);
-    assert!(matches!(Sensitivities::new(&free), Err(TimerError::Steady(_))));
+    assert!(matches!(Sensitivities::new(&free), Err(Error::NoTerminalSpeed { .. })));
     let limit = existence::critical_friction(Mechanism::FOUR_PIN, 1.0).expect("a limit").friction;
     let near = escapement(Mechanism::FOUR_PIN, 1.0, 1.0, 1.0, limit * (1.0 - 1e-5));
-    assert!(matches!(Sensitivities::new(&near), Err(TimerError::Parameter(_))));
+    assert!(matches!(Sensitivities::new(&near), Err(Error::TooMuchFriction { .. })));
 }
 
 #[test]

@@ -52,10 +52,10 @@ fn what_cannot_be_drawn_is_an_error() {
         assert!(matches!(forces(&state, angle, 1.0), Err(FigureError::Escapement(_))));
     }
     for speed in [-1.0, f64::NAN, f64::INFINITY] {
-        assert!(matches!(forces(&state, 0.0, speed), Err(FigureError::Equation(_))));
-        assert!(matches!(normal_force(&state, speed), Err(FigureError::Steady(_))));
+        assert!(matches!(forces(&state, 0.0, speed), Err(FigureError::Dynamics(_))));
+        assert!(matches!(normal_force(&state, speed), Err(FigureError::Dynamics(_))));
     }
-    assert!(matches!(normal_force(&state, 1e200), Err(FigureError::Steady(_))));
+    assert!(matches!(normal_force(&state, 1e200), Err(FigureError::Dynamics(_))));
 }
 
 #[test]

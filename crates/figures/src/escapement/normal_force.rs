@@ -25,7 +25,7 @@ type Value = fn(&Instant) -> f64;
 ///
 /// # Errors
 ///
-/// [`FigureError::Steady`] if the speed is negative or so great that the motion cannot be followed, or if the equation
+/// [`FigureError::Dynamics`] if the speed is negative or so great that the motion cannot be followed, or if the equation
 /// of motion has no single solution.
 pub fn normal_force(parameters: &Parameters, entry_speed: f64) -> Result<Figure, FigureError> {
     let change = Engagement::new(parameters)?.passage(entry_speed)?.switch_angle();

@@ -33,7 +33,7 @@ fn the_curve_crosses_the_diagonal_at_the_steady_motion_only() {
         assert!(along.perp(&point).abs() < 0.2 * along.norm() && point.norm() > 1.0, "{point}");
         assert_eq!(drawing.path("stairs", 0)[0], diagonal[0]);
     }
-    assert!(matches!(hand_over(&parameters(Mechanism::FOUR_PIN, 0.0)), Err(FigureError::Steady(_))));
+    assert!(matches!(hand_over(&parameters(Mechanism::FOUR_PIN, 0.0)), Err(FigureError::Dynamics(_))));
 }
 
 #[test]

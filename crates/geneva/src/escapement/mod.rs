@@ -9,8 +9,8 @@ use crate::typed::{self, as_typed};
 use anyhow::{anyhow, bail, ensure};
 use clap::{Args, ValueEnum};
 use geneva_dynamics::existence::{critical_friction, least_margin};
-use geneva_dynamics::steady::{Engagement, MOST_CYCLES, SteadyError, SteadyState};
-use geneva_dynamics::{Inertias, ParameterError, Parameters};
+use geneva_dynamics::steady::{Engagement, MOST_CYCLES, SteadyState};
+use geneva_dynamics::{Error, Inertias, Parameters};
 use geneva_figures::escapement::{mechanism, normal_force};
 use geneva_figures::runs::speeds;
 use geneva_kinematics::Mechanism;
@@ -144,7 +144,7 @@ fn parameters(wanted: &EscapementArguments) -> anyhow::Result<Parameters> {
     let mechanism = Mechanism::new(wanted.slots)?;
     let inertias = Inertias::new(wanted.driver_inertia, wanted.follower_inertia)?;
     match Parameters::new(mechanism, inertias, wanted.torque, wanted.friction) {
-        Err(ParameterError::TooMuchFriction { asked, limit, angle }) => bail!(
+        Err(Error::TooMuchFriction { asked, limit, angle }) => bail!(
             "--friction {}: from {limit} on the mechanism may jam: the equation of motion has no single solution {:.2}° to \
              either side of the line of centres; give less friction, or a driver with more inertia",
             as_typed(asked),
@@ -160,7 +160,7 @@ pub fn own_modulus(mechanism: Mechanism) -> f64 {
 }
 
 /// The engagement that ends after so many degrees.
-pub fn engagement(parameters: &Parameters, modulus_deg: f64) -> Result<Engagement, SteadyError> {
+pub fn engagement(parameters: &Parameters, modulus_deg: f64) -> Result<Engagement, Error> {
     if modulus_deg == own_modulus(parameters.mechanism()) {
         Engagement::new(parameters)
     } else {
@@ -169,15 +169,15 @@ pub fn engagement(parameters: &Parameters, modulus_deg: f64) -> Result<Engagemen
 }
 
 /// The library's refusal of a steady motion, in terms of the options.
-fn unsteady(wanted: &EscapementArguments, error: SteadyError) -> anyhow::Error {
+fn unsteady(wanted: &EscapementArguments, error: Error) -> anyhow::Error {
     let friction = as_typed(wanted.friction);
     match error {
-        SteadyError::Fold { asked, limit } => no_fold(wanted.modulus_deg.unwrap_or(asked.to_degrees()), limit),
-        SteadyError::NoTerminalSpeed { .. } => anyhow!(
+        Error::Fold { asked, limit } => no_fold(wanted.modulus_deg.unwrap_or(asked.to_degrees()), limit),
+        Error::NoTerminalSpeed { .. } => anyhow!(
             "--friction {friction}: there is no terminal speed, because nothing brakes and the driver gains speed without \
              end; give a friction above zero, or --format csv for the run from rest"
         ),
-        SteadyError::TooSharp { angle, margin } => anyhow!(
+        Error::TooSharp { angle, margin } => anyhow!(
             "--friction {friction}, --driver-inertia {}, --follower-inertia {}: the motion changes too quickly to be \
              computed at {:.2}° from the line of centres, where A − |D| is {margin:.1e}; give less friction, or inertias \
              that are less different",
@@ -207,7 +207,7 @@ fn report(
     modulus_deg: f64,
     engagement: &Engagement,
     units: Option<Units>,
-) -> Result<Report, SteadyError> {
+) -> Result<Report, Error> {
     let (mechanism, inertias) = (parameters.mechanism(), parameters.inertias());
     let state = engagement.steady_state()?;
     Ok(Report {
@@ -331,7 +331,7 @@ fn rise_fields(rise: Option<(usize, f64)>) -> Vec<Field> {
 /// The more the speed, the nearer to the line of centres is the switch, and the more an engagement contracts: below the
 /// steady speed it contracts by no more than there. So the contraction of the steady state tells how many engagements
 /// are needed at least, and a rise that is too long for certain is not tried.
-pub fn rise(engagement: &Engagement, steady: &SteadyState) -> Result<Option<(usize, f64)>, SteadyError> {
+pub fn rise(engagement: &Engagement, steady: &SteadyState) -> Result<Option<(usize, f64)>, Error> {
     let enough = (1.0 - SETTLED) * (1.0 - SETTLED);
     let least = libm::log(1.0 - enough) / libm::log(steady.contraction);
     // A little is left to rounding.
@@ -339,7 +339,7 @@ pub fn rise(engagement: &Engagement, steady: &SteadyState) -> Result<Option<(usi
         return Ok(None);
     }
     match engagement.engagements_to_settle(SETTLED) {
-        Err(SteadyError::TooMany { .. }) => Ok(None),
+        Err(Error::TooMany { .. }) => Ok(None),
         result => result.map(Some),
     }
 }

@@ -4,7 +4,8 @@ use super::SETTLED;
 use crate::fields::{self, Row};
 use crate::typed::{as_typed, rounded};
 use anyhow::{anyhow, ensure};
-use geneva_dynamics::steady::{Engagement, MOST_PRINTED, Printed, SteadyError};
+use geneva_dynamics::Error;
+use geneva_dynamics::steady::{Engagement, MOST_PRINTED, Printed};
 
 /// Periods that follow the rise.
 const PERIODS: f64 = 3.0;
@@ -63,7 +64,7 @@ struct Usual {
 fn usual(engagement: &Engagement) -> anyhow::Result<Usual> {
     let steady = match engagement.steady_state() {
         Ok(steady) => Some(steady),
-        Err(SteadyError::NoTerminalSpeed { .. }) => None,
+        Err(Error::NoTerminalSpeed { .. }) => None,
         Err(error) => return Err(error.into()),
     };
     let (most, enough) = match steady {
@@ -93,9 +94,9 @@ fn round(time: f64) -> f64 {
 }
 
 /// The library's refusal of a run, in terms of the options.
-fn refused(duration: f64, interval: f64, error: SteadyError) -> anyhow::Error {
+fn refused(duration: f64, interval: f64, error: Error) -> anyhow::Error {
     match error {
-        SteadyError::TooMany { name, .. } => anyhow!(
+        Error::TooMany { name, .. } => anyhow!(
             "--duration {}, --interval {}: more than {MOST_PRINTED} {name}; give a shorter duration or a longer interval",
             as_typed(duration),
             as_typed(interval)

@@ -3,7 +3,8 @@
 use super::SweepArguments;
 use crate::escapement::{no_fold, own_modulus};
 use anyhow::ensure;
-use geneva_dynamics::steady::{Engagement, SteadyError};
+use geneva_dynamics::Error;
+use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
 
@@ -90,7 +91,7 @@ impl Grid {
 fn fold(mechanism: Mechanism, modulus_deg: f64) -> anyhow::Result<()> {
     let easy = Parameters::new(mechanism, Inertias::new(1.0, 1.0)?, 1.0, 0.0)?;
     match Engagement::folded(&easy, modulus_deg.to_radians(), 1e-6) {
-        Err(SteadyError::Fold { limit, .. }) => Err(no_fold(modulus_deg, limit)),
+        Err(Error::Fold { limit, .. }) => Err(no_fold(modulus_deg, limit)),
         _ => Ok(()),
     }
 }

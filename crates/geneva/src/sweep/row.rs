@@ -3,8 +3,8 @@
 use super::grid::Cell;
 use crate::escapement::{engagement, rise};
 use crate::fields::Row;
-use geneva_dynamics::steady::{SteadyError, SteadyState};
-use geneva_dynamics::{Inertias, ParameterError, Parameters};
+use geneva_dynamics::steady::SteadyState;
+use geneva_dynamics::{Error, Inertias, Parameters};
 
 /// What became of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,11 +70,11 @@ fn motion(cell: &Cell) -> Result<(SteadyState, Option<f64>), Status> {
     let inertias = Inertias::new(driver, cell.follower_inertia).map_err(|_| Status::TooSharp)?;
     let parameters =
         Parameters::new(cell.mechanism, inertias, cell.torque, cell.friction).map_err(|error| match error {
-            ParameterError::TooMuchFriction { .. } => Status::Jams,
+            Error::TooMuchFriction { .. } => Status::Jams,
             _ => Status::TooSharp,
         })?;
     let unsteady = |error| match error {
-        SteadyError::NoTerminalSpeed { .. } => Status::NoTerminalSpeed,
+        Error::NoTerminalSpeed { .. } => Status::NoTerminalSpeed,
         _ => Status::TooSharp,
     };
     let engagement = engagement(&parameters, cell.modulus_deg).map_err(unsteady)?;

@@ -1,7 +1,8 @@
 //! What follows for the timer: which sizes slow it down, and how speed scales with the torque.
 
 use super::*;
-use crate::joints::{JointError, Varied, effects, series};
+use crate::Error;
+use crate::joints::{Varied, effects, series};
 use approx::assert_relative_eq;
 
 #[test]
@@ -20,7 +21,7 @@ fn a_thicker_pin_speeds_the_timer_up_and_everything_else_slows_it_down() {
             for pair in effects.windows(2) {
                 let faster = pair[1].mean_speed > pair[0].mean_speed;
                 assert_eq!(faster, varied == Varied::PinRadius, "{mechanism:?} {varied:?} {pair:?}");
-                assert_eq!(pair[1].state.period < pair[0].state.period, faster);
+                assert_eq!(pair[1].state.duration < pair[0].state.duration, faster);
             }
         }
     }
@@ -142,7 +143,7 @@ fn journals_alone_brake_and_constant_torques_alone_do_not() {
     let steady = |joints| escapement(&parameters, joints).steady_state_in(1024);
     for joints in [Joints::IDEAL, Joints { driver_preload: 0.1, follower_preload: 0.1, ..Joints::IDEAL }] {
         let error = steady(joints).expect_err("nothing brakes faster running more");
-        assert!(matches!(error, JointError::NoTerminalSpeed { .. }), "{error}");
+        assert!(matches!(error, Error::NoTerminalSpeed { .. }), "{error}");
         assert!(error.to_string().contains("grows with the load"), "{error}");
     }
     let state = steady(Joints::journals(0.2, 0.2)).expect("journals brake");

@@ -1,11 +1,9 @@
 //! Where there is one solution, where there is none, and what is said of it.
 
 use super::*;
-use crate::Sign;
-use crate::existence;
-use crate::joints::{JointError, STEPS, largest_pin_radius};
+use crate::joints::{STEPS, largest_pin_radius};
+use crate::{Error, Sign, existence};
 use approx::assert_relative_eq;
-use geneva_kinematics::Mechanism;
 
 #[test]
 fn the_margin_goes_over_to_the_ideal_one() {
@@ -27,18 +25,18 @@ fn a_follower_that_locks_is_refused_with_what_to_do() {
     let limit = lever / parameters.friction();
     let at = |pin_radius| Escapement::new(&parameters, Joints { pin_radius, ..Joints::IDEAL });
     let error = at(limit * (1.0 + 1e-12)).expect_err("it locks");
-    assert!(matches!(error, JointError::SelfLocking { .. }), "{error}");
+    assert!(matches!(error, Error::SelfLocking { .. }), "{error}");
     assert!(error.to_string().contains("give a thinner pin") && error.to_string().contains("0.154"), "{error}");
     // Just below it the follower can still be turned, by a great force.
     if let Err(error) = at(limit * (1.0 - 1e-6)) {
-        assert!(matches!(error, JointError::NotUnique { .. }), "{error}");
+        assert!(matches!(error, Error::Jams { .. }), "{error}");
     }
     // The arm of the follower's journal counts as well.
     let journals = Joints { follower_journal: 0.9, bearing_friction: 0.2, ..Joints::IDEAL };
     let error = Escapement::new(&parameters, journals).expect_err("it locks");
-    assert!(matches!(error, JointError::SelfLocking { .. }), "{error}");
+    assert!(matches!(error, Error::SelfLocking { .. }), "{error}");
     let driver = Joints { driver_journal: 0.9, follower_journal: 0.0, ..journals };
-    assert!(!matches!(Escapement::new(&parameters, driver), Err(JointError::SelfLocking { .. })));
+    assert!(!matches!(Escapement::new(&parameters, driver), Err(Error::SelfLocking { .. })));
 }
 
 #[test]
@@ -76,7 +74,7 @@ fn a_driver_that_jams_is_refused_with_the_angle() {
     let parameters = parameters(Mechanism::FOUR_PIN, 0.06, 0.98 * limit);
     assert!(Escapement::new(&parameters, Joints::IDEAL).is_ok());
     let error = Escapement::new(&parameters, Joints::journals(0.2, 0.2)).expect_err("it jams");
-    let JointError::NotUnique { margin, angle } = error else { panic!("{error}") };
+    let Error::Jams { margin, angle } = error else { panic!("{error}") };
     assert!(margin <= 0.0 && angle.abs() < Mechanism::FOUR_PIN.engagement_half_angle());
     assert!(error.to_string().contains("more inertia"), "{error}");
 }
@@ -109,32 +107,32 @@ fn impossible_values_are_named() {
         ];
         for joints in sizes {
             let error = Escapement::new(&parameters, joints).expect_err("bad size");
-            assert!(matches!(error, JointError::Value { .. }), "{error}");
+            assert!(matches!(error, Error::Negative { .. }), "{error}");
         }
     }
     let refused = |joints| Escapement::new(&parameters, joints).expect_err("refused");
-    assert!(matches!(refused(Joints { pin_radius: 1.0, ..Joints::IDEAL }), JointError::PinTooThick { .. }));
-    assert!(matches!(refused(Joints { driver_preload: 1.0, ..Joints::IDEAL }), JointError::Preload { .. }));
+    assert!(matches!(refused(Joints { pin_radius: 1.0, ..Joints::IDEAL }), Error::PinTooThick { .. }));
+    assert!(matches!(refused(Joints { driver_preload: 1.0, ..Joints::IDEAL }), Error::Preload { .. }));
     // A product that is not a number is refused too.
     let endless = Joints { follower_journal: f64::MAX, bearing_friction: f64::MAX, ..Joints::IDEAL };
-    assert!(matches!(refused(endless), JointError::SelfLocking { .. }));
+    assert!(matches!(refused(endless), Error::SelfLocking { .. }));
     let endless = Joints { driver_journal: f64::MAX, bearing_friction: f64::MAX, ..Joints::IDEAL };
-    assert!(matches!(refused(endless), JointError::NotUnique { .. }));
+    assert!(matches!(refused(endless), Error::Jams { .. }));
 
     let sound = escapement(&parameters, Joints::IDEAL);
     for angle in [f64::NAN, f64::INFINITY, 0.8] {
-        assert!(matches!(sound.motion(angle, 1.0), Err(JointError::Angle { .. })), "{angle}");
+        assert!(matches!(sound.motion(angle, 1.0), Err(Error::OutsideTheSlot { .. })), "{angle}");
     }
     for speed in [-1.0, f64::NAN, f64::INFINITY, 1e200] {
-        assert!(matches!(sound.motion(0.0, speed), Err(JointError::Speed(_))), "{speed}");
-        assert!(matches!(sound.passage(speed, 64), Err(JointError::Speed(_))), "{speed}");
+        assert!(matches!(sound.motion(0.0, speed), Err(Error::Speed { .. })), "{speed}");
+        assert!(matches!(sound.passage(speed, 64), Err(Error::Speed { .. })), "{speed}");
     }
     for steps in [0, STEPS.end() + 1] {
-        assert!(matches!(sound.passage(1.0, steps), Err(JointError::Steps(_))), "{steps}");
-        assert!(matches!(sound.steady_state_in(steps), Err(JointError::Steps(_))), "{steps}");
+        assert!(matches!(sound.passage(1.0, steps), Err(Error::OutOfRange { .. })), "{steps}");
+        assert!(matches!(sound.steady_state_in(steps), Err(Error::OutOfRange { .. })), "{steps}");
     }
     let error = sound.steady_state(0.0).expect_err("nothing is exact");
-    assert!(matches!(error, JointError::NotSettled { .. }), "{error}");
+    assert!(matches!(error, Error::NotSettled { .. }), "{error}");
 }
 
 #[test]

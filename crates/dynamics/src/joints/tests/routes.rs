@@ -40,7 +40,7 @@ fn without_sizes_the_steady_motion_is_the_ideal_one() {
             let ours = escapement(&parameters, Joints::IDEAL).steady_state(1e-9).expect("a steady state");
             println!("{mechanism:?} {friction}: {} steps, change {:e}", ours.steps, ours.change);
             let state = ours.state;
-            let off = [state.period / ideal.period, state.peak.speed / ideal.peak.speed].map(|ratio| ratio - 1.0);
+            let off = [state.duration / ideal.period, state.peak.speed / ideal.peak.speed].map(|ratio| ratio - 1.0);
             println!(
                 "period and peak off by {off:?}; contraction by {:e}",
                 state.contraction / ideal.contraction - 1.0
@@ -48,7 +48,7 @@ fn without_sizes_the_steady_motion_is_the_ideal_one() {
             assert_relative_eq!(state.entry_speed, ideal.entry_speed, max_relative = 1e-9);
             assert_relative_eq!(state.peak.speed, ideal.peak.speed, max_relative = 1e-9);
             assert_relative_eq!(state.minimum.speed, ideal.minimum.speed, max_relative = 1e-9);
-            assert_relative_eq!(state.period, ideal.period, max_relative = 1e-9);
+            assert_relative_eq!(state.duration, ideal.period, max_relative = 1e-9);
             assert_relative_eq!(state.mean_speed, ideal.mean_speed, max_relative = 1e-9);
             assert_relative_eq!(state.contraction, ideal.contraction, max_relative = 1e-9);
             assert_relative_eq!(state.minimum.angle, ideal.minimum.angle, epsilon = 1e-6);

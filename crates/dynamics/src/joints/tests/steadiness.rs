@@ -1,7 +1,8 @@
 //! The steady motion: its method's order, its balance of work, and what it is made of.
 
 use super::*;
-use crate::joints::{JointError, Passage};
+use crate::Error;
+use crate::joints::Passage;
 use approx::assert_relative_eq;
 
 fn samples() -> Vec<Escapement> {
@@ -40,7 +41,7 @@ fn what_is_told_of_the_error_is_its_size() {
         let settled = escapement.steady_state(1e-7).expect("a steady state");
         let better = escapement.steady_state_in(16_384).expect("a steady state");
         for (ours, true_one) in [
-            (settled.state.period, better.period),
+            (settled.state.duration, better.duration),
             (settled.state.peak.speed, better.peak.speed),
             (settled.state.minimum.speed, better.minimum.speed),
             (settled.state.contraction, better.contraction),
@@ -58,7 +59,7 @@ fn friction_takes_all_that_the_spring_gives_in_a_cycle() {
         assert_relative_eq!(state.work.losses(), state.work.input, max_relative = 1e-8);
         let turn = 2.0 * escapement.parameters().mechanism().engagement_half_angle();
         assert_relative_eq!(state.work.input, turn, max_relative = 1e-15);
-        assert_relative_eq!(state.mean_speed * state.period, turn, max_relative = 1e-15);
+        assert_relative_eq!(state.mean_speed * state.duration, turn, max_relative = 1e-15);
         let mean = f64::midpoint(state.peak.speed, state.minimum.speed);
         assert!(state.minimum.speed < state.mean_speed && state.mean_speed < state.peak.speed && mean > 0.0);
     }
@@ -102,8 +103,8 @@ fn a_preload_that_is_too_great_stalls_the_driver() {
     assert!(running > 5 && running < 40 && means[running..].iter().all(Option::is_none), "{means:?}");
     assert!(means[..running].windows(2).all(|pair| pair[1] < pair[0]), "{means:?}");
     let error = stopped(1.5).expect_err("the follower's bearing holds it");
-    assert!(matches!(error, JointError::Stalls { .. }), "{error}");
+    assert!(matches!(error, Error::Stalls { .. }), "{error}");
     assert!(error.to_string().contains("give more torque"), "{error}");
     let rest = escapement(&parameters, Joints::IDEAL).passage(0.0, 512).expect_err("from rest");
-    assert!(matches!(rest, JointError::Stalls { .. }), "{rest}");
+    assert!(matches!(rest, Error::Stalls { .. }), "{rest}");
 }

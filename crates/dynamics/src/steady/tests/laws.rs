@@ -1,8 +1,9 @@
 //! Laws that the motion obeys whatever its numbers are.
 
 use super::{escapement, samples};
+use crate::Error;
 use crate::similarity::Scaling;
-use crate::steady::{Engagement, SteadyError};
+use crate::steady::Engagement;
 use crate::{Inertias, Parameters};
 use approx::assert_relative_eq;
 use geneva_kinematics::Mechanism;
@@ -54,8 +55,8 @@ fn without_friction_the_energy_is_the_work_of_the_torque() {
             assert_eq!(passage.contraction(), 1.0);
         }
         let error = engagement.steady_state().expect_err("nothing brakes");
-        assert_eq!(error, SteadyError::NoTerminalSpeed { contraction: 1.0 });
-        assert!(matches!(engagement.rise(0.01), Err(SteadyError::NoTerminalSpeed { .. })));
+        assert_eq!(error, Error::NoTerminalSpeed { contraction: 1.0 });
+        assert!(matches!(engagement.rise(0.01), Err(Error::NoTerminalSpeed { .. })));
         // A fold elsewhere than at the exit loses the energy of the follower each time: it brakes.
         let folded = Engagement::folded(engagement.parameters(), engagement.fold() * 1.2, 1e-12).expect("in range");
         let (steady, end) = (folded.steady_state().expect("a brake"), folded.fold() - engagement.fold() / 2.0);

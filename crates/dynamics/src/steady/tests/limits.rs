@@ -1,8 +1,9 @@
 //! The ends of the range: hardly any friction, nearly too much, very different inertias, impossible requests.
 
 use super::escapement;
+use crate::Error;
 use crate::existence;
-use crate::steady::{Engagement, SteadyError, TOLERANCES};
+use crate::steady::{Engagement, TOLERANCES};
 use geneva_kinematics::Mechanism;
 use std::f64::consts::PI;
 
@@ -47,10 +48,7 @@ fn near_the_critical_friction_there_is_a_number_or_a_reason() {
                         assert!((0.0..1.0).contains(&steady.contraction), "{mechanism:?} {inertia} {gap}");
                     }
                     Err(error) => {
-                        assert!(
-                            matches!(error, SteadyError::TooSharp { .. }) && gap < 1e-4,
-                            "{mechanism:?} {gap} {error}"
-                        );
+                        assert!(matches!(error, Error::TooSharp { .. }) && gap < 1e-4, "{mechanism:?} {gap} {error}");
                         assert!(error.to_string().contains("lower the friction"), "{error}");
                     }
                 }
@@ -69,7 +67,7 @@ fn extreme_inertias_give_numbers_or_a_reason() {
                 let engagement = match Engagement::with_tolerance(&escapement(mechanism, inertia, friction), 1e-8) {
                     Ok(engagement) => engagement,
                     Err(error) => {
-                        assert!(matches!(error, SteadyError::TooSharp { .. }), "{error}");
+                        assert!(matches!(error, Error::TooSharp { .. }), "{error}");
                         continue;
                     }
                 };
@@ -81,7 +79,7 @@ fn extreme_inertias_give_numbers_or_a_reason() {
                             "{mechanism:?} {inertia} {friction} {steady:?}"
                         );
                     }
-                    Err(error) => assert!(matches!(error, SteadyError::NoTerminalSpeed { .. }), "{error}"),
+                    Err(error) => assert!(matches!(error, Error::NoTerminalSpeed { .. }), "{error}"),
                 }
                 for speed in [0.0, 1e-300, 1e-150, 1.0, 1e100] {
                     if let Ok(passage) = engagement.passage(speed) {
@@ -99,22 +97,22 @@ fn impossible_requests_are_named() {
     let escapement = escapement(Mechanism::FOUR_PIN, 0.07, 0.21);
     for fold in [0.0, -1.0, f64::NAN, f64::INFINITY, PI + PI / 4.0, 9.0] {
         let error = Engagement::folded(&escapement, fold, 1e-12).expect_err("no fold");
-        assert!(matches!(error, SteadyError::Fold { .. }) && error.to_string().contains("fold"), "{error}");
+        assert!(matches!(error, Error::Fold { .. }) && error.to_string().contains("fold"), "{error}");
     }
     for tolerance in [0.0, -1.0, 1.0, f64::NAN, TOLERANCES.start() / 2.0, TOLERANCES.end() * 2.0] {
         let error = Engagement::with_tolerance(&escapement, tolerance).expect_err("no tolerance");
-        assert!(matches!(error, SteadyError::Tolerance(_)), "{error}");
+        assert!(matches!(error, Error::OutOfRange { .. }), "{error}");
     }
     let engagement = Engagement::new(&escapement).expect("an engagement");
     for speed in [-1.0, f64::NAN, f64::INFINITY, 1e200] {
-        assert!(matches!(engagement.passage(speed), Err(SteadyError::Speed(_))), "{speed}");
-        assert!(matches!(engagement.hand_over(speed), Err(SteadyError::Speed(_))), "{speed}");
+        assert!(matches!(engagement.passage(speed), Err(Error::Speed { .. })), "{speed}");
+        assert!(matches!(engagement.hand_over(speed), Err(Error::Speed { .. })), "{speed}");
     }
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert!(matches!(engagement.run(bad, 1.0), Err(SteadyError::Time { .. })), "{bad}");
-        assert!(matches!(engagement.run(1.0, bad), Err(SteadyError::Time { .. })), "{bad}");
+        assert!(matches!(engagement.run(bad, 1.0), Err(Error::NotPositive { .. })), "{bad}");
+        assert!(matches!(engagement.run(1.0, bad), Err(Error::NotPositive { .. })), "{bad}");
     }
-    assert!(matches!(engagement.run(1e-9, 1.0), Err(SteadyError::TooMany { .. })));
+    assert!(matches!(engagement.run(1e-9, 1.0), Err(Error::TooMany { .. })));
     for settled in [0.0, 1.0, f64::NAN, -0.5] {
         assert!(engagement.rise(settled).is_err(), "{settled}");
     }

@@ -1,22 +1,22 @@
-//! Gauss and Legendre's rule: integrals over an interval, up to each of its points, and what lies between them.
+//! The Gauss-Legendre rule: integrals over an interval, up to each of its nodes, and what lies between them.
 
 use std::sync::LazyLock;
 
-/// Points of one stretch of the motion.
-pub(super) const POINTS: usize = 16;
+/// Nodes of one subinterval of the motion.
+pub(super) const NODES: usize = 16;
 
-/// One number for each point.
-pub(super) type Row = [f64; POINTS];
+/// Nodal values: one number for each node.
+pub(super) type NodalValues = [f64; NODES];
 
 /// The rule for the interval from −1 to 1.
 #[derive(Debug)]
-pub(super) struct Rule {
+pub(super) struct GaussLegendre {
     /// Where, rising: the roots of Legendre's polynomial.
-    pub points: Row,
+    pub nodes: NodalValues,
     /// What a value counts in the integral over the whole interval.
-    pub weights: Row,
+    pub weights: NodalValues,
     /// What a value counts in the barycentric formula, before division by the distance.
-    barycentric: Row,
+    barycentric: NodalValues,
     /// By value, then by point of the lower half: what a pair of equal values counts in the integral up to the point, less
     /// half of the whole.
     of_equal: [[f64; HALF]; HALF],
@@ -24,53 +24,53 @@ pub(super) struct Rule {
     of_opposite: [[f64; HALF]; HALF],
 }
 
-/// Points below the middle.
-const HALF: usize = POINTS / 2;
+/// Nodes below the middle.
+const HALF: usize = NODES / 2;
 
-static RULE: LazyLock<Rule> = LazyLock::new(Rule::new);
+static RULE: LazyLock<GaussLegendre> = LazyLock::new(GaussLegendre::new);
 
 /// The one rule, made at the first call.
-pub(super) fn rule() -> &'static Rule {
+pub(super) fn rule() -> &'static GaussLegendre {
     &RULE
 }
 
-/// Legendre's polynomials up to order [`POINTS`] at x.
-fn legendre(x: f64) -> [f64; POINTS + 1] {
-    let mut values = [1.0; POINTS + 1];
+/// Legendre's polynomials up to order [`NODES`] at x.
+fn legendre(x: f64) -> [f64; NODES + 1] {
+    let mut values = [1.0; NODES + 1];
     values[1] = x;
-    for order in 2..=POINTS {
+    for order in 2..=NODES {
         let n = order as f64;
         values[order] = ((2.0 * n - 1.0) * x * values[order - 1] - (n - 1.0) * values[order - 2]) / n;
     }
     values
 }
 
-impl Rule {
+impl GaussLegendre {
     fn new() -> Self {
-        let n = POINTS as f64;
-        let (mut points, mut weights, mut barycentric) = ([0.0; POINTS], [0.0; POINTS], [0.0; POINTS]);
-        for index in 0..POINTS / 2 {
+        let n = NODES as f64;
+        let (mut nodes, mut weights, mut barycentric) = ([0.0; NODES], [0.0; NODES], [0.0; NODES]);
+        for index in 0..NODES / 2 {
             let mut x = -libm::cos(std::f64::consts::PI * (index as f64 + 0.75) / (n + 0.5));
             let mut slope = 1.0;
             // Newton's method from the usual guess: five steps reach the last place, one more does no harm.
             for _ in 0..6 {
                 let values = legendre(x);
-                slope = n * (values[POINTS - 1] - x * values[POINTS]) / (1.0 - x * x);
-                x -= values[POINTS] / slope;
+                slope = n * (values[NODES - 1] - x * values[NODES]) / (1.0 - x * x);
+                x -= values[NODES] / slope;
             }
             let weight = 2.0 / ((1.0 - x * x) * slope * slope);
             let sign = if index % 2 == 0 { 1.0 } else { -1.0 };
-            let other = POINTS - 1 - index;
-            (points[index], points[other]) = (x, -x);
+            let other = NODES - 1 - index;
+            (nodes[index], nodes[other]) = (x, -x);
             (weights[index], weights[other]) = (weight, weight);
             let count = ((1.0 - x * x) * weight).sqrt();
             (barycentric[index], barycentric[other]) = (sign * count, -sign * count);
         }
-        let values = points.map(legendre);
+        let values = nodes.map(legendre);
         let integral = |value: usize, point: usize| {
             // A value's polynomial is a sum of Legendre's; each of these has its integral among its neighbours.
-            let mut sum = points[point] + 1.0;
-            for order in 1..POINTS {
+            let mut sum = nodes[point] + 1.0;
+            for order in 1..NODES {
                 sum += values[value][order] * (values[point][order + 1] - values[point][order - 1]);
             }
             weights[value] / 2.0 * sum
@@ -78,21 +78,21 @@ impl Rule {
         let (mut of_equal, mut of_opposite) = ([[0.0; HALF]; HALF], [[0.0; HALF]; HALF]);
         for value in 0..HALF {
             for point in 0..HALF {
-                let pair = (integral(value, point), integral(POINTS - 1 - value, point));
+                let pair = (integral(value, point), integral(NODES - 1 - value, point));
                 of_equal[value][point] = pair.0 + pair.1 - weights[value];
                 of_opposite[value][point] = pair.0 - pair.1;
             }
         }
-        Self { points, weights, barycentric, of_equal, of_opposite }
+        Self { nodes, weights, barycentric, of_equal, of_opposite }
     }
 
     /// The integrals from −1 up to each point, and from −1 to 1.
     ///
     /// As the sum of an even and an odd function, each with half as many values and half as many integrals.
-    pub fn cumulative(&self, values: &Row) -> (Row, f64) {
+    pub fn cumulative(&self, values: &NodalValues) -> (NodalValues, f64) {
         let (mut of_even, mut of_odd, mut whole) = ([0.0; HALF], [0.0; HALF], 0.0);
         for index in 0..HALF {
-            let (low, high) = (values[index] / 2.0, values[POINTS - 1 - index] / 2.0);
+            let (low, high) = (values[index] / 2.0, values[NODES - 1 - index] / 2.0);
             let (even, odd) = (low + high, low - high);
             whole += even * self.weights[index];
             for point in 0..HALF {
@@ -100,24 +100,24 @@ impl Rule {
                 of_odd[point] += odd * self.of_opposite[index][point];
             }
         }
-        let mut sums = [0.0; POINTS];
+        let mut sums = [0.0; NODES];
         for point in 0..HALF {
             sums[point] = whole + (of_odd[point] + of_even[point]);
-            sums[POINTS - 1 - point] = whole + (of_odd[point] - of_even[point]);
+            sums[NODES - 1 - point] = whole + (of_odd[point] - of_even[point]);
         }
         (sums, 2.0 * whole)
     }
 
     /// The integral from −1 to 1.
-    pub fn integral(&self, values: &Row) -> f64 {
+    pub fn integral(&self, values: &NodalValues) -> f64 {
         dot(&self.weights, values)
     }
 
     /// What each value counts at x in the polynomial through them all.
-    pub fn shares(&self, x: f64) -> Row {
-        let mut shares = [0.0; POINTS];
+    pub fn shares(&self, x: f64) -> NodalValues {
+        let mut shares = [0.0; NODES];
         let mut sum = 0.0;
-        for ((share, point), weight) in shares.iter_mut().zip(&self.points).zip(&self.barycentric) {
+        for ((share, point), weight) in shares.iter_mut().zip(&self.nodes).zip(&self.barycentric) {
             *share = weight / (x - point);
             sum += *share;
         }
@@ -127,12 +127,12 @@ impl Rule {
         }
         // At a point, or within rounding of it.
         let at = |point: &f64| if (x - point).abs() < 1e-300 { 1.0 } else { 0.0 };
-        self.points.each_ref().map(at)
+        self.nodes.each_ref().map(at)
     }
 }
 
 /// Sum of products.
-pub(super) fn dot(one: &Row, other: &Row) -> f64 {
+pub(super) fn dot(one: &NodalValues, other: &NodalValues) -> f64 {
     // Four sums, so that they need not wait for one another.
     let mut sums = [0.0; 4];
     for (a, b) in one.chunks_exact(4).zip(other.chunks_exact(4)) {
@@ -150,8 +150,8 @@ mod tests {
     #[test]
     fn powers_are_integrated_to_the_last_places() {
         let rule = rule();
-        for power in 0..2 * POINTS as i32 {
-            let values = rule.points.map(|x| x.powi(power));
+        for power in 0..2 * NODES as i32 {
+            let values = rule.nodes.map(|x| x.powi(power));
             let exact = if power % 2 == 0 { 2.0 / f64::from(power + 1) } else { 0.0 };
             assert!((rule.integral(&values) - exact).abs() < 1e-15, "{power}");
         }
@@ -160,15 +160,15 @@ mod tests {
     #[test]
     fn integrals_up_to_a_point_and_values_between_are_those_of_a_polynomial() {
         let rule = rule();
-        for power in 0..POINTS as i32 {
-            let values = rule.points.map(|x| (x + 0.25).powi(power));
+        for power in 0..NODES as i32 {
+            let values = rule.nodes.map(|x| (x + 0.25).powi(power));
             let up = |x: f64| (x + 0.25).powi(power + 1) / f64::from(power + 1);
             let (sums, whole) = rule.cumulative(&values);
             assert!((whole - (up(1.0) - up(-1.0))).abs() < 1e-13, "{power}");
-            for (point, sum) in rule.points.iter().zip(sums) {
+            for (point, sum) in rule.nodes.iter().zip(sums) {
                 assert!((sum - (up(*point) - up(-1.0))).abs() < 1e-13, "{power} {point}");
             }
-            for x in [-1.0, -0.3, rule.points[5], rule.points[5] + 1e-16, 0.0, 0.999, 1.0] {
+            for x in [-1.0, -0.3, rule.nodes[5], rule.nodes[5] + 1e-16, 0.0, 0.999, 1.0] {
                 let value = dot(&rule.shares(x), &values);
                 assert!((value - (x + 0.25).powi(power)).abs() < 1e-12, "{power} {x}");
             }
@@ -180,9 +180,9 @@ mod tests {
         // 1/(1 + x²/d²) has its poles at distance d: the ellipse through them has the half axes' sum d + √(1 + d²).
         let rule = rule();
         for distance in [0.5, 1.0, 2.0_f64] {
-            let values = rule.points.map(|x| 1.0 / (1.0 + (x / distance) * (x / distance)));
+            let values = rule.nodes.map(|x| 1.0 / (1.0 + (x / distance) * (x / distance)));
             let exact = 2.0 * distance * libm::atan(1.0 / distance);
-            let bound = 8.0 * (distance + distance.hypot(1.0)).powi(-2 * POINTS as i32);
+            let bound = 8.0 * (distance + distance.hypot(1.0)).powi(-2 * NODES as i32);
             assert!((rule.integral(&values) - exact).abs() < bound + 1e-15, "{distance}");
         }
     }

@@ -35,19 +35,19 @@ pub(super) struct Circle {
 /// One place on the circle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
-    /// ρ, follower's speed over driver's.
-    pub lead: f64,
-    /// k, positive past the line of centres.
-    pub slide: f64,
-    /// dψ/dw.
-    pub stretch: f64,
+    /// ρ, the velocity ratio: follower's speed over driver's.
+    pub rho: f64,
+    /// k, the sliding ratio: sliding per radian over R, positive past the line of centres.
+    pub k: f64,
+    /// dψ/dw, the Jacobian.
+    pub jacobian: f64,
 }
 
 impl Place {
-    /// dψ/dθ.
+    /// dψ/dθ, the angular velocity of ψ over the driver's.
     #[inline]
-    pub fn turning(&self) -> f64 {
-        1.0 + 2.0 * self.lead
+    pub fn angular_velocity(&self) -> f64 {
+        1.0 + 2.0 * self.rho
     }
 }
 
@@ -74,8 +74,8 @@ impl Circle {
     pub fn place(&self, w: f64) -> Place {
         let scale = 1.0 / (1.0 + w * w);
         let (sin, cos) = (2.0 * w * scale, (1.0 - w * w) * scale);
-        let lead = self.centre + self.radius * ((cos - sin) * (cos + sin));
-        Place { lead, slide: self.radius * (2.0 * sin * cos), stretch: 4.0 * scale }
+        let rho = self.centre + self.radius * ((cos - sin) * (cos + sin));
+        Place { rho, k: self.radius * (2.0 * sin * cos), jacobian: 4.0 * scale }
     }
 
     /// θ at w, in radians; not negative.
@@ -109,16 +109,13 @@ mod tests {
                     (circle.at_angle(angle), Pose::new(&mechanism.centre_distance_ratio(), &Turn::from_radians(angle)));
                 let place = circle.place(w);
                 assert!((circle.angle(w) - angle).abs() < 2e-15 * (1.0 + angle), "{mechanism:?} {angle}");
-                assert!((place.lead - pose.velocity_ratio()).abs() < 2e-13 * circle.radius, "{mechanism:?} {angle}");
-                assert!(
-                    (place.slide - pose.cross / pose.square).abs() < 2e-13 * circle.radius,
-                    "{mechanism:?} {angle}"
-                );
-                let rate = -place.slide * place.turning();
+                assert!((place.rho - pose.velocity_ratio()).abs() < 2e-13 * circle.radius, "{mechanism:?} {angle}");
+                assert!((place.k - pose.cross / pose.square).abs() < 2e-13 * circle.radius, "{mechanism:?} {angle}");
+                let rate = -place.k * place.angular_velocity();
                 assert!((rate - pose.acceleration_ratio()).abs() < 2e-12 * circle.radius, "{mechanism:?} {angle}");
             }
             assert!((circle.angle(circle.exit) - mechanism.engagement_half_angle()).abs() < 1e-15);
-            assert!(circle.place(circle.exit).lead.abs() < 1e-15 * circle.radius);
+            assert!(circle.place(circle.exit).rho.abs() < 1e-15 * circle.radius);
         }
     }
 }

@@ -1,0 +1,209 @@
+//! Why there is no answer: one type for the whole crate.
+
+/// A value that no escapement can have, or a motion that it does not have.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Error {
+    /// A quantity that must be positive and finite is not.
+    #[error("{name} {asked}: it must be positive and finite; give a number above zero")]
+    NotPositive {
+        /// Which quantity.
+        name: &'static str,
+        /// What was asked for.
+        asked: f64,
+    },
+    /// A quantity that must be finite and not negative is not.
+    #[error("{name} {asked}: it must be finite and not negative; give zero or more")]
+    Negative {
+        /// Which quantity.
+        name: &'static str,
+        /// What was asked for.
+        asked: f64,
+    },
+    /// A quantity that must be finite is not.
+    #[error("{name} {asked}: it must be finite; give a number")]
+    NotFinite {
+        /// Which quantity.
+        name: &'static str,
+        /// What was asked for.
+        asked: f64,
+    },
+    /// A quantity outside its range.
+    #[error("{name} {asked}: it must lie from {least} to {most}; give a number between")]
+    OutOfRange {
+        /// Which quantity.
+        name: &'static str,
+        /// What was asked for.
+        asked: f64,
+        /// The least that is allowed.
+        least: f64,
+        /// The greatest that is allowed.
+        most: f64,
+    },
+    /// A speed of the driver that is negative or not finite, or whose square is not finite.
+    #[error(
+        "{name} {asked}: it and its square must be finite, and it not negative, because friction is taken against \
+         forward motion; give zero or more"
+    )]
+    Speed {
+        /// At which place.
+        name: &'static str,
+        /// What was asked for.
+        asked: f64,
+    },
+    /// So much friction that somewhere no acceleration, or more than one, obeys the equation of motion.
+    #[error(
+        "friction coefficient {asked}: from {limit} on, the equation of motion has no single solution at {angle} rad from \
+         the line of centres; give less friction or a driver with more inertia"
+    )]
+    TooMuchFriction {
+        /// What was asked for.
+        asked: f64,
+        /// The friction that it must stay below.
+        limit: f64,
+        /// Crank angle in radians, to either side of the line of centres, where the limit is first reached.
+        angle: f64,
+    },
+    /// A ≤ |D|, or a coefficient that is not a number: no acceleration, or more than one.
+    #[error(
+        "A = {a} does not exceed |D| = {d}: the equation has no solution or more than one; lower the friction or raise \
+         the driver's inertia"
+    )]
+    NotUnique {
+        /// A.
+        a: f64,
+        /// |D|.
+        d: f64,
+    },
+    /// A reset angle that is not positive, or that takes the pin past the far side of its circle.
+    #[error(
+        "fold {asked} rad: a pin's motion must be taken up again after a positive turn of less than {limit} rad, where the \
+         pin is farthest from the follower; give {turn} over the number of pins, or another angle in range",
+        turn = std::f64::consts::TAU
+    )]
+    Fold {
+        /// What was asked for, in radians.
+        asked: f64,
+        /// The greatest possible: π + π/m.
+        limit: f64,
+    },
+    /// So near the critical friction, or with such different inertias, that the motion has no scale to be computed at.
+    #[error(
+        "A - |D| = {margin} at {angle} rad: the equation changes there too quickly to be computed; lower the friction, or \
+         take inertias that are less different"
+    )]
+    TooSharp {
+        /// Crank angle in radians where the equation changes too quickly.
+        angle: f64,
+        /// A − |D| there.
+        margin: f64,
+    },
+    /// Nothing brakes faster running more than slower running: the speed grows without end.
+    #[error(
+        "no terminal speed: an engagement takes a difference of speeds to {contraction} of itself; give friction that \
+         grows with the load, in the slot or in the bearings"
+    )]
+    NoTerminalSpeed {
+        /// Multiplier of the return map; one, or within rounding of it.
+        contraction: f64,
+    },
+    /// More engagements, or more printed lines, than are allowed.
+    #[error("more than {limit} {name}: allow more, or ask for less time or more friction")]
+    TooMany {
+        /// Engagements, or printed lines.
+        name: &'static str,
+        /// How many are allowed.
+        limit: usize,
+    },
+    /// A pin as thick as its crank is long, or thicker.
+    #[error(
+        "pin radius {asked} crank radii: it must be below 1, or the pin's surface slides one way only; give a thinner pin"
+    )]
+    PinTooThick {
+        /// Radius over crank radius that was asked for.
+        asked: f64,
+    },
+    /// A constant drag torque on the driver that the driving torque does not overcome.
+    #[error(
+        "driver's preload {asked}: the driving torque {torque} does not overcome it; give less preload or more torque"
+    )]
+    Preload {
+        /// What was asked for.
+        asked: f64,
+        /// The driving torque.
+        torque: f64,
+    },
+    /// Friction on the pin's surface and in the follower's journal holds the follower against any normal force.
+    #[error(
+        "self-locking: friction of pin and follower's journal has the arm {taken} crank radii, and on the line of centres \
+         the normal force has only {lever}; give a thinner pin, a thinner journal or less friction"
+    )]
+    SelfLocking {
+        /// μ ρ + μ_b r_b √(1 + μ²), the arm of the friction in crank radii.
+        taken: f64,
+        /// a − 1, the arm of the normal force on the line of centres.
+        lever: f64,
+    },
+    /// With these joints somewhere no acceleration, or more than one, obeys the equation of motion.
+    #[error(
+        "the factor of the acceleration is {margin} at {angle} rad from the line of centres, and must be positive for one \
+         solution; give less friction, thinner joints or a driver with more inertia"
+    )]
+    Jams {
+        /// The factor of θ'' over I_f there; not positive.
+        margin: f64,
+        /// Crank angle in radians from the line of centres.
+        angle: f64,
+    },
+    /// A crank angle outside the engagement, or not a number.
+    #[error("crank angle {asked} rad: a pin is in its slot from -{limit} to {limit}; give an angle between")]
+    OutsideTheSlot {
+        /// What was asked for.
+        asked: f64,
+        /// Greatest angle to either side of the line of centres.
+        limit: f64,
+    },
+    /// The driver comes to rest within an engagement.
+    #[error(
+        "the driver comes to rest at about {angle} rad from the line of centres: friction takes more than the torque \
+         gives; give more torque, less preload or a faster start"
+    )]
+    Stalls {
+        /// Crank angle in radians about which it does.
+        angle: f64,
+    },
+    /// No speed was found that the return map takes to itself.
+    #[error(
+        "no steady speed found: an engagement entered at {entry} is left at {exit}; give more steps, less preload or more \
+         friction that grows with the load"
+    )]
+    NotRepeated {
+        /// Speed at the last entry that was tried.
+        entry: f64,
+        /// Speed at the exit that it led to.
+        exit: f64,
+    },
+    /// The steps that are allowed do not reach the tolerance.
+    #[error(
+        "relative tolerance {tolerance}: with the most steps allowed, halving them still changes the result by {reached}; \
+         allow more, or take less friction or inertias that are less different"
+    )]
+    NotSettled {
+        /// Relative tolerance that was asked for.
+        tolerance: f64,
+        /// Relative change when the steps were last halved.
+        reached: f64,
+    },
+    /// The integrator of the program of 1973 stopped, in its own words.
+    #[error("{0}")]
+    Stopped(String),
+}
+
+/// The value, if it is positive and finite.
+pub(crate) fn positive(name: &'static str, asked: f64) -> Result<f64, Error> {
+    if asked > 0.0 && asked.is_finite() { Ok(asked) } else { Err(Error::NotPositive { name, asked }) }
+}
+
+/// The value, if it is finite and not negative.
+pub(crate) fn not_negative(name: &'static str, asked: f64) -> Result<f64, Error> {
+    if asked >= 0.0 && asked.is_finite() { Ok(asked) } else { Err(Error::Negative { name, asked }) }
+}
