@@ -68,7 +68,7 @@ fn an_escapement_is_written_in_each_format() {
     pin("escapement", &command(FOUR, &[]));
     pin("escapement-json", &command(FOUR, &["--format", "json"]));
     pin("escapement-csv", &command(FOUR, &["--format", "csv", "--interval", "1e-3"]));
-    pin("escapement-folded", &command(["6", "0.2", "1", "1", "5"], &["--modulus-deg", "90"]));
+    pin("escapement-folded", &command(["6", "0.2", "1", "1", "5"], &["--reset-deg", "90"]));
     pin("escapement-hardly-braked", &command(["3", "1e-7", "1", "1", "5"], &[]));
 }
 
@@ -118,7 +118,7 @@ fn four_times_the_torque_doubles_speeds_and_halves_times() {
             ("period", 0.5),
             ("rise_time", 0.5),
             ("peak_angle_deg", 1.0),
-            ("contraction", 1.0),
+            ("multiplier", 1.0),
             ("critical_friction", 1.0),
             ("engagements_to_settle", 1.0),
         ] {
@@ -132,10 +132,10 @@ fn four_times_the_torque_doubles_speeds_and_halves_times() {
 fn the_own_modulus_is_the_default() {
     for (slots, own) in [("3", "60"), ("4", "90"), ("6", "120")] {
         let design = [slots, "0.2", "1", "1", "5"];
-        assert_eq!(object(design, &[]), object(design, &["--modulus-deg", own]));
-        let folded = object(design, &["--modulus-deg", "89"]);
-        assert_ne!(object(design, &[])["period"], folded["period"]);
-        assert_eq!(object(design, &[])["critical_friction"], folded["critical_friction"]);
+        assert_eq!(object(design, &[]), object(design, &["--reset-deg", own]));
+        let reset_after = object(design, &["--reset-deg", "89"]);
+        assert_ne!(object(design, &[])["period"], reset_after["period"]);
+        assert_eq!(object(design, &[])["critical_friction"], reset_after["critical_friction"]);
     }
 }
 
@@ -144,7 +144,7 @@ fn a_rise_that_is_too_long_is_missing_and_all_else_is_there() {
     let design = ["4", "1e-7", "2", "4e-6", "6e-5"];
     let found = object(design, &[]);
     assert!(found["rise_time"].is_null() && found["engagements_to_settle"].is_null());
-    assert!(number(&found, "contraction") < 1.0 && number(&found, "entry_speed") > 0.0);
+    assert!(number(&found, "multiplier") < 1.0 && number(&found, "entry_speed") > 0.0);
     assert!(stdout(&command(design, &[]), 0).contains("more than 100000 engagements"));
 }
 
@@ -156,7 +156,7 @@ fn the_sheet_says_what_the_object_says_and_is_no_wider_than_a_line() {
         for (name, key) in [
             ("inertia ratio", "inertia_ratio"),
             ("half-angle", "engagement_half_angle_deg"),
-            ("modulus", "modulus_deg"),
+            ("modulus", "reset_deg"),
             ("critical friction", "critical_friction"),
             ("margin", "least_margin"),
             ("entry speed", "entry_speed"),
@@ -165,7 +165,7 @@ fn the_sheet_says_what_the_object_says_and_is_no_wider_than_a_line() {
             ("mean speed", "mean_speed"),
             ("mean of extremes", "mean_of_extremes"),
             ("period", "period"),
-            ("contraction", "contraction"),
+            ("multiplier", "multiplier"),
             ("rise time", "rise_time"),
             ("engagements", "engagements_to_settle"),
         ] {

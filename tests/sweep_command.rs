@@ -44,7 +44,7 @@ fn a_sweep_has_a_row_for_each_escapement() {
 
 #[test]
 fn a_row_is_what_the_escapement_command_says() {
-    for modulus in [&[][..], &["--modulus-deg", "100"]] {
+    for modulus in [&[][..], &["--reset-deg", "100"]] {
         let options = ["sweep", "--slots", "3,4,6", "--friction", "0.05:0.8:3", "--inertia-ratio", "0.05:2:2:log"];
         let units = ["--torque", "2", "--follower-inertia", "6e-5"];
         let mut jams = 0;
@@ -63,7 +63,7 @@ fn a_row_is_what_the_escapement_command_says() {
                 continue;
             }
             let object = object(&command);
-            for key in ["pins", "entry_speed", "peak_speed", "minimum_speed", "mean_speed", "period", "contraction"] {
+            for key in ["pins", "entry_speed", "peak_speed", "minimum_speed", "mean_speed", "period", "multiplier"] {
                 assert_eq!(row[key].as_f64(), object[key].as_f64(), "{row:?}: {key}");
             }
             assert_eq!((&row["status"], row["rise_time"].as_f64()), (&"ok".into(), object["rise_time"].as_f64()));
@@ -98,7 +98,7 @@ fn the_bytes_do_not_depend_on_the_threads() {
 
 #[test]
 fn what_there_is_no_number_for_is_empty_and_the_status_says_why() {
-    let steady = ["entry_speed", "peak_speed", "minimum_speed", "mean_speed", "period", "contraction"];
+    let steady = ["entry_speed", "peak_speed", "minimum_speed", "mean_speed", "period", "multiplier"];
     for (friction, ratio, status, is_steady) in [
         ("0.3", "1", "ok", true),
         ("30", "1", "jams", false),

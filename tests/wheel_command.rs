@@ -7,7 +7,7 @@ use geneva_kinematics::wheel::{STATIONS, Wheel};
 /// What needs the speed of the driver.
 const OF_SPEED: [&str; 6] = [
     "rpm",
-    "advance_time_s",
+    "indexing_time_s",
     "dwell_time_s",
     "peak_speed_rad_s",
     "entry_acceleration_rad_s2",
@@ -68,7 +68,7 @@ fn the_sheet_says_what_the_object_says() {
             ("least slot length", &["slot_length_ratio", "slot_length_mm"]),
             ("motion fraction", &["motion_fraction"]),
             ("dwell fraction", &["dwell_fraction"]),
-            ("advance time", &["advance_time_s"]),
+            ("advance time", &["indexing_time_s"]),
             ("dwell time", &["dwell_time_s"]),
             ("peak velocity", &["peak_velocity_ratio", "peak_speed_rad_s"]),
             ("entry acceleration", &["entry_acceleration_ratio", "entry_acceleration_rad_s2"]),

@@ -17,10 +17,11 @@ pub fn states() -> Vec<Moment> {
 /// The same with the square of the speed as a function of the angle: u' is twice the acceleration.
 pub fn over_the_angle() -> Vec<Moment> {
     let squared = |state: Moment| {
-        let [speed, gain, follower] = ["theta'", "theta''", "varphi'"].map(|name| state.letters()[name]);
+        let [speed, angular_acceleration, follower] =
+            ["theta'", "theta''", "varphi'"].map(|name| state.letters()[name]);
         let [ratio, angle, distance, radius] = ["a", "theta", "R", "r"].map(|name| state.letters()[name]);
         let slide = ratio * libm::sin(angle) * (radius / distance) * (radius / distance);
-        state.with([("u", speed * speed), ("u'", 2.0 * gain), ("q", follower / speed), ("k", slide)])
+        state.with([("u", speed * speed), ("u'", 2.0 * angular_acceleration), ("q", follower / speed), ("k", slide)])
     };
     states().into_iter().map(squared).collect()
 }
@@ -99,15 +100,15 @@ struct Energy {
 }
 
 impl Energy {
-    fn of(pose: &Pose<f64>, speed: f64, gain: f64, inertias: &Inertias) -> Self {
+    fn of(pose: &Pose<f64>, speed: f64, angular_acceleration: f64, inertias: &Inertias) -> Self {
         type Time = Jet<f64, 3>;
         let scale = inertias.follower();
         let by_angle = pose.moving_by(&Jet::<f64, 2>::variable(0.0));
         let constants = (Jet::constant(speed), Jet::constant(inertias.ratio()));
         let by_angle = kinetic_energy(&by_angle.velocity_ratio(), &constants.0, &constants.1);
         // Along the motion, with another speed at every instant.
-        let moving = pose.moving_by(&Time::from_coefficients([0.0, speed, gain / 2.0]));
-        let speeds = Jet::<Time, 2>::variable(Time::from_coefficients([speed, gain, 0.0]));
+        let moving = pose.moving_by(&Time::from_coefficients([0.0, speed, angular_acceleration / 2.0]));
+        let speeds = Jet::<Time, 2>::variable(Time::from_coefficients([speed, angular_acceleration, 0.0]));
         let ratio = Jet::constant(moving.velocity_ratio());
         let by_speed = kinetic_energy(&ratio, &speeds, &Jet::constant(Jet::constant(inertias.ratio()))).rate();
         Self {

@@ -43,13 +43,18 @@ fn state(number: usize) -> Moment {
     // The arms are what the moments and the force say they are.
     let moment = inertias.follower() * motion.follower_gain + joints.follower_preload;
     let lambda = moment / motion.normal_moment;
-    let kappa = (torque - joints.driver_preload - inertias.driver() * motion.gain) / motion.normal_moment;
+    let kappa =
+        (torque - joints.driver_preload - inertias.driver() * motion.angular_acceleration) / motion.normal_moment;
     let sign = |sign: Sign| if sign == Sign::Plus { 1.0 } else { -1.0 };
 
     Moment::default()
         .with([("R", radius), (r"\dot R", slide * speed), (r"\frac{dR}{d\theta}", slide)])
         .with([("q", q), ("p", parameters.pose(angle).acceleration_ratio()), (r"\dot\varphi", q * speed)])
-        .with([(r"\dot\theta", speed), (r"\ddot\theta", motion.gain), (r"\ddot\varphi", motion.follower_gain)])
+        .with([
+            (r"\dot\theta", speed),
+            (r"\ddot\theta", motion.angular_acceleration),
+            (r"\ddot\varphi", motion.follower_gain),
+        ])
         .with([("w", motion.sliding * speed), ("N", motion.normal_moment), ("M", moment)])
         .with([("s", sign(motion.flank)), (r"\sigma", sign(Sign::from_number(motion.sliding)))])
         .with([(r"\lambda", lambda), (r"\kappa", kappa), ("m", kappa / lambda)])

@@ -134,7 +134,7 @@ fn of_jazar(claim: &Claim, number: usize) -> Moment {
         // Angles count in degrees.
         "jazar.ex-c.formula" => {
             let wheel = Wheel::new(3 + number as u32 % 16).expect("a wheel");
-            state.with([(r"\alpha", wheel.half_station().to_degrees())])
+            state.with([(r"\alpha", wheel.half_pitch_angle().to_degrees())])
         }
         _ => state,
     }

@@ -101,19 +101,19 @@ pub fn wheel(number: usize, stations: Option<u32>, when: When) -> Moment {
         When::AtPeak => -acceleration_peak(&wheel).angle,
         When::Steady | When::Unsteady => half * between(number, 0, -0.98, 0.98),
     };
-    let gain = if when == When::Unsteady { between(number, 3, -4.0, 4.0) } else { 0.0 };
+    let angular_acceleration = if when == When::Unsteady { between(number, 3, -4.0, 4.0) } else { 0.0 };
     let (radius, speed) = (between(number, 1, 0.5, 2.0), between(number, 2, 0.5, 3.0));
     let (ratio, crank) = (wheel.centre_distance_ratio(), Turn::from_radians(angle));
     let pin = pin_slot::pin_from_pivot(&ratio, &crank) * radius;
     let entry = acceleration_ratio(&ratio, &Turn::from_radians(-half)) * speed * speed;
     let cycle = 2.0 * PI / speed;
     Moment::default()
-        .with([("N", f64::from(wheel.stations())), (r"\alpha", wheel.half_station()), ("k", ratio)])
+        .with([("N", f64::from(wheel.stations())), (r"\alpha", wheel.half_pitch_angle()), ("k", ratio)])
         .with([("R", radius), ("l", ratio * radius), ("r", pin.norm()), (r"\gamma", gamma(&wheel))])
-        .with([(r"\theta", angle), (r"\dot\theta", speed), (r"\ddot\theta", gain)])
+        .with([(r"\theta", angle), (r"\dot\theta", speed), (r"\ddot\theta", angular_acceleration)])
         .with([(r"\varphi", libm::atan2(pin.y, pin.x))])
         .with([(r"\dot\varphi", pin_slot::velocity_ratio(&ratio, &crank) * speed)])
-        .with([(r"\ddot\varphi", unsteady_acceleration(&ratio, &crank, &speed, &gain))])
+        .with([(r"\ddot\varphi", unsteady_acceleration(&ratio, &crank, &speed, &angular_acceleration))])
         .changing(By::Time, [("varphi''", jerk_ratio(&ratio, &crank) * speed * speed * speed)])
         .with([(r"\text{wheel radius}", wheel.wheel_radius_ratio() * radius)])
         .with([(r"\theta_{\text{exit}}", half), (r"\theta_{\text{entry}}", -half)])
@@ -137,9 +137,9 @@ pub fn frame(number: usize, scale: f64) -> Moment {
         Vector2::new(of(0), of(1))
     };
     let (origin, inside) = ([pair(0), pair(2), pair(4)], [pair(6) * scale, pair(8), pair(10)]);
-    let (speed, gain) = (between(number, 12, -2.0, 2.0), between(number, 13, -2.0, 2.0));
+    let (speed, angular_acceleration) = (between(number, 12, -2.0, 2.0), between(number, 13, -2.0, 2.0));
     // The frame's axes are those of the ground at the instant.
-    let turn = Turn { cos: 1.0, sin: 0.0 }.moving_by(&Jet::from_coefficients([0.0, speed, gain / 2.0]));
+    let turn = Turn { cos: 1.0, sin: 0.0 }.moving_by(&Jet::from_coefficients([0.0, speed, angular_acceleration / 2.0]));
     let [p, q] = [series(inside).x, series(inside).y];
     let turned = Vector2::new(turn.cos * p - turn.sin * q, turn.sin * p + turn.cos * q);
     let place = series(origin) + turned;
@@ -148,7 +148,7 @@ pub fn frame(number: usize, scale: f64) -> Moment {
         .with([("r", order(0)), (r"\dot{r}", order(1)), (r"\ddot{r}", order(2))])
         .with([("R", origin[0]), (r"\dot{R}", origin[1]), (r"\ddot{R}", origin[2])])
         .with([("p", inside[0]), (r"\dot{p}", inside[1]), (r"\ddot{p}", inside[2])])
-        .with([(r"\omega", Value::turning(speed)), (r"\dot{\omega}", Value::turning(gain))])
+        .with([(r"\omega", Value::turning(speed)), (r"\dot{\omega}", Value::turning(angular_acceleration))])
 }
 
 /// One step of the integration, its four slopes as the program asks for them.

@@ -94,16 +94,16 @@ fn without_friction_there_is_no_terminal_speed() {
 fn a_modulus_beyond_its_range_is_told_the_range() {
     for (slots, limit) in [("3", "210"), ("4", "225"), ("6", "240")] {
         for modulus in ["0", "-90", limit, "360", "nan", "inf", "1e300"] {
-            let said = refused([slots, "0.1", "2", "1", "5"], &["--modulus-deg", modulus], &ALL);
-            assert!(said.contains("--modulus-deg") && said.contains(&format!("below {limit}°")), "{said}");
+            let said = refused([slots, "0.1", "2", "1", "5"], &["--reset-deg", modulus], &ALL);
+            assert!(said.contains("--reset-deg") && said.contains(&format!("below {limit}°")), "{said}");
         }
-        let said = refused([slots, "0.1", "2", "1", "5"], &["--modulus-deg", "right"], &ALL);
+        let said = refused([slots, "0.1", "2", "1", "5"], &["--reset-deg", "right"], &ALL);
         assert!(said.contains("degrees"), "{said}");
     }
-    let said = refused(FOUR, &["--modulus-deg", "1e-300"], &["text", "json"]);
-    assert!(said.contains("--modulus-deg 1e-300: too small"), "{said}");
-    let said = refusal(geneva(&command(FOUR, &["--modulus-deg", "80", "--format", "svg", "--figure", "normal-force"])));
-    assert!(said.contains("--modulus-deg 80") && said.contains("leave it out"), "{said}");
+    let said = refused(FOUR, &["--reset-deg", "1e-300"], &["text", "json"]);
+    assert!(said.contains("--reset-deg 1e-300: too small"), "{said}");
+    let said = refusal(geneva(&command(FOUR, &["--reset-deg", "80", "--format", "svg", "--figure", "normal-force"])));
+    assert!(said.contains("--reset-deg 80") && said.contains("leave it out"), "{said}");
 }
 
 #[test]
@@ -139,7 +139,7 @@ fn no_number_makes_it_panic_or_write_what_is_no_number() {
             for torque in ["1e-30", "1e30"] {
                 for driver in ["1e-30", "1", "1e30"] {
                     for (follower, more) in
-                        [("1e-30", &[][..]), ("1", &["--modulus-deg", "1e-6"]), ("1e30", &["--modulus-deg", "200"])]
+                        [("1e-30", &[][..]), ("1", &["--reset-deg", "1e-6"]), ("1e30", &["--reset-deg", "200"])]
                     {
                         let more = [more, &["--format", "json"]].concat();
                         let output = run(&command([slots, friction, torque, driver, follower], &more));

@@ -20,7 +20,7 @@ fn lines(design: Design, more: &[&str]) -> Vec<[f64; 7]> {
 
 #[test]
 fn speed_is_the_rate_of_the_angle_and_acceleration_that_of_the_speed() {
-    for more in [&[][..], &["--modulus-deg", "100"]] {
+    for more in [&[][..], &["--reset-deg", "100"]] {
         let found = lines(FOUR, &[&["--duration", "0.03", "--interval", "1e-6"], more].concat());
         let (mut compared, interval) = (0, 1e-6);
         for three in found.windows(3) {
@@ -50,7 +50,7 @@ fn a_run_starts_from_rest_and_ends_near_the_steady_state() {
             let [peak, minimum, mean] = ["peak_speed", "minimum_speed", "mean_speed"].map(|key| number(&steady, key));
             assert!(last[4] <= 1.001 * peak && last[4] >= 0.98 * minimum, "{design:?}: {last:?}");
             // The driver's mean speed over its last turn by the modulus, and the last turn is of the steady state.
-            let turn = number(&steady, "modulus_deg");
+            let turn = number(&steady, "reset_deg");
             let before = found.iter().rev().find(|line| line[2] <= last[2] - turn).expect("a period before the last");
             let over = (last[2] - before[2]).to_radians() / (last[0] - before[0]);
             assert!((over / mean - 1.0).abs() < 0.05, "{design:?}: {over} {mean}");

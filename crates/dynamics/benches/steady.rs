@@ -42,7 +42,7 @@ fn one_engagement(bencher: Bencher, tolerance: f64) {
 #[divan::bench(args = TOLERANCES)]
 fn one_passage(bencher: Bencher, tolerance: f64) {
     let engagement = Engagement::with_tolerance(&escapements()[1], tolerance).ok();
-    bencher.bench_local(|| engagement.as_ref().and_then(|engagement| engagement.hand_over(black_box(2.0)).ok()));
+    bencher.bench_local(|| engagement.as_ref().and_then(|engagement| engagement.return_map(black_box(2.0)).ok()));
 }
 
 #[divan::bench]

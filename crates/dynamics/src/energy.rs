@@ -24,7 +24,7 @@ fn pose_of_pair<S: Field>(crank: &Turn<S>) -> Pose<S> {
     let along = S::one() - crank.cos.clone();
     let radius_squared = crank.cos.clone() * crank.cos.clone() + crank.sin.clone() * crank.sin.clone();
     Pose {
-        lead: crank.cos.clone() - radius_squared.clone(),
+        numerator: crank.cos.clone() - radius_squared.clone(),
         cross: crank.sin.clone(),
         square: along.clone() * along + crank.sin.clone() * crank.sin.clone(),
         shape: radius_squared - S::one(),
@@ -57,16 +57,19 @@ pub struct EnergyBalance {
 }
 
 impl Identity<7> for EnergyBalance {
-    fn difference(&self, [square, lead, cross, gain, inertia, friction, drive]: [Expression; 7]) -> Expression {
-        let pose = Pose::from_square(&square, &lead, &cross);
+    fn difference(
+        &self,
+        [square, numerator, cross, angular_acceleration, inertia, friction, drive]: [Expression; 7],
+    ) -> Expression {
+        let pose = Pose::from_square(&square, &numerator, &cross);
         let moving = pose.moving_by(&Jet::<_, 2>::variable(Expression::ZERO));
-        let follower = moving.velocity_ratio() * Jet::from_coefficients([Expression::ONE, gain]);
+        let follower = moving.velocity_ratio() * Jet::from_coefficients([Expression::ONE, angular_acceleration]);
         let sliding = moving.square.rate() / 2;
         let lost = self.normal.of(follower.rate()) * self.sliding.of(sliding) / square;
-        let growth = inertia * gain + follower.value() * follower.rate();
+        let growth = inertia * angular_acceleration + follower.value() * follower.rate();
         let balance = growth - drive + friction * lost;
         let coefficients = Coefficients::of_pose(&pose, &inertia, &friction, &drive);
-        balance - coefficients.residual(&Expression::ONE, &gain, self.normal.times(self.sliding))
+        balance - coefficients.residual(&Expression::ONE, &angular_acceleration, self.normal.times(self.sliding))
     }
 }
 
@@ -76,13 +79,16 @@ impl Identity<7> for EnergyBalance {
 pub struct GrowthOfKineticEnergy;
 
 impl Identity<6> for GrowthOfKineticEnergy {
-    fn difference(&self, [square, lead, cross, speed, gain, inertia]: [Expression; 6]) -> Expression {
-        let pose = Pose::from_square(&square, &lead, &cross);
+    fn difference(
+        &self,
+        [square, numerator, cross, speed, angular_acceleration, inertia]: [Expression; 6],
+    ) -> Expression {
+        let pose = Pose::from_square(&square, &numerator, &cross);
         let moving = pose.moving_by(&Jet::<_, 2>::from_coefficients([Expression::ZERO, speed]));
-        let speeds = Jet::from_coefficients([speed, gain]);
+        let speeds = Jet::from_coefficients([speed, angular_acceleration]);
         let energy = kinetic_energy(&moving.velocity_ratio(), &speeds, &Jet::constant(inertia));
-        let follower = pose.velocity_ratio() * speed * pose.follower_acceleration(&speed, &gain);
-        energy.rate() - inertia * speed * gain - follower
+        let follower = pose.velocity_ratio() * speed * pose.follower_acceleration(&speed, &angular_acceleration);
+        energy.rate() - inertia * speed * angular_acceleration - follower
     }
 }
 
@@ -95,16 +101,16 @@ pub struct PoseOfThePin {
 }
 
 impl Identity<4> for PoseOfThePin {
-    fn difference(&self, [p, q, speed, gain]: [Expression; 4]) -> Expression {
+    fn difference(&self, [p, q, speed, angular_acceleration]: [Expression; 4]) -> Expression {
         let crank = Turn { cos: p, sin: q };
-        let place = pin_slot::pin_path(&Expression::ONE, &crank.speeding_up(speed, gain));
+        let place = pin_slot::pin_path(&Expression::ONE, &crank.speeding_up(speed, angular_acceleration));
         // A proof stops with a panic, as at any pole, if the pin is on the follower's pivot.
         let follower = angular_velocity(&place).expect("the pin is off the follower's pivot");
         let pose = pose_of_pair(&crank);
         if self.speed {
             follower.value() - pose.velocity_ratio() * speed
         } else {
-            follower.rate() - pose.follower_acceleration(&speed, &gain)
+            follower.rate() - pose.follower_acceleration(&speed, &angular_acceleration)
         }
     }
 }

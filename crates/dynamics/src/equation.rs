@@ -72,14 +72,16 @@ impl<S: Field> Coefficients<S> {
     }
 
     /// C θ'² + D θ'', what stands between the bars: its sign is that of sin θ times the follower's acceleration.
-    pub fn between_the_bars(&self, speed: &S, gain: &S) -> S {
-        self.c.clone() * speed.clone() * speed.clone() + self.d.clone() * gain.clone()
+    pub fn between_the_bars(&self, speed: &S, angular_acceleration: &S) -> S {
+        self.c.clone() * speed.clone() * speed.clone() + self.d.clone() * angular_acceleration.clone()
     }
 
     /// A θ'' + B θ'² + S (C θ'² + D θ'') − E: zero if the motion obeys the equation with this sign for the bars.
-    pub fn residual(&self, speed: &S, gain: &S, sign: Sign) -> S {
+    pub fn residual(&self, speed: &S, angular_acceleration: &S, sign: Sign) -> S {
         let square = speed.clone() * speed.clone();
-        self.a.clone() * gain.clone() + self.b.clone() * square + sign.of(self.between_the_bars(speed, gain))
+        self.a.clone() * angular_acceleration.clone()
+            + self.b.clone() * square
+            + sign.of(self.between_the_bars(speed, angular_acceleration))
             - self.e.clone()
     }
 
@@ -90,7 +92,7 @@ impl<S: Field> Coefficients<S> {
     }
 
     /// A C θ'² + D (E − B θ'²): where A > |D|, its sign is the sign of what stands between the bars.
-    pub fn sign_decider(&self, speed: &S) -> S {
+    pub fn sign_switching_function(&self, speed: &S) -> S {
         let square = speed.clone() * speed.clone();
         self.a.clone() * self.c.clone() * square.clone() + self.d.clone() * (self.e.clone() - self.b.clone() * square)
     }
@@ -115,7 +117,7 @@ impl Coefficients<f64> {
         if !single {
             return Err(Error::NotUnique { a: self.a, d: self.d.abs() });
         }
-        let sign = Sign::from_number(self.sign_decider(&speed));
+        let sign = Sign::from_number(self.sign_switching_function(&speed));
         Ok(Acceleration { value: self.acceleration_with(&speed, sign), sign })
     }
 }
@@ -133,10 +135,10 @@ mod tests {
             if coefficients.a.clone() + sign.of(coefficients.d.clone()) == zero {
                 continue;
             }
-            let gain = coefficients.acceleration_with(speed, sign);
-            let valid = sign.of(coefficients.between_the_bars(speed, &gain)) >= zero;
-            if valid && found.iter().all(|(other, _)| *other != gain) {
-                found.push((gain, sign));
+            let angular_acceleration = coefficients.acceleration_with(speed, sign);
+            let valid = sign.of(coefficients.between_the_bars(speed, &angular_acceleration)) >= zero;
+            if valid && found.iter().all(|(other, _)| *other != angular_acceleration) {
+                found.push((angular_acceleration, sign));
             }
         }
         found
@@ -159,10 +161,10 @@ mod tests {
             let solutions = solutions(&coefficients, &speed);
             if coefficients.a > size {
                 assert_eq!(solutions.len(), 1, "{coefficients:?} {speed}");
-                let decider = coefficients.sign_decider(&speed);
+                let switching_function = coefficients.sign_switching_function(&speed);
                 let bars = coefficients.between_the_bars(&speed, &solutions[0].0);
-                assert_eq!(decider.clone() > zero, bars > zero);
-                assert_eq!(decider < zero, bars < zero);
+                assert_eq!(switching_function.clone() > zero, bars > zero);
+                assert_eq!(switching_function < zero, bars < zero);
             } else if coefficients.a < size {
                 // Two where E is above the least value of the left side, none below, one at it.
                 let corner = -(coefficients.c.clone() * speed.clone() * speed.clone()) / coefficients.d.clone();

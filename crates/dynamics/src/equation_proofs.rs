@@ -34,9 +34,10 @@ pub struct SignDecider(
 impl Identity<6> for SignDecider {
     fn difference(&self, [plus, minus, b, c, e, speed]: [Expression; 6]) -> Expression {
         let coefficients = of_slopes([plus, minus, b, c, e]);
-        let gain = coefficients.acceleration_with(&speed, self.0);
+        let angular_acceleration = coefficients.acceleration_with(&speed, self.0);
         let slope = if self.0 == Sign::Plus { plus } else { minus };
-        slope * coefficients.between_the_bars(&speed, &gain) - coefficients.sign_decider(&speed)
+        slope * coefficients.between_the_bars(&speed, &angular_acceleration)
+            - coefficients.sign_switching_function(&speed)
     }
 }
 
@@ -47,11 +48,11 @@ pub struct Slope(
 );
 
 impl Identity<8> for Slope {
-    fn difference(&self, [a, b, c, d, e, speed, gain, growth]: [Expression; 8]) -> Expression {
+    fn difference(&self, [a, b, c, d, e, speed, angular_acceleration, growth]: [Expression; 8]) -> Expression {
         let coefficients = Coefficients { a, b, c, d, e };
-        let after = coefficients.residual(&speed, &(gain + growth), self.0);
+        let after = coefficients.residual(&speed, &(angular_acceleration + growth), self.0);
         let slope = a + self.0.of(d);
-        after - coefficients.residual(&speed, &gain, self.0) - slope * growth
+        after - coefficients.residual(&speed, &angular_acceleration, self.0) - slope * growth
     }
 }
 
@@ -64,7 +65,7 @@ impl Identity<6> for SolutionsMeet {
         let coefficients = of_slopes([plus, minus, b, c, e]);
         let [first, second] = Sign::BOTH.map(|sign| coefficients.acceleration_with(&speed, sign));
         let product = plus * minus;
-        first - second + 2 * coefficients.sign_decider(&speed) / product
+        first - second + 2 * coefficients.sign_switching_function(&speed) / product
     }
 }
 

@@ -80,7 +80,7 @@ pub enum Error {
          pin is farthest from the follower; give {turn} over the number of pins, or another angle in range",
         turn = std::f64::consts::TAU
     )]
-    Fold {
+    Reset {
         /// What was asked for, in radians.
         asked: f64,
         /// The greatest possible: π + π/m.
@@ -99,12 +99,12 @@ pub enum Error {
     },
     /// Nothing brakes faster running more than slower running: the speed grows without end.
     #[error(
-        "no terminal speed: an engagement takes a difference of speeds to {contraction} of itself; give friction that \
+        "no terminal speed: an engagement takes a difference of speeds to {multiplier} of itself; give friction that \
          grows with the load, in the slot or in the bearings"
     )]
     NoTerminalSpeed {
         /// Multiplier of the return map; one, or within rounding of it.
-        contraction: f64,
+        multiplier: f64,
     },
     /// More engagements, or more printed lines, than are allowed.
     #[error("more than {limit} {name}: allow more, or ask for less time or more friction")]

@@ -15,9 +15,9 @@ impl Identity<2> for HalfEngagement {
     fn difference(&self, [ratio, half]: [Expression; 2]) -> Expression {
         let pose = Pose::new(&ratio, &Turn::from_half_tangent(&half));
         if self.radius {
-            pose.square + pose.shape + 2 * pose.lead
+            pose.square + pose.shape + 2 * pose.numerator
         } else {
-            let along = 1 + pose.lead;
+            let along = 1 + pose.numerator;
             pose.cross * pose.cross - (ratio * ratio - along * along)
         }
     }
@@ -63,8 +63,8 @@ impl Identity<3> for CriticalDerivative {
         let square = b - 2 * h;
         let whole = i * square * square + h * h;
         let change = h * (2 * h - 4 * i * square) - whole;
-        let decider = change * cross_squared + whole * h * along;
-        left - 2 * series.value() * decider / h / h / cross_squared / cross_squared
+        let switching_function = change * cross_squared + whole * h * along;
+        left - 2 * series.value() * switching_function / h / h / cross_squared / cross_squared
     }
 }
 
@@ -117,8 +117,8 @@ pub struct MarginDerivative;
 impl Identity<4> for MarginDerivative {
     fn difference(&self, [square, h, g, friction]: [Expression; 4]) -> Expression {
         let moving = Pose::from_square(&square, &h, &g).moving_by(&Jet::<_, 2>::variable(Expression::ZERO));
-        let reach = Jet::constant(friction) * moving.cross - moving.lead;
-        let worst = moving.lead * reach / moving.square / moving.square;
+        let reach = Jet::constant(friction) * moving.cross - moving.numerator;
+        let worst = moving.numerator * reach / moving.square / moving.square;
         let g2 = g * g;
         let bracket = (g2 - h * h - h) * square + 4 * g2 * h;
         let geometry = 2 * h * g * (square + 2 * h);

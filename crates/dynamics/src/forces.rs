@@ -42,9 +42,9 @@ impl Parameters {
     ///
     /// Meyer 1973, Eqs. (1-13), with its first exponent put right, and (1-14).
     pub fn contact_forces(&self, angle: f64, speed: f64) -> Result<ContactForces, Error> {
-        let gain = self.acceleration(angle, speed)?.value;
+        let angular_acceleration = self.acceleration(angle, speed)?.value;
         let pose = self.pose(angle);
-        let follower_acceleration = pose.follower_acceleration(&speed, &gain);
+        let follower_acceleration = pose.follower_acceleration(&speed, &angular_acceleration);
         let normal_moment = self.inertias().follower() * follower_acceleration / pose.square.sqrt();
         let friction_torque = self.friction() * normal_moment.abs() * moment_arm_ratio(pose.cross, pose.square);
         let flank = match normal_moment {
@@ -80,11 +80,11 @@ mod tests {
                 let angle = mechanism.engagement_half_angle() * f64::from(step) / 50.0;
                 for speed in [0.0, 1.0, 9.0] {
                     let forces = escapement.contact_forces(angle, speed).expect("one acceleration");
-                    let gain = escapement.acceleration(angle, speed).expect("one acceleration").value;
+                    let angular_acceleration = escapement.acceleration(angle, speed).expect("one acceleration").value;
                     // Moments about the driver's axis: the normal force has the arm R φ'/θ'.
                     let pose = escapement.pose(angle);
                     let reaction = forces.normal_moment * pose.square.sqrt() * pose.velocity_ratio();
-                    let balance = 2.0 - reaction - forces.friction_torque - 3.0 * gain;
+                    let balance = 2.0 - reaction - forces.friction_torque - 3.0 * angular_acceleration;
                     assert!(balance.abs() < 1e-12 * (1.0 + speed * speed), "{mechanism:?} {angle} {speed} {balance}");
                 }
             }

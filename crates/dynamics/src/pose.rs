@@ -6,7 +6,7 @@ use geneva_kinematics::{Field, Jet, Turn, pin_slot};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose<S> {
     /// a cos θ − 1: zero as the pin enters and leaves, positive between.
-    pub lead: S,
+    pub numerator: S,
     /// a sin θ: half the rate of change of the square below with θ.
     pub cross: S,
     /// 1 + a² − 2 a cos θ, the square of the pin's distance from the follower's pivot.
@@ -19,7 +19,7 @@ impl<S: Field> Pose<S> {
     /// The pose at centre distance over crank radius `ratio` and a crank angle from the line of centres.
     pub fn new(ratio: &S, crank: &Turn<S>) -> Self {
         Self {
-            lead: ratio.clone() * crank.cos.clone() - S::one(),
+            numerator: ratio.clone() * crank.cos.clone() - S::one(),
             cross: ratio.clone() * crank.sin.clone(),
             square: pin_slot::slot_radius_squared(ratio, crank),
             shape: S::one() - ratio.clone() * ratio.clone(),
@@ -30,18 +30,18 @@ impl<S: Field> Pose<S> {
     ///
     /// For exact proofs: with the square as a variable of its own, degrees stay low. The three are bound by
     /// square = lead² + cross²; what is proven without using that holds all the more with it.
-    pub fn from_square(square: &S, lead: &S, cross: &S) -> Self {
+    pub fn from_square(square: &S, numerator: &S, cross: &S) -> Self {
         Self {
-            lead: lead.clone(),
+            numerator: numerator.clone(),
             cross: cross.clone(),
             square: square.clone(),
-            shape: -(square.clone() + S::integer(2) * lead.clone()),
+            shape: -(square.clone() + S::integer(2) * numerator.clone()),
         }
     }
 
     /// Angular velocity of the follower over that of the driver. Meyer 1973, Eq. (1-7).
     pub fn velocity_ratio(&self) -> S {
-        self.lead.clone() / self.square.clone()
+        self.numerator.clone() / self.square.clone()
     }
 
     /// Angular acceleration of the follower over the square of a constant speed of the driver. Meyer 1973, Eq. (1-8).
@@ -50,15 +50,15 @@ impl<S: Field> Pose<S> {
     }
 
     /// Angular acceleration of the follower for a driver of this speed and acceleration. Meyer 1973, Eq. (1-8).
-    pub fn follower_acceleration(&self, speed: &S, gain: &S) -> S {
-        self.acceleration_ratio() * speed.clone() * speed.clone() + self.velocity_ratio() * gain.clone()
+    pub fn follower_acceleration(&self, speed: &S, angular_acceleration: &S) -> S {
+        self.acceleration_ratio() * speed.clone() * speed.clone() + self.velocity_ratio() * angular_acceleration.clone()
     }
 
     /// The pose as a power series while θ advances by `advance` (radians; its constant part counts for nothing).
     ///
     /// (a cos θ, a sin θ) turns like any direction, and R² changes as −2 a cos θ does.
     pub fn moving_by<const N: usize>(&self, advance: &Jet<S, N>) -> Pose<Jet<S, N>> {
-        let pair = Turn { cos: self.lead.clone() + S::one(), sin: self.cross.clone() }.moving_by(advance);
+        let pair = Turn { cos: self.numerator.clone() + S::one(), sin: self.cross.clone() }.moving_by(advance);
         let from = |start: &S, factor: i64, series: &Jet<S, N>| {
             Jet::from_coefficients(std::array::from_fn(|k| match k {
                 0 => start.clone(),
@@ -66,7 +66,7 @@ impl<S: Field> Pose<S> {
             }))
         };
         Pose {
-            lead: from(&self.lead, 1, &pair.cos),
+            numerator: from(&self.numerator, 1, &pair.cos),
             cross: pair.sin.clone(),
             square: from(&self.square, -2, &pair.cos),
             shape: Jet::constant(self.shape.clone()),
@@ -75,7 +75,7 @@ impl<S: Field> Pose<S> {
 
     /// The pose with every number taken through `f`.
     pub fn map<T>(self, f: impl Fn(S) -> T) -> Pose<T> {
-        Pose { lead: f(self.lead), cross: f(self.cross), square: f(self.square), shape: f(self.shape) }
+        Pose { numerator: f(self.numerator), cross: f(self.cross), square: f(self.square), shape: f(self.shape) }
     }
 }
 
@@ -90,9 +90,9 @@ mod tests {
         let pose = Pose::new(&ratio, &crank);
         assert_eq!(pose.velocity_ratio(), pin_slot::velocity_ratio(&ratio, &crank));
         assert_eq!(pose.acceleration_ratio(), wheel::acceleration_ratio(&ratio, &crank));
-        let (speed, gain) = (rational(3, 2), rational(-5, 7));
-        let both = wheel::unsteady_acceleration(&ratio, &crank, &speed, &gain);
-        assert_eq!(pose.follower_acceleration(&speed, &gain), both);
+        let (speed, angular_acceleration) = (rational(3, 2), rational(-5, 7));
+        let both = wheel::unsteady_acceleration(&ratio, &crank, &speed, &angular_acceleration);
+        assert_eq!(pose.follower_acceleration(&speed, &angular_acceleration), both);
     }
 
     #[test]
@@ -106,8 +106,8 @@ mod tests {
     #[test]
     fn three_numbers_of_a_pose_give_the_fourth() {
         let pose = Pose::new(&rational(9, 5), &Turn::from_half_tangent(&rational(2, 7)));
-        assert_eq!(Pose::from_square(&pose.square, &pose.lead, &pose.cross), pose);
-        let sum = pose.lead.clone() * pose.lead + pose.cross.clone() * pose.cross;
+        assert_eq!(Pose::from_square(&pose.square, &pose.numerator, &pose.cross), pose);
+        let sum = pose.numerator.clone() * pose.numerator + pose.cross.clone() * pose.cross;
         assert_eq!(sum, pose.square);
     }
 }

@@ -34,11 +34,11 @@ pub struct Similarity(
 );
 
 impl Identity<8> for Similarity {
-    fn difference(&self, [a, b, c, d, e, speed, gain, kappa]: [Expression; 8]) -> Expression {
+    fn difference(&self, [a, b, c, d, e, speed, angular_acceleration, kappa]: [Expression; 8]) -> Expression {
         let square = kappa * kappa;
         let with = |e: Expression| Coefficients { a, b, c, d, e };
-        let scaled = with(square * e).residual(&(kappa * speed), &(square * gain), self.0);
-        scaled - square * with(e).residual(&speed, &gain, self.0)
+        let scaled = with(square * e).residual(&(kappa * speed), &(square * angular_acceleration), self.0);
+        scaled - square * with(e).residual(&speed, &angular_acceleration, self.0)
     }
 }
 
@@ -49,8 +49,8 @@ impl Identity<7> for SimilarityOfTheSign {
     fn difference(&self, [a, b, c, d, e, speed, kappa]: [Expression; 7]) -> Expression {
         let square = kappa * kappa;
         let with = |e: Expression| Coefficients { a, b, c, d, e };
-        let scaled = with(square * e).sign_decider(&(kappa * speed));
-        scaled - square * with(e).sign_decider(&speed)
+        let scaled = with(square * e).sign_switching_function(&(kappa * speed));
+        scaled - square * with(e).sign_switching_function(&speed)
     }
 }
 

@@ -97,7 +97,7 @@ Examples:
   geneva escapement --slots 4 --friction 0 --torque 1 --driver-inertia 1 --follower-inertia 5 \\
                     --duration 20 --interval 0.1 --format csv --output run.csv
   geneva escapement --slots 6 --friction 0.2 --torque 1 --driver-inertia 1 --follower-inertia 5 \\
-                    --modulus-deg 90
+                    --reset-deg 90
 
 A spring turns the driver. Its pins, all round, push the slotted follower on from stop to stop: one pin enters as the \
 one before it leaves. Any coherent units will do: a torque in in lb with inertias in in lb s², or in N m \

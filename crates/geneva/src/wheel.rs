@@ -96,8 +96,8 @@ fn report(wheel: &Wheel, rpm: Option<f64>, crank_radius: Option<f64>) -> anyhow:
             .line("motion fraction", "while a pin is in a slot"),
         Field::in_unit("dwell_fraction", wheel.dwell_fraction(), "× driver turn")
             .line("dwell fraction", "while the wheel is locked"),
-        Field::in_unit("advance_time_s", speed.map(|speed| wheel.advance_time(speed)).transpose()?, "s")
-            .line("advance time", "from a pin's entering to its leaving"),
+        Field::in_unit("indexing_time_s", speed.map(|speed| wheel.indexing_time(speed)).transpose()?, "s")
+            .line("indexing time", "from a pin's entering to its leaving"),
         Field::in_unit("dwell_time_s", speed.map(|speed| wheel.dwell_time(speed)).transpose()?, "s")
             .line("dwell time", "from its leaving to the next pin's entering"),
     ];

@@ -79,10 +79,11 @@ impl IdentityWithRoot<2> for VelocityOfFour {
 pub struct UnsteadyAccelerationOfFour;
 
 impl IdentityWithRoot<3> for UnsteadyAccelerationOfFour {
-    fn difference(&self, root: Expression, [half, speed, gain]: [Expression; 3]) -> Expression {
+    fn difference(&self, root: Expression, [half, speed, angular_acceleration]: [Expression; 3]) -> Expression {
         let crank = Turn::from_half_tangent(&half);
-        let moving = crank.speeding_up(speed, gain);
-        let printed = gain * four_velocity(root, &crank) - speed * speed * four_acceleration(root, &crank);
+        let moving = crank.speeding_up(speed, angular_acceleration);
+        let printed =
+            angular_acceleration * four_velocity(root, &crank) - speed * speed * four_acceleration(root, &crank);
         wheel_velocity(root, &moving).rate() - printed
     }
 }
@@ -199,10 +200,10 @@ impl Identity<2> for OddAcceleration {
 pub struct UnsteadyAcceleration;
 
 impl Identity<4> for UnsteadyAcceleration {
-    fn difference(&self, [ratio, half, speed, gain]: [Expression; 4]) -> Expression {
+    fn difference(&self, [ratio, half, speed, angular_acceleration]: [Expression; 4]) -> Expression {
         let crank = Turn::from_half_tangent(&half);
-        let moving = crank.speeding_up(speed, gain);
-        wheel_velocity(ratio, &moving).rate() - unsteady_acceleration(&ratio, &crank, &speed, &gain)
+        let moving = crank.speeding_up(speed, angular_acceleration);
+        wheel_velocity(ratio, &moving).rate() - unsteady_acceleration(&ratio, &crank, &speed, &angular_acceleration)
     }
 }
 

@@ -114,9 +114,9 @@ pub enum Evidence {
     /// What the same source says elsewhere.
     OtherPlaceInSource,
     /// The equation of motion solved over the driver's angle.
-    Integration,
+    Quadrature,
     /// The equation of motion solved step by step.
-    Steps,
+    RungeKutta,
     /// The program of 1973 as it is listed, on its integrator.
     Program,
 }
@@ -187,8 +187,8 @@ slugs!(Evidence {
     LimitCase = "limit-case",
     Dimension = "dimension",
     OtherPlaceInSource = "other-place-in-source",
-    Integration = "integration",
-    Steps = "steps",
+    Quadrature = "quadrature",
+    RungeKutta = "runge-kutta",
     Program = "program",
 });
 
@@ -206,8 +206,8 @@ impl Evidence {
             Self::LimitCase => "cases in which the answer is known, or all cases of a list gone through",
             Self::Dimension => "the dimensions of the quantities",
             Self::OtherPlaceInSource => "what the same source says elsewhere",
-            Self::Integration => "the equation of motion solved over the driver's angle, by integrals",
-            Self::Steps => "the equation of motion solved in steps of time or angle",
+            Self::Quadrature => "the equation of motion solved over the driver's angle, by integrals",
+            Self::RungeKutta => "the equation of motion solved in steps of time or angle",
             Self::Program => "the program of 1973 run as it is listed, on an integrator like its own",
         }
     }

@@ -138,7 +138,7 @@ fn disagreement(judged: &mut Judged, [first, witness]: [Evidence; 2], [value, wi
     let agrees = match (first, witness) {
         (_, Evidence::OtherPlaceInSource) => digits.is_rounding_of(witnessed),
         (Evidence::Program, _) => PROGRAM.agrees(value, witnessed),
-        (_, Evidence::Steps) => STEPS.agrees(value, witnessed),
+        (_, Evidence::RungeKutta) => STEPS.agrees(value, witnessed),
         _ => ROUTES.agrees(value, witnessed),
     };
     if !agrees {

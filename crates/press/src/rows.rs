@@ -11,7 +11,7 @@ const NONE: &str = "a run's data make no escapement";
 
 /// The escapement of a row, as an ideal mechanism.
 pub fn parameters(row: &Row) -> anyhow::Result<Parameters> {
-    Hypothesis::TRUE.parameters(row).context(NONE)
+    Hypothesis::IDEAL.parameters(row).context(NONE)
 }
 
 /// The motion of a row.

@@ -49,7 +49,7 @@ fn line(mechanism: Mechanism, number: u32, side: u32, tolerance: f64) -> Vec<f64
         let inertias = Inertias::new(inertia, 1.0).ok()?;
         let escapement = Parameters::new(mechanism, inertias, 1.0, friction).ok()?;
         let engagement = Engagement::with_tolerance(&escapement, tolerance).ok()?;
-        Some(engagement.fold() / engagement.entry_speed_and_period().ok()?.1)
+        Some(engagement.reset() / engagement.entry_speed_and_period().ok()?.1)
     };
     (0..side).filter_map(speed).collect()
 }

@@ -17,8 +17,11 @@ impl System<f64, Vector2<f64>> for Naive<'_> {
     fn system(&self, _: f64, state: &Vector2<f64>, rates: &mut Vector2<f64>) {
         let half = self.escapement.mechanism().engagement_half_angle();
         let angle = state[0] - (state[0] / (2.0 * half)).floor() * (2.0 * half) - half;
-        let gain = self.escapement.acceleration(angle, state[1].max(0.0)).map_or(f64::NAN, |gain| gain.value);
-        *rates = Vector2::new(state[1], gain);
+        let angular_acceleration = self
+            .escapement
+            .acceleration(angle, state[1].max(0.0))
+            .map_or(f64::NAN, |angular_acceleration| angular_acceleration.value);
+        *rates = Vector2::new(state[1], angular_acceleration);
     }
 }
 
@@ -30,8 +33,8 @@ struct Signed<'a> {
 
 impl System<f64, Vector2<f64>> for Signed<'_> {
     fn system(&self, _: f64, state: &Vector2<f64>, rates: &mut Vector2<f64>) {
-        let gain = self.escapement.coefficients(state[0]).acceleration_with(&state[1], self.sign);
-        *rates = Vector2::new(state[1], gain);
+        let angular_acceleration = self.escapement.coefficients(state[0]).acceleration_with(&state[1], self.sign);
+        *rates = Vector2::new(state[1], angular_acceleration);
     }
 }
 

@@ -20,12 +20,13 @@ pub struct BarsReprinted {
 }
 
 impl Identity<7> for BarsReprinted {
-    fn difference(&self, [a, b, c, d, angle, speed, gain]: [Expression; 7]) -> Expression {
+    fn difference(&self, [a, b, c, d, angle, speed, angular_acceleration]: [Expression; 7]) -> Expression {
         let truth = Coefficients { a, b, c, d, e: Expression::ZERO };
-        let (squared, last) = self.dots.pick((angle, speed), (speed, gain));
+        let (squared, last) = self.dots.pick((angle, speed), (speed, angular_acceleration));
         let between = c * squared * squared + d * last;
-        let display = a * gain + b * speed * speed + self.bars.pick(Sign::Plus, self.contact).of(between);
-        truth.residual(&speed, &gain, self.contact) - display
+        let display =
+            a * angular_acceleration + b * speed * speed + self.bars.pick(Sign::Plus, self.contact).of(between);
+        truth.residual(&speed, &angular_acceleration, self.contact) - display
     }
 }
 
@@ -58,24 +59,26 @@ pub struct BarsOpened {
 }
 
 impl Identity<7> for BarsOpened {
-    fn difference(&self, [slope, b, c, d, e, speed, gain]: [Expression; 7]) -> Expression {
+    fn difference(&self, [slope, b, c, d, e, speed, angular_acceleration]: [Expression; 7]) -> Expression {
         let signed = |value: Expression| self.sign.of(value);
         let a = slope - signed(d);
         let square = speed * speed;
         // |F| is the one of F and −F that is not negative.
-        let size = self.sign.of(c * square + d * gain);
-        let truth = a * gain + b * square + size - e;
+        let size = self.sign.of(c * square + d * angular_acceleration);
+        let truth = a * angular_acceleration + b * square + size - e;
         let display = match self.line {
             Opening::WithSign => {
                 let sign = signed(Expression::ONE);
-                let between = c * square + d * gain;
-                a * gain + b * square + sign * between - e
+                let between = c * square + d * angular_acceleration;
+                a * angular_acceleration + b * square + sign * between - e
             }
-            Opening::Expanded => a * gain + b * square + signed(c) * square + signed(d) * gain - e,
-            Opening::Collected => gain * (a + signed(d)) + square * (b + signed(c)) - e,
+            Opening::Expanded => {
+                a * angular_acceleration + b * square + signed(c) * square + signed(d) * angular_acceleration - e
+            }
+            Opening::Collected => angular_acceleration * (a + signed(d)) + square * (b + signed(c)) - e,
             Opening::Solved => {
                 let solved = (e - (b + signed(c)) * square) / slope;
-                (gain - solved) * slope
+                (angular_acceleration - solved) * slope
             }
         };
         truth - display
@@ -111,14 +114,14 @@ pub struct StartingEquation {
 }
 
 impl Identity<6> for StartingEquation {
-    fn difference(&self, [a, b, c, d, gain, speed]: [Expression; 6]) -> Expression {
+    fn difference(&self, [a, b, c, d, angular_acceleration, speed]: [Expression; 6]) -> Expression {
         let truth = Coefficients { a, b, c, d, e: Expression::ZERO };
-        let last = self.dots.pick(speed, gain);
+        let last = self.dots.pick(speed, angular_acceleration);
         let size = match self.line {
             StartingLine::Bars | StartingLine::StartingLetters => self.sign.of(d * last),
             StartingLine::Outside => self.sign.of(d) * last,
         };
-        truth.residual(&Expression::ZERO, &gain, self.sign) - (a * gain + size)
+        truth.residual(&Expression::ZERO, &angular_acceleration, self.sign) - (a * angular_acceleration + size)
     }
 }
 
@@ -165,7 +168,7 @@ pub struct Demonstration(
 impl Identity<5> for Demonstration {
     fn difference(&self, [mass, damping, stiffness, place, speed]: [Expression; 5]) -> Expression {
         let rest = damping * speed + stiffness * place;
-        let gain = -rest / mass;
-        mass * self.0.pick(speed, gain) + rest
+        let angular_acceleration = -rest / mass;
+        mass * self.0.pick(speed, angular_acceleration) + rest
     }
 }

@@ -8,9 +8,14 @@ use crate::{Pose, Sign};
 use geneva_kinematics::{Expression, Identity};
 
 /// a sin θ (1 − a²)/R^speed θ'² + (a cos θ − 1)/R^gain θ'', the brackets of these displays; θ' = 1.
-fn brackets(pose: &Pose<Expression>, radius: Expression, gain: Expression, powers: [u32; 2]) -> Expression {
+fn brackets(
+    pose: &Pose<Expression>,
+    radius: Expression,
+    angular_acceleration: Expression,
+    powers: [u32; 2],
+) -> Expression {
     let [of_speed, of_gain] = powers;
-    over(pose.cross * pose.shape, radius, of_speed) + over(pose.lead, radius, of_gain) * gain
+    over(pose.cross * pose.shape, radius, of_speed) + over(pose.numerator, radius, of_gain) * angular_acceleration
 }
 
 /// N R = I_f φ'', moments about o. The print has I_P θ'': another letter's inertia, and the driver's acceleration.
@@ -22,10 +27,10 @@ pub struct MomentEquation(
 );
 
 impl Identity<5> for MomentEquation {
-    fn difference(&self, [square, lead, cross, gain, odd]: [Expression; 5]) -> Expression {
-        let pose = pose(square, lead, cross);
-        let corrected = pose.follower_acceleration(&Expression::ONE, &gain);
-        follower_gain(&pose, gain) - self.0.pick(odd * gain, corrected)
+    fn difference(&self, [square, numerator, cross, angular_acceleration, odd]: [Expression; 5]) -> Expression {
+        let pose = pose(square, numerator, cross);
+        let corrected = pose.follower_acceleration(&Expression::ONE, &angular_acceleration);
+        follower_gain(&pose, angular_acceleration) - self.0.pick(odd * angular_acceleration, corrected)
     }
 }
 
@@ -36,11 +41,11 @@ pub struct ForceFromMoment(
 );
 
 impl Identity<5> for ForceFromMoment {
-    fn difference(&self, [radius, lead, cross, gain, odd]: [Expression; 5]) -> Expression {
-        let pose = pose(radius * radius, lead, cross);
-        let corrected = pose.follower_acceleration(&Expression::ONE, &gain);
-        let force = self.0.pick(odd * gain, corrected) / radius;
-        follower_gain(&pose, gain) / radius - force
+    fn difference(&self, [radius, numerator, cross, angular_acceleration, odd]: [Expression; 5]) -> Expression {
+        let pose = pose(radius * radius, numerator, cross);
+        let corrected = pose.follower_acceleration(&Expression::ONE, &angular_acceleration);
+        let force = self.0.pick(odd * angular_acceleration, corrected) / radius;
+        follower_gain(&pose, angular_acceleration) / radius - force
     }
 }
 
@@ -60,9 +65,10 @@ impl ForceSubstituted {
 }
 
 impl Identity<4> for ForceSubstituted {
-    fn difference(&self, [radius, lead, cross, gain]: [Expression; 4]) -> Expression {
-        let pose = pose(radius * radius, lead, cross);
-        follower_gain(&pose, gain) / radius - over(brackets(&pose, radius, gain, [4, 2]), radius, self.outer)
+    fn difference(&self, [radius, numerator, cross, angular_acceleration]: [Expression; 4]) -> Expression {
+        let pose = pose(radius * radius, numerator, cross);
+        follower_gain(&pose, angular_acceleration) / radius
+            - over(brackets(&pose, radius, angular_acceleration, [4, 2]), radius, self.outer)
     }
 }
 
@@ -82,9 +88,9 @@ impl NormalForce {
 }
 
 impl Identity<4> for NormalForce {
-    fn difference(&self, [radius, lead, cross, gain]: [Expression; 4]) -> Expression {
-        let pose = pose(radius * radius, lead, cross);
-        follower_gain(&pose, gain) / radius - brackets(&pose, radius, gain, self.powers)
+    fn difference(&self, [radius, numerator, cross, angular_acceleration]: [Expression; 4]) -> Expression {
+        let pose = pose(radius * radius, numerator, cross);
+        follower_gain(&pose, angular_acceleration) / radius - brackets(&pose, radius, angular_acceleration, self.powers)
     }
 }
 
@@ -107,11 +113,11 @@ impl FrictionSubstituted {
 }
 
 impl Identity<5> for FrictionSubstituted {
-    fn difference(&self, [radius, lead, cross, gain, friction]: [Expression; 5]) -> Expression {
-        let pose = pose(radius * radius, lead, cross);
+    fn difference(&self, [radius, numerator, cross, angular_acceleration, friction]: [Expression; 5]) -> Expression {
+        let pose = pose(radius * radius, numerator, cross);
         let [sine, speed, driver] = self.powers;
-        let between = over(pose.cross, radius, sine) * brackets(&pose, radius, gain, [speed, driver]);
-        self.contact.of(friction_torque(&pose, gain, friction)) - friction * self.contact.of(between)
+        let between = over(pose.cross, radius, sine) * brackets(&pose, radius, angular_acceleration, [speed, driver]);
+        self.contact.of(friction_torque(&pose, angular_acceleration, friction)) - friction * self.contact.of(between)
     }
 }
 
@@ -122,17 +128,21 @@ pub struct FrictionOfMotion {
 }
 
 impl Identity<5> for FrictionOfMotion {
-    fn difference(&self, [square, lead, cross, gain, friction]: [Expression; 5]) -> Expression {
-        let pose = pose(square, lead, cross);
-        let between = printed_friction(&pose, gain, friction);
-        self.contact.of(friction_torque(&pose, gain, friction)) - self.contact.of(between)
+    fn difference(&self, [square, numerator, cross, angular_acceleration, friction]: [Expression; 5]) -> Expression {
+        let pose = pose(square, numerator, cross);
+        let between = printed_friction(&pose, angular_acceleration, friction);
+        self.contact.of(friction_torque(&pose, angular_acceleration, friction)) - self.contact.of(between)
     }
 }
 
 /// a μ times what stands between the bars of Eq. (1-14), with θ' = 1: a² sin² θ and a sin θ are g² and g.
-pub(super) fn printed_friction(pose: &Pose<Expression>, gain: Expression, friction: Expression) -> Expression {
+pub(super) fn printed_friction(
+    pose: &Pose<Expression>,
+    angular_acceleration: Expression,
+    friction: Expression,
+) -> Expression {
     let (square, cross) = (pose.square, pose.cross);
     let of_speed = over(power(cross, 2) * pose.shape, square, 3);
-    let of_gain = over(cross * pose.lead, square, 2);
-    friction * (of_speed + of_gain * gain)
+    let of_gain = over(cross * pose.numerator, square, 2);
+    friction * (of_speed + of_gain * angular_acceleration)
 }

@@ -10,9 +10,11 @@ use geneva_kinematics::{Expression, Field, Identity, Jet, Turn, angular_velocity
 pub struct LagrangeIsPower;
 
 impl Identity<5> for LagrangeIsPower {
-    fn difference(&self, [square, lead, cross, gain, inertia]: [Expression; 5]) -> Expression {
-        let pose = pose(square, lead, cross);
-        momentum_rate(&pose, gain, inertia) - position_rate(&pose, inertia) - growth(&pose, gain, inertia)
+    fn difference(&self, [square, numerator, cross, angular_acceleration, inertia]: [Expression; 5]) -> Expression {
+        let pose = pose(square, numerator, cross);
+        momentum_rate(&pose, angular_acceleration, inertia)
+            - position_rate(&pose, inertia)
+            - growth(&pose, angular_acceleration, inertia)
     }
 }
 
@@ -63,8 +65,8 @@ impl Identity<3> for KineticEnergy {
 pub struct Momentum;
 
 impl Identity<5> for Momentum {
-    fn difference(&self, [square, lead, cross, speed, inertia]: [Expression; 5]) -> Expression {
-        let pose = pose(square, lead, cross);
+    fn difference(&self, [square, numerator, cross, speed, inertia]: [Expression; 5]) -> Expression {
+        let pose = pose(square, numerator, cross);
         let display = effective_inertia(&pose, inertia) * speed;
         let still = pose.map(Jet::<_, 2>::constant);
         let moving = Jet::variable(speed);
@@ -74,5 +76,5 @@ impl Identity<5> for Momentum {
 
 /// I_D + (a cos θ − 1)²/R⁴ I_f, the brackets of Eq. (1-16).
 pub(super) fn effective_inertia<S: Field + Copy>(pose: &Pose<S>, inertia: S) -> S {
-    inertia + over(power(pose.lead, 2), pose.square, 2)
+    inertia + over(power(pose.numerator, 2), pose.square, 2)
 }

@@ -52,15 +52,15 @@ fn over<S: Field + Copy>(value: S, divisor: S, times: u32) -> S {
 }
 
 /// The pose from R², h and g.
-fn pose(square: Expression, lead: Expression, cross: Expression) -> Pose<Expression> {
-    Pose::from_square(&square, &lead, &cross)
+fn pose(square: Expression, numerator: Expression, cross: Expression) -> Pose<Expression> {
+    Pose::from_square(&square, &numerator, &cross)
 }
 
 /// The pose while the driver turns at the speed one: h' = −g, g' = h + 1, (R²)' = 2 g.
 fn turning<S: Field + Copy>(pose: &Pose<S>) -> Pose<Jet<S, 2>> {
-    let (h, g) = (pose.lead, pose.cross);
+    let (h, g) = (pose.numerator, pose.cross);
     Pose {
-        lead: Jet::from_coefficients([h, -g]),
+        numerator: Jet::from_coefficients([h, -g]),
         cross: Jet::from_coefficients([g, h + S::one()]),
         square: Jet::from_coefficients([pose.square, S::integer(2) * g]),
         shape: Jet::constant(pose.shape),
@@ -68,19 +68,21 @@ fn turning<S: Field + Copy>(pose: &Pose<S>) -> Pose<Jet<S, 2>> {
 }
 
 /// The speed θ' = 1 while it grows at θ''.
-fn speed(gain: Expression) -> Jet<Expression, 2> {
-    Jet::from_coefficients([Expression::ONE, gain])
+fn speed(angular_acceleration: Expression) -> Jet<Expression, 2> {
+    Jet::from_coefficients([Expression::ONE, angular_acceleration])
 }
 
 /// φ'' over the motion, from φ' = θ' h/R² as a series.
-fn follower_gain(pose: &Pose<Expression>, gain: Expression) -> Expression {
-    (turning(pose).velocity_ratio() * speed(gain)).rate()
+fn follower_gain(pose: &Pose<Expression>, angular_acceleration: Expression) -> Expression {
+    (turning(pose).velocity_ratio() * speed(angular_acceleration)).rate()
 }
 
 /// d/dt(∂T/∂θ') from the kinetic energy: its derivative with θ' as a series in time, and the rate of that.
-fn momentum_rate(pose: &Pose<Expression>, gain: Expression, inertia: Expression) -> Expression {
+fn momentum_rate(pose: &Pose<Expression>, angular_acceleration: Expression, inertia: Expression) -> Expression {
     let ratio: Jet<_, 2> = Jet::constant(turning(pose).velocity_ratio());
-    energy::kinetic_energy(&ratio, &Jet::variable(speed(gain)), &Jet::constant(Jet::constant(inertia))).rate().rate()
+    energy::kinetic_energy(&ratio, &Jet::variable(speed(angular_acceleration)), &Jet::constant(Jet::constant(inertia)))
+        .rate()
+        .rate()
 }
 
 /// ∂T/∂θ from the kinetic energy, the speed kept.
@@ -89,14 +91,15 @@ fn position_rate(pose: &Pose<Expression>, inertia: Expression) -> Expression {
 }
 
 /// dT/dt along the motion, which is Lagrange's left side at θ' = 1 ([`LagrangeIsPower`]).
-fn growth(pose: &Pose<Expression>, gain: Expression, inertia: Expression) -> Expression {
-    energy::kinetic_energy(&turning(pose).velocity_ratio(), &speed(gain), &Jet::constant(inertia)).rate()
+fn growth(pose: &Pose<Expression>, angular_acceleration: Expression, inertia: Expression) -> Expression {
+    energy::kinetic_energy(&turning(pose).velocity_ratio(), &speed(angular_acceleration), &Jet::constant(inertia))
+        .rate()
 }
 
 /// Torque of the friction without its sign, μ N dR/dθ, from N R = φ'' and R dR/dθ = (R²)'/2.
-fn friction_torque(pose: &Pose<Expression>, gain: Expression, friction: Expression) -> Expression {
+fn friction_torque(pose: &Pose<Expression>, angular_acceleration: Expression, friction: Expression) -> Expression {
     let sliding = turning(pose).square.rate() / 2;
-    friction * follower_gain(pose, gain) * sliding / pose.square
+    friction * follower_gain(pose, angular_acceleration) * sliding / pose.square
 }
 
 #[cfg(test)]

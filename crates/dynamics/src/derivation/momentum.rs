@@ -48,15 +48,18 @@ impl MomentumRate {
 }
 
 impl Identity<6> for MomentumRate {
-    fn difference(&self, [square, lead, cross, gain, inertia, odd]: [Expression; 6]) -> Expression {
-        let pose = pose(square, lead, cross);
+    fn difference(
+        &self,
+        [square, numerator, cross, angular_acceleration, inertia, odd]: [Expression; 6],
+    ) -> Expression {
+        let pose = pose(square, numerator, cross);
         let letter = self.letter.pick(odd, inertia);
-        let first = effective_inertia(&pose, letter) * gain;
-        let (h, g) = (lead, cross);
+        let first = effective_inertia(&pose, letter) * angular_acceleration;
+        let (h, g) = (numerator, cross);
         let display = match self.line {
             MomentumLine::Undone => {
                 let moving = effective_inertia(&turning(&pose), Jet::constant(inertia));
-                (moving * speed(gain)).rate()
+                (moving * speed(angular_acceleration)).rate()
             }
             MomentumLine::Quotient => {
                 // −a cos θ − 1 is −(h + 2).
@@ -74,11 +77,11 @@ impl Identity<6> for MomentumRate {
             }
             MomentumLine::Closed => first - 2 * speed_term(&pose),
         };
-        momentum_rate(&pose, gain, inertia) - display
+        momentum_rate(&pose, angular_acceleration, inertia) - display
     }
 }
 
 /// a (a² − 1) sin θ (a cos θ − 1)/R⁶, which all the closed displays have.
 pub(super) fn speed_term(pose: &Pose<Expression>) -> Expression {
-    over(-pose.shape * pose.cross * pose.lead, pose.square, 3)
+    over(-pose.shape * pose.cross * pose.numerator, pose.square, 3)
 }

@@ -7,13 +7,18 @@ use crate::{Coefficients, Pose, Sign};
 use geneva_kinematics::{Expression, Identity};
 
 /// [I_D + (a cos θ − 1)^exponent I_f/R⁴] θ''.
-fn inertia_term(pose: &Pose<Expression>, gain: Expression, inertia: Expression, exponent: u32) -> Expression {
-    (inertia + over(power(pose.lead, exponent), pose.square, 2)) * gain
+fn inertia_term(
+    pose: &Pose<Expression>,
+    angular_acceleration: Expression,
+    inertia: Expression,
+    exponent: u32,
+) -> Expression {
+    (inertia + over(power(pose.numerator, exponent), pose.square, 2)) * angular_acceleration
 }
 
 /// Lagrange's left side from the kinetic energy.
-fn left_side(pose: &Pose<Expression>, gain: Expression, inertia: Expression) -> Expression {
-    momentum_rate(pose, gain, inertia) - position_rate(pose, inertia)
+fn left_side(pose: &Pose<Expression>, angular_acceleration: Expression, inertia: Expression) -> Expression {
+    momentum_rate(pose, angular_acceleration, inertia) - position_rate(pose, inertia)
 }
 
 /// A line of Lagrange's left side.
@@ -32,13 +37,17 @@ pub struct LeftSide(
 );
 
 impl Identity<5> for LeftSide {
-    fn difference(&self, [square, lead, cross, gain, inertia]: [Expression; 5]) -> Expression {
-        let pose = pose(square, lead, cross);
+    fn difference(&self, [square, numerator, cross, angular_acceleration, inertia]: [Expression; 5]) -> Expression {
+        let pose = pose(square, numerator, cross);
         let display = match self.0 {
-            LeftSideLine::Minus => inertia_term(&pose, gain, inertia, 2) - 2 * speed_term(&pose) - -speed_term(&pose),
-            LeftSideLine::Closed(form) => inertia_term(&pose, gain, inertia, form.pick(1, 2)) - speed_term(&pose),
+            LeftSideLine::Minus => {
+                inertia_term(&pose, angular_acceleration, inertia, 2) - 2 * speed_term(&pose) - -speed_term(&pose)
+            }
+            LeftSideLine::Closed(form) => {
+                inertia_term(&pose, angular_acceleration, inertia, form.pick(1, 2)) - speed_term(&pose)
+            }
         };
-        left_side(&pose, gain, inertia) - display
+        left_side(&pose, angular_acceleration, inertia) - display
     }
 }
 
@@ -74,22 +83,26 @@ pub struct EquationOfMotion {
 }
 
 impl Identity<6> for EquationOfMotion {
-    fn difference(&self, [square, lead, cross, gain, inertia, friction]: [Expression; 6]) -> Expression {
-        let pose = pose(square, lead, cross);
-        let truth = growth(&pose, gain, inertia) + self.contact.of(friction_torque(&pose, gain, friction));
-        let between = printed_friction(&pose, gain, friction);
+    fn difference(
+        &self,
+        [square, numerator, cross, angular_acceleration, inertia, friction]: [Expression; 6],
+    ) -> Expression {
+        let pose = pose(square, numerator, cross);
+        let truth = growth(&pose, angular_acceleration, inertia)
+            + self.contact.of(friction_torque(&pose, angular_acceleration, friction));
+        let between = printed_friction(&pose, angular_acceleration, friction);
         let bars = |form: Form| form.pick(Sign::Plus, self.contact).of(between);
         let display = match self.line {
             MotionLine::Substituted { square, bars: form } => {
-                inertia_term(&pose, gain, inertia, square.pick(1, 2)) - speed_term(&pose) + bars(form)
+                inertia_term(&pose, angular_acceleration, inertia, square.pick(1, 2)) - speed_term(&pose) + bars(form)
             }
             MotionLine::Divided { bars: form } => {
-                let of_speed = over(pose.cross * pose.shape * pose.lead, pose.square, 3);
-                inertia_term(&pose, gain, inertia, 2) + of_speed + bars(form)
+                let of_speed = over(pose.cross * pose.shape * pose.numerator, pose.square, 3);
+                inertia_term(&pose, angular_acceleration, inertia, 2) + of_speed + bars(form)
             }
             MotionLine::Short => {
                 let coefficients = Coefficients::of_pose(&pose, &inertia, &friction, &Expression::ZERO);
-                coefficients.residual(&Expression::ONE, &gain, self.contact)
+                coefficients.residual(&Expression::ONE, &angular_acceleration, self.contact)
             }
         };
         truth - display
@@ -124,8 +137,8 @@ impl Identity<7> for CoefficientPrinted {
     fn difference(&self, [square, h, g, driver, follower, mu, torque]: [Expression; 7]) -> Expression {
         let pose = pose(square, h, g);
         let inertia = driver / follower;
-        let left = |gain: Expression| growth(&pose, gain, inertia);
-        let lost = |gain: Expression| friction_torque(&pose, gain, mu);
+        let left = |angular_acceleration: Expression| growth(&pose, angular_acceleration, inertia);
+        let lost = |angular_acceleration: Expression| friction_torque(&pose, angular_acceleration, mu);
         match self.0 {
             Coefficient::A(form) => {
                 let first = form.pick(follower, driver) / follower;

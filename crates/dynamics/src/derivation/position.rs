@@ -71,7 +71,7 @@ impl Identity<5> for PositionRate {
         let display = match self.line {
             PositionLine::Undone | PositionLine::UndoneAgain => braces.rate(),
             PositionLine::Outside => {
-                let quotient = over(power(moving.lead, 2), moving.square, 2);
+                let quotient = over(power(moving.numerator, 2), moving.square, 2);
                 quotient.rate() / 2
             }
             PositionLine::Quotient => {

@@ -51,9 +51,9 @@ fn normal_force_to_1_14() {
     }
     // Of all half powers up to eight, one pair is right.
     for speed in 0..=8 {
-        for gain in 0..=8 {
-            let right = prove(&NormalForce { powers: [speed, gain] }).is_ok();
-            assert_eq!(right, [speed, gain] == [5, 3]);
+        for angular_acceleration in 0..=8 {
+            let right = prove(&NormalForce { powers: [speed, angular_acceleration] }).is_ok();
+            assert_eq!(right, [speed, angular_acceleration] == [5, 3]);
         }
     }
 }

@@ -46,7 +46,7 @@ impl Reach<f64> {
     pub fn of_pose(pose: &Pose<f64>) -> Self {
         let radius = pose.square.sqrt();
         // At the ends a cos θ − 1 is zero but for rounding.
-        Self { radius, ratio: pose.lead.max(0.0) / pose.square, slide: pose.cross / radius }
+        Self { radius, ratio: pose.numerator.max(0.0) / pose.square, slide: pose.cross / radius }
     }
 }
 

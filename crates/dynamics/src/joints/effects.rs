@@ -59,9 +59,9 @@ pub struct Effect {
     /// Mean speed over that with ideal joints.
     pub mean_speed: f64,
     /// Factor by which one engagement reduces a difference of speeds.
-    pub contraction: f64,
+    pub multiplier: f64,
     /// Engagements in which a difference falls to 1/e: −1 / ln of the contraction.
-    pub memory: f64,
+    pub decay_constant: f64,
     /// Greatest less least speed, over the mean.
     pub swing: f64,
     /// The steady motion itself.
@@ -86,8 +86,8 @@ pub fn effects(parameters: &Parameters, joints: impl IntoIterator<Item = (f64, J
         Ok(Effect {
             value,
             mean_speed: state.mean_speed / ideal.mean_speed,
-            contraction: state.contraction,
-            memory: -1.0 / libm::log(state.contraction),
+            multiplier: state.multiplier,
+            decay_constant: -1.0 / libm::log(state.multiplier),
             swing: (state.peak.speed - state.minimum.speed) / state.mean_speed,
             state,
         })

@@ -38,8 +38,8 @@ pub struct Terms<S> {
 
 impl<S: Field> Terms<S> {
     /// M / I_f = p θ'² + q θ'' + H / I_f, the moment that the follower asks for.
-    pub fn moment(&self, square: &S, gain: &S) -> S {
-        self.bend.clone() * square.clone() + self.ratio.clone() * gain.clone() + self.hold.clone()
+    pub fn moment(&self, square: &S, angular_acceleration: &S) -> S {
+        self.bend.clone() * square.clone() + self.ratio.clone() * angular_acceleration.clone() + self.hold.clone()
     }
 
     /// Factor of θ'' for a contact with m = κ/λ: I_D / I_f + m q.
@@ -48,13 +48,13 @@ impl<S: Field> Terms<S> {
     }
 
     /// θ'' at a square of the speed, for a contact with m = κ/λ.
-    pub fn gain(&self, square: &S, leverage: &S) -> S {
+    pub fn angular_acceleration(&self, square: &S, leverage: &S) -> S {
         let held = self.bend.clone() * square.clone() + self.hold.clone();
         (self.drive.clone() - leverage.clone() * held) / self.slope(leverage)
     }
 
     /// i (p θ'² + H / I_f) + q (K − G) / I_f: its sign is that of the normal force.
-    pub fn flank_decider(&self, square: &S) -> S {
+    pub fn flank_switching_function(&self, square: &S) -> S {
         let held = self.bend.clone() * square.clone() + self.hold.clone();
         self.inertia.clone() * held + self.ratio.clone() * self.drive.clone()
     }
@@ -64,7 +64,7 @@ impl<S: Field> Terms<S> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion {
     /// θ'', in radians per square of the unit of time.
-    pub gain: f64,
+    pub angular_acceleration: f64,
     /// φ'', the same of the follower.
     pub follower_gain: f64,
     /// N r, normal force times crank radius, in the unit of torque; positive on the leading flank.
@@ -154,14 +154,14 @@ impl Escapement {
             return Err(Error::Speed { name: "driver speed", asked: speed });
         }
         let (place, square) = (self.place(angle), speed * speed);
-        let flank = Sign::from_number(place.terms.flank_decider(&square));
+        let flank = Sign::from_number(place.terms.flank_switching_function(&square));
         let sliding = place.reach.sliding(&self.joints.pin_radius, flank);
         let arms = self.arms(&place.reach, flank, Sign::from_number(sliding));
-        let gain = place.terms.gain(&square, &(arms.driver / arms.follower));
-        let moment = place.terms.moment(&square, &gain);
+        let angular_acceleration = place.terms.angular_acceleration(&square, &(arms.driver / arms.follower));
+        let moment = place.terms.moment(&square, &angular_acceleration);
         let follower_gain = moment - place.terms.hold;
         let normal_moment = self.parameters.inertias().follower() * moment / arms.follower;
-        Ok(Motion { gain, follower_gain, normal_moment, flank, sliding })
+        Ok(Motion { angular_acceleration, follower_gain, normal_moment, flank, sliding })
     }
 
     /// The equation's terms at a crank angle.

@@ -19,8 +19,8 @@ pub struct SolutionObeys;
 impl Identity<7> for SolutionObeys {
     fn difference(&self, [slope, leverage, ratio, bend, drive, hold, square]: [Expression; 7]) -> Expression {
         let terms = terms([slope, leverage, ratio, bend, drive, hold]);
-        let gain = terms.gain(&square, &leverage);
-        terms.inertia * gain + leverage * terms.moment(&square, &gain) - drive
+        let angular_acceleration = terms.angular_acceleration(&square, &leverage);
+        terms.inertia * angular_acceleration + leverage * terms.moment(&square, &angular_acceleration) - drive
     }
 }
 
@@ -32,8 +32,8 @@ pub struct FlankDecider;
 impl Identity<7> for FlankDecider {
     fn difference(&self, [slope, leverage, ratio, bend, drive, hold, square]: [Expression; 7]) -> Expression {
         let terms = terms([slope, leverage, ratio, bend, drive, hold]);
-        let gain = terms.gain(&square, &leverage);
-        slope * terms.moment(&square, &gain) - terms.flank_decider(&square)
+        let angular_acceleration = terms.angular_acceleration(&square, &leverage);
+        slope * terms.moment(&square, &angular_acceleration) - terms.flank_switching_function(&square)
     }
 }
 
@@ -54,8 +54,13 @@ impl Identity<8> for Similarity {
         let old = terms([slope, leverage, ratio, bend, drive, hold]);
         let new = terms([slope, leverage, ratio, bend, scaled(drive), scaled(hold)]);
         match self {
-            Self::Gain => new.gain(&scaled(square), &leverage) - scaled(old.gain(&square, &leverage)),
-            Self::Flank => new.flank_decider(&scaled(square)) - scaled(old.flank_decider(&square)),
+            Self::Gain => {
+                new.angular_acceleration(&scaled(square), &leverage)
+                    - scaled(old.angular_acceleration(&square, &leverage))
+            }
+            Self::Flank => {
+                new.flank_switching_function(&scaled(square)) - scaled(old.flank_switching_function(&square))
+            }
         }
     }
 }
@@ -72,14 +77,18 @@ pub struct GoesOverToMeyer {
 }
 
 impl Identity<8> for GoesOverToMeyer {
-    fn difference(&self, [radius, lead, cross, friction, inertia, drive, speed, gain]: [Expression; 8]) -> Expression {
-        let pose = Pose::from_square(&radius.squared(), &lead, &cross);
+    fn difference(
+        &self,
+        [radius, numerator, cross, friction, inertia, drive, speed, angular_acceleration]: [Expression; 8],
+    ) -> Expression {
+        let pose = Pose::from_square(&radius.squared(), &numerator, &cross);
         let sign = self.flank.times(self.sliding);
-        let meyer = Coefficients::of_pose(&pose, &inertia, &friction, &drive).residual(&speed, &gain, sign);
+        let meyer =
+            Coefficients::of_pose(&pose, &inertia, &friction, &drive).residual(&speed, &angular_acceleration, sign);
         let reach = Reach { radius, ratio: pose.velocity_ratio(), slide: cross / radius };
         let arms = reach.arms(&Expression::ZERO, &friction, self.flank, self.sliding);
-        let moment = pose.follower_acceleration(&speed, &gain);
-        inertia * gain + arms.driver / arms.follower * moment - drive - meyer
+        let moment = pose.follower_acceleration(&speed, &angular_acceleration);
+        inertia * angular_acceleration + arms.driver / arms.follower * moment - drive - meyer
     }
 }
 

@@ -31,7 +31,7 @@ pub struct Passage {
     /// θ' at exit.
     pub exit_speed: f64,
     /// Factor by which the engagement reduces a small difference of the squares of two entry speeds.
-    pub contraction: f64,
+    pub multiplier: f64,
     /// Units of time from entry to exit.
     pub duration: f64,
     /// 2π/m over the duration.
@@ -106,7 +106,7 @@ impl Escapement {
         Ok(Passage {
             entry_speed: square.sqrt(),
             exit_speed: state[0].sqrt(),
-            contraction: libm::exp(state[1]),
+            multiplier: libm::exp(state[1]),
             duration: state[2],
             mean_speed: 2.0 * half / state[2],
             peak: track.peak.extreme(),
@@ -118,7 +118,7 @@ impl Escapement {
 
     /// The flank at an angle, by the square of the speed.
     fn flank(&self, angle: f64, square: f64) -> Sign {
-        Sign::from_number(self.place(angle).terms.flank_decider(&square))
+        Sign::from_number(self.place(angle).terms.flank_switching_function(&square))
     }
 
     /// The parts between entry, the two angles at which the sliding can turn, and exit.
@@ -194,10 +194,10 @@ impl Escapement {
         let sense = if flank == Sign::Plus { part.leading } else { part.trailing };
         let arms = self.arms(&place.reach, flank, sense);
         let leverage = arms.driver / arms.follower;
-        let gain = place.terms.gain(&square, &leverage);
-        let moment = place.terms.moment(&square, &gain);
+        let angular_acceleration = place.terms.angular_acceleration(&square, &leverage);
+        let moment = place.terms.moment(&square, &angular_acceleration);
         let motion = Motion {
-            gain,
+            angular_acceleration,
             follower_gain: moment - place.terms.hold,
             normal_moment: self.parameters().inertias().follower() * moment / arms.follower,
             flank,
@@ -206,7 +206,14 @@ impl Escapement {
         let work = self.work_rate(place.reach.ratio, &motion);
         let shrinking = -2.0 * leverage * place.terms.bend / place.terms.slope(&leverage);
         let slowness = 1.0 / square.sqrt();
-        Ok(State::from([2.0 * gain, shrinking, slowness, work.sliding, work.driver_bearing, work.follower_bearing]))
+        Ok(State::from([
+            2.0 * angular_acceleration,
+            shrinking,
+            slowness,
+            work.sliding,
+            work.driver_bearing,
+            work.follower_bearing,
+        ]))
     }
 
     /// Takes a step into account that is on one flank.

@@ -35,10 +35,10 @@ impl Escapement {
         let mut passage = self.running(steps)?;
         for _ in 0..MOST_TRIALS {
             let (entry, exit) = (passage.entry_speed, passage.exit_speed);
-            let rest = 1.0 - passage.contraction;
+            let rest = 1.0 - passage.multiplier;
             // Within rounding: the contraction is a sum over all steps.
             if rest <= 1e-12 {
-                return Err(Error::NoTerminalSpeed { contraction: passage.contraction });
+                return Err(Error::NoTerminalSpeed { multiplier: passage.multiplier });
             }
             let excess = (exit - entry) * (exit + entry);
             if excess.abs() <= 4.0 * f64::EPSILON * entry * entry {
@@ -109,6 +109,6 @@ impl Escapement {
 /// The greatest relative change of what a steady state is made of.
 fn change(old: &Passage, new: &Passage) -> f64 {
     let of =
-        |state: &Passage| [state.entry_speed, state.peak.speed, state.minimum.speed, state.duration, state.contraction];
+        |state: &Passage| [state.entry_speed, state.peak.speed, state.minimum.speed, state.duration, state.multiplier];
     of(old).into_iter().zip(of(new)).map(|(old, new)| ((new - old) / new).abs()).fold(0.0, f64::max)
 }

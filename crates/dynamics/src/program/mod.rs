@@ -40,7 +40,7 @@ pub struct Program {
     /// Crank angle at the start of an engagement, in radians from the line of centres.
     pub start: f64,
     /// Angle in radians after which the driver is put back to the start.
-    pub fold: f64,
+    pub reset: f64,
     /// How the sign of the friction term is chosen.
     pub contact: Contact,
 }
@@ -75,7 +75,7 @@ impl Program {
             friction: parameters.friction(),
             ratio: mechanism.centre_distance_ratio(),
             start: -half,
-            fold: 2.0 * half,
+            reset: 2.0 * half,
             contact: Contact::Exact,
         }
     }
@@ -87,7 +87,7 @@ impl Program {
     /// A fold that is not positive, or whatever stops the integrator: a bad parameter of its own, a step that becomes
     /// too small, an angle at which the equation has no single solution.
     pub fn run(&self, integrator: &geneva_mimic::Parameters) -> Result<Printout, Error> {
-        positive("fold", self.fold)?;
+        positive("fold", self.reset)?;
         for (name, asked) in [("start of an engagement", self.start), ("centre distance ratio", self.ratio)] {
             if !asked.is_finite() {
                 return Err(Error::NotFinite { name, asked });
@@ -95,8 +95,8 @@ impl Program {
         }
         // Checks the ranges of torque and friction; the friction's limit is that of the mechanism as it is.
         Parameters::new(self.mechanism, self.inertias, self.torque, self.friction)?;
-        let memory = Memory::new(&self.contact).map_err(|error| Error::Stopped(error.to_string()))?;
-        let mut motion = Motion { program: *self, memory, acceleration: 0.0 };
+        let decay_constant = Memory::new(&self.contact).map_err(|error| Error::Stopped(error.to_string()))?;
+        let mut motion = Motion { program: *self, decay_constant, acceleration: 0.0 };
         let mut lines = Vec::new();
         let outcome = integrate(&mut motion, Vector2::zeros(), integrator, |point| {
             let (angle, pose) = self.pose(point.state[0]);
@@ -117,7 +117,7 @@ impl Program {
 
     /// The folded crank angle, and the pose there.
     fn pose(&self, turned: f64) -> (f64, Pose<f64>) {
-        let angle = libm::fmod(turned, self.fold) + self.start;
+        let angle = libm::fmod(turned, self.reset) + self.start;
         (angle, Pose::new(&self.ratio, &Turn::from_radians(angle)))
     }
 }
@@ -186,7 +186,7 @@ fn words(error: &IntegrationError<2, Fault>) -> String {
 /// The motion as the integrator sees it: θ and θ'.
 struct Motion {
     program: Program,
-    memory: Memory,
+    decay_constant: Memory,
     /// θ'' at the point that was asked for last.
     acceleration: f64,
 }
@@ -203,8 +203,8 @@ impl System<2> for Motion {
             return Err(Fault::NoSolution { angle, error: Error::NotUnique { a, d } });
         }
         let speed = state[1];
-        let sign = match &self.memory {
-            Memory::None => Sign::from_number(coefficients.sign_decider(&speed)),
+        let sign = match &self.decay_constant {
+            Memory::None => Sign::from_number(coefficients.sign_switching_function(&speed)),
             // At rest the friction opposes the driver, whatever was before.
             Memory::Line(_) if time <= 0.0 => Sign::from_number(coefficients.d),
             Memory::Line(line) => {
@@ -217,7 +217,7 @@ impl System<2> for Motion {
     }
 
     fn accepted(&mut self, time: f64, _: &Vector2<f64>, derivative: &Vector2<f64>) -> Result<(), Fault> {
-        match &mut self.memory {
+        match &mut self.decay_constant {
             Memory::None => Ok(()),
             Memory::Line(line) => line.record(time, derivative[1]).map_err(Fault::Delay),
         }

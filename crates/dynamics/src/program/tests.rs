@@ -42,9 +42,9 @@ fn a_short_delay_changes_little_and_a_long_one_more() {
 #[test]
 fn a_fold_that_is_none_and_a_friction_that_is_too_much_are_refused() {
     let program = Program::of(&parameters(Mechanism::THREE_PIN, 0.1, 0.2));
-    for fold in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        let refused = Program { fold, ..program }.run(&tight(1.0));
-        assert!(matches!(refused, Err(Error::NotPositive { .. })), "{fold}");
+    for reset in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        let refused = Program { reset, ..program }.run(&tight(1.0));
+        assert!(matches!(refused, Err(Error::NotPositive { .. })), "{reset}");
     }
     let refused = Program { friction: 5.0, ..program }.run(&tight(1.0)).unwrap_err();
     assert!(matches!(refused, Error::TooMuchFriction { .. }), "{refused}");

@@ -21,7 +21,7 @@ pub const MOST_STRETCHES: usize = 4096;
 #[derive(Clone, Debug)]
 pub struct Engagement {
     parameters: Parameters,
-    fold: f64,
+    reset: f64,
     /// w at the end, negative before the line of centres.
     end: f64,
     tolerance: f64,
@@ -93,7 +93,7 @@ impl Engagement {
         Self::to(parameters, 2.0 * parameters.mechanism().engagement_half_angle(), exit, tolerance)
     }
 
-    /// The motion of a calculation that goes back to −π/m after a turn of `fold` radians, whether or not a pin leaves
+    /// The motion of a calculation that goes back to −π/m after a turn of `reset` radians, whether or not a pin leaves
     /// there.
     ///
     /// The equation is evaluated beyond the exit if the fold is more than 2π/m, and short of it if less. The fold must
@@ -101,25 +101,25 @@ impl Engagement {
     ///
     /// # Errors
     ///
-    /// As for [`Engagement::with_tolerance`], and [`Error::Fold`].
+    /// As for [`Engagement::with_tolerance`], and [`Error::Reset`].
     ///
     /// Beyond the exit the equation has one solution if it has within: with |ρ| = x there, k² = c² a² − (c + x)², and
     /// at the place within where ρ = x it is c² a² − (c − x)², which is more; so |D| − ρ² = x (μ k − x) is less.
-    pub fn folded(parameters: &Parameters, fold: f64, tolerance: f64) -> Result<Self, Error> {
+    pub fn reset_after(parameters: &Parameters, reset: f64, tolerance: f64) -> Result<Self, Error> {
         let half = parameters.mechanism().engagement_half_angle();
-        if fold == 2.0 * half {
+        if reset == 2.0 * half {
             return Self::with_tolerance(parameters, tolerance);
         }
-        let (limit, end) = (PI + half, fold - half);
-        if !(fold > 0.0 && end < PI) {
-            return Err(Error::Fold { asked: fold, limit });
+        let (limit, end) = (PI + half, reset - half);
+        if !(reset > 0.0 && end < PI) {
+            return Err(Error::Reset { asked: reset, limit });
         }
         let circle = Circle::of(parameters.mechanism());
-        Self::to(parameters, fold, circle.at_angle(end.abs()).copysign(end), tolerance)
+        Self::to(parameters, reset, circle.at_angle(end.abs()).copysign(end), tolerance)
     }
 
     /// `end` is w at the end, negative before the line of centres.
-    fn to(parameters: &Parameters, fold: f64, end: f64, tolerance: f64) -> Result<Self, Error> {
+    fn to(parameters: &Parameters, reset: f64, end: f64, tolerance: f64) -> Result<Self, Error> {
         if !TOLERANCES.contains(&tolerance) {
             return Err(Error::OutOfRange {
                 name: "tolerance",
@@ -128,13 +128,13 @@ impl Engagement {
                 most: *TOLERANCES.end(),
             });
         }
-        Self::divided(parameters, fold, end, tolerance, &Scales::of_integrals(tolerance))
+        Self::divided(parameters, reset, end, tolerance, &Scales::of_integrals(tolerance))
     }
 
-    fn divided(parameters: &Parameters, fold: f64, end: f64, tolerance: f64, scales: &Scales) -> Result<Self, Error> {
+    fn divided(parameters: &Parameters, reset: f64, end: f64, tolerance: f64, scales: &Scales) -> Result<Self, Error> {
         let mut engagement = Self {
             parameters: *parameters,
-            fold,
+            reset,
             tolerance,
             energy_range: scales.energy_range,
             rule: rule(),
@@ -253,7 +253,7 @@ impl Engagement {
 
     /// The same, with subintervals so short that what lies between their nodes is as good as the integrals.
     pub(super) fn refined(&self) -> Result<Self, Error> {
-        Self::divided(&self.parameters, self.fold, self.end, self.tolerance, &Scales::between(self.tolerance))
+        Self::divided(&self.parameters, self.reset, self.end, self.tolerance, &Scales::between(self.tolerance))
     }
 
     /// The escapement.
@@ -262,8 +262,8 @@ impl Engagement {
     }
 
     /// Turn of the driver from the start of this engagement to that of the next, in radians.
-    pub fn fold(&self) -> f64 {
-        self.fold
+    pub fn reset(&self) -> f64 {
+        self.reset
     }
 
     /// The relative tolerance that was asked for.

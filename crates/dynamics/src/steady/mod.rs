@@ -3,7 +3,7 @@
 //! With u = θ'² and the angle instead of the time, Eq. (1-19) of Meyer 1973 is linear between the changes of the
 //! friction's sign: θ'' = u'/2, so (A + S D) u'/2 + (B + S C) u = E. The return map of one engagement takes u at entry to
 //! a u at the end that grows with it; its slope, the multiplier by which two motions approach one another, is known
-//! ([`Passage::contraction`]). Its fixed point is the steady state ([`SteadyState`]), and the speed at entry there the
+//! ([`Passage::multiplier`]). Its fixed point is the steady state ([`SteadyState`]), and the speed at entry there the
 //! terminal speed.
 //! No step of time is made: the solution is two integrals for each sign, by a rule of sixteen nodes on as many
 //! subintervals as the nearest poles of the equation ask for.

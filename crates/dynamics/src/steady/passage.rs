@@ -42,7 +42,7 @@ impl Engagement {
     /// # Errors
     ///
     /// As for [`Engagement::passage`].
-    pub fn hand_over(&self, entry_speed: f64) -> Result<f64, Error> {
+    pub fn return_map(&self, entry_speed: f64) -> Result<f64, Error> {
         Ok(self.passage(entry_speed)?.end_speed())
     }
 
@@ -144,7 +144,7 @@ impl<'a> Passage<'a> {
 
     /// The fold over the duration, in radians per unit of time.
     pub fn mean_speed(&self) -> f64 {
-        self.engagement.fold() / self.duration()
+        self.engagement.reset() / self.duration()
     }
 
     /// The multiplier, slope of the return map in u: the factor by which the squares of two speeds that are close at entry
@@ -153,7 +153,7 @@ impl<'a> Passage<'a> {
     /// With κ for it, ln κ = −∫ 4 μ i k²/((i + ρ²)² − (μ k ρ)²) dψ from the switch to the exit: what is lost before the
     /// line of centres and gained past it up to the switch is the same. A fold elsewhere adds the loss of an engagement
     /// that ends with the follower in motion.
-    pub fn contraction(&self) -> f64 {
+    pub fn multiplier(&self) -> f64 {
         libm::exp(self.engagement.log_multiplier(self.switch))
     }
 }

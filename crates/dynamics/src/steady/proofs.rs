@@ -27,19 +27,19 @@ impl Identity<2> for OnACircle {
 /// dρ/dθ = −k (1 + 2 ρ), and dk/dθ = (ρ − c)(1 + 2 ρ): the point turns by 1 + 2 ρ per radian. Variables: a, tan(θ/2).
 pub struct TurningOnTheCircle {
     /// Whether it is about ρ, or about k.
-    pub lead: bool,
+    pub numerator: bool,
 }
 
 impl Identity<2> for TurningOnTheCircle {
     fn difference(&self, [ratio, tangent]: [Expression; 2]) -> Expression {
         let pose = moving(ratio, tangent);
-        let (lead, slide) = (pose.velocity_ratio(), pose.cross / pose.square);
-        let turning = 1 + 2 * lead.value();
-        if self.lead {
-            lead.rate() + slide.value() * turning
+        let (numerator, slide) = (pose.velocity_ratio(), pose.cross / pose.square);
+        let turning = 1 + 2 * numerator.value();
+        if self.numerator {
+            numerator.rate() + slide.value() * turning
         } else {
             let centre = 1 / (ratio * ratio - 1);
-            slide.rate() - (lead.value() - centre) * turning
+            slide.rate() - (numerator.value() - centre) * turning
         }
     }
 }
@@ -53,8 +53,8 @@ impl Identity<6> for DeciderFactors {
         let coefficients = Coefficients::of_pose(&pose, &inertia, &friction, &drive);
         let slide = friction * (pose.cross / pose.square);
         let square = speed * speed;
-        let gain = inertia * pose.acceleration_ratio() * square + pose.velocity_ratio() * drive;
-        coefficients.sign_decider(&speed) - slide * gain
+        let angular_acceleration = inertia * pose.acceleration_ratio() * square + pose.velocity_ratio() * drive;
+        coefficients.sign_switching_function(&speed) - slide * angular_acceleration
     }
 }
 
@@ -67,10 +67,10 @@ impl Identity<4> for RateOfDecay {
     fn difference(&self, [ratio, tangent, inertia, friction]: [Expression; 4]) -> Expression {
         let pose = Pose::new(&ratio, &Turn::from_half_tangent(&tangent));
         let of = Coefficients::of_pose(&pose, &inertia, &friction, &Expression::ONE);
-        let (lead, slide) = (pose.velocity_ratio(), pose.cross / pose.square);
-        let both = lead + friction * slide;
-        let inert = inertia + lead * both;
-        let turning = 1 + 2 * lead;
+        let (numerator, slide) = (pose.velocity_ratio(), pose.cross / pose.square);
+        let both = numerator + friction * slide;
+        let inert = inertia + numerator * both;
+        let turning = 1 + 2 * numerator;
         2 * both * slide / inert + 2 * (of.b + of.c) / ((of.a + of.d) * turning)
     }
 }
@@ -80,10 +80,10 @@ impl Identity<4> for RateOfDecay {
 pub struct Contraction;
 
 impl Identity<4> for Contraction {
-    fn difference(&self, [lead, slide, inertia, friction]: [Expression; 4]) -> Expression {
+    fn difference(&self, [numerator, slide, inertia, friction]: [Expression; 4]) -> Expression {
         let [plus, minus] = [friction, -friction].map(|sigma| {
-            let both = lead + sigma * slide;
-            let inert = inertia + lead * both;
+            let both = numerator + sigma * slide;
+            let inert = inertia + numerator * both;
             (2 * both * slide, inert)
         });
         let gap = 4 * friction * inertia * slide * slide;
@@ -98,13 +98,14 @@ pub struct SwitchFalls;
 impl Identity<2> for SwitchFalls {
     fn difference(&self, [ratio, tangent]: [Expression; 2]) -> Expression {
         let pose = moving(ratio, tangent);
-        let (lead, slide) = (pose.velocity_ratio(), pose.cross / pose.square);
-        let turning = Jet::integer(1) + Jet::integer(2) * lead;
-        let switch = lead / (slide * turning);
-        let (lead, slide, turning) = (lead.value(), slide.value(), turning.value());
+        let (numerator, slide) = (pose.velocity_ratio(), pose.cross / pose.square);
+        let turning = Jet::integer(1) + Jet::integer(2) * numerator;
+        let switch = numerator / (slide * turning);
+        let (numerator, slide, turning) = (numerator.value(), slide.value(), turning.value());
         let centre = 1 / (ratio * ratio - 1);
         let square = slide * turning * slide * turning;
-        let claimed = centre + 2 * centre * lead - lead * lead + (lead - centre) * lead * turning;
+        let claimed =
+            centre + 2 * centre * numerator - numerator * numerator + (numerator - centre) * numerator * turning;
         // A rate with θ is 1 + 2 ρ times the rate with ψ.
         switch.rate() * square + claimed * turning
     }
@@ -119,8 +120,8 @@ mod tests {
     #[test]
     fn the_steady_motion_rests_on_identities() {
         holds("on a circle", &OnACircle);
-        for lead in [true, false] {
-            holds("turning on the circle", &TurningOnTheCircle { lead });
+        for numerator in [true, false] {
+            holds("turning on the circle", &TurningOnTheCircle { numerator });
         }
         holds("decider", &DeciderFactors);
         holds("rate of decay", &RateOfDecay);
@@ -138,9 +139,10 @@ mod tests {
             let width = end / f64::from(steps);
             let steepest = 2.0 * centre + 2.0 * end + (2.0 * end + centre) * (1.0 + 4.0 * end) + 4.0 * end * end;
             for step in 0..=steps {
-                let lead = width * f64::from(step);
-                let value = centre + 2.0 * centre * lead - lead * lead + (lead - centre) * lead * (1.0 + 2.0 * lead);
-                assert!(value > steepest * width, "{mechanism:?} {lead} {value}");
+                let numerator = width * f64::from(step);
+                let value = centre + 2.0 * centre * numerator - numerator * numerator
+                    + (numerator - centre) * numerator * (1.0 + 2.0 * numerator);
+                assert!(value > steepest * width, "{mechanism:?} {numerator} {value}");
             }
         }
     }

@@ -63,7 +63,7 @@ impl Engagement {
                 end_speed: passage.end_speed(),
                 peak,
                 minimum,
-                mean_speed: self.fold() / duration,
+                mean_speed: self.reset() / duration,
             });
             square = passage.end;
             time += duration;

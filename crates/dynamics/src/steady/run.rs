@@ -114,7 +114,7 @@ impl Passage<'_> {
         let half = engagement.parameters().mechanism().engagement_half_angle();
         Printed {
             time,
-            turned: engagement.fold() * number as f64 + (angle + half),
+            turned: engagement.reset() * number as f64 + (angle + half),
             angle,
             speed,
             acceleration: acceleration * (engagement.unit * engagement.unit),

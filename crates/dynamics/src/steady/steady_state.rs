@@ -33,7 +33,7 @@ pub struct SteadyState {
     /// Factor by which one engagement reduces a small difference of the squares of two speeds; between 0 and 1.
     ///
     /// Differences of speeds are reduced by the same factor.
-    pub contraction: f64,
+    pub multiplier: f64,
 }
 
 impl SteadyState {
@@ -104,9 +104,9 @@ impl Engagement {
             peak,
             minimum,
             period,
-            mean_speed: self.fold() / period,
+            mean_speed: self.reset() / period,
             switch_angle: passage.switch_angle(),
-            contraction: libm::exp(repeated.log),
+            multiplier: libm::exp(repeated.log),
         })
     }
 
@@ -134,7 +134,7 @@ impl Engagement {
         }
         // Without friction the contraction does not depend on the switch, and there must be some by the fold.
         if self.friction == 0.0 && -libm::expm1(rest.log) <= 4.0 * f64::EPSILON {
-            return Err(Error::NoTerminalSpeed { contraction: libm::exp(rest.log) });
+            return Err(Error::NoTerminalSpeed { multiplier: libm::exp(rest.log) });
         }
         // From the end on, until a subinterval starts before the switch.
         let all = self.subintervals[..exit].last().map_or((1.0, 0.0), Subinterval::after);
@@ -154,7 +154,7 @@ impl Engagement {
         if entry.is_finite() {
             Ok(FixedPoint { entry, split, log })
         } else {
-            Err(Error::NoTerminalSpeed { contraction: 1.0 })
+            Err(Error::NoTerminalSpeed { multiplier: 1.0 })
         }
     }
 

@@ -141,7 +141,7 @@ fn power(f: impl Fn(f64) -> Result<f64, Error>) -> Result<f64, Error> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settling {
     /// Factor by which one engagement reduces a small difference of two speeds.
-    pub contraction: f64,
+    pub multiplier: f64,
     /// Units of time that an engagement takes in the steady motion.
     pub period: f64,
 }
@@ -154,12 +154,12 @@ impl Settling {
     /// As for [`Engagement::steady_state`]: without friction there is no steady state.
     pub fn new(parameters: &Parameters) -> Result<Self, Error> {
         let steady = Engagement::new(parameters)?.steady_state()?;
-        Ok(Self { contraction: steady.contraction, period: steady.period })
+        Ok(Self { multiplier: steady.multiplier, period: steady.period })
     }
 
     /// Engagements, not rounded, until a small difference is down to this part of itself, which is between 0 and 1.
     pub fn engagements(&self, part: f64) -> f64 {
-        libm::log(part) / libm::log(self.contraction)
+        libm::log(part) / libm::log(self.multiplier)
     }
 
     /// Units of time until then, counted as if each engagement took a period.

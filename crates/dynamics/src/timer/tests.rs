@@ -68,7 +68,7 @@ fn the_cycle_starts_and_ends_at_the_speed_of_the_steady_state() {
         for line in [first, last] {
             assert_relative_eq!(line.speed, steady.entry_speed, max_relative = 1e-9);
         }
-        assert_relative_eq!(last.turned, engagement.fold(), max_relative = 1e-9);
+        assert_relative_eq!(last.turned, engagement.reset(), max_relative = 1e-9);
         assert_relative_eq!(last.time, steady.period, max_relative = 1e-12);
         let speeds = lines.iter().map(|line| line.speed);
         let (low, high) = speeds.fold((f64::INFINITY, 0.0_f64), |(low, high), s| (low.min(s), high.max(s)));
@@ -77,7 +77,7 @@ fn the_cycle_starts_and_ends_at_the_speed_of_the_steady_state() {
         // The angle by Simpson's rule over the speed.
         let step = steady.period / 500.0;
         let sum: f64 = lines.windows(3).step_by(2).map(|w| w[0].speed + 4.0 * w[1].speed + w[2].speed).sum();
-        assert_relative_eq!(sum * step / 3.0, engagement.fold(), max_relative = 1e-5);
+        assert_relative_eq!(sum * step / 3.0, engagement.reset(), max_relative = 1e-5);
     }
 }
 
@@ -123,7 +123,7 @@ fn the_count_of_engagements_is_that_of_a_start_near_the_steady_speed() {
     let mut speed = steady * (1.0 + 1e-4);
     let mut count = 0;
     while (speed / steady - 1.0).abs() > 1e-6 {
-        speed = engagement.hand_over(speed).expect("handed over");
+        speed = engagement.return_map(speed).expect("handed over");
         count += 1;
     }
     assert_eq!(f64::from(count), settling.engagements(0.01).ceil());

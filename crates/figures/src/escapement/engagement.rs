@@ -53,7 +53,7 @@ pub fn speeds(parameters: &Parameters, entry_speed: f64) -> Result<Vec<[f64; 2]>
         let theta = half * ((2.0 * f64::from(step) - f64::from(STEPS)) / f64::from(STEPS));
         let speed = match step {
             0 => entry_speed,
-            _ => Engagement::folded(parameters, half + theta, TOLERANCE)?.passage(entry_speed)?.end_speed(),
+            _ => Engagement::reset_after(parameters, half + theta, TOLERANCE)?.passage(entry_speed)?.end_speed(),
         };
         Ok([theta, speed])
     };

@@ -7,7 +7,7 @@ use crate::svg::{Canvas, DASHED, Kind, Label, Pixels, Placing, Shape, around, be
 use crate::theme::{DRIVER, FOLLOWER, INK, RELATIVE};
 use crate::{Figure, Series, Words};
 use geneva_kinematics::Field;
-use geneva_kinematics::escapement::{Layout, Mechanism, Roots, Slot};
+use geneva_kinematics::escapement::{Configuration, Mechanism, Roots, Slot};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
@@ -80,14 +80,14 @@ pub fn hand_over(escapement: &Mechanism) -> Figure {
 }
 
 /// Exact places as floating-point numbers.
-fn rounded(exact: &Layout<Roots>) -> Layout<f64> {
+fn rounded(exact: &Configuration<Roots>) -> Configuration<f64> {
     let point = |at: &Vector2<Roots>| at.map(|x| x.approximate());
     let slot = |slot: &Slot<Roots>| Slot {
         direction: point(&slot.direction),
         mouth: point(&slot.mouth),
         bottom: point(&slot.bottom),
     };
-    Layout {
+    Configuration {
         follower_axis: point(&exact.follower_axis),
         pins: exact.pins.iter().map(point).collect(),
         slots: exact.slots.iter().map(slot).collect(),

@@ -5,7 +5,7 @@ use crate::parts::{WIDTH, axis, construction, pin, pin_circle, sense};
 use crate::star::Star;
 use crate::svg::{Canvas, Label, Path, Pixels, Placing, Shape, View, heading};
 use crate::theme::{DRIVER, FOLLOWER, Shade};
-use geneva_kinematics::escapement::{Layout, Mechanism};
+use geneva_kinematics::escapement::{Configuration, Mechanism};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
@@ -32,7 +32,7 @@ pub struct Bodies {
     /// The follower; lengths in crank radii.
     pub star: Star,
     /// Places of pins and slots.
-    pub layout: Layout<f64>,
+    pub layout: Configuration<f64>,
     /// θ and φ of the first pin and its slot, in radians.
     pub theta: f64,
     pub phi: f64,
@@ -54,7 +54,7 @@ impl Bodies {
     }
 
     /// The mechanism with its parts in these places.
-    pub fn new(escapement: &Mechanism, layout: Layout<f64>, [theta, phi]: [f64; 2], margins: Margins) -> Self {
+    pub fn new(escapement: &Mechanism, layout: Configuration<f64>, [theta, phi]: [f64; 2], margins: Margins) -> Self {
         let star = Star::of_wheel(&escapement.wheel());
         let scale = (WIDTH - 2.0 * margins.side) / (DISC + star.centre + star.rim);
         let half = DISC.max(star.rim) * scale;

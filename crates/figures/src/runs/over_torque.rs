@@ -76,8 +76,8 @@ pub fn over_torque(group: &Group) -> Result<Figure, FigureError> {
     let [least, greatest] = group.range(|run| run.torque);
     let mut families = Vec::new();
     for friction in group.frictions() {
-        let of = |fold: f64| Scaled::of(&group.engagement(friction, least, fold)?);
-        families.push(Family { friction, as_run: of(group.fold)?, as_is: group.own_fold().map(of).transpose()? });
+        let of = |reset: f64| Scaled::of(&group.engagement(friction, least, reset)?);
+        families.push(Family { friction, as_run: of(group.reset)?, as_is: group.own_reset().map(of).transpose()? });
     }
     if families.is_empty() {
         return Err(FigureError::Nothing);
@@ -90,12 +90,12 @@ pub fn over_torque(group: &Group) -> Result<Figure, FigureError> {
         panel(group, &families, &x.clone().titled(Label::words("torque ").and_symbol("K").and(" in in lb")), &speed),
     ];
     let exact = Stroke::new(INK).wide(2.4);
-    let run = group.own_fold().map_or("exact".to_owned(), |_| format!("exact, back after {}", degrees(group.fold)));
+    let run = group.own_reset().map_or("exact".to_owned(), |_| format!("exact, back after {}", degrees(group.reset)));
     let mut key = vec![
         Entry::marks((0..4).map(|number| kind(number).1), Label::words("printed")),
         Entry::curve(exact, Label::words(&run)),
     ];
-    if group.own_fold().is_some() {
+    if group.own_reset().is_some() {
         key.push(Entry::curve(exact.dashed(DASHES), Label::words("exact, the mechanism as it is")));
     }
     Ok(Chart::new(panels).key(key).figure(words(group, &families), series(group, &families)))
@@ -179,7 +179,7 @@ fn words(group: &Group, families: &[Family]) -> Words {
         [least, most].map(|quotient| significant(quotient, 3))
     };
     let ([low, high], [short, long]) = (spread(2, 3), spread(5, 6));
-    let as_is = if group.own_fold().is_some() {
+    let as_is = if group.own_reset().is_some() {
         let [low, high] = spread(2, 4);
         format!(" Of the mechanism as it is, dashed, the printed speeds are {low} to {high} times those of its curves.")
     } else {
@@ -195,13 +195,13 @@ fn words(group: &Group, families: &[Family]) -> Words {
              their value.{as_is}",
             families.len()
         ),
-        if group.own_fold().is_some() {
+        if group.own_reset().is_some() {
             format!(
                 "{pins} pins. The printed speeds are those of a driver that is put back after {}, whatever the \
                  mechanism, and not those of the mechanism as it is. The printed rise times keep to no curve: here \
                  the time until a peak is within one per cent of the steady one, which leaps with the number of \
                  engagements.",
-                degrees(group.fold)
+                degrees(group.reset)
             )
         } else {
             format!(
@@ -222,7 +222,7 @@ mod tests {
     use std::f64::consts::FRAC_PI_2;
 
     fn group(mechanism: Mechanism, runs: Vec<Run>) -> Group {
-        Group { mechanism, inertias: Inertias::new(1.0, 2.0).expect("sound"), fold: FRAC_PI_2, runs }
+        Group { mechanism, inertias: Inertias::new(1.0, 2.0).expect("sound"), reset: FRAC_PI_2, runs }
     }
 
     fn run(friction: f64, torque: f64) -> Run {

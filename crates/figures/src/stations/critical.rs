@@ -23,7 +23,7 @@ const SMALL: f64 = 80.0;
 /// the wheel's axis, π/2 − α at the driver's, 2α between two slots. Series: N, α, π/2 − α, the three lengths.
 pub fn critical_geometry(wheel: &Wheel) -> Figure {
     let bodies = Bodies::new(wheel, WIDTH, MARGINS);
-    let (alpha, theta) = (wheel.half_station(), wheel.engagement_half_angle());
+    let (alpha, theta) = (wheel.half_pitch_angle(), wheel.engagement_half_angle());
     let pin = bodies.pin(-theta);
     let mut canvas = Canvas::new(WIDTH, bodies.height);
     let scale = bodies.view.scale;

@@ -35,7 +35,7 @@ pub fn keys(wheel: &Wheel) -> Vec<Key> {
     let mut keys = rising.clone();
     keys.extend(falling);
     if half < pitch / 2.0 - 1e-9 {
-        let alpha = wheel.half_station();
+        let alpha = wheel.half_pitch_angle();
         keys.insert(0, Key { share: 0.0, theta: -pitch / 2.0, phi: -alpha });
         keys.push(Key { share: 1.0, theta: pitch / 2.0, phi: alpha });
     }
@@ -76,7 +76,7 @@ mod tests {
                     let line = pair[0].phi + part * (pair[1].phi - pair[0].phi);
                     let motion = wheel.at(0, theta).expect("in the turn");
                     // At the very ends of a turn the motion counts the neighbouring pin.
-                    let off = line - motion.angle - motion.stations as f64 * 2.0 * wheel.half_station();
+                    let off = line - motion.angle - motion.stations as f64 * 2.0 * wheel.half_pitch_angle();
                     assert!(off.to_degrees().abs() < 1.02 * TOLERANCE, "{stations}, {pins}: {theta}");
                 }
             }

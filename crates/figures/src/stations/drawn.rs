@@ -1,6 +1,6 @@
 //! What must hold of the drawings of wheels as they are written, read back from the SVG.
 
-use super::{advance, critical_geometry, extremes, mechanism, model, motion};
+use super::{critical_geometry, extremes, indexing, mechanism, model, motion};
 use crate::FigureError;
 use crate::checks::{Drawing, PIXELS, drawn};
 use geneva_kinematics::wheel::{Wheel, acceleration_peak, entry_acceleration, peak_velocity};
@@ -13,7 +13,7 @@ fn wheels() -> Vec<Wheel> {
 #[test]
 fn every_wheel_is_drawn_light_and_in_true_numbers() {
     for wheel in wheels() {
-        [mechanism(&wheel), critical_geometry(&wheel), advance(&wheel), motion(&wheel)].iter().for_each(drawn);
+        [mechanism(&wheel), critical_geometry(&wheel), indexing(&wheel), motion(&wheel)].iter().for_each(drawn);
         for share in [-1.0, -0.4, 0.0, 0.7, 1.0] {
             drawn(&model(&wheel, share * wheel.engagement_half_angle()).expect("engaged"));
         }
@@ -69,11 +69,11 @@ fn the_wheel_of_the_mechanism_is_to_scale_and_faces_the_driver() {
 #[test]
 fn the_series_of_an_advance_is_symmetric_with_both_ends() {
     for wheel in wheels() {
-        let rows = advance::rows(&wheel);
+        let rows = indexing::rows(&wheel);
         let last = rows.len() - 1;
         assert!(rows.len() >= 91);
         approx::assert_relative_eq!(rows[0][0], -wheel.engagement_half_angle().to_degrees(), max_relative = 1e-14);
-        approx::assert_relative_eq!(rows[0][1], -wheel.half_station(), max_relative = 1e-13);
+        approx::assert_relative_eq!(rows[0][1], -wheel.half_pitch_angle(), max_relative = 1e-13);
         approx::assert_relative_eq!(rows[0][3], entry_acceleration(&wheel), max_relative = 1e-11);
         for (k, row) in rows.iter().enumerate() {
             let mirror = &rows[last - k];
@@ -83,16 +83,16 @@ fn the_series_of_an_advance_is_symmetric_with_both_ends() {
         }
         assert_eq!([rows[0][2], rows[last][2]], [0.0, 0.0]);
     }
-    assert_eq!(advance::rows(&Wheel::new(4).expect("possible")).len(), 91);
+    assert_eq!(indexing::rows(&Wheel::new(4).expect("possible")).len(), 91);
 }
 
 #[test]
 fn the_jumps_are_drawn_where_there_is_a_dwell() {
     for wheel in wheels() {
-        let figure = advance(&wheel);
+        let figure = indexing(&wheel);
         let drawing = Drawing::of(&figure);
         let dwells = 2 * usize::from(wheel.dwell_fraction() > 1e-9);
-        assert_eq!(["advance-end", "dwell-end", "jump"].map(|class| drawing.count(class)), [2, dwells, dwells]);
+        assert_eq!(["indexing-end", "dwell-end", "jump"].map(|class| drawing.count(class)), [2, dwells, dwells]);
     }
 }
 

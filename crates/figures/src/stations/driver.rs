@@ -42,7 +42,7 @@ impl Driver {
         let journal = star.locking.unwrap_or_default();
         let depth = LEFT_IN_GAP * (star.centre - star.rim);
         // The edge of the cut-out along its middle line: cos(π/2 − α) = sin α.
-        let edge = journal * libm::sin(wheel.half_station());
+        let edge = journal * libm::sin(wheel.half_pitch_angle());
         let cut_centre = (journal * journal - depth * depth) / (2.0 * (edge - depth));
         Self {
             pins: wheel.pins(),

@@ -26,7 +26,7 @@ const WIDEST_NAME: f64 = 85.0;
 /// centre distance, wheel, least slot length, locking arcs; then α, θ and φ as drawn.
 pub fn mechanism(wheel: &Wheel) -> Figure {
     let bodies = Bodies::new(wheel, WIDTH, MARGINS);
-    let (theta, phi) = (-locked_crank(&bodies), -wheel.half_station());
+    let (theta, phi) = (-locked_crank(&bodies), -wheel.half_pitch_angle());
     let mut canvas = Canvas::new(WIDTH, bodies.height);
     pin_circle(&mut canvas, &bodies.axis, bodies.view.scale);
     bodies.draw(&mut canvas, theta, phi, 2.0);
@@ -41,7 +41,7 @@ pub fn mechanism(wheel: &Wheel) -> Figure {
         ("wheel/r", "1", rim),
         ("slot/r", "1", wheel.slot_length_ratio()),
         ("journal/r", "1", journal),
-        ("alpha", "deg", wheel.half_station().to_degrees()),
+        ("alpha", "deg", wheel.half_pitch_angle().to_degrees()),
         ("theta", "deg", theta.to_degrees()),
         ("phi", "deg", phi.to_degrees()),
     ]);
@@ -94,7 +94,7 @@ fn senses(canvas: &mut Canvas, at: &Bodies) {
 /// Names of the parts, where there is room for them.
 fn names(canvas: &mut Canvas, at: &Bodies, wheel: &Wheel, theta: f64) {
     let (star, driver, scale) = (&at.star, &at.driver, at.view.scale);
-    let (step, up) = (2.0 * wheel.half_station(), Vector2::new(0.0, -1.0));
+    let (step, up) = (2.0 * wheel.half_pitch_angle(), Vector2::new(0.0, -1.0));
     // The slot and the locking arc nearest to where their names have room.
     let slot = nearest(step / 2.0, step, 0.72 * PI);
     let middle = at.on_wheel((star.bottom + star.rim) / 2.0, slot);

@@ -4,7 +4,6 @@
 //! measured clockwise from B → O, the wheel's angle φ counter-clockwise from O → B: both are zero where a pin is on
 //! the line of centres, and both grow. Lengths are in crank radii.
 
-mod advance;
 #[cfg(test)]
 mod clearance;
 mod critical;
@@ -13,14 +12,15 @@ mod cycle;
 mod drawn;
 mod driver;
 mod extremes;
+mod indexing;
 mod mechanism;
 mod model;
 mod motion;
 mod pose;
 
-pub use advance::advance;
 pub use critical::critical_geometry;
 pub use extremes::extremes;
+pub use indexing::indexing;
 pub use mechanism::mechanism;
 pub use model::model;
 pub use motion::motion;

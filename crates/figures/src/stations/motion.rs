@@ -80,7 +80,7 @@ fn frames(wheel: &Wheel) -> Vec<Frame> {
         at("exit", half),
     ];
     if wheel.dwell_fraction() > 1e-9 {
-        frames.push(Frame { name: "dwell", theta: PI / f64::from(wheel.pins()), phi: wheel.half_station() });
+        frames.push(Frame { name: "dwell", theta: PI / f64::from(wheel.pins()), phi: wheel.half_pitch_angle() });
     }
     frames
 }
@@ -94,14 +94,14 @@ fn style(name: &str, wheel: &Wheel, keys: &[Key]) -> String {
         let (share, angle) = (trimmed(100.0 * key.share, 3), trimmed(-key.phi.to_degrees(), 2));
         format!("{share}%{{transform:rotate({angle}deg)}}")
     };
-    let advance: String = keys.iter().map(key).collect();
+    let indexing: String = keys.iter().map(key).collect();
     let start = trimmed(-180.0 / f64::from(wheel.pins()), 4);
     let end = trimmed(360.0 - 180.0 / f64::from(wheel.pins()), 4);
     let (cycle, turn) = (trimmed(cycle, 6), trimmed(TURN, 6));
     let (stations, round) =
         (wheel.stations(), trimmed(TURN / f64::from(wheel.pins()) * f64::from(wheel.stations()), 6));
     format!(
-        "<style>@keyframes {name}-wheel{{{advance}}}\
+        "<style>@keyframes {name}-wheel{{{indexing}}}\
          @keyframes {name}-round{{to{{transform:rotate(-360deg)}}}}\
          @keyframes {name}-driver{{from{{transform:rotate({start}deg)}}to{{transform:rotate({end}deg)}}}}\
          @media screen and (prefers-reduced-motion:no-preference){{\

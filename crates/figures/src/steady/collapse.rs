@@ -41,9 +41,9 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, FigureError> {
     for group in groups {
         for run in &group.runs {
             let unit = (run.torque / group.inertias.follower()).sqrt();
-            let steady = group.engagement(run.friction, run.torque, group.fold)?.steady_state()?;
-            let own = match group.own_fold() {
-                Some(fold) => group.engagement(run.friction, run.torque, fold)?.steady_state()?,
+            let steady = group.engagement(run.friction, run.torque, group.reset)?.steady_state()?;
+            let own = match group.own_reset() {
+                Some(reset) => group.engagement(run.friction, run.torque, reset)?.steady_state()?,
                 None => steady,
             };
             let ([a, b, c], [d, e, f], [g, h, i]) = (given(run, unit), scaled(&steady, unit), scaled(&own, unit));
@@ -105,9 +105,9 @@ fn frictions(rows: &[[f64; 11]]) -> Result<Axis, FigureError> {
 
 /// The curve of the mechanism as it was run, if that is another than its own, and its own.
 fn both(group: &Group, x: &Axis) -> Result<[Option<Results>; 2], FigureError> {
-    let of = |fold: f64| curve(group, fold, [x.range.start, x.range.end]);
-    let as_run = group.own_fold().map(|_| of(group.fold)).transpose()?;
-    Ok([as_run, Some(of(group.own_fold().unwrap_or(group.fold))?)])
+    let of = |reset: f64| curve(group, reset, [x.range.start, x.range.end]);
+    let as_run = group.own_reset().map(|_| of(group.reset)).transpose()?;
+    Ok([as_run, Some(of(group.own_reset().unwrap_or(group.reset))?)])
 }
 
 /// The panel of one of the three results.
@@ -136,11 +136,11 @@ fn panel(groups: &[Group], rows: &[[f64; 11]], curves: &[[Option<Results>; 2]], 
 }
 
 /// A mechanism's results without scale, over the friction, if the driver is put back after this angle.
-fn curve(group: &Group, fold: f64, [from, to]: [f64; 2]) -> Result<Vec<(f64, [f64; 3])>, FigureError> {
+fn curve(group: &Group, reset: f64, [from, to]: [f64; 2]) -> Result<Vec<(f64, [f64; 3])>, FigureError> {
     let point = |step: u32| {
         let friction = from + (to - from) * f64::from(step) / f64::from(STEPS);
         let torque = group.inertias.follower();
-        Ok((friction, scaled(&group.engagement(friction, torque, fold)?.steady_state()?, 1.0)))
+        Ok((friction, scaled(&group.engagement(friction, torque, reset)?.steady_state()?, 1.0)))
     };
     (0..=STEPS).map(point).collect()
 }
@@ -157,7 +157,7 @@ mod tests {
     fn runs_of_all_torques_fall_together() {
         let groups = Mechanism::ALL.map(|mechanism| {
             let inertias = Inertias::new(2.0, 5.0).expect("sound");
-            let mut group = Group { mechanism, inertias, fold: FRAC_PI_2, runs: Vec::new() };
+            let mut group = Group { mechanism, inertias, reset: FRAC_PI_2, runs: Vec::new() };
             for (friction, torque) in [(0.1, 3.0), (0.1, 12.0), (0.25, 3.0), (0.25, 0.7)] {
                 let steady = group.engagement(friction, torque, FRAC_PI_2).expect("sound").steady_state();
                 let steady = steady.expect("steady");

@@ -19,11 +19,11 @@ pub struct Line {
 
 /// Mean speed over that of the ideal mechanism, and contraction, over the size of a joint.
 ///
-/// `speeds` and `contractions` are the lines of the two panels; lines of the same name have the same look. `size` says
+/// `speeds` and `multipliers` are the lines of the two panels; lines of the same name have the same look. `size` says
 /// what the joint's size is and its unit. Points that are no numbers are left out. Series: panel, number of the line's
 /// name in order of first appearance, size, value.
-pub fn losses(size: &str, speeds: &[Line], contractions: &[Line]) -> Figure {
-    let groups = [speeds, contractions];
+pub fn losses(size: &str, speeds: &[Line], multipliers: &[Line]) -> Figure {
+    let groups = [speeds, multipliers];
     let mut names: Vec<&str> = Vec::new();
     for line in groups.into_iter().flatten() {
         if !names.contains(&line.name.as_str()) {
@@ -99,8 +99,8 @@ mod tests {
     #[test]
     fn every_line_is_drawn_where_its_points_are() {
         for (count, points) in [(1, 4), (3, 12), (5, 40)] {
-            let (speeds, contractions) = (lines(count, points, |x| 1.0 - 0.5 * x), lines(count, points, |x| 0.1 + x));
-            let figure = losses("radius of the pin over the crank", &speeds, &contractions);
+            let (speeds, multipliers) = (lines(count, points, |x| 1.0 - 0.5 * x), lines(count, points, |x| 0.1 + x));
+            let figure = losses("radius of the pin over the crank", &speeds, &multipliers);
             sound(&figure);
             let drawing = Drawing::of(&figure);
             assert_eq!(drawing.count("loss"), 2 * count);

@@ -43,7 +43,7 @@ const NAMES: [&str; 2] = ["and lines of equal mean speed", "and lines of equal r
 type Value = fn(&SteadyState) -> f64;
 
 /// Mean speed, and engagements from rest until a difference of speeds has shrunk to a hundredth.
-const VALUES: [Value; 2] = [|steady| steady.mean_speed, |steady| libm::log(LEFT) / libm::log(steady.contraction)];
+const VALUES: [Value; 2] = [|steady| steady.mean_speed, |steady| libm::log(LEFT) / libm::log(steady.multiplier)];
 
 /// A line of equal value: its number and its points.
 type Line = (f64, Vec<(f64, f64)>);

@@ -2,17 +2,17 @@
 
 mod collapse;
 mod contours;
-mod hand_over;
 mod losses;
 mod map;
 mod phase;
+mod return_map;
 #[cfg(test)]
 mod tests;
 mod work_precision;
 
 pub use collapse::collapse;
-pub use hand_over::hand_over;
 pub use losses::{Line, losses};
 pub use map::map;
 pub use phase::phase;
+pub use return_map::return_map;
 pub use work_precision::{Measurement, work_precision};

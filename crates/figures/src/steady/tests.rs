@@ -1,6 +1,6 @@
 //! What must hold of the drawings of the steady motion.
 
-use super::{hand_over, phase};
+use super::{phase, return_map};
 use crate::FigureError;
 use crate::checks::{Drawing, sound};
 use geneva_dynamics::steady::Engagement;
@@ -15,7 +15,7 @@ fn parameters(mechanism: Mechanism, friction: f64) -> Parameters {
 fn the_curve_crosses_the_diagonal_at_the_steady_motion_only() {
     for mechanism in Mechanism::ALL {
         let one = parameters(mechanism, 0.125);
-        let figure = hand_over(&one).expect("drawn");
+        let figure = return_map(&one).expect("drawn");
         sound(&figure);
         let steady = Engagement::new(&one).and_then(|of| of.steady_state()).expect("steady");
         let fixed = steady.entry_speed * steady.entry_speed / one.drive();
@@ -24,8 +24,8 @@ fn the_curve_crosses_the_diagonal_at_the_steady_motion_only() {
             assert_eq!(row[1] > row[0], row[0] < fixed, "{row:?}");
         }
         // Without friction the gain is the work of the torque: 2 × 2π/m over the driver's inertia.
-        let gain = 4.0 * mechanism.engagement_half_angle() / one.inertias().ratio();
-        assert!(rows.iter().all(|row| (row[2] - row[0] - gain).abs() < 1e-9 * gain));
+        let angular_acceleration = 4.0 * mechanism.engagement_half_angle() / one.inertias().ratio();
+        assert!(rows.iter().all(|row| (row[2] - row[0] - angular_acceleration).abs() < 1e-9 * angular_acceleration));
         // The fixed point is on the diagonal through the corner, where the staircase begins.
         let drawing = Drawing::of(&figure);
         let diagonal = drawing.path("diagonal", 0);
@@ -33,7 +33,7 @@ fn the_curve_crosses_the_diagonal_at_the_steady_motion_only() {
         assert!(along.perp(&point).abs() < 0.2 * along.norm() && point.norm() > 1.0, "{point}");
         assert_eq!(drawing.path("stairs", 0)[0], diagonal[0]);
     }
-    assert!(matches!(hand_over(&parameters(Mechanism::FOUR_PIN, 0.0)), Err(FigureError::Dynamics(_))));
+    assert!(matches!(return_map(&parameters(Mechanism::FOUR_PIN, 0.0)), Err(FigureError::Dynamics(_))));
 }
 
 #[test]

@@ -40,7 +40,7 @@ pub struct EscapementArguments {
     /// is not what a mechanism does, but what a program does that folds the angle at a fixed value
     /// [default: 360 over the number of pins]
     #[arg(long, value_name = "D", value_parser = typed::degrees, allow_hyphen_values = true)]
-    pub modulus_deg: Option<f64>,
+    pub reset_deg: Option<f64>,
     /// How long the run from rest lasts; only with --format csv
     /// [default: the rise and three periods more, or a hundred engagements if that is less; ten without friction]
     #[arg(long, value_name = "T", value_parser = typed::positive, allow_hyphen_values = true)]
@@ -121,18 +121,18 @@ pub fn page(wanted: &EscapementArguments) -> anyhow::Result<String> {
     Format::Csv.only_with(wanted.format, "--interval", wanted.interval.map(as_typed), "a run")?;
     Format::Svg.only_with(wanted.format, "--figure", wanted.figure.and_then(name_of), "a drawing")?;
     let parameters = parameters(wanted)?;
-    let modulus_deg = wanted.modulus_deg.unwrap_or(own_modulus(parameters.mechanism()));
-    let engagement = engagement(&parameters, modulus_deg).map_err(|error| unsteady(wanted, error))?;
+    let reset_deg = wanted.reset_deg.unwrap_or(own_reset(parameters.mechanism()));
+    let engagement = engagement(&parameters, reset_deg).map_err(|error| unsteady(wanted, error))?;
     match wanted.format {
         Format::Csv => run::csv(&engagement, wanted.duration, wanted.interval),
         Format::Svg => Ok(standalone(&drawing(wanted, &parameters, &engagement)?)),
         _ => {
-            let report = report(&parameters, modulus_deg, &engagement, wanted.units);
+            let report = report(&parameters, reset_deg, &engagement, wanted.units);
             let report = report.map_err(|error| unsteady(wanted, error))?;
             ensure!(
                 report.is_finite(),
-                "--modulus-deg {}: too small to compute with; give more, or leave it out",
-                as_typed(modulus_deg)
+                "--reset-deg {}: too small to compute with; give more, or leave it out",
+                as_typed(reset_deg)
             );
             if wanted.format == Format::Json { fields::json(&report) } else { Ok(report.sheet()) }
         }
@@ -155,16 +155,16 @@ fn parameters(wanted: &EscapementArguments) -> anyhow::Result<Parameters> {
 }
 
 /// The modulus of a mechanism in degrees: 360 over the number of pins, a whole number.
-pub fn own_modulus(mechanism: Mechanism) -> f64 {
+pub fn own_reset(mechanism: Mechanism) -> f64 {
     360.0 / f64::from(mechanism.pins())
 }
 
 /// The engagement that ends after so many degrees.
-pub fn engagement(parameters: &Parameters, modulus_deg: f64) -> Result<Engagement, Error> {
-    if modulus_deg == own_modulus(parameters.mechanism()) {
+pub fn engagement(parameters: &Parameters, reset_deg: f64) -> Result<Engagement, Error> {
+    if reset_deg == own_reset(parameters.mechanism()) {
         Engagement::new(parameters)
     } else {
-        Engagement::folded(parameters, modulus_deg.to_radians(), TOLERANCE)
+        Engagement::reset_after(parameters, reset_deg.to_radians(), TOLERANCE)
     }
 }
 
@@ -172,7 +172,7 @@ pub fn engagement(parameters: &Parameters, modulus_deg: f64) -> Result<Engagemen
 fn unsteady(wanted: &EscapementArguments, error: Error) -> anyhow::Error {
     let friction = as_typed(wanted.friction);
     match error {
-        Error::Fold { asked, limit } => no_fold(wanted.modulus_deg.unwrap_or(asked.to_degrees()), limit),
+        Error::Reset { asked, limit } => no_reset(wanted.reset_deg.unwrap_or(asked.to_degrees()), limit),
         Error::NoTerminalSpeed { .. } => anyhow!(
             "--friction {friction}: there is no terminal speed, because nothing brakes and the driver gains speed without \
              end; give a friction above zero, or --format csv for the run from rest"
@@ -190,9 +190,9 @@ fn unsteady(wanted: &EscapementArguments, error: Error) -> anyhow::Error {
 }
 
 /// A modulus that is out of range, and the range. The limit is in radians.
-pub fn no_fold(asked_deg: f64, limit: f64) -> anyhow::Error {
+pub fn no_reset(asked_deg: f64, limit: f64) -> anyhow::Error {
     anyhow!(
-        "--modulus-deg {}: the driver's angle must be put back after a turn above 0° and below {}°, where the pin is \
+        "--reset-deg {}: the driver's angle must be put back after a turn above 0° and below {}°, where the pin is \
          farthest from the follower; give one between, or leave it out for what a mechanism does",
         as_typed(asked_deg),
         limit.to_degrees().round()
@@ -204,7 +204,7 @@ pub fn no_fold(asked_deg: f64, limit: f64) -> anyhow::Error {
 /// Times are in the unit of time of torque and inertias, speeds in radians per unit of time.
 fn report(
     parameters: &Parameters,
-    modulus_deg: f64,
+    reset_deg: f64,
     engagement: &Engagement,
     units: Option<Units>,
 ) -> Result<Report, Error> {
@@ -222,19 +222,19 @@ fn report(
         ),
         introduction: INTRODUCTION,
         sections: vec![
-            ("Mechanism", mechanism_fields(parameters, modulus_deg, units)),
+            ("Mechanism", mechanism_fields(parameters, reset_deg, units)),
             ("Existence", existence_fields(parameters)),
-            ("Steady state", steady_fields(&state, engagement.fold() > mechanism.engagement_half_angle())),
+            ("Steady state", steady_fields(&state, engagement.reset() > mechanism.engagement_half_angle())),
             ("Rise from rest", rise_fields(rise(engagement, &state)?)),
         ],
         note: String::new(),
     })
 }
 
-fn mechanism_fields(parameters: &Parameters, modulus_deg: f64, units: Option<Units>) -> Vec<Field> {
+fn mechanism_fields(parameters: &Parameters, reset_deg: f64, units: Option<Units>) -> Vec<Field> {
     let (mechanism, inertias, torque) = (parameters.mechanism(), parameters.inertias(), parameters.torque());
-    let own = own_modulus(mechanism);
-    let modulus = if modulus_deg == own {
+    let own = own_reset(mechanism);
+    let modulus = if reset_deg == own {
         "turn of the driver from one pin's entering to the next's".to_owned()
     } else {
         format!(
@@ -252,7 +252,7 @@ fn mechanism_fields(parameters: &Parameters, modulus_deg: f64, units: Option<Uni
         Field::new("inertia_ratio", inertias.ratio()).line("inertia ratio", "driver's over follower's"),
         Field::in_unit("engagement_half_angle_deg", mechanism.engagement_half_angle().to_degrees(), "°")
             .line("half-angle", "crank angle where a pin leaves its slot; it enters as far before the line"),
-        Field::in_unit("modulus_deg", modulus_deg, "°").line("modulus", modulus),
+        Field::in_unit("reset_deg", reset_deg, "°").line("modulus", modulus),
     ];
     if let Some(unit) = units.map(Units::torque_n_m) {
         fields.extend([
@@ -306,8 +306,8 @@ fn steady_fields(state: &SteadyState, passes_centres: bool) -> Vec<Field> {
         Field::new("mean_speed", state.mean_speed).line("mean speed", "modulus over period"),
         Field::new("mean_of_extremes", state.mean_of_extremes()).line("mean of extremes", "of peak and minimum speed"),
         Field::new("period", state.period).line("period", "from one engagement to the next"),
-        Field::new("contraction", state.contraction)
-            .line("contraction", "what an engagement leaves of a small difference of speeds"),
+        Field::new("multiplier", state.multiplier)
+            .line("multiplier", "what an engagement leaves of a small difference of speeds"),
         Field::new("switch_angles_deg", switches).words("sign changes", format!("of the friction term: {told}")),
     ]
 }
@@ -333,7 +333,7 @@ fn rise_fields(rise: Option<(usize, f64)>) -> Vec<Field> {
 /// are needed at least, and a rise that is too long for certain is not tried.
 pub fn rise(engagement: &Engagement, steady: &SteadyState) -> Result<Option<(usize, f64)>, Error> {
     let enough = (1.0 - SETTLED) * (1.0 - SETTLED);
-    let least = libm::log(1.0 - enough) / libm::log(steady.contraction);
+    let least = libm::log(1.0 - enough) / libm::log(steady.multiplier);
     // A little is left to rounding.
     if least > 1.001 * MOST_CYCLES as f64 {
         return Ok(None);
@@ -353,10 +353,10 @@ fn drawing(wanted: &EscapementArguments, parameters: &Parameters, engagement: &E
             mechanism(&escapement, -escapement.engagement_half_angle() / 3.0)?.svg
         }
         FigureName::NormalForce => {
-            if let Some(modulus) = wanted.modulus_deg {
+            if let Some(modulus) = wanted.reset_deg {
                 ensure!(
-                    modulus == own_modulus(parameters.mechanism()),
-                    "--modulus-deg {}: the normal force is drawn over an engagement of the mechanism; leave it out",
+                    modulus == own_reset(parameters.mechanism()),
+                    "--reset-deg {}: the normal force is drawn over an engagement of the mechanism; leave it out",
                     as_typed(modulus)
                 );
             }

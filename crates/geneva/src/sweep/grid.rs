@@ -1,7 +1,7 @@
 //! Which escapements a sweep asks for, in the order of its rows.
 
 use super::SweepArguments;
-use crate::escapement::{no_fold, own_modulus};
+use crate::escapement::{no_reset, own_reset};
 use anyhow::ensure;
 use geneva_dynamics::Error;
 use geneva_dynamics::steady::Engagement;
@@ -19,7 +19,7 @@ pub struct Grid {
     inertia_ratios: Vec<f64>,
     torques: Vec<f64>,
     follower_inertia: f64,
-    modulus_deg: Option<f64>,
+    reset_deg: Option<f64>,
 }
 
 /// One row's escapement.
@@ -30,7 +30,7 @@ pub struct Cell {
     pub inertia_ratio: f64,
     pub torque: f64,
     pub follower_inertia: f64,
-    pub modulus_deg: f64,
+    pub reset_deg: f64,
 }
 
 impl Grid {
@@ -52,8 +52,8 @@ impl Grid {
             axes[2],
             axes[3]
         );
-        if let Some(modulus) = wanted.modulus_deg {
-            mechanisms.iter().try_for_each(|mechanism| fold(*mechanism, modulus))?;
+        if let Some(modulus) = wanted.reset_deg {
+            mechanisms.iter().try_for_each(|mechanism| reset(*mechanism, modulus))?;
         }
         Ok(Self {
             mechanisms,
@@ -61,7 +61,7 @@ impl Grid {
             inertia_ratios: wanted.inertia_ratio.values("--inertia-ratio", wanted.spacing)?,
             torques: wanted.torque.values("--torque", wanted.spacing)?,
             follower_inertia: wanted.follower_inertia,
-            modulus_deg: wanted.modulus_deg,
+            reset_deg: wanted.reset_deg,
         })
     }
 
@@ -82,16 +82,16 @@ impl Grid {
             inertia_ratio: ratio,
             torque,
             follower_inertia: self.follower_inertia,
-            modulus_deg: self.modulus_deg.unwrap_or(own_modulus(mechanism)),
+            reset_deg: self.reset_deg.unwrap_or(own_reset(mechanism)),
         })
     }
 }
 
 /// Whether the driver's angle can be put back after so many degrees: asked of an escapement that is easy to compute.
-fn fold(mechanism: Mechanism, modulus_deg: f64) -> anyhow::Result<()> {
+fn reset(mechanism: Mechanism, reset_deg: f64) -> anyhow::Result<()> {
     let easy = Parameters::new(mechanism, Inertias::new(1.0, 1.0)?, 1.0, 0.0)?;
-    match Engagement::folded(&easy, modulus_deg.to_radians(), 1e-6) {
-        Err(Error::Fold { limit, .. }) => Err(no_fold(modulus_deg, limit)),
+    match Engagement::reset_after(&easy, reset_deg.to_radians(), 1e-6) {
+        Err(Error::Reset { limit, .. }) => Err(no_reset(reset_deg, limit)),
         _ => Ok(()),
     }
 }

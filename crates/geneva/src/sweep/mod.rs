@@ -43,7 +43,7 @@ pub struct SweepArguments {
     /// Turn of the driver in degrees after which its angle is put back to the pin's entering, one for all slots
     /// [default: 360 over the number of pins, which is what a mechanism does]
     #[arg(long, value_name = "D", value_parser = typed::degrees, allow_hyphen_values = true)]
-    pub modulus_deg: Option<f64>,
+    pub reset_deg: Option<f64>,
     /// How the values of a range are spaced that does not say so itself
     #[arg(long, value_enum, default_value_t)]
     pub spacing: Spacing,

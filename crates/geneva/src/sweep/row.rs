@@ -56,7 +56,7 @@ pub fn row(cell: &Cell) -> (Row, Status) {
         ("minimum_speed", steady.map(|steady| steady.minimum.speed).into()),
         ("mean_speed", steady.map(|steady| steady.mean_speed).into()),
         ("period", steady.map(|steady| steady.period).into()),
-        ("contraction", steady.map(|steady| steady.contraction).into()),
+        ("multiplier", steady.map(|steady| steady.multiplier).into()),
         ("switch_angle_deg", steady.and_then(|steady| steady.switch_angle).map(f64::to_degrees).into()),
         ("rise_time", rise_time.into()),
         ("status", status.name().into()),
@@ -77,7 +77,7 @@ fn motion(cell: &Cell) -> Result<(SteadyState, Option<f64>), Status> {
         Error::NoTerminalSpeed { .. } => Status::NoTerminalSpeed,
         _ => Status::TooSharp,
     };
-    let engagement = engagement(&parameters, cell.modulus_deg).map_err(unsteady)?;
+    let engagement = engagement(&parameters, cell.reset_deg).map_err(unsteady)?;
     let steady = engagement.steady_state().map_err(unsteady)?;
     let numbers = [steady.entry_speed, steady.peak.speed, steady.minimum.speed, steady.mean_speed, steady.period];
     if !numbers.into_iter().all(f64::is_finite) {

@@ -18,7 +18,7 @@ impl Mechanism {
     /// Arc of the rim between the centre lines of two neighbouring mouths: (2π/n) cot(π/n). Slots of width w leave w
     /// less.
     pub fn rim_arc(&self) -> f64 {
-        self.follower_advance() * self.rim_radius()
+        self.follower_pitch_angle() * self.rim_radius()
     }
 
     /// Distance between the ends of two neighbouring slots, 2 (a − 1) sin(π/n) = 2 (1 − sin(π/n)): above zero, so the

@@ -130,16 +130,16 @@ impl Mechanism {
 
     /// φ₀ = π/n, the follower angle in radians at which a pin leaves. Meyer 1973, display before Eq. (1-1).
     pub fn follower_half_angle(self) -> f64 {
-        self.wheel().half_station()
+        self.wheel().half_pitch_angle()
     }
 
     /// Driver's turn from one hand-over to the next, 2π/m, in radians.
-    pub fn driver_advance(self) -> f64 {
+    pub fn driver_pitch_angle(self) -> f64 {
         2.0 * PI / f64::from(self.pins)
     }
 
     /// Follower's turn from one hand-over to the next, 2π/n, in radians; against the driver's sense.
-    pub fn follower_advance(self) -> f64 {
+    pub fn follower_pitch_angle(self) -> f64 {
         2.0 * PI / f64::from(self.slots)
     }
 
@@ -224,7 +224,7 @@ mod tests {
             assert_eq!(escapement.wheel().dwell_fraction(), 0.0);
             approx::assert_relative_eq!(escapement.engagement_half_angle(), PI / m, max_relative = 1e-15);
             approx::assert_relative_eq!(escapement.follower_half_angle(), PI / n, max_relative = 1e-15);
-            approx::assert_relative_eq!(escapement.driver_advance(), 2.0 * PI / m, max_relative = 1e-15);
+            approx::assert_relative_eq!(escapement.driver_pitch_angle(), 2.0 * PI / m, max_relative = 1e-15);
             approx::assert_relative_eq!(escapement.centre_distance_ratio(), 1.0 / (PI / n).sin(), max_relative = 1e-15);
             assert_eq!(escapement.centre_distance_ratio(), escapement.wheel().centre_distance_ratio());
             assert_eq!(escapement.rim_radius(), escapement.wheel().wheel_radius_ratio());
@@ -241,7 +241,7 @@ mod tests {
     #[test]
     fn the_follower_goes_on_at_its_mean_ratio_and_never_dwells() {
         for escapement in Mechanism::ALL {
-            let (wheel, pitch) = (escapement.wheel(), escapement.driver_advance());
+            let (wheel, pitch) = (escapement.wheel(), escapement.driver_pitch_angle());
             for pin in 0..escapement.pins() / 2 {
                 for step in 1..200 {
                     let crank = pitch * (f64::from(pin) + f64::from(step) / 200.0 - 0.5);
@@ -252,7 +252,11 @@ mod tests {
             }
             let half = escapement.engagement_half_angle();
             let (first, last) = (wheel.engaged(-half).unwrap(), wheel.engaged(half).unwrap());
-            approx::assert_relative_eq!(last.angle - first.angle, escapement.follower_advance(), max_relative = 1e-15);
+            approx::assert_relative_eq!(
+                last.angle - first.angle,
+                escapement.follower_pitch_angle(),
+                max_relative = 1e-15
+            );
             // Simpson's rule over the velocity ratio gives its mean.
             let steps = 400;
             let sum: f64 = (0..=steps)

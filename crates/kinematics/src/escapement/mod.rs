@@ -8,13 +8,13 @@
 //!
 //! The mechanism is a [`Wheel`](crate::wheel::Wheel) without dwell, so sizes and motion are the wheel's. Here is what
 //! is the escapement's own: which numbers of slots and pins are possible ([`Mechanism`]), where everything
-//! is ([`Layout`], [`HandOver`]), what stays clear of what, and each line of the source's derivation as an identity
+//! is ([`Configuration`], [`HandOver`]), what stays clear of what, and each line of the source's derivation as an identity
 //! ([`entry_proofs`], [`angle_proofs`], [`rate_proofs`]).
 
 mod clearance;
+mod configuration;
 mod continuous;
 mod geometry;
-mod layout;
 
 pub mod angle_proofs;
 pub mod entry_proofs;
@@ -22,6 +22,6 @@ pub mod rate_proofs;
 
 pub use crate::proofs::identity::Form;
 pub use clearance::{ApproachCoefficient, RimExcess};
+pub use configuration::{Configuration, HandOver, RelativePosition, Roots, Slot};
 pub use continuous::{AtHandOver, ContinuityStep, Continuous};
 pub use geometry::{EscapementError, Mechanism, pins_needed, possible};
-pub use layout::{HandOver, Layout, Meeting, Roots, Slot};

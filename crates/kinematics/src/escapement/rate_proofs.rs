@@ -88,16 +88,16 @@ impl AccelerationStep {
 }
 
 impl Identity<4> for AccelerationStep {
-    fn difference(&self, [ratio, half, speed, gain]: [Expression; 4]) -> Expression {
+    fn difference(&self, [ratio, half, speed, angular_acceleration]: [Expression; 4]) -> Expression {
         let theta = Turn::from_half_tangent(&half);
-        let moving = theta.speeding_up(speed, gain);
+        let moving = theta.speeding_up(speed, angular_acceleration);
         let place = pin_path(&ratio, &moving);
         let (x, y) = (place.x.value(), place.y.value());
         let square = x * x + y * y;
         let over_fourth_power = |x: Expression| x / square / square;
         let (a_sin, a_cos) = (ratio * theta.sin, ratio * theta.cos);
         let above = a_cos - 1;
-        let by_gain = above / square * gain;
+        let by_gain = above / square * angular_acceleration;
         let right = match self {
             Self::QuotientRule => {
                 let above_rate = (Jet::constant(ratio) * moving.cos - Jet::integer(1)).rate();
@@ -116,7 +116,7 @@ impl Identity<4> for AccelerationStep {
             }
         };
         let left = match self {
-            Self::Differentiated(Form::Printed) | Self::Acceleration(Form::Printed) => gain,
+            Self::Differentiated(Form::Printed) | Self::Acceleration(Form::Printed) => angular_acceleration,
             _ => wheel_velocity(ratio, &moving).rate(),
         };
         left - right

@@ -55,10 +55,10 @@ impl<S: Field> Turn<S> {
         self.moving_by(&Jet::from_coefficients(from_fn(|k| if k == 1 { rate.clone() } else { S::zero() })))
     }
 
-    /// The angle moving at `rate` and gaining speed at `gain` (radians per unit of the variable, and its square), as a
+    /// The angle moving at `rate` and gaining speed at `angular_acceleration` (radians per unit of the variable, and its square), as a
     /// power series from this instant on.
-    pub fn speeding_up(&self, rate: S, gain: S) -> Turn<Jet<S, 3>> {
-        self.moving_by(&Jet::from_coefficients([S::zero(), rate, gain / S::integer(2)]))
+    pub fn speeding_up(&self, rate: S, angular_acceleration: S) -> Turn<Jet<S, 3>> {
+        self.moving_by(&Jet::from_coefficients([S::zero(), rate, angular_acceleration / S::integer(2)]))
     }
 
     /// The angle moving by `advance`, a power series in radians whose constant part counts for nothing.

@@ -98,7 +98,7 @@ impl Wheel {
         match self.engaged_at(from_pin) {
             Ok(motion) => Ok(Motion { stations: advances, ..motion }),
             Err(_) => {
-                let angle = if from_pin.hi > 0.0 { self.half_station() } else { -self.half_station() };
+                let angle = if from_pin.hi > 0.0 { self.half_pitch_angle() } else { -self.half_pitch_angle() };
                 let (velocity, acceleration, jerk) = (0.0, 0.0, 0.0);
                 Ok(Motion { phase: Phase::Dwell, stations: advances, angle, velocity, acceleration, jerk })
             }
@@ -157,7 +157,7 @@ mod tests {
     fn the_angle_goes_on_without_a_gap_and_without_running_error() {
         for (stations, pins) in [(3, 1), (4, 1), (4, 4), (6, 3), (7, 2)] {
             let wheel = Wheel::with_pins(stations, pins).unwrap();
-            let whole = |m: Motion| m.stations as f64 * 2.0 * wheel.half_station() + m.angle;
+            let whole = |m: Motion| m.stations as f64 * 2.0 * wheel.half_pitch_angle() + m.angle;
             let mut last = f64::NEG_INFINITY;
             for turns in [0, 1] {
                 for step in -500..500 {

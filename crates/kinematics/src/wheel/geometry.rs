@@ -71,8 +71,8 @@ impl Wheel {
     }
 
     /// α, half the angle between successive slots, in radians: π/N.
-    pub fn half_station(&self) -> f64 {
-        self.constants.half_station.hi
+    pub fn half_pitch_angle(&self) -> f64 {
+        self.constants.half_pitch_angle.hi
     }
 
     /// Crank angle at which the pin enters and leaves, in radians from the line of centres: π/2 − α.
@@ -132,7 +132,7 @@ impl Wheel {
     /// # Errors
     ///
     /// [`KinematicsError::Size`] for a speed that is not positive and finite.
-    pub fn advance_time(&self, driver_speed: f64) -> Result<f64, KinematicsError> {
+    pub fn indexing_time(&self, driver_speed: f64) -> Result<f64, KinematicsError> {
         Ok(2.0 * self.engagement_half_angle() / size("driver speed", driver_speed)?)
     }
 
@@ -197,7 +197,7 @@ mod tests {
         for (stations, pins) in [(3, 1), (4, 4), (6, 2), (18, 2)] {
             let wheel = Wheel::with_pins(stations, pins).unwrap();
             approx::assert_relative_eq!(wheel.motion_fraction() + wheel.dwell_fraction(), 1.0, max_relative = 1e-15);
-            let cycle = wheel.advance_time(3.0).unwrap() + wheel.dwell_time(3.0).unwrap();
+            let cycle = wheel.indexing_time(3.0).unwrap() + wheel.dwell_time(3.0).unwrap();
             approx::assert_relative_eq!(cycle * f64::from(pins), 2.0 * PI / 3.0, max_relative = 1e-14);
         }
         assert_eq!(Wheel::with_pins(4, 4).unwrap().dwell_fraction(), 0.0);

@@ -13,7 +13,7 @@ pub const MOTION: [&str; 4] = ["angle", "velocity ratio", "acceleration ratio", 
 /// A wheel's α and centre distance to 240 bits.
 pub struct Oracle {
     stations: u32,
-    half_station: Wide,
+    half_pitch_angle: Wide,
     ratio: Wide,
 }
 
@@ -34,9 +34,9 @@ pub fn ulps(computed: f64, exact: &Wide) -> f64 {
 impl Oracle {
     /// For a wheel of so many stations.
     pub fn new(stations: u32) -> Self {
-        let half_station = Wide::pi(BITS) / wide(f64::from(stations));
-        let ratio = wide(1.0) / half_station.sin();
-        Self { stations, half_station, ratio }
+        let half_pitch_angle = Wide::pi(BITS) / wide(f64::from(stations));
+        let ratio = wide(1.0) / half_pitch_angle.sin();
+        Self { stations, half_pitch_angle, ratio }
     }
 
     /// Errors of the motion at a crank angle, less so many parts of a whole turn in so many.
@@ -60,7 +60,7 @@ impl Oracle {
     /// Errors of what a wheel is asked without an angle, with their names.
     pub fn size_errors(&self, wheel: &Wheel) -> Vec<(&'static str, f64)> {
         let (one, two) = (wide(1.0), wide(2.0));
-        let (m, cos) = self.half_station.sin_cos();
+        let (m, cos) = self.half_pitch_angle.sin_cos();
         let gamma = (&one + &m * &m) / (&two * &m);
         let peak_cos = ((&gamma * &gamma + wide(8.0)).sqrt() - &gamma) / &two;
         let peak_sin = (&one - &peak_cos * &peak_cos).sqrt();
@@ -68,10 +68,10 @@ impl Oracle {
         let peak = acceleration(&m, &cos, &peak_sin, &square);
         let (stations, pins) = (wide(f64::from(self.stations)), wide(f64::from(wheel.pins())));
         let motion = &pins * (&stations - &two) / (&two * &stations);
-        let entry = Wide::pi(BITS) / &two - &self.half_station;
+        let entry = Wide::pi(BITS) / &two - &self.half_pitch_angle;
         let found = wheel::acceleration_peak(wheel);
         vec![
-            ("half station", ulps(wheel.half_station(), &self.half_station)),
+            ("half station", ulps(wheel.half_pitch_angle(), &self.half_pitch_angle)),
             ("engagement half-angle", ulps(wheel.engagement_half_angle(), &entry)),
             ("centre distance", ulps(wheel.centre_distance_ratio(), &self.ratio)),
             ("wheel radius", ulps(wheel.wheel_radius_ratio(), &(&cos / &m))),

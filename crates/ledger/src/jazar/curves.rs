@@ -12,7 +12,7 @@ pub fn claims() -> Vec<Claim> {
     vec![
         plotted(),
         PLOT.value("jazar.phi-range", "-45", "°", "wheel angle at entry and exit")
-            .by(ClosedForm, || -of(4, Wheel::half_station).to_degrees())
+            .by(ClosedForm, || -of(4, Wheel::half_pitch_angle).to_degrees())
             .by(Vectors, || of(4, |wheel| by_series(wheel, -wheel.engagement_half_angle())[0]).to_degrees()),
         velocity_normalisation(),
         acceleration_normalisation(),
@@ -129,7 +129,7 @@ fn infinite_jerk() -> Claim {
                     jerks(wheel, stated).iter().all(|t| {
                         let [before, after] = [-1e-12, 1e-12].map(|way| acceleration_by_duals(wheel, t + way));
                         let jump = (after - before).abs();
-                        (jump - libm::tan(wheel.half_station())).abs() < 1e-6
+                        (jump - libm::tan(wheel.half_pitch_angle())).abs() < 1e-6
                     })
                 },
                 "the acceleration jumps by tan α",

@@ -23,7 +23,7 @@ fn angle() -> Vec<Claim> {
                 for_all_stations(
                     |wheel| {
                         let end = wheel.engagement_half_angle() * stated.pick(1.0, 0.5);
-                        [-end, end].iter().all(|t| agrees(by_series(wheel, *t)[0].abs(), wheel.half_station()))
+                        [-end, end].iter().all(|t| agrees(by_series(wheel, *t)[0].abs(), wheel.half_pitch_angle()))
                     },
                     "the slot is then at half a pitch from the line of centres",
                 )
@@ -90,14 +90,14 @@ fn duration() -> Claim {
         .equation("jazar.duration", r"\pi - 2\alpha", "crank angle of an advance")
         .by(Series, || {
             for_all_stations(
-                |wheel| vanishes(by_series(wheel, PI / 2.0 - wheel.half_station())[1]),
+                |wheel| vanishes(by_series(wheel, PI / 2.0 - wheel.half_pitch_angle())[1]),
                 "the wheel is at rest at ±(π/2 − α)",
             )
         })
         .by(Vectors, || {
             for_all_stations(
                 |wheel| {
-                    let end = Turn::from_radians(PI / 2.0 - wheel.half_station());
+                    let end = Turn::from_radians(PI / 2.0 - wheel.half_pitch_angle());
                     let pin = pin_from_pivot(&wheel.centre_distance_ratio(), &end);
                     vanishes(pin.dot(&end.reversed().direction()))
                 },

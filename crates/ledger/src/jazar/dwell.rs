@@ -35,7 +35,7 @@ pub fn claims() -> Vec<Claim> {
             .by(
                 ClosedForm, // The driver turns by π + 2α in the dwell.
                 || {
-                    let time = (PI + six(|wheel| 2.0 * wheel.half_station())) / example_speed();
+                    let time = (PI + six(|wheel| 2.0 * wheel.half_pitch_angle())) / example_speed();
                     same(time, seconds(six(Wheel::dwell_fraction)))
                 },
             )

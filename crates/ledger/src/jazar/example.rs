@@ -62,13 +62,13 @@ fn advances() -> Vec<Claim> {
                 )
             }),
         B.value("jazar.ex-b.advance", "60", "°", "angle through which the wheel advances")
-            .by(ClosedForm, || 2.0 * six(Wheel::half_station).to_degrees())
+            .by(ClosedForm, || 2.0 * six(Wheel::half_pitch_angle).to_degrees())
             .by(Vectors, || six(advance).to_degrees()),
         B.value("jazar.ex.stations", "6", "stations", "number of stations, a datum; the printed angles give it back")
             .by(OtherPlaceInSource, || 360.0 / printed("jazar.ex-b.advance"))
             .by(OtherPlaceInSource, || 180.0 / printed("jazar.ex-b.alpha")),
         B.value("jazar.ex-b.alpha", "30", "°", "α, half the angle between slots")
-            .by(ClosedForm, || six(Wheel::half_station).to_degrees())
+            .by(ClosedForm, || six(Wheel::half_pitch_angle).to_degrees())
             .by(Vectors, || six(advance).to_degrees() / 2.0),
     ]
 }
@@ -86,7 +86,7 @@ fn velocity() -> Vec<Claim> {
             .by(Series, || zero_of_acceleration() + 0.0)
             .by(LimitCase, || six(fastest_of_a_grid)),
         D.value("jazar.ex-d.sine", "0.5", "", "sin α of the wheel of six")
-            .by(ClosedForm, || six(|w| libm::sin(w.half_station())))
+            .by(ClosedForm, || six(|w| libm::sin(w.half_pitch_angle())))
             .by(Vectors, || six(|w| entry(w).normalize().y.abs())),
         at("Ex. (d), Eq. (5.31) at θ = 0")
             .equation(

@@ -94,7 +94,7 @@ fn maximum() -> Claim {
             for_all_stations(
                 |wheel| {
                     let at = |t: f64| size(by_series(wheel, t)[2]);
-                    let angle = libm::acos(both_roots(libm::sin(wheel.half_station())).0);
+                    let angle = libm::acos(both_roots(libm::sin(wheel.half_pitch_angle())).0);
                     let greatest = |peak: f64| {
                         let near = crate::tolerance::CLOSURE.relative * at(peak).abs();
                         within(wheel.engagement_half_angle()).all(|t| at(t) <= at(peak) + near)
@@ -133,7 +133,7 @@ fn angle() -> Claim {
         .by(Series, || {
             for_all_stations(
                 |wheel| {
-                    let (angle, root) = (peak_by_series(wheel).0, both_roots(libm::sin(wheel.half_station())).0);
+                    let (angle, root) = (peak_by_series(wheel).0, both_roots(libm::sin(wheel.half_pitch_angle())).0);
                     vanishes(libm::cos(angle) - root)
                 },
                 "the power series has its extreme there",
@@ -151,7 +151,7 @@ fn sign_of_the_angle() -> Claim {
         .by(ClosedForm, |stated| {
             for_all_stations(
                 |wheel| {
-                    let (plus, minus) = both_roots(libm::sin(wheel.half_station()));
+                    let (plus, minus) = both_roots(libm::sin(wheel.half_pitch_angle()));
                     let angle = acceleration_peak(wheel).angle;
                     agrees(libm::cos(angle), plus) && agrees(libm::cos(-angle), stated.pick(plus, minus))
                 },
@@ -203,7 +203,7 @@ fn valid_for(stated: Stated, is_extreme: impl Fn(&Wheel, f64) -> bool) -> Findin
     let said = |stations: u32| stated.pick(true, stations.is_multiple_of(2));
     for_all_stations(
         |wheel| {
-            let angle = libm::acos(both_roots(libm::sin(wheel.half_station())).0);
+            let angle = libm::acos(both_roots(libm::sin(wheel.half_pitch_angle())).0);
             is_extreme(wheel, angle) == said(wheel.stations())
         },
         "the angle is that of the extreme, if it is said of so many stations",

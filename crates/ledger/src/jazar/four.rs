@@ -160,9 +160,9 @@ fn accelerations() -> Vec<Claim> {
             .by(ExactIdentity, || prove_with_root::<2, 3>(&UnsteadyAccelerationOfFour).into())
             .by(AutomaticDerivative, || {
                 at_instants(|wheel, t| {
-                    let (speed, gain) = (1.5, 0.75);
-                    let printed = gain * printed_5_28(t) - speed * speed * printed_5_29(t);
-                    (unsteady_by_duals(wheel, t, speed, gain), printed)
+                    let (speed, angular_acceleration) = (1.5, 0.75);
+                    let printed = angular_acceleration * printed_5_28(t) - speed * speed * printed_5_29(t);
+                    (unsteady_by_duals(wheel, t, speed, angular_acceleration), printed)
                 })
             }),
         at("Sentence before Eq. (5.29)")
@@ -174,7 +174,8 @@ fn accelerations() -> Vec<Claim> {
             .by(AutomaticDerivative, |stated| {
                 // What has vanished is the difference that the driver's acceleration makes.
                 at_instants(|wheel, t| {
-                    let [unsteady, steady] = [0.75, 0.0].map(|gain| unsteady_by_duals(wheel, t, 1.0, gain));
+                    let [unsteady, steady] =
+                        [0.75, 0.0].map(|angular_acceleration| unsteady_by_duals(wheel, t, 1.0, angular_acceleration));
                     (unsteady - steady, stated.pick(0.75 * printed_5_28(t), -printed_5_29(t)))
                 })
             })
@@ -217,7 +218,7 @@ pub(super) fn printed_5_29(theta: f64) -> f64 {
 
 /// Eq. (5.32) as it is printed, for a driver of speed one.
 pub(super) fn printed_5_32(wheel: &Wheel, theta: f64) -> f64 {
-    let (sine, cosine) = (libm::sin(wheel.half_station()), libm::cos(wheel.half_station()));
+    let (sine, cosine) = (libm::sin(wheel.half_pitch_angle()), libm::cos(wheel.half_pitch_angle()));
     let square = 1.0 + sine * sine - 2.0 * sine * libm::cos(theta);
     -(sine * cosine * cosine * libm::sin(theta)) / (square * square)
 }

@@ -22,7 +22,7 @@ fn sizes() -> Vec<Claim> {
                     |wheel| {
                         // The farthest that the slot is turned is where the pin turns back, as seen from its axis.
                         let rest = Turn::from_radians(entry_crank(wheel) / 2.0);
-                        let pin = pin_from_pivot(&(1.0 / libm::sin(wheel.half_station())), &rest);
+                        let pin = pin_from_pivot(&(1.0 / libm::sin(wheel.half_pitch_angle())), &rest);
                         agrees(libm::atan2(pin.y, pin.x), PI / f64::from(wheel.stations()))
                     },
                     "with it the wheel comes to rest half a pitch from the line of centres",
@@ -37,7 +37,7 @@ fn sizes() -> Vec<Claim> {
             .by(Vectors, |stated| {
                 for_all_stations(
                     |wheel| {
-                        let (pins_radius, alpha) = (1.0, wheel.half_station());
+                        let (pins_radius, alpha) = (1.0, wheel.half_pitch_angle());
                         let outside = entry(wheel).norm() * stated.pick(1.0, 2.0);
                         agrees(outside / pins_radius, 1.0 / libm::tan(alpha))
                     },
@@ -190,12 +190,12 @@ fn thirds(wheel: &Wheel) -> impl Iterator<Item = f64> {
 
 /// Eq. (5.31) as it is printed, for a driver of speed one.
 pub(super) fn printed_5_31(wheel: &Wheel, theta: f64) -> f64 {
-    let (sine, cosine) = (libm::sin(wheel.half_station()), libm::cos(theta));
+    let (sine, cosine) = (libm::sin(wheel.half_pitch_angle()), libm::cos(theta));
     sine * (cosine - sine) / (1.0 + sine * sine - 2.0 * sine * cosine)
 }
 
 /// Eq. (5.30) as it is printed.
 pub(super) fn printed_angle(wheel: &Wheel, theta: f64) -> f64 {
-    let sine = libm::sin(wheel.half_station());
+    let sine = libm::sin(wheel.half_pitch_angle());
     libm::atan(sine * libm::sin(theta) / (1.0 - sine * libm::cos(theta)))
 }

@@ -17,7 +17,7 @@ pub(super) fn journal_bearing() -> Claim {
                     // Law of cosines: the pin, a crank radius from the driver's axis, enters at the rim, and the
                     // slot is half a pitch from the arc's middle.
                     let (rim, centres) = (wheel.wheel_radius_ratio(), centres(wheel, stated));
-                    let cosine = libm::cos(wheel.half_station());
+                    let cosine = libm::cos(wheel.half_pitch_angle());
                     agrees(rim * rim + centres * centres - 2.0 * rim * centres * cosine, 1.0)
                 },
                 "the mouth of a slot is a crank radius from the centre of the arc beside it",
@@ -127,7 +127,7 @@ fn locks(wheel: &Wheel, journal: f64, sides: &[f64]) -> bool {
     let inside =
         |angle: f64| rim * rim + distance * distance - 2.0 * rim * distance * libm::cos(angle) < surface * surface;
     let fits = sides.iter().all(|side| !inside(side * end));
-    let stops = |turn: &f64| sides.iter().any(|side| inside(side * end + turn * wheel.half_station()));
+    let stops = |turn: &f64| sides.iter().any(|side| inside(side * end + turn * wheel.half_pitch_angle()));
     fits && [1e-3, -1e-3].iter().all(stops)
 }
 

@@ -129,7 +129,7 @@ fn at_speed(wheel: &Wheel, crank: f64, speed: f64) -> [f64; 4] {
 /// Wheel angle and its first three derivatives by the crank angle, by another library's dual numbers: it differentiates
 /// Eq. (5.30) and shares no code with [`by_series`]. Its sines are the platform's, so nothing of it is printed.
 fn by_duals(wheel: &Wheel, crank: f64) -> [f64; 4] {
-    let sine = libm::sin(wheel.half_station());
+    let sine = libm::sin(wheel.half_pitch_angle());
     let (angle, first, second, third) = num_dual::third_derivative(
         |theta| {
             let (s, c) = theta.sin_cos();
@@ -141,11 +141,11 @@ fn by_duals(wheel: &Wheel, crank: f64) -> [f64; 4] {
 }
 
 /// Angular acceleration of the wheel by dual numbers, for a driver of this speed and angular acceleration.
-fn unsteady_by_duals(wheel: &Wheel, crank: f64, speed: f64, gain: f64) -> f64 {
-    let sine = libm::sin(wheel.half_station());
+fn unsteady_by_duals(wheel: &Wheel, crank: f64, speed: f64, angular_acceleration: f64) -> f64 {
+    let sine = libm::sin(wheel.half_pitch_angle());
     let (_, _, acceleration, _) = num_dual::third_derivative(
         |time| {
-            let (s, c) = (time * speed + time * time * (gain / 2.0) + crank).sin_cos();
+            let (s, c) = (time * speed + time * time * (angular_acceleration / 2.0) + crank).sin_cos();
             (s * sine / (-c * sine + 1.0)).atan()
         },
         0.0,

@@ -88,7 +88,7 @@ fn steps() -> Vec<Claim> {
             .by(Series, || {
                 for_all_stations(
                     |wheel| {
-                        let (c, sine) = (libm::cos(peak_by_series(wheel).0), libm::sin(wheel.half_station()));
+                        let (c, sine) = (libm::cos(peak_by_series(wheel).0), libm::sin(wheel.half_pitch_angle()));
                         agrees((2.0 - c * c) / c, (1.0 + sine * sine) / (2.0 * sine))
                     },
                     "it makes the peak of the power series a root",
@@ -110,7 +110,7 @@ fn steps() -> Vec<Claim> {
                 || {
                     for_all_stations(
                         |wheel| {
-                            let sine = libm::sin(wheel.half_station());
+                            let sine = libm::sin(wheel.half_pitch_angle());
                             let (plus, minus) = both_roots(sine);
                             agrees(plus + minus, -(1.0 + sine * sine) / (2.0 * sine)) && agrees(plus * minus, -2.0)
                         },
@@ -261,14 +261,14 @@ fn reads(curve: impl Fn(&Wheel, f64) -> f64, extreme: impl Fn(&Wheel) -> (f64, f
 fn at_the_peak(equation: fn(f64, f64) -> f64) -> Finding {
     let worst = (3..=60)
         .filter_map(|n| Wheel::new(n).ok())
-        .map(|wheel| equation(libm::sin(wheel.half_station()), libm::cos(peak_by_series(&wheel).0)).abs())
+        .map(|wheel| equation(libm::sin(wheel.half_pitch_angle()), libm::cos(peak_by_series(&wheel).0)).abs())
         .fold(0.0, f64::max);
     Finding::new(vanishes(worst), format!("at most {worst:.0e} at the peaks for 3 to 60 stations"))
 }
 
 /// The derivative of Eq. (5.32) as it is printed, for a driver of speed one.
 fn printed_derivative(wheel: &Wheel, theta: f64) -> f64 {
-    let (sine, cosine) = (libm::sin(wheel.half_station()), libm::cos(wheel.half_station()));
+    let (sine, cosine) = (libm::sin(wheel.half_pitch_angle()), libm::cos(wheel.half_pitch_angle()));
     let (s, c) = (libm::sin(theta), libm::cos(theta));
     let square = 1.0 + sine * sine - 2.0 * sine * c;
     -(sine * cosine * cosine) / (square * square * square) * (square * c - 4.0 * sine * s * s)
@@ -294,7 +294,7 @@ mod tests {
     fn the_possible_origin_of_the_ratio_gives_its_digits() {
         // The reason of the erratum: a 5 for the 9 of the angle, in the denominator alone.
         let ratio = |numerator: f64, denominator: f64| {
-            let [sine, square] = [six(|w| libm::sin(w.half_station())), six(|w| libm::cos(w.half_station()))];
+            let [sine, square] = [six(|w| libm::sin(w.half_pitch_angle())), six(|w| libm::cos(w.half_pitch_angle()))];
             let below = 1.0 + sine * sine - 2.0 * sine * libm::cos(denominator.to_radians());
             sine * square * square * libm::sin(numerator.to_radians()) / (below * below)
         };

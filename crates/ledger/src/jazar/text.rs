@@ -133,7 +133,7 @@ fn tangent_entry() -> Claim {
                 |wheel| {
                     crossings(wheel, stated.pick(&[0.25, 0.5, 0.75], &[0.0])).all(|(ratio, crank)| {
                         // The slot is at α on the pin's side; the pin moves in the direction (sin θ, cos θ).
-                        let slot = Turn::from_radians(wheel.half_station().copysign(crank)).direction();
+                        let slot = Turn::from_radians(wheel.half_pitch_angle().copysign(crank)).direction();
                         let pin = pin_from_pivot(&ratio, &Turn::from_radians(crank));
                         let velocity = nalgebra::Vector2::new(libm::sin(crank), libm::cos(crank));
                         vanishes(slot.perp(&pin)) && !vanishes(slot.perp(&velocity))
@@ -237,7 +237,7 @@ fn never_goes_back(wheel: &Wheel, reach: f64) -> bool {
 /// Centre distances over crank radius, and crank angles at which the pin meets a slot at ±α under an angle: these parts
 /// of the greatest that is possible.
 fn crossings<'a>(wheel: &Wheel, parts: &'a [f64]) -> impl Iterator<Item = (f64, f64)> + 'a {
-    let (alpha, tangent) = (wheel.half_station(), wheel.engagement_half_angle());
+    let (alpha, tangent) = (wheel.half_pitch_angle(), wheel.engagement_half_angle());
     parts.iter().flat_map(move |part| {
         // The slot's line passes the driver's axis at the distance k sin α, the cosine of the angle.
         let angle = part * tangent;

@@ -55,7 +55,7 @@ fn given() -> Vec<Claim> {
                 let angles = pins.map(|pins| PI / f64::from(pins));
                 // Each number of pins has an escapement whose pin enters at its own angle along the slot.
                 let holds = angles.iter().all(|angle| {
-                    Mechanism::ALL.iter().filter(|at| vanishes(Seen::new(at, -angle).turning())).count() == 1
+                    Mechanism::ALL.iter().filter(|at| vanishes(PinKinematics::new(at, -angle).turning())).count() == 1
                 });
                 Finding::new(holds, "the pin moves along its slot, each angle in one of the three escapements")
             })
@@ -83,10 +83,9 @@ pub fn of_the_pins(id: &str, stated: Stated) -> Finding {
 /// Whether a pin moves along its slot at these angles, at each in another of the escapements.
 pub fn along_the_slots(id: &str, stated: Stated) -> Finding {
     let said = said_angles(id, stated);
-    let still = Mechanism::ALL
-        .iter()
-        .zip(&said)
-        .all(|(at, angle)| [1.0, -1.0].iter().all(|side| vanishes(Seen::new(at, side * angle.to_radians()).turning())));
+    let still = Mechanism::ALL.iter().zip(&said).all(|(at, angle)| {
+        [1.0, -1.0].iter().all(|side| vanishes(PinKinematics::new(at, side * angle.to_radians()).turning()))
+    });
     Finding::new(still && said.len() == 3, format!("the pin moves along its slot at {said:?} degrees"))
 }
 
@@ -118,9 +117,10 @@ fn equations() -> Vec<Claim> {
                 at_instants(|seen| {
                     // What friction takes of the torque with the acceleration, and with the square of the speed.
                     const FRICTION: f64 = 0.25;
-                    let (speed, gain) = DRIVER;
+                    let (speed, angular_acceleration) = DRIVER;
                     let with_the_gain = seen.turning() / speed;
-                    let with_the_square = (seen.turning_rate() - with_the_gain * gain) / (speed * speed);
+                    let with_the_square =
+                        (seen.turning_rate() - with_the_gain * angular_acceleration) / (speed * speed);
                     let sliding = seen.place.normalize().dot(&seen.velocity) / speed;
                     let said = FRICTION * stated.pick(with_the_gain, with_the_square) / seen.radius() * sliding;
                     let angle = libm::atan2(seen.crank.sin, seen.crank.cos);
@@ -176,8 +176,8 @@ fn equations() -> Vec<Claim> {
             let way = stated.pick(1.0, -1.0);
             let reaches = |c: &Coefficients<f64>| {
                 (0..=600).any(|k| {
-                    let gain = way * libm::pow(10.0, f64::from(k) / 100.0 - 3.0);
-                    c.a * gain + (c.d * gain).abs() >= c.e
+                    let angular_acceleration = way * libm::pow(10.0, f64::from(k) / 100.0 - 3.0);
+                    c.a * angular_acceleration + (c.d * angular_acceleration).abs() >= c.e
                 })
             };
             Finding::new(
@@ -273,9 +273,9 @@ fn from_rest(tex: &str) -> Option<bool> {
     static RESTS: OnceLock<Vec<Moment>> = OnceLock::new();
     let rests = RESTS.get_or_init(|| {
         let rest = |(_, c): (_, Coefficients<f64>)| {
-            let gain = c.acceleration(0.0).map_or(f64::NAN, |found| found.value);
+            let angular_acceleration = c.acceleration(0.0).map_or(f64::NAN, |found| found.value);
             let letters = [("A", c.a), ("R", c.a), ("D", c.d), ("V", c.d), ("E", c.e), ("theta'", 0.0)];
-            let gains = [("theta''", gain), ("theta''_0", gain)];
+            let gains = [("theta''", angular_acceleration), ("theta''_0", angular_acceleration)];
             Moment::of(letters.into_iter().chain(gains).map(|(name, value)| (name.to_owned(), value)).collect())
         };
         poses().map(rest).collect()

@@ -32,7 +32,7 @@ pub fn groups() -> &'static [Group] {
     static GROUPS: OnceLock<Vec<Group>> = OnceLock::new();
     GROUPS.get_or_init(|| {
         let group = |rows: &'static [Row]| {
-            let motion = Motion::of(&Hypothesis::TRUE.parameters(rows.first()?)?)?;
+            let motion = Motion::of(&Hypothesis::IDEAL.parameters(rows.first()?)?)?;
             Some(Group { rows, motion })
         };
         series().filter_map(group).collect()
@@ -81,8 +81,8 @@ impl Motion {
 
     /// So many engagements from rest, at least one.
     pub fn from_rest(parameters: &Parameters, engagements: usize) -> Self {
-        let fold = 2.0 * parameters.mechanism().engagement_half_angle();
-        let angles = steps::angles(parameters, fold, STEPS);
+        let reset = 2.0 * parameters.mechanism().engagement_half_angle();
+        let angles = steps::angles(parameters, reset, STEPS);
         let mut motion = Self { parameters: *parameters, angles, engagements: Vec::new() };
         motion.enter(0.0, 0.0);
         for _ in 1..engagements {
@@ -251,7 +251,7 @@ mod tests {
     fn there_are_twelve_groups_and_they_agree_with_the_integrals() {
         assert_eq!(groups().len(), 12);
         for group in groups() {
-            let solved = Hypothesis::TRUE.engagement(&group.rows[0]).expect("an escapement").steady_state();
+            let solved = Hypothesis::IDEAL.engagement(&group.rows[0]).expect("an escapement").steady_state();
             let (solved, steady) = (solved.expect("a steady state"), group.motion.steady().expect("an engagement"));
             let least = group.motion.least(steady).expect("a least speed");
             let peak = group.motion.greatest(steady, |_, speed| speed);

@@ -86,7 +86,7 @@ fn angle_sum() -> Vec<Claim> {
                     let crank = Turn::from_radians(PI / f64::from(at.pins() + stated.pick(0, 1)));
                     let ratio = at.centre_distance_ratio();
                     // By Eqs. (1-6) and (1-7): what is missing to a slot, and the jump of the follower's speed.
-                    let angle = 2.0 * libm::atan(crank.sin / (ratio - crank.cos)) - at.follower_advance();
+                    let angle = 2.0 * libm::atan(crank.sin / (ratio - crank.cos)) - at.follower_pitch_angle();
                     [angle, velocity_ratio(&ratio, &crank) - velocity_ratio(&ratio, &crank.reversed())]
                 });
                 every(gaps, vanishes, "jumps of the follower's angle and speed from pin to pin")

@@ -4,7 +4,7 @@ use super::by_steps::{Group, Motion, groups};
 use super::general_statements::{Responses, responses, with};
 use super::runs::{rows, series};
 use super::*;
-use crate::Evidence::{Integration, Steps};
+use crate::Evidence::{Quadrature, RungeKutta};
 use crate::Stated;
 use geneva_dynamics::Parameters;
 use geneva_dynamics::steady::Engagement;
@@ -22,7 +22,7 @@ pub fn claims() -> Vec<Claim> {
 fn timing() -> Claim {
     at("Conclusion 1")
         .statement("meyer.conclusion.timing", "can be used as a timing device", "the mechanism keeps a period")
-        .by(Integration, |stated| {
+        .by(Quadrature, |stated| {
             let friction = stated.pick(1.0, 1.01);
             let off = rows().iter().filter_map(|row| {
                 let last = *with(row, 1.0, 1.0)?.rise(1e-9).ok()?.cycles.last()?;
@@ -31,7 +31,7 @@ fn timing() -> Claim {
             });
             keeps_time(&off.collect::<Vec<_>>(), rows().len())
         })
-        .by(Steps, |stated| {
+        .by(RungeKutta, |stated| {
             static LATER: OnceLock<[Vec<f64>; 2]> = OnceLock::new();
             let [same, more] = LATER.get_or_init(|| [1.0, 1.01].map(off_by_steps));
             keeps_time(stated.pick(same, more), groups().len())
@@ -72,11 +72,11 @@ fn small_variations() -> Claim {
             "will not seriously affect the motion",
             "small changes of the parameters change the motion little",
         )
-        .by(Integration, |stated| {
+        .by(Quadrature, |stated| {
             static FOUND: OnceLock<Responses> = OnceLock::new();
             small(stated, FOUND.get_or_init(|| responses(&one_per_cent(), by_integrals)))
         })
-        .by(Steps, |stated| {
+        .by(RungeKutta, |stated| {
             static FOUND: OnceLock<Responses> = OnceLock::new();
             small(stated, FOUND.get_or_init(|| responses(&one_per_cent(), by_steps)))
         })

@@ -189,10 +189,12 @@ fn substituted() -> Vec<Claim> {
             .by(ClosedForm, |stated| {
                 // Follower inertia, and the normal force by the equation of motion.
                 let sizes = |parameters: Parameters, angle: f64, speed: f64| {
-                    let gain = parameters.acceleration(angle, speed).map_or(f64::NAN, |found| found.value);
+                    let angular_acceleration =
+                        parameters.acceleration(angle, speed).map_or(f64::NAN, |found| found.value);
                     let inertia = parameters.inertias().follower();
-                    let force = inertia * parameters.pose(angle).follower_acceleration(&speed, &gain);
-                    let between = inertia * parameters.coefficients(angle).between_the_bars(&speed, &gain);
+                    let force = inertia * parameters.pose(angle).follower_acceleration(&speed, &angular_acceleration);
+                    let between =
+                        inertia * parameters.coefficients(angle).between_the_bars(&speed, &angular_acceleration);
                     let factor = stated.pick(inertia, force);
                     (between.abs(), factor * (between / factor).abs())
                 };
@@ -218,7 +220,7 @@ fn spring() -> Vec<Claim> {
     vec![
         at("Eq. (1-15)")
             .equation("meyer.eq-1-15", r"\tau_1 = K", "the driving torque is constant")
-            .by(Evidence::Integration, || {
+            .by(Evidence::Quadrature, || {
                 let holds =
                     frictionless().all(|(of, advance)| agrees_in_steps(energy_gained(&of), of.drive() * advance));
                 Finding::new(holds, "the energy gained over an engagement without friction is K times its angle")

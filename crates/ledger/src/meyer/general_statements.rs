@@ -4,7 +4,7 @@ use super::profile::lost;
 use super::runs::{Column, Hypothesis, Row, series};
 use super::study::steady;
 use super::*;
-use crate::Evidence::Integration;
+use crate::Evidence::Quadrature;
 use crate::Stated;
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Coefficients, Inertias, Parameters, Sign};
@@ -28,7 +28,7 @@ fn more_torque() -> Claim {
             "the lower the rise time, and the greater the terminal velocity",
             "more torque, more speed and less rise time",
         )
-        .by(Integration, |stated| {
+        .by(Quadrature, |stated| {
             let sign = stated.pick(1.0, -1.0);
             let found: Vec<bool> = series()
                 .flat_map(|own| own.windows(2))
@@ -63,7 +63,7 @@ fn least_rise_time() -> Claim {
             "reach a certain minimum",
             "the rise time does not fall below a least one, however strong the spring",
         )
-        .by(Integration, |stated| {
+        .by(Quadrature, |stated| {
             // The power of the torque with which a rise time goes where the torque is great.
             let power = stated.pick(-0.5, 0.0);
             let found: Vec<f64> = series()
@@ -142,7 +142,7 @@ fn almost_linear() -> Claim {
             });
             straight(&fits.collect::<Vec<_>>(), "printed")
         })
-        .by(Integration, |stated| {
+        .by(Quadrature, |stated| {
             let fits = steady().chunk_by(|(a, _), (b, _)| {
                 a.mechanism == b.mechanism && a.printed(Column::Friction) == b.printed(Column::Friction)
             });
@@ -177,12 +177,12 @@ impl Start {
 }
 
 fn starts(row: &Row) -> Option<Start> {
-    Start::of(&Hypothesis::TRUE.engagement(row)?)
+    Start::of(&Hypothesis::IDEAL.engagement(row)?)
 }
 
 /// A row's mechanism with as many times its torque and its friction.
 pub fn with(row: &Row, torque: f64, friction: f64) -> Option<Engagement> {
-    let at = Hypothesis::TRUE.parameters(row)?;
+    let at = Hypothesis::IDEAL.parameters(row)?;
     let changed =
         Parameters::new(at.mechanism(), at.inertias(), at.torque() * torque, at.friction() * friction).ok()?;
     Engagement::with_tolerance(&changed, 1e-11).ok()
@@ -196,7 +196,7 @@ pub type Responses = Vec<Vec<[f64; 3]>>;
 pub fn responses(factors: &[[f64; 4]], of: fn(&Parameters) -> Option<[f64; 3]>) -> Responses {
     let before: Vec<_> = series()
         .filter_map(|own| {
-            let at = Hypothesis::TRUE.parameters(own.first()?)?;
+            let at = Hypothesis::IDEAL.parameters(own.first()?)?;
             Some((at, of(&at)?))
         })
         .collect();
@@ -224,14 +224,15 @@ struct Scaled {
 }
 
 impl Identity<8> for Scaled {
-    fn difference(&self, [a, b, c, d, e, speed, gain, kappa]: [Expression; 8]) -> Expression {
+    fn difference(&self, [a, b, c, d, e, speed, angular_acceleration, kappa]: [Expression; 8]) -> Expression {
         let whole = (0..self.power.unsigned_abs()).fold(Expression::ONE, |product, _| product * kappa);
         let factor = if self.power < 0 { 1 / whole } else { whole };
         let square = kappa * kappa;
-        let left = |e: Expression, speed: Expression, gain: Expression| {
-            Coefficients { a, b, c, d, e }.residual(&speed, &gain, self.sign)
+        let left = |e: Expression, speed: Expression, angular_acceleration: Expression| {
+            Coefficients { a, b, c, d, e }.residual(&speed, &angular_acceleration, self.sign)
         };
-        left(square * e, factor * speed, factor * factor * gain) - square * left(e, speed, gain)
+        left(square * e, factor * speed, factor * factor * angular_acceleration)
+            - square * left(e, speed, angular_acceleration)
     }
 }
 
@@ -291,7 +292,7 @@ mod tests {
             assert!(counts.iter().all(|count| 2 * count < rows().len()), "{}: {counts:?}", definition.name);
         }
         // Nor does the time at which 99 per cent of the average terminal velocity are first reached.
-        for of in [Hypothesis::TRUE, Hypothesis::BEST] {
+        for of in [Hypothesis::IDEAL, Hypothesis::WITHOUT_LAG] {
             let near = rows().iter().filter(|row| {
                 let at = of.engagement(row).expect("an escapement");
                 let average = at.steady_state().expect("a steady state").mean_of_extremes();

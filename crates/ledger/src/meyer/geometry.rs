@@ -125,7 +125,7 @@ fn triangle() -> Vec<Claim> {
             .by(ExactIdentity, || all_proven(&[HalfAngle::Halved, HalfAngle::Simplified]))
             .by(Vectors, || {
                 for_each(
-                    |at| vanishes(Seen::new(at, PI / f64::from(at.pins())).turning()),
+                    |at| vanishes(PinKinematics::new(at, PI / f64::from(at.pins())).turning()),
                     "the pin carries the follower no further at π/m",
                 )
             }),
@@ -257,8 +257,9 @@ fn for_usual(holds: fn(&Wheel) -> bool, how: &str) -> Finding {
 
 /// How far the follower goes on during a turn of the driver, from an instant of an advance to that of the next.
 fn moved_by_a_turn(wheel: &Wheel) -> f64 {
-    let place =
-        |turns| wheel.at(turns, 0.3).map_or(f64::NAN, |at| at.stations as f64 * 2.0 * wheel.half_station() + at.angle);
+    let place = |turns| {
+        wheel.at(turns, 0.3).map_or(f64::NAN, |at| at.stations as f64 * 2.0 * wheel.half_pitch_angle() + at.angle)
+    };
     place(1) - place(0)
 }
 
@@ -273,8 +274,8 @@ fn angle_at_exit(wheel: &Wheel) -> f64 {
 }
 
 /// The pin that leaves.
-pub fn leaving(escapement: &Mechanism) -> Seen {
-    Seen::new(escapement, escapement.engagement_half_angle())
+pub fn leaving(escapement: &Mechanism) -> PinKinematics {
+    PinKinematics::new(escapement, escapement.engagement_half_angle())
 }
 
 /// Centre distance over the radius of the pins' circle, from the angles π/m of the crank and π/n of the slot alone.

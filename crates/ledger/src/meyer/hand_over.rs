@@ -5,7 +5,7 @@ use super::newton::Newton;
 use super::runs::{Column, rows};
 use super::slips::ENTRY_ALONG_THE_SLOT;
 use super::*;
-use crate::Evidence::Steps;
+use crate::Evidence::RungeKutta;
 use geneva_kinematics::escapement::{ContinuityStep, Continuous};
 use geneva_kinematics::pin_slot::{pin_from_pivot, velocity_ratio};
 use geneva_kinematics::{Jet, angular_velocity};
@@ -40,7 +40,7 @@ pub fn conclusion() -> Vec<Claim> {
                 "three combinations of pins and slots work, and no more",
             )
             .by(ClosedForm, |stated| said_of_pairs(stated, FORMULA_TO, works_by_formula))
-            .by(Steps, |stated| said_of_pairs(stated, STEPS_TO, works_by_steps))
+            .by(RungeKutta, |stated| said_of_pairs(stated, STEPS_TO, works_by_steps))
             .read_as(reading)
             .corrected(
                 "All geometrical configurations with 1/m + 1/n ≤ 1/2 and inertias that suit the friction, of which \
@@ -54,7 +54,7 @@ pub fn conclusion() -> Vec<Claim> {
                 "the three that are named work",
             )
             .by(ClosedForm, |stated| named_work(stated, works_by_formula))
-            .by(Steps, |stated| named_work(stated, works_by_steps))
+            .by(RungeKutta, |stated| named_work(stated, works_by_steps))
             .but_not("each of the three with a slot fewer")
             .read_as(reading),
     ]
@@ -302,11 +302,11 @@ fn has_terminal_speed(pair: &Newton, half: f64) -> bool {
     let mut fixed = next(0.0);
     for _ in 0..40 {
         let (once, twice) = (next(fixed), next(next(fixed)));
-        let (gain, next_gain) = (once - fixed, twice - once);
-        if gain.abs() <= 1e-10 * fixed {
+        let (angular_acceleration, next_gain) = (once - fixed, twice - once);
+        if angular_acceleration.abs() <= 1e-10 * fixed {
             break;
         }
-        fixed = once + next_gain / (1.0 - next_gain / gain);
+        fixed = once + next_gain / (1.0 - next_gain / angular_acceleration);
     }
     let nearer = |from: f64| (next(from) - fixed).abs() < 0.999 * (from - fixed).abs();
     fixed > 0.0 && (next(fixed) - fixed).abs() < 1e-6 * fixed && [0.0, 0.9 * fixed, 1.1 * fixed].into_iter().all(nearer)

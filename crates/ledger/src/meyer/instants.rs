@@ -1,6 +1,6 @@
 //! The moving mechanism by coordinates, with a value for every letter of chapter I, at a number of instants.
 //!
-//! Places, velocities and accelerations of the pin are vectors ([`Seen`]); forces follow from Newton's laws for the
+//! Places, velocities and accelerations of the pin are vectors ([`PinKinematics`]); forces follow from Newton's laws for the
 //! two members. Nothing here is a display of the source: what a display says is read from its characters.
 
 use super::reading::{By, Letters, Moment};
@@ -32,14 +32,14 @@ pub fn moments() -> &'static [Moment] {
                 let (ratio, angle) = (escapement.centre_distance_ratio(), instant(&escapement, k));
                 DRIVERS.map(|driver| {
                     Moment::of(letters(ratio, angle, driver)).moving(|by, step| {
-                        let (speed, gain) = driver;
+                        let (speed, angular_acceleration) = driver;
                         match by {
                             By::Time => {
-                                let there = angle + speed * step + gain * step * step / 2.0;
-                                letters(ratio, there, (speed + gain * step, gain))
+                                let there = angle + speed * step + angular_acceleration * step * step / 2.0;
+                                letters(ratio, there, (speed + angular_acceleration * step, angular_acceleration))
                             }
                             By::Angle => letters(ratio, angle + step, driver),
-                            By::Speed => letters(ratio, angle, (speed + step, gain)),
+                            By::Speed => letters(ratio, angle, (speed + step, angular_acceleration)),
                         }
                     })
                 })
@@ -55,27 +55,31 @@ pub fn instants() -> impl ExactSizeIterator<Item = &'static Letters> {
 }
 
 fn letters(ratio: f64, angle: f64, driver: (f64, f64)) -> Letters {
-    let (speed, gain) = driver;
-    let now = Seen::driven(ratio, angle, driver);
+    let (speed, angular_acceleration) = driver;
+    let now = PinKinematics::driven(ratio, angle, driver);
     // At the speed one and without acceleration of the driver: φ' and φ'' are then derivatives by θ.
-    let unit = Seen::driven(ratio, angle, (1.0, 0.0));
+    let unit = PinKinematics::driven(ratio, angle, (1.0, 0.0));
     let (turning, change) = (unit.turning(), unit.turning_rate());
     // How far the pin slides out per radian, in the unit of length.
     let sliding = RADIUS * unit.place.normalize().dot(&unit.velocity);
     let distance = RADIUS * now.radius();
-    let normal = |gain: f64| FOLLOWER_INERTIA * Seen::driven(ratio, angle, (speed, gain)).turning_rate() / distance;
-    let friction = |gain: f64| FRICTION * normal(gain) * sliding;
-    // What the two members ask of the driver's torque beside friction: Newton's laws for each.
-    let asked = |gain: f64| {
-        let reaction = normal(gain) * distance * turning;
-        DRIVER_INERTIA * gain + reaction
+    let normal = |angular_acceleration: f64| {
+        FOLLOWER_INERTIA * PinKinematics::driven(ratio, angle, (speed, angular_acceleration)).turning_rate() / distance
     };
-    let torque = asked(gain) + friction(gain).abs();
+    let friction = |angular_acceleration: f64| FRICTION * normal(angular_acceleration) * sliding;
+    // What the two members ask of the driver's torque beside friction: Newton's laws for each.
+    let asked = |angular_acceleration: f64| {
+        let reaction = normal(angular_acceleration) * distance * turning;
+        DRIVER_INERTIA * angular_acceleration + reaction
+    };
+    let torque = asked(angular_acceleration) + friction(angular_acceleration).abs();
     let moving_inertia = DRIVER_INERTIA + FOLLOWER_INERTIA * turning * turning;
     let square_speed = speed * speed;
     // The growth of the kinetic energy, and what is lost by sliding: per radian of the driver.
-    let grown = DRIVER_INERTIA * gain + FOLLOWER_INERTIA * now.turning() * now.turning_rate() / speed;
-    let lost = FRICTION * normal(gain).abs() * (RADIUS * now.place.normalize().dot(&now.velocity)).abs() / speed;
+    let grown = DRIVER_INERTIA * angular_acceleration + FOLLOWER_INERTIA * now.turning() * now.turning_rate() / speed;
+    let lost =
+        FRICTION * normal(angular_acceleration).abs() * (RADIUS * now.place.normalize().dot(&now.velocity)).abs()
+            / speed;
     let over_follower = |torque: f64| torque / FOLLOWER_INERTIA;
     [
         ("a", ratio),
@@ -84,7 +88,7 @@ fn letters(ratio: f64, angle: f64, driver: (f64, f64)) -> Letters {
         ("R", distance),
         ("theta", angle),
         ("theta'", speed),
-        ("theta''", gain),
+        ("theta''", angular_acceleration),
         ("phi", now.angle()),
         ("phi'", now.turning()),
         ("phi''", now.turning_rate()),
@@ -94,25 +98,28 @@ fn letters(ratio: f64, angle: f64, driver: (f64, f64)) -> Letters {
         ("I_P", ODD),
         ("mu", FRICTION),
         ("h", sliding),
-        ("N", normal(gain)),
+        ("N", normal(angular_acceleration)),
         // By forces, and by energy.
         ("K", torque),
         ("tau_1", grown + lost),
-        ("tau_2", -friction(gain).abs()),
+        ("tau_2", -friction(angular_acceleration).abs()),
         ("Q_theta", grown),
         // The one coordinate that there is, by its general name.
         ("q_k", angle),
         ("q'_k", speed),
-        ("q''_k", gain),
+        ("q''_k", angular_acceleration),
         ("Q_k", grown),
         ("dT/dq'_k", moving_inertia * speed),
         ("dT/dq_k", FOLLOWER_INERTIA * turning * change * square_speed),
-        ("tau", torque - friction(gain).abs()),
+        ("tau", torque - friction(angular_acceleration).abs()),
         // A small turn, and the work of the inertias in it.
         ("delta theta", TURN),
-        ("delta W", DRIVER_INERTIA * gain * TURN + FOLLOWER_INERTIA * now.turning_rate() * turning * TURN),
+        (
+            "delta W",
+            DRIVER_INERTIA * angular_acceleration * TURN + FOLLOWER_INERTIA * now.turning_rate() * turning * TURN,
+        ),
         ("T", moving_inertia * square_speed / 2.0),
-        ("friction", friction(gain)),
+        ("friction", friction(angular_acceleration)),
         ("dT/dtheta'", moving_inertia * speed),
         ("dT/dtheta", FOLLOWER_INERTIA * turning * change * square_speed),
         // The square of the pin's distance, in crank radii.
@@ -123,8 +130,8 @@ fn letters(ratio: f64, angle: f64, driver: (f64, f64)) -> Letters {
         ("C", over_follower(friction(0.0)) / square_speed),
         ("D", over_follower(friction(1.0) - friction(0.0))),
         ("E", over_follower(torque)),
-        ("F", over_follower(friction(gain))),
-        ("S", if friction(gain) < 0.0 { -1.0 } else { 1.0 }),
+        ("F", over_follower(friction(angular_acceleration))),
+        ("S", if friction(angular_acceleration) < 0.0 { -1.0 } else { 1.0 }),
     ]
     .map(|(name, value)| (name.to_owned(), value))
     .into()

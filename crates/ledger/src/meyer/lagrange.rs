@@ -90,7 +90,7 @@ fn forces() -> Vec<Claim> {
                     "growth of the energies and power of the torques",
                 )
             })
-            .by(Evidence::Integration, |stated| {
+            .by(Evidence::Quadrature, |stated| {
                 let holds = frictionless().all(|(parameters, advance)| {
                     let potential = stated.pick(0.0, -parameters.drive() * advance);
                     agrees_in_steps(energy_gained(&parameters) + potential, parameters.drive() * advance)
@@ -119,7 +119,10 @@ fn forces() -> Vec<Claim> {
             .by(Vectors, |stated| {
                 let freedom = stated.pick(1, 2);
                 for_each(
-                    |at| (-10..10).all(|k| 6 - constraints(&Seen::new(at, instant(at, k))).rank(1e-9) == freedom),
+                    |at| {
+                        (-10..10)
+                            .all(|k| 6 - constraints(&PinKinematics::new(at, instant(at, k))).rank(1e-9) == freedom)
+                    },
                     "two members in the plane less the rank of their constraints",
                 )
             })
@@ -166,7 +169,7 @@ fn vector_sum() -> Claim {
         });
         Finding::new(holds, "with a torque on the follower, by the forces between pin and slot")
     })
-    .by(Evidence::Integration, |stated| {
+    .by(Evidence::Quadrature, |stated| {
         for_each(
             |at| {
                 // The work of a unit torque on the follower over an engagement is the angle it turns by.
@@ -174,7 +177,7 @@ fn vector_sum() -> Claim {
                 let factor =
                     |angle: f64| stated.pick(pin_slot::velocity_ratio(&ratio, &Turn::from_radians(angle)), 1.0);
                 let work = simpson(factor, -at.engagement_half_angle(), at.engagement_half_angle());
-                agrees_in_steps(work, at.follower_advance())
+                agrees_in_steps(work, at.follower_pitch_angle())
             },
             "work of a torque on the follower over an engagement, against the angle that the follower turns by",
         )
@@ -229,7 +232,7 @@ pub fn opposing(id: &'static str, locator: &'static str, printed: &'static str) 
         .by(Vectors, |stated| {
             let holds = Mechanism::ALL.iter().all(|escapement| {
                 (-10..10).all(|k| {
-                    let seen = Seen::new(escapement, instant(escapement, k));
+                    let seen = PinKinematics::new(escapement, instant(escapement, k));
                     [1.0_f64, -1.0].iter().all(|normal| {
                         let said = stated.pick(-1.0, -normal.signum());
                         torque_of_friction(&seen, *normal).signum() == said
@@ -266,13 +269,13 @@ pub fn opposing(id: &'static str, locator: &'static str, printed: &'static str) 
 fn lost(parameters: &Parameters, angle: f64, speed: f64, stated: Stated) -> f64 {
     let (factors, pose) = (parameters.coefficients(angle), parameters.pose(angle));
     let signed = factors.acceleration_with(&speed, Sign::Plus);
-    let gain = stated.pick(factors.acceleration(speed).map_or(f64::NAN, |found| found.value), signed);
-    let follower = pose.velocity_ratio() * speed * pose.follower_acceleration(&speed, &gain);
-    parameters.drive() * speed - parameters.inertias().ratio() * speed * gain - follower
+    let angular_acceleration = stated.pick(factors.acceleration(speed).map_or(f64::NAN, |found| found.value), signed);
+    let follower = pose.velocity_ratio() * speed * pose.follower_acceleration(&speed, &angular_acceleration);
+    parameters.drive() * speed - parameters.inertias().ratio() * speed * angular_acceleration - follower
 }
 
 /// Torque on the driver, positive as it turns, of a friction of the size of this normal force on the pin.
-fn torque_of_friction(seen: &Seen, normal: f64) -> f64 {
+fn torque_of_friction(seen: &PinKinematics, normal: f64) -> f64 {
     let slot = seen.place.normalize();
     let force = -slot * slot.dot(&seen.velocity).signum() * normal.abs();
     let arm = seen.place - Vector2::new(seen.ratio, 0.0);
@@ -280,7 +283,7 @@ fn torque_of_friction(seen: &Seen, normal: f64) -> f64 {
 }
 
 /// A unit force between pin and slot: across the slot, as the constraint has it, or along it.
-fn direction_of_a_force(seen: &Seen, stated: Stated) -> Vector2<f64> {
+fn direction_of_a_force(seen: &PinKinematics, stated: Stated) -> Vector2<f64> {
     let along = seen.place.normalize();
     stated.pick(quarter_turn(&along), along)
 }
@@ -288,7 +291,7 @@ fn direction_of_a_force(seen: &Seen, stated: Stated) -> Vector2<f64> {
 /// How the constraints change with the places and angles of the two members: two pivots, and the pin in its slot.
 ///
 /// Each member has the coordinates of its point on its own pivot and its angle; angles count alike for both.
-fn constraints(seen: &Seen) -> SMatrix<f64, 5, 6> {
+fn constraints(seen: &PinKinematics) -> SMatrix<f64, 5, 6> {
     let mut rows = SMatrix::<f64, 5, 6>::zeros();
     for (row, column) in [(0, 0), (1, 1), (2, 3), (3, 4)] {
         rows[(row, column)] = 1.0;

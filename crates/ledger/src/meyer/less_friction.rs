@@ -4,7 +4,7 @@ use super::by_steps::{Motion, groups};
 use super::general_statements::with;
 use super::runs::{Hypothesis, rows, series, steps};
 use super::*;
-use crate::Evidence::{Integration, Steps};
+use crate::Evidence::{Quadrature, RungeKutta};
 use geneva_dynamics::Parameters;
 use geneva_dynamics::steady::{Engagement, Printed, Rise};
 use geneva_kinematics::Mechanism;
@@ -23,7 +23,7 @@ fn less_friction() -> Claim {
             "The more frictionless the system, the greater is the rise time",
             "less friction, longer rise",
         )
-        .by(Integration, |stated| {
+        .by(Quadrature, |stated| {
             let readings = stated.pick::<&[Reading]>(&[DECAY], &RISE_TIMES);
             let found: Vec<[bool; 3]> = readings
                 .iter()
@@ -48,7 +48,7 @@ fn less_friction() -> Claim {
                 ),
             )
         })
-        .by(Steps, |stated| {
+        .by(RungeKutta, |stated| {
             let readings = stated.pick::<&[SteppedReading]>(&[decay_by_steps], &RISE_TIMES_BY_STEPS);
             let found: Vec<[Vec<f64>; 3]> = readings.iter().map(|of| by_friction(*of)).collect();
             let some = found.iter().any(|reading| reading.iter().all(|times| always_falls(times)));
@@ -87,14 +87,14 @@ fn no_friction() -> Claim {
             "will never reach a terminal velocity",
             "without friction there is no terminal velocity",
         )
-        .by(Integration, |stated| {
+        .by(Quadrature, |stated| {
             // Speeds that go as the root of the number of engagements know no bound.
             let quotients: Vec<f64> = series()
                 .filter_map(|own| {
                     let of = with(own.first()?, 1.0, stated.pick(0.0, 0.01))?;
                     let (mut speed, mut after) = (0.0, Vec::new());
                     for _ in 0..400 {
-                        speed = of.hand_over(speed).ok()?;
+                        speed = of.return_map(speed).ok()?;
                         after.push(speed);
                     }
                     Some(after.get(399)? / after.get(99)?)
@@ -108,7 +108,7 @@ fn no_friction() -> Claim {
                 ),
             )
         })
-        .by(Steps, |stated| {
+        .by(RungeKutta, |stated| {
             // Each engagement adds the whole work of the spring to the driver's energy.
             let parts: Vec<f64> = series()
                 .filter_map(|own| {
@@ -168,7 +168,7 @@ fn starts() -> &'static [Start] {
         let friction = |k: u32| low + (high - low) * f64::from(k) / f64::from(GRID - 1);
         let of = |mechanism: Mechanism| {
             let own = rows().iter().find(|row| row.mechanism == mechanism);
-            let at = own.and_then(|row| Hypothesis::TRUE.parameters(row));
+            let at = own.and_then(|row| Hypothesis::IDEAL.parameters(row));
             let with = move |k| Parameters::new(at?.mechanism(), at?.inertias(), at?.torque(), friction(k)).ok();
             (0..GRID).filter_map(move |k| Start::of(mechanism, &with(k)?))
         };
@@ -182,7 +182,7 @@ type Reading = (&'static str, fn(&Start) -> Option<f64>);
 /// The time in which a small difference from the steady speed is down to a hundredth.
 const DECAY: Reading = ("a small difference down to a hundredth", |start| {
     let steady = &start.rise.steady;
-    Some(steady.period * libm::log(0.01) / libm::log(steady.contraction))
+    Some(steady.period * libm::log(0.01) / libm::log(steady.multiplier))
 });
 
 /// The senses of the rise time that the source's two definitions have.

@@ -1,7 +1,7 @@
 //! The master's project: the Geneva mechanism with a pin always engaged, as a timing device.
 //!
 //! The claims stand in the order of the source: tables of contents and figures, the geometry of the escapement, the
-//! rates of the follower, the sizes of appendix A, the spring of appendix C. The pin by coordinates is `Seen`.
+//! rates of the follower, the sizes of appendix A, the spring of appendix C. The pin by coordinates is `PinKinematics`.
 
 mod angles;
 mod appendix_a;
@@ -92,7 +92,7 @@ const DRIVER: (f64, f64) = (1.75, -2.5);
 /// The pin of an escapement by coordinates; the follower's angle grows with the second coordinate.
 ///
 /// Lengths in radii of the pins' circle. Nothing here is a formula of the source.
-struct Seen {
+struct PinKinematics {
     /// Centre distance over the radius of the pins' circle.
     ratio: f64,
     /// The driver's angle from the line of centres.
@@ -105,14 +105,14 @@ struct Seen {
     acceleration: Vector2<f64>,
 }
 
-impl Seen {
+impl PinKinematics {
     /// An escapement at an angle of its driver.
     fn new(escapement: &Mechanism, angle: f64) -> Self {
         Self::driven(escapement.centre_distance_ratio(), angle, DRIVER)
     }
 
     /// The same for a ratio of lengths, and for a speed and an acceleration of the driver.
-    fn driven(ratio: f64, angle: f64, (speed, gain): (f64, f64)) -> Self {
+    fn driven(ratio: f64, angle: f64, (speed, angular_acceleration): (f64, f64)) -> Self {
         let crank = Turn::from_radians(angle);
         let from_driver = crank.direction();
         let across = quarter_turn(&from_driver);
@@ -121,7 +121,7 @@ impl Seen {
             ratio,
             place: mirrored(from_driver - Vector2::new(ratio, 0.0)),
             velocity: mirrored(across * speed),
-            acceleration: mirrored(across * gain - from_driver * (speed * speed)),
+            acceleration: mirrored(across * angular_acceleration - from_driver * (speed * speed)),
             crank,
         }
     }
@@ -150,10 +150,10 @@ impl Seen {
 }
 
 /// Whether two numbers agree for the three escapements at twenty instants each, none of them on the line of centres.
-fn at_instants(both: impl Fn(&Seen) -> (f64, f64)) -> Finding {
+fn at_instants(both: impl Fn(&PinKinematics) -> (f64, f64)) -> Finding {
     let worst = Mechanism::ALL
         .iter()
-        .flat_map(|escapement| (-10..10).map(|k| Seen::new(escapement, instant(escapement, k))))
+        .flat_map(|escapement| (-10..10).map(|k| PinKinematics::new(escapement, instant(escapement, k))))
         .map(|seen| {
             let (a, b) = both(&seen);
             (a - b).abs() / a.abs().max(b.abs()).max(1.0)

@@ -76,11 +76,11 @@ impl Newton {
             let force = at.across + at.along * (self.friction * side * sliding.signum());
             let arm = at.pin.perp(&force);
             let inertia = self.driver + per_gain * arm;
-            let gain = (torque - at_rest * arm) / inertia;
-            (inertia > 0.0 && side * (at_rest + per_gain * gain) >= 0.0).then_some(gain)
+            let angular_acceleration = (torque - at_rest * arm) / inertia;
+            (inertia > 0.0 && side * (at_rest + per_gain * angular_acceleration) >= 0.0).then_some(angular_acceleration)
         };
         match (fits(1.0), fits(-1.0)) {
-            (Some(gain), None) | (None, Some(gain)) => Some(gain),
+            (Some(angular_acceleration), None) | (None, Some(angular_acceleration)) => Some(angular_acceleration),
             (Some(one), Some(other)) => (one == other).then_some(one),
             (None, None) => None,
         }
@@ -91,8 +91,8 @@ impl Newton {
     pub fn engagement(&self, half: f64, entry: f64, torque: &dyn Fn(f64) -> f64, steps: u32) -> Option<Passage> {
         let step = 2.0 * half / f64::from(steps);
         let slope = |angle: f64, square: f64| {
-            let gain = self.acceleration(angle, square.max(0.0).sqrt(), torque(angle + half));
-            Vector1::new(2.0 * gain.unwrap_or(f64::NAN))
+            let angular_acceleration = self.acceleration(angle, square.max(0.0).sqrt(), torque(angle + half));
+            Vector1::new(2.0 * angular_acceleration.unwrap_or(f64::NAN))
         };
         let (mut square, mut duration) = (entry, 0.0);
         for k in 0..steps {

@@ -6,7 +6,7 @@ use super::inertia::{mass, volume};
 use super::newton::Newton;
 use super::*;
 use crate::Dimension as Exponents;
-use crate::Evidence::Steps;
+use crate::Evidence::RungeKutta;
 use geneva_kinematics::escapement::pins_needed;
 
 pub const AFTER_THE_LIST: Place = at("Chapter II, paragraph after the list of parameters");
@@ -19,7 +19,7 @@ pub fn six() -> Claim {
             "six parameters",
             "the equation of motion with its geometry has six parameters",
         )
-        .by(Steps, |stated| count_that_matter(stated.pick(6, 7), &Quantity::ALL))
+        .by(RungeKutta, |stated| count_that_matter(stated.pick(6, 7), &Quantity::ALL))
         .by(Dimension, |stated| count_that_may_enter(stated.pick(6, 7), &Quantity::ALL))
         .but_not("seven parameters, the radius of the pins' circle one of them")
         .read_as(
@@ -61,7 +61,7 @@ pub fn after_the_list() -> Vec<Claim> {
                 "four parameters",
                 "for each of the three mechanisms four parameters are left: friction, torque and two inertias",
             )
-            .by(Steps, |stated| count_that_matter(stated.pick(4, 5), &Quantity::OF_A_MECHANISM))
+            .by(RungeKutta, |stated| count_that_matter(stated.pick(4, 5), &Quantity::OF_A_MECHANISM))
             .by(Dimension, |stated| count_that_may_enter(stated.pick(4, 5), &Quantity::OF_A_MECHANISM))
             .but_not("five parameters, the radius of the pins' circle one of them")
             .read_as(PARAMETER),

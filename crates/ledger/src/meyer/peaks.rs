@@ -4,7 +4,7 @@ use super::by_steps::{Group, groups};
 use super::runs::{Hypothesis, Row, rows};
 use super::study::steady;
 use super::*;
-use crate::Evidence::{Integration, Steps};
+use crate::Evidence::{Quadrature, RungeKutta};
 use crate::{Decimal, Stated};
 use geneva_dynamics::steady::{Printed, SteadyState};
 use geneva_kinematics::Mechanism;
@@ -73,7 +73,7 @@ fn at_entry() -> Vec<Claim> {
             .by(Vectors, |stated| {
                 let ends: &[f64] = stated.pick(&[-1.0, 1.0], &[0.0]);
                 let still = |at: &Mechanism| {
-                    let turning = |part| Seen::new(at, part * at.engagement_half_angle()).turning();
+                    let turning = |part| PinKinematics::new(at, part * at.engagement_half_angle()).turning();
                     ends.iter().all(|part| vanishes(turning(part)))
                 };
                 let count = Mechanism::ALL.iter().filter(|at| still(at)).count();
@@ -104,9 +104,9 @@ fn at_entry() -> Vec<Claim> {
                 "the driver, transferring its energy to the follower, slows down",
                 "after an entry the driver slows down while the follower picks up speed",
             )
-            .by(Integration, |stated| {
+            .by(Quadrature, |stated| {
                 let found = rows().iter().filter_map(|row| {
-                    let of = Hypothesis::TRUE.engagement(row)?;
+                    let of = Hypothesis::IDEAL.engagement(row)?;
                     let (lines, at) = (of.steady_cycle(INSTANTS).ok()?, of.steady_state().ok()?.minimum.angle);
                     let own = |line: &&Printed| stated.pick(line.angle <= at, line.angle >= at);
                     let [driver, follower] = [|line: &Printed| line.speed, |line: &Printed| line.follower_speed]
@@ -115,7 +115,7 @@ fn at_entry() -> Vec<Claim> {
                 });
                 all_of(found.collect(), rows().len(), "runs, to one unit of the tables")
             })
-            .by(Steps, |stated| {
+            .by(RungeKutta, |stated| {
                 // The energies of the two members at the ends of the stretch.
                 let found = groups().iter().filter_map(|group| {
                     let (motion, steady) = (&group.motion, group.motion.steady()?);
@@ -144,11 +144,11 @@ fn at_the_centres() -> Vec<Claim> {
                 "the driver velocity is a minimum and the follower velocity is a maximum",
                 "on the line of centres the driver is slowest and the follower fastest",
             )
-            .by(Integration, |stated| {
+            .by(Quadrature, |stated| {
                 let of = |state: &SteadyState| [-state.minimum.angle, state.switch_angle.unwrap_or(f64::NAN)];
                 extremes(stated, steady().iter().map(|(_, state)| of(state)).collect())
             })
-            .by(Steps, |stated| {
+            .by(RungeKutta, |stated| {
                 let places = groups().iter().filter_map(|group| {
                     let (motion, steady) = (&group.motion, group.motion.steady()?);
                     Some([-motion.least(steady)?.angle, motion.greatest(steady, motion.follower()).angle])
@@ -166,9 +166,9 @@ fn at_the_centres() -> Vec<Claim> {
                 "(and the follower velocity decreases)",
                 "from the line of centres on the follower's speed falls",
             )
-            .by(Integration, |stated| {
+            .by(Quadrature, |stated| {
                 let found = rows().iter().filter_map(|row| {
-                    let of = Hypothesis::TRUE.engagement(row)?;
+                    let of = Hypothesis::IDEAL.engagement(row)?;
                     let change = of.steady_state().ok()?.switch_angle?;
                     let lines = of.steady_cycle(INSTANTS).ok()?;
                     let own = lines.iter().filter(|line| line.angle >= stated.pick(change, 0.0));
@@ -176,7 +176,7 @@ fn at_the_centres() -> Vec<Claim> {
                 });
                 all_of(found.collect(), rows().len(), "runs, to one unit of the tables")
             })
-            .by(Steps, |stated| {
+            .by(RungeKutta, |stated| {
                 let found = groups().iter().filter_map(|group| {
                     let (motion, steady) = (&group.motion, group.motion.steady()?);
                     let speeds = motion.values(steady, motion.follower());
@@ -214,18 +214,18 @@ fn at_exit() -> Vec<Claim> {
                 "the same as when it entered",
                 "in the steady motion the speed at the exit is that at the entry",
             )
-            .by(Integration, |stated| {
+            .by(Quadrature, |stated| {
                 let found = rows().iter().filter_map(|row| {
-                    let of = Hypothesis::TRUE.engagement(row)?;
-                    let mut ends = [0.0, of.hand_over(0.0).ok()?];
+                    let of = Hypothesis::IDEAL.engagement(row)?;
+                    let mut ends = [0.0, of.return_map(0.0).ok()?];
                     for _ in 0..stated.pick(LONG, 0) {
-                        ends = [ends[1], of.hand_over(ends[1]).ok()?];
+                        ends = [ends[1], of.return_map(ends[1]).ok()?];
                     }
                     Some((ends[0] / ends[1] - 1.0).abs() < 1e-9)
                 });
                 all_of(found.collect(), rows().len(), "runs, by handing on the speed from rest")
             })
-            .by(Steps, |stated| {
+            .by(RungeKutta, |stated| {
                 let found = groups().iter().filter_map(|group| {
                     let first = group.motion.engagements.first()?;
                     let [entry, exit] = stated.pick(group.motion.steady()?, first).ends();
@@ -252,7 +252,7 @@ fn beside_the_hand_over(
 ) -> Claim {
     PEAKS
         .statement(id, printed, meaning)
-        .by(Integration, |stated| {
+        .by(Quadrature, |stated| {
             let of = |(row, state): &(&Row, SteadyState)| Peak {
                 mechanism: row.mechanism,
                 angle: state.peak.angle,
@@ -260,7 +260,7 @@ fn beside_the_hand_over(
             };
             peaks(stated, steady().iter().map(of).collect())
         })
-        .by(Steps, |stated| {
+        .by(RungeKutta, |stated| {
             let of = |group: &Group| {
                 let (motion, steady) = (&group.motion, group.motion.steady()?);
                 let peak = motion.greatest(steady, |_, speed| speed);
@@ -362,13 +362,19 @@ mod tests {
     fn the_acceleration_at_entry_is_that_of_the_reason_and_never_zero() {
         let mut signs = [0; 2];
         for (row, state) in steady() {
-            let of = Hypothesis::TRUE.parameters(row).expect("an escapement");
+            let of = Hypothesis::IDEAL.parameters(row).expect("an escapement");
             let at =
                 of.acceleration(-of.mechanism().engagement_half_angle(), state.entry_speed).expect("one acceleration");
             let square = state.entry_speed * state.entry_speed / (of.mechanism().centre_distance_ratio_squared() - 1.0);
-            let gain = (of.torque() - of.friction() * of.inertias().follower() * square) / of.inertias().driver();
-            assert!((at.value / gain - 1.0).abs() < 1e-9, "{}: {} {gain}", row.slug(), at.value);
-            signs[usize::from(gain > 0.0)] += 1;
+            let angular_acceleration =
+                (of.torque() - of.friction() * of.inertias().follower() * square) / of.inertias().driver();
+            assert!(
+                (at.value / angular_acceleration - 1.0).abs() < 1e-9,
+                "{}: {} {angular_acceleration}",
+                row.slug(),
+                at.value
+            );
+            signs[usize::from(angular_acceleration > 0.0)] += 1;
         }
         // With six pins and with much friction the speed still rises there, else it falls.
         assert!(signs[0] > signs[1] && signs[0] + signs[1] == rows().len(), "{signs:?}");

@@ -4,7 +4,7 @@ use super::by_steps::{Group, Motion, groups};
 use super::general_statements::{Responses, responses};
 use super::runs::{Column, Hypothesis, Row, rows, series};
 use super::*;
-use crate::Evidence::{Integration, Steps};
+use crate::Evidence::{Quadrature, RungeKutta};
 use crate::Stated;
 use geneva_dynamics::Parameters;
 use geneva_dynamics::steady::Engagement;
@@ -41,7 +41,7 @@ fn shape() -> Claim {
             "will not change the shape of the curve",
             "no parameter changes the shape of the curve of speeds",
         )
-        .by(Integration, |stated| {
+        .by(Quadrature, |stated| {
             let sets = between_parameters(stated.pick(&["torque"], &["torque", "friction", "slots"]));
             let counts: Vec<Vec<usize>> =
                 sets.iter().map(|set| set.iter().filter_map(|row| turning_points(row)).collect()).collect();
@@ -95,11 +95,11 @@ fn scales() -> Claim {
             "the magnitude of the velocity, the period of the oscillations, and the rise time",
             "parameters change the speed, the period and the rise time",
         )
-        .by(Integration, |stated| {
+        .by(Quadrature, |stated| {
             static FOUND: OnceLock<Responses> = OnceLock::new();
             changed(stated, FOUND.get_or_init(|| responses(&TENTHS, scales_by_integrals)))
         })
-        .by(Steps, |stated| {
+        .by(RungeKutta, |stated| {
             static FOUND: OnceLock<Responses> = OnceLock::new();
             changed(stated, FOUND.get_or_init(|| responses(&TENTHS, scales_by_steps)))
         })
@@ -116,10 +116,10 @@ fn first_minimum() -> Claim {
         "by the first minimum in velocity, the driver has achieved its steady state",
         "by the first minimum of its speed the driver moves as it will for ever",
     )
-    .by(Integration, |stated| {
+    .by(Quadrature, |stated| {
         settled(stated, rows().iter().filter_map(|row| Some((row.mechanism, minima(row)?))).collect())
     })
-    .by(Steps, |stated| {
+    .by(RungeKutta, |stated| {
         let of = |group: &Group| {
             let motion = &group.motion;
             let least = |engagement| Some(motion.least(engagement)?.value);
@@ -167,7 +167,7 @@ const INSTANTS: usize = 2000;
 
 /// How often the driver's speed turns round in an engagement of the steady motion.
 fn turning_points(row: &Row) -> Option<usize> {
-    let lines = Hypothesis::TRUE.engagement(row)?.steady_cycle(INSTANTS).ok()?;
+    let lines = Hypothesis::IDEAL.engagement(row)?.steady_cycle(INSTANTS).ok()?;
     Some(lines.windows(2).filter(|pair| (pair[0].acceleration < 0.0) != (pair[1].acceleration < 0.0)).count())
 }
 
@@ -215,7 +215,7 @@ fn changed(stated: Stated, found: &Responses) -> Finding {
 
 /// The minima of a run from rest, over the steady one.
 fn minima(row: &Row) -> Option<Vec<f64>> {
-    let of = Hypothesis::TRUE.engagement(row)?;
+    let of = Hypothesis::IDEAL.engagement(row)?;
     let (first, rise) = (of.first_minimum().ok()??.speed, of.rise(1e-6).ok()?);
     let later = rise.cycles.iter().skip(1).map(|cycle| cycle.minimum.speed);
     Some(std::iter::once(first).chain(later).map(|least| least / rise.steady.minimum.speed).collect())
@@ -257,7 +257,7 @@ mod tests {
         let four = rows().iter().filter(|row| row.mechanism == Mechanism::FOUR_PIN);
         let fitting: Vec<&Row> = four
             .filter(|row| {
-                let of = Hypothesis::TRUE.engagement(row).expect("an escapement");
+                let of = Hypothesis::IDEAL.engagement(row).expect("an escapement");
                 let first = of.first_minimum().expect("an engagement").expect("a minimum");
                 said.is_rounding_of(first.time)
             })

@@ -142,33 +142,33 @@ fn square(x: f64) -> f64 {
 }
 
 /// a − cos θ.
-fn rest(at: &Seen) -> f64 {
+fn rest(at: &PinKinematics) -> f64 {
     at.ratio - at.crank.cos
 }
 
 /// a cos θ − 1.
-fn lead(at: &Seen) -> f64 {
+fn lead(at: &PinKinematics) -> f64 {
     at.ratio * at.crank.cos - 1.0
 }
 
 /// 1 + a² − 2 a cos θ.
-fn under(at: &Seen) -> f64 {
+fn under(at: &PinKinematics) -> f64 {
     1.0 + square(at.ratio) - 2.0 * at.ratio * at.crank.cos
 }
 
 /// The rate of tan φ from the follower's measured angle and rate.
-fn tangent_rate(at: &Seen) -> f64 {
+fn tangent_rate(at: &PinKinematics) -> f64 {
     at.turning() / square(libm::cos(at.angle()))
 }
 
 /// The rate of tan φ as printed, with the derivatives of sine and cosine put in.
-fn tangent_rate_by_quotient(at: &Seen) -> f64 {
+fn tangent_rate_by_quotient(at: &PinKinematics) -> f64 {
     let above = rest(at) * at.crank.cos * DRIVER.0 - at.crank.sin * at.crank.sin * DRIVER.0;
     above / square(rest(at))
 }
 
 /// φ̈ as printed, with the derivatives of the cosine put in.
-fn acceleration_by_quotient(at: &Seen) -> f64 {
+fn acceleration_by_quotient(at: &PinKinematics) -> f64 {
     let product = at.ratio * at.crank.sin * DRIVER.0;
     let above = under(at) * -product - lead(at) * 2.0 * product;
     above / square(under(at)) * DRIVER.0 + lead(at) / under(at) * DRIVER.1

@@ -7,7 +7,7 @@ use super::runs::{Column, Hypothesis, Row, rows, series};
 use super::slips::SAMPLED_PEAKS;
 use super::study::steady;
 use super::*;
-use crate::Evidence::{Integration, Steps};
+use crate::Evidence::{Quadrature, RungeKutta};
 use geneva_dynamics::program::{Contact, Program};
 
 pub fn claims() -> Vec<Claim> {
@@ -25,7 +25,7 @@ fn not_fast_enough() -> Claim {
             let least = rows().iter().map(|row| row.number(Column::Rise)).fold(f64::INFINITY, f64::min);
             Finding::new(least >= stated.pick(0.01, 0.1), format!("the shortest of Appendix E is {least} s"))
         })
-        .by(Steps, |stated| {
+        .by(RungeKutta, |stated| {
             let first = groups().iter().map(|group| {
                 let minimum = group.motion.engagements.first().and_then(|first| group.motion.least(first));
                 minimum.map_or(f64::NAN, |minimum| minimum.time / group.greatest_scale())
@@ -59,7 +59,7 @@ fn cyclic_oscillations() -> Claim {
             "significant cyclic oscillations in the magnitude of the peak velocity",
             "a strong spring makes the peak of the driver's speed swing from cycle to cycle",
         )
-        .by(Integration, |stated| {
+        .by(Quadrature, |stated| {
             // The motion of the mechanism, looked at as often as lines are printed, or a hundred times as often.
             let interval = runs::interval() * stated.pick(1.0, 0.01);
             swinging(&|row| {
@@ -68,14 +68,14 @@ fn cyclic_oscillations() -> Claim {
                 Some(lines.iter().map(|line| (line.engagement, line.speed)).collect())
             })
         })
-        .by(Steps, |stated| {
+        .by(RungeKutta, |stated| {
             // The program with its reset angle, its lagged sign and its own π, printing as often.
             let interval = runs::interval() * stated.pick(1.0, 0.01);
             swinging(&|row| {
                 let of = with(row, EXCESSIVE, 1.0)?;
                 let slots = f64::from(of.parameters().mechanism().slots());
                 let program = Program {
-                    fold: Hypothesis::BEST.angle(row.mechanism),
+                    reset: Hypothesis::WITHOUT_LAG.angle(row.mechanism),
                     ratio: 1.0 / libm::sin(printed("meyer.listing.pi") / slots),
                     contact: Contact::Delayed(runs::delay()),
                     ..Program::of(of.parameters())
@@ -85,7 +85,7 @@ fn cyclic_oscillations() -> Claim {
                     ..geneva_mimic::Parameters::new(interval, runs::duration())
                 };
                 let lines = program.run(&integrator).ok()?.lines;
-                Some(lines.iter().map(|line| ((line.turned / program.fold) as usize, line.speed)).collect())
+                Some(lines.iter().map(|line| ((line.turned / program.reset) as usize, line.speed)).collect())
             })
         })
         .read_as(
@@ -107,11 +107,11 @@ fn better_average() -> Claim {
             "A more appropriate definition would be based on the time",
             "the average should follow from the time of a revolution, not from peak and minimum",
         )
-        .by(Integration, |stated| {
+        .by(Quadrature, |stated| {
             let off = steady().iter().filter_map(|(row, state)| {
                 let average = stated.pick(state.mean_speed, state.mean_of_extremes());
                 // A whole revolution, pin after pin, from the steady speed of entry.
-                let (of, mut speed, mut time) = (Hypothesis::TRUE.engagement(row)?, state.entry_speed, 0.0);
+                let (of, mut speed, mut time) = (Hypothesis::IDEAL.engagement(row)?, state.entry_speed, 0.0);
                 for _ in 0..row.mechanism.pins() {
                     let passage = of.passage(speed).ok()?;
                     (speed, time) = (passage.end_speed(), time + passage.duration());
@@ -120,16 +120,16 @@ fn better_average() -> Claim {
             });
             tells_the_time(&off.collect::<Vec<_>>(), rows().len())
         })
-        .by(Steps, |stated| {
+        .by(RungeKutta, |stated| {
             let off = groups().iter().filter_map(|group| {
                 let (motion, steady) = (&group.motion, group.motion.steady()?);
-                let fold = motion.angles.last()? - motion.angles.first()?;
+                let reset = motion.angles.last()? - motion.angles.first()?;
                 let peak = motion.greatest(steady, |_, speed| speed).value;
                 let middle = f64::midpoint(peak, motion.least(steady)?.value);
-                let average = stated.pick(fold / steady.duration(), middle);
+                let average = stated.pick(reset / steady.duration(), middle);
                 // The engagement before.
                 let before = motion.engagements.iter().rev().nth(1)?;
-                Some(fold / average / before.duration() - 1.0)
+                Some(reset / average / before.duration() - 1.0)
             });
             tells_the_time(&off.collect::<Vec<_>>(), groups().len())
         })

@@ -344,18 +344,19 @@ fn below(single: &[Vec<bool>], bound: impl Fn(Mechanism, f64) -> f64) -> bool {
 /// How many accelerations from rest obey the equation with the sign that their own friction has.
 fn consistent_signs(c: &Coefficients<f64>) -> usize {
     let obeys = |sign: f64| {
-        let gain = c.e / (c.a + sign * c.d);
-        sign * c.d * gain > 0.0
+        let angular_acceleration = c.e / (c.a + sign * c.d);
+        sign * c.d * angular_acceleration > 0.0
     };
     if c.d == 0.0 { 1 } else { [1.0, -1.0].iter().filter(|sign| obeys(**sign)).count() }
 }
 
 /// How often the left side of the equation from rest passes E, along accelerations of either sign from 10⁻⁸ to 10⁸.
 fn passages(c: &Coefficients<f64>) -> usize {
-    let excess = |gain: f64| c.a * gain + (c.d * gain).abs() > c.e;
+    let excess = |angular_acceleration: f64| c.a * angular_acceleration + (c.d * angular_acceleration).abs() > c.e;
     let forwards = (-200..=200).map(|k| libm::pow(10.0, f64::from(k) / 25.0));
     let one_way = |way: f64| {
-        let above: Vec<bool> = forwards.clone().map(|gain| excess(way * gain)).collect();
+        let above: Vec<bool> =
+            forwards.clone().map(|angular_acceleration| excess(way * angular_acceleration)).collect();
         above.windows(2).filter(|pair| pair[0] != pair[1]).count()
     };
     one_way(1.0) + one_way(-1.0)

@@ -4,7 +4,7 @@ use super::newton::Newton;
 use super::runs::{Column, Hypothesis, Row, rows};
 use super::slips::SPRING_RATE;
 use super::*;
-use crate::Evidence::Steps;
+use crate::Evidence::RungeKutta;
 use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
 
@@ -18,7 +18,7 @@ pub fn no_rate(
 ) -> Claim {
     place
         .statement(id, printed, meaning)
-        .by(Steps, gives_the_periods)
+        .by(RungeKutta, gives_the_periods)
         .by(OtherPlaceInSource, in_the_equation)
         .corrected(corrected, SPRING_RATE)
 }
@@ -32,7 +32,7 @@ pub fn torque_per_radian(
 ) -> Claim {
     at(locator)
         .statement(id, printed, meaning)
-        .by(Steps, gives_the_periods)
+        .by(RungeKutta, gives_the_periods)
         .by(OtherPlaceInSource, in_the_equation)
         .but_not("a rate: the torque is K times the angle turned")
         .read_as("An inch-pound per radian is a unit of torque, as a joule per radian is.")
@@ -65,7 +65,7 @@ const ENGAGEMENTS: u32 = 20;
 /// the angle that the driver has turned.
 fn has_its_period(row: &Row, power: f64) -> Option<bool> {
     const STEPS: u32 = 300;
-    let at = Hypothesis::TRUE.parameters(row)?;
+    let at = Hypothesis::IDEAL.parameters(row)?;
     let (half, inertias) = (at.mechanism().engagement_half_angle(), at.inertias());
     let pair = Newton {
         radius: 1.0,

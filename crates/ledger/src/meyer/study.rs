@@ -3,7 +3,7 @@
 use super::inertia::printed_inertia;
 use super::runs::{Column, Hypothesis, Row, rows};
 use super::*;
-use crate::Evidence::Integration;
+use crate::Evidence::Quadrature;
 use geneva_dynamics::steady::SteadyState;
 use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
@@ -32,7 +32,7 @@ pub fn of_parameters() -> Vec<Claim> {
                 printed.split('-').skip(1).filter_map(|angle| numeric_tokens(angle).first()?.parse().ok()).collect();
             let step = 1e-3;
             let nearer = |(at, angle): (Mechanism, &f64)| {
-                let out = |angle: f64| Seen::new(&at, angle).radius();
+                let out = |angle: f64| PinKinematics::new(&at, angle).radius();
                 (out(-angle.to_radians() + step) - out(-angle.to_radians())) * stated.pick(-1.0, 1.0) > 0.0
             };
             let holds = angles.len() == 3 && Mechanism::ALL.into_iter().zip(&angles).all(nearer);
@@ -61,7 +61,7 @@ pub fn of_parameters() -> Vec<Claim> {
                 let holds = times.len() == 5 && times.iter().all(|times| bounds.contains(times));
                 Finding::new(holds, format!("the inertias of the runs over the estimate are {times:.0?}"))
             })
-            .by(Integration, |stated| {
+            .by(Quadrature, |stated| {
                 let (bounds, times) = (factors(stated), over_estimate_by_periods());
                 let holds = !times.is_empty()
                     && times.iter().all(|[least, most]| most >= bounds.start() && least <= bounds.end());
@@ -138,7 +138,7 @@ fn over_estimate() -> Vec<f64> {
 fn over_estimate_by_periods() -> Vec<[f64; 2]> {
     let own = steady().iter().filter(|(row, _)| row.mechanism == Mechanism::FOUR_PIN);
     let of = |(row, state): &(&Row, SteadyState)| {
-        let inertias = Hypothesis::TRUE.parameters(row)?.inertias();
+        let inertias = Hypothesis::IDEAL.parameters(row)?.inertias();
         let part = [-1e-3, 1e-3].map(|off| (row.number(Column::Period) + off) / state.period);
         Some(
             [inertias.driver(), inertias.follower()]
@@ -151,6 +151,6 @@ fn over_estimate_by_periods() -> Vec<[f64; 2]> {
 /// All rows, each with the steady motion of the mechanism as it is.
 pub fn steady() -> &'static [(&'static Row, SteadyState)] {
     static STEADY: OnceLock<Vec<(&Row, SteadyState)>> = OnceLock::new();
-    let of = |row| Some((row, Hypothesis::TRUE.engagement(row)?.steady_state().ok()?));
+    let of = |row| Some((row, Hypothesis::IDEAL.engagement(row)?.steady_state().ok()?));
     STEADY.get_or_init(|| rows().iter().filter_map(of).collect())
 }

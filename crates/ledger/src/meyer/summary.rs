@@ -4,7 +4,7 @@ use super::general_statements::with;
 use super::newton::Newton;
 use super::runs::{Column, Hypothesis, Row, rows};
 use super::*;
-use crate::Evidence::{Integration, Steps};
+use crate::Evidence::{Quadrature, RungeKutta};
 
 const ABSTRACT: Place = at("Abstract, last paragraph");
 
@@ -17,8 +17,8 @@ pub fn claims() -> Vec<Claim> {
                 "does reach a terminal velocity",
                 "the mechanism reaches a terminal velocity",
             )
-            .by(Integration, |stated| {
-                let of = |row: &Row| Some(with(row, 1.0, stated.pick(1.0, 0.0))?.steady_state().ok()?.contraction);
+            .by(Quadrature, |stated| {
+                let of = |row: &Row| Some(with(row, 1.0, stated.pick(1.0, 0.0))?.steady_state().ok()?.multiplier);
                 let left: Vec<f64> = rows().iter().filter_map(of).collect();
                 let worst = left.iter().copied().fold(0.0, f64::max);
                 Finding::new(
@@ -31,7 +31,7 @@ pub fn claims() -> Vec<Claim> {
                     ),
                 )
             })
-            .by(Steps, |stated| {
+            .by(RungeKutta, |stated| {
                 let settled = |row: &&Row| {
                     let [before, last] = last_two(row, stated.pick(1.0, 0.0));
                     (before.1 / last.1 - 1.0).abs() <= crate::tolerance::STEPS.relative
@@ -49,9 +49,9 @@ pub fn claims() -> Vec<Claim> {
                 "consequently can be used as a timing device",
                 "because of its terminal velocity it can be used as a timing device",
             )
-            .by(Integration, |stated| {
+            .by(Quadrature, |stated| {
                 let times = |row: &Row| {
-                    let of = Hypothesis::TRUE.engagement(row)?;
+                    let of = Hypothesis::IDEAL.engagement(row)?;
                     let mut speed = 0.0;
                     for _ in 0..stated.pick(ENGAGEMENTS - 2, 0) {
                         speed = of.passage(speed).ok()?.end_speed();
@@ -61,7 +61,7 @@ pub fn claims() -> Vec<Claim> {
                 };
                 takes_equal_times(rows().iter().filter_map(times).collect())
             })
-            .by(Steps, |stated| {
+            .by(RungeKutta, |stated| {
                 let times = |row: &Row| {
                     let all = from_rest(row, 1.0);
                     let at = stated.pick(ENGAGEMENTS - 2, 0);
@@ -90,9 +90,9 @@ pub fn claims() -> Vec<Claim> {
                     format!("{beyond} of {} rise times of Appendix E are above {said} ms", rows().len()),
                 )
             })
-            .by(Integration, |stated| {
+            .by(Quadrature, |stated| {
                 let slow = |row: &&Row| {
-                    let time = Hypothesis::TRUE.rise(row).and_then(|rise| rise.until_entry_speed(0.01));
+                    let time = Hypothesis::IDEAL.rise(row).and_then(|rise| rise.until_entry_speed(0.01));
                     time.is_none_or(|time| 1e3 * time > FIFTY)
                 };
                 let count = rows().iter().filter(slow).count();
@@ -149,7 +149,7 @@ const ENGAGEMENTS: usize = 24;
 /// times a factor; of the mechanism as it is.
 fn from_rest(row: &Row, friction: f64) -> Vec<(f64, f64)> {
     const STEPS: u32 = 200;
-    let Some(at) = Hypothesis::TRUE.parameters(row) else { return Vec::new() };
+    let Some(at) = Hypothesis::IDEAL.parameters(row) else { return Vec::new() };
     let (half, inertias) = (at.mechanism().engagement_half_angle(), at.inertias());
     let pair = Newton {
         radius: 1.0,

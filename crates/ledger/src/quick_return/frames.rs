@@ -79,9 +79,9 @@ pub fn acceleration_in_a_frame() -> Claim {
             both_axes([true, false].map(|first| prove(&along(first)).into()))
         })
         .by(AutomaticDerivative, || {
-            let Moving { whole, origin, inside, speed, gain } = moving();
+            let Moving { whole, origin, inside, speed, angular_acceleration } = moving();
             let centripetal = -inside[0] * (speed * speed);
-            let turning = quarter_turn(&inside[0]) * gain + quarter_turn(&inside[1]) * (2.0 * speed);
+            let turning = quarter_turn(&inside[0]) * angular_acceleration + quarter_turn(&inside[1]) * (2.0 * speed);
             alike(&whole[2], &(origin[2] + inside[2] + centripetal + turning))
         })
         .read_as(
@@ -151,7 +151,7 @@ struct Moving {
     inside: [Vector2<f64>; 3],
     /// The frame's angular velocity and angular acceleration.
     speed: f64,
-    gain: f64,
+    angular_acceleration: f64,
 }
 
 /// Where the frame's origin is.
@@ -168,10 +168,10 @@ fn inside(t: Time) -> [Time; 2] {
 }
 
 fn moving() -> Moving {
-    let (speed, gain) = (1.3, 0.9);
+    let (speed, angular_acceleration) = (1.3, 0.9);
     let whole = path(|t| {
-        let ([a, b], [x, y]) = (origin(t), turned(inside(t), advance(speed, gain, t)));
+        let ([a, b], [x, y]) = (origin(t), turned(inside(t), advance(speed, angular_acceleration, t)));
         [a + x, b + y]
     });
-    Moving { whole, origin: path(origin), inside: path(inside), speed, gain }
+    Moving { whole, origin: path(origin), inside: path(inside), speed, angular_acceleration }
 }

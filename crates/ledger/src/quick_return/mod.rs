@@ -7,15 +7,15 @@ mod acceleration;
 mod coriolis;
 mod frames;
 mod given;
-mod had_been;
 mod places;
 mod position;
 mod rounding;
 mod symbols;
 mod velocity;
+mod with_printed_angle;
 
-pub use had_been::{HadBeen, had_been};
 pub use symbols::SYMBOLS;
+pub use with_printed_angle::{WithPrintedAngle, with_printed_angle};
 
 use crate::checks::{agrees, coincide, interval, meets, printed, rounds, same, vanishes};
 use crate::duals::{Crank, Time, advance, path, turned};

@@ -29,7 +29,7 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("wheel-mechanism", || Ok(stations::mechanism(&four_stations()?))),
     ("wheel-model", || Ok(stations::model(&four_stations()?, MODEL_ANGLE)?)),
     ("wheel-critical", || Ok(stations::critical_geometry(&jazar::example().context(NO_WHEEL)?))),
-    ("wheel-advance", || Ok(stations::advance(&four_stations()?))),
+    ("wheel-indexing", || Ok(stations::indexing(&four_stations()?))),
     ("wheel-motion", || Ok(stations::motion(&four_stations()?))),
     ("wheel-extremes", || Ok(stations::extremes(3..=18))),
     ("escapement-mechanism-4", || mechanism(4)),
@@ -59,7 +59,7 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("runs-six-pin", || runs::over_torque(Mechanism::SIX_PIN)),
     ("runs-three-pin", || runs::over_torque(Mechanism::THREE_PIN)),
     ("steady-collapse", runs::collapse),
-    ("steady-hand-over", || Ok(geneva_figures::steady::hand_over(&parameters(example()?)?)?)),
+    ("steady-return-map", || Ok(geneva_figures::steady::return_map(&parameters(example()?)?)?)),
     ("steady-phase", || Ok(geneva_figures::steady::phase(&parameters(example()?)?)?)),
     ("steady-map-four-pin", || runs::map(Mechanism::FOUR_PIN)),
     ("steady-map-six-pin", || runs::map(Mechanism::SIX_PIN)),
@@ -118,7 +118,7 @@ fn mechanism(slots: u32) -> anyhow::Result<Figure> {
 
 /// The example among the runs, and its speed as a pin enters in the steady state.
 fn in_steady_state() -> anyhow::Result<(Parameters, f64)> {
-    let steady = rows::engagement(example()?, &Hypothesis::TRUE)?.steady_state()?;
+    let steady = rows::engagement(example()?, &Hypothesis::IDEAL)?.steady_state()?;
     Ok((parameters(example()?)?, steady.entry_speed))
 }
 

@@ -37,7 +37,7 @@ fn deviations(score: &Score) -> anyhow::Result<Deviations> {
 /// The speed between the printed instants: of the four-pin runs that brake least the one with the strongest spring.
 pub fn printed_too_seldom() -> anyhow::Result<Figure> {
     let row = least_braked(Mechanism::FOUR_PIN).and_then(<[Row]>::last).context("no run with four pins")?;
-    Ok(runs::aliasing(&rows::engagement(row, &Hypothesis::BEST)?, interval(), duration())?)
+    Ok(runs::aliasing(&rows::engagement(row, &Hypothesis::WITHOUT_LAG)?, interval(), duration())?)
 }
 
 /// Fig. 8: the first of the rows that it may show.
@@ -49,7 +49,7 @@ pub fn of_fig_8() -> anyhow::Result<Figure> {
     let fits = if others.is_empty() { String::new() } else { format!(" So does that of {}.", others.join(" and of ")) };
     let words =
         format!("Four pins, {}: its first minimum rounds to the rise time printed of Fig. 8.{fits}", named(row));
-    Ok(runs::speeds(&rows::engagement(row, &Hypothesis::BEST)?, &words)?)
+    Ok(runs::speeds(&rows::engagement(row, &Hypothesis::WITHOUT_LAG)?, &words)?)
 }
 
 /// The printed numbers of a mechanism over the torque.
@@ -77,7 +77,7 @@ fn group(mechanism: Mechanism) -> anyhow::Result<Group> {
     Ok(Group {
         mechanism,
         inertias: parameters.inertias(),
-        fold: Hypothesis::BEST.angle(mechanism),
+        reset: Hypothesis::WITHOUT_LAG.angle(mechanism),
         runs: runs.collect(),
     })
 }
@@ -101,15 +101,15 @@ pub fn losses() -> anyhow::Result<Figure> {
         ("driver's journal", journals, Varied::DriverJournal),
         ("follower's journal", journals, Varied::FollowerJournal),
     ];
-    let (mut speeds, mut contractions) = (Vec::new(), Vec::new());
+    let (mut speeds, mut multipliers) = (Vec::new(), Vec::new());
     for (name, joints, varied) in varied {
         let radii = (0..=RADII).map(|k| LARGEST * f64::from(k) / f64::from(RADII));
         let effects = series(&of, &joints, varied, radii)?;
         let line = |points: Vec<(f64, f64)>| Line { name: name.to_owned(), points };
         speeds.push(line(effects.iter().map(|effect| (effect.value, effect.mean_speed)).collect()));
-        contractions.push(line(effects.iter().map(|effect| (effect.value, effect.contraction)).collect()));
+        multipliers.push(line(effects.iter().map(|effect| (effect.value, effect.multiplier)).collect()));
     }
-    Ok(steady::losses("radius in crank radii", &speeds, &contractions))
+    Ok(steady::losses("radius in crank radii", &speeds, &multipliers))
 }
 
 /// Work and precision of those solvers in the record that run over the same times.

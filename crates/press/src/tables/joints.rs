@@ -31,7 +31,7 @@ pub fn effects() -> anyhow::Result<String> {
         let list = std::iter::once(Joints::IDEAL).chain(COMPARED.map(joints));
         let found = all_effects(&parameters, list.map(|joints| (joints.pin_radius, joints)))?;
         for (cells, effect) in cells.iter_mut().zip(found) {
-            let numbers = [format!("{:.3}", effect.mean_speed), format!("{:.3}", effect.contraction)];
+            let numbers = [format!("{:.3}", effect.mean_speed), format!("{:.3}", effect.multiplier)];
             let on_paper = effect.value >= largest_pin_radius(parameters.mechanism());
             cells.extend(numbers.map(|number| if on_paper { format!("({number})") } else { number }));
         }

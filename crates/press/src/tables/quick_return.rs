@@ -7,7 +7,7 @@ use anyhow::Context;
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_vectors::quarter_turn;
 use geneva_kinematics::quick_return::{Branch, Motion};
-use geneva_ledger::quick_return::{Instant, had_been};
+use geneva_ledger::quick_return::{Instant, with_printed_angle};
 use nalgebra::Vector2;
 
 /// A part of a vector that is zero but for rounding, relative to the vector.
@@ -40,7 +40,7 @@ pub fn terms() -> anyhow::Result<String> {
 pub fn branches() -> anyhow::Result<String> {
     let [far, near] = [Branch::Far, Branch::Near].map(Instant::on);
     let (far, near) = (far?, near?);
-    let had_been = had_been();
+    let with_printed_angle = with_printed_angle();
     let columns = [&far, &near].map(|instant| -> anyhow::Result<[f64; 10]> {
         let motion = instant.by_diagrams().context("the pin is on the pivot")?;
         let along = motion.velocities.position.normalize();
@@ -64,14 +64,14 @@ pub fn branches() -> anyhow::Result<String> {
     let with_printed_angle = [
         far.position.pin_distance,
         far.position.crank.degrees(),
-        had_been.lever_point_speed,
-        -had_been.sliding_speed,
-        had_been.lever_speed,
-        -had_been.lever_normal,
-        -had_been.coriolis,
-        -had_been.sliding_acceleration,
-        -had_been.lever_tangential,
-        -had_been.lever_acceleration,
+        with_printed_angle.lever_point_speed,
+        -with_printed_angle.sliding_speed,
+        with_printed_angle.lever_speed,
+        -with_printed_angle.lever_normal,
+        -with_printed_angle.coriolis,
+        -with_printed_angle.sliding_acceleration,
+        -with_printed_angle.lever_tangential,
+        -with_printed_angle.lever_acceleration,
     ];
     let names = [
         ("r", "in m"),

@@ -90,22 +90,22 @@ fn logs(score: &Score) -> [String; 2] {
 
 /// The runs with six pins, printed and as they should have been.
 pub fn six_pin() -> anyhow::Result<String> {
-    corrected(Mechanism::SIX_PIN, &Hypothesis::TRUE)
+    corrected(Mechanism::SIX_PIN, &Hypothesis::IDEAL)
 }
 
 /// The same of four pins.
 pub fn four_pin() -> anyhow::Result<String> {
-    corrected(Mechanism::FOUR_PIN, &Hypothesis::TRUE)
+    corrected(Mechanism::FOUR_PIN, &Hypothesis::IDEAL)
 }
 
 /// The same of three pins.
 pub fn three_pin() -> anyhow::Result<String> {
-    corrected(Mechanism::THREE_PIN, &Hypothesis::TRUE)
+    corrected(Mechanism::THREE_PIN, &Hypothesis::IDEAL)
 }
 
 /// The same of six pins with the inertias of the table's heading.
 pub fn six_pin_as_headed() -> anyhow::Result<String> {
-    corrected(Mechanism::SIX_PIN, &Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::TRUE })
+    corrected(Mechanism::SIX_PIN, &Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::IDEAL })
 }
 
 fn corrected(mechanism: Mechanism, hypothesis: &Hypothesis) -> anyhow::Result<String> {

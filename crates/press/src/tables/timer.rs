@@ -23,7 +23,7 @@ pub fn settling() -> anyhow::Result<String> {
         Ok(vec![
             name,
             format!("{:.3}", inertias.ratio()),
-            format!("{:.4}", settling.contraction),
+            format!("{:.4}", settling.multiplier),
             format!("{:.2}", settling.engagements(PART)),
             format!("{:.1}", 1e3 * settling.period),
             format!("{:.1}", 1e3 * settling.time(PART)),
@@ -76,7 +76,7 @@ pub fn accelerations() -> anyhow::Result<String> {
 /// The average of the thesis beside the mean speed over a revolution.
 pub fn mean_speed() -> anyhow::Result<String> {
     let rows = weakest().map(|row| {
-        let steady = engagement(row, &Hypothesis::TRUE)?.steady_state()?;
+        let steady = engagement(row, &Hypothesis::IDEAL)?.steady_state()?;
         let printed = (row.number(Column::Peak) + row.number(Column::Minimum)) / 2.0;
         Ok(vec![
             with_torque(row),

@@ -96,9 +96,9 @@ fn the_contraction_grows_with_the_pin_and_falls_with_the_drivers_journal() {
             let effects = series(&parameters, &base, varied, values).expect("they run");
             assert_relative_eq!(effects[0].mean_speed, 1.0, max_relative = 1e-12);
             for effect in &effects {
-                assert_relative_eq!(effect.memory, -1.0 / effect.contraction.ln(), max_relative = 1e-12);
+                assert_relative_eq!(effect.decay_constant, -1.0 / effect.multiplier.ln(), max_relative = 1e-12);
             }
-            let pairs: Vec<_> = effects.windows(2).map(|pair| pair[1].contraction - pair[0].contraction).collect();
+            let pairs: Vec<_> = effects.windows(2).map(|pair| pair[1].multiplier - pair[0].multiplier).collect();
             pairs
         };
         assert!(grow(Varied::PinRadius, 0.15).iter().all(|change| *change > 0.0));
@@ -121,16 +121,16 @@ fn speeds_scale_with_the_root_of_the_torque_unless_a_torque_is_constant() {
     let (once, four) = (scaled(1.0, loaded), scaled(4.0, loaded));
     assert_relative_eq!(four.mean_speed, 2.0 * once.mean_speed, max_relative = 1e-12);
     assert_relative_eq!(four.peak.speed, 2.0 * once.peak.speed, max_relative = 1e-12);
-    assert_relative_eq!(four.contraction, once.contraction, max_relative = 1e-12);
-    for preloaded in [Joints { driver_preload: 0.1, ..loaded }, Joints { follower_preload: 0.02, ..loaded }] {
-        let (once, four) = (scaled(1.0, preloaded), scaled(4.0, preloaded));
+    assert_relative_eq!(four.multiplier, once.multiplier, max_relative = 1e-12);
+    for with_drag_torque in [Joints { driver_preload: 0.1, ..loaded }, Joints { follower_preload: 0.02, ..loaded }] {
+        let (once, four) = (scaled(1.0, with_drag_torque), scaled(4.0, with_drag_torque));
         // The preload weighs less against a stronger spring.
         assert!(four.mean_speed > 2.001 * once.mean_speed, "{} {}", once.mean_speed, four.mean_speed);
         // With the preloads scaled too, the law holds again.
         let scaled_too = Joints {
-            driver_preload: 4.0 * preloaded.driver_preload,
-            follower_preload: 4.0 * preloaded.follower_preload,
-            ..preloaded
+            driver_preload: 4.0 * with_drag_torque.driver_preload,
+            follower_preload: 4.0 * with_drag_torque.follower_preload,
+            ..with_drag_torque
         };
         let four = scaled(4.0, scaled_too);
         assert_relative_eq!(four.mean_speed, 2.0 * once.mean_speed, max_relative = 1e-12);

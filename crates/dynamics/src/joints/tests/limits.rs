@@ -176,7 +176,7 @@ fn at_entry_and_exit_the_pin_counts_as_leading_and_trailing() {
             if speed == 0.0 {
                 // Nothing asks for a force: the driver feels its own inertia only.
                 assert!(entry.normal_moment.abs() < 1e-13, "{}", entry.normal_moment);
-                assert_relative_eq!(entry.gain, 1.0 / inertias.driver(), max_relative = 1e-12);
+                assert_relative_eq!(entry.angular_acceleration, 1.0 / inertias.driver(), max_relative = 1e-12);
             } else {
                 assert!(entry.normal_moment > 0.0 && exit.normal_moment < 0.0);
             }

@@ -17,8 +17,8 @@ fn samples() -> Vec<Escapement> {
 }
 
 fn parts(passage: &Passage) -> [f64; 5] {
-    let Passage { exit_speed, contraction, duration, peak, minimum, .. } = passage;
-    [*exit_speed, *contraction, *duration, peak.speed, minimum.speed]
+    let Passage { exit_speed, multiplier, duration, peak, minimum, .. } = passage;
+    [*exit_speed, *multiplier, *duration, peak.speed, minimum.speed]
 }
 
 #[test]
@@ -44,7 +44,7 @@ fn what_is_told_of_the_error_is_its_size() {
             (settled.state.duration, better.duration),
             (settled.state.peak.speed, better.peak.speed),
             (settled.state.minimum.speed, better.minimum.speed),
-            (settled.state.contraction, better.contraction),
+            (settled.state.multiplier, better.multiplier),
         ] {
             assert_relative_eq!(ours, true_one, max_relative = settled.change + 1e-12);
         }
@@ -73,8 +73,8 @@ fn the_steady_entry_repeats_itself_and_neighbours_come_nearer_as_told() {
         assert_relative_eq!(run(state.entry_speed), state.entry_speed, max_relative = 1e-11);
         let step = 1e-4 * state.entry_speed;
         let slope = (run(state.entry_speed + step) - run(state.entry_speed - step)) / (2.0 * step);
-        assert_relative_eq!(slope, state.contraction, max_relative = 1e-5);
-        assert!(state.contraction > 0.0 && state.contraction < 1.0);
+        assert_relative_eq!(slope, state.multiplier, max_relative = 1e-5);
+        assert!(state.multiplier > 0.0 && state.multiplier < 1.0);
     }
 }
 
@@ -84,19 +84,24 @@ fn extremes_are_where_the_driver_does_not_accelerate() {
         let state = escapement.steady_state(1e-9).expect("a steady state").state;
         let least = escapement.motion(state.minimum.angle, state.minimum.speed).expect("sound");
         let scale = escapement.parameters().torque() / escapement.parameters().inertias().driver();
-        assert!(least.gain.abs() < 1e-4 * scale, "{escapement:?} {} {}", state.minimum.angle, least.gain);
+        assert!(
+            least.angular_acceleration.abs() < 1e-4 * scale,
+            "{escapement:?} {} {}",
+            state.minimum.angle,
+            least.angular_acceleration
+        );
     }
 }
 
 #[test]
 fn a_preload_that_is_too_great_stalls_the_driver() {
     let parameters = like_the_thesis(Mechanism::FOUR_PIN);
-    let stopped = |preload| {
-        let joints = Joints { follower_preload: preload, ..Joints::IDEAL };
+    let stopped = |drag_torque| {
+        let joints = Joints { follower_preload: drag_torque, ..Joints::IDEAL };
         escapement(&parameters, joints).steady_state_in(512)
     };
     // Slower and slower with the preload, until none is slow enough.
-    let mean = |preload| stopped(preload).ok().map(|state| state.mean_speed);
+    let mean = |drag_torque| stopped(drag_torque).ok().map(|state| state.mean_speed);
     let means: Vec<_> = (0..40).map(|k| mean(0.02 * f64::from(k))).collect();
     let running = means.iter().take_while(|mean| mean.is_some()).count();
     println!("the driver stalls from a preload of {}", 0.02 * running as f64);

@@ -78,7 +78,7 @@ impl Instant {
 }
 
 /// θ'' from the vectors alone, by the flank that the normal force agrees with.
-pub fn gain(escapement: &Escapement, angle: f64, speed: f64) -> f64 {
+pub fn angular_acceleration(escapement: &Escapement, angle: f64, speed: f64) -> f64 {
     let [leading, trailing] = Sign::BOTH.map(|flank| Instant::new(escapement, angle, speed, flank).solution);
     if leading[2] >= 0.0 { leading[0] } else { trailing[0] }
 }
@@ -123,7 +123,8 @@ fn newton_and_euler_say_the_same_by_vectors() {
     for_instants(|escapement, angle, instant, flank| {
         let motion = escapement.motion(angle, instant.speed).expect("one acceleration");
         assert_eq!(motion.flank, flank);
-        let ours = [motion.gain, motion.follower_gain, motion.normal_moment, motion.sliding * instant.speed];
+        let ours =
+            [motion.angular_acceleration, motion.follower_gain, motion.normal_moment, motion.sliding * instant.speed];
         let witness = [instant.solution[0], instant.solution[1], instant.solution[2], instant.sliding];
         let scale = 1.0 + instant.speed * instant.speed + witness.iter().fold(0.0, |most, one| one.abs().max(most));
         for (ours, witness) in ours.into_iter().zip(witness) {
@@ -161,7 +162,7 @@ fn the_power_of_the_spring_goes_into_motion_and_friction() {
         assert!((power.growth() - growth).abs() < 1e-12 * scale, "{angle} {power:?} {growth}");
         // Each loss from vectors.
         let (joints, load) = (escapement.joints(), instant.force.norm());
-        let journal = |radius: f64, preload: f64| joints.bearing_friction * radius * load + preload;
+        let journal = |radius: f64, drag_torque: f64| joints.bearing_friction * radius * load + drag_torque;
         let driver = journal(joints.driver_journal, joints.driver_preload) * instant.speed;
         let follower = journal(joints.follower_journal, joints.follower_preload) * instant.follower_speed;
         for (ours, witness) in [(power.driver_bearing, driver), (power.follower_bearing, follower)] {

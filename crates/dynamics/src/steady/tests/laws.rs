@@ -12,11 +12,11 @@ use geneva_kinematics::Mechanism;
 fn the_steady_state_is_handed_on_unchanged() {
     for engagement in samples() {
         let steady = engagement.steady_state().expect("a terminal speed");
-        let end = engagement.hand_over(steady.entry_speed).expect("a speed");
+        let end = engagement.return_map(steady.entry_speed).expect("a speed");
         assert_relative_eq!(end, steady.entry_speed, max_relative = 2e-13);
         let passage = engagement.passage(steady.entry_speed).expect("a speed");
         assert_relative_eq!(passage.duration(), steady.period, max_relative = 2e-13);
-        assert_relative_eq!(passage.contraction(), steady.contraction, max_relative = 1e-9);
+        assert_relative_eq!(passage.multiplier(), steady.multiplier, max_relative = 1e-9);
         assert_eq!(passage.switch_angle().is_some(), steady.switch_angle.is_some());
         let [low, high] = [steady.minimum.speed, steady.peak.speed];
         assert!(low > 0.0 && low <= steady.entry_speed && steady.entry_speed <= high);
@@ -34,9 +34,9 @@ fn two_motions_approach_by_the_contraction() {
         for part in [0.5, 1.0, 1.7] {
             let square = |speed: f64| speed * speed;
             let (low, high) = (steady * part * (1.0 - 1e-4), steady * part * (1.0 + 1e-4));
-            let ends = [low, high].map(|speed| square(engagement.hand_over(speed).expect("a speed")));
+            let ends = [low, high].map(|speed| square(engagement.return_map(speed).expect("a speed")));
             let slope = (ends[1] - ends[0]) / (square(high) - square(low));
-            let factor = engagement.passage(steady * part).expect("a speed").contraction();
+            let factor = engagement.passage(steady * part).expect("a speed").multiplier();
             assert!(factor > 0.0 && factor < 1.0, "{factor}");
             assert!((slope - factor).abs() < 1e-6 * factor + 1e-10, "{slope} and {factor}");
         }
@@ -50,19 +50,21 @@ fn without_friction_the_energy_is_the_work_of_the_torque() {
         for speed in [0.0, 0.5, 4.0, 1e3] {
             let passage = engagement.passage(speed).expect("a speed");
             // i u/2 grows by the torque, which is one, times the turn.
-            let square = speed * speed + 2.0 * engagement.fold() / 0.07;
+            let square = speed * speed + 2.0 * engagement.reset() / 0.07;
             assert_relative_eq!(passage.end_speed(), square.sqrt(), max_relative = 1e-13);
-            assert_eq!(passage.contraction(), 1.0);
+            assert_eq!(passage.multiplier(), 1.0);
         }
         let error = engagement.steady_state().expect_err("nothing brakes");
-        assert_eq!(error, Error::NoTerminalSpeed { contraction: 1.0 });
+        assert_eq!(error, Error::NoTerminalSpeed { multiplier: 1.0 });
         assert!(matches!(engagement.rise(0.01), Err(Error::NoTerminalSpeed { .. })));
         // A fold elsewhere than at the exit loses the energy of the follower each time: it brakes.
-        let folded = Engagement::folded(engagement.parameters(), engagement.fold() * 1.2, 1e-12).expect("in range");
-        let (steady, end) = (folded.steady_state().expect("a brake"), folded.fold() - engagement.fold() / 2.0);
-        let lead = folded.parameters().pose(end).velocity_ratio();
-        assert_relative_eq!(steady.contraction, 0.07 / (0.07 + lead * lead), max_relative = 1e-12);
-        let square = 2.0 * folded.fold() / (lead * lead);
+        let reset_after =
+            Engagement::reset_after(engagement.parameters(), engagement.reset() * 1.2, 1e-12).expect("in range");
+        let (steady, end) =
+            (reset_after.steady_state().expect("a brake"), reset_after.reset() - engagement.reset() / 2.0);
+        let numerator = reset_after.parameters().pose(end).velocity_ratio();
+        assert_relative_eq!(steady.multiplier, 0.07 / (0.07 + numerator * numerator), max_relative = 1e-12);
+        let square = 2.0 * reset_after.reset() / (numerator * numerator);
         assert_relative_eq!(steady.entry_speed, square.sqrt(), max_relative = 1e-12);
     }
 }
@@ -87,7 +89,7 @@ fn speeds_scale_with_the_root_of_the_torque_over_the_inertia() {
                 ("peak", steady.peak.speed * scaling.speed, other.peak.speed),
                 ("minimum", steady.minimum.speed * scaling.speed, other.minimum.speed),
                 ("period", steady.period * scaling.time, other.period),
-                ("contraction", steady.contraction, other.contraction),
+                ("contraction", steady.multiplier, other.multiplier),
                 ("angle", steady.minimum.angle, other.minimum.angle),
             ] {
                 assert!((one / other - 1.0).abs() < 1e-13, "{mechanism:?} {torque} {inertia} {name}: {one} {other}");
@@ -113,7 +115,7 @@ fn the_rise_ends_where_each_definition_says() {
         let gap = |cycle: &super::super::Cycle| steady.entry_speed.powi(2) - cycle.end_speed.powi(2);
         let near = rise.cycles.windows(2).find(|pair| gap(&pair[0]) < 1e-3 * steady.entry_speed.powi(2)).expect("near");
         let factor = gap(&near[1]) / gap(&near[0]);
-        assert!((factor / steady.contraction - 1.0).abs() < 0.02, "{factor} {}", steady.contraction);
+        assert!((factor / steady.multiplier - 1.0).abs() < 0.02, "{factor} {}", steady.multiplier);
         let times = [
             rise.until_entry_speed(0.01),
             rise.until_mean_speed(0.01),
@@ -138,8 +140,12 @@ fn a_printed_run_is_the_motion_of_the_engagements() {
     assert_eq!(lines.len(), 1201);
     assert!(lines[0].speed == 0.0 && lines[0].turned.abs() < 1e-15, "{:?}", lines[0]);
     for line in &lines {
-        let gain = engagement.parameters().acceleration(line.angle, line.speed).expect("one acceleration");
-        assert!((line.acceleration - gain.value).abs() < 1e-10 * (1.0 + gain.value.abs()), "{line:?} {gain:?}");
+        let angular_acceleration =
+            engagement.parameters().acceleration(line.angle, line.speed).expect("one acceleration");
+        assert!(
+            (line.acceleration - angular_acceleration.value).abs() < 1e-10 * (1.0 + angular_acceleration.value.abs()),
+            "{line:?} {angular_acceleration:?}"
+        );
         let cycle = rise.cycles.get(line.engagement);
         let [low, high] = cycle.map_or([0.0, f64::MAX], |cycle| [cycle.minimum.speed, cycle.peak.speed]);
         assert!(line.speed >= low * (1.0 - 1e-12) && line.speed <= high * (1.0 + 1e-12), "{line:?}");

@@ -24,7 +24,7 @@ fn little_friction_gives_a_high_speed_and_keeps_its_digits() {
                 );
             }
             last = Some(constant);
-            assert!((1.0 - steady.contraction) / friction < 1e3, "{mechanism:?} {friction}");
+            assert!((1.0 - steady.multiplier) / friction < 1e3, "{mechanism:?} {friction}");
         }
     }
 }
@@ -39,13 +39,13 @@ fn near_the_critical_friction_there_is_a_number_or_a_reason() {
                 match Engagement::with_tolerance(&escapement, 1e-10) {
                     Ok(engagement) => {
                         let steady = engagement.steady_state().expect("a terminal speed");
-                        let end = engagement.hand_over(steady.entry_speed).expect("a speed");
+                        let end = engagement.return_map(steady.entry_speed).expect("a speed");
                         assert!((end / steady.entry_speed - 1.0).abs() < 1e-9, "{mechanism:?} {inertia} {gap}");
                         assert!(
                             steady.period.is_finite() && steady.minimum.speed > 0.0,
                             "{mechanism:?} {inertia} {gap}"
                         );
-                        assert!((0.0..1.0).contains(&steady.contraction), "{mechanism:?} {inertia} {gap}");
+                        assert!((0.0..1.0).contains(&steady.multiplier), "{mechanism:?} {inertia} {gap}");
                     }
                     Err(error) => {
                         assert!(matches!(error, Error::TooSharp { .. }) && gap < 1e-4, "{mechanism:?} {gap} {error}");
@@ -84,7 +84,7 @@ fn extreme_inertias_give_numbers_or_a_reason() {
                 for speed in [0.0, 1e-300, 1e-150, 1.0, 1e100] {
                     if let Ok(passage) = engagement.passage(speed) {
                         assert!(passage.duration() > 0.0, "{mechanism:?} {inertia} {friction} {speed}");
-                        let _ = (passage.extremes(), passage.contraction());
+                        let _ = (passage.extremes(), passage.multiplier());
                     }
                 }
             }
@@ -95,9 +95,9 @@ fn extreme_inertias_give_numbers_or_a_reason() {
 #[test]
 fn impossible_requests_are_named() {
     let escapement = escapement(Mechanism::FOUR_PIN, 0.07, 0.21);
-    for fold in [0.0, -1.0, f64::NAN, f64::INFINITY, PI + PI / 4.0, 9.0] {
-        let error = Engagement::folded(&escapement, fold, 1e-12).expect_err("no fold");
-        assert!(matches!(error, Error::Fold { .. }) && error.to_string().contains("fold"), "{error}");
+    for reset in [0.0, -1.0, f64::NAN, f64::INFINITY, PI + PI / 4.0, 9.0] {
+        let error = Engagement::reset_after(&escapement, reset, 1e-12).expect_err("no fold");
+        assert!(matches!(error, Error::Reset { .. }) && error.to_string().contains("fold"), "{error}");
     }
     for tolerance in [0.0, -1.0, 1.0, f64::NAN, TOLERANCES.start() / 2.0, TOLERANCES.end() * 2.0] {
         let error = Engagement::with_tolerance(&escapement, tolerance).expect_err("no tolerance");
@@ -106,7 +106,7 @@ fn impossible_requests_are_named() {
     let engagement = Engagement::new(&escapement).expect("an engagement");
     for speed in [-1.0, f64::NAN, f64::INFINITY, 1e200] {
         assert!(matches!(engagement.passage(speed), Err(Error::Speed { .. })), "{speed}");
-        assert!(matches!(engagement.hand_over(speed), Err(Error::Speed { .. })), "{speed}");
+        assert!(matches!(engagement.return_map(speed), Err(Error::Speed { .. })), "{speed}");
     }
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         assert!(matches!(engagement.run(bad, 1.0), Err(Error::NotPositive { .. })), "{bad}");
@@ -132,8 +132,9 @@ fn what_has_one_solution_within_the_slot_has_one_beyond() {
                     let margin = existence::margin(&escapement.pose(angle), inertia, escapement.friction());
                     assert!(margin > least, "{mechanism:?} {inertia} {part} {angle}");
                 }
-                let folded = Engagement::folded(&escapement, 0.95 * (PI + half), 1e-10).expect("one solution");
-                assert!(folded.steady_state().is_ok(), "{mechanism:?} {inertia} {part}");
+                let reset_after =
+                    Engagement::reset_after(&escapement, 0.95 * (PI + half), 1e-10).expect("one solution");
+                assert!(reset_after.steady_state().is_ok(), "{mechanism:?} {inertia} {part}");
             }
         }
     }

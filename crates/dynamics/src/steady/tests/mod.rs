@@ -25,8 +25,8 @@ pub fn samples() -> Vec<Engagement> {
             let natural = 2.0 * mechanism.engagement_half_angle();
             samples.push(Engagement::new(&escapement).expect("an engagement"));
             for part in [0.3, 0.5, 0.6, 0.8, 1.1, 1.3] {
-                let fold = Engagement::folded(&escapement, natural * part, 1e-12);
-                samples.push(fold.expect("a fold in range"));
+                let reset = Engagement::reset_after(&escapement, natural * part, 1e-12);
+                samples.push(reset.expect("a fold in range"));
             }
         }
     }

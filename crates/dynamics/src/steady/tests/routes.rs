@@ -92,7 +92,7 @@ struct Found {
 fn integrate(engagement: &Engagement, entry: f64, eight: bool) -> Found {
     let escapement = engagement.parameters();
     let half = escapement.mechanism().engagement_half_angle();
-    let end = engagement.fold() - half;
+    let end = engagement.reset() - half;
     let mut state = Vector2::new(-half, entry);
     let mut found = Found { end: entry, duration: 0.0, peak: entry, minimum: entry, switch: None };
     for (leg, sign) in [Sign::Minus, Sign::Plus, Sign::Minus].into_iter().enumerate() {
@@ -101,7 +101,7 @@ fn integrate(engagement: &Engagement, entry: f64, eight: bool) -> Found {
             let past = state[0] - end;
             match leg {
                 0 => past.max(state[0]),
-                1 => past.max(-escapement.coefficients(state[0]).sign_decider(&state[1])),
+                1 => past.max(-escapement.coefficients(state[0]).sign_switching_function(&state[1])),
                 _ => past,
             }
         };
@@ -176,14 +176,14 @@ fn a_run_in_small_steps_from_rest_prints_the_same() {
     for mechanism in Mechanism::ALL {
         let escapement = escapement(mechanism, 0.07, if mechanism == Mechanism::SIX_PIN { 0.21 } else { 0.33 });
         let natural = 2.0 * mechanism.engagement_half_angle();
-        for fold in [natural, natural * 1.2] {
-            let engagement = Engagement::folded(&escapement, fold, 1e-12).expect("a fold in range");
+        for reset in [natural, natural * 1.2] {
+            let engagement = Engagement::reset_after(&escapement, reset, 1e-12).expect("a fold in range");
             let lines = engagement.run(0.125, 8.0).expect("a run");
             let half = natural / 2.0;
             let mut rates = |_: f64, state: &Vector2<f64>| {
-                let angle = state[0] - (state[0] / fold).floor() * fold - half;
-                let gain = escapement.acceleration(angle, state[1].max(0.0)).expect("one acceleration");
-                Vector2::new(state[1], gain.value)
+                let angle = state[0] - (state[0] / reset).floor() * reset - half;
+                let angular_acceleration = escapement.acceleration(angle, state[1].max(0.0)).expect("one acceleration");
+                Vector2::new(state[1], angular_acceleration.value)
             };
             let parameters = geneva_mimic::Parameters {
                 relative_tolerance: 1e-12,
@@ -204,9 +204,9 @@ fn a_run_in_small_steps_from_rest_prints_the_same() {
                 number += 1;
             })
             .expect("a run");
-            println!("{mechanism:?} {fold}: {worst:e} over {number} lines");
+            println!("{mechanism:?} {reset}: {worst:e} over {number} lines");
             assert_eq!(number, lines.len());
-            assert!(worst < 2e-11, "{mechanism:?} {fold}: {worst:e}");
+            assert!(worst < 2e-11, "{mechanism:?} {reset}: {worst:e}");
         }
     }
 }

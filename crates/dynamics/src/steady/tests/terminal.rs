@@ -35,9 +35,9 @@ fn without_the_extremes_the_numbers_are_the_same() {
                 let escapement = escapement(mechanism, inertia, limit * part);
                 let half = mechanism.engagement_half_angle();
                 // Short of the line of centres, at it, short of the exit, at it, beyond, and nearly as far as it goes.
-                for fold in [0.2 * half, half, 1.7 * half, 2.0 * half, 3.0 * half, 0.95 * (PI + half)] {
+                for reset in [0.2 * half, half, 1.7 * half, 2.0 * half, 3.0 * half, 0.95 * (PI + half)] {
                     for tolerance in [1e-6, 1e-10] {
-                        let engagement = Engagement::folded(&escapement, fold, tolerance).expect("an engagement");
+                        let engagement = Engagement::reset_after(&escapement, reset, tolerance).expect("an engagement");
                         found += usize::from(the_same(&engagement));
                     }
                 }
@@ -80,11 +80,11 @@ fn what_was_asked_for_before_changes_nothing() {
         let escapement = escapement(mechanism, 0.07, 0.21);
         let fresh = || Engagement::new(&escapement).expect("an engagement");
         let used = fresh();
-        let slow = used.hand_over(0.0).expect("a speed");
-        let fast = used.hand_over(1e4).expect("a speed");
+        let slow = used.return_map(0.0).expect("a speed");
+        let fast = used.return_map(1e4).expect("a speed");
         assert_eq!(used.steady_state(), fresh().steady_state());
-        assert_eq!(fresh().hand_over(1e4), Ok(fast));
-        assert_eq!(used.clone().hand_over(0.0), Ok(slow));
-        assert_eq!(fresh().hand_over(0.0), Ok(slow));
+        assert_eq!(fresh().return_map(1e4), Ok(fast));
+        assert_eq!(used.clone().return_map(0.0), Ok(slow));
+        assert_eq!(fresh().return_map(0.0), Ok(slow));
     }
 }

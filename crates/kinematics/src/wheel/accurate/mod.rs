@@ -46,7 +46,7 @@ pub(super) struct Constants {
     /// π/2 − α, the crank angle of entry and exit.
     pub entry: Double,
     /// α.
-    pub half_station: Double,
+    pub half_pitch_angle: Double,
     /// sin α.
     pub sine: Double,
     /// cos α.
@@ -77,8 +77,8 @@ const TWO_TO_18: f64 = 262_144.0;
 impl Constants {
     /// For so many stations, at least 3.
     pub(super) fn new(stations: u32) -> Self {
-        let (entry, half_station) = (fraction_of_pi(stations - 2, 2 * stations), fraction_of_pi(1, stations));
-        let (sine, versine) = series(half_station);
+        let (entry, half_pitch_angle) = (fraction_of_pi(stations - 2, 2 * stations), fraction_of_pi(1, stations));
+        let (sine, versine) = series(half_pitch_angle);
         // The cosine of entry is the sine of α: its versed sine is 1 − sin α with every digit.
         let (cosine, rest) = (Double::ONE.minus(versine), series(entry).1);
         let tangent = sine.over(cosine);
@@ -93,7 +93,7 @@ impl Constants {
         let (half_cotangent_head, half_cotangent_tail) = cosine.over(sine.twice()).parted(TWO_TO_18);
         Self {
             entry,
-            half_station,
+            half_pitch_angle,
             sine,
             cosine,
             rest,

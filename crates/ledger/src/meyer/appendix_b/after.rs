@@ -2,9 +2,9 @@
 
 use super::contact::{small_time, times};
 use super::example::first_derivative;
-use super::fold::fold;
 use super::listing::long_enough;
 use super::program;
+use super::reset::reset;
 use super::*;
 use crate::meyer::appendix_d::{OTHER_ANGLE, along_the_slots, of_the_pins};
 use crate::meyer::runs::{Hypothesis, Row, duration, interval, rows};
@@ -108,16 +108,16 @@ fn angle() -> Vec<Claim> {
                 "increase for as long as the program runs",
                 "the driver's angle grows as long as the program runs",
             )
-            .by(Evidence::Steps, |stated| {
+            .by(Evidence::RungeKutta, |stated| {
                 grows(stated, |hypothesis, row| {
                     let program =
-                        Program { fold: hypothesis.angle(row.mechanism), ..Program::of(&hypothesis.parameters(row)?) };
+                        Program { reset: hypothesis.angle(row.mechanism), ..Program::of(&hypothesis.parameters(row)?) };
                     let integrator = geneva_mimic::Parameters::new(interval(), duration());
                     let lines = program.run(&integrator).ok()?.lines;
                     Some(lines.iter().map(|line| [line.turned, line.speed]).collect())
                 })
             })
-            .by(Evidence::Integration, |stated| {
+            .by(Evidence::Quadrature, |stated| {
                 grows(stated, |hypothesis, row| {
                     let lines = hypothesis.engagement(row)?.run(interval(), duration()).ok()?;
                     Some(lines.iter().map(|line| [line.turned, line.speed]).collect())
@@ -133,7 +133,7 @@ fn angle() -> Vec<Claim> {
             .by(LimitCase, |stated| of_the_pins("meyer.app-b.engaged", stated))
             .by(Vectors, |stated| along_the_slots("meyer.app-b.engaged", stated))
             .but_not(OTHER_ANGLE),
-        fold(
+        reset(
             "meyer.app-b.fold",
             AFTER,
             "the angle within an engagement is the driver's angle modulo 90°, less 30°, 45° or 60°",
@@ -166,7 +166,7 @@ fn angle() -> Vec<Claim> {
                         let end = at.engagement_half_angle();
                         let [leaving, entering] = [end, -end].map(|angle| {
                             // The torque that this motion of the driver asks for at the hand-over, by both members.
-                            let seen = Seen::new(at, angle);
+                            let seen = PinKinematics::new(at, angle);
                             let normal = seen.turning_rate() / seen.radius();
                             let sliding = seen.place.normalize().dot(&seen.velocity) / DRIVER.0;
                             let arm = seen.radius() * seen.turning() / DRIVER.0;
@@ -205,7 +205,7 @@ fn angle() -> Vec<Claim> {
                         (-9..=9).all(|k| {
                             let first = at.engagement_half_angle() * f64::from(k) / 10.0;
                             let within = (0..at.pins()).filter(|pin| {
-                                let crank = Turn::from_radians(first + at.driver_advance() * f64::from(*pin));
+                                let crank = Turn::from_radians(first + at.driver_pitch_angle() * f64::from(*pin));
                                 at.pin_distance(&crank) < at.rim_radius()
                             });
                             within.count() == engaged
@@ -224,7 +224,7 @@ fn grows(stated: Stated, run: impl Fn(&Hypothesis, &Row) -> Option<Vec<[f64; 2]>
         let printed = lines.into_iter().map(|[angle, speed]| stated.pick(angle, speed)).collect::<Vec<_>>();
         printed.windows(2).all(|pair| pair[0] < pair[1])
     };
-    let growing = rows().iter().filter(|row| run(&Hypothesis::BEST, row).is_some_and(grows)).count();
+    let growing = rows().iter().filter(|row| run(&Hypothesis::WITHOUT_LAG, row).is_some_and(grows)).count();
     Finding::new(growing == rows().len(), format!("it grows from line to line in {growing} of {} runs", rows().len()))
 }
 

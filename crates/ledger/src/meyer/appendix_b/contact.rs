@@ -39,9 +39,11 @@ fn solved() -> Vec<Claim> {
                 // What is straight in the acceleration has no second difference.
                 let bent = instants().any(|letters| {
                     let square = letters["theta'"] * letters["theta'"];
-                    let left = |gain: f64| {
-                        let between = letters["C"] * square + letters["D"] * gain;
-                        letters["A"] * gain + letters["B"] * square + stated.pick(between.abs(), between)
+                    let left = |angular_acceleration: f64| {
+                        let between = letters["C"] * square + letters["D"] * angular_acceleration;
+                        letters["A"] * angular_acceleration
+                            + letters["B"] * square
+                            + stated.pick(between.abs(), between)
                     };
                     let step = 4.0 * (1.0 + letters["theta''"].abs());
                     !vanishes((left(step) - 2.0 * left(0.0) + left(-step)) / step)
@@ -55,10 +57,11 @@ fn solved() -> Vec<Claim> {
                 // One expression for all instants, if there is one: that without a sign.
                 let solved = |letters: &Letters| {
                     let square = letters["theta'"] * letters["theta'"];
-                    let gain = (letters["E"] - (letters["B"] + letters["C"]) * square) / (letters["A"] + letters["D"]);
-                    let between = letters["C"] * square + letters["D"] * gain;
+                    let angular_acceleration =
+                        (letters["E"] - (letters["B"] + letters["C"]) * square) / (letters["A"] + letters["D"]);
+                    let between = letters["C"] * square + letters["D"] * angular_acceleration;
                     let size = stated.pick(between.abs(), between);
-                    letters["A"] * gain + letters["B"] * square + size - letters["E"]
+                    letters["A"] * angular_acceleration + letters["B"] * square + size - letters["E"]
                 };
                 let failing = instants().filter(|letters| !vanishes(solved(letters) / letters["E"].abs().max(1.0)));
                 let failing = failing.count();
@@ -171,7 +174,7 @@ fn described() -> Vec<Claim> {
                     let [third, fourth] = stated.pick([c.c, c.d], [c.d, c.c]);
                     [
                         (lines["G"], at.ratio),
-                        (lines["H"], at.pose.lead),
+                        (lines["H"], at.pose.numerator),
                         (lines["I"], at.pose.cross),
                         (lines["J"], at.pose.shape),
                         (lines["L"], at.pose.square),
@@ -217,8 +220,8 @@ fn described() -> Vec<Claim> {
                 let loops = instants().any(|letters| {
                     let square = letters["theta'"] * letters["theta'"];
                     let old = letters["theta''"];
-                    let led_to = |gain: f64| {
-                        let between = letters["C"] * square + letters["D"] * stated.pick(gain, old);
+                    let led_to = |angular_acceleration: f64| {
+                        let between = letters["C"] * square + letters["D"] * stated.pick(angular_acceleration, old);
                         let sign = if between < 0.0 { -1.0 } else { 1.0 };
                         (letters["E"] - (letters["B"] + sign * letters["C"]) * square)
                             / (letters["A"] + sign * letters["D"])
@@ -251,7 +254,7 @@ fn old_acceleration() -> Vec<Claim> {
                     format!("the listing divides the interval by {}", parts.unwrap_or(f64::NAN)),
                 )
             })
-            .by(Evidence::Steps, delay_explains)
+            .by(Evidence::RungeKutta, delay_explains)
             .but_not("it is that of a whole print interval before"),
         PROGRAM
             .statement("meyer.app-b.small-time", "SMT", "SMT is true until the time zero and false after it")
@@ -315,7 +318,7 @@ pub fn delay_explains(stated: Stated) -> Finding {
     static FOUND: OnceLock<[usize; 2]> = OnceLock::new();
     let found = FOUND.get_or_init(|| {
         [f64::from(DELAY_PARTS), 1.0].map(|parts| {
-            Score::of(Hypothesis { delay: Some(runs::interval() / parts), ..Hypothesis::BEST }).within_one()
+            Score::of(Hypothesis { delay: Some(runs::interval() / parts), ..Hypothesis::WITHOUT_LAG }).within_one()
         })
     });
     let (said, other) = stated.pick((0, 1), (1, 0));

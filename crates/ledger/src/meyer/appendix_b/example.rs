@@ -59,7 +59,7 @@ fn lines() -> Vec<Claim> {
             "A and B are the initial",
             "A and B are the values of the first derivative and of the place at the start",
         )
-        .by(Evidence::Steps, |stated| {
+        .by(Evidence::RungeKutta, |stated| {
             let [end, found] = [vibration(1.0)["x"], integrated(stated.pick(["x'", "x"], ["x", "x'"]))];
             Finding::new((found - end).abs() < 1e-5, format!("integrated from these two: {found:.5}, not {end:.5}"))
         })

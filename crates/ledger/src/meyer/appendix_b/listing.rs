@@ -3,8 +3,8 @@
 //! The text of the program is not printed here. What its lines compute is a fact, and [`program`] computes it too.
 
 use super::contact::delay_explains;
-use super::fold::fold;
 use super::program::{self, DELAY_PARTS, SPEED, by_coefficients};
+use super::reset::reset;
 use super::*;
 use crate::meyer::runs::{self, Column};
 use crate::meyer::spring::no_rate;
@@ -58,8 +58,8 @@ fn constants() -> Vec<Claim> {
                 "time between printed lines, a datum: of a half, once and twice as much it is the one whose largest \
                  printed speeds are those of the tables",
             )
-            .by(Evidence::Integration, || runs::fitting_interval(Mechanism::SIX_PIN))
-            .by(Evidence::Steps, || runs::fitting_interval(Mechanism::FOUR_PIN)),
+            .by(Evidence::Quadrature, || runs::fitting_interval(Mechanism::SIX_PIN))
+            .by(Evidence::RungeKutta, || runs::fitting_interval(Mechanism::FOUR_PIN)),
         PROGRAM
             .statement(
                 "meyer.listing.delay",
@@ -74,7 +74,7 @@ fn constants() -> Vec<Claim> {
                     format!("the text divides the interval by {said:?}"),
                 )
             })
-            .by(Evidence::Steps, delay_explains)
+            .by(Evidence::RungeKutta, delay_explains)
             .but_not("it is that of a whole print interval before"),
         PROGRAM
             .value(
@@ -139,7 +139,7 @@ fn factors() -> Vec<Claim> {
             },
         ),
         line("meyer.listing.h", "a cos θ − 1", "H", program::H, || {
-            by_coefficients(|lines, at| [(lines["H"], at.pose.lead)])
+            by_coefficients(|lines, at| [(lines["H"], at.pose.numerator)])
         }),
         line("meyer.listing.i", "a sin θ", "I", program::I, || {
             by_coefficients(|lines, at| [(lines["I"], at.pose.cross)])
@@ -214,7 +214,7 @@ fn motion() -> Vec<Claim> {
             })
             .by(ClosedForm, |stated| start_solves(stated.pick(0.0, 1.0)))
             .but_not("it is integrated from one"),
-        fold(
+        reset(
             "meyer.listing.fold",
             PROGRAM,
             "the angle in the slot: the driver's angle modulo a quarter of a turn, plus the angle at the start",

@@ -15,7 +15,7 @@ pub fn claims() -> Vec<Claim> {
             by_coefficients(|lines, at| [(at_the_angle("P", lines), at.pose.square)])
         }),
         line("meyer.listing.q", "Q is H at the start, which is zero", "Q", program::Q, ClosedForm, || {
-            by_coefficients(|lines, at| [(at_the_angle("Q", lines), at.pose.lead)])
+            by_coefficients(|lines, at| [(at_the_angle("Q", lines), at.pose.numerator)])
         }),
         line(
             "meyer.listing.r",
@@ -46,8 +46,8 @@ pub fn claims() -> Vec<Claim> {
                 // At all angles: at the start itself friction asks for nothing.
                 let holds = poses(0.25).all(|(letters, c)| {
                     let friction = stated.pick(start_line("V", &letters), 0.0);
-                    let gain = DRIVE / (start_line("R", &letters) + friction);
-                    c.acceleration(0.0).is_ok_and(|solved| agrees(gain, solved.value))
+                    let angular_acceleration = DRIVE / (start_line("R", &letters) + friction);
+                    c.acceleration(0.0).is_ok_and(|solved| agrees(angular_acceleration, solved.value))
                 });
                 Finding::new(holds, "what they give satisfies Eq. (1-18) from rest, at all angles")
             })
@@ -106,8 +106,8 @@ pub fn start_solves(speed: f64) -> Finding {
     let holds = Mechanism::ALL.iter().all(|mechanism| {
         [0.0, 0.125, 0.25].iter().all(|friction| {
             let (letters, c) = pose(*mechanism, -mechanism.engagement_half_angle(), *friction);
-            let gain = DRIVE / (start_line("R", &letters) + start_line("V", &letters));
-            c.acceleration(speed).is_ok_and(|solved| agrees(gain, solved.value))
+            let angular_acceleration = DRIVE / (start_line("R", &letters) + start_line("V", &letters));
+            c.acceleration(speed).is_ok_and(|solved| agrees(angular_acceleration, solved.value))
         })
     });
     Finding::new(

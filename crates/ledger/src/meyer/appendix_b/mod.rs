@@ -3,11 +3,11 @@
 mod after;
 mod contact;
 mod example;
-mod fold;
 mod listing;
 mod listing_start;
 mod method;
 mod program;
+mod reset;
 mod stages;
 
 pub use listing_start::start_solves;

@@ -161,7 +161,9 @@ pub fn holds_from_rest(line: &str) -> Option<bool> {
     let rests = RESTS.get_or_init(|| {
         let rest = |moment: &Moment| {
             let mut letters = moment.letters().clone();
-            let asked = |gain: f64| letters["A"] * gain + (letters["D"] * gain).abs();
+            let asked = |angular_acceleration: f64| {
+                letters["A"] * angular_acceleration + (letters["D"] * angular_acceleration).abs()
+            };
             let (mut low, mut high) = (0.0, 1.0);
             while asked(high) < letters["E"] {
                 high *= 2.0;

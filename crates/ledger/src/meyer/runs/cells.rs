@@ -42,7 +42,7 @@ fn of_row(row: &'static Row) -> Vec<Claim> {
         let claim = place
             .value(leaked(format!("meyer.app-e.{slug}.{name}")), row.printed(column), unit, meaning)
             .by(Evidence::Program, move || as_run(row)[result])
-            .by(Evidence::Steps, move || as_run_by_steps(row)[result])
+            .by(Evidence::RungeKutta, move || as_run_by_steps(row)[result])
             // How finely a result could be read from a print-out: one unit of its last place, and for a time at which
             // something happens a print interval besides.
             .read_to(move || match column {
@@ -56,9 +56,9 @@ fn of_row(row: &'static Row) -> Vec<Claim> {
             return if claim.expected == Verdict::Corrected { claim.corrected(".018", MISREAD_RISE) } else { claim };
         }
         let claim = claim.right(
-            Evidence::Integration,
+            Evidence::Quadrature,
             move || ideal(row)[result],
-            Evidence::Steps,
+            Evidence::RungeKutta,
             move || ideal_by_steps(row)[result],
         );
         match row.mechanism {
@@ -124,7 +124,7 @@ fn as_run_by_steps(row: &Row) -> [f64; 4] {
 fn ideal(row: &Row) -> [f64; 4] {
     static RUNS: Results = OnceLock::new();
     among(&RUNS, row, |row| {
-        let run = Hypothesis::TRUE.run(row)?;
+        let run = Hypothesis::IDEAL.run(row)?;
         Some(RESULTS.map(|(column, ..)| run.number(column)))
     })
 }
@@ -132,8 +132,8 @@ fn ideal(row: &Row) -> [f64; 4] {
 fn ideal_by_steps(row: &Row) -> [f64; 4] {
     static RUNS: Results = OnceLock::new();
     among(&RUNS, row, |row| {
-        let [least, time, greatest] = Hypothesis::TRUE.cycle_by_steps(row)?;
-        let unit = motion::unit_of_speed(&Hypothesis::TRUE, row);
+        let [least, time, greatest] = Hypothesis::IDEAL.cycle_by_steps(row)?;
+        let unit = motion::unit_of_speed(&Hypothesis::IDEAL, row);
         Some([greatest * unit, least * unit, f64::NAN, time / unit])
     })
 }

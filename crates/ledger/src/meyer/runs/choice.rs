@@ -37,7 +37,7 @@ pub fn of_fig_8() -> Option<Vec<&'static Row>> {
     let printed = crate::checks::decimal("meyer.fig-8.rise");
     let mut fitting = Vec::new();
     for row in rows_of(Mechanism::FOUR_PIN) {
-        let first = Hypothesis::BEST.engagement(row)?.first_minimum().ok()??;
+        let first = Hypothesis::WITHOUT_LAG.engagement(row)?.first_minimum().ok()??;
         if printed.is_rounding_of(first.time) {
             fitting.push(row);
         }

@@ -5,7 +5,7 @@
 
 use super::cells::leaked;
 use super::*;
-use crate::Evidence::{Integration, Steps};
+use crate::Evidence::{Quadrature, RungeKutta};
 use crate::meyer::slips::{RESET_ANGLE, SWAPPED_INERTIAS};
 use geneva_dynamics::steady::Engagement;
 use std::sync::OnceLock;
@@ -39,8 +39,8 @@ fn inertia(place: Place, id: &'static str, numbers: [&'static str; 2], mechanism
     let meaning = leaked(format!("moment of inertia of the {} in the runs, a datum", MEMBERS[member]));
     place
         .value(id, numbers[member], UNIT, meaning)
-        .by(Integration, move || fitting(mechanism, Column::Peak)[member])
-        .by(Steps, move || fitting(mechanism, Column::Minimum)[member])
+        .by(Quadrature, move || fitting(mechanism, Column::Peak)[member])
+        .by(RungeKutta, move || fitting(mechanism, Column::Minimum)[member])
 }
 
 /// What the headings say the tables are of.
@@ -51,13 +51,13 @@ pub fn of_headings() -> Claim {
             "Six Pin Mechanism",
             "the tables for six and three pins are of the mechanisms named above them",
         )
-        .by(Integration, |stated| {
-            counted(&stated.pick(Hypothesis::BEST, Hypothesis::TRUE), "minima", 1.0, |of, row| {
+        .by(Quadrature, |stated| {
+            counted(&stated.pick(Hypothesis::WITHOUT_LAG, Hypothesis::IDEAL), "minima", 1.0, |of, row| {
                 Some(of.engagement(row)?.steady_state().ok()?.minimum.speed - row.number(Column::Minimum))
             })
         })
-        .by(Steps, |stated| {
-            counted(&stated.pick(Hypothesis::BEST, Hypothesis::TRUE), "periods", 1e-3, |of, row| {
+        .by(RungeKutta, |stated| {
+            counted(&stated.pick(Hypothesis::WITHOUT_LAG, Hypothesis::IDEAL), "periods", 1e-3, |of, row| {
                 let [_, time, _] = of.cycle_by_steps(row)?;
                 Some(time / motion::unit_of_speed(of, row) - row.number(Column::Period))
             })
@@ -107,14 +107,14 @@ fn best_of(mechanism: Mechanism, column: Column) -> [f64; 2] {
 /// Sum of the squares of the relative misfits of a column: of the peaks by the solution over the angle, of the minima in
 /// steps. Infinite for inertias with which the equation has no solution.
 fn misfit(mechanism: Mechanism, column: Column, pair: [f64; 2]) -> f64 {
-    let fold = Hypothesis::BEST.angle(mechanism);
+    let reset = Hypothesis::WITHOUT_LAG.angle(mechanism);
     let found = |row: &Row| {
         let parameters = motion::parameters_with(row, pair.map(|inertia| inertia * motion::MILLIONTH))?;
         if column == Column::Peak {
-            let engagement = Engagement::folded(&parameters, fold, 1e-6).ok()?;
+            let engagement = Engagement::reset_after(&parameters, reset, 1e-6).ok()?;
             return Some(engagement.steady_state().ok()?.peak.speed);
         }
-        let [least, ..] = steps::cycle(&parameters, fold, STEPS)?;
+        let [least, ..] = steps::cycle(&parameters, reset, STEPS)?;
         Some(least * parameters.drive().sqrt())
     };
     let own = rows().iter().filter(|row| row.mechanism == mechanism);

@@ -44,15 +44,15 @@ impl Score {
 /// as they were; then what the program does besides.
 fn compared() -> Vec<Hypothesis> {
     let mut all = Vec::new();
-    for fold in [Fold::OfTheMechanism, Fold::OneForAll] {
+    for reset in [Reset::OfTheMechanism, Reset::QuarterTurn] {
         for six_pin in [SixPin::AsHeaded, SixPin::AsDrawn] {
             for reading in [Reading::True, Reading::OnTheGrid] {
-                all.push(Hypothesis { fold, six_pin, reading, ..Hypothesis::BEST });
+                all.push(Hypothesis { reset, six_pin, reading, ..Hypothesis::WITHOUT_LAG });
             }
         }
     }
-    all.push(Hypothesis { constants: Constants::AsListed, ..Hypothesis::BEST });
-    all.push(Hypothesis { delay: Some(delay()), ..Hypothesis::BEST });
+    all.push(Hypothesis { constants: Constants::AsListed, ..Hypothesis::WITHOUT_LAG });
+    all.push(Hypothesis { delay: Some(delay()), ..Hypothesis::WITHOUT_LAG });
     all
 }
 
@@ -70,7 +70,7 @@ pub fn delays() -> &'static [(f64, Score)] {
         let of = |part: f64| {
             let delay = (part > 0.0).then_some(interval() * part);
             let constants = Constants::AsListed;
-            (interval() * part, Score::of(Hypothesis { delay, constants, ..Hypothesis::BEST }))
+            (interval() * part, Score::of(Hypothesis { delay, constants, ..Hypothesis::WITHOUT_LAG }))
         };
         PARTS.map(of).to_vec()
     })

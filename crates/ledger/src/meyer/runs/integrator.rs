@@ -51,8 +51,8 @@ pub struct Change {
 
 /// Each variant against the defaults: with the exact sign, and with the delayed one.
 pub fn changes() -> Option<Vec<(&'static Variant, [Change; 2])>> {
-    let delayed = Hypothesis { delay: Some(delay()), ..Hypothesis::BEST };
-    let hypotheses = [Hypothesis::BEST, delayed];
+    let delayed = Hypothesis { delay: Some(delay()), ..Hypothesis::WITHOUT_LAG };
+    let hypotheses = [Hypothesis::WITHOUT_LAG, delayed];
     let run = |of: &Hypothesis, by: &Integrator| -> Option<Vec<Run>> {
         rows().iter().map(|row| of.by_program(row, by)).collect()
     };

@@ -82,7 +82,7 @@ impl Card {
         Self {
             ratio: program.ratio,
             start: program.start,
-            reset: program.fold,
+            reset: program.reset,
             inertias: [program.inertias.driver(), program.inertias.follower()],
             torque: program.torque,
             friction: program.friction,
@@ -107,10 +107,10 @@ impl Card {
 
     /// A step of the classical Runge and Kutta.
     fn step(&self, from: &State, length: f64, flank: f64) -> State {
-        let ahead = |part: f64, speed: f64, gain: f64| State {
+        let ahead = |part: f64, speed: f64, angular_acceleration: f64| State {
             time: from.time + part,
             angle: from.angle + part * speed,
-            speed: from.speed + part * gain,
+            speed: from.speed + part * angular_acceleration,
         };
         let slope = |state: &State| (state.speed, self.acceleration(state, flank));
         let half = length / 2.0;
@@ -244,7 +244,7 @@ mod tests {
 
     #[test]
     fn without_delay_it_is_the_motion_of_the_mechanism() {
-        let solved = Hypothesis::BEST.run(&rows()[16]).expect("a run");
+        let solved = Hypothesis::WITHOUT_LAG.run(&rows()[16]).expect("a run");
         let found = run(&card(1e-9), interval(), 0.2).expect("a run");
         for (a, b) in [
             (found.peak, solved.peak),

@@ -10,11 +10,11 @@ use std::sync::{Mutex, OnceLock};
 
 /// After which angle the driver is put back to the start of an engagement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Fold {
+pub enum Reset {
     /// After the angle between two pins.
     OfTheMechanism,
     /// After the angle that the program prints, for all three mechanisms.
-    OneForAll,
+    QuarterTurn,
 }
 
 /// Which of the two pairs of inertias the runs with six pins had.
@@ -48,7 +48,7 @@ pub enum Constants {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hypothesis {
     /// The fold.
-    pub fold: Fold,
+    pub reset: Reset,
     /// The inertias of the six-pin runs.
     pub six_pin: SixPin,
     /// The reading of the peaks.
@@ -88,8 +88,8 @@ impl Run {
 impl Hypothesis {
     /// The one that explains the tables: one fold for all, the inertias of Fig. 11, peaks as printed. With the sign
     /// exact it has a solution over the angle; see [`as_run`](Self::as_run) for what the program adds.
-    pub const BEST: Self = Self {
-        fold: Fold::OneForAll,
+    pub const WITHOUT_LAG: Self = Self {
+        reset: Reset::QuarterTurn,
         six_pin: SixPin::AsDrawn,
         reading: Reading::OnTheGrid,
         constants: Constants::Exact,
@@ -97,11 +97,11 @@ impl Hypothesis {
     };
 
     /// The mechanism as it is.
-    pub const TRUE: Self = Self { fold: Fold::OfTheMechanism, reading: Reading::True, ..Self::BEST };
+    pub const IDEAL: Self = Self { reset: Reset::OfTheMechanism, reading: Reading::True, ..Self::WITHOUT_LAG };
 
     /// What was run: the same with the constants of the listing and its lagged sign. Every cell is judged by it.
     pub fn as_run() -> Self {
-        Self { constants: Constants::AsListed, delay: Some(delay()), ..Self::BEST }
+        Self { constants: Constants::AsListed, delay: Some(delay()), ..Self::WITHOUT_LAG }
     }
 
     /// The parameters of a row.
@@ -120,15 +120,15 @@ impl Hypothesis {
 
     /// The fold in radians.
     pub fn angle(&self, mechanism: Mechanism) -> f64 {
-        match self.fold {
-            Fold::OfTheMechanism => 2.0 * PI / f64::from(mechanism.pins()),
-            Fold::OneForAll => printed("meyer.listing.quarter-turn"),
+        match self.reset {
+            Reset::OfTheMechanism => 2.0 * PI / f64::from(mechanism.pins()),
+            Reset::QuarterTurn => printed("meyer.listing.quarter-turn"),
         }
     }
 
     /// The engagement of a row, solved over the angle.
     pub fn engagement(&self, row: &Row) -> Option<Engagement> {
-        Engagement::folded(&self.parameters(row)?, self.angle(row.mechanism), 1e-10).ok()
+        Engagement::reset_after(&self.parameters(row)?, self.angle(row.mechanism), 1e-10).ok()
     }
 
     /// What the run of a row gives: solved over the angle, or by the program if it is to have its faults.
@@ -149,7 +149,7 @@ impl Hypothesis {
     /// The same, read off the lines that the program prints; the true peak is not among them.
     pub fn by_program(&self, row: &Row, integrator: &geneva_mimic::Parameters) -> Option<Run> {
         let program = self.program(row)?;
-        Run::read_off(&program.run(integrator).ok()?, program.fold)
+        Run::read_off(&program.run(integrator).ok()?, program.reset)
     }
 
     /// The start of a row's run from rest.
@@ -165,15 +165,15 @@ impl Hypothesis {
             Constants::AsListed => 1.0 / libm::sin(printed("meyer.listing.pi") / f64::from(row.mechanism.slots())),
         };
         let contact = self.delay.map_or(Contact::Exact, Contact::Delayed);
-        Some(Program { fold: self.angle(row.mechanism), ratio, contact, ..exact })
+        Some(Program { reset: self.angle(row.mechanism), ratio, contact, ..exact })
     }
 
     /// The least speed, the period and the greatest speed of the steady cycle by the second route, for a torque and a
     /// follower of one: by equal steps of θ.
     pub fn cycle_by_steps(&self, row: &Row) -> Option<[f64; 3]> {
-        type Known = Mutex<HashMap<(Mechanism, String, Fold, SixPin), Option<[f64; 3]>>>;
+        type Known = Mutex<HashMap<(Mechanism, String, Reset, SixPin), Option<[f64; 3]>>>;
         static KNOWN: OnceLock<Known> = OnceLock::new();
-        let key = (row.mechanism, row.printed(Column::Friction).to_owned(), self.fold, self.six_pin);
+        let key = (row.mechanism, row.printed(Column::Friction).to_owned(), self.reset, self.six_pin);
         let known = KNOWN.get_or_init(Known::default);
         if let Some(found) = known.lock().ok()?.get(&key) {
             return *found;
@@ -218,7 +218,7 @@ pub fn fitting_interval(mechanism: Mechanism) -> f64 {
     let misfit = |interval: f64| {
         let of = |row: &Row| {
             let largest = if mechanism == Mechanism::SIX_PIN {
-                largest_printed(&Hypothesis::BEST.engagement(row)?, interval)?
+                largest_printed(&Hypothesis::WITHOUT_LAG.engagement(row)?, interval)?
             } else {
                 let integrator = geneva_mimic::Parameters {
                     print_interval: interval,
@@ -226,7 +226,7 @@ pub fn fitting_interval(mechanism: Mechanism) -> f64 {
                     initial_step: interval,
                     ..usual()
                 };
-                Hypothesis::BEST.program(row)?.run(&integrator).ok()?.largest()
+                Hypothesis::WITHOUT_LAG.program(row)?.run(&integrator).ok()?.largest()
             };
             Some((largest / row.number(Column::Peak) - 1.0).abs())
         };

@@ -5,12 +5,12 @@ use super::steps;
 use geneva_dynamics::program::{Line, Printout};
 
 impl Run {
-    /// From the lines of a run whose driver is put back after `fold` radians: the greatest speed of all, and the least
+    /// From the lines of a run whose driver is put back after `reset` radians: the greatest speed of all, and the least
     /// speed and the duration of the last whole engagement. None if the run has no two hand-overs.
-    pub fn read_off(printout: &Printout, fold: f64) -> Option<Self> {
+    pub fn read_off(printout: &Printout, reset: f64) -> Option<Self> {
         let lines = &printout.lines;
-        let last = (lines.last()?.turned / fold).floor();
-        let (start, end) = (passing(lines, (last - 1.0) * fold)?, passing(lines, last * fold)?);
+        let last = (lines.last()?.turned / reset).floor();
+        let (start, end) = (passing(lines, (last - 1.0) * reset)?, passing(lines, last * reset)?);
         let own: Vec<f64> =
             lines.iter().filter(|line| line.time >= start && line.time <= end).map(|line| line.speed).collect();
         // Between the lines by a parabola: at its lowest the speed is smooth.
@@ -55,8 +55,9 @@ mod tests {
     #[test]
     fn what_is_read_off_is_what_the_solver_has() {
         for row in [&rows()[0], &rows()[16], &rows()[40]] {
-            let [solved, read] = [Hypothesis::BEST.run(row), Hypothesis::BEST.by_program(row, &motion::usual())]
-                .map(|run| run.expect("a run"));
+            let [solved, read] =
+                [Hypothesis::WITHOUT_LAG.run(row), Hypothesis::WITHOUT_LAG.by_program(row, &motion::usual())]
+                    .map(|run| run.expect("a run"));
             assert!((read.peak / solved.peak - 1.0).abs() < 2e-4, "{read:?} {solved:?}");
             // With few engagements the last one is not quite the steady one.
             assert!((read.period / solved.period - 1.0).abs() < 3e-3, "{read:?} {solved:?}");
@@ -84,10 +85,10 @@ mod tests {
 
     #[test]
     fn a_run_without_two_hand_overs_has_no_period() {
-        let parameters = Hypothesis::BEST.parameters(&rows()[0]).expect("an escapement");
+        let parameters = Hypothesis::WITHOUT_LAG.parameters(&rows()[0]).expect("an escapement");
         let integrator = geneva_mimic::Parameters::new(interval(), 40.0 * interval());
         let program = Program::of(&parameters);
         let short = program.run(&integrator).expect("a run");
-        assert!(Run::read_off(&short, program.fold).is_none());
+        assert!(Run::read_off(&short, program.reset).is_none());
     }
 }

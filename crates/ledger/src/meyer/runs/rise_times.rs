@@ -78,7 +78,7 @@ pub struct Explained {
 
 /// Each definition, for the runs as they were and for the mechanism as it is.
 pub fn explained() -> Vec<(&'static Definition, [Explained; 2])> {
-    let starts = [Hypothesis::BEST, Hypothesis::TRUE]
+    let starts = [Hypothesis::WITHOUT_LAG, Hypothesis::IDEAL]
         .map(|of| rows().iter().map(|row| (row, Start::of(&of, row))).collect::<Vec<_>>());
     DEFINITIONS.iter().map(|definition| (definition, [0, 1].map(|at| tried(definition, &starts[at])))).collect()
 }
@@ -103,7 +103,7 @@ fn near(time: f64, printed: f64) -> bool {
 pub fn explained_rows(mechanism: Mechanism, name: &str) -> Vec<&'static Row> {
     let definition = DEFINITIONS.iter().find(|definition| definition.name == name);
     let explains = |row: &&Row| {
-        let start = Start::of(&Hypothesis::BEST, row);
+        let start = Start::of(&Hypothesis::WITHOUT_LAG, row);
         let time = definition.zip(start).and_then(|(definition, start)| (definition.time)(&start));
         time.is_some_and(|time| near(time, row.number(Column::Rise)))
     };

@@ -8,9 +8,9 @@ use geneva_mimic::runge_kutta_step;
 use nalgebra::Vector1;
 use std::convert::Infallible;
 
-/// The angles of an engagement that starts at entry and lasts for a turn of `fold` radians.
-pub fn angles(parameters: &Parameters, fold: f64, steps: u32) -> Vec<f64> {
-    let (start, step) = (-parameters.mechanism().engagement_half_angle(), fold / f64::from(steps));
+/// The angles of an engagement that starts at entry and lasts for a turn of `reset` radians.
+pub fn angles(parameters: &Parameters, reset: f64, steps: u32) -> Vec<f64> {
+    let (start, step) = (-parameters.mechanism().engagement_half_angle(), reset / f64::from(steps));
     (0..=steps).map(|k| start + step * f64::from(k)).collect()
 }
 
@@ -33,15 +33,15 @@ pub fn squares(parameters: &Parameters, angles: &[f64], first: f64) -> Vec<f64> 
 fn slope(parameters: &Parameters, angle: f64, square: f64) -> f64 {
     let terms = parameters.coefficients(angle);
     let speed = square.max(0.0).sqrt();
-    2.0 * terms.acceleration_with(&speed, Sign::from_number(terms.sign_decider(&speed)))
+    2.0 * terms.acceleration_with(&speed, Sign::from_number(terms.sign_switching_function(&speed)))
 }
 
 /// Least speed, duration and greatest speed of the engagement that repeats itself, for a torque and a follower of one;
 /// none if the steps are too long for the equation.
-pub fn cycle(parameters: &Parameters, fold: f64, steps: u32) -> Option<[f64; 3]> {
+pub fn cycle(parameters: &Parameters, reset: f64, steps: u32) -> Option<[f64; 3]> {
     let ratio = Inertias::new(parameters.inertias().ratio(), 1.0).ok()?;
     let unit = Parameters::new(parameters.mechanism(), ratio, 1.0, parameters.friction()).ok()?;
-    let angles = angles(&unit, fold, steps);
+    let angles = angles(&unit, reset, steps);
     let squares = repeated(&unit, &angles)?;
     let least = squares.windows(3).map(|w| lowest(w[0], w[1], w[2]));
     let least = squares.iter().copied().chain(least).fold(f64::INFINITY, f64::min);
@@ -64,8 +64,8 @@ fn repeated(parameters: &Parameters, angles: &[f64]) -> Option<Vec<f64>> {
             return Some(squares);
         }
         let twice = *self::squares(parameters, angles, once).last()?;
-        let (gain, next_gain) = (once - first, twice - once);
-        first = once + next_gain / (1.0 - next_gain / gain);
+        let (angular_acceleration, next_gain) = (once - first, twice - once);
+        first = once + next_gain / (1.0 - next_gain / angular_acceleration);
     }
     None
 }

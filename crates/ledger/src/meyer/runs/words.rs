@@ -15,9 +15,9 @@ impl Hypothesis {
 
     /// Reset angle, inertias and reading, then what differs from the usual: each in words, and briefly.
     fn parts(&self, which: fn([&'static str; 2]) -> &'static str) -> Vec<&'static str> {
-        let fold = match self.fold {
-            Fold::OfTheMechanism => ["angle put back after 360°/m", "back after 360°/m"],
-            Fold::OneForAll => ["after 90° for all", "back after 90°"],
+        let reset = match self.reset {
+            Reset::OfTheMechanism => ["angle put back after 360°/m", "back after 360°/m"],
+            Reset::QuarterTurn => ["after 90° for all", "back after 90°"],
         };
         let inertias = match self.six_pin {
             SixPin::AsHeaded => ["six-pin inertias as headed", "inertias as headed"],
@@ -29,6 +29,6 @@ impl Hypothesis {
         };
         let constants = (self.constants == Constants::AsListed).then_some(["constants as listed", "listed π"]);
         let sign = self.delay.map(|_| ["sign by the old acceleration", "old sign"]);
-        [fold, inertias, reading].into_iter().chain(constants).chain(sign).map(which).collect()
+        [reset, inertias, reading].into_iter().chain(constants).chain(sign).map(which).collect()
     }
 }

@@ -15,21 +15,21 @@ const MARKS: f64 = 15.0;
 /// Degrees of dwell shown before and after the advance, if there are so many.
 const DWELL: f64 = 8.0;
 /// The dots of the acceleration at entry and exit.
-const END: Marker = Marker::new(DRIVER, Mark::Disc).sized(11.0).class("advance-end");
+const END: Marker = Marker::new(DRIVER, Mark::Disc).sized(11.0).class("indexing-end");
 
 /// φ in radians, φ'/θ' and φ''/θ'² against θ in degrees, from entry to exit, for a driver of constant speed.
 ///
 /// φ and φ'/θ' are read at the left, φ''/θ'² at the right; zero is at one height. A little of the dwell is shown on
 /// both sides, so that the jumps of the acceleration at entry and exit can be seen: a filled dot on the advance, an
 /// open one on the dwell. Series, in equal steps of at most a degree, both ends included: θ, φ, φ'/θ', φ''/θ'².
-pub fn advance(wheel: &Wheel) -> Figure {
+pub fn indexing(wheel: &Wheel) -> Figure {
     let rows = rows(wheel);
-    let (alpha, peak) = (wheel.half_station(), acceleration_peak(wheel));
+    let (alpha, peak) = (wheel.half_pitch_angle(), acceleration_peak(wheel));
     let most = wheel.engagement_half_angle().to_degrees();
     let rest = DWELL.min((PI / f64::from(wheel.pins())).to_degrees() - most).max(0.0);
     let panel = curves(wheel, &rows, most, rest);
     let words = Words::new(
-        "wheel-advance",
+        "wheel-indexing",
         format!("Position, velocity and acceleration of a wheel with {} stations", wheel.stations()),
         format!(
             "Three curves over the crank angle from {} to {}. The wheel's angle rises from {} rad to {} rad. Its \
@@ -68,7 +68,7 @@ pub(super) fn rows(wheel: &Wheel) -> Vec<[f64; 4]> {
 
 /// The three curves with their names; entry and exit at ±`most` degrees, with so much of the dwell beyond.
 fn curves(wheel: &Wheel, rows: &[[f64; 4]], most: f64, rest: f64) -> Panel {
-    let (alpha, end) = (wheel.half_station(), most + rest);
+    let (alpha, end) = (wheel.half_pitch_angle(), most + rest);
     let count = ((end + 1e-9) / MARKS) as i32;
     let angle = Label::words("crank angle ").and_symbol("θ").and(" in degrees");
     let x = Axis::whole(-end..end, (-count..=count).map(|k| MARKS * f64::from(k))).titled(angle);
@@ -113,7 +113,7 @@ fn curves(wheel: &Wheel, rows: &[[f64; 4]], most: f64, rest: f64) -> Panel {
 
 /// The least value of the left axis.
 fn panel_foot(wheel: &Wheel) -> f64 {
-    Axis::symmetric(wheel.half_station().max(peak_velocity(wheel))).range.start
+    Axis::symmetric(wheel.half_pitch_angle().max(peak_velocity(wheel))).range.start
 }
 
 /// The symbols of the three curves: φ, φ'/θ' and φ''/θ'².

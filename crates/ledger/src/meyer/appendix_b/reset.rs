@@ -4,7 +4,7 @@ use super::*;
 use crate::meyer::slips::RESET_ANGLE;
 
 /// The fold of the driver's angle. A quarter of a turn is right for four pins only.
-pub fn fold(
+pub fn reset(
     id: &'static str,
     place: Place,
     meaning: &'static str,
@@ -13,7 +13,7 @@ pub fn fold(
 ) -> Claim {
     place
         .statement(id, said, meaning)
-        .by(ClosedForm, |stated| folds(|at| modulus(at, stated)))
+        .by(ClosedForm, |stated| resets(|at| modulus(at, stated)))
         .by(Vectors, |stated| {
             let agree = |at: &&Mechanism| {
                 (0..100).all(|k| {
@@ -35,11 +35,11 @@ pub fn fold(
 
 /// After which angle the driver is put back: that between two pins, or as printed.
 fn modulus(at: &Mechanism, stated: Stated) -> f64 {
-    stated.pick(at.driver_advance(), printed("meyer.listing.quarter-turn"))
+    stated.pick(at.driver_pitch_angle(), printed("meyer.listing.quarter-turn"))
 }
 
 /// Whether the folded angle runs from entry to exit and no farther, for each escapement with its modulus.
-fn folds(modulus: impl Fn(&Mechanism) -> f64) -> Finding {
+fn resets(modulus: impl Fn(&Mechanism) -> f64) -> Finding {
     let ends: Vec<String> = Mechanism::ALL
         .iter()
         .filter(|at| {
@@ -62,7 +62,7 @@ fn folds(modulus: impl Fn(&Mechanism) -> f64) -> Finding {
 fn nearest_pin(at: &Mechanism, turned: f64) -> f64 {
     let axis = Vector2::new(at.centre_distance_ratio(), 0.0);
     let place = |pin: u32| {
-        Turn::from_radians(turned - at.engagement_half_angle() + at.driver_advance() * f64::from(pin)).direction()
+        Turn::from_radians(turned - at.engagement_half_angle() + at.driver_pitch_angle() * f64::from(pin)).direction()
     };
     (0..at.pins()).map(|pin| (place(pin) - axis).norm()).fold(f64::INFINITY, f64::min)
 }

@@ -18,7 +18,7 @@ pub type Roots = Surd<Surd<Rational, 2>, 3>;
 
 /// The mechanism at one driver angle.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Layout<S> {
+pub struct Configuration<S> {
     /// The follower's axis; the driver's is the origin.
     pub follower_axis: Vector2<S>,
     /// Centres of all m pins, counter-clockwise.
@@ -44,7 +44,7 @@ pub struct Slot<S> {
 
 /// A pin seen from a slot; the velocity is for a driver of angular velocity one, and not relative to the slot.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Meeting<S> {
+pub struct RelativePosition<S> {
     /// How far out the pin is along the slot's centre line, from the follower's axis.
     pub out: S,
     /// How far beside the slot's centre line it is; positive is counter-clockwise from it.
@@ -55,14 +55,14 @@ pub struct Meeting<S> {
     pub across: S,
 }
 
-impl<S: Field> Layout<S> {
+impl<S: Field> Configuration<S> {
     /// A pin, by its index, seen from a slot, by its index; `None` if there is no such pin or slot.
-    pub fn meeting(&self, pin: usize, slot: usize) -> Option<Meeting<S>> {
-        Some(Meeting::new(&self.follower_axis, self.pins.get(pin)?, self.slots.get(slot)?))
+    pub fn meeting(&self, pin: usize, slot: usize) -> Option<RelativePosition<S>> {
+        Some(RelativePosition::new(&self.follower_axis, self.pins.get(pin)?, self.slots.get(slot)?))
     }
 }
 
-impl<S: Field> Meeting<S> {
+impl<S: Field> RelativePosition<S> {
     fn new(follower_axis: &Vector2<S>, pin: &Vector2<S>, slot: &Slot<S>) -> Self {
         let (along, from_follower, velocity) = (&slot.direction, pin - follower_axis, quarter_turn(pin));
         Self {
@@ -78,11 +78,11 @@ impl<S: Field> Meeting<S> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct HandOver {
     /// Where everything is; pin 0 leaves slot 0.
-    pub layout: Layout<Roots>,
+    pub layout: Configuration<Roots>,
     /// The leaving pin in its slot: on the centre line, at the rim, moving straight out.
-    pub leaving: Meeting<Roots>,
+    pub leaving: RelativePosition<Roots>,
     /// The entering pin in its slot: on the centre line, at the rim, moving straight in.
-    pub entering: Meeting<Roots>,
+    pub entering: RelativePosition<Roots>,
     /// The follower's angular velocity over the driver's by the leaving pin and by the entering one: both zero.
     pub follower_speeds: [Roots; 2],
     /// What is missing for the follower's angle by the leaving pin to agree, one slot on, with the angle by the entering
@@ -112,9 +112,9 @@ impl<S: Field> Frame<S> {
     }
 
     /// All pins and slots for θ, φ and the two pitches.
-    fn layout(&self, escapement: &Mechanism, angles: [Turn<S>; 2], pitches: [Turn<S>; 2]) -> Layout<S> {
+    fn layout(&self, escapement: &Mechanism, angles: [Turn<S>; 2], pitches: [Turn<S>; 2]) -> Configuration<S> {
         let ([crank, slot], [pin_pitch, slot_pitch]) = (angles, pitches);
-        Layout {
+        Configuration {
             follower_axis: self.axis(),
             pins: turned(crank, &pin_pitch, escapement.pins()).iter().map(Turn::direction).collect(),
             slots: turned(slot, &slot_pitch, escapement.slots()).iter().map(|angle| self.slot(angle)).collect(),
@@ -129,11 +129,11 @@ impl Mechanism {
     /// # Errors
     ///
     /// [`EscapementError::Wheel`] if the angle is beyond ±π/m, where another pin has taken over, or not finite.
-    pub fn layout(&self, crank: f64) -> Result<Layout<f64>, EscapementError> {
+    pub fn layout(&self, crank: f64) -> Result<Configuration<f64>, EscapementError> {
         let slot = self.wheel().engaged(crank)?.angle;
         let ratio = self.centre_distance_ratio();
         let frame = Frame { ratio, rim: self.rim_radius(), deepest: ratio - 1.0 };
-        let pitches = [self.driver_advance(), self.follower_advance()].map(Turn::from_radians);
+        let pitches = [self.driver_pitch_angle(), self.follower_pitch_angle()].map(Turn::from_radians);
         let mut layout = frame.layout(self, [crank, slot].map(Turn::from_radians), pitches);
         let end = self.engagement_half_angle();
         if crank == end {
@@ -159,8 +159,8 @@ impl Mechanism {
         let one_slot_on = &leaving * pitches[1].cos.clone() + quarter_turn(&leaving) * pitches[1].sin.clone();
         HandOver {
             layout,
-            leaving: Meeting::new(&frame.axis(), &crank.direction(), &frame.slot(&slot)),
-            entering: Meeting::new(&frame.axis(), &before.direction(), &frame.slot(&slot_before)),
+            leaving: RelativePosition::new(&frame.axis(), &crank.direction(), &frame.slot(&slot)),
+            entering: RelativePosition::new(&frame.axis(), &before.direction(), &frame.slot(&slot_before)),
             follower_speeds: [&crank, &before].map(|angle| velocity_ratio(&frame.ratio, angle)),
             gap: one_slot_on - entering,
         }
@@ -204,7 +204,8 @@ mod tests {
             let HandOver { layout, leaving, entering, follower_speeds, gap } = escapement.hand_over();
             let (half, ratio) = (exact_part_of_half_turn(escapement.slots()), layout.follower_axis.x.clone());
             let rim = half.cos / half.sin;
-            let straight = |outward| Meeting { out: rim.clone(), beside: zero.clone(), outward, across: zero.clone() };
+            let straight =
+                |outward| RelativePosition { out: rim.clone(), beside: zero.clone(), outward, across: zero.clone() };
             assert_eq!(leaving, straight(one.clone()));
             assert_eq!(entering, straight(-one.clone()));
             assert_eq!(follower_speeds, [zero.clone(), zero.clone()]);
@@ -299,7 +300,7 @@ mod tests {
             let half = |count: i32| Turn::from_radians(std::f64::consts::PI / f64::from(count));
             let (crank, slot) = (half(pins), half(slots));
             let frame = Frame { ratio: 1.0 / slot.sin, rim: slot.cos / slot.sin, deepest: 1.0 / slot.sin - 1.0 };
-            let meeting = Meeting::new(&frame.axis(), &crank.direction(), &frame.slot(&slot));
+            let meeting = RelativePosition::new(&frame.axis(), &crank.direction(), &frame.slot(&slot));
             let straight = meeting.beside.abs() + meeting.across.abs() < 1e-12;
             assert_eq!(straight, (slots - 2) * (pins - 2) == 4, "{slots} slots, {pins} pins");
         }

@@ -7,7 +7,7 @@ use super::*;
 /// The speed of the pin and the length of the lever stay as they are. Not a motion that exists: the triangle of
 /// ground, crank and lever does not close with this angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct HadBeen {
+pub struct WithPrintedAngle {
     /// Speed of the lever's point, in m/s.
     pub lever_point_speed: f64,
     /// Sliding speed, in m/s.
@@ -27,7 +27,7 @@ pub struct HadBeen {
 }
 
 /// The same computation with the printed angle throughout, unrounded.
-pub fn had_been() -> HadBeen {
+pub fn with_printed_angle() -> WithPrintedAngle {
     let angle = Turn::from_degrees(printed("quick-return.crank-angle"));
     let length = position_of(|position| position.pin_distance);
     let (speed, normal) =
@@ -37,7 +37,7 @@ pub fn had_been() -> HadBeen {
     let lever_normal = lever_speed * lever_point_speed;
     let coriolis = 2.0 * lever_speed * sliding_speed;
     let lever_tangential = normal * angle.sin - coriolis;
-    HadBeen {
+    WithPrintedAngle {
         lever_point_speed,
         sliding_speed,
         lever_speed,

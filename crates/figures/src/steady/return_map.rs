@@ -24,20 +24,20 @@ const STAIRS: usize = 5;
 /// # Errors
 ///
 /// [`FigureError`] without friction, where there is no fixed point, or if the motion cannot be computed.
-pub fn hand_over(parameters: &Parameters) -> Result<Figure, FigureError> {
+pub fn return_map(parameters: &Parameters) -> Result<Figure, FigureError> {
     let engagement = Engagement::new(parameters)?;
     let free = Parameters::new(parameters.mechanism(), parameters.inertias(), parameters.torque(), 0.0)?;
     let free = Engagement::new(&free)?;
     let drive = parameters.drive();
     let next = |of: &Engagement, u: f64| -> Result<f64, FigureError> {
-        let speed = of.hand_over((u * drive).sqrt())?;
+        let speed = of.return_map((u * drive).sqrt())?;
         Ok(speed * speed / drive)
     };
     let steady = engagement.steady_state()?;
     let fixed = steady.entry_speed * steady.entry_speed / drive;
-    let gain = next(&free, 0.0)?;
+    let angular_acceleration = next(&free, 0.0)?;
     // Wide enough to see that the curve without friction keeps its distance.
-    let axis = Axis::from_zero(0.0, (BEYOND * fixed).max(1.3 * gain), 5.0);
+    let axis = Axis::from_zero(0.0, (BEYOND * fixed).max(1.3 * angular_acceleration), 5.0);
     let end = axis.range.end;
     let mut rows = Vec::new();
     for step in 0..=STEPS {
@@ -70,23 +70,23 @@ pub fn hand_over(parameters: &Parameters) -> Result<Figure, FigureError> {
         .near(late(1), FRAC_PI_2, mu(parameters.friction()).shade(DRIVER))
         .near(late(2), PI, mu(0.0).shade(FOLLOWER))
         .near(late(0), -FRAC_PI_4, Label::words("exit as entry"));
-    let contraction = short(steady.contraction, 3);
+    let multiplier = short(steady.multiplier, 3);
     let words = Words::new(
-        "steady-hand-over",
+        "steady-return-map",
         "What an engagement makes of the square of the speed",
         format!(
             "The square of the driver's speed at exit over that at entry, both over K / I_f, for {} pins and μ = {}. \
-             The curve rises little and crosses the diagonal once, at {}; there its slope is {contraction}. A \
+             The curve rises little and crosses the diagonal once, at {}; there its slope is {multiplier}. A \
              staircase from rest is there after a few steps. Without friction the curve lies {} above the diagonal \
              throughout and never meets it.",
             parameters.mechanism().pins(),
             trimmed(parameters.friction(), 4),
             significant(fixed, 4),
-            significant(gain, 4)
+            significant(angular_acceleration, 4)
         ),
         format!(
             "One engagement takes the square of the speed at entry to that at exit. With friction all motions are \
-             drawn to one: near it a difference shrinks to {contraction} of itself each time. Without friction each \
+             drawn to one: near it a difference shrinks to {multiplier} of itself each time. Without friction each \
              engagement adds the same, and there is no terminal speed. {}",
             shown(parameters)
         ),
