@@ -68,7 +68,7 @@ fn an_escapement_is_written_in_each_format() {
     pin("escapement", &command(FOUR, &[]));
     pin("escapement-json", &command(FOUR, &["--format", "json"]));
     pin("escapement-csv", &command(FOUR, &["--format", "csv", "--interval", "1e-3"]));
-    pin("escapement-folded", &command(["6", "0.2", "1", "1", "5"], &["--reset-deg", "90"]));
+    pin("escapement-reset", &command(["6", "0.2", "1", "1", "5"], &["--reset-deg", "90"]));
     pin("escapement-hardly-braked", &command(["3", "1e-7", "1", "1", "5"], &[]));
 }
 
@@ -156,7 +156,7 @@ fn the_sheet_says_what_the_object_says_and_is_no_wider_than_a_line() {
         for (name, key) in [
             ("inertia ratio", "inertia_ratio"),
             ("half-angle", "engagement_half_angle_deg"),
-            ("modulus", "reset_deg"),
+            ("reset angle", "reset_deg"),
             ("critical friction", "critical_friction"),
             ("margin", "least_margin"),
             ("entry speed", "entry_speed"),

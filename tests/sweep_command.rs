@@ -44,18 +44,18 @@ fn a_sweep_has_a_row_for_each_escapement() {
 
 #[test]
 fn a_row_is_what_the_escapement_command_says() {
-    for modulus in [&[][..], &["--reset-deg", "100"]] {
+    for reset_angle in [&[][..], &["--reset-deg", "100"]] {
         let options = ["sweep", "--slots", "3,4,6", "--friction", "0.05:0.8:3", "--inertia-ratio", "0.05:2:2:log"];
         let units = ["--torque", "2", "--follower-inertia", "6e-5"];
         let mut jams = 0;
-        for row in rows(&[&options[..], &units, modulus].concat()) {
+        for row in rows(&[&options[..], &units, reset_angle].concat()) {
             let [slots, friction, ratio] =
                 ["slots", "friction", "inertia_ratio"].map(|key| row[key].as_f64().expect("a number"));
             let design = [slots.to_string(), friction.to_string(), (ratio * 6e-5).to_string()];
             let [slots, friction, driver] = design.each_ref().map(String::as_str);
             let inertias = ["--driver-inertia", driver, "--follower-inertia", "6e-5"];
             let command = ["escapement", "--slots", slots, "--friction", friction, "--torque", "2"];
-            let command = [&command[..], &inertias, modulus].concat();
+            let command = [&command[..], &inertias, reset_angle].concat();
             if row["status"] == "jams" {
                 jams += 1;
                 assert!(refusal(geneva(&command)).contains("may jam"), "{row:?}");

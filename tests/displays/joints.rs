@@ -1,4 +1,4 @@
-//! The escapement with a thick pin and rubbing journals: what the letters of its chapter stand for.
+//! The escapement with a pin of finite radius and rubbing journals: what the letters of its chapter stand for.
 
 use super::spread;
 use geneva_dynamics::existence::critical_friction;
@@ -25,8 +25,8 @@ fn state(number: usize) -> Moment {
         driver_journal: between(5, 0.01, 0.1),
         follower_journal: between(6, 0.01, 0.1),
         bearing_friction: between(7, 0.01, 0.2),
-        driver_preload: between(8, 0.01, 0.2),
-        follower_preload: between(9, 0.01, 0.1),
+        driver_drag_torque: between(8, 0.01, 0.2),
+        follower_drag_torque: between(9, 0.01, 0.1),
     };
     let escapement = Escapement::new(&parameters, joints).expect("it neither locks nor jams");
     let angle = mechanism.engagement_half_angle() * between(10, -0.98, 0.98);
@@ -41,10 +41,10 @@ fn state(number: usize) -> Moment {
     let q = pin_slot::velocity_ratio(&ratio, &crank);
     let load = joints.bearing_friction * (1.0 + friction * friction).sqrt();
     // The arms are what the moments and the force say they are.
-    let moment = inertias.follower() * motion.follower_gain + joints.follower_preload;
+    let moment = inertias.follower() * motion.follower_acceleration + joints.follower_drag_torque;
     let lambda = moment / motion.normal_moment;
     let kappa =
-        (torque - joints.driver_preload - inertias.driver() * motion.angular_acceleration) / motion.normal_moment;
+        (torque - joints.driver_drag_torque - inertias.driver() * motion.angular_acceleration) / motion.normal_moment;
     let sign = |sign: Sign| if sign == Sign::Plus { 1.0 } else { -1.0 };
 
     Moment::default()
@@ -53,12 +53,12 @@ fn state(number: usize) -> Moment {
         .with([
             (r"\dot\theta", speed),
             (r"\ddot\theta", motion.angular_acceleration),
-            (r"\ddot\varphi", motion.follower_gain),
+            (r"\ddot\varphi", motion.follower_acceleration),
         ])
         .with([("w", motion.sliding * speed), ("N", motion.normal_moment), ("M", moment)])
         .with([("s", sign(motion.flank)), (r"\sigma", sign(Sign::from_number(motion.sliding)))])
         .with([(r"\lambda", lambda), (r"\kappa", kappa), ("m", kappa / lambda)])
         .with([("I_D", inertias.driver()), ("I_f", inertias.follower()), ("K", torque), (r"\mu", friction)])
-        .with([("G", joints.driver_preload), ("H", joints.follower_preload), (r"\rho", joints.pin_radius)])
+        .with([("G", joints.driver_drag_torque), ("H", joints.follower_drag_torque), (r"\rho", joints.pin_radius)])
         .with([("b_D", load * joints.driver_journal), ("b_f", load * joints.follower_journal)])
 }

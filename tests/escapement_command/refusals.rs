@@ -93,8 +93,8 @@ fn without_friction_there_is_no_terminal_speed() {
 #[test]
 fn a_modulus_beyond_its_range_is_told_the_range() {
     for (slots, limit) in [("3", "210"), ("4", "225"), ("6", "240")] {
-        for modulus in ["0", "-90", limit, "360", "nan", "inf", "1e300"] {
-            let said = refused([slots, "0.1", "2", "1", "5"], &["--reset-deg", modulus], &ALL);
+        for reset_angle in ["0", "-90", limit, "360", "nan", "inf", "1e300"] {
+            let said = refused([slots, "0.1", "2", "1", "5"], &["--reset-deg", reset_angle], &ALL);
             assert!(said.contains("--reset-deg") && said.contains(&format!("below {limit}°")), "{said}");
         }
         let said = refused([slots, "0.1", "2", "1", "5"], &["--reset-deg", "right"], &ALL);

@@ -49,7 +49,7 @@ fn a_run_starts_from_rest_and_ends_near_the_steady_state() {
         if number(&steady, "engagements_to_settle") < 97.0 {
             let [peak, minimum, mean] = ["peak_speed", "minimum_speed", "mean_speed"].map(|key| number(&steady, key));
             assert!(last[4] <= 1.001 * peak && last[4] >= 0.98 * minimum, "{design:?}: {last:?}");
-            // The driver's mean speed over its last turn by the modulus, and the last turn is of the steady state.
+            // The driver's mean speed over its last turn by the reset angle, and the last turn is of the steady state.
             let turn = number(&steady, "reset_deg");
             let before = found.iter().rev().find(|line| line[2] <= last[2] - turn).expect("a period before the last");
             let over = (last[2] - before[2]).to_radians() / (last[0] - before[0]);

@@ -52,8 +52,8 @@ pub enum Error {
     },
     /// So much friction that somewhere no acceleration, or more than one, obeys the equation of motion.
     #[error(
-        "friction coefficient {asked}: from {limit} on, the equation of motion has no single solution at {angle} rad from \
-         the line of centres; give less friction or a driver with more inertia"
+        "friction coefficient {asked}: from {limit} on, the equation of motion has no single solution at {angle} rad \
+         from the line of centres; give less friction or a driver with more inertia"
     )]
     TooMuchFriction {
         /// What was asked for.
@@ -76,8 +76,9 @@ pub enum Error {
     },
     /// A reset angle that is not positive, or that takes the pin past the far side of its circle.
     #[error(
-        "fold {asked} rad: a pin's motion must be taken up again after a positive turn of less than {limit} rad, where the \
-         pin is farthest from the follower; give {turn} over the number of pins, or another angle in range",
+        "reset angle {asked} rad: a pin's motion must be taken up again after a positive turn of less than {limit} \
+         rad, where the pin is farthest from the follower; give {turn} over the number of pins, or another angle in \
+         range",
         turn = std::f64::consts::TAU
     )]
     Reset {
@@ -88,8 +89,8 @@ pub enum Error {
     },
     /// So near the critical friction, or with such different inertias, that the motion has no scale to be computed at.
     #[error(
-        "A - |D| = {margin} at {angle} rad: the equation changes there too quickly to be computed; lower the friction, or \
-         take inertias that are less different"
+        "A - |D| = {margin} at {angle} rad: the equation changes there too quickly to be computed; lower the friction, \
+         or take inertias that are less different"
     )]
     TooSharp {
         /// Crank angle in radians where the equation changes too quickly.
@@ -116,7 +117,8 @@ pub enum Error {
     },
     /// A pin as thick as its crank is long, or thicker.
     #[error(
-        "pin radius {asked} crank radii: it must be below 1, or the pin's surface slides one way only; give a thinner pin"
+        "pin radius {asked} crank radii: it must be below 1, or the pin's surface slides one way only; give a \
+         thinner pin"
     )]
     PinTooThick {
         /// Radius over crank radius that was asked for.
@@ -124,9 +126,10 @@ pub enum Error {
     },
     /// A constant drag torque on the driver that the driving torque does not overcome.
     #[error(
-        "driver's preload {asked}: the driving torque {torque} does not overcome it; give less preload or more torque"
+        "driver's drag torque {asked}: the driving torque {torque} does not overcome it; give less drag \
+         torque or more torque"
     )]
-    Preload {
+    DragTorque {
         /// What was asked for.
         asked: f64,
         /// The driving torque.
@@ -134,8 +137,8 @@ pub enum Error {
     },
     /// Friction on the pin's surface and in the follower's journal holds the follower against any normal force.
     #[error(
-        "self-locking: friction of pin and follower's journal has the arm {taken} crank radii, and on the line of centres \
-         the normal force has only {lever}; give a thinner pin, a thinner journal or less friction"
+        "self-locking: friction of pin and follower's journal has the arm {taken} crank radii, and on the line of \
+         centres the normal force has only {lever}; give a thinner pin, a thinner journal or less friction"
     )]
     SelfLocking {
         /// μ ρ + μ_b r_b √(1 + μ²), the arm of the friction in crank radii.
@@ -145,8 +148,8 @@ pub enum Error {
     },
     /// With these joints somewhere no acceleration, or more than one, obeys the equation of motion.
     #[error(
-        "the factor of the acceleration is {margin} at {angle} rad from the line of centres, and must be positive for one \
-         solution; give less friction, thinner joints or a driver with more inertia"
+        "the factor of the acceleration is {margin} at {angle} rad from the line of centres, and must be positive for \
+         one solution; give less friction, thinner joints or a driver with more inertia"
     )]
     Jams {
         /// The factor of θ'' over I_f there; not positive.
@@ -165,7 +168,7 @@ pub enum Error {
     /// The driver comes to rest within an engagement.
     #[error(
         "the driver comes to rest at about {angle} rad from the line of centres: friction takes more than the torque \
-         gives; give more torque, less preload or a faster start"
+         gives; give more torque, less drag torque or a faster start"
     )]
     Stalls {
         /// Crank angle in radians about which it does.
@@ -173,8 +176,8 @@ pub enum Error {
     },
     /// No speed was found that the return map takes to itself.
     #[error(
-        "no steady speed found: an engagement entered at {entry} is left at {exit}; give more steps, less preload or more \
-         friction that grows with the load"
+        "no steady speed found: an engagement entered at {entry} is left at {exit}; give more steps, less drag torque \
+         or more friction that grows with the load"
     )]
     NotRepeated {
         /// Speed at the last entry that was tried.
@@ -184,8 +187,8 @@ pub enum Error {
     },
     /// The steps that are allowed do not reach the tolerance.
     #[error(
-        "relative tolerance {tolerance}: with the most steps allowed, halving them still changes the result by {reached}; \
-         allow more, or take less friction or inertias that are less different"
+        "relative tolerance {tolerance}: with the most steps allowed, halving them still changes the result by \
+         {reached}; allow more, or take less friction or inertias that are less different"
     )]
     NotSettled {
         /// Relative tolerance that was asked for.

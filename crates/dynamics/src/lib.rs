@@ -8,7 +8,7 @@
 //! `R` distance of the pin from the follower's pivot, μ friction between pin and slot, `K` torque on the driver, `I_D`
 //! and `I_f` moments of inertia of driver and follower. θ and φ grow in opposite senses of rotation.
 //!
-//! [`joints`] is the same escapement with a thick pin and friction in the bearings.
+//! [`joints`] is the same escapement with a pin of finite radius and friction in the bearings.
 //!
 //! This crate holds no number that a source prints, does no input or output, and knows nothing of claims or books.
 

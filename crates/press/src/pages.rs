@@ -78,7 +78,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
         chapter("never-printed", "The tables never printed"),
         chapter("terminal-speed", "How a terminal speed comes about"),
         chapter("timer", "The seven recommendations"),
-        chapter("joints", "A thick pin, and bearings that rub"),
+        chapter("joints", "A pin of finite radius, and bearings that rub"),
         chapter("solver", "The solver"),
         page("glossary", "Words"),
         Page { records: Records::Slips(&[Consequence::Result, Consequence::Conclusion]), ..page("errata", "Errata") },
@@ -92,8 +92,8 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
         listing(
             "ledger",
             "The ledger",
-            "Every claim, in the order of its source, with what was found of it. The same list as data:\n\
-             `cargo run --release -- claims --format json`.",
+            "Every claim, in the order of its source, with what was found of it. The same list as data:\n`cargo run \
+             --release -- claims --format json`.",
             Records::Claims(vec![
                 whole(Work::Pin, "the pin in the slot"),
                 whole(Work::QuickReturn, "the quick-return mechanism"),

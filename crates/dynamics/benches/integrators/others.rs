@@ -24,7 +24,7 @@ pub fn run(row: &Row, tolerance: f64) -> Option<Answer> {
     Some(Answer { numbers: lines.iter().skip(1).map(|line| line.speed).collect(), evaluations: None })
 }
 
-/// The run from rest as the program makes it, with the exact sign and the mechanism's own fold.
+/// The run from rest as the program makes it, with the exact sign and the mechanism's own reset angle.
 pub fn program(row: &Row, tolerance: f64) -> Option<Answer> {
     let integrator = geneva_mimic::Parameters {
         relative_tolerance: tolerance,

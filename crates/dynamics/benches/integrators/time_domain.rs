@@ -8,7 +8,7 @@ use nalgebra::Vector2;
 use ode_solvers::dop_shared::OutputType;
 use ode_solvers::{Dop853, Dopri5, System};
 
-/// Turned angle and θ', with the fold and the exact sign on the right-hand side.
+/// Turned angle and θ', with the reset angle and the exact sign on the right-hand side.
 struct Naive<'a> {
     escapement: &'a Parameters,
 }

@@ -3,7 +3,7 @@
 //! Half powers of 1 + a² − 2 a cos θ = R² are powers of R, so every exponent is counted in halves. Forces are over
 //! I_f/r.
 
-use super::{Form, follower_gain, friction_torque, over, pose, power};
+use super::{Form, follower_acceleration, friction_torque, over, pose, power};
 use crate::{Pose, Sign};
 use geneva_kinematics::{Expression, Identity};
 
@@ -30,7 +30,7 @@ impl Identity<5> for MomentEquation {
     fn difference(&self, [square, numerator, cross, angular_acceleration, odd]: [Expression; 5]) -> Expression {
         let pose = pose(square, numerator, cross);
         let corrected = pose.follower_acceleration(&Expression::ONE, &angular_acceleration);
-        follower_gain(&pose, angular_acceleration) - self.0.pick(odd * angular_acceleration, corrected)
+        follower_acceleration(&pose, angular_acceleration) - self.0.pick(odd * angular_acceleration, corrected)
     }
 }
 
@@ -45,7 +45,7 @@ impl Identity<5> for ForceFromMoment {
         let pose = pose(radius * radius, numerator, cross);
         let corrected = pose.follower_acceleration(&Expression::ONE, &angular_acceleration);
         let force = self.0.pick(odd * angular_acceleration, corrected) / radius;
-        follower_gain(&pose, angular_acceleration) / radius - force
+        follower_acceleration(&pose, angular_acceleration) / radius - force
     }
 }
 
@@ -67,7 +67,7 @@ impl ForceSubstituted {
 impl Identity<4> for ForceSubstituted {
     fn difference(&self, [radius, numerator, cross, angular_acceleration]: [Expression; 4]) -> Expression {
         let pose = pose(radius * radius, numerator, cross);
-        follower_gain(&pose, angular_acceleration) / radius
+        follower_acceleration(&pose, angular_acceleration) / radius
             - over(brackets(&pose, radius, angular_acceleration, [4, 2]), radius, self.outer)
     }
 }
@@ -90,7 +90,8 @@ impl NormalForce {
 impl Identity<4> for NormalForce {
     fn difference(&self, [radius, numerator, cross, angular_acceleration]: [Expression; 4]) -> Expression {
         let pose = pose(radius * radius, numerator, cross);
-        follower_gain(&pose, angular_acceleration) / radius - brackets(&pose, radius, angular_acceleration, self.powers)
+        follower_acceleration(&pose, angular_acceleration) / radius
+            - brackets(&pose, radius, angular_acceleration, self.powers)
     }
 }
 

@@ -73,7 +73,7 @@ fn speed(angular_acceleration: Expression) -> Jet<Expression, 2> {
 }
 
 /// φ'' over the motion, from φ' = θ' h/R² as a series.
-fn follower_gain(pose: &Pose<Expression>, angular_acceleration: Expression) -> Expression {
+fn follower_acceleration(pose: &Pose<Expression>, angular_acceleration: Expression) -> Expression {
     (turning(pose).velocity_ratio() * speed(angular_acceleration)).rate()
 }
 
@@ -99,7 +99,7 @@ fn growth(pose: &Pose<Expression>, angular_acceleration: Expression, inertia: Ex
 /// Torque of the friction without its sign, μ N dR/dθ, from N R = φ'' and R dR/dθ = (R²)'/2.
 fn friction_torque(pose: &Pose<Expression>, angular_acceleration: Expression, friction: Expression) -> Expression {
     let sliding = turning(pose).square.rate() / 2;
-    friction * follower_gain(pose, angular_acceleration) * sliding / pose.square
+    friction * follower_acceleration(pose, angular_acceleration) * sliding / pose.square
 }
 
 #[cfg(test)]

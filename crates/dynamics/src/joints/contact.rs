@@ -1,4 +1,4 @@
-//! The contact of a thick pin with a side of its slot: what slides, and which moments one normal force has.
+//! The contact of a pin of finite radius with a side of its slot: what slides, and which moments one normal force has.
 //!
 //! Let e point along the slot from the follower's axis to the pin's centre, at the distance R, and n across it, in the
 //! sense in which the pin drives the follower on. On the follower acts N n + μ |N| σ e at R e + s ρ n, where s is the
@@ -14,8 +14,9 @@
 //! *Moment on the driver.* The point of contact, moving with the driver, has the velocity φ' R across the slot and
 //! R' + s ρ θ' along it. Over θ' these are the arms: N (q R + σ μ (s dR/dθ + ρ)) with q = φ'/θ', against the driver.
 //!
-//! *Journals.* Each member is balanced and lies in a level plane, and K is a couple. So what its bearing carries is the force
-//! of the contact, N across the slot and μ |N| along it: |N| √(1 + μ²) on either. Its torque is in proportion to that.
+//! *Journals.* Each member is balanced and lies in a level plane, and K is a couple. So what its bearing carries is the
+//! force of the contact, N across the slot and μ |N| along it: |N| √(1 + μ²) on either. Its torque is in proportion to
+//! that.
 
 use super::Joints;
 use crate::{Pose, Sign};

@@ -20,9 +20,9 @@ pub enum Varied {
     /// Friction of the journals.
     BearingFriction,
     /// Constant torque on the driver.
-    DriverPreload,
+    DriverDragTorque,
     /// Constant torque on the follower.
-    FollowerPreload,
+    FollowerDragTorque,
 }
 
 impl Varied {
@@ -33,8 +33,8 @@ impl Varied {
         Self::DriverJournal,
         Self::FollowerJournal,
         Self::BearingFriction,
-        Self::DriverPreload,
-        Self::FollowerPreload,
+        Self::DriverDragTorque,
+        Self::FollowerDragTorque,
     ];
 
     /// The joints with this size at another value.
@@ -45,8 +45,8 @@ impl Varied {
             Self::DriverJournal => Joints { driver_journal: value, ..*joints },
             Self::FollowerJournal => Joints { follower_journal: value, ..*joints },
             Self::BearingFriction => Joints { bearing_friction: value, ..*joints },
-            Self::DriverPreload => Joints { driver_preload: value, ..*joints },
-            Self::FollowerPreload => Joints { follower_preload: value, ..*joints },
+            Self::DriverDragTorque => Joints { driver_drag_torque: value, ..*joints },
+            Self::FollowerDragTorque => Joints { follower_drag_torque: value, ..*joints },
         }
     }
 }
@@ -60,7 +60,7 @@ pub struct Effect {
     pub mean_speed: f64,
     /// Factor by which one engagement reduces a difference of speeds.
     pub multiplier: f64,
-    /// Engagements in which a difference falls to 1/e: −1 / ln of the contraction.
+    /// Engagements in which a difference falls to 1/e: −1 / ln of the multiplier.
     pub decay_constant: f64,
     /// Greatest less least speed, over the mean.
     pub swing: f64,

@@ -4,7 +4,7 @@
 //!
 //! I_f φ'' = λ N − H, I_D θ'' = K − G − κ N,
 //!
-//! where H and G are the preloads. The slot makes φ'' = p θ'² + q θ''. So the follower asks for the moment
+//! where H and G are the drag torques. The slot makes φ'' = p θ'² + q θ''. So the follower asks for the moment
 //! M = I_f (p θ'² + q θ'') + H, which λ N gives it, and the driver feels κ N = (κ/λ) M. With m = κ/λ:
 //!
 //! (I_D + m q I_f) θ'' = K − G − m (I_f p θ'² + H).
@@ -29,7 +29,7 @@ pub struct Terms<S> {
     /// (K − G) / I_f.
     pub drive: S,
     /// H / I_f.
-    pub hold: S,
+    pub drag: S,
     /// q = φ'/θ'.
     pub ratio: S,
     /// p, the follower's acceleration over the square of a constant speed of the driver.
@@ -39,7 +39,7 @@ pub struct Terms<S> {
 impl<S: Field> Terms<S> {
     /// M / I_f = p θ'² + q θ'' + H / I_f, the moment that the follower asks for.
     pub fn moment(&self, square: &S, angular_acceleration: &S) -> S {
-        self.bend.clone() * square.clone() + self.ratio.clone() * angular_acceleration.clone() + self.hold.clone()
+        self.bend.clone() * square.clone() + self.ratio.clone() * angular_acceleration.clone() + self.drag.clone()
     }
 
     /// Factor of θ'' for a contact with m = κ/λ: I_D / I_f + m q.
@@ -49,13 +49,13 @@ impl<S: Field> Terms<S> {
 
     /// θ'' at a square of the speed, for a contact with m = κ/λ.
     pub fn angular_acceleration(&self, square: &S, leverage: &S) -> S {
-        let held = self.bend.clone() * square.clone() + self.hold.clone();
+        let held = self.bend.clone() * square.clone() + self.drag.clone();
         (self.drive.clone() - leverage.clone() * held) / self.slope(leverage)
     }
 
     /// i (p θ'² + H / I_f) + q (K − G) / I_f: its sign is that of the normal force.
     pub fn flank_switching_function(&self, square: &S) -> S {
-        let held = self.bend.clone() * square.clone() + self.hold.clone();
+        let held = self.bend.clone() * square.clone() + self.drag.clone();
         self.inertia.clone() * held + self.ratio.clone() * self.drive.clone()
     }
 }
@@ -66,7 +66,7 @@ pub struct Motion {
     /// θ'', in radians per square of the unit of time.
     pub angular_acceleration: f64,
     /// φ'', the same of the follower.
-    pub follower_gain: f64,
+    pub follower_acceleration: f64,
     /// N r, normal force times crank radius, in the unit of torque; positive on the leading flank.
     pub normal_moment: f64,
     /// The flank: plus for the leading one, on which N > 0; plus where N is zero.
@@ -96,7 +96,7 @@ impl Escapement {
     ///
     /// # Errors
     ///
-    /// [`Error::Negative`], [`Error::PinTooThick`] and [`Error::Preload`] for sizes out of range;
+    /// [`Error::Negative`], [`Error::PinTooThick`] and [`Error::DragTorque`] for sizes out of range;
     /// [`Error::SelfLocking`] if friction can hold the follower against any force;
     /// [`Error::Jams`] if somewhere no acceleration, or more than one, obeys the equation.
     pub fn new(parameters: &Parameters, joints: Joints) -> Result<Self, Error> {
@@ -113,8 +113,8 @@ impl Escapement {
         if joints.pin_radius >= 1.0 {
             return Err(Error::PinTooThick { asked: joints.pin_radius });
         }
-        if joints.driver_preload >= parameters.torque() {
-            return Err(Error::Preload { asked: joints.driver_preload, torque: parameters.torque() });
+        if joints.driver_drag_torque >= parameters.torque() {
+            return Err(Error::DragTorque { asked: joints.driver_drag_torque, torque: parameters.torque() });
         }
         let journals = Journals::new(&joints, parameters.friction());
         let reversal = existence::reversal(parameters, joints.pin_radius);
@@ -131,8 +131,8 @@ impl Escapement {
         self.joints
     }
 
-    /// How far before the line of centres, in radians, the sliding of a thick pin on the leading flank turns outward;
-    /// on the trailing flank it turns as far behind. Zero for a pin that is a point.
+    /// How far before the line of centres, in radians, the sliding of a pin of finite radius on the leading flank turns
+    /// outward; on the trailing flank it turns as far behind. Zero for a pin that is a point.
     pub fn reversal_angle(&self) -> f64 {
         self.reversal
     }
@@ -159,9 +159,9 @@ impl Escapement {
         let arms = self.arms(&place.reach, flank, Sign::from_number(sliding));
         let angular_acceleration = place.terms.angular_acceleration(&square, &(arms.driver / arms.follower));
         let moment = place.terms.moment(&square, &angular_acceleration);
-        let follower_gain = moment - place.terms.hold;
+        let follower_acceleration = moment - place.terms.drag;
         let normal_moment = self.parameters.inertias().follower() * moment / arms.follower;
-        Ok(Motion { angular_acceleration, follower_gain, normal_moment, flank, sliding })
+        Ok(Motion { angular_acceleration, follower_acceleration, normal_moment, flank, sliding })
     }
 
     /// The equation's terms at a crank angle.
@@ -171,8 +171,8 @@ impl Escapement {
         let (inertias, joints) = (self.parameters.inertias(), &self.joints);
         let terms = Terms {
             inertia: inertias.ratio(),
-            drive: (self.parameters.torque() - joints.driver_preload) / inertias.follower(),
-            hold: joints.follower_preload / inertias.follower(),
+            drive: (self.parameters.torque() - joints.driver_drag_torque) / inertias.follower(),
+            drag: joints.follower_drag_torque / inertias.follower(),
             ratio: reach.ratio,
             bend: pose.acceleration_ratio(),
         };
@@ -239,8 +239,8 @@ impl Escapement {
         Power {
             input: self.parameters().torque(),
             sliding: self.parameters().friction() * load * motion.sliding.abs(),
-            driver_bearing: self.journals.driver * load + joints.driver_preload,
-            follower_bearing: (self.journals.follower * load + joints.follower_preload) * ratio,
+            driver_bearing: self.journals.driver * load + joints.driver_drag_torque,
+            follower_bearing: (self.journals.follower * load + joints.follower_drag_torque) * ratio,
         }
     }
 }

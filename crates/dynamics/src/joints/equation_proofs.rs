@@ -1,46 +1,46 @@
 //! Why the flank can be told beforehand, how speeds scale, and what the equation goes over to, as identities.
 //!
 //! The factor of θ'', I_D/I_f + m q, is a variable instead of I_D/I_f, because it is divided by. p, q, m, the drive and
-//! the preload are free: nothing depends on what they stand for.
+//! the drag torque are free: nothing depends on what they stand for.
 
 use super::{Reach, Terms};
 use crate::{Coefficients, Pose, Sign};
 use geneva_kinematics::{Expression, Identity};
 
-fn terms([slope, leverage, ratio, bend, drive, hold]: [Expression; 6]) -> Terms<Expression> {
-    Terms { inertia: slope - leverage * ratio, drive, hold, ratio, bend }
+fn terms([slope, leverage, ratio, bend, drive, drag]: [Expression; 6]) -> Terms<Expression> {
+    Terms { inertia: slope - leverage * ratio, drive, drag, ratio, bend }
 }
 
 /// The solution obeys Newton's law for the driver: (I_D θ'' + m M − (K − G)) / I_f = 0.
 ///
-/// Variables: factor of θ'', m, q, p, drive, preload, θ'².
+/// Variables: factor of θ'', m, q, p, drive, drag torque, θ'².
 pub struct SolutionObeys;
 
 impl Identity<7> for SolutionObeys {
-    fn difference(&self, [slope, leverage, ratio, bend, drive, hold, square]: [Expression; 7]) -> Expression {
-        let terms = terms([slope, leverage, ratio, bend, drive, hold]);
+    fn difference(&self, [slope, leverage, ratio, bend, drive, drag, square]: [Expression; 7]) -> Expression {
+        let terms = terms([slope, leverage, ratio, bend, drive, drag]);
         let angular_acceleration = terms.angular_acceleration(&square, &leverage);
         terms.inertia * angular_acceleration + leverage * terms.moment(&square, &angular_acceleration) - drive
     }
 }
 
-/// The factor of θ'' times the follower's moment is the decider, in which m does not stand.
+/// The factor of θ'' times the follower's moment is the switching function, in which m does not stand.
 ///
-/// Variables: factor of θ'', m, q, p, drive, preload, θ'².
+/// Variables: factor of θ'', m, q, p, drive, drag torque, θ'².
 pub struct FlankDecider;
 
 impl Identity<7> for FlankDecider {
-    fn difference(&self, [slope, leverage, ratio, bend, drive, hold, square]: [Expression; 7]) -> Expression {
-        let terms = terms([slope, leverage, ratio, bend, drive, hold]);
+    fn difference(&self, [slope, leverage, ratio, bend, drive, drag, square]: [Expression; 7]) -> Expression {
+        let terms = terms([slope, leverage, ratio, bend, drive, drag]);
         let angular_acceleration = terms.angular_acceleration(&square, &leverage);
         slope * terms.moment(&square, &angular_acceleration) - terms.flank_switching_function(&square)
     }
 }
 
-/// With drive, preload and θ'² times κ, θ'' and what tells the flank are κ times what they were.
+/// With drive, drag torque and θ'² times κ, θ'' and what tells the flank are κ times what they were.
 ///
 /// So speeds go as √(K/I_f) if there is no constant torque, or one that grows with K. The arms of pin and journals
-/// stand in m alone, which stays. Variables: factor of θ'', m, q, p, drive, preload, θ'², κ.
+/// stand in m alone, which stays. Variables: factor of θ'', m, q, p, drive, drag torque, θ'², κ.
 pub enum Similarity {
     /// Of θ''.
     Gain,
@@ -49,10 +49,10 @@ pub enum Similarity {
 }
 
 impl Identity<8> for Similarity {
-    fn difference(&self, [slope, leverage, ratio, bend, drive, hold, square, kappa]: [Expression; 8]) -> Expression {
+    fn difference(&self, [slope, leverage, ratio, bend, drive, drag, square, kappa]: [Expression; 8]) -> Expression {
         let scaled = |number: Expression| kappa * number;
-        let old = terms([slope, leverage, ratio, bend, drive, hold]);
-        let new = terms([slope, leverage, ratio, bend, scaled(drive), scaled(hold)]);
+        let old = terms([slope, leverage, ratio, bend, drive, drag]);
+        let new = terms([slope, leverage, ratio, bend, scaled(drive), scaled(drag)]);
         match self {
             Self::Gain => {
                 new.angular_acceleration(&scaled(square), &leverage)

@@ -16,7 +16,7 @@
 //! - The plane is level and both members are balanced, and the torque K is a pure couple. So the bearing of either
 //!   member has to carry the force of the contact and nothing else: |N| √(1 + μ²).
 //! - A journal of radius r_b with friction μ_b resists with μ_b r_b times that load, against the rotation. Besides,
-//!   either bearing may resist with a constant torque, a preload.
+//!   either bearing may resist with a constant torque, a drag torque.
 //! - The follower stands still at the two ends of an engagement. There the bearing's torque is taken as an instant
 //!   after entry and an instant before exit, against forward rotation; the two instants count for nothing in the
 //!   motion. At rest in the entry N is the limit from within too, and counts as pressing on the leading flank.
@@ -27,8 +27,8 @@
 //! The pin bears on the same flank as it would without any friction (`equation`). At entry and at exit the centre of
 //! the pin slides with the crank's speed r θ', but the surface of a thick one with (r − ρ) θ' only: it partly rolls. On
 //! the line of centres it slides faster than a thin one. Over whole engagements a thicker pin costs less and speeds the
-//! timer up; journals and preloads slow it down: so it came out for inertias like those of the thesis, and the tests
-//! hold it. Journals brake even without friction in the slot; constant torques alone do not.
+//! timer up; journals and drag torques slow it down: so it came out for inertias like those of the thesis, and the
+//! tests hold it. Journals brake even without friction in the slot; constant torques alone do not.
 //!
 //! ```
 //! use geneva_dynamics::joints::{Joints, Varied, series};
@@ -47,10 +47,10 @@
 //! # In order
 //!
 //! Lengths are in crank radii, so that a normal force becomes a moment N r. The contact and its moments (`contact`)
-//! with those of the journals, the equation of motion with the flank decided beforehand and where the power goes (`equation`, proven in
-//! [`equation_proofs`]; [`contact_proofs`] has the moments and the sliding from vectors), where it has one solution
-//! (`existence`), the motion over one engagement by Runge-Kutta steps of the angle
-//! ([`Passage`]), the one that repeats itself ([`Settled`]), and what each size does to it ([`series`]).
+//! with those of the journals, the equation of motion with the flank decided beforehand and where the power goes
+//! (`equation`, proven in [`equation_proofs`]; [`contact_proofs`] has the moments and the sliding from vectors), where
+//! it has one solution (`existence`), the motion over one engagement by Runge-Kutta steps of the angle ([`Passage`]),
+//! the one that repeats itself ([`Settled`]), and what each size does to it ([`series`]).
 
 mod contact;
 pub mod contact_proofs;
@@ -83,9 +83,9 @@ pub struct Joints {
     /// μ_b, friction of both journals, not negative.
     pub bearing_friction: f64,
     /// Constant torque against the driver's rotation, not negative and below K.
-    pub driver_preload: f64,
+    pub driver_drag_torque: f64,
     /// Constant torque against the follower's rotation, not negative.
-    pub follower_preload: f64,
+    pub follower_drag_torque: f64,
 }
 
 impl Joints {
@@ -95,8 +95,8 @@ impl Joints {
         driver_journal: 0.0,
         follower_journal: 0.0,
         bearing_friction: 0.0,
-        driver_preload: 0.0,
-        follower_preload: 0.0,
+        driver_drag_torque: 0.0,
+        follower_drag_torque: 0.0,
     };
 
     /// Both journals of this radius (crank radii) and this friction, and nothing else.
@@ -111,8 +111,8 @@ impl Joints {
             ("driver's journal radius", self.driver_journal),
             ("follower's journal radius", self.follower_journal),
             ("bearing friction", self.bearing_friction),
-            ("driver's preload", self.driver_preload),
-            ("follower's preload", self.follower_preload),
+            ("driver's drag torque", self.driver_drag_torque),
+            ("follower's drag torque", self.follower_drag_torque),
         ]
     }
 }

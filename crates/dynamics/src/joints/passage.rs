@@ -198,7 +198,7 @@ impl Escapement {
         let moment = place.terms.moment(&square, &angular_acceleration);
         let motion = Motion {
             angular_acceleration,
-            follower_gain: moment - place.terms.hold,
+            follower_acceleration: moment - place.terms.drag,
             normal_moment: self.parameters().inertias().follower() * moment / arms.follower,
             flank,
             sliding: place.reach.sliding(&self.joints().pin_radius, flank),

@@ -1,6 +1,6 @@
 //! The motion that repeats itself.
 //!
-//! One engagement takes u at entry to a u at exit that grows with it, and the passage knows how fast: its contraction
+//! One engagement takes u at entry to a u at exit that grows with it, and the passage knows how fast: its multiplier
 //! is the slope of that function. So Newton's method finds the u that is handed on unchanged.
 
 use super::equation::Escapement;
@@ -14,17 +14,18 @@ pub struct Settled {
     pub state: Passage,
     /// Steps that an engagement was divided into at last.
     pub steps: u32,
-    /// Greatest relative change of entry speed, peak, minimum, period and contraction when the steps were last halved.
+    /// Greatest relative change of entry speed, peak, minimum, period and multiplier when the steps were last halved.
     pub change: f64,
 }
 
-/// Most trials for the speed that repeats itself; a handful is enough unless a preload nearly stalls the driver.
+/// Most trials for the speed that repeats itself; a handful is enough unless a drag torque nearly stalls the driver.
 const MOST_TRIALS: u32 = 200;
 /// Steps of the first attempt.
 const FIRST_STEPS: u32 = 256;
 
 impl Escapement {
-    /// The passage that repeats itself, the steady state, in about so many steps an engagement ([`STEPS`]). Its error falls as their fourth power.
+    /// The passage that repeats itself, the steady state, in about so many steps an engagement ([`STEPS`]). Its error
+    /// falls as their fourth power.
     ///
     /// # Errors
     ///
@@ -36,7 +37,7 @@ impl Escapement {
         for _ in 0..MOST_TRIALS {
             let (entry, exit) = (passage.entry_speed, passage.exit_speed);
             let rest = 1.0 - passage.multiplier;
-            // Within rounding: the contraction is a sum over all steps.
+            // Within rounding: the multiplier is a sum over all steps.
             if rest <= 1e-12 {
                 return Err(Error::NoTerminalSpeed { multiplier: passage.multiplier });
             }

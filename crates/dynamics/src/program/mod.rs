@@ -1,9 +1,9 @@
-//! The program of 1973: the equation of motion on a variable-step integrator, with the driver's angle folded.
+//! The program of 1973: the equation of motion on a variable-step integrator, with the driver's angle reset.
 //!
-//! It is what the thesis describes, not what a mechanism does. The driver's angle is folded back to the start of an
-//! engagement after a *fold*, whatever the number of pins. The sign of the friction term is chosen by the acceleration
-//! of a moment before. Both are fields here, beside the choices that describe the mechanism: a fold of 2π/m and the
-//! exact sign. For the motion itself there is a faster and sharper way, [`steady`](crate::steady).
+//! It is what the thesis describes, not what a mechanism does. The driver's angle is reset to the start of an
+//! engagement after a *reset angle*, whatever the number of pins. The sign of the friction term is chosen by the
+//! acceleration of a moment before. Both are fields here, beside the choices that describe the mechanism: a reset angle
+//! of 2π/m and the exact sign. For the motion itself there is a faster and sharper way, [`steady`](crate::steady).
 //! Work::Meyer1973, Appendix B.
 
 use crate::error::positive;
@@ -39,7 +39,7 @@ pub struct Program {
     pub ratio: f64,
     /// Crank angle at the start of an engagement, in radians from the line of centres.
     pub start: f64,
-    /// Angle in radians after which the driver is put back to the start.
+    /// Angle in radians after which the driver's angle is reset to the start.
     pub reset: f64,
     /// How the sign of the friction term is chosen.
     pub contact: Contact,
@@ -64,7 +64,7 @@ impl fmt::Display for Fault {
 impl std::error::Error for Fault {}
 
 impl Program {
-    /// The program for a mechanism as it is: folded after one engagement, the sign exact.
+    /// The program for a mechanism as it is: reset after one engagement, the sign exact.
     pub fn of(parameters: &Parameters) -> Self {
         let mechanism = parameters.mechanism();
         let half = mechanism.engagement_half_angle();
@@ -84,8 +84,8 @@ impl Program {
     ///
     /// # Errors
     ///
-    /// A fold that is not positive, or whatever stops the integrator: a bad parameter of its own, a step that becomes
-    /// too small, an angle at which the equation has no single solution.
+    /// A reset angle that is not positive, or whatever stops the integrator: a bad parameter of its own, a step that
+    /// becomes too small, an angle at which the equation has no single solution.
     pub fn run(&self, integrator: &geneva_mimic::Parameters) -> Result<Printout, Error> {
         positive("fold", self.reset)?;
         for (name, asked) in [("start of an engagement", self.start), ("centre distance ratio", self.ratio)] {
@@ -115,7 +115,7 @@ impl Program {
         }
     }
 
-    /// The folded crank angle, and the pose there.
+    /// The reset crank angle, and the pose there.
     fn pose(&self, turned: f64) -> (f64, Pose<f64>) {
         let angle = libm::fmod(turned, self.reset) + self.start;
         (angle, Pose::new(&self.ratio, &Turn::from_radians(angle)))
@@ -129,13 +129,13 @@ pub struct Line {
     pub time: f64,
     /// Angle in radians through which the driver has turned, unfolded.
     pub turned: f64,
-    /// The folded crank angle, in radians from the line of centres.
+    /// The reset crank angle, in radians from the line of centres.
     pub angle: f64,
     /// Driver's speed.
     pub speed: f64,
     /// Driver's acceleration.
     pub acceleration: f64,
-    /// Follower's speed, by the velocity ratio at the folded angle.
+    /// Follower's speed, by the velocity ratio at the reset angle.
     pub follower_speed: f64,
 }
 
@@ -155,8 +155,8 @@ impl Printout {
     }
 }
 
-/// Kept points that a delay line holds. The integrator's steps are a few to a print interval, but crowd where a late sign
-/// makes the acceleration jump to and fro.
+/// Kept points that a delay line holds. The integrator's steps are a few to a print interval, but crowd where a lagged
+/// sign makes the acceleration jump to and fro.
 const KEPT: usize = 16_384;
 
 /// What a run remembers for its choice.

@@ -16,8 +16,8 @@ pub const MOST_STRETCHES: usize = 4096;
 
 /// The motion over one engagement of an escapement, worked out but for the speed at entry.
 ///
-/// It starts at the crank angle −π/m and lasts for a turn of the driver that is called the fold: 2π/m in a mechanism,
-/// where the next pin then takes over.
+/// It starts at the crank angle −π/m and lasts for a turn of the driver that is called the reset angle: 2π/m in a
+/// mechanism, where the next pin then takes over.
 #[derive(Clone, Debug)]
 pub struct Engagement {
     parameters: Parameters,
@@ -96,8 +96,9 @@ impl Engagement {
     /// The motion of a calculation that goes back to −π/m after a turn of `reset` radians, whether or not a pin leaves
     /// there.
     ///
-    /// The equation is evaluated beyond the exit if the fold is more than 2π/m, and short of it if less. The fold must
-    /// be positive and less than π + π/m. Meyer 1973, Appendix B, does so with one fold for all mechanisms.
+    /// The equation is evaluated beyond the exit if the reset angle is more than 2π/m, and short of it if less. The
+    /// reset angle must be positive and less than π + π/m. Meyer 1973, Appendix B, does so with one reset angle for all
+    /// mechanisms.
     ///
     /// # Errors
     ///

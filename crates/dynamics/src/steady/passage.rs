@@ -52,7 +52,8 @@ impl Engagement {
         self.subintervals[last..self.to_exit].iter().rev().fold(entry, |square, of| of.plus.approach(square))
     }
 
-    /// The subinterval divided at the switch of the motion with this u on the line of centres, if that comes before the end.
+    /// The subinterval divided at the switch of the motion with this u on the line of centres, if that comes before the
+    /// end.
     fn split_from(&self, mut square: f64) -> Option<Split> {
         let mut excess = self.switching_function(0.0, square);
         for (number, subinterval) in self.subintervals[..self.to_end.min(self.to_exit)].iter().enumerate() {
@@ -142,17 +143,17 @@ impl<'a> Passage<'a> {
         self.time / self.engagement.unit
     }
 
-    /// The fold over the duration, in radians per unit of time.
+    /// The reset angle over the duration, in radians per unit of time.
     pub fn mean_speed(&self) -> f64 {
         self.engagement.reset() / self.duration()
     }
 
-    /// The multiplier, slope of the return map in u: the factor by which the squares of two speeds that are close at entry
-    /// differ at the end. Below 1, except without friction and folded at the exit, where it is 1.
+    /// The multiplier, slope of the return map in u: the factor by which the squares of two speeds that are close at
+    /// entry differ at the end. Below 1, except without friction and reset at the exit, where it is 1.
     ///
     /// With κ for it, ln κ = −∫ 4 μ i k²/((i + ρ²)² − (μ k ρ)²) dψ from the switch to the exit: what is lost before the
-    /// line of centres and gained past it up to the switch is the same. A fold elsewhere adds the loss of an engagement
-    /// that ends with the follower in motion.
+    /// line of centres and gained past it up to the switch is the same. A reset angle elsewhere adds the loss of an
+    /// engagement that ends with the follower in motion.
     pub fn multiplier(&self) -> f64 {
         libm::exp(self.engagement.log_multiplier(self.switch))
     }
@@ -208,7 +209,8 @@ pub(super) struct Traversal<'a> {
 }
 
 /// The part of the outermost subinterval over which a start from rest has nodes spread for it. There u is a small
-/// difference of sums, which must be known to that many more digits: the traversal has to be short. Measured: see the tests.
+/// difference of sums, which must be known to that many more digits: the traversal has to be short. Measured: see the
+/// tests.
 const REST: f64 = 1.0 / 32.0;
 
 /// How often a traversal may be halved for that.

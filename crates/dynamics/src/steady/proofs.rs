@@ -44,10 +44,11 @@ impl Identity<2> for TurningOnTheCircle {
     }
 }
 
-/// A C u + D (E − B u) = μ k (i ρ' u + ρ E): what decides the sign of the friction. Variables: a, tan(θ/2), i, μ, E, θ'.
-pub struct DeciderFactors;
+/// A C u + D (E − B u) = μ k (i ρ' u + ρ E): what decides the sign of the friction. Variables: a, tan(θ/2), i, μ, E,
+/// θ'.
+pub struct SwitchingFactors;
 
-impl Identity<6> for DeciderFactors {
+impl Identity<6> for SwitchingFactors {
     fn difference(&self, [ratio, tangent, inertia, friction, drive, speed]: [Expression; 6]) -> Expression {
         let pose = Pose::new(&ratio, &Turn::from_half_tangent(&tangent));
         let coefficients = Coefficients::of_pose(&pose, &inertia, &friction, &drive);
@@ -75,11 +76,11 @@ impl Identity<4> for RateOfDecay {
     }
 }
 
-/// p with the plus sign less p with the minus sign is 4 μ i k²/(A₊ A₋): the contraction. Times A₊ A₋, for it has poles
+/// p with the plus sign less p with the minus sign is 4 μ i k²/(A₊ A₋): the multiplier. Times A₊ A₋, for it has poles
 /// on the grid of a proof. Variables: ρ, k, i, μ.
-pub struct Contraction;
+pub struct Multiplier;
 
-impl Identity<4> for Contraction {
+impl Identity<4> for Multiplier {
     fn difference(&self, [numerator, slide, inertia, friction]: [Expression; 4]) -> Expression {
         let [plus, minus] = [friction, -friction].map(|sigma| {
             let both = numerator + sigma * slide;
@@ -91,8 +92,8 @@ impl Identity<4> for Contraction {
     }
 }
 
-/// Q = ρ/(k (1 + 2 ρ)), the u at which the sign switches, falls with ψ: −dQ/dψ k² (1 + 2 ρ)² = c + 2 c ρ − ρ² + (ρ − c) ρ
-/// (1 + 2 ρ) on the circle. Variables: a, tan(θ/2).
+/// Q = ρ/(k (1 + 2 ρ)), the u at which the sign switches, falls with ψ: −dQ/dψ k² (1 + 2 ρ)² = c + 2 c ρ − ρ² + (ρ − c)
+/// ρ (1 + 2 ρ) on the circle. Variables: a, tan(θ/2).
 pub struct SwitchFalls;
 
 impl Identity<2> for SwitchFalls {
@@ -123,9 +124,9 @@ mod tests {
         for numerator in [true, false] {
             holds("turning on the circle", &TurningOnTheCircle { numerator });
         }
-        holds("decider", &DeciderFactors);
+        holds("switching function", &SwitchingFactors);
         holds("rate of decay", &RateOfDecay);
-        holds("contraction", &Contraction);
+        holds("multiplier", &Multiplier);
         holds("switch falls", &SwitchFalls);
     }
 

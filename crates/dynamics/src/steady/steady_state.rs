@@ -1,9 +1,9 @@
 //! The steady state: the motion that repeats itself from engagement to engagement, the fixed point of the return map.
 //!
 //! For a switch at ψ the speed is known there (u = Q). Backward from there to entry it is a₁ u − b₁, forward to the end
-//! a₂ u + b₂, all four positive. Repetition means u = (b₁ + b₂)/(a₁ − a₂), and a₂/a₁ is the multiplier κ of the return map, so that
-//! a₁ − a₂ = a₁ (1 − κ) is found without cancellation. The switch is where the two agree: there is one, because
-//! u_end(u_entry) rises everywhere by less than the difference at entry.
+//! a₂ u + b₂, all four positive. Repetition means u = (b₁ + b₂)/(a₁ − a₂), and a₂/a₁ is the multiplier κ of the return
+//! map, so that a₁ − a₂ = a₁ (1 − κ) is found without cancellation. The switch is where the two agree: there is one,
+//! because u_end(u_entry) rises everywhere by less than the difference at entry.
 
 use super::contact_reversal::{ContactReversal, Part, Split};
 use super::engagement::{Engagement, Subinterval, Trailing};
@@ -57,7 +57,7 @@ impl Balance {
         Self { back: (all.0 / through.0, all.0 * (through.1 + all.1)), forth }
     }
 
-    /// The u at the switch that repeats itself, from ln of the contraction.
+    /// The u at the switch that repeats itself, from ln of the multiplier.
     fn repeated(&self, log: f64) -> f64 {
         (self.back.1 + self.forth.1) / (self.back.0 * -libm::expm1(log))
     }
@@ -74,7 +74,7 @@ impl Balance {
     }
 }
 
-/// The motion with the minus sign from a place to the end: a factor and an offset of u, and ln of the contraction.
+/// The motion with the minus sign from a place to the end: a factor and an offset of u, and ln of the multiplier.
 #[derive(Clone, Copy)]
 struct Rest {
     on: (f64, f64),
@@ -93,7 +93,7 @@ impl Engagement {
     ///
     /// # Errors
     ///
-    /// [`Error::NoTerminalSpeed`] without friction, folded at the exit: the speed grows without end.
+    /// [`Error::NoTerminalSpeed`] without friction, reset at the exit: the speed grows without end.
     pub fn steady_state(&self) -> Result<SteadyState, Error> {
         let repeated = self.fixed_point()?;
         let passage = self.pass_with(repeated.entry, repeated.split.as_ref());
@@ -132,7 +132,7 @@ impl Engagement {
         for subinterval in self.subintervals[exit.min(end)..end].iter().rev() {
             rest = self.rest_with(subinterval, rest, true);
         }
-        // Without friction the contraction does not depend on the switch, and there must be some by the fold.
+        // Without friction the multiplier does not depend on the switch, and there must be some by the reset angle.
         if self.friction == 0.0 && -libm::expm1(rest.log) <= 4.0 * f64::EPSILON {
             return Err(Error::NoTerminalSpeed { multiplier: libm::exp(rest.log) });
         }
@@ -158,8 +158,8 @@ impl Engagement {
         }
     }
 
-    /// u at entry, the division and ln of the contraction if the switch is in this subinterval. `ends` is the excess at its
-    /// ends, `all` the plus sign from the line of centres to the exit, `rest` what follows the subinterval.
+    /// u at entry, the division and ln of the multiplier if the switch is in this subinterval. `ends` is the excess at
+    /// its ends, `all` the plus sign from the line of centres to the exit, `rest` what follows the subinterval.
     fn fixed_point_within(
         &self,
         number: usize,
@@ -194,7 +194,7 @@ impl Engagement {
         };
         let found = self.switch_within(nodes, ends, coarse, fine);
         let Some((entry, log, parts)) = last else { return (f64::NAN, None, f64::NAN) };
-        // The contraction starts at the switch, not where the subinterval is divided.
+        // The multiplier starts at the switch, not where the subinterval is divided.
         let log = log + self.gap_at(found.at) * (found.switch - found.at);
         let switch = ContactReversal { subinterval: number, at: found.switch };
         (entry, Some(Split { switch, square: found.square, parts }), log)

@@ -46,20 +46,20 @@ pub struct Group {
     pub mechanism: Mechanism,
     /// Moments of inertia.
     pub inertias: Inertias,
-    /// Angle in radians after which the driver is put back to the start of an engagement.
+    /// Angle in radians after which the driver's angle is reset to the start of an engagement.
     pub reset: f64,
     /// The runs.
     pub runs: Vec<Run>,
 }
 
 impl Group {
-    /// The engagement at a friction and a torque, with this fold.
+    /// The engagement at a friction and a torque, with this reset angle.
     pub(crate) fn engagement(&self, friction: f64, torque: f64, reset: f64) -> Result<Engagement, FigureError> {
         let parameters = Parameters::new(self.mechanism, self.inertias, torque, friction)?;
         Ok(Engagement::reset_after(&parameters, reset, TOLERANCE)?)
     }
 
-    /// The mechanism's own fold, if it is another.
+    /// The mechanism's own reset angle, if it is another.
     pub(crate) fn own_reset(&self) -> Option<f64> {
         let own = 2.0 * self.mechanism.engagement_half_angle();
         ((own - self.reset).abs() > 1e-3 * own).then_some(own)

@@ -65,9 +65,9 @@ const QUANTITIES: [Quantity; 2] = [
 
 /// Rise time (until a peak within one per cent of the steady one) and mean of peak and minimum over the torque.
 ///
-/// For each friction an unbroken curve of what the runs' own fold gives, and a dashed one of the mechanism's fold if
-/// that is another; the runs of the table are marks. Meyer 1973, Figs. 9 to 11, which are lost. Series, a row for each
-/// run: friction, torque, then mean and rise time as given, with the runs' fold, and with the mechanism's.
+/// For each friction an unbroken curve of what the runs' own reset angle gives, and a dashed one of the mechanism's
+/// fold if that is another; the runs of the table are marks. Meyer 1973, Figs. 9 to 11, which are lost. Series, a row
+/// for each run: friction, torque, then mean and rise time as given, with the runs' fold, and with the mechanism's.
 ///
 /// # Errors
 ///
@@ -197,9 +197,9 @@ fn words(group: &Group, families: &[Family]) -> Words {
         ),
         if group.own_reset().is_some() {
             format!(
-                "{pins} pins. The printed speeds are those of a driver that is put back after {}, whatever the \
-                 mechanism, and not those of the mechanism as it is. The printed rise times keep to no curve: here \
-                 the time until a peak is within one per cent of the steady one, which leaps with the number of \
+                "{pins} pins. The printed speeds are those of a driver whose angle is reset after {}, whatever the \
+                 mechanism, and not those of the mechanism as it is. The printed rise times keep to no curve: here the \
+                 time until a peak is within one per cent of the steady one, which leaps with the number of \
                  engagements.",
                 degrees(group.reset)
             )

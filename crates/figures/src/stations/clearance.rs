@@ -35,7 +35,7 @@ fn check(stations: u32, pins: u32) {
     let view = View { origin: Vector2::zeros(), scale: SCALE };
     let body = outline(star.outline(0.0, &view).data());
     let crank = Bodies::crank_direction(0.0);
-    let journal = driver.journal_outline(crank, &view).map(|path| outline(path.data())).unwrap_or_default();
+    let locking_disc = driver.locking_disc_outline(crank, &view).map(|path| outline(path.data())).unwrap_or_default();
     let centres = Vector2::new(star.centre, 0.0);
     for k in -POSITIONS..=POSITIONS {
         let theta = driver.pitch() / 2.0 * f64::from(k) / f64::from(POSITIONS);
@@ -46,11 +46,11 @@ fn check(stations: u32, pins: u32) {
         let on_driver = |point: &Vector2<f64>| turned(&(turned(point, &phi) - centres), &turn.reversed());
         let on_wheel = |point: &Vector2<f64>| turned(&(turned(point, &turn) + centres), &phi.reversed());
         let place = format!("{stations} stations, {pins} pins, θ = {theta}");
-        for point in body.iter().map(on_driver).filter(|at| at.norm() < driver.journal - TOUCHING) {
-            assert!(journal.is_empty() || depth(&point, &journal) < TOUCHING, "{place}: wheel at {point}");
+        for point in body.iter().map(on_driver).filter(|at| at.norm() < driver.locking_disc - TOUCHING) {
+            assert!(locking_disc.is_empty() || depth(&point, &locking_disc) < TOUCHING, "{place}: wheel at {point}");
         }
-        for point in journal.iter().map(on_wheel).filter(|at| at.norm() < star.rim) {
-            assert!(depth(&point, &body) < TOUCHING, "{place}: journal at {point}");
+        for point in locking_disc.iter().map(on_wheel).filter(|at| at.norm() < star.rim) {
+            assert!(depth(&point, &body) < TOUCHING, "{place}: locking disc at {point}");
         }
         for pin in driver.pin_directions(crank) {
             let direction = Turn::from_radians(pin);
@@ -74,20 +74,22 @@ fn wheel_and_driver_keep_clear_of_each_other_all_the_way_round() {
 }
 
 #[test]
-fn journal_slots_and_axis_have_room() {
+fn locking_disc_slots_and_axis_have_room() {
     for stations in 3..=60 {
         let wheel = Wheel::new(stations).expect("possible");
         let star = Star::of_wheel(&wheel);
         let driver = Driver::of_wheel(&wheel, &star);
-        // The wall is as thick as the slot is wide; the journal passes inside the pins; the cut-out leaves an axis.
-        let wall = 1.0 - star.half_width - driver.journal;
+        // The wall is as thick as the slot is wide; the locking disc passes inside the pins; the cut-out leaves an
+        // axis.
+        let wall = 1.0 - star.half_width - driver.locking_disc;
         approx::assert_relative_eq!(wall, 2.0 * star.half_width, max_relative = 1e-12);
-        assert!(driver.journal + driver.pin < 1.0 && driver.pin < star.half_width);
+        assert!(driver.locking_disc + driver.pin < 1.0 && driver.pin < star.half_width);
         assert!(driver.depth > 0.0 && driver.depth < star.centre - star.rim, "{stations}");
-        // At entry the edge of the cut-out is on the line of centres: the cut-out and the journal make up the turn.
-        let edge = Vector2::new(libm::cos(driver.half_angle), libm::sin(driver.half_angle)) * driver.journal;
+        // At entry the edge of the cut-out is on the line of centres: the cut-out and the locking disc make up the
+        // turn.
+        let edge = Vector2::new(libm::cos(driver.half_angle), libm::sin(driver.half_angle)) * driver.locking_disc;
         let from_cut = (edge - Vector2::new(driver.cut_centre, 0.0)).norm();
         approx::assert_relative_eq!(from_cut, driver.cut_radius, max_relative = 1e-12);
-        assert!(star.locking_half_angle() + driver.half_angle < PI, "{stations}: the journal fills a locking arc");
+        assert!(star.locking_half_angle() + driver.half_angle < PI, "{stations}: the locking disc fills a locking arc");
     }
 }

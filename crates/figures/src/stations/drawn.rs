@@ -59,10 +59,10 @@ fn the_wheel_of_the_mechanism_is_to_scale_and_faces_the_driver() {
         let rounded = 2.0 * PIXELS + 0.01 * wheel.centre_distance_ratio();
         assert!((from(axis).fold(0.0, f64::max) - wheel.wheel_radius_ratio() * crank).abs() < rounded);
         // The nearest part of the wheel to the driver's axis is the locking arc that is centred there.
-        let journal = figure.series.rows[0][5] * crank;
-        assert!((from(driver.x).fold(f64::INFINITY, f64::min) - journal).abs() < rounded);
+        let locking_disc = figure.series.rows[0][5] * crank;
+        assert!((from(driver.x).fold(f64::INFINITY, f64::min) - locking_disc).abs() < rounded);
         assert_eq!(drawing.count("pin") as u32, wheel.pins());
-        assert_eq!(drawing.count("journal"), usize::from(wheel.dwell_fraction() > 1e-9));
+        assert_eq!(drawing.count("locking-disc"), usize::from(wheel.dwell_fraction() > 1e-9));
     }
 }
 

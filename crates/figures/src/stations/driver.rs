@@ -1,4 +1,4 @@
-//! The driver: a journal with a cut-out before each pin, and the arms that carry the pins behind the wheel.
+//! The driver: a locking disc with a cut-out before each pin, and the arms that carry the pins behind the wheel.
 
 use crate::star::Star;
 use crate::svg::{Path, Sense, View, heading};
@@ -11,7 +11,7 @@ const PIN_IN_SLOT: f64 = 0.86;
 const ARM: f64 = 1.5;
 /// How much of the gap between the driver's axis and the wheel's rim the bottom of the cut-out leaves to the driver.
 const LEFT_IN_GAP: f64 = 2.0 / 3.0;
-/// A journal narrower than this (radians) is none.
+/// A locking disc narrower than this (radians) is none.
 const NARROWEST: f64 = 1e-9;
 
 /// Lengths of a driver in crank radii, and its angles in radians.
@@ -23,9 +23,10 @@ pub struct Driver {
     pub pin: f64,
     /// Half the width of an arm.
     pub arm: f64,
-    /// Radius of the journal: that of the wheel's locking arcs.
-    pub journal: f64,
-    /// Half the angle of a cut-out: the crank angle of entry, for then the journal's edge is on the line of centres.
+    /// Radius of the locking disc: that of the wheel's locking arcs.
+    pub locking_disc: f64,
+    /// Half the angle of a cut-out: the crank angle of entry, for then the locking disc's edge is on the line of
+    /// centres.
     pub half_angle: f64,
     /// From the driver's axis to the bottom of a cut-out.
     pub depth: f64,
@@ -39,16 +40,16 @@ impl Driver {
     /// The driver of this wheel. The cut-out is a circle through three points: its bottom and both edges.
     pub fn of_wheel(wheel: &Wheel, star: &Star) -> Self {
         let half_angle = wheel.engagement_half_angle();
-        let journal = star.locking.unwrap_or_default();
+        let locking_disc = star.locking.unwrap_or_default();
         let depth = LEFT_IN_GAP * (star.centre - star.rim);
         // The edge of the cut-out along its middle line: cos(π/2 − α) = sin α.
-        let edge = journal * libm::sin(wheel.half_pitch_angle());
-        let cut_centre = (journal * journal - depth * depth) / (2.0 * (edge - depth));
+        let edge = locking_disc * libm::sin(wheel.half_pitch_angle());
+        let cut_centre = (locking_disc * locking_disc - depth * depth) / (2.0 * (edge - depth));
         Self {
             pins: wheel.pins(),
             pin: PIN_IN_SLOT * star.half_width,
             arm: ARM * star.half_width,
-            journal,
+            locking_disc,
             half_angle,
             depth,
             cut_centre,
@@ -67,17 +68,17 @@ impl Driver {
         (0..self.pins).map(move |k| crank + pitch * f64::from(k))
     }
 
-    /// Outline of the journal about the view's origin, the first pin at `crank`.
+    /// Outline of the locking disc about the view's origin, the first pin at `crank`.
     ///
     /// `None` where the cut-outs meet: a pin is always in a slot, and there is nothing to lock.
-    pub fn journal_outline(&self, crank: f64, view: &View) -> Option<Path> {
+    pub fn locking_disc_outline(&self, crank: f64, view: &View) -> Option<Path> {
         let whole = self.pitch() - 2.0 * self.half_angle;
         if whole < NARROWEST {
             return None;
         }
-        let radius = self.journal * view.scale;
+        let radius = self.locking_disc * view.scale;
         let at = |angle: f64| view.origin + heading(angle) * radius;
-        let large = self.journal * libm::cos(self.half_angle) > self.cut_centre;
+        let large = self.locking_disc * libm::cos(self.half_angle) > self.cut_centre;
         let mut path = Path::start(&at(crank - self.half_angle));
         for pin in self.pin_directions(crank) {
             let edge = pin + self.half_angle;

@@ -20,10 +20,10 @@ const WIDEST_NAME: f64 = 85.0;
 
 /// Wheel and driver at rest between two advances, to scale.
 ///
-/// The driver turns clockwise, the wheel counter-clockwise. The crank angle is chosen so that the journal fills the
-/// wheel's locking arc, if the driver has a journal that long. The journal's radius is free: it is such that the wall
-/// between a slot and a locking arc is as thick as the slot is wide. Series: N, pins, and the sizes in crank radii:
-/// centre distance, wheel, least slot length, locking arcs; then α, θ and φ as drawn.
+/// The driver turns clockwise, the wheel counter-clockwise. The crank angle is chosen so that the locking disc fills
+/// the wheel's locking arc, if the driver has a locking disc that long. The locking disc's radius is free: it is such
+/// that the wall between a slot and a locking arc is as thick as the slot is wide. Series: N, pins, and the sizes in
+/// crank radii: centre distance, wheel, least slot length, locking arcs; then α, θ and φ as drawn.
 pub fn mechanism(wheel: &Wheel) -> Figure {
     let bodies = Bodies::new(wheel, WIDTH, MARGINS);
     let (theta, phi) = (-locked_crank(&bodies), -wheel.half_pitch_angle());
@@ -33,39 +33,39 @@ pub fn mechanism(wheel: &Wheel) -> Figure {
     senses(&mut canvas, &bodies);
     names(&mut canvas, &bodies, wheel, theta);
 
-    let (l, rim, journal) = (bodies.star.centre, bodies.star.rim, bodies.driver.journal);
+    let (l, rim, locking_disc) = (bodies.star.centre, bodies.star.rim, bodies.driver.locking_disc);
     let series = Series::of_one([
         ("N", "1", f64::from(wheel.stations())),
         ("pins", "1", f64::from(wheel.pins())),
         ("l/r", "1", l),
         ("wheel/r", "1", rim),
         ("slot/r", "1", wheel.slot_length_ratio()),
-        ("journal/r", "1", journal),
+        ("locking disc/r", "1", locking_disc),
         ("alpha", "deg", wheel.half_pitch_angle().to_degrees()),
         ("theta", "deg", theta.to_degrees()),
         ("phi", "deg", phi.to_degrees()),
     ]);
-    let locks = if locks_fully(&bodies) { "The journal fills the locking arc that faces it. " } else { "" };
+    let locks = if locks_fully(&bodies) { "The locking disc fills the locking arc that faces it. " } else { "" };
     let (stations, pins) = (wheel.stations(), counted(wheel.pins(), "pin"));
     let words = Words::new(
         "wheel-mechanism",
         format!("Geneva mechanism with {stations} stations and {pins}, locked"),
         format!(
-            "At the left a star wheel with {stations} slots and a hollow locking arc between each two; at the right, at \
-             a distance of {} crank radii, the driver: a round journal with a cut-out before each pin, and {pins} on an \
-             arm that turns behind the wheel. {locks}The wheel's radius is {} \
-             crank radii, the journal's {}. The driver turns clockwise, the wheel counter-clockwise.",
+            "At the left a star wheel with {stations} slots and a hollow locking arc between each two; at the right, \
+             at a distance of {} crank radii, the driver: a round locking disc with a cut-out before each pin, and \
+             {pins} on an arm that turns behind the wheel. {locks}The wheel's radius is {} crank radii, the locking \
+             disc's {}. The driver turns clockwise, the wheel counter-clockwise.",
             significant(l, 4),
             significant(rim, 4),
-            significant(journal, 4)
+            significant(locking_disc, 4)
         ),
-        "The mechanism to scale while the wheel is locked: the journal fills a locking arc until the pin \
-                  comes round to the next slot.",
+        "The mechanism to scale while the wheel is locked: the locking disc fills a locking arc until the pin comes \
+         round to the next slot.",
     );
     words.figure(canvas, Kind::Mechanism, series)
 }
 
-/// How far before the line of centres the next pin is: half-way through the part of the dwell in which the journal
+/// How far before the line of centres the next pin is: half-way through the part of the dwell in which the locking disc
 /// fills the locking arc; in the middle of the dwell if it never does.
 fn locked_crank(bodies: &Bodies) -> f64 {
     let middle = bodies.driver.pitch() / 2.0;
@@ -76,7 +76,7 @@ fn locked_crank(bodies: &Bodies) -> f64 {
     }
 }
 
-/// Whether the journal ever fills a whole locking arc.
+/// Whether the locking disc ever fills a whole locking arc.
 fn locks_fully(bodies: &Bodies) -> bool {
     bodies.driver.half_angle + bodies.star.locking_half_angle() < bodies.driver.pitch() / 2.0
 }
@@ -102,7 +102,7 @@ fn names(canvas: &mut Canvas, at: &Bodies, wheel: &Wheel, theta: f64) {
     let end = if level { middle - up * 0.46 * scale } else { at.on_wheel(star.rim + 16.0 / scale, slot) };
     leader(canvas, &middle, &end, &(end - middle), "slot");
     let notch = nearest(0.0, step, FRAC_PI_2);
-    let locking = at.on_wheel(star.centre - driver.journal, notch);
+    let locking = at.on_wheel(star.centre - driver.locking_disc, notch);
     leader(canvas, &locking, &at.on_wheel(star.rim + 2.0 / scale, notch), &up, "locking arc");
 
     // Below the circle where it is too small to keep the name above it clear of the wheel and the arrow.
@@ -114,13 +114,13 @@ fn names(canvas: &mut Canvas, at: &Bodies, wheel: &Wheel, theta: f64) {
     let pin = nearest(crank, driver.pitch(), -1.05);
     let below = at.axis + heading(pin) * scale - up * driver.arm * scale;
     canvas.label(&below, &-up, 9.0, &Label::words("pin"));
-    if driver.pins == 1 && driver.journal * scale > WIDEST_NAME {
-        let face = at.axis - heading(crank) * (0.45 * driver.journal * scale);
-        canvas.label(&face, &Pixels::zeros(), 0.0, &Label::words("journal").bare());
+    if driver.pins == 1 && driver.locking_disc * scale > WIDEST_NAME {
+        let face = at.axis - heading(crank) * (0.45 * driver.locking_disc * scale);
+        canvas.label(&face, &Pixels::zeros(), 0.0, &Label::words("locking disc").bare());
     }
     if wheel.stations() > 3 {
         let lobe = nearest(0.0, step, -FRAC_PI_2);
-        let face = at.on_wheel(0.6 * (star.centre - driver.journal), lobe);
+        let face = at.on_wheel(0.6 * (star.centre - driver.locking_disc), lobe);
         canvas.label(&face, &Pixels::zeros(), 0.0, &Label::words("wheel").bare());
     }
 }

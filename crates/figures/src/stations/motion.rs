@@ -58,8 +58,8 @@ pub fn motion(wheel: &Wheel) -> Figure {
             steps.join("; ")
         ),
         format!(
-            "One cycle in {} positions, by crank angle θ: the advance, and the dwell. The upper drawing moves where the \
-             reader's settings allow it and rests under the pointer.",
+            "One cycle in {} positions, by crank angle θ: the advance, and the dwell. The upper drawing moves where \
+             the reader's settings allow it and rests under the pointer.",
             frames.len()
         ),
     );
@@ -101,14 +101,13 @@ fn style(name: &str, wheel: &Wheel, keys: &[Key]) -> String {
     let (stations, round) =
         (wheel.stations(), trimmed(TURN / f64::from(wheel.pins()) * f64::from(wheel.stations()), 6));
     format!(
-        "<style>@keyframes {name}-wheel{{{indexing}}}\
-         @keyframes {name}-round{{to{{transform:rotate(-360deg)}}}}\
-         @keyframes {name}-driver{{from{{transform:rotate({start}deg)}}to{{transform:rotate({end}deg)}}}}\
-         @media screen and (prefers-reduced-motion:no-preference){{\
-         .{name}-wheel{{animation:{name}-wheel {cycle}s linear infinite}}\
-         .{name}-round{{animation:{name}-round {round}s steps({stations}) infinite}}\
-         .{name}-driver{{animation:{name}-driver {turn}s linear infinite}}\
-         .{name}:hover g{{animation-play-state:paused}}}}</style>"
+        "<style>@keyframes {name}-wheel{{{indexing}}}@keyframes \
+         {name}-round{{to{{transform:rotate(-360deg)}}}}@keyframes \
+         {name}-driver{{from{{transform:rotate({start}deg)}}to{{transform:rotate({end}deg)}}}}@media screen and \
+         (prefers-reduced-motion:no-preference){{.{name}-wheel{{animation:{name}-wheel {cycle}s linear \
+         infinite}}.{name}-round{{animation:{name}-round {round}s steps({stations}) \
+         infinite}}.{name}-driver{{animation:{name}-driver {turn}s linear infinite}}.{name}:hover \
+         g{{animation-play-state:paused}}}}</style>"
     )
 }
 
@@ -138,7 +137,7 @@ fn moving(canvas: &mut Canvas, at: &Bodies, wheel: &Wheel, name: &str) {
             });
         });
         canvas.group(&about(&at.axis), |canvas| {
-            canvas.group(&turned("driver", theta), |canvas| at.draw_journal(canvas, &origin, 0.0, 2.0));
+            canvas.group(&turned("driver", theta), |canvas| at.draw_locking_disc(canvas, &origin, 0.0, 2.0));
         });
     });
 }
@@ -159,7 +158,7 @@ fn still(canvas: &mut Canvas, at: &Bodies, corner: &Pixels, number: usize, frame
 /// A dot on the arm of the wheel before the slot at `phi`, by which its turning can be followed.
 fn dot(canvas: &mut Canvas, at: &Bodies, pivot: &Pixels, phi: f64) {
     let (star, arm) = (&at.star, phi + PI / f64::from(at.star.slots));
-    let radius = 0.72 * (star.centre - at.driver.journal);
+    let radius = 0.72 * (star.centre - at.driver.locking_disc);
     let place = pivot + heading(arm) * (radius * at.view.scale);
     canvas.draw(Shape::circle(&place, (0.06 * at.view.scale).max(2.0)).fill(FOLLOWER).class("dot"));
 }

@@ -86,12 +86,12 @@ impl Bodies {
         canvas.draw(Shape::circle(about, self.dot()).fill(PAPER).stroke(FOLLOWER, width));
     }
 
-    /// The journal and the pins, in the plane of the wheel, about this point of the page.
-    pub fn draw_journal(&self, canvas: &mut Canvas, about: &Pixels, theta: f64, width: f64) {
+    /// The locking disc and the pins, in the plane of the wheel, about this point of the page.
+    pub fn draw_locking_disc(&self, canvas: &mut Canvas, about: &Pixels, theta: f64, width: f64) {
         let (view, crank) = (View { origin: *about, ..self.view }, Self::crank_direction(theta));
-        if let Some(outline) = self.driver.journal_outline(crank, &view) {
-            let journal = Shape::path(outline).fill(DRIVER).with("fill-opacity", "0.22").stroke(DRIVER, width);
-            canvas.draw(journal.with("stroke-linejoin", "round").class("journal"));
+        if let Some(outline) = self.driver.locking_disc_outline(crank, &view) {
+            let locking_disc = Shape::path(outline).fill(DRIVER).with("fill-opacity", "0.22").stroke(DRIVER, width);
+            canvas.draw(locking_disc.with("stroke-linejoin", "round").class("locking-disc"));
         }
         for pin in self.driver.pin_directions(crank) {
             let at = about + heading(pin) * view.scale;
@@ -104,7 +104,7 @@ impl Bodies {
     pub fn draw(&self, canvas: &mut Canvas, theta: f64, phi: f64, width: f64) {
         self.draw_arms(canvas, &self.axis, theta);
         self.draw_wheel(canvas, &self.pivot, phi, width);
-        self.draw_journal(canvas, &self.axis, theta, width);
+        self.draw_locking_disc(canvas, &self.axis, theta, width);
     }
 
     /// Radius of the mark of an axis in pixels: within the driver even where its cut-out is deepest.

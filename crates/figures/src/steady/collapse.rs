@@ -9,7 +9,7 @@ use geneva_dynamics::steady::SteadyState;
 
 /// Steps of a curve.
 const STEPS: u32 = 32;
-/// Of the runs that were put back at another angle than the mechanism's own.
+/// Of the runs that were reset at another angle than the mechanism's own.
 const DASHES: &str = "5 5";
 /// The panels: the beginning of their titles, and the heights of their frames.
 const PANELS: [(&str, f64); 3] = [("peak over √(", 200.0), ("minimum over √(", 200.0), ("period times √(", 230.0)];
@@ -29,7 +29,7 @@ type Results = Vec<(f64, [f64; 3])>;
 /// Peak, minimum and period of every run without scale, over the friction, with the curve of each mechanism.
 ///
 /// Speeds are over √(K / I_f), the period is times that: by the law of similarity nothing but the friction is left in
-/// the runs of one mechanism. Where the runs were put back at another angle than the mechanism's own, both curves are
+/// the runs of one mechanism. Where the runs were reset at another angle than the mechanism's own, both curves are
 /// drawn. Series, a row for each run: slots, friction, then peak, minimum and period as given, as computed for the run,
 /// and as computed for the mechanism.
 ///
@@ -78,14 +78,15 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, FigureError> {
         format!(
             "Three panels over the friction μ: peak and minimum over the root of K / I_f, and period times that root. \
              In each an unbroken curve for every mechanism, and a broken one where the program put the driver back at \
-             another angle. On the curves of what was run lie the {} runs of all torques, one over another. The farthest \
-             from these are off by {peak} % for the peaks, {minimum} % for the minima and {period} % for the periods.",
+             another angle. On the curves of what was run lie the {} runs of all torques, one over another. The \
+             farthest from these are off by {peak} % for the peaks, {minimum} % for the minima and {period} % for the \
+             periods.",
             rows.len()
         ),
         "The law of similarity: measured in the units that torque and inertias make, runs of all torques fall \
-         together, and each mechanism has one curve (unbroken). The points are the printed rows. Those of six and three \
-         pins lie on the broken curves, for a driver that is put back after 90° as the program does, and not on those of \
-         the mechanisms. What is left is rounding and, in the peaks, the time between two printed lines.",
+         together, and each mechanism has one curve (unbroken). The points are the printed rows. Those of six and \
+         three pins lie on the broken curves, for a driver whose angle is reset after 90° as the program does, and not \
+         on those of the mechanisms. What is left is rounding and, in the peaks, the time between two printed lines.",
     );
     Ok(Chart::new(panels).key(key).figure(words, Series::new(columns, rows)))
 }
@@ -135,7 +136,7 @@ fn panel(groups: &[Group], rows: &[[f64; 11]], curves: &[[Option<Results>; 2]], 
     panel
 }
 
-/// A mechanism's results without scale, over the friction, if the driver is put back after this angle.
+/// A mechanism's results without scale, over the friction, if the driver's angle is reset after this angle.
 fn curve(group: &Group, reset: f64, [from, to]: [f64; 2]) -> Result<Vec<(f64, [f64; 3])>, FigureError> {
     let point = |step: u32| {
         let friction = from + (to - from) * f64::from(step) / f64::from(STEPS);

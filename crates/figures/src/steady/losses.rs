@@ -1,4 +1,4 @@
-//! What the size of the joints costs: mean speed and contraction against it.
+//! What the size of the joints costs: mean speed and multiplier against it.
 
 use crate::chart::{Axis, Chart, Entry, Panel, kind};
 use crate::number::{significant, with_hyphens};
@@ -17,7 +17,7 @@ pub struct Line {
     pub points: Vec<(f64, f64)>,
 }
 
-/// Mean speed over that of the ideal mechanism, and contraction, over the size of a joint.
+/// Mean speed over that of the ideal mechanism, and multiplier, over the size of a joint.
 ///
 /// `speeds` and `multipliers` are the lines of the two panels; lines of the same name have the same look. `size` says
 /// what the joint's size is and its unit. Points that are no numbers are left out. Series: panel, number of the line's
@@ -42,7 +42,7 @@ pub fn losses(size: &str, speeds: &[Line], multipliers: &[Line]) -> Figure {
     } else {
         Axis::from_zero(0.0, greatest.max(1.0), 5.0)
     };
-    let titles = ["mean speed over the ideal one", "contraction"];
+    let titles = ["mean speed over the ideal one", "multiplier"];
     let panels = [0, 1].map(|k| {
         let values = || groups[k].iter().flat_map(finite).map(|point| point.1);
         let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
@@ -71,10 +71,10 @@ pub fn losses(size: &str, speeds: &[Line], multipliers: &[Line]) -> Figure {
         "joints-losses",
         "What the size of the joints costs",
         format!(
-            "Two panels over the {size}: the mean speed over that of the ideal mechanism, and the contraction. {}.",
+            "Two panels over the {size}: the mean speed over that of the ideal mechanism, and the multiplier. {}.",
             said.join("; ")
         ),
-        format!("Mean speed over that of the ideal mechanism, and contraction, over the {size}."),
+        format!("Mean speed over that of the ideal mechanism, and multiplier, over the {size}."),
     );
     let rows = groups.into_iter().enumerate().flat_map(|(panel, lines)| {
         lines.iter().flat_map(move |line| {

@@ -51,7 +51,7 @@ type Line = (f64, Vec<(f64, f64)>);
 /// Lines of equal mean terminal speed, in √(K / I_f), and of equal rise, over μ and I_D / I_f.
 ///
 /// A dotted line leads through the ratios of the inertias at which the mean speed is greatest for each friction. The
-/// rise is counted in engagements: ln 100 over −ln of the contraction. On the tinted ground there are angles at which
+/// rise is counted in engagements: ln 100 over −ln of the multiplier. On the tinted ground there are angles at which
 /// the equation of motion has none or two solutions. Designs of other mechanisms are left out. Series, for every sixth
 /// point of each line: which panel, the value, μ, I_D / I_f.
 ///
@@ -195,20 +195,20 @@ fn words(mechanism: Mechanism, own: &[&Design], shown: [usize; 2], ridge: &[(f64
         format!("steady-map-{name}-pin"),
         format!("Mean terminal speed and rise over friction and inertias, {name} pins"),
         format!(
-            "Two maps with the friction μ to the right and I_D / I_f upwards, on a logarithmic axis: {} lines of \
-             equal mean speed and {} lines of equal rise. With more friction the speed falls and the rise is shorter; \
-             with a heavier driver the rise is longer. The mean speed is greatest at a ratio of the inertias of \
-             {least} to {greatest}, by friction. In a corner with much friction and a light driver the equation of \
-             motion has no single solution.{}",
+            "Two maps with the friction μ to the right and I_D / I_f upwards, on a logarithmic axis: {} lines of equal \
+             mean speed and {} lines of equal rise. With more friction the speed falls and the rise is shorter; with a \
+             heavier driver the rise is longer. The mean speed is greatest at a ratio of the inertias of {least} to \
+             {greatest}, by friction. In a corner with much friction and a light driver the equation of motion has no \
+             single solution.{}",
             shown[0],
             shown[1],
             if said.is_empty() { String::new() } else { format!(" Marked: {}.", said.join("; ")) }
         ),
         format!(
             "{pins} pins. Above, lines of equal mean terminal speed, in units of the root of the torque over the \
-             follower's inertia; below, lines of equal number of engagements until a difference of speeds has shrunk to \
-             a hundredth. Marked: the runs; dotted: the ratio of the inertias at which the mean speed is greatest. On the tinted ground the equation of motion has no \
-             single solution."
+             follower's inertia; below, lines of equal number of engagements until a difference of speeds has shrunk \
+             to a hundredth. Marked: the runs; dotted: the ratio of the inertias at which the mean speed is greatest. \
+             On the tinted ground the equation of motion has no single solution."
         ),
     )
 }

@@ -36,8 +36,8 @@ pub struct EscapementArguments {
     /// The units of torque and inertias, where they are to be told in SI units too
     #[arg(long, value_enum)]
     pub units: Option<Units>,
-    /// Turn of the driver in degrees after which its angle is put back to the pin's entering; another than the default
-    /// is not what a mechanism does, but what a program does that folds the angle at a fixed value
+    /// Turn of the driver in degrees after which its angle is reset to the pin's entering; another than the default
+    /// is not what a mechanism does, but what a program does that resets the angle at a fixed value
     /// [default: 360 over the number of pins]
     #[arg(long, value_name = "D", value_parser = typed::degrees, allow_hyphen_values = true)]
     pub reset_deg: Option<f64>,
@@ -100,17 +100,16 @@ pub enum FigureName {
     Run,
 }
 
-const INTRODUCTION: &str = "\
-Times are in the unit of time of the torque and the inertias, and speeds in radians per unit of time: s and rad/s for lb, \
-in and s, or for N, m and kg. Crank angles are measured at the driver's axis from the line of centres, negative before it.";
+const INTRODUCTION: &str = "Times are in the unit of time of the torque and the inertias, and speeds in radians per \
+                            unit of time: s and rad/s for lb, in and s, or for N, m and kg. Crank angles are measured \
+                            at the driver's axis from the line of centres, negative before it.";
 
 /// How near to the steady speed the rise from rest must come.
 const SETTLED: f64 = 0.01;
 
 /// What the rise time is.
-const RISE_TIME: &str = "\
-time from rest, with a pin at its entry, until an engagement begins with at least 99 % of the entry speed of the steady \
-state";
+const RISE_TIME: &str = "time from rest, with a pin at its entry, until an engagement begins with at least 99 % of the \
+                         entry speed of the steady state";
 
 /// Relative error that integrals are asked for. As [`Engagement::new`] does.
 const TOLERANCE: f64 = 1e-12;
@@ -145,8 +144,8 @@ fn parameters(wanted: &EscapementArguments) -> anyhow::Result<Parameters> {
     let inertias = Inertias::new(wanted.driver_inertia, wanted.follower_inertia)?;
     match Parameters::new(mechanism, inertias, wanted.torque, wanted.friction) {
         Err(Error::TooMuchFriction { asked, limit, angle }) => bail!(
-            "--friction {}: from {limit} on the mechanism may jam: the equation of motion has no single solution {:.2}° to \
-             either side of the line of centres; give less friction, or a driver with more inertia",
+            "--friction {}: from {limit} on the mechanism may jam: the equation of motion has no single solution \
+             {:.2}° to either side of the line of centres; give less friction, or a driver with more inertia",
             as_typed(asked),
             angle.to_degrees()
         ),
@@ -154,7 +153,7 @@ fn parameters(wanted: &EscapementArguments) -> anyhow::Result<Parameters> {
     }
 }
 
-/// The modulus of a mechanism in degrees: 360 over the number of pins, a whole number.
+/// The reset angle of a mechanism in degrees: 360 over the number of pins, a whole number.
 pub fn own_reset(mechanism: Mechanism) -> f64 {
     360.0 / f64::from(mechanism.pins())
 }
@@ -174,13 +173,13 @@ fn unsteady(wanted: &EscapementArguments, error: Error) -> anyhow::Error {
     match error {
         Error::Reset { asked, limit } => no_reset(wanted.reset_deg.unwrap_or(asked.to_degrees()), limit),
         Error::NoTerminalSpeed { .. } => anyhow!(
-            "--friction {friction}: there is no terminal speed, because nothing brakes and the driver gains speed without \
-             end; give a friction above zero, or --format csv for the run from rest"
+            "--friction {friction}: there is no terminal speed, because nothing brakes and the driver gains speed \
+             without end; give a friction above zero, or --format csv for the run from rest"
         ),
         Error::TooSharp { angle, margin } => anyhow!(
             "--friction {friction}, --driver-inertia {}, --follower-inertia {}: the motion changes too quickly to be \
-             computed at {:.2}° from the line of centres, where A − |D| is {margin:.1e}; give less friction, or inertias \
-             that are less different",
+             computed at {:.2}° from the line of centres, where A − |D| is {margin:.1e}; give less friction, or \
+             inertias that are less different",
             as_typed(wanted.driver_inertia),
             as_typed(wanted.follower_inertia),
             angle.to_degrees()
@@ -189,10 +188,10 @@ fn unsteady(wanted: &EscapementArguments, error: Error) -> anyhow::Error {
     }
 }
 
-/// A modulus that is out of range, and the range. The limit is in radians.
+/// A reset angle that is out of range, and the range. The limit is in radians.
 pub fn no_reset(asked_deg: f64, limit: f64) -> anyhow::Error {
     anyhow!(
-        "--reset-deg {}: the driver's angle must be put back after a turn above 0° and below {}°, where the pin is \
+        "--reset-deg {}: the driver's angle must be reset after a turn above 0° and below {}°, where the pin is \
          farthest from the follower; give one between, or leave it out for what a mechanism does",
         as_typed(asked_deg),
         limit.to_degrees().round()
@@ -234,11 +233,11 @@ fn report(
 fn mechanism_fields(parameters: &Parameters, reset_deg: f64, units: Option<Units>) -> Vec<Field> {
     let (mechanism, inertias, torque) = (parameters.mechanism(), parameters.inertias(), parameters.torque());
     let own = own_reset(mechanism);
-    let modulus = if reset_deg == own {
+    let reset_angle = if reset_deg == own {
         "turn of the driver from one pin's entering to the next's".to_owned()
     } else {
         format!(
-            "turn of the driver after which its angle is put back; what follows is a calculation's, for the next pin \
+            "turn of the driver after which its angle is reset; what follows is a calculation's, for the next pin \
              enters after {own}°"
         )
     };
@@ -252,7 +251,7 @@ fn mechanism_fields(parameters: &Parameters, reset_deg: f64, units: Option<Units
         Field::new("inertia_ratio", inertias.ratio()).line("inertia ratio", "driver's over follower's"),
         Field::in_unit("engagement_half_angle_deg", mechanism.engagement_half_angle().to_degrees(), "°")
             .line("half-angle", "crank angle where a pin leaves its slot; it enters as far before the line"),
-        Field::in_unit("reset_deg", reset_deg, "°").line("modulus", modulus),
+        Field::in_unit("reset_deg", reset_deg, "°").line("reset angle", reset_angle),
     ];
     if let Some(unit) = units.map(Units::torque_n_m) {
         fields.extend([
@@ -295,15 +294,18 @@ fn steady_fields(state: &SteadyState, passes_centres: bool) -> Vec<Field> {
     let switches: Vec<_> =
         passes_centres.then_some(0.0).into_iter().chain(state.switch_angle.map(f64::to_degrees)).collect();
     let told: Vec<_> = switches.iter().map(|degrees| format!("{}°", angle(*degrees))).collect();
-    let told =
-        if told.is_empty() { "none within the modulus".to_owned() } else { format!("at {}", told.join(" and at ")) };
+    let told = if told.is_empty() {
+        "none within the reset angle".to_owned()
+    } else {
+        format!("at {}", told.join(" and at "))
+    };
     vec![
         Field::new("entry_speed", state.entry_speed).line("entry speed", "of the driver, as a pin enters"),
         Field::new("peak_speed", state.peak.speed).line("peak speed", format!("at {}°", angle(peak))),
         Field::new("peak_angle_deg", peak),
         Field::new("minimum_speed", state.minimum.speed).line("minimum speed", format!("at {}°", angle(minimum))),
         Field::new("minimum_angle_deg", minimum),
-        Field::new("mean_speed", state.mean_speed).line("mean speed", "modulus over period"),
+        Field::new("mean_speed", state.mean_speed).line("mean speed", "reset angle over period"),
         Field::new("mean_of_extremes", state.mean_of_extremes()).line("mean of extremes", "of peak and minimum speed"),
         Field::new("period", state.period).line("period", "from one engagement to the next"),
         Field::new("multiplier", state.multiplier)
@@ -329,7 +331,7 @@ fn rise_fields(rise: Option<(usize, f64)>) -> Vec<Field> {
 /// Engagements and time of the rise from rest; none if it takes more engagements than the library counts.
 ///
 /// The more the speed, the nearer to the line of centres is the switch, and the more an engagement contracts: below the
-/// steady speed it contracts by no more than there. So the contraction of the steady state tells how many engagements
+/// steady speed it contracts by no more than there. So the multiplier of the steady state tells how many engagements
 /// are needed at least, and a rise that is too long for certain is not tried.
 pub fn rise(engagement: &Engagement, steady: &SteadyState) -> Result<Option<(usize, f64)>, Error> {
     let enough = (1.0 - SETTLED) * (1.0 - SETTLED);
@@ -353,11 +355,11 @@ fn drawing(wanted: &EscapementArguments, parameters: &Parameters, engagement: &E
             mechanism(&escapement, -escapement.engagement_half_angle() / 3.0)?.svg
         }
         FigureName::NormalForce => {
-            if let Some(modulus) = wanted.reset_deg {
+            if let Some(reset_angle) = wanted.reset_deg {
                 ensure!(
-                    modulus == own_reset(parameters.mechanism()),
+                    reset_angle == own_reset(parameters.mechanism()),
                     "--reset-deg {}: the normal force is drawn over an engagement of the mechanism; leave it out",
-                    as_typed(modulus)
+                    as_typed(reset_angle)
                 );
             }
             normal_force(parameters, steady()?.entry_speed)?.svg

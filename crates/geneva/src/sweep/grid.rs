@@ -46,14 +46,15 @@ impl Grid {
         let rows = axes.into_iter().fold(1_u64, u64::saturating_mul);
         ensure!(
             rows <= MOST_ROWS,
-            "{} frictions × {} inertia ratios × {} torques × {} numbers of slots: more than {MOST_ROWS} rows; give smaller counts",
+            "{} frictions × {} inertia ratios × {} torques × {} numbers of slots: more than {MOST_ROWS} rows; give \
+             smaller counts",
             axes[0],
             axes[1],
             axes[2],
             axes[3]
         );
-        if let Some(modulus) = wanted.reset_deg {
-            mechanisms.iter().try_for_each(|mechanism| reset(*mechanism, modulus))?;
+        if let Some(reset_angle) = wanted.reset_deg {
+            mechanisms.iter().try_for_each(|mechanism| reset(*mechanism, reset_angle))?;
         }
         Ok(Self {
             mechanisms,
@@ -87,7 +88,7 @@ impl Grid {
     }
 }
 
-/// Whether the driver's angle can be put back after so many degrees: asked of an escapement that is easy to compute.
+/// Whether the driver's angle can be reset after so many degrees: asked of an escapement that is easy to compute.
 fn reset(mechanism: Mechanism, reset_deg: f64) -> anyhow::Result<()> {
     let easy = Parameters::new(mechanism, Inertias::new(1.0, 1.0)?, 1.0, 0.0)?;
     match Engagement::reset_after(&easy, reset_deg.to_radians(), 1e-6) {

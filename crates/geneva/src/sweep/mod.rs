@@ -40,7 +40,7 @@ pub struct SweepArguments {
     /// Moment of inertia of the follower about its axis, above zero
     #[arg(long, value_name = "I", value_parser = typed::positive, default_value = "1", allow_hyphen_values = true)]
     pub follower_inertia: f64,
-    /// Turn of the driver in degrees after which its angle is put back to the pin's entering, one for all slots
+    /// Turn of the driver in degrees after which its angle is reset to the pin's entering, one for all slots
     /// [default: 360 over the number of pins, which is what a mechanism does]
     #[arg(long, value_name = "D", value_parser = typed::degrees, allow_hyphen_values = true)]
     pub reset_deg: Option<f64>,

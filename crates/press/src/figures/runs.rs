@@ -87,7 +87,7 @@ pub fn map(mechanism: Mechanism) -> anyhow::Result<Figure> {
     Ok(steady::map(mechanism, &designs()?)?)
 }
 
-/// Mean speed and contraction over the radius of the pin, of the driver's journal, and of the follower's.
+/// Mean speed and multiplier over the radius of the pin, of the driver's journal, and of the follower's.
 pub fn losses() -> anyhow::Result<Figure> {
     /// Friction of the journals.
     const BEARINGS: f64 = 0.2;

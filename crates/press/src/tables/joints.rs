@@ -1,4 +1,4 @@
-//! What a thick pin and rubbing journals make of the thesis's mechanisms.
+//! What a pin of finite radius and rubbing journals make of the thesis's mechanisms.
 
 use crate::html::{Cells, table};
 use crate::rows::{parameters, weakest};
@@ -18,7 +18,7 @@ const COMPARED: [(f64, f64, f64); 8] = [
     (0.1, 0.2, 0.2),
 ];
 
-/// Mean speed over that with ideal joints, and contraction, of the three mechanisms.
+/// Mean speed over that with ideal joints, and multiplier, of the three mechanisms.
 pub fn effects() -> anyhow::Result<String> {
     let joints = |(pin_radius, journals, friction): (f64, f64, f64)| Joints {
         pin_radius,
@@ -38,9 +38,14 @@ pub fn effects() -> anyhow::Result<String> {
     }
     let pins = Mechanism::ALL.map(|mechanism| format!("{} pins: mean speed", mechanism.pins()));
     let [first, second, third] = &pins;
-    let head = ["Joints", first, "contraction", second, "contraction", third, "contraction"];
+    let head = ["Joints", first, "multiplier", second, "multiplier", third, "multiplier"];
     let cells = cells.into_iter().map(Ok);
-    table("Mean speed and contraction with a thick pin and rubbing journals", Cells::NamedNumbers, &head, cells)
+    table(
+        "Mean speed and multiplier with a pin of finite radius and rubbing journals",
+        Cells::NamedNumbers,
+        &head,
+        cells,
+    )
 }
 
 fn named((pin, journals, friction): (f64, f64, f64)) -> String {

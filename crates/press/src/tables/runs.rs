@@ -71,7 +71,7 @@ pub fn integrator() -> anyhow::Result<String> {
         "minimum, ppm",
         "period, ppm",
         "digits",
-        "late sign: peak, ppm",
+        "lagged sign: peak, ppm",
         "minimum, ppm",
         "period, ppm",
         "digits",

@@ -30,7 +30,7 @@ pub fn settling() -> anyhow::Result<String> {
         ])
     });
     let ratio = formula("I_D/I_f", false)?;
-    let head = ["Follower", &ratio, "contraction", "engagements to 1%", "period, ms", "time to 1%, ms"];
+    let head = ["Follower", &ratio, "multiplier", "engagements to 1%", "period, ms", "time to 1%, ms"];
     table("Settling with a lighter follower", Cells::NamedNumbers, &head, rows)
 }
 

@@ -13,7 +13,7 @@ fn a_thicker_pin_speeds_the_timer_up_and_everything_else_slows_it_down() {
         for varied in Varied::ALL {
             let most = match varied {
                 Varied::PinRadius => 0.15,
-                Varied::FollowerPreload | Varied::DriverPreload => 0.1,
+                Varied::FollowerDragTorque | Varied::DriverDragTorque => 0.1,
                 _ => 0.2,
             };
             let values = (0..=5).map(|k| most * f64::from(k) / 5.0);
@@ -122,14 +122,16 @@ fn speeds_scale_with_the_root_of_the_torque_unless_a_torque_is_constant() {
     assert_relative_eq!(four.mean_speed, 2.0 * once.mean_speed, max_relative = 1e-12);
     assert_relative_eq!(four.peak.speed, 2.0 * once.peak.speed, max_relative = 1e-12);
     assert_relative_eq!(four.multiplier, once.multiplier, max_relative = 1e-12);
-    for with_drag_torque in [Joints { driver_preload: 0.1, ..loaded }, Joints { follower_preload: 0.02, ..loaded }] {
+    for with_drag_torque in
+        [Joints { driver_drag_torque: 0.1, ..loaded }, Joints { follower_drag_torque: 0.02, ..loaded }]
+    {
         let (once, four) = (scaled(1.0, with_drag_torque), scaled(4.0, with_drag_torque));
-        // The preload weighs less against a stronger spring.
+        // The drag torque weighs less against a stronger spring.
         assert!(four.mean_speed > 2.001 * once.mean_speed, "{} {}", once.mean_speed, four.mean_speed);
-        // With the preloads scaled too, the law holds again.
+        // With the drag torques scaled too, the law holds again.
         let scaled_too = Joints {
-            driver_preload: 4.0 * with_drag_torque.driver_preload,
-            follower_preload: 4.0 * with_drag_torque.follower_preload,
+            driver_drag_torque: 4.0 * with_drag_torque.driver_drag_torque,
+            follower_drag_torque: 4.0 * with_drag_torque.follower_drag_torque,
             ..with_drag_torque
         };
         let four = scaled(4.0, scaled_too);
@@ -141,7 +143,7 @@ fn speeds_scale_with_the_root_of_the_torque_unless_a_torque_is_constant() {
 fn journals_alone_brake_and_constant_torques_alone_do_not() {
     let parameters = parameters(Mechanism::FOUR_PIN, 3.0 / 50.0, 0.0);
     let steady = |joints| escapement(&parameters, joints).steady_state_in(1024);
-    for joints in [Joints::IDEAL, Joints { driver_preload: 0.1, follower_preload: 0.1, ..Joints::IDEAL }] {
+    for joints in [Joints::IDEAL, Joints { driver_drag_torque: 0.1, follower_drag_torque: 0.1, ..Joints::IDEAL }] {
         let error = steady(joints).expect_err("nothing brakes faster running more");
         assert!(matches!(error, Error::NoTerminalSpeed { .. }), "{error}");
         assert!(error.to_string().contains("grows with the load"), "{error}");
@@ -160,7 +162,7 @@ fn a_pin_of_any_radius_bears_where_it_would_without_friction() {
         let inertia = spread.between(0.05, 2.0);
         let smooth = escapement(&parameters(Mechanism::FOUR_PIN, inertia, 0.0), Joints::IDEAL);
         let rough = parameters(Mechanism::FOUR_PIN, inertia, spread.between(0.0, 0.35));
-        let joints = Joints { driver_preload: 0.0, follower_preload: 0.0, ..spread.joints() };
+        let joints = Joints { driver_drag_torque: 0.0, follower_drag_torque: 0.0, ..spread.joints() };
         let Ok(rough) = Escapement::new(&rough, joints) else { continue };
         let angle = Mechanism::FOUR_PIN.engagement_half_angle() * spread.between(-1.0, 1.0);
         let speed = spread.between(0.0, 3.0);

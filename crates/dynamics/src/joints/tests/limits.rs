@@ -102,8 +102,8 @@ fn impossible_values_are_named() {
             Joints { driver_journal: bad, ..Joints::IDEAL },
             Joints { follower_journal: bad, ..Joints::IDEAL },
             Joints { bearing_friction: bad, ..Joints::IDEAL },
-            Joints { driver_preload: bad, ..Joints::IDEAL },
-            Joints { follower_preload: bad, ..Joints::IDEAL },
+            Joints { driver_drag_torque: bad, ..Joints::IDEAL },
+            Joints { follower_drag_torque: bad, ..Joints::IDEAL },
         ];
         for joints in sizes {
             let error = Escapement::new(&parameters, joints).expect_err("bad size");
@@ -112,7 +112,7 @@ fn impossible_values_are_named() {
     }
     let refused = |joints| Escapement::new(&parameters, joints).expect_err("refused");
     assert!(matches!(refused(Joints { pin_radius: 1.0, ..Joints::IDEAL }), Error::PinTooThick { .. }));
-    assert!(matches!(refused(Joints { driver_preload: 1.0, ..Joints::IDEAL }), Error::Preload { .. }));
+    assert!(matches!(refused(Joints { driver_drag_torque: 1.0, ..Joints::IDEAL }), Error::DragTorque { .. }));
     // A product that is not a number is refused too.
     let endless = Joints { follower_journal: f64::MAX, bearing_friction: f64::MAX, ..Joints::IDEAL };
     assert!(matches!(refused(endless), Error::SelfLocking { .. }));

@@ -47,8 +47,8 @@ impl Spread {
             driver_journal: some(0.3),
             follower_journal: some(0.2),
             bearing_friction: some(0.2),
-            driver_preload: some(0.3),
-            follower_preload: some(0.2),
+            driver_drag_torque: some(0.3),
+            follower_drag_torque: some(0.2),
         }
     }
 }

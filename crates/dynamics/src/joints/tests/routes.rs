@@ -41,7 +41,7 @@ fn without_sizes_the_steady_motion_is_the_ideal_one() {
             println!("{mechanism:?} {friction}: {} steps, change {:e}", ours.steps, ours.change);
             let state = ours.state;
             let off = [state.duration / ideal.period, state.peak.speed / ideal.peak.speed].map(|ratio| ratio - 1.0);
-            println!("period and peak off by {off:?}; contraction by {:e}", state.multiplier / ideal.multiplier - 1.0);
+            println!("period and peak off by {off:?}; multiplier by {:e}", state.multiplier / ideal.multiplier - 1.0);
             assert_relative_eq!(state.entry_speed, ideal.entry_speed, max_relative = 1e-9);
             assert_relative_eq!(state.peak.speed, ideal.peak.speed, max_relative = 1e-9);
             assert_relative_eq!(state.minimum.speed, ideal.minimum.speed, max_relative = 1e-9);
@@ -69,7 +69,7 @@ impl System<f64, Vector2<f64>> for InTime {
 #[test]
 fn steps_of_time_lead_to_the_same_exit() {
     let joints =
-        Joints { pin_radius: 0.1, follower_preload: 0.02, driver_preload: 0.05, ..Joints::journals(0.1, 0.15) };
+        Joints { pin_radius: 0.1, follower_drag_torque: 0.02, driver_drag_torque: 0.05, ..Joints::journals(0.1, 0.15) };
     for mechanism in Mechanism::ALL {
         let escapement = escapement(&like_the_thesis(mechanism), joints);
         let half = mechanism.engagement_half_angle();

@@ -10,7 +10,7 @@ fn samples() -> Vec<Escapement> {
         Joints { pin_radius: 0.1, ..Joints::IDEAL },
         Joints::journals(0.15, 0.15),
         Joints { pin_radius: 0.12, ..Joints::journals(0.1, 0.1) },
-        Joints { pin_radius: 0.05, driver_preload: 0.1, follower_preload: 0.02, ..Joints::journals(0.1, 0.1) },
+        Joints { pin_radius: 0.05, driver_drag_torque: 0.1, follower_drag_torque: 0.02, ..Joints::journals(0.1, 0.1) },
     ];
     let all = Mechanism::ALL.into_iter().flat_map(|mechanism| sizes.map(|joints| (mechanism, joints)));
     all.map(|(mechanism, joints)| escapement(&like_the_thesis(mechanism), joints)).collect()
@@ -94,17 +94,17 @@ fn extremes_are_where_the_driver_does_not_accelerate() {
 }
 
 #[test]
-fn a_preload_that_is_too_great_stalls_the_driver() {
+fn a_drag_torque_that_is_too_great_stalls_the_driver() {
     let parameters = like_the_thesis(Mechanism::FOUR_PIN);
     let stopped = |drag_torque| {
-        let joints = Joints { follower_preload: drag_torque, ..Joints::IDEAL };
+        let joints = Joints { follower_drag_torque: drag_torque, ..Joints::IDEAL };
         escapement(&parameters, joints).steady_state_in(512)
     };
-    // Slower and slower with the preload, until none is slow enough.
+    // Slower and slower with the drag torque, until none is slow enough.
     let mean = |drag_torque| stopped(drag_torque).ok().map(|state| state.mean_speed);
     let means: Vec<_> = (0..40).map(|k| mean(0.02 * f64::from(k))).collect();
     let running = means.iter().take_while(|mean| mean.is_some()).count();
-    println!("the driver stalls from a preload of {}", 0.02 * running as f64);
+    println!("the driver stalls from a drag torque of {}", 0.02 * running as f64);
     assert!(running > 5 && running < 40 && means[running..].iter().all(Option::is_none), "{means:?}");
     assert!(means[..running].windows(2).all(|pair| pair[1] < pair[0]), "{means:?}");
     let error = stopped(1.5).expect_err("the follower's bearing holds it");

@@ -69,7 +69,8 @@ impl Instant {
             moment(from_driver, force) + bearing(joints.driver_journal),
         );
         let across_rate = -(pin * (speed * speed)).dot(&across) - 2.0 * outward * follower_speed;
-        let known = Vector3::new(across_rate, -joints.follower_preload, parameters.torque() - joints.driver_preload);
+        let known =
+            Vector3::new(across_rate, -joints.follower_drag_torque, parameters.torque() - joints.driver_drag_torque);
         let solution = system.lu().solve(&known).expect("three independent equations");
         let force = force * solution[2];
         let parting = relative.dot(&across);
@@ -123,8 +124,12 @@ fn newton_and_euler_say_the_same_by_vectors() {
     for_instants(|escapement, angle, instant, flank| {
         let motion = escapement.motion(angle, instant.speed).expect("one acceleration");
         assert_eq!(motion.flank, flank);
-        let ours =
-            [motion.angular_acceleration, motion.follower_gain, motion.normal_moment, motion.sliding * instant.speed];
+        let ours = [
+            motion.angular_acceleration,
+            motion.follower_acceleration,
+            motion.normal_moment,
+            motion.sliding * instant.speed,
+        ];
         let witness = [instant.solution[0], instant.solution[1], instant.solution[2], instant.sliding];
         let scale = 1.0 + instant.speed * instant.speed + witness.iter().fold(0.0, |most, one| one.abs().max(most));
         for (ours, witness) in ours.into_iter().zip(witness) {
@@ -163,8 +168,8 @@ fn the_power_of_the_spring_goes_into_motion_and_friction() {
         // Each loss from vectors.
         let (joints, load) = (escapement.joints(), instant.force.norm());
         let journal = |radius: f64, drag_torque: f64| joints.bearing_friction * radius * load + drag_torque;
-        let driver = journal(joints.driver_journal, joints.driver_preload) * instant.speed;
-        let follower = journal(joints.follower_journal, joints.follower_preload) * instant.follower_speed;
+        let driver = journal(joints.driver_journal, joints.driver_drag_torque) * instant.speed;
+        let follower = journal(joints.follower_journal, joints.follower_drag_torque) * instant.follower_speed;
         for (ours, witness) in [(power.driver_bearing, driver), (power.follower_bearing, follower)] {
             assert!((ours - witness).abs() < 1e-12 * scale, "{ours} {witness}");
         }

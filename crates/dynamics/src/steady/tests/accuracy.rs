@@ -31,7 +31,7 @@ fn the_tolerance_is_met() {
                         ("minimum", one.minimum.speed, finest.minimum.speed),
                         ("period", one.period, finest.period),
                         ("switch", switch, same),
-                        ("contraction", libm::log(one.multiplier), libm::log(finest.multiplier)),
+                        ("multiplier", libm::log(one.multiplier), libm::log(finest.multiplier)),
                     ] {
                         let error = (a / b - 1.0).abs();
                         worst = worst.max(error);

@@ -28,7 +28,7 @@ fn the_steady_state_is_handed_on_unchanged() {
 }
 
 #[test]
-fn two_motions_approach_by_the_contraction() {
+fn two_motions_approach_by_the_multiplier() {
     for engagement in samples() {
         let steady = engagement.steady_state().expect("a terminal speed").entry_speed;
         for part in [0.5, 1.0, 1.7] {
@@ -57,7 +57,7 @@ fn without_friction_the_energy_is_the_work_of_the_torque() {
         let error = engagement.steady_state().expect_err("nothing brakes");
         assert_eq!(error, Error::NoTerminalSpeed { multiplier: 1.0 });
         assert!(matches!(engagement.rise(0.01), Err(Error::NoTerminalSpeed { .. })));
-        // A fold elsewhere than at the exit loses the energy of the follower each time: it brakes.
+        // A reset angle elsewhere than at the exit loses the energy of the follower each time: it brakes.
         let reset_after =
             Engagement::reset_after(engagement.parameters(), engagement.reset() * 1.2, 1e-12).expect("in range");
         let (steady, end) =
@@ -89,7 +89,7 @@ fn speeds_scale_with_the_root_of_the_torque_over_the_inertia() {
                 ("peak", steady.peak.speed * scaling.speed, other.peak.speed),
                 ("minimum", steady.minimum.speed * scaling.speed, other.minimum.speed),
                 ("period", steady.period * scaling.time, other.period),
-                ("contraction", steady.multiplier, other.multiplier),
+                ("multiplier", steady.multiplier, other.multiplier),
                 ("angle", steady.minimum.angle, other.minimum.angle),
             ] {
                 assert!((one / other - 1.0).abs() < 1e-13, "{mechanism:?} {torque} {inertia} {name}: {one} {other}");
@@ -111,7 +111,7 @@ fn the_rise_ends_where_each_definition_says() {
             assert!(cycle.start <= cycle.peak.time && cycle.peak.time <= cycle.end);
             last = cycle.end;
         }
-        // The difference of squares falls by the contraction, in the end.
+        // The difference of squares falls by the multiplier, in the end.
         let gap = |cycle: &super::super::Cycle| steady.entry_speed.powi(2) - cycle.end_speed.powi(2);
         let near = rise.cycles.windows(2).find(|pair| gap(&pair[0]) < 1e-3 * steady.entry_speed.powi(2)).expect("near");
         let factor = gap(&near[1]) / gap(&near[0]);

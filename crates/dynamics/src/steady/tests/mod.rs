@@ -16,7 +16,7 @@ pub fn escapement(mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> Pa
     Parameters::new(mechanism, inertias, 1.0, friction).expect("a sound escapement")
 }
 
-/// Escapements of all kinds, with their engagement as it is, or folded sooner or later.
+/// Escapements of all kinds, with their engagement as it is, or reset sooner or later.
 pub fn samples() -> Vec<Engagement> {
     let mut samples = Vec::new();
     for mechanism in Mechanism::ALL {
@@ -26,7 +26,7 @@ pub fn samples() -> Vec<Engagement> {
             samples.push(Engagement::new(&escapement).expect("an engagement"));
             for part in [0.3, 0.5, 0.6, 0.8, 1.1, 1.3] {
                 let reset = Engagement::reset_after(&escapement, natural * part, 1e-12);
-                samples.push(reset.expect("a fold in range"));
+                samples.push(reset.expect("a reset angle in range"));
             }
         }
     }

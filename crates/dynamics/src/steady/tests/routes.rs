@@ -177,7 +177,7 @@ fn a_run_in_small_steps_from_rest_prints_the_same() {
         let escapement = escapement(mechanism, 0.07, if mechanism == Mechanism::SIX_PIN { 0.21 } else { 0.33 });
         let natural = 2.0 * mechanism.engagement_half_angle();
         for reset in [natural, natural * 1.2] {
-            let engagement = Engagement::reset_after(&escapement, reset, 1e-12).expect("a fold in range");
+            let engagement = Engagement::reset_after(&escapement, reset, 1e-12).expect("a reset angle in range");
             let lines = engagement.run(0.125, 8.0).expect("a run");
             let half = natural / 2.0;
             let mut rates = |_: f64, state: &Vector2<f64>| {

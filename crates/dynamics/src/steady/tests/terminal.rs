@@ -44,7 +44,7 @@ fn without_the_extremes_the_numbers_are_the_same() {
             }
         }
     }
-    // Only without friction, folded at the exit, is there none.
+    // Only without friction, reset at the exit, is there none.
     assert_eq!(found, samples().len() + 3 * 9 * 2 * (6 * 7 - 1));
 }
 
@@ -75,7 +75,8 @@ fn at_the_ends_of_the_range_both_give_numbers_or_both_refuse() {
 
 #[test]
 fn what_was_asked_for_before_changes_nothing() {
-    // Stretches with the minus sign are made when they are asked for: from rest the switch comes late, fast it is early.
+    // Stretches with the minus sign are made when they are asked for: from rest the switch comes late, fast it is
+    // early.
     for mechanism in Mechanism::ALL {
         let escapement = escapement(mechanism, 0.07, 0.21);
         let fresh = || Engagement::new(&escapement).expect("an engagement");

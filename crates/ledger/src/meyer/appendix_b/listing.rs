@@ -1,4 +1,4 @@
-//! The program line by line: its constants, its factors, and the angle it folds.
+//! The program line by line: its constants, its factors, and the angle it resets.
 //!
 //! The text of the program is not printed here. What its lines compute is a fact, and [`program`] computes it too.
 
@@ -38,7 +38,7 @@ fn constants() -> Vec<Claim> {
                 Finding::new(holds, "the line of H, read and evaluated there, is zero: a pin enters along its slot")
             })
             .by(LimitCase, |stated| {
-                // The folded angle starts at X0 and ends as far on the other side.
+                // The reset angle starts at X0 and ends as far on the other side.
                 let holds = Mechanism::ALL.iter().all(|mechanism| {
                     let start = start_angle(*mechanism, stated);
                     agrees(start + 2.0 * PI / f64::from(mechanism.pins()), -start)

@@ -1,9 +1,9 @@
-//! The fold of the driver's angle: with every pin the engagement begins again.
+//! The reset angle of the driver's angle: with every pin the engagement begins again.
 
 use super::*;
 use crate::meyer::slips::RESET_ANGLE;
 
-/// The fold of the driver's angle. A quarter of a turn is right for four pins only.
+/// The reset angle of the driver's angle. A quarter of a turn is right for four pins only.
 pub fn reset(
     id: &'static str,
     place: Place,
@@ -33,12 +33,12 @@ pub fn reset(
         .corrected(corrected, RESET_ANGLE)
 }
 
-/// After which angle the driver is put back: that between two pins, or as printed.
+/// After which angle the driver's angle is reset: that between two pins, or as printed.
 fn modulus(at: &Mechanism, stated: Stated) -> f64 {
     stated.pick(at.driver_pitch_angle(), printed("meyer.listing.quarter-turn"))
 }
 
-/// Whether the folded angle runs from entry to exit and no farther, for each escapement with its modulus.
+/// Whether the reset angle runs from entry to exit and no farther, for each escapement with its modulus.
 fn resets(modulus: impl Fn(&Mechanism) -> f64) -> Finding {
     let ends: Vec<String> = Mechanism::ALL
         .iter()

@@ -66,7 +66,7 @@ pub fn of_headings() -> Claim {
             "The runs summed up below a heading, this one and that of three pins, are of the mechanism that it names.",
         )
         .corrected(
-            "Six Pin Mechanism, with the driver put back after 90° (and so the Three Pin Mechanism)",
+            "Six Pin Mechanism, with the driver's angle reset after 90° (and so the Three Pin Mechanism)",
             RESET_ANGLE,
         )
 }
@@ -104,8 +104,8 @@ fn best_of(mechanism: Mechanism, column: Column) -> [f64; 2] {
     fits.min_by(|(a, _), (b, _)| a.total_cmp(b)).map_or([f64::NAN; 2], |(_, pair)| pair)
 }
 
-/// Sum of the squares of the relative misfits of a column: of the peaks by the solution over the angle, of the minima in
-/// steps. Infinite for inertias with which the equation has no solution.
+/// Sum of the squares of the relative misfits of a column: of the peaks by the solution over the angle, of the minima
+/// in steps. Infinite for inertias with which the equation has no solution.
 fn misfit(mechanism: Mechanism, column: Column, pair: [f64; 2]) -> f64 {
     let reset = Hypothesis::WITHOUT_LAG.angle(mechanism);
     let found = |row: &Row| {

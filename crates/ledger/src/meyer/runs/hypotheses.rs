@@ -40,8 +40,8 @@ impl Score {
     }
 }
 
-/// The hypotheses that are compared: all choices of fold, inertias and reading, from the mechanism as it is to the runs
-/// as they were; then what the program does besides.
+/// The hypotheses that are compared: all choices of reset angle, inertias and reading, from the mechanism as it is to
+/// the runs as they were; then what the program does besides.
 fn compared() -> Vec<Hypothesis> {
     let mut all = Vec::new();
     for reset in [Reset::OfTheMechanism, Reset::QuarterTurn] {

@@ -1,7 +1,7 @@
 //! A run with the lagged sign of the program, from Newton's laws: the second route to what the program gives.
 //!
 //! Forces and accelerations are vectors, lengths are in crank radii. Steps are equal; a step is cut short where the pin
-//! changes over to the other flank in the program's belief, and where the driver is put back.
+//! changes over to the other flank in the program's belief, and where the driver's angle is reset.
 
 use super::{Hypothesis, Row, interval};
 use geneva_dynamics::program::Program;
@@ -26,7 +26,7 @@ struct Card {
     ratio: f64,
     /// Crank angle at the start of an engagement, in rad.
     start: f64,
-    /// Angle after which the driver is put back, in rad.
+    /// Angle after which the driver's angle is reset, in rad.
     reset: f64,
     /// Moments of inertia of driver and follower, in in lb s².
     inertias: [f64; 2],

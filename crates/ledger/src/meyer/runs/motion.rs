@@ -8,7 +8,7 @@ use geneva_mimic::AtSmallestStep;
 use std::collections::HashMap;
 use std::sync::{Mutex, OnceLock};
 
-/// After which angle the driver is put back to the start of an engagement.
+/// After which angle the driver's angle is reset to the start of an engagement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Reset {
     /// After the angle between two pins.
@@ -47,7 +47,7 @@ pub enum Constants {
 /// What the runs might have been.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hypothesis {
-    /// The fold.
+    /// The reset angle.
     pub reset: Reset,
     /// The inertias of the six-pin runs.
     pub six_pin: SixPin,
@@ -86,8 +86,8 @@ impl Run {
 }
 
 impl Hypothesis {
-    /// The one that explains the tables: one fold for all, the inertias of Fig. 11, peaks as printed. With the sign
-    /// exact it has a solution over the angle; see [`as_run`](Self::as_run) for what the program adds.
+    /// The one that explains the tables: one reset angle for all, the inertias of Fig. 11, peaks as printed. With the
+    /// sign exact it has a solution over the angle; see [`as_run`](Self::as_run) for what the program adds.
     pub const WITHOUT_LAG: Self = Self {
         reset: Reset::QuarterTurn,
         six_pin: SixPin::AsDrawn,
@@ -118,7 +118,7 @@ impl Hypothesis {
         })
     }
 
-    /// The fold in radians.
+    /// The reset angle in radians.
     pub fn angle(&self, mechanism: Mechanism) -> f64 {
         match self.reset {
             Reset::OfTheMechanism => 2.0 * PI / f64::from(mechanism.pins()),
@@ -247,8 +247,8 @@ pub fn duration() -> f64 {
     printed("meyer.listing.run-length")
 }
 
-/// The integrator as far as the thesis tells, the rest as it is by default. A step may be longer than the delay; the old
-/// acceleration is then that of the step before.
+/// The integrator as far as the thesis tells, the rest as it is by default. A step may be longer than the delay; the
+/// old acceleration is then that of the step before.
 pub fn usual() -> geneva_mimic::Parameters {
     geneva_mimic::Parameters {
         at_smallest_step: AtSmallestStep::Continue,

@@ -5,8 +5,8 @@ use super::steps;
 use geneva_dynamics::program::{Line, Printout};
 
 impl Run {
-    /// From the lines of a run whose driver is put back after `reset` radians: the greatest speed of all, and the least
-    /// speed and the duration of the last whole engagement. None if the run has no two hand-overs.
+    /// From the lines of a run whose driver's angle is reset after `reset` radians: the greatest speed of all, and the
+    /// least speed and the duration of the last whole engagement. None if the run has no two hand-overs.
     pub fn read_off(printout: &Printout, reset: f64) -> Option<Self> {
         let lines = &printout.lines;
         let last = (lines.last()?.turned / reset).floor();

@@ -16,8 +16,8 @@ impl Hypothesis {
     /// Reset angle, inertias and reading, then what differs from the usual: each in words, and briefly.
     fn parts(&self, which: fn([&'static str; 2]) -> &'static str) -> Vec<&'static str> {
         let reset = match self.reset {
-            Reset::OfTheMechanism => ["angle put back after 360°/m", "back after 360°/m"],
-            Reset::QuarterTurn => ["after 90° for all", "back after 90°"],
+            Reset::OfTheMechanism => ["angle reset after 360°/m", "reset after 360°/m"],
+            Reset::QuarterTurn => ["after 90° for all", "reset after 90°"],
         };
         let inertias = match self.six_pin {
             SixPin::AsHeaded => ["six-pin inertias as headed", "inertias as headed"],
