@@ -68,7 +68,7 @@ fn the_sheet_says_what_the_object_says() {
             ("least slot length", &["slot_length_ratio", "slot_length_mm"]),
             ("motion fraction", &["motion_fraction"]),
             ("dwell fraction", &["dwell_fraction"]),
-            ("advance time", &["indexing_time_s"]),
+            ("indexing time", &["indexing_time_s"]),
             ("dwell time", &["dwell_time_s"]),
             ("peak velocity", &["peak_velocity_ratio", "peak_speed_rad_s"]),
             ("entry acceleration", &["entry_acceleration_ratio", "entry_acceleration_rad_s2"]),

@@ -39,7 +39,7 @@ pub struct EscapementArguments {
     /// Turn of the driver in degrees after which its angle is reset to the pin's entering; another than the default
     /// is not what a mechanism does, but what a program does that resets the angle at a fixed value
     /// [default: 360 over the number of pins]
-    #[arg(long, value_name = "D", value_parser = typed::degrees, allow_hyphen_values = true)]
+    #[arg(long, alias = "modulus-deg", value_name = "D", value_parser = typed::degrees, allow_hyphen_values = true)]
     pub reset_deg: Option<f64>,
     /// How long the run from rest lasts; only with --format csv
     /// [default: the rise and three periods more, or a hundred engagements if that is less; ten without friction]

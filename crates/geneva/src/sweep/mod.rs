@@ -42,7 +42,7 @@ pub struct SweepArguments {
     pub follower_inertia: f64,
     /// Turn of the driver in degrees after which its angle is reset to the pin's entering, one for all slots
     /// [default: 360 over the number of pins, which is what a mechanism does]
-    #[arg(long, value_name = "D", value_parser = typed::degrees, allow_hyphen_values = true)]
+    #[arg(long, alias = "modulus-deg", value_name = "D", value_parser = typed::degrees, allow_hyphen_values = true)]
     pub reset_deg: Option<f64>,
     /// How the values of a range are spaced that does not say so itself
     #[arg(long, value_enum, default_value_t)]

@@ -113,7 +113,7 @@ fn what_has_no_meaning_is_named() {
 fn derivatives_are_taken_by_what_stands_under_the_line() {
     // x = t³ + θ² θ'⁴ at t = 2, θ = 3, θ' = 1.5, all three of them free.
     let letters = |[t, angle, speed]: [f64; 3]| -> Letters {
-        let x = t.powi(3) + angle.powi(2) * speed.powi(4);
+        let x = t * t * t + angle * angle * (speed * speed) * (speed * speed);
         [("x", x), ("theta", angle), ("theta'", speed), ("dT/dtheta", 5.0)].map(|(n, v)| (n.to_owned(), v)).into()
     };
     let here = [2.0, 3.0, 1.5];
