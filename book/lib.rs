@@ -32,5 +32,5 @@ chapters! {
     ledger_meyer_runs = "src/ledger-meyer-runs.md",
     coverage = "src/coverage.md",
     coverage_meyer = "src/coverage-meyer.md",
-    house = "src/house.md",
+    architecture = "src/architecture.md",
 }

@@ -18,13 +18,13 @@ const MAY_USE: &[(&str, &[&str])] = &[
 fn dependencies() -> Vec<(String, String, bool)> {
     let mut found = Vec::new();
     for entry in std::fs::read_dir(crate::path("crates")).expect("the crates") {
-        let room = entry.expect("readable").file_name().to_string_lossy().into_owned();
-        let text = std::fs::read_to_string(crate::path(&format!("crates/{room}/Cargo.toml"))).expect("a manifest");
+        let package = entry.expect("readable").file_name().to_string_lossy().into_owned();
+        let text = std::fs::read_to_string(crate::path(&format!("crates/{package}/Cargo.toml"))).expect("a manifest");
         let manifest: Table = text.parse().expect("TOML");
         for section in ["dependencies", "dev-dependencies", "build-dependencies"] {
             for (name, value) in manifest.get(section).and_then(|used| used.as_table()).into_iter().flatten() {
                 let inherited = value.get("workspace").and_then(|of| of.as_bool()) == Some(true);
-                found.push((room.clone(), name.clone(), inherited));
+                found.push((package.clone(), name.clone(), inherited));
             }
         }
     }
@@ -33,18 +33,20 @@ fn dependencies() -> Vec<(String, String, bool)> {
 
 #[test]
 fn dependencies_point_one_way() {
-    for (room, name, _) in dependencies() {
+    for (package, name, _) in dependencies() {
         let Some(name) = name.strip_prefix("geneva-") else { continue };
-        let (_, allowed) =
-            MAY_USE.iter().find(|(known, _)| *known == room).unwrap_or_else(|| panic!("say here what {room} may use"));
-        assert!(allowed.contains(&name), "{room} must not use {name}");
+        let (_, allowed) = MAY_USE
+            .iter()
+            .find(|(known, _)| *known == package)
+            .unwrap_or_else(|| panic!("say here what {package} may use"));
+        assert!(allowed.contains(&name), "{package} must not use {name}");
     }
 }
 
 #[test]
 fn versions_stand_in_one_place() {
-    for (room, name, inherited) in dependencies() {
-        assert!(inherited, "{room}: {name} takes its version from the workspace");
+    for (package, name, inherited) in dependencies() {
+        assert!(inherited, "{package}: {name} takes its version from the workspace");
     }
 }
 
@@ -75,7 +77,7 @@ fn nothing_is_switched_off_or_left_unfinished() {
 
 #[test]
 fn no_printed_decimal_stands_outside_the_ledger() {
-    for room in [
+    for package in [
         "crates/kinematics",
         "crates/dynamics",
         "crates/mimic",
@@ -84,7 +86,7 @@ fn no_printed_decimal_stands_outside_the_ledger() {
         "crates/geneva",
         "tests",
     ] {
-        for (path, text) in crate::files(room, &[".rs"]) {
+        for (path, text) in crate::files(package, &[".rs"]) {
             for (at, line) in text.lines().enumerate() {
                 for token in numeric_tokens(line) {
                     let owner = crate::owner(&token);
@@ -104,10 +106,10 @@ fn formulas_use_no_mathematics_of_the_platform() {
     ];
     // Modules of tests alone: what they compute is compared, not pinned.
     let tests = ["program/tests.rs", "judge_tests.rs", "drawn.rs", "clearance.rs", "figures/src/checks.rs"];
-    for room in
+    for package in
         ["crates/kinematics/src", "crates/dynamics/src", "crates/mimic/src", "crates/ledger/src", "crates/figures/src"]
     {
-        for (path, text) in crate::files(room, &[".rs"]) {
+        for (path, text) in crate::files(package, &[".rs"]) {
             if tests.iter().any(|name| path.ends_with(name)) || path.iter().any(|part| part == "tests") {
                 continue;
             }

@@ -1,4 +1,4 @@
-//! What the sources print, what we compute, and the verdict: the only room that knows both.
+//! What the sources print, what we compute, and the verdict: the only crate that knows both.
 //!
 //! A claim is one row: a stable id, where it stands in its source, the printed characters, how the quantity is
 //! computed, a second route that shares no code with the first, and the verdict that is expected. [`judge`] derives

@@ -116,7 +116,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
             "The thesis line by line; [what coverage means](coverage.md) is told with the other sources.",
             Records::Lines(&[Work::Meyer1973]),
         ),
-        page("house", "The house"),
+        page("architecture", "Architecture"),
     ]
 });
 
