@@ -123,10 +123,9 @@ pub fn with_unit(characters: &str, unit: &str) -> String {
 
 /// The computed number with some places more than are printed.
 fn computed(judged: &Judged) -> Option<String> {
-    const MORE: usize = 3;
     let number = judged.computed?;
     Some(match judged.claim.printed.parse::<Decimal>() {
-        Ok(printed) => format!("{number:.*}", printed.places() as usize + MORE),
+        Ok(printed) => format!("{number:.*}", printed.places() as usize + Decimal::MORE_PLACES),
         Err(_) => number.to_string(),
     })
 }

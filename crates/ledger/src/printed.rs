@@ -95,6 +95,9 @@ fn groups_of_three(whole: &str) -> bool {
 }
 
 impl Decimal {
+    /// How many places more than the printed number a computed one is shown with.
+    pub const MORE_PLACES: usize = 3;
+
     /// Digits behind the point; none for a fraction.
     pub fn places(&self) -> u32 {
         self.places.unwrap_or(0)

@@ -87,7 +87,7 @@ impl Program {
     /// A reset angle that is not positive, or whatever stops the integrator: a bad parameter of its own, a step that
     /// becomes too small, an angle at which the equation has no single solution.
     pub fn run(&self, integrator: &geneva_mimic::Parameters) -> Result<Printout, Error> {
-        positive("fold", self.reset)?;
+        positive("reset angle", self.reset)?;
         for (name, asked) in [("start of an engagement", self.start), ("centre distance ratio", self.ratio)] {
             if !asked.is_finite() {
                 return Err(Error::NotFinite { name, asked });

@@ -12,7 +12,7 @@ use std::sync::{LazyLock, OnceLock};
 pub const TOLERANCES: RangeInclusive<f64> = 1e-13..=1e-6;
 
 /// Most subintervals, of sixteen nodes each, into which half an engagement is divided.
-pub const MOST_STRETCHES: usize = 4096;
+pub const MOST_SUBINTERVALS: usize = 4096;
 
 /// The motion over one engagement of an escapement, worked out but for the speed at entry.
 ///
@@ -183,7 +183,7 @@ impl Engagement {
                 let plus = self.solution(&nodes, self.friction);
                 let before = self.subintervals.last().map_or((1.0, 0.0), Subinterval::after);
                 self.subintervals.push(Subinterval { nodes, plus, before, trailing: OnceLock::new() });
-            } else if self.subintervals.len() + rest.len() < MOST_STRETCHES && low < middle && middle < high {
+            } else if self.subintervals.len() + rest.len() < MOST_SUBINTERVALS && low < middle && middle < high {
                 let child = |which: usize| number.map(|number| number.saturating_mul(2).saturating_add(which));
                 rest.push((middle, high, child(2)));
                 rest.push((low, middle, child(1)));
@@ -273,7 +273,7 @@ impl Engagement {
     }
 
     /// Into how many subintervals, of sixteen nodes each, half the engagement was divided.
-    pub fn stretches(&self) -> usize {
+    pub fn subintervals(&self) -> usize {
         self.subintervals.len()
     }
 }

@@ -22,7 +22,7 @@ pub struct Cycle {
     pub peak: Extreme,
     /// Least speed, with the time from the start of the run.
     pub minimum: Extreme,
-    /// Fold over duration.
+    /// Reset angle over duration.
     pub mean_speed: f64,
 }
 

@@ -24,7 +24,7 @@ pub struct SteadyState {
     pub minimum: Extreme,
     /// Units of time from one engagement to the next.
     pub period: f64,
-    /// Fold over period. Meyer 1973, Recommendation 7, asks for it.
+    /// Reset angle over period. Meyer 1973, Recommendation 7, asks for it.
     pub mean_speed: f64,
     /// Crank angle in radians where friction changes its sign past the line of centres; none if the end comes before.
     ///

@@ -66,8 +66,8 @@ const QUANTITIES: [Quantity; 2] = [
 /// Rise time (until a peak within one per cent of the steady one) and mean of peak and minimum over the torque.
 ///
 /// For each friction an unbroken curve of what the runs' own reset angle gives, and a dashed one of the mechanism's
-/// fold if that is another; the runs of the table are marks. Meyer 1973, Figs. 9 to 11, which are lost. Series, a row
-/// for each run: friction, torque, then mean and rise time as given, with the runs' fold, and with the mechanism's.
+/// reset angle if that is another; the runs of the table are marks. Meyer 1973, Figs. 9 to 11, which are lost. Series, a row
+/// for each run: friction, torque, then mean and rise time as given, with the runs' reset angle, and with the mechanism's.
 ///
 /// # Errors
 ///

@@ -300,7 +300,8 @@ fn steady_fields(state: &SteadyState, passes_centres: bool) -> Vec<Field> {
         format!("at {}", told.join(" and at "))
     };
     vec![
-        Field::new("entry_speed", state.entry_speed).line("entry speed", "of the driver, as a pin enters"),
+        Field::new("entry_speed", state.entry_speed)
+            .line("entry speed", "of the driver, as a pin enters: the terminal speed"),
         Field::new("peak_speed", state.peak.speed).line("peak speed", format!("at {}°", angle(peak))),
         Field::new("peak_angle_deg", peak),
         Field::new("minimum_speed", state.minimum.speed).line("minimum speed", format!("at {}°", angle(minimum))),

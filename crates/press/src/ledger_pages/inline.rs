@@ -6,9 +6,6 @@ use crate::{lookup, maths, numbers};
 use anyhow::anyhow;
 use geneva_ledger::{Decimal, Judged, Verdict, claims, in_full};
 
-/// How many places more than the printed number a computed one is shown with.
-const MORE_PLACES: usize = 3;
-
 /// The printed characters with their unit.
 pub fn printed(id: &str) -> anyhow::Result<String> {
     let claim = lookup::judged(id)?.claim;
@@ -78,9 +75,9 @@ pub fn rounded(judged: &Judged, number: f64) -> String {
     let printed: Option<Decimal> = judged.claim.printed.parse().ok();
     let places = match printed {
         // A fraction has no last place to go by.
-        Some(_) if judged.claim.printed.contains('/') => 2 * MORE_PLACES,
-        Some(decimal) => decimal.places() as usize + MORE_PLACES,
-        None => MORE_PLACES,
+        Some(_) if judged.claim.printed.contains('/') => 2 * Decimal::MORE_PLACES,
+        Some(decimal) => decimal.places() as usize + Decimal::MORE_PLACES,
+        None => Decimal::MORE_PLACES,
     };
     numbers::fixed(number, places)
 }

@@ -11,7 +11,7 @@ const REFERENCE: f64 = 1e-13;
 #[test]
 fn the_tolerance_is_met() {
     for tolerance in [1e-6, 1e-8, 1e-10, 1e-12] {
-        let (mut worst, mut stretches, mut count) = (0.0_f64, 0, 0);
+        let (mut worst, mut subintervals, mut count) = (0.0_f64, 0, 0);
         for mechanism in Mechanism::ALL {
             for quarter in -12..=12 {
                 let inertia = libm::exp10(f64::from(quarter) / 4.0);
@@ -20,9 +20,9 @@ fn the_tolerance_is_met() {
                     let escapement = escapement(mechanism, inertia, limit * part);
                     let [one, finest] = [tolerance, REFERENCE].map(|tolerance| {
                         let engagement = Engagement::with_tolerance(&escapement, tolerance).expect("an engagement");
-                        (engagement.stretches(), engagement.steady_state().expect("a terminal speed"))
+                        (engagement.subintervals(), engagement.steady_state().expect("a terminal speed"))
                     });
-                    (stretches, count) = (stretches + one.0, count + 1);
+                    (subintervals, count) = (subintervals + one.0, count + 1);
                     let (one, finest) = (one.1, finest.1);
                     let [switch, same] = [one, finest].map(|steady| steady.switch_angle.expect("a switch"));
                     for (name, a, b) in [
@@ -43,7 +43,7 @@ fn the_tolerance_is_met() {
                 }
             }
         }
-        println!("{tolerance:e}: {worst:e} with {:.1} stretches", f64::from(stretches as u32) / f64::from(count));
+        println!("{tolerance:e}: {worst:e} with {:.1} subintervals", f64::from(subintervals as u32) / f64::from(count));
     }
 }
 

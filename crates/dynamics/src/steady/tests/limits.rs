@@ -97,7 +97,7 @@ fn impossible_requests_are_named() {
     let escapement = escapement(Mechanism::FOUR_PIN, 0.07, 0.21);
     for reset in [0.0, -1.0, f64::NAN, f64::INFINITY, PI + PI / 4.0, 9.0] {
         let error = Engagement::reset_after(&escapement, reset, 1e-12).expect_err("no reset angle");
-        assert!(matches!(error, Error::Reset { .. }) && error.to_string().contains("fold"), "{error}");
+        assert!(matches!(error, Error::Reset { .. }) && error.to_string().contains("reset angle"), "{error}");
     }
     for tolerance in [0.0, -1.0, 1.0, f64::NAN, TOLERANCES.start() / 2.0, TOLERANCES.end() * 2.0] {
         let error = Engagement::with_tolerance(&escapement, tolerance).expect_err("no tolerance");
