@@ -7,7 +7,8 @@
 use super::number::Number;
 use super::tree::Function;
 use super::{Display, Illegible, Moment};
-use geneva_kinematics::{Expression, Field, Identity};
+use crate::Finding;
+use geneva_kinematics::{Expression, Field, Identity, prove};
 
 /// An expression has the four operations and whole powers, and no function.
 impl Number for Expression {
@@ -33,22 +34,44 @@ impl Number for Expression {
     }
 }
 
-/// An equation by its characters: left side minus right side, in the variables that its letters are made of.
-pub struct Characters(Expression);
+/// What the letters stand for, for either sign of what stands between bars: 1 or −1.
+pub type Exact = fn(i64) -> Moment<Expression>;
 
-impl Characters {
-    /// Reads an equation of two sides.
-    ///
-    /// # Errors
-    ///
-    /// If it cannot be read, if it has not two sides, or if a letter stands for nothing.
-    pub fn read(tex: &str, letters: &Moment<Expression>) -> Result<Self, Illegible> {
-        Display::read_line(tex)?.difference(letters).map(Self)
+/// How many variables the letters of a display are made of, at most.
+const VARIABLES: usize = 9;
+
+/// Proves an equation for both signs of what stands between bars, or refutes it; with it, that what is given for half
+/// powers is their value.
+///
+/// What cannot be read is neither right nor wrong. Characters and letters stand in the ledger's own text: a display that
+/// its letters do not suffice for is a mistake there, which must not pass for a slip of the source.
+pub fn decide(tex: &str, letters: Exact) -> Finding {
+    let mut parts: Vec<Expression> = Vec::new();
+    for moment in [1, -1].map(letters) {
+        let display = Display::read_line(tex).and_then(|display| display.differences(&moment));
+        let differences = display.unwrap_or_else(|illegible: Illegible| panic!("{tex}: {illegible}"));
+        for part in differences.into_iter().chain(moment.conditions()) {
+            // Without bars both signs are one case.
+            if !parts.contains(&part) {
+                parts.push(part);
+            }
+        }
+    }
+    let findings: Vec<Finding> = parts.into_iter().map(|part| prove::<VARIABLES>(&Zero(part)).into()).collect();
+    match findings.iter().find(|finding| !finding.holds) {
+        Some(refuted) => refuted.clone(),
+        None => {
+            let how: Vec<_> = findings.into_iter().map(|finding| finding.how).collect();
+            Finding::new(true, format!("the characters: {}", how.join("; ")))
+        }
     }
 }
 
-impl<const V: usize> Identity<V> for Characters {
-    fn difference(&self, _: [Expression; V]) -> Expression {
+/// The statement that an expression is zero.
+struct Zero(Expression);
+
+impl Identity<VARIABLES> for Zero {
+    fn difference(&self, _: [Expression; VARIABLES]) -> Expression {
         self.0
     }
 }
