@@ -4,7 +4,6 @@ use super::friction::energy_gained;
 use super::instants::{equal, holds, moments};
 use super::letters::{mechanism, opposed};
 use super::*;
-use geneva_dynamics::derivation::MomentArm;
 use geneva_dynamics::energy::MomentArmIsSliding;
 use geneva_dynamics::{Inertias, Parameters, Sign};
 use geneva_kinematics::Mechanism;
@@ -141,7 +140,7 @@ fn forces() -> Vec<Claim> {
                 r"Q_\theta = \tau",
                 "the generalised force is the torque on the driver",
             )
-            .proven(MomentArm)
+            .proven_by(opposed)
             .read(ClosedForm, holds),
         vector_sum(),
     ]

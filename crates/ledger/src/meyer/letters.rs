@@ -65,6 +65,7 @@ pub fn mechanism(bars: i64) -> Moment<Expression> {
         ("K", torque),
         ("tau_1", torque),
         ("tau_2", rubbing),
+        ("tau", torque + rubbing),
         ("Q_theta", force),
         ("Q_k", force),
         ("T", follower * energy.value()),

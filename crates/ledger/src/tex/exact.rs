@@ -9,6 +9,7 @@ use super::tree::Function;
 use super::{Display, Illegible, Moment};
 use crate::Finding;
 use geneva_kinematics::{Expression, Field, Identity, prove};
+use std::collections::HashSet;
 
 /// An expression has the four operations and whole powers, and no function.
 impl Number for Expression {
@@ -46,25 +47,25 @@ const VARIABLES: usize = 9;
 /// What cannot be read is neither right nor wrong. Characters and letters stand in the ledger's own text: a display that
 /// its letters do not suffice for is a mistake there, which must not pass for a slip of the source.
 pub fn decide(tex: &str, letters: Exact) -> Finding {
-    let mut parts: Vec<Expression> = Vec::new();
+    let (mut parts, mut conditions) = (Vec::new(), Vec::new());
     for moment in [1, -1].map(letters) {
         let display = Display::read_line(tex).and_then(|display| display.differences(&moment));
-        let differences = display.unwrap_or_else(|illegible: Illegible| panic!("{tex}: {illegible}"));
-        for part in differences.into_iter().chain(moment.conditions()) {
-            // Without bars both signs are one case.
-            if !parts.contains(&part) {
-                parts.push(part);
-            }
-        }
+        parts.extend(display.unwrap_or_else(|illegible: Illegible| panic!("{tex}: {illegible}")));
+        conditions.extend(moment.conditions());
     }
-    let findings: Vec<Finding> = parts.into_iter().map(|part| prove::<VARIABLES>(&Zero(part)).into()).collect();
-    match findings.iter().find(|finding| !finding.holds) {
-        Some(refuted) => refuted.clone(),
-        None => {
-            let how: Vec<_> = findings.into_iter().map(|finding| finding.how).collect();
-            Finding::new(true, format!("the characters: {}", how.join("; ")))
-        }
-    }
+    let findings: Vec<Finding> = without_repetition(parts).map(|part| prove(&Zero(part)).into()).collect();
+    let given = || without_repetition(conditions).map(|condition| prove(&Zero(condition)).into());
+    let refuted = findings.iter().find(|finding| !finding.holds).cloned();
+    refuted.or_else(|| given().find(|finding: &Finding| !finding.holds)).unwrap_or_else(|| {
+        let how: Vec<_> = findings.into_iter().map(|finding| finding.how).collect();
+        Finding::new(true, how.join("; "))
+    })
+}
+
+/// Without bars both signs are one case.
+fn without_repetition(parts: Vec<Expression>) -> impl Iterator<Item = Expression> {
+    let mut seen = HashSet::new();
+    parts.into_iter().filter(move |part| seen.insert(*part))
 }
 
 /// The statement that an expression is zero.
