@@ -1,8 +1,7 @@
 //! Equation of motion of the Geneva escapement: a driver with pins all round, a slotted follower, a constant torque.
 //!
 //! The formulas are generic over a [`Field`](geneva_kinematics::Field), so that they run on `f64`, on power series
-//! and on exact rationals. The equation is derived twice: by Lagrange's equation, display by display, in
-//! [`derivation`], and from the balance of energy in [`energy`].
+//! and on exact rationals. The equation is derived from the balance of energy in [`energy`].
 //!
 //! Notation: `r` crank radius, `c = a r` centre distance, θ crank angle from the line of centres, φ follower angle,
 //! `R` distance of the pin from the follower's pivot, μ friction between pin and slot, `K` torque on the driver, `I_D`
@@ -12,7 +11,6 @@
 //!
 //! This crate holds no number that a source prints, does no input or output, and knows nothing of claims or books.
 
-pub mod derivation;
 pub mod energy;
 pub mod equation;
 pub mod equation_proofs;
@@ -28,6 +26,7 @@ pub mod program;
 mod proving;
 mod sign;
 pub mod similarity;
+pub mod singularity;
 pub mod steady;
 pub mod timer;
 

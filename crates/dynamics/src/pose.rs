@@ -72,11 +72,6 @@ impl<S: Field> Pose<S> {
             shape: Jet::constant(self.shape.clone()),
         }
     }
-
-    /// The pose with every number taken through `f`.
-    pub fn map<T>(self, f: impl Fn(S) -> T) -> Pose<T> {
-        Pose { numerator: f(self.numerator), cross: f(self.cross), square: f(self.square), shape: f(self.shape) }
-    }
 }
 
 #[cfg(test)]

@@ -11,6 +11,9 @@ pub type Number = dyn Fn() -> f64 + Send + Sync;
 /// A way to find whether an equation holds.
 pub type Test = dyn Fn() -> Finding + Send + Sync;
 
+/// Whether characters hold in the place of those of an equation.
+pub type Decision = dyn Fn(&str) -> Finding + Send + Sync;
+
 /// A way to find whether a statement holds, which is asked for the right one and for its neighbour.
 pub type Choice = dyn Fn(Stated) -> Finding + Send + Sync;
 
@@ -36,6 +39,8 @@ pub enum Check {
         printed: Route<Test>,
         /// The corrected equation, if the printed one fails.
         corrected: Option<Arc<Test>>,
+        /// What decides on the characters of both, if it is they that are proven.
+        decide: Option<Arc<Decision>>,
         /// Another route to the equation that is right: the corrected one if there is one, else the printed one.
         witness: Route<Test>,
         /// How its characters are read, if the ledger itself reads them.

@@ -15,6 +15,13 @@ pub(crate) fn characters(id: &str) -> &'static str {
     named(id).printed
 }
 
+/// The characters of a display that is cut into lines, each a claim of its own: the right ones, but these for the line
+/// with the id `own`.
+pub(crate) fn in_display(lines: &[&str], own: &str, tex: &str) -> String {
+    let line = |id: &&str| if *id == own { tex } else { named(id).right_characters() };
+    lines.iter().map(line).collect::<Vec<_>>().join(" ")
+}
+
 /// What stands right of the first equals sign in the claim with this id.
 pub(crate) fn right_side(id: &str) -> &'static str {
     characters(id).split_once('=').map_or_else(|| panic!("{id} is no equation"), |(_, right)| right)

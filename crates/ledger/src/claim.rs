@@ -1,8 +1,11 @@
 //! One row of the ledger.
 
-use crate::checks::reads;
+use crate::checks::{in_display, reads};
 use crate::slugs::slugs;
-use crate::{Check, Choice, Erratum, Evidence, Finding, Number, Reader, Route, Slip, Stated, Test, Verdict, Work};
+use crate::tex::{Exact, decide};
+use crate::{
+    Check, Choice, Decision, Erratum, Evidence, Finding, Number, Reader, Route, Slip, Stated, Test, Verdict, Work,
+};
 use geneva_kinematics::{Identity, prove};
 use std::marker::PhantomData;
 use std::sync::Arc;
@@ -65,6 +68,7 @@ pub struct Unwitnessed<R: ?Sized> {
     claim: Claim,
     first: Route<R>,
     corrected: Option<Arc<R>>,
+    decide: Option<Arc<Decision>>,
 }
 
 impl Place {
@@ -136,7 +140,7 @@ impl<R: ?Sized> Unchecked<R> {
     }
 
     fn first(self, evidence: Evidence, run: Arc<R>) -> Unwitnessed<R> {
-        Unwitnessed { claim: self.claim, first: Route { evidence, run }, corrected: None }
+        Unwitnessed { claim: self.claim, first: Route { evidence, run }, corrected: None, decide: None }
     }
 }
 
@@ -166,6 +170,25 @@ impl Unchecked<Test> {
     pub fn proven<const V: usize>(self, identity: impl Identity<V> + Send + Sync + 'static) -> Unwitnessed<Test> {
         self.by(Evidence::ExactIdentity, move || prove(&identity).into())
     }
+
+    /// The printed characters are proven with these letters. If they are corrected, they are refuted, and the corrected
+    /// ones are proven.
+    pub fn proven_by(self, letters: Exact) -> Unwitnessed<Test> {
+        self.decided(move |tex| decide(tex, letters))
+    }
+
+    /// The same in a display that is cut into lines, each a claim of its own: the others have their right characters.
+    pub fn proven_in(self, lines: &'static [&'static str], letters: Exact) -> Unwitnessed<Test> {
+        let own = self.claim.id;
+        self.decided(move |tex| decide(&in_display(lines, own, tex), letters))
+    }
+
+    /// The same by what proves or refutes characters in the place of the printed ones.
+    pub fn decided(self, decide: impl Fn(&str) -> Finding + Send + Sync + 'static) -> Unwitnessed<Test> {
+        let (printed, decide) = (self.claim.printed, Arc::new(decide));
+        let first = Arc::clone(&decide);
+        Unwitnessed { decide: Some(decide), ..self.by(Evidence::ExactIdentity, move || first(printed)) }
+    }
 }
 
 impl Unwitnessed<Test> {
@@ -178,8 +201,8 @@ impl Unwitnessed<Test> {
     /// Whether the right equation holds, by a route that shares no code with the first.
     pub fn by(self, evidence: Evidence, run: impl Fn() -> Finding + Send + Sync + 'static) -> Claim {
         let witness = Route { evidence, run: Arc::new(run) as Arc<Test> };
-        let check = Check::Equation { printed: self.first, corrected: self.corrected, witness, reader: None };
-        Claim { check, ..self.claim }
+        let Self { claim, first: printed, corrected, decide } = self;
+        Claim { check: Check::Equation { printed, corrected, decide, witness, reader: None }, ..claim }
     }
 
     /// The right characters hold wherever they are read and evaluated, and the printed ones do not if they are corrected.
@@ -285,7 +308,12 @@ impl Claim {
     /// Records that what is printed is wrong, and what should stand there.
     #[must_use]
     pub fn corrected(self, corrected: &'static str, slip: Slip) -> Self {
-        self.expecting(Verdict::Corrected).with_erratum(Erratum { corrected, slip })
+        let mut claim = self.expecting(Verdict::Corrected).with_erratum(Erratum { corrected, slip });
+        if let Check::Equation { corrected: form, decide: Some(decide), .. } = &mut claim.check {
+            let decide = Arc::clone(decide);
+            *form = Some(Arc::new(move || decide(corrected)));
+        }
+        claim
     }
 
     /// Records that the printed digits are what a slip of the source gives.

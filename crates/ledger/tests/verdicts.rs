@@ -123,10 +123,10 @@ fn a_wrong_route_is_noticed() {
                     broken.push(with(&computed, &witness, Some([one, number(other.evidence)])));
                 }
             }
-            Check::Equation { printed, corrected, witness, reader } => {
+            Check::Equation { printed, corrected, decide, witness, reader } => {
                 let with = |printed: &Route<Test>, corrected, witness: &Route<Test>| {
                     let [printed, witness] = [printed, witness].map(Route::clone);
-                    Check::Equation { printed, corrected, witness, reader }
+                    Check::Equation { printed, corrected, decide: decide.clone(), witness, reader }
                 };
                 let (first, second) = (fails(printed.evidence), fails(witness.evidence));
                 broken.push(with(&printed, corrected.clone(), &second));

@@ -2,11 +2,11 @@
 
 use super::appendix_b::{start_line, start_solves};
 use super::instants::equal;
+use super::letters::start;
 use super::reading::Moment;
 use super::slips::LOST_DOTS;
 use super::*;
-use geneva_dynamics::derivation::{Form, StartingAcceleration, StartingEquation, StartingLine};
-use geneva_dynamics::{Coefficients, Pose, Sign};
+use geneva_dynamics::{Coefficients, Pose};
 use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
 
@@ -95,7 +95,6 @@ fn equations() -> Vec<Claim> {
             ("meyer.app-d.at-rest", "Appendix D, 1st equation"),
             "Eq. (1-19) at rest",
             r"A\ddot{\theta} + |D\dot{\theta}| = E",
-            [|| proven(StartingLine::Bars, Form::Printed), || proven(StartingLine::Bars, Form::Corrected)],
             r"A\ddot{\theta} + |D\ddot{\theta}| = E",
         ),
         LETTERS
@@ -155,10 +154,6 @@ fn equations() -> Vec<Claim> {
             ("meyer.app-d.with-letters", "Appendix D, 2nd equation"),
             "the same with the letters of the start",
             r"R\ddot{\theta} + |V\dot{\theta}| = E",
-            [
-                || proven(StartingLine::StartingLetters, Form::Printed),
-                || proven(StartingLine::StartingLetters, Form::Corrected),
-            ],
             r"R\ddot{\theta} + |V\ddot{\theta}| = E",
         ),
         SIGN.statement(
@@ -191,7 +186,6 @@ fn equations() -> Vec<Claim> {
             ("meyer.app-d.outside", "Appendix D, 3rd equation"),
             "the same with the acceleration outside the bars",
             r"R\ddot{\theta} + |V|\dot{\theta} = E",
-            [|| proven(StartingLine::Outside, Form::Printed), || proven(StartingLine::Outside, Form::Corrected)],
             r"R\ddot{\theta} + |V|\ddot{\theta} = E",
         ),
         at("Appendix D, 4th equation")
@@ -200,7 +194,7 @@ fn equations() -> Vec<Claim> {
                 r"\ddot{\theta}_0 = \frac{E}{R + |V|}",
                 "the acceleration at the start; with V = 0 it is K over the driver's inertia",
             )
-            .by(ExactIdentity, || all_proven(&Sign::BOTH.map(|sign| StartingAcceleration { sign })))
+            .proven_by(start)
             .read(ClosedForm, from_rest),
         at("Appendix D, last sentence")
             .statement(
@@ -230,19 +224,13 @@ fn starting(
     (id, locator): (&'static str, &'static str),
     meaning: &'static str,
     printed: &'static str,
-    [as_printed, put_right]: [fn() -> Finding; 2],
     corrected: &'static str,
 ) -> Claim {
     at(locator)
         .equation(id, printed, meaning)
-        .by(ExactIdentity, as_printed)
-        .corrected_form(put_right)
+        .proven_by(start)
         .read(ClosedForm, from_rest)
         .corrected(corrected, LOST_DOTS)
-}
-
-fn proven(line: StartingLine, dots: Form) -> Finding {
-    all_proven(&Sign::BOTH.map(|sign| StartingEquation { line, dots, sign }))
 }
 
 /// Coefficients all over the engagements, for some friction, with the letters of the program's start.

@@ -1,12 +1,10 @@
 //! The kinetic energy and its derivatives: Eq. (1-16), and the displays before Eq. (1-17).
 
 use super::instants::{self, holds, holds_in_display, instants, miscopied};
+use super::letters::{mechanism, proven_of};
+use super::reading::decide;
 use super::slips::{DRIVER_INDEX, PHI_AS_THETA};
 use super::*;
-use geneva_dynamics::derivation::{
-    EnergyLine, Form, KineticEnergy, Momentum, MomentumLine, MomentumRate, PositionLine, PositionRate,
-};
-use std::sync::OnceLock;
 
 /// The derivative by θ, with what is differentiated.
 const POSITION_RATE_SET_UP: &str = concat!(
@@ -14,6 +12,8 @@ const POSITION_RATE_SET_UP: &str = concat!(
     r"\left[\frac{1}{2} \left\{ I_D + \frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos ",
     r"\theta)^2} I_f \right\} \dot{\theta}^2 \right]"
 );
+
+const BY_ANGLE: &str = r"\frac{\partial}{\partial \theta}";
 
 // Displays that are cut into lines.
 const QUOTIENT: [&str; 3] = [
@@ -36,14 +36,16 @@ fn energy() -> Vec<Claim> {
                 r"T = \frac{1}{2} I_D \dot{\theta}^2 + \frac{1}{2} I_f \dot{\theta}^2",
                 "kinetic energy of driver and follower",
             )
-            .by(ExactIdentity, || members(Form::Printed))
-            .corrected_form(|| members(Form::Corrected))
+            .proven_by(mechanism)
             .read(ClosedForm, holds)
             .corrected(r"T = \frac{1}{2} I_D \dot{\theta}^2 + \frac{1}{2} I_f \dot{\phi}^2", PHI_AS_THETA),
         at("Line before Eq. (1-16)")
             .statement("meyer.kinetic-energy.replaced", r"\dot{\theta}", "the rate that Eq. (1-7) is put in for")
             .by(ClosedForm, |stated| reads_in_place_of(stated.pick("phi'", "theta'")))
-            .by(ExactIdentity, |stated| members(stated.pick(Form::Corrected, Form::Printed)))
+            .by(ExactIdentity, |stated| {
+                let energy = named("meyer.kinetic-energy");
+                decide(stated.pick(energy.right_characters(), energy.printed), mechanism)
+            })
             .corrected(r"\dot{\phi}", PHI_AS_THETA),
         at("2nd display of T before Eq. (1-16)")
             .equation(
@@ -54,7 +56,7 @@ fn energy() -> Vec<Claim> {
                 ),
                 "kinetic energy with Eq. (1-7) put in",
             )
-            .proven(KineticEnergy(EnergyLine::Substituted))
+            .proven_by(mechanism)
             .read(ClosedForm, holds),
         at("Eq. (1-16)")
             .equation(
@@ -65,7 +67,7 @@ fn energy() -> Vec<Claim> {
                 ),
                 "kinetic energy by the speed of the driver alone",
             )
-            .proven(KineticEnergy(EnergyLine::Bracketed))
+            .proven_by(mechanism)
             .read(ClosedForm, holds),
     ]
 }
@@ -78,7 +80,7 @@ fn set_up() -> Vec<Claim> {
                 POSITION_RATE_SET_UP,
                 "derivative of the kinetic energy by θ, to be worked out",
             )
-            .proven(PositionRate::of(PositionLine::Undone))
+            .decided(proven_of_the_energy)
             .read(ClosedForm, of_the_energy),
         at("2nd display after Eq. (1-16)")
             .equation(
@@ -89,7 +91,7 @@ fn set_up() -> Vec<Claim> {
                 ),
                 "derivative of the kinetic energy by the speed",
             )
-            .proven(Momentum)
+            .proven_by(mechanism)
             .read(ClosedForm, holds),
         at("3rd display after Eq. (1-16)")
             .equation(
@@ -101,7 +103,7 @@ fn set_up() -> Vec<Claim> {
                 ),
                 "its rate, to be worked out",
             )
-            .proven(MomentumRate::of(MomentumLine::Undone, Form::Printed))
+            .decided(|tex| proven_of(tex, r"\frac{d}{dt}", r"\frac{\partial T}{\partial \dot{\theta}}", mechanism))
             .read(ClosedForm, |tex| {
                 instants::holds_of(tex, r"\frac{d}{dt}", r"\frac{\partial T}{\partial \dot{\theta}}")
             }),
@@ -111,14 +113,13 @@ fn set_up() -> Vec<Claim> {
 fn by_quotient() -> Vec<Claim> {
     vec![
         letter_b(
+            &QUOTIENT,
             |tex| holds_in_display(&QUOTIENT, QUOTIENT[0], tex),
-            QUOTIENT[0],
             "4th display after Eq. (1-16), 1st line",
             concat!(
                 r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_b + ",
                 r"\frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}"
             ),
-            [|| letter(MomentumLine::Quotient, Form::Printed), quotient],
             concat!(
                 r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_D + ",
                 r"\frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}"
@@ -134,7 +135,7 @@ fn by_quotient() -> Vec<Claim> {
                 ),
                 "the numerator of the fraction differentiated",
             )
-            .by(ExactIdentity, quotient)
+            .proven_in(&QUOTIENT, mechanism)
             .read(ClosedForm, |tex| holds_in_display(&QUOTIENT, QUOTIENT[1], tex)),
         at("4th display after Eq. (1-16), 3rd line")
             .equation(
@@ -145,11 +146,7 @@ fn by_quotient() -> Vec<Claim> {
                 ),
                 "the denominator of the fraction differentiated",
             )
-            .by(ExactIdentity, || {
-                let (line, letter, quotient) = (MomentumLine::Quotient, Form::Corrected, Form::Printed);
-                prove(&MomentumRate { line, letter, quotient }).into()
-            })
-            .corrected_form(quotient)
+            .proven_in(&QUOTIENT, mechanism)
             .read(ClosedForm, |tex| holds_in_display(&QUOTIENT, QUOTIENT[2], tex))
             .corrected(
                 concat!(
@@ -167,14 +164,13 @@ fn by_quotient() -> Vec<Claim> {
 fn by_speed() -> Vec<Claim> {
     vec![
         letter_b(
+            &CANCELLED,
             |tex| holds_in_display(&CANCELLED, CANCELLED[0], tex),
-            CANCELLED[0],
             "5th display after Eq. (1-16), 1st line",
             concat!(
                 r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_b + ",
                 r"\frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}"
             ),
-            [|| letter(MomentumLine::Cancelled, Form::Printed), cancelled],
             concat!(
                 r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_D + ",
                 r"\frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}"
@@ -190,17 +186,16 @@ fn by_speed() -> Vec<Claim> {
                 ),
                 "what the turning of the follower's place adds, with common factors cancelled",
             )
-            .by(ExactIdentity, cancelled)
+            .proven_in(&CANCELLED, mechanism)
             .read(ClosedForm, |tex| holds_in_display(&CANCELLED, CANCELLED[1], tex)),
         letter_b(
+            &FACTORED,
             |tex| holds_in_display(&FACTORED, FACTORED[0], tex),
-            FACTORED[0],
             "6th display after Eq. (1-16), 1st line",
             concat!(
                 r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_b + ",
                 r"\frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}"
             ),
-            [|| letter(MomentumLine::Factored, Form::Printed), factored],
             concat!(
                 r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_D + ",
                 r"\frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}"
@@ -216,11 +211,11 @@ fn by_speed() -> Vec<Claim> {
                 ),
                 "the same with its factors outside the braces",
             )
-            .by(ExactIdentity, factored)
+            .proven_in(&FACTORED, mechanism)
             .read(ClosedForm, |tex| holds_in_display(&FACTORED, FACTORED[1], tex)),
         letter_b(
+            &["meyer.momentum-rate"],
             holds,
-            "meyer.momentum-rate",
             "7th display after Eq. (1-16)",
             concat!(
                 r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_b + ",
@@ -228,7 +223,6 @@ fn by_speed() -> Vec<Claim> {
                 r"2I_f \dot{\theta}^2 \left[\frac{a(a^2-1) \sin \theta (a \cos \theta - ",
                 r"1)}{(1+a^2-2a \cos \theta)^3} \right]"
             ),
-            [|| letter(MomentumLine::Closed, Form::Printed), || letter(MomentumLine::Closed, Form::Corrected)],
             concat!(
                 r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_D + ",
                 r"\frac{(a \cos \theta - 1)^2 I_f}{(1+a^2-2a \cos \theta)^2} \right] \ddot{\theta} - ",
@@ -252,8 +246,7 @@ fn by_angle() -> Vec<Claim> {
                 "the derivative by θ, taken up again; it does not depend on the letter, but what stands in the \
                  brackets is not the kinetic energy",
             )
-            .proven(PositionRate::energy(Form::Printed))
-            .corrected_form(|| prove(&PositionRate::energy(Form::Corrected)).into())
+            .decided(proven_of_the_energy)
             .read(ClosedForm, of_the_energy)
             .corrected(POSITION_RATE_SET_UP, DRIVER_INDEX),
         by_theta(
@@ -264,7 +257,6 @@ fn by_angle() -> Vec<Claim> {
                 r"\frac{\partial}{\partial \theta} \left[\frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos ",
                 r"\theta)^2} \right]"
             ),
-            || prove(&PositionRate::of(PositionLine::Outside)).into(),
         ),
         by_theta(
             "meyer.position-rate.quotient",
@@ -276,7 +268,6 @@ fn by_angle() -> Vec<Claim> {
                 r"1)^2 (2)(1+a^2-2a \cos \theta)(2a \sin \theta)}{(1+a^2-2a \cos \theta)^4} \right] ",
                 r"\end{aligned}"
             ),
-            || prove(&PositionRate::of(PositionLine::Quotient)).into(),
         ),
         by_theta(
             "meyer.position-rate.cancelled",
@@ -286,7 +277,6 @@ fn by_angle() -> Vec<Claim> {
                 r"\left[\frac{-2(a \cos \theta - 1)(a \sin \theta)}{(1+a^2-2a \cos \theta)^2} + ",
                 r"\frac{-2(a \cos \theta - 1)^2 (2a \sin \theta)}{(1+a^2-2a \cos \theta)^3} \right]"
             ),
-            || prove(&PositionRate::of(PositionLine::Cancelled)).into(),
         ),
         by_theta(
             "meyer.position-rate.factored",
@@ -296,7 +286,6 @@ fn by_angle() -> Vec<Claim> {
                 r"\theta - 1)(a \sin \theta)}{(1+a^2-2a \cos \theta)^2} \left\{ 1 + \frac{(a \cos ",
                 r"\theta - 1)(2)}{(1+a^2-2a \cos \theta)} \right\} \right]"
             ),
-            || prove(&PositionRate::of(PositionLine::Factored)).into(),
         ),
         by_theta(
             "meyer.position-rate",
@@ -305,63 +294,41 @@ fn by_angle() -> Vec<Claim> {
                 r"\frac{\partial T}{\partial \theta} = -I_f \dot{\theta}^2 \left[\frac{a(a^2-1) \sin ",
                 r"\theta (a \cos \theta - 1)}{(1+a^2-2a \cos \theta)^3} \right]"
             ),
-            || prove(&PositionRate::of(PositionLine::Closed)).into(),
         ),
     ]
 }
 
 /// A step of the derivative by θ.
-fn by_theta(id: &'static str, locator: &'static str, printed: &'static str, proof: fn() -> Finding) -> Claim {
+fn by_theta(id: &'static str, locator: &'static str, printed: &'static str) -> Claim {
     at(locator)
         .equation(id, printed, "derivative of the kinetic energy by θ, a step further")
-        .by(ExactIdentity, proof)
+        .proven_by(mechanism)
         .read(ClosedForm, holds)
 }
 
-/// A line that has I_b for I_D.
+/// The first line of a display, which has I_b for I_D.
 fn letter_b(
+    lines: &'static [&'static str],
     holds: fn(&str) -> Option<bool>,
-    id: &'static str,
     locator: &'static str,
     printed: &'static str,
-    [as_printed, put_right]: [fn() -> Finding; 2],
     corrected: &'static str,
 ) -> Claim {
     at(locator)
-        .equation(id, printed, "rate of the derivative by the speed: what the driver's acceleration adds")
-        .by(ExactIdentity, as_printed)
-        .corrected_form(put_right)
+        .equation(lines[0], printed, "rate of the derivative by the speed: what the driver's acceleration adds")
+        .proven_in(lines, mechanism)
         .read(ClosedForm, holds)
         .corrected(corrected, DRIVER_INDEX)
 }
 
-/// The rule for quotients put right: one proof for the three lines of the display. The next two are like it.
-fn quotient() -> Finding {
-    static PROOF: OnceLock<Finding> = OnceLock::new();
-    PROOF.get_or_init(|| letter(MomentumLine::Quotient, Form::Corrected)).clone()
-}
-
-fn cancelled() -> Finding {
-    static PROOF: OnceLock<Finding> = OnceLock::new();
-    PROOF.get_or_init(|| letter(MomentumLine::Cancelled, Form::Corrected)).clone()
-}
-
-fn factored() -> Finding {
-    static PROOF: OnceLock<Finding> = OnceLock::new();
-    PROOF.get_or_init(|| letter(MomentumLine::Factored, Form::Corrected)).clone()
-}
-
-fn letter(line: MomentumLine, letter: Form) -> Finding {
-    prove(&MomentumRate { line, letter, quotient: Form::Corrected }).into()
-}
-
-fn members(form: Form) -> Finding {
-    prove(&KineticEnergy(EnergyLine::Members(form))).into()
-}
-
 /// Whether a display of ∂T/∂θ holds, and what it differentiates is the kinetic energy.
 fn of_the_energy(tex: &str) -> Option<bool> {
-    instants::holds_of(tex, r"\frac{\partial}{\partial \theta}", "T")
+    instants::holds_of(tex, BY_ANGLE, "T")
+}
+
+/// The same, proven.
+fn proven_of_the_energy(tex: &str) -> Finding {
+    proven_of(tex, BY_ANGLE, "T", mechanism)
 }
 
 /// Whether Eq. (1-7) says what this rate is.

@@ -1,15 +1,12 @@
 //! The torque of friction and the normal force that makes it, up to the spring: Eqs. (1-11) to (1-15).
 
 use super::instants::{equal, holds, letters_of, moments};
-use super::lagrange::{agrees_in_steps, friction, frictionless, opposing};
+use super::lagrange::{agrees_in_steps, frictionless, opposing};
+use super::letters::{mechanism, size, triangle};
 use super::slips::{HALF_POWERS, PHI_AS_THETA};
 use super::spring::no_rate;
 use super::*;
-use geneva_dynamics::derivation::{
-    ForceFromMoment, ForceSubstituted, Form, FrictionLine, FrictionOfMotion, FrictionSubstituted, FrictionTorque,
-    MomentEquation, NormalForce, SineOfFollower, SlotRadius, SlotRadiusBySines,
-};
-use geneva_dynamics::{Parameters, Sign};
+use geneva_dynamics::Parameters;
 use std::sync::OnceLock;
 
 // Displays too long for a line.
@@ -64,7 +61,7 @@ fn torque() -> Vec<Claim> {
                 r"\tau_2 = h\mu N = c \sin \phi \mu N",
                 "size of the torque of friction: its moment arm c sin φ is how far the pin slides per radian",
             )
-            .proven(FrictionTorque { line: FrictionLine::Arm, contact: Sign::Plus })
+            .proven_by(size)
             .read(ClosedForm, as_size),
         opposing("meyer.friction-opposes-again", "Sentence after τ_2 = hμN", "must always oppose the driving torque"),
         at("2nd display after Fig. 6")
@@ -73,11 +70,11 @@ fn torque() -> Vec<Claim> {
                 r"\tau_2 = -|c \sin \phi \mu N| = -\mu c |N \sin \phi|",
                 "the same with its sign",
             )
-            .by(ExactIdentity, || both(&friction(FrictionLine::Opposing), friction(FrictionLine::Outside)))
+            .proven_by(triangle)
             .read(ClosedForm, holds),
         at("3rd display after Fig. 6")
             .equation("meyer.friction-torque.by-ratio", r"\tau_2 = -ar\mu |N \sin \phi|", "the same with c = a r")
-            .by(ExactIdentity, || friction(FrictionLine::CrankRadii))
+            .proven_by(triangle)
             .read(ClosedForm, holds),
         at("Eq. (1-11)")
             .equation(
@@ -85,7 +82,7 @@ fn torque() -> Vec<Claim> {
                 r"\sin \phi = \frac{\sin \theta}{(1 + a^2 - 2a \cos \theta)^{1/2}}",
                 "sine of the follower's angle",
             )
-            .proven(SineOfFollower)
+            .proven_by(triangle)
             .read(ClosedForm, holds),
         at("Eq. (1-12)")
             .equation(
@@ -93,7 +90,7 @@ fn torque() -> Vec<Claim> {
                 r"\tau_2 = -ar\mu \left| \frac{N \sin \theta}{(1 + a^2 - 2a \cos \theta)^{1/2}} \right|",
                 "torque of friction with the driver's angle alone",
             )
-            .by(ExactIdentity, || friction(FrictionLine::Root))
+            .proven_by(triangle)
             .read(ClosedForm, holds),
     ]
 }
@@ -107,8 +104,7 @@ fn normal_force() -> Vec<Claim> {
                 r"NR = I_P \ddot{\theta}",
                 "moments on the follower about its axis; friction along the slot has none",
             )
-            .proven(MomentEquation(Form::Printed))
-            .corrected_form(|| prove(&MomentEquation(Form::Corrected)).into())
+            .proven_by(mechanism)
             .read(ClosedForm, holds)
             .corrected(r"NR = I_f \ddot{\phi}", PHI_AS_THETA),
         at("1st display of R after Fig. 7")
@@ -120,7 +116,7 @@ fn normal_force() -> Vec<Claim> {
                 ),
                 "distance of the pin from the follower's axis, by the law of sines",
             )
-            .proven(SlotRadiusBySines)
+            .proven_by(triangle)
             .read(ClosedForm, holds),
         at("2nd display of R after Fig. 7")
             .equation(
@@ -128,7 +124,7 @@ fn normal_force() -> Vec<Claim> {
                 r"R = r(1 + a^2 - 2a \cos \theta)^{1/2}",
                 "the same, which holds on the line of centres too",
             )
-            .proven(SlotRadius)
+            .proven_by(triangle)
             .read(ClosedForm, holds),
         at("1st display of N before Eq. (1-13)")
             .equation(
@@ -136,20 +132,17 @@ fn normal_force() -> Vec<Claim> {
                 r"N = \frac{I_P \ddot{\theta}}{R}",
                 "normal force from the moments on the follower",
             )
-            .proven(ForceFromMoment(Form::Printed))
-            .corrected_form(|| prove(&ForceFromMoment(Form::Corrected)).into())
+            .proven_by(mechanism)
             .read(ClosedForm, holds)
             .corrected(r"N = \frac{I_f \ddot{\phi}}{R}", PHI_AS_THETA),
         at("2nd display of N before Eq. (1-13)")
             .equation("meyer.normal-force.substituted", SUBSTITUTED, "the same with Eq. (1-8) and R put in")
-            .proven(ForceSubstituted::of(Form::Printed))
-            .corrected_form(|| prove(&ForceSubstituted::of(Form::Corrected)).into())
+            .proven_by(mechanism)
             .read(ClosedForm, holds)
             .corrected(SUBSTITUTED_CORRECTED, HALF_POWERS),
         at("Eq. (1-13)")
             .equation("meyer.eq-1-13", NORMAL_FORCE, "the same with R drawn into the brackets")
-            .proven(NormalForce::of(Form::Printed))
-            .corrected_form(|| prove(&NormalForce::of(Form::Corrected)).into())
+            .proven_by(mechanism)
             .read(ClosedForm, holds)
             .corrected(NORMAL_FORCE_CORRECTED, HALF_POWERS),
     ]
@@ -163,13 +156,12 @@ fn substituted() -> Vec<Claim> {
                 FRICTION_SUBSTITUTED,
                 "torque of friction with the normal force put in",
             )
-            .by(ExactIdentity, || friction_substituted(Form::Printed))
-            .corrected_form(|| friction_substituted(Form::Corrected))
+            .proven_by(mechanism)
             .read(ClosedForm, holds)
             .corrected(FRICTION_SUBSTITUTED_CORRECTED, HALF_POWERS),
         at("Eq. (1-14)")
             .equation("meyer.eq-1-14", FRICTION_OF_MOTION, "torque of friction from the motion of the driver alone")
-            .by(ExactIdentity, || all_proven(&Sign::BOTH.map(|contact| FrictionOfMotion { contact })))
+            .proven_by(mechanism)
             .read(ClosedForm, holds),
         at("Line after Eq. (1-14)")
             .statement(
@@ -282,13 +274,4 @@ fn as_size(tex: &str) -> Option<bool> {
 fn lost_drawing(id: &'static str, locator: &'static str, meaning: &'static str, printed: &'static str) -> Claim {
     let reason = "The drawing is not in the copy. What the text reads off it are claims of their own";
     at(locator).figure(id, printed, meaning).missing(reason)
-}
-
-fn friction_substituted(form: Form) -> Finding {
-    all_proven(&Sign::BOTH.map(|contact| FrictionSubstituted::of(form, contact)))
-}
-
-/// Whether two things hold, and how.
-fn both(first: &Finding, second: Finding) -> Finding {
-    Finding::new(first.holds && second.holds, format!("{}; {}", first.how, second.how))
 }

@@ -5,6 +5,7 @@
 
 use super::reading::{By, Letters, Moment};
 use super::*;
+use crate::checks::in_display;
 use std::sync::OnceLock;
 
 /// Speeds and accelerations of the driver: braked and driven hard, so that the pin presses on either flank.
@@ -149,9 +150,7 @@ pub fn holds(tex: &str) -> Option<bool> {
 
 /// Whether a display that is cut into lines, each a claim of its own, holds with these characters for one of its lines.
 pub fn holds_in_display(lines: &[&str], own: &str, tex: &str) -> Option<bool> {
-    let right = |id: &str| named(id).right_characters();
-    let whole: Vec<&str> = lines.iter().map(|id| if *id == own { tex } else { right(id) }).collect();
-    holds(&whole.join(" "))
+    holds(&in_display(lines, own, tex))
 }
 
 /// Whether an equation holds at all instants, and what stands behind the last of these operators is this.

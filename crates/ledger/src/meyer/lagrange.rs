@@ -2,14 +2,13 @@
 
 use super::friction::energy_gained;
 use super::instants::{equal, holds, moments};
+use super::letters::{mechanism, opposed};
 use super::*;
-use geneva_dynamics::derivation::{FrictionLine, FrictionTorque, LagrangeIsPower, MomentArm};
 use geneva_dynamics::energy::MomentArmIsSliding;
 use geneva_dynamics::{Inertias, Parameters, Sign};
 use geneva_kinematics::Mechanism;
 use geneva_kinematics::{Jet, angular_velocity, pin_slot};
 use nalgebra::SMatrix;
-use std::sync::OnceLock;
 
 const FORCES: Place = at("Definition of Q_k after Eq. (1-9)");
 const FREEDOM: Place = at("Sentence after the definition of Q_k");
@@ -32,7 +31,7 @@ fn equations() -> Vec<Claim> {
                 "Lagrange's equation for forces with and without a potential; here for one coordinate, where it is the \
                  balance of power",
             )
-            .by(ExactIdentity, lagrange_is_power)
+            .proven_by(mechanism)
             .read(ClosedForm, holds),
         at("1st display after Eq. (1-9)")
             .equation(
@@ -43,7 +42,7 @@ fn equations() -> Vec<Claim> {
                 ),
                 "the same for the one coordinate θ",
             )
-            .by(ExactIdentity, lagrange_is_power)
+            .proven_by(mechanism)
             .read(ClosedForm, holds),
     ]
 }
@@ -141,7 +140,7 @@ fn forces() -> Vec<Claim> {
                 r"Q_\theta = \tau",
                 "the generalised force is the torque on the driver",
             )
-            .proven(MomentArm)
+            .proven_by(opposed)
             .read(ClosedForm, holds),
         vector_sum(),
     ]
@@ -208,7 +207,7 @@ fn torques() -> Vec<Claim> {
                 r"Q_\theta = \tau_1 - |\tau_2|",
                 "it is the spring's torque less the size of the friction's",
             )
-            .by(ExactIdentity, || friction(FrictionLine::Opposing))
+            .proven_by(opposed)
             .read(ClosedForm, holds),
         opposing("meyer.friction-opposes", TORQUES, "always oppose the driving torque"),
         at("Eq. (1-10)")
@@ -220,7 +219,7 @@ fn torques() -> Vec<Claim> {
                 ),
                 "Lagrange's equation with the two torques",
             )
-            .by(ExactIdentity, lagrange_is_power)
+            .proven_by(opposed)
             .read(ClosedForm, holds),
     ]
 }
@@ -329,15 +328,4 @@ fn simpson(of: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
         _ => 4.0,
     };
     (0..=parts).map(|k| weight(k) * of(from + step * f64::from(k))).sum::<f64>() * step / 3.0
-}
-
-/// One proof for the three displays of Lagrange's equation.
-fn lagrange_is_power() -> Finding {
-    static PROOF: OnceLock<Finding> = OnceLock::new();
-    PROOF.get_or_init(|| prove(&LagrangeIsPower).into()).clone()
-}
-
-/// A display of the torque of friction, for both signs of what stands between the bars.
-pub fn friction(line: FrictionLine) -> Finding {
-    all_proven(&Sign::BOTH.map(|contact| FrictionTorque { line, contact }))
 }

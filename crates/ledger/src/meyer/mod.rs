@@ -21,6 +21,7 @@ mod inertia;
 mod instants;
 mod lagrange;
 mod less_friction;
+mod letters;
 mod motion;
 mod newton;
 mod parameters;

@@ -1,13 +1,10 @@
 //! The equation of motion put together, and its five factors: Eqs. (1-17) to (1-19).
 
 use super::instants::{holds, holds_in_display, miscopied};
+use super::letters::mechanism;
+use super::reading::decide;
 use super::slips::{ARC, LOST_BARS, MISSING_SQUARE};
 use super::*;
-use geneva_dynamics::Sign;
-use geneva_dynamics::derivation::{
-    Coefficient, CoefficientPrinted, EquationOfMotion, Form, LeftSide, LeftSideLine, MotionLine,
-};
-use std::sync::OnceLock;
 
 // Displays that are cut into lines.
 const PARTS_PUT_IN: [&str; 2] = ["meyer.parts-put-in.first-line", "meyer.parts-put-in.second-line"];
@@ -33,7 +30,7 @@ fn left_side() -> Vec<Claim> {
                 ),
                 "one derivative of the kinetic energy less the other",
             )
-            .proven(LeftSide(LeftSideLine::Minus))
+            .proven_by(mechanism)
             .read(ClosedForm, holds),
         at("Eq. (1-17), 3rd and 4th line")
             .equation(
@@ -47,8 +44,7 @@ fn left_side() -> Vec<Claim> {
                 ),
                 "the same collected",
             )
-            .proven(LeftSide(LeftSideLine::Closed(Form::Printed)))
-            .corrected_form(|| prove(&LeftSide(LeftSideLine::Closed(Form::Corrected))).into())
+            .proven_by(mechanism)
             .read(ClosedForm, holds)
             .corrected(
                 concat!(
@@ -75,8 +71,7 @@ fn together() -> Vec<Claim> {
                 ),
                 "left side of the equation of motion",
             )
-            .by(ExactIdentity, || motion(MotionLine::Substituted { square: Form::Printed, bars: Form::Corrected }))
-            .corrected_form(parts_put_in)
+            .proven_in(&PARTS_PUT_IN, mechanism)
             .read(ClosedForm, |tex| holds_in_display(&PARTS_PUT_IN, PARTS_PUT_IN[0], tex))
             .corrected(
                 concat!(
@@ -96,8 +91,7 @@ fn together() -> Vec<Claim> {
                 ),
                 "right side of the equation of motion",
             )
-            .by(ExactIdentity, || motion(MotionLine::Substituted { square: Form::Corrected, bars: Form::Printed }))
-            .corrected_form(parts_put_in)
+            .proven_in(&PARTS_PUT_IN, mechanism)
             .read(ClosedForm, |tex| holds_in_display(&PARTS_PUT_IN, PARTS_PUT_IN[1], tex))
             .corrected(
                 concat!(
@@ -117,7 +111,7 @@ fn together() -> Vec<Claim> {
                 ),
                 "equation of motion over the follower's inertia, without friction",
             )
-            .by(ExactIdentity, divided)
+            .proven_in(&EQUATION_OF_MOTION, mechanism)
             .read(ClosedForm, |tex| holds_in_display(&EQUATION_OF_MOTION, EQUATION_OF_MOTION[0], tex)),
         at("Eq. (1-18), 2nd line")
             .equation(
@@ -129,8 +123,7 @@ fn together() -> Vec<Claim> {
                 ),
                 "its friction, and the drive",
             )
-            .by(ExactIdentity, || motion(MotionLine::Divided { bars: Form::Printed }))
-            .corrected_form(divided)
+            .proven_in(&EQUATION_OF_MOTION, mechanism)
             .read(ClosedForm, |tex| holds_in_display(&EQUATION_OF_MOTION, EQUATION_OF_MOTION[1], tex))
             .corrected(
                 concat!(
@@ -154,8 +147,7 @@ fn factors() -> Vec<Claim> {
                 ),
                 "A, the factor of the driver's acceleration",
             )
-            .by(ExactIdentity, || factor(Coefficient::A(Form::Printed)))
-            .corrected_form(|| factor(Coefficient::A(Form::Corrected)))
+            .proven_by(mechanism)
             .read(ClosedForm, holds)
             .corrected(
                 r"A = \left[ \frac{I_D}{I_f} + \frac{(a\cos\theta-1)^2}{(1+a^2-2a\cos\theta)^2} \right]",
@@ -173,7 +165,6 @@ fn factors() -> Vec<Claim> {
                 r"\frac{a(1-a^2)\sin\theta(\text{acos}\theta-1)}{(1+a^2-2\text{acos}\theta)^3} ",
                 r"\right]"
             ),
-            [|| reads_printed("meyer.factor-b"), || factor(Coefficient::B)],
             r"B = \left[ \frac{a(1-a^2)\sin\theta(a\cos\theta-1)}{(1+a^2-2a\cos\theta)^3} \right]",
         ),
         arc(
@@ -181,7 +172,6 @@ fn factors() -> Vec<Claim> {
             "3rd substitution before Eq. (1-19)",
             "C, the factor of the square of the speed between the bars",
             r"C = \left[ \mu \frac{a^2 \sin^2 \theta (1-a^2)}{(1+a^2-2\text{acos}\theta)^3} \right]",
-            [|| reads_printed("meyer.factor-c"), || factor(Coefficient::C)],
             r"C = \left[ \mu \frac{a^2 \sin^2 \theta (1-a^2)}{(1+a^2-2a\cos\theta)^3} \right]",
         ),
         arc(
@@ -192,12 +182,11 @@ fn factors() -> Vec<Claim> {
                 r"D = \left[ \mu \frac{a \sin \theta ",
                 r"(\text{acos}\theta-1)}{(1+a^2-2\text{acos}\theta)^2} \right]"
             ),
-            [|| reads_printed("meyer.factor-d"), || factor(Coefficient::D)],
             r"D = \left[ \mu \frac{a \sin \theta (a\cos\theta-1)}{(1+a^2-2a\cos\theta)^2} \right]",
         ),
         at("5th substitution before Eq. (1-19)")
             .equation("meyer.factor-e", r"E = \frac{K}{I_f}", "E, what drives")
-            .by(ExactIdentity, || factor(Coefficient::E))
+            .proven_by(mechanism)
             .read(ClosedForm, holds),
         at("Eq. (1-19)")
             .equation(
@@ -205,7 +194,7 @@ fn factors() -> Vec<Claim> {
                 r"A\ddot{\theta} + B\dot{\theta}^2 + |C\dot{\theta}^2 + D\ddot{\theta}| = E",
                 "equation of motion with the five factors",
             )
-            .by(ExactIdentity, || motion(MotionLine::Short))
+            .proven_by(mechanism)
             .read(ClosedForm, holds),
     ]
 }
@@ -216,13 +205,12 @@ fn arc(
     locator: &'static str,
     meaning: &'static str,
     printed: &'static str,
-    [as_printed, put_right]: [fn() -> Finding; 2],
     corrected: &'static str,
 ) -> Claim {
     at(locator)
         .equation(id, printed, meaning)
-        .by(ClosedForm, as_printed)
-        .corrected_form(put_right)
+        .by(ClosedForm, move || reads_printed(id))
+        .corrected_form(move || decide(corrected, mechanism))
         .read(ClosedForm, holds)
         .corrected(corrected, ARC)
 }
@@ -231,25 +219,4 @@ fn arc(
 fn reads_printed(id: &str) -> Finding {
     let holds = holds(characters(id)) == Some(true);
     Finding::new(holds, "with an inverse cosine, read and evaluated")
-}
-
-/// The display before Eq. (1-18), put right: one proof for its two lines.
-fn parts_put_in() -> Finding {
-    static PROOF: OnceLock<Finding> = OnceLock::new();
-    PROOF.get_or_init(|| motion(MotionLine::Substituted { square: Form::Corrected, bars: Form::Corrected })).clone()
-}
-
-/// Eq. (1-18) put right, in the same way.
-fn divided() -> Finding {
-    static PROOF: OnceLock<Finding> = OnceLock::new();
-    PROOF.get_or_init(|| motion(MotionLine::Divided { bars: Form::Corrected })).clone()
-}
-
-/// A display of the whole equation, for both signs of what stands between the bars.
-fn motion(line: MotionLine) -> Finding {
-    all_proven(&Sign::BOTH.map(|contact| EquationOfMotion { line, contact }))
-}
-
-fn factor(factor: Coefficient) -> Finding {
-    prove(&CoefficientPrinted(factor)).into()
 }

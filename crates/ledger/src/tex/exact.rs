@@ -7,7 +7,9 @@
 use super::number::Number;
 use super::tree::Function;
 use super::{Display, Illegible, Moment};
-use geneva_kinematics::{Expression, Field, Identity};
+use crate::Finding;
+use geneva_kinematics::{Expression, Field, Identity, prove};
+use std::collections::HashSet;
 
 /// An expression has the four operations and whole powers, and no function.
 impl Number for Expression {
@@ -33,22 +35,44 @@ impl Number for Expression {
     }
 }
 
-/// An equation by its characters: left side minus right side, in the variables that its letters are made of.
-pub struct Characters(Expression);
+/// What the letters stand for, for either sign of what stands between bars: 1 or −1.
+pub type Exact = fn(i64) -> Moment<Expression>;
 
-impl Characters {
-    /// Reads an equation of two sides.
-    ///
-    /// # Errors
-    ///
-    /// If it cannot be read, if it has not two sides, or if a letter stands for nothing.
-    pub fn read(tex: &str, letters: &Moment<Expression>) -> Result<Self, Illegible> {
-        Display::read_line(tex)?.difference(letters).map(Self)
+/// How many variables the letters of a display are made of, at most.
+const VARIABLES: usize = 9;
+
+/// Proves an equation for both signs of what stands between bars, or refutes it; with it, that what is given for half
+/// powers is their value.
+///
+/// What cannot be read is neither right nor wrong. Characters and letters stand in the ledger's own text: a display that
+/// its letters do not suffice for is a mistake there, which must not pass for a slip of the source.
+pub fn decide(tex: &str, letters: Exact) -> Finding {
+    let (mut parts, mut conditions) = (Vec::new(), Vec::new());
+    for moment in [1, -1].map(letters) {
+        let display = Display::read_line(tex).and_then(|display| display.differences(&moment));
+        parts.extend(display.unwrap_or_else(|illegible: Illegible| panic!("{tex}: {illegible}")));
+        conditions.extend(moment.conditions());
     }
+    let findings: Vec<Finding> = without_repetition(parts).map(|part| prove(&Zero(part)).into()).collect();
+    let given = || without_repetition(conditions).map(|condition| prove(&Zero(condition)).into());
+    let refuted = findings.iter().find(|finding| !finding.holds).cloned();
+    refuted.or_else(|| given().find(|finding: &Finding| !finding.holds)).unwrap_or_else(|| {
+        let how: Vec<_> = findings.into_iter().map(|finding| finding.how).collect();
+        Finding::new(true, how.join("; "))
+    })
 }
 
-impl<const V: usize> Identity<V> for Characters {
-    fn difference(&self, _: [Expression; V]) -> Expression {
+/// Without bars both signs are one case.
+fn without_repetition(parts: Vec<Expression>) -> impl Iterator<Item = Expression> {
+    let mut seen = HashSet::new();
+    parts.into_iter().filter(move |part| seen.insert(*part))
+}
+
+/// The statement that an expression is zero.
+struct Zero(Expression);
+
+impl Identity<VARIABLES> for Zero {
+    fn difference(&self, _: [Expression; VARIABLES]) -> Expression {
         self.0
     }
 }

@@ -13,7 +13,7 @@ mod pieces;
 mod reader;
 mod tree;
 
-pub use exact::Characters;
+pub use exact::{Exact, decide};
 pub use misprints::{Class, Misprint, misprints};
 pub use moment::{Letters, Moment, Value};
 pub use number::Number;
@@ -104,11 +104,14 @@ impl Display {
         Ok(true)
     }
 
-    /// The left side of an equation minus its right side.
-    fn difference<N: Number>(&self, moment: &Moment<N>) -> Result<N, Illegible> {
+    /// Each side of an equation minus the next.
+    fn differences<N: Number>(&self, moment: &Moment<N>) -> Result<Vec<N>, Illegible> {
         match &self.chains[..] {
-            [chain] if chain.len() == 2 => Ok(moment.number(&chain[0])? - moment.number(&chain[1])?),
-            _ => Err(Illegible("it is no equation of two sides".to_owned())),
+            [chain] if chain.len() > 1 => {
+                let sides = chain.iter().map(|side| moment.number(side)).collect::<Result<Vec<_>, _>>()?;
+                Ok(sides.windows(2).map(|pair| pair[0].clone() - pair[1].clone()).collect())
+            }
+            _ => Err(Illegible("it is no equation".to_owned())),
         }
     }
 

@@ -228,9 +228,21 @@ impl<N: Number> Moment<N> {
 
     /// What is given for the power 1/2 of this base.
     fn given_root(&self, base: &Node) -> Option<N> {
-        let half = Node::integer(1).join(Joint::Over, Node::integer(2));
-        let is_root = |node: &Node| matches!(node, Node::Two(Joint::Power, of, e) if **of == *base && **e == half);
-        self.given.iter().find(|(given, _)| is_root(given)).map(|(_, value)| value.clone())
+        self.given.iter().find(|(given, _)| under_root(given) == Some(base)).map(|(_, value)| value.clone())
+    }
+
+    /// What must be zero for the given values to be those of their formulas; half a power is squared. A function that
+    /// this kind of number does not have may have any value.
+    pub(super) fn conditions(&self) -> Vec<N> {
+        let condition = |(at, (node, value)): (usize, &(Node, N))| {
+            let mut others = self.clone();
+            others.given.remove(at);
+            match under_root(node) {
+                Some(base) => Some(others.number(base).ok()? - value.clone() * value.clone()),
+                None => Some(others.number(node).ok()? - value.clone()),
+            }
+        };
+        self.given.iter().enumerate().filter_map(condition).collect()
     }
 
     fn joined(&self, joint: Joint, left: Value<N>, right: Value<N>) -> Result<Value<N>, Illegible> {
@@ -276,6 +288,15 @@ impl<N: Number> Moment<N> {
         // Where others have rates, it is constant.
         let constant = || self.named(name).filter(|_| !rates.is_empty()).map(|of| of.times(N::integer(0)));
         found.or_else(dotted).or_else(constant).ok_or_else(|| no_rate(&Node::Name(name.to_owned())))
+    }
+}
+
+/// What stands under the root, if this is half a power.
+fn under_root(node: &Node) -> Option<&Node> {
+    let half = Node::integer(1).join(Joint::Over, Node::integer(2));
+    match node {
+        Node::Two(Joint::Power, base, exponent) if **exponent == half => Some(base),
+        _ => None,
     }
 }
 

@@ -2,12 +2,11 @@
 
 use super::program::{self, DELAY_PARTS, by_coefficients};
 use super::*;
-use crate::meyer::reading::Letters;
+use crate::meyer::letters::factors;
+use crate::meyer::reading::{Letters, decide};
 use crate::meyer::runs::{self, Hypothesis, Score};
 use crate::meyer::slips::LOST_BARS;
 use crate::meyer::spring::no_rate;
-use geneva_dynamics::Sign;
-use geneva_dynamics::derivation::{BarsOpened, BarsReprinted, Form, Opening};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 
@@ -25,8 +24,7 @@ fn solved() -> Vec<Claim> {
                 r"A\ddot{\theta} + B\dot{\theta}^2 + C\theta^2 + D\dot{\theta} = E",
                 "the equation of motion",
             )
-            .by(ExactIdentity, || reprinted(Form::Printed))
-            .corrected_form(|| reprinted(Form::Corrected))
+            .proven_by(factors)
             .read(ClosedForm, holds)
             .corrected(r"A\ddot{\theta} + B\dot{\theta}^2 + |C\dot{\theta}^2 + D\ddot{\theta}| = E", LOST_BARS),
         at("Appendix B, line after Eq. (1-19) repeated")
@@ -107,7 +105,7 @@ fn lines() -> Vec<Claim> {
     vec![
         at("Appendix B, display of F")
             .equation("meyer.app-b.f", r"F = (C\dot{\theta}^2 + D\ddot{\theta})", "what stands between the bars")
-            .by(ExactIdentity, || opened(Opening::WithSign))
+            .proven_by(factors)
             .read(ClosedForm, holds),
         at("Appendix B, display of S")
             .equation(
@@ -115,7 +113,8 @@ fn lines() -> Vec<Claim> {
                 r"\begin{aligned} S &= +1 && \text{if } F > 0 \\ S &= -1 && \text{if } F < 0 \end{aligned}",
                 "its sign; where F is zero either value will do",
             )
-            .by(ExactIdentity, || opened(Opening::WithSign))
+            // The display is of cases; with its S the equation is the one with bars.
+            .by(ExactIdentity, || decide(characters("meyer.app-b.with-sign"), factors))
             .read(ClosedForm, holds_by_cases),
         at("Appendix B, 1st display after S")
             .equation(
@@ -123,7 +122,7 @@ fn lines() -> Vec<Claim> {
                 r"A\ddot{\theta} + B\dot{\theta}^2 + S(C\dot{\theta}^2 + D\ddot{\theta}) = E",
                 "the equation with S for the bars",
             )
-            .by(ExactIdentity, || opened(Opening::WithSign))
+            .proven_by(factors)
             .read(ClosedForm, holds),
         at("Appendix B, 2nd display after S")
             .equation(
@@ -131,11 +130,11 @@ fn lines() -> Vec<Claim> {
                 r"A\ddot{\theta} + B\dot{\theta}^2 + SC\dot{\theta}^2 + SD\ddot{\theta} = E",
                 "the same multiplied out",
             )
-            .by(ExactIdentity, || opened(Opening::Expanded))
+            .proven_by(factors)
             .read(ClosedForm, holds),
         at("Appendix B, 3rd display after S")
             .equation("meyer.app-b.collected", r"\ddot{\theta}(A+SD) + \dot{\theta}^2(B+SC) = E", "the same collected")
-            .by(ExactIdentity, || opened(Opening::Collected))
+            .proven_by(factors)
             .read(ClosedForm, holds),
         at("Appendix B, 4th display after S")
             .equation(
@@ -143,7 +142,7 @@ fn lines() -> Vec<Claim> {
                 r"\ddot{\theta} = \frac{E - (B+SC)\dot{\theta}^2}{A+SD}",
                 "the acceleration",
             )
-            .by(ExactIdentity, || opened(Opening::Solved))
+            .proven_by(factors)
             .read(ClosedForm, holds),
     ]
 }
@@ -329,12 +328,4 @@ pub fn delay_explains(stated: Stated) -> Finding {
             found[0], found[1]
         ),
     )
-}
-
-fn opened(line: Opening) -> Finding {
-    all_proven(&Sign::BOTH.map(|sign| BarsOpened { line, sign }))
-}
-
-fn reprinted(form: Form) -> Finding {
-    all_proven(&Sign::BOTH.map(|contact| BarsReprinted { dots: form, bars: form, contact }))
 }

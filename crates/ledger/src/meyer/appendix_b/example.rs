@@ -1,9 +1,9 @@
 //! The demonstration: a vibration with damping, and the name of its first derivative.
 
 use super::*;
+use crate::meyer::letters;
 use crate::meyer::reading::{self, By, Letters, Moment};
 use crate::meyer::slips::{LOST_DOTS, ONE_AS_L};
-use geneva_dynamics::derivation::{Demonstration, Form};
 use geneva_mimic::{Parameters, integrate};
 
 const TEXT: Place = at("Appendix B, after the lines of the example");
@@ -172,8 +172,7 @@ fn dots(
 ) -> Claim {
     at(locator)
         .equation(id, printed, meaning)
-        .proven(Demonstration(Form::Printed))
-        .corrected_form(|| prove(&Demonstration(Form::Corrected)).into())
+        .proven_by(letters::vibration)
         .read(ClosedForm, vibrates)
         .corrected(corrected, LOST_DOTS)
 }

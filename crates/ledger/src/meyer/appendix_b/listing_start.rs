@@ -2,9 +2,9 @@
 
 use super::program::{self, by_coefficients};
 use super::*;
-use crate::meyer::reading::Letters;
-use geneva_dynamics::derivation::StartingAcceleration;
-use geneva_dynamics::{Coefficients, Pose, Sign};
+use crate::meyer::letters::start_of_program;
+use crate::meyer::reading::{Letters, decide};
+use geneva_dynamics::{Coefficients, Pose};
 use geneva_kinematics::Mechanism;
 
 const PROGRAM: Place = at("Appendix B, program, lines of SMT");
@@ -34,7 +34,7 @@ pub fn claims() -> Vec<Claim> {
             "2DX",
             program::START,
             ExactIdentity,
-            || all_proven(&Sign::BOTH.map(|sign| StartingAcceleration { sign })),
+            || decide(program::START, start_of_program),
         ),
         at("Appendix B, first sentence after the program")
             .statement(

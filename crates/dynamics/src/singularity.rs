@@ -1,5 +1,8 @@
-//! Why 1 + a² − 2 a cos θ is never zero: the paragraph after Eq. (1-18).
+//! What the equation of motion divides by is never zero, and what it comes to where it starts.
+//!
+//! Meyer 1973, the paragraph after Eq. (1-18), and Appendix D.
 
+use crate::{Pose, equation};
 use geneva_kinematics::{Expression, Identity, Turn, pin_slot};
 
 /// The assumed singularity: cos θ = (1 + a²)/(2 a) makes 1 + a² − 2 a cos θ zero. Variable: a.
@@ -48,5 +51,36 @@ impl Identity<2> for OffTheSingularity {
         let rest = ratio - 1;
         let sum = rest * rest + 2 * ratio * (1 - cos);
         pin_slot::slot_radius_squared(&ratio, &Turn { cos, sin: Expression::ZERO }) - sum
+    }
+}
+
+/// At entry, where a cos θ = 1, D = 0 and A = I_D/I_f: the driver starts with θ'' = K/I_D whatever the friction.
+///
+/// Multiplied out. Variables: a sin θ, I_D, I_f, μ, K.
+pub struct StartAtEntry;
+
+impl Identity<5> for StartAtEntry {
+    fn difference(&self, [cross, driver, follower, friction, torque]: [Expression; 5]) -> Expression {
+        // R² = h² + g² with h = 0.
+        let pose = Pose::from_square(&(cross * cross), &Expression::ZERO, &cross);
+        let inertia = driver / follower;
+        let a = equation::coefficient_a(&pose, &inertia);
+        let d = equation::coefficient_d(&pose, &friction);
+        torque / follower / (a + d) - torque / driver
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::proving::holds;
+
+    #[test]
+    fn nothing_is_divided_by_zero() {
+        holds("θ∞", &SingularAngle);
+        holds("(a − 1)²", &BoundAsSquare);
+        holds("a = 1", &AtOne);
+        holds("positive", &OffTheSingularity);
+        holds("start at entry", &StartAtEntry);
     }
 }
