@@ -48,10 +48,18 @@ fn end(mut child: Child, signal: Option<&str>) {
     assert!(!child.wait().expect("it ends").success());
 }
 
+/// Whether interrupts are ignored here, as they are in what a shell runs in the background: children ignore them too.
+fn ignores_interrupts() -> bool {
+    const INTERRUPT: u32 = 2;
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let ignored = status.lines().find_map(|line| u64::from_str_radix(line.strip_prefix("SigIgn:")?.trim(), 16).ok());
+    ignored.is_some_and(|mask| mask >> (INTERRUPT - 1) & 1 == 1)
+}
+
 #[test]
 fn ended_in_the_middle_it_leaves_nothing_and_an_old_file_as_it_was() {
     let signals: &[_] = if cfg!(unix) { &[Some("INT"), Some("TERM"), None] } else { &[None] };
-    for signal in signals {
+    for signal in signals.iter().filter(|signal| **signal != Some("INT") || !ignores_interrupts()) {
         let folder = tempfile::tempdir().expect("a temporary folder");
         end(begun(folder.path()), *signal);
         assert_eq!(names(folder.path()), [""; 0], "{signal:?}");
