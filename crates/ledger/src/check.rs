@@ -17,6 +17,9 @@ pub type Decision = dyn Fn(&str) -> Finding + Send + Sync;
 /// A way to find whether a statement holds, which is asked for the right one and for its neighbour.
 pub type Choice = dyn Fn(Stated) -> Finding + Send + Sync;
 
+/// Whether characters hold wherever they are read and evaluated; none if they cannot be read.
+pub type Reading = dyn Fn(&str) -> Option<bool> + Send + Sync;
+
 /// How a claim is checked.
 #[derive(Clone)]
 pub enum Check {
@@ -63,12 +66,12 @@ pub enum Check {
 }
 
 /// How the characters of an equation are read and evaluated.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone)]
 pub struct Reader {
     /// The same in the letters of mathematics, if the source's characters are not ours to print.
     pub said: Option<&'static str>,
     /// Whether these characters would hold in the place of the right ones; none if they cannot be read.
-    pub holds: fn(&str) -> Option<bool>,
+    pub holds: Arc<Reading>,
 }
 
 /// A way to a result, with the kind of evidence that it is.
@@ -137,9 +140,9 @@ pub struct Finding {
 
 impl Check {
     /// How the characters of the equation are read, if it is one and the ledger reads it.
-    pub fn reader(&self) -> Option<Reader> {
+    pub fn reader(&self) -> Option<&Reader> {
         match self {
-            Self::Equation { reader, .. } => *reader,
+            Self::Equation { reader, .. } => reader.as_ref(),
             _ => None,
         }
     }

@@ -206,9 +206,20 @@ impl Unwitnessed<Test> {
     }
 
     /// The right characters hold wherever they are read and evaluated, and the printed ones do not if they are corrected.
-    pub fn read(self, evidence: Evidence, holds: fn(&str) -> Option<bool>) -> Claim {
+    pub fn read(self, evidence: Evidence, holds: impl Fn(&str) -> Option<bool> + Send + Sync + 'static) -> Claim {
         let id = self.claim.id;
         self.by(evidence, move || reads(id)).read_by(holds)
+    }
+
+    /// The same in a display that is cut into lines, each a claim of its own: the others have their right characters.
+    pub fn read_in(
+        self,
+        evidence: Evidence,
+        lines: &'static [&'static str],
+        holds: impl Fn(&str) -> Option<bool> + Send + Sync + 'static,
+    ) -> Claim {
+        let own = self.claim.id;
+        self.read(evidence, move |tex| holds(&in_display(lines, own, tex)))
     }
 
     /// The right equation is this identity.
@@ -271,9 +282,9 @@ impl Claim {
 
     /// An equation whose characters the ledger reads: whether given ones hold in their place, if they can be read.
     #[must_use]
-    pub fn read_by(mut self, holds: fn(&str) -> Option<bool>) -> Self {
+    pub fn read_by(mut self, holds: impl Fn(&str) -> Option<bool> + Send + Sync + 'static) -> Self {
         let Check::Equation { reader, .. } = &mut self.check else { self.has_no("a reader") };
-        *reader = Some(Reader { said: None, holds });
+        *reader = Some(Reader { said: None, holds: Arc::new(holds) });
         self
     }
 

@@ -28,7 +28,7 @@ pub mod pin;
 pub mod quick_return;
 pub mod tex;
 
-pub use check::{Check, Choice, Decision, Evidence, Finding, Number, Reader, Route, Stated, Test};
+pub use check::{Check, Choice, Decision, Evidence, Finding, Number, Reader, Reading, Route, Stated, Test};
 pub use claim::{Claim, Kind, Place};
 pub use dimension::Dimension;
 pub use inventory::{Entry, Line, Symbol, in_full, listed, numeric_tokens};

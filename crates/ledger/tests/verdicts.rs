@@ -126,7 +126,7 @@ fn a_wrong_route_is_noticed() {
             Check::Equation { printed, corrected, decide, witness, reader } => {
                 let with = |printed: &Route<Test>, corrected, witness: &Route<Test>| {
                     let [printed, witness] = [printed, witness].map(Route::clone);
-                    Check::Equation { printed, corrected, decide: decide.clone(), witness, reader }
+                    Check::Equation { printed, corrected, decide: decide.clone(), witness, reader: reader.clone() }
                 };
                 let (first, second) = (fails(printed.evidence), fails(witness.evidence));
                 broken.push(with(&printed, corrected.clone(), &second));

@@ -1,6 +1,6 @@
 //! The kinetic energy and its derivatives: Eq. (1-16), and the displays before Eq. (1-17).
 
-use super::instants::{self, holds, holds_in_display, instants, miscopied};
+use super::instants::{self, holds, instants, miscopied};
 use super::letters::{mechanism, proven_of};
 use super::reading::decide;
 use super::slips::{DRIVER_INDEX, PHI_AS_THETA};
@@ -23,6 +23,16 @@ const QUOTIENT: [&str; 3] = [
 ];
 const CANCELLED: [&str; 2] = ["meyer.momentum-rate.cancelled.first-line", "meyer.momentum-rate.cancelled.second-line"];
 const FACTORED: [&str; 2] = ["meyer.momentum-rate.factored.first-line", "meyer.momentum-rate.factored.second-line"];
+
+/// The first line of the three displays in which the rate of ∂T/∂θ' is worked out, as printed in each, and put right.
+const FIRST_LINE: &str = concat!(
+    r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_b + ",
+    r"\frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}"
+);
+const FIRST_LINE_RIGHT: &str = concat!(
+    r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_D + ",
+    r"\frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}"
+);
 
 pub fn claims() -> Vec<Claim> {
     [energy(), set_up(), by_quotient(), by_speed(), by_angle()].concat()
@@ -112,19 +122,7 @@ fn set_up() -> Vec<Claim> {
 
 fn by_quotient() -> Vec<Claim> {
     vec![
-        letter_b(
-            &QUOTIENT,
-            |tex| holds_in_display(&QUOTIENT, QUOTIENT[0], tex),
-            "4th display after Eq. (1-16), 1st line",
-            concat!(
-                r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_b + ",
-                r"\frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}"
-            ),
-            concat!(
-                r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_D + ",
-                r"\frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}"
-            ),
-        ),
+        letter_b(&QUOTIENT, "4th display after Eq. (1-16), 1st line", FIRST_LINE, FIRST_LINE_RIGHT),
         at("4th display after Eq. (1-16), 2nd line")
             .equation(
                 QUOTIENT[1],
@@ -136,7 +134,7 @@ fn by_quotient() -> Vec<Claim> {
                 "the numerator of the fraction differentiated",
             )
             .proven_in(&QUOTIENT, mechanism)
-            .read(ClosedForm, |tex| holds_in_display(&QUOTIENT, QUOTIENT[1], tex)),
+            .read_in(ClosedForm, &QUOTIENT, holds),
         at("4th display after Eq. (1-16), 3rd line")
             .equation(
                 QUOTIENT[2],
@@ -147,7 +145,7 @@ fn by_quotient() -> Vec<Claim> {
                 "the denominator of the fraction differentiated",
             )
             .proven_in(&QUOTIENT, mechanism)
-            .read(ClosedForm, |tex| holds_in_display(&QUOTIENT, QUOTIENT[2], tex))
+            .read_in(ClosedForm, &QUOTIENT, holds)
             .corrected(
                 concat!(
                     r"\left. \left. - \frac{(a \cos \theta - 1)^2 (2)(1+a^2-2a \cos \theta)(2a \sin ",
@@ -163,19 +161,7 @@ fn by_quotient() -> Vec<Claim> {
 
 fn by_speed() -> Vec<Claim> {
     vec![
-        letter_b(
-            &CANCELLED,
-            |tex| holds_in_display(&CANCELLED, CANCELLED[0], tex),
-            "5th display after Eq. (1-16), 1st line",
-            concat!(
-                r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_b + ",
-                r"\frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}"
-            ),
-            concat!(
-                r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_D + ",
-                r"\frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}"
-            ),
-        ),
+        letter_b(&CANCELLED, "5th display after Eq. (1-16), 1st line", FIRST_LINE, FIRST_LINE_RIGHT),
         at("5th display after Eq. (1-16), 2nd line")
             .equation(
                 CANCELLED[1],
@@ -187,20 +173,8 @@ fn by_speed() -> Vec<Claim> {
                 "what the turning of the follower's place adds, with common factors cancelled",
             )
             .proven_in(&CANCELLED, mechanism)
-            .read(ClosedForm, |tex| holds_in_display(&CANCELLED, CANCELLED[1], tex)),
-        letter_b(
-            &FACTORED,
-            |tex| holds_in_display(&FACTORED, FACTORED[0], tex),
-            "6th display after Eq. (1-16), 1st line",
-            concat!(
-                r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_b + ",
-                r"\frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}"
-            ),
-            concat!(
-                r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_D + ",
-                r"\frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \ddot{\theta}"
-            ),
-        ),
+            .read_in(ClosedForm, &CANCELLED, holds),
+        letter_b(&FACTORED, "6th display after Eq. (1-16), 1st line", FIRST_LINE, FIRST_LINE_RIGHT),
         at("6th display after Eq. (1-16), 2nd line")
             .equation(
                 FACTORED[1],
@@ -212,10 +186,9 @@ fn by_speed() -> Vec<Claim> {
                 "the same with its factors outside the braces",
             )
             .proven_in(&FACTORED, mechanism)
-            .read(ClosedForm, |tex| holds_in_display(&FACTORED, FACTORED[1], tex)),
+            .read_in(ClosedForm, &FACTORED, holds),
         letter_b(
             &["meyer.momentum-rate"],
-            holds,
             "7th display after Eq. (1-16)",
             concat!(
                 r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) = \left[I_b + ",
@@ -309,7 +282,6 @@ fn by_theta(id: &'static str, locator: &'static str, printed: &'static str) -> C
 /// The first line of a display, which has I_b for I_D.
 fn letter_b(
     lines: &'static [&'static str],
-    holds: fn(&str) -> Option<bool>,
     locator: &'static str,
     printed: &'static str,
     corrected: &'static str,
@@ -317,7 +289,7 @@ fn letter_b(
     at(locator)
         .equation(lines[0], printed, "rate of the derivative by the speed: what the driver's acceleration adds")
         .proven_in(lines, mechanism)
-        .read(ClosedForm, holds)
+        .read_in(ClosedForm, lines, holds)
         .corrected(corrected, DRIVER_INDEX)
 }
 

@@ -5,7 +5,6 @@
 
 use super::reading::{By, Letters, Moment};
 use super::*;
-use crate::checks::in_display;
 use std::sync::OnceLock;
 
 /// Speeds and accelerations of the driver: braked and driven hard, so that the pin presses on either flank.
@@ -146,11 +145,6 @@ pub fn letters_of(moment: &Moment) -> impl Fn(&str) -> f64 {
 /// Whether an equation holds at all instants; none if it cannot be read.
 pub fn holds(tex: &str) -> Option<bool> {
     reading::holds(tex, moments())
-}
-
-/// Whether a display that is cut into lines, each a claim of its own, holds with these characters for one of its lines.
-pub fn holds_in_display(lines: &[&str], own: &str, tex: &str) -> Option<bool> {
-    holds(&in_display(lines, own, tex))
 }
 
 /// Whether an equation holds at all instants, and what stands behind the last of these operators is this.

@@ -1,6 +1,6 @@
 //! The equation of motion put together, and its five factors: Eqs. (1-17) to (1-19).
 
-use super::instants::{holds, holds_in_display, miscopied};
+use super::instants::{holds, miscopied};
 use super::letters::mechanism;
 use super::reading::decide;
 use super::slips::{ARC, LOST_BARS, MISSING_SQUARE};
@@ -72,7 +72,7 @@ fn together() -> Vec<Claim> {
                 "left side of the equation of motion",
             )
             .proven_in(&PARTS_PUT_IN, mechanism)
-            .read(ClosedForm, |tex| holds_in_display(&PARTS_PUT_IN, PARTS_PUT_IN[0], tex))
+            .read_in(ClosedForm, &PARTS_PUT_IN, holds)
             .corrected(
                 concat!(
                     r"\left[I_D + \frac{(a \cos \theta - 1)^2 I_f}{(1 + a^2 - 2a \cos \theta)^2} \right] ",
@@ -92,7 +92,7 @@ fn together() -> Vec<Claim> {
                 "right side of the equation of motion",
             )
             .proven_in(&PARTS_PUT_IN, mechanism)
-            .read(ClosedForm, |tex| holds_in_display(&PARTS_PUT_IN, PARTS_PUT_IN[1], tex))
+            .read_in(ClosedForm, &PARTS_PUT_IN, holds)
             .corrected(
                 concat!(
                     r"= K - a \mu I_f \left| \frac{a \sin^2 \theta (1 - a^2) \dot{\theta}^2}{(1 + a^2 - ",
@@ -112,7 +112,7 @@ fn together() -> Vec<Claim> {
                 "equation of motion over the follower's inertia, without friction",
             )
             .proven_in(&EQUATION_OF_MOTION, mechanism)
-            .read(ClosedForm, |tex| holds_in_display(&EQUATION_OF_MOTION, EQUATION_OF_MOTION[0], tex)),
+            .read_in(ClosedForm, &EQUATION_OF_MOTION, holds),
         at("Eq. (1-18), 2nd line")
             .equation(
                 EQUATION_OF_MOTION[1],
@@ -124,7 +124,7 @@ fn together() -> Vec<Claim> {
                 "its friction, and the drive",
             )
             .proven_in(&EQUATION_OF_MOTION, mechanism)
-            .read(ClosedForm, |tex| holds_in_display(&EQUATION_OF_MOTION, EQUATION_OF_MOTION[1], tex))
+            .read_in(ClosedForm, &EQUATION_OF_MOTION, holds)
             .corrected(
                 concat!(
                     r"+ a \mu \left| \frac{a \sin^2 \theta (1 - a^2)}{(1 + a^2 - 2a \cos \theta)^3} ",

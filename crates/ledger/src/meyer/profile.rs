@@ -246,23 +246,3 @@ fn settled(stated: Stated, runs: Vec<(Mechanism, Vec<f64>)>) -> Finding {
         ),
     )
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn two_first_minima_with_four_pins_round_to_the_time_in_the_text() {
-        let said = crate::checks::decimal("meyer.fig-8.rise");
-        let four = rows().iter().filter(|row| row.mechanism == Mechanism::FOUR_PIN);
-        let fitting: Vec<&Row> = four
-            .filter(|row| {
-                let of = Hypothesis::IDEAL.engagement(row).expect("an escapement");
-                let first = of.first_minimum().expect("an engagement").expect("a minimum");
-                said.is_rounding_of(first.time)
-            })
-            .collect();
-        assert_eq!(fitting.len(), 2);
-        assert!(fitting.iter().all(|row| !said.is_rounding_of(row.number(Column::Rise))));
-    }
-}

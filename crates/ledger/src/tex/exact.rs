@@ -9,7 +9,8 @@ use super::tree::Function;
 use super::{Display, Illegible, Moment};
 use crate::Finding;
 use geneva_kinematics::{Expression, Field, Identity, prove};
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
+use std::sync::{Arc, LazyLock, Mutex, OnceLock, PoisonError};
 
 /// An expression has the four operations and whole powers, and no function.
 impl Number for Expression {
@@ -53,8 +54,8 @@ pub fn decide(tex: &str, letters: Exact) -> Finding {
         parts.extend(display.unwrap_or_else(|illegible: Illegible| panic!("{tex}: {illegible}")));
         conditions.extend(moment.conditions());
     }
-    let findings: Vec<Finding> = without_repetition(parts).map(|part| prove(&Zero(part)).into()).collect();
-    let given = || without_repetition(conditions).map(|condition| prove(&Zero(condition)).into());
+    let findings: Vec<Finding> = without_repetition(parts).map(zero).collect();
+    let given = || without_repetition(conditions).map(zero);
     let refuted = findings.iter().find(|finding| !finding.holds).cloned();
     refuted.or_else(|| given().find(|finding: &Finding| !finding.holds)).unwrap_or_else(|| {
         let how: Vec<_> = findings.into_iter().map(|finding| finding.how).collect();
@@ -66,6 +67,13 @@ pub fn decide(tex: &str, letters: Exact) -> Finding {
 fn without_repetition(parts: Vec<Expression>) -> impl Iterator<Item = Expression> {
     let mut seen = HashSet::new();
     parts.into_iter().filter(move |part| seen.insert(*part))
+}
+
+/// Whether an expression is zero, found once: the lines of a display have one proof, and what is given is given to many.
+fn zero(part: Expression) -> Finding {
+    static FOUND: LazyLock<Mutex<HashMap<Expression, Arc<OnceLock<Finding>>>>> = LazyLock::new(Mutex::default);
+    let own = Arc::clone(FOUND.lock().unwrap_or_else(PoisonError::into_inner).entry(part).or_default());
+    own.get_or_init(|| prove(&Zero(part)).into()).clone()
 }
 
 /// The statement that an expression is zero.
