@@ -9,7 +9,7 @@ use std::sync::OnceLock;
 use tempfile::TempDir;
 
 /// What a page may weigh with everything that it loads, and a figure on it, in bytes.
-const HEAVIEST_PAGE: usize = 300_000;
+const HEAVIEST_PAGE: usize = 350_000;
 const HEAVIEST_FIGURE: usize = 40_000;
 
 /// The book, built once for all tests of this file.
@@ -124,7 +124,7 @@ fn text(pieces: &[Piece]) -> String {
 
 #[test]
 fn links_and_fragments_lead_somewhere() {
-    let pages: BTreeMap<_, _> = pages().into_iter().collect();
+    let (pages, files): (BTreeMap<_, _>, _) = (pages().into_iter().collect(), contents(book()));
     for (name, page) in &pages {
         for link in attribute(page, &["a"], "href") {
             if link.starts_with("http") {
@@ -132,6 +132,9 @@ fn links_and_fragments_lead_somewhere() {
             }
             let (file, fragment) = link.split_once('#').unwrap_or((&link, ""));
             let target = if file.is_empty() { name.as_str() } else { file };
+            if files.contains_key(target) && !target.ends_with(".html") {
+                continue;
+            }
             let there = pages.get(target).unwrap_or_else(|| panic!("{name}: no page {target}"));
             let found = fragment.is_empty() || ids(there).iter().any(|id| id == fragment);
             assert!(found, "{name}: {target} has no #{fragment}");
@@ -242,9 +245,13 @@ fn figures_have_a_number_a_caption_and_words_for_those_who_do_not_see_them() {
     for (name, page) in pages() {
         for figure in within(&page, "figure") {
             let part = |element: &str| within(figure, element).into_iter().next().map(text).unwrap_or_default();
-            assert!(part("figcaption").starts_with("Figure ") && part("figcaption").len() > 20, "{name}");
-            assert!(part("title").len() > 5 && part("desc").len() > 40, "{name}: {}", part("desc"));
-            shown += 1;
+            let caption = part("figcaption");
+            assert!(caption.starts_with("Figure\u{a0}") || caption.starts_with("Table\u{a0}"), "{name}: {caption}");
+            assert!(caption.len() > 25, "{name}: {caption}");
+            if caption.starts_with("Figure") {
+                assert!(part("title").len() > 5 && part("desc").len() > 40, "{name}: {}", part("desc"));
+                shown += 1;
+            }
         }
     }
     assert_eq!(shown, geneva_press::figures::FIGURES.len());

@@ -2,6 +2,7 @@
 
 use crate::series::Series;
 use crate::svg::{Canvas, Kind};
+use std::panic::Location;
 
 /// A drawing with its text alternative, its caption and the numbers it was drawn from.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,6 +19,8 @@ pub struct Figure {
     pub svg: String,
     /// The numbers behind the drawing.
     pub series: Series,
+    /// The file that draws it.
+    pub source: &'static str,
 }
 
 /// The words of a figure, before it is drawn.
@@ -26,23 +29,27 @@ pub(crate) struct Words {
     title: String,
     description: String,
     caption: String,
+    source: &'static str,
 }
 
 impl Words {
-    /// A figure's name, title, description and caption.
+    /// A figure's name, title, description and caption, written in the file that draws it.
+    #[track_caller]
     pub fn new(
         id: impl Into<String>,
         title: impl Into<String>,
         description: impl Into<String>,
         caption: impl Into<String>,
     ) -> Self {
-        Self { id: id.into(), title: title.into(), description: description.into(), caption: caption.into() }
+        let source = Location::caller().file();
+        let (id, title) = (id.into(), title.into());
+        Self { id, title, description: description.into(), caption: caption.into(), source }
     }
 
     /// The figure that these words, this canvas and these numbers make.
     pub fn figure(self, canvas: Canvas, kind: Kind, series: Series) -> Figure {
         let svg = canvas.finish(kind, &self.id, &self.title, &self.description);
-        let Self { id, title, description, caption } = self;
-        Figure { id, title, description, caption, svg, series }
+        let Self { id, title, description, caption, source } = self;
+        Figure { id, title, description, caption, svg, series, source }
     }
 }

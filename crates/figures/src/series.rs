@@ -64,6 +64,14 @@ impl Series {
         }
         text
     }
+
+    /// The table as CSV: a line of names and units, then one line per row, to the same decimals.
+    pub fn to_csv(&self) -> String {
+        let head = self.columns.iter().map(|column| format!("{} [{}]", column.name, column.unit)).collect();
+        let values = self.rows.iter().map(|row| row.iter().map(|value| fixed(*value, self.decimals)).collect());
+        let lines: Vec<Vec<String>> = std::iter::once(head).chain(values).collect();
+        lines.iter().map(|line| line.join(",") + "\n").collect()
+    }
 }
 
 #[cfg(test)]
@@ -75,5 +83,6 @@ mod tests {
         let series = Series::new([("phi", "deg"), ("v", "m/s")], [[1.0, -0.0], [-12.0, -1e-12]]);
         let expected = "    phi [deg]      v [m/s]\n  1.000000000  0.000000000\n-12.000000000  0.000000000\n";
         assert_eq!(series.to_text(), expected);
+        assert_eq!(series.to_csv(), "phi [deg],v [m/s]\n1.000000000,0.000000000\n-12.000000000,0.000000000\n");
     }
 }

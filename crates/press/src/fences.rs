@@ -2,7 +2,8 @@
 
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 
-use crate::maths::line;
+use crate::html::escape;
+use crate::maths::{apply, line};
 
 /// The crates that a chapter may use.
 pub const CRATES: [&str; 7] =
@@ -37,6 +38,30 @@ pub fn add_extern_crates(chapter: &str, crates: &[&str]) -> String {
     }
     out.push_str(&chapter[at..]);
     out
+}
+
+/// Folds each Rust block under its first line, a comment that says what the block shows.
+pub fn fold(chapter: &str) -> String {
+    let mut edits = Vec::new();
+    for (event, range) in Parser::new_ext(chapter, dialect()).into_offset_iter() {
+        let Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))) = event else { continue };
+        let block = &chapter[range.clone()];
+        let Some((summary, rest)) = headed(block).filter(|_| is_rust(&info)) else { continue };
+        let (opening, _) = block.split_once('\n').unwrap_or((block, ""));
+        let folded = format!(
+            "<details class=\"proof\">\n<summary>{}</summary>\n\n{opening}\n{rest}\n\n</details>\n",
+            escape(summary)
+        );
+        edits.push((range, folded));
+    }
+    apply(chapter, &edits)
+}
+
+/// What the first line of a block says if it is a comment, and the lines behind it.
+pub fn headed(block: &str) -> Option<(&str, &str)> {
+    let (_, inside) = block.split_once('\n')?;
+    let (first, rest) = inside.split_once('\n')?;
+    Some((first.strip_prefix("// ")?, rest))
 }
 
 /// A code block that says no language.
@@ -120,6 +145,17 @@ mod tests {
     fn other_languages_are_left_alone() {
         for chapter in ["```text\nx\n```\n", "```rust,ignore\nx\n```\n", "```toml\n[a]\n```\n", "Prose, `code`.\n"] {
             assert_eq!(declared(chapter), chapter);
+        }
+    }
+
+    #[test]
+    fn a_block_is_folded_under_what_it_shows() {
+        let folded = fold("a\n\n```rust\n// One is *one*.\nassert_eq!(1, 1);\n```\n");
+        let expected = "a\n\n<details class=\"proof\">\n<summary>One is &#42;one&#42;.</summary>\n\n```rust\nassert_eq!(1, \
+                        1);\n```\n\n</details>\n";
+        assert!(folded.trim_end() == expected.trim_end(), "{folded}");
+        for left in ["```rust\nf();\n```\n", "```text\n// x\ny\n```\n"] {
+            assert_eq!(fold(left), left);
         }
     }
 

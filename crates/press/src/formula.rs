@@ -5,6 +5,7 @@
 
 use std::sync::LazyLock;
 
+use crate::html::tex_or_text;
 use anyhow::{Context, anyhow, ensure};
 use math_core::{LatexError, LatexToMathML, MathCoreConfig, MathDisplay};
 
@@ -77,6 +78,56 @@ fn has_sign(c: char) -> bool {
     CHARACTERS.contains(c) || INVISIBLE.contains(&c)
 }
 
+/// A piece of TeX, or a few words, with what differs from another marked where one stretch of letters does.
+///
+/// A change that begins or ends inside a fraction or an exponent is widened until the piece can be set.
+pub fn changed(tex: &str, other: &str) -> anyhow::Result<String> {
+    let plain = tex_or_text(tex)?;
+    let (ours, theirs) = (tokens(tex), tokens(other));
+    let head = ours.iter().zip(&theirs).take_while(|(one, other)| one == other).count();
+    let most = ours.len().min(theirs.len()) - head;
+    let tail = ours.iter().rev().zip(theirs.iter().rev()).take(most).take_while(|(one, other)| one == other).count();
+    let (from, to) = (head, ours.len() - tail);
+    if from == to || !plain.contains("<math") {
+        return Ok(plain);
+    }
+    let widened = (0..=WIDEST).flat_map(|by| (0..=by).map(move |left| (left, by - left)));
+    for (left, right) in widened.filter(|(left, right)| *left <= from && to + right <= ours.len()) {
+        let (before, inside, behind) = (&ours[..from - left], &ours[from - left..to + right], &ours[to + right..]);
+        let marked = format!("{}{{{MARK}{}}}{}", before.concat(), inside.concat(), behind.concat());
+        if let Ok(marked) = formula(&marked, false) {
+            return Ok(marked.replace(MARKED, "class=\"changed\""));
+        }
+    }
+    Ok(plain)
+}
+
+/// By how many tokens a change is widened at most.
+const WIDEST: usize = 12;
+/// A colour that no formula has, in TeX and in markup: it gives way to a class.
+const MARK: &str = r"\color[RGB]{1,2,3}";
+const MARKED: &str = "style=\"color:#010203;\"";
+
+/// The tokens of TeX: commands, and single characters.
+fn tokens(tex: &str) -> Vec<&str> {
+    let mut tokens = Vec::new();
+    let mut rest = tex;
+    while let Some(first) = rest.chars().next() {
+        let behind = &rest[first.len_utf8()..];
+        let letters = behind.chars().take_while(char::is_ascii_alphabetic).count();
+        let length = match (first, letters, behind.chars().next()) {
+            // A command is a name, or one sign of any kind.
+            ('\\', 0, Some(sign)) => 1 + sign.len_utf8(),
+            ('\\', ..) => 1 + letters,
+            _ => first.len_utf8(),
+        };
+        let (token, behind) = rest.split_at(length);
+        tokens.push(token);
+        rest = behind;
+    }
+    tokens
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -123,6 +174,20 @@ mod tests {
     fn an_error_says_where() {
         let error = format!("{:#}", formula("a + \\nosuch + b", false).unwrap_err());
         assert_eq!(error, "the formula `a + \\nosuch + b`: Unknown command \"\\nosuch\", at `\\nosuch + b`");
+    }
+
+    #[test]
+    fn a_misprint_is_marked_where_it_stands() {
+        let mark = "<mrow class=\"changed\"><mn>3</mn></mrow>";
+        for (tex, other) in [("x^{3/2}+y", "x^{5/2}+y"), (r"\frac{3}{2}a", r"\frac{5}{2}a"), ("x=3", "x=5")] {
+            let marked = changed(tex, other).unwrap();
+            assert_eq!(marked.matches(mark).count(), 1, "{marked}");
+            assert_eq!(marked.replace(mark, "<mn>3</mn>"), changed(tex, tex).unwrap());
+        }
+        // A change from the top of a fraction to its foot takes in the fraction.
+        let wide = changed(r"a+\frac{b}{c}", r"a+\frac{d}{e}").unwrap();
+        assert!(wide.contains("<mrow class=\"changed\"><mfrac>"), "{wide}");
+        assert_eq!(changed("lost words", "found words").unwrap(), "lost words");
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Small pieces of HTML that survive the Markdown parser.
 
 use crate::maths;
+use std::panic::Location;
 
 /// Text as HTML that stands in Markdown and in HTML blocks alike: no character of it is markup in either.
 pub fn escape(text: &str) -> String {
@@ -36,37 +37,126 @@ pub enum Cells {
     Words,
 }
 
-/// A table with a head, which scrolls inside itself, under a name for screen readers.
-///
-/// The cells are HTML already; the first of each row is its head. A row that cannot be made is an error of the table.
+/// A table before it is set: cells of HTML, the first of each row its head.
+pub struct Table {
+    caption: String,
+    cells: Cells,
+    head: Vec<String>,
+    rows: Vec<Vec<String>>,
+    /// What is said below it.
+    legend: &'static str,
+    /// The file that makes it.
+    source: &'static str,
+}
+
+/// A table with a head under a caption. A row that cannot be made is an error of the table.
+#[track_caller]
 pub fn table(
-    name: &str,
+    caption: &str,
     cells: Cells,
     head: &[&str],
     rows: impl IntoIterator<Item = anyhow::Result<Vec<String>>>,
-) -> anyhow::Result<String> {
-    let class = match cells {
-        Cells::Numbers => "compare",
-        Cells::NamedNumbers => "compare named",
-        Cells::Words => "listing",
-    };
-    let name = escape(name);
-    let mut out = format!("<div class=\"{class}\" role=\"region\" tabindex=\"0\" aria-label=\"{name}\">\n<table>\n");
-    out.push_str("<thead><tr>");
-    for cell in head {
-        out.push_str(&format!("<th scope=\"col\">{cell}</th>"));
+) -> anyhow::Result<Table> {
+    let source = Location::caller().file();
+    let rows = rows.into_iter().collect::<Result<_, _>>()?;
+    let head = head.iter().map(|cell| (*cell).to_owned()).collect();
+    Ok(Table { caption: caption.to_owned(), cells, head, rows, legend: "", source })
+}
+
+impl Table {
+    /// The same with some HTML below it.
+    pub fn with_legend(self, legend: &'static str) -> Self {
+        Self { legend, ..self }
     }
-    out.push_str("</tr></thead>\n<tbody>\n");
-    for row in rows {
-        out.push_str("<tr>");
-        for (at, cell) in row?.iter().enumerate() {
-            let (open, close) = if at == 0 { ("th scope=\"row\"", "th") } else { ("td", "td") };
-            out.push_str(&format!("<{open}>{cell}</{close}>"));
+
+    /// Whether a cell holds this piece of HTML.
+    pub fn holds(&self, piece: &str) -> bool {
+        self.rows.iter().flatten().any(|cell| cell.contains(piece))
+    }
+
+    /// What it shows, in a few words of plain text.
+    pub fn caption(&self) -> &str {
+        &self.caption
+    }
+
+    /// The file that makes it.
+    pub fn source(&self) -> &'static str {
+        self.source
+    }
+
+    /// The table without a number, under a name for screen readers.
+    ///
+    /// Each cell bears its column's head, which stands beside it where the page is too narrow for columns.
+    pub fn html(&self) -> String {
+        let class = match self.cells {
+            Cells::Numbers => "compare",
+            Cells::NamedNumbers => "compare named",
+            Cells::Words => "listing",
+        };
+        let name = escape(&self.caption);
+        let mut out =
+            format!("<div class=\"{class}\" role=\"region\" tabindex=\"0\" aria-label=\"{name}\">\n<table>\n");
+        out.push_str("<thead><tr>");
+        for cell in &self.head {
+            out.push_str(&format!("<th scope=\"col\">{cell}</th>"));
         }
-        out.push_str("</tr>\n");
+        out.push_str("</tr></thead>\n<tbody>\n");
+        for row in &self.rows {
+            out.push_str("<tr>");
+            for (at, cell) in row.iter().enumerate() {
+                if at == 0 {
+                    out.push_str(&format!("<th scope=\"row\">{cell}</th>"));
+                } else {
+                    let label = self.head.get(at).map_or_else(String::new, |head| escape(&plain(head)));
+                    out.push_str(&format!("<td data-label=\"{label}\">{cell}</td>"));
+                }
+            }
+            out.push_str("</tr>\n");
+        }
+        out.push_str("</tbody>\n</table>\n</div>");
+        if !self.legend.is_empty() {
+            out.push_str(&format!("\n{}", self.legend));
+        }
+        out
     }
-    out.push_str("</tbody>\n</table>\n</div>");
-    Ok(out)
+
+    /// The table as CSV: the text of its cells.
+    pub fn csv(&self) -> anyhow::Result<String> {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        for row in std::iter::once(&self.head).chain(&self.rows) {
+            writer.write_record(row.iter().map(|cell| plain(cell)))?;
+        }
+        Ok(String::from_utf8(writer.into_inner()?)?)
+    }
+}
+
+/// The text of a piece of HTML, without its tags.
+pub fn plain(html: &str) -> String {
+    let mut text = String::with_capacity(html.len());
+    let mut rest = html;
+    while let Some(at) = rest.find(['<', '&']) {
+        text.push_str(&rest[..at]);
+        let (end, is_tag) = if rest[at..].starts_with('<') { ('>', true) } else { (';', false) };
+        let Some(length) = rest[at..].find(end) else { break };
+        if !is_tag {
+            text.push(character(&rest[at + 1..at + length]));
+        }
+        rest = &rest[at + length + 1..];
+    }
+    text.push_str(rest);
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// The character that an entity stands for, of those that the pages have.
+fn character(entity: &str) -> char {
+    let numbered = entity.strip_prefix('#').and_then(|number| number.parse().ok()).and_then(char::from_u32);
+    numbered.unwrap_or(match entity {
+        "amp" => '&',
+        "lt" => '<',
+        "gt" => '>',
+        "quot" => '"',
+        _ => ' ',
+    })
 }
 
 #[cfg(test)]
@@ -78,5 +168,12 @@ mod tests {
         assert_eq!(escape("a<b & c_d*e"), "a&lt;b &amp; c&#95;d&#42;e");
         assert_eq!(tex_or_text("10 mm").expect("text"), "10 mm");
         assert!(tex_or_text(r"\sqrt{2}").expect("TeX").contains("math"));
+    }
+
+    #[test]
+    fn the_data_of_a_table_are_its_words() {
+        let rows = [Ok(vec![escape("a_1 & b"), "<a href=\"x\">2.5</a>&nbsp;mm".to_owned()])];
+        let table = table("Two", Cells::NamedNumbers, &["What", "Size, mm"], rows).expect("a table");
+        assert_eq!(table.csv().expect("data"), "What,\"Size, mm\"\na_1 & b,2.5 mm\n");
     }
 }

@@ -18,6 +18,8 @@ pub mod placeholders;
 mod preprocessor;
 
 // What stands for a placeholder.
+mod computed;
+mod data;
 pub mod figures;
 mod ledger_pages;
 mod tables;

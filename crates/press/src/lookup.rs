@@ -34,7 +34,8 @@ pub fn of_work(work: Work) -> impl Iterator<Item = &'static Judged> {
     verdicts().iter().filter(move |judged| judged.claim.work == work)
 }
 
-fn unknown<'a>(what: &str, name: &str, names: impl Iterator<Item = &'a str>) -> anyhow::Error {
+/// That nothing of this kind bears the name, with the nearest that something bears.
+pub fn unknown<'a>(what: &str, name: &str, names: impl Iterator<Item = &'a str>) -> anyhow::Error {
     let closest = names.max_by(|a, b| strsim::jaro(name, a).total_cmp(&strsim::jaro(name, b)));
     let nearest = closest.map_or_else(String::new, |closest| format!("; the nearest is `{closest}`"));
     anyhow!("no {what} `{name}`{nearest}")

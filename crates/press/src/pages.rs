@@ -15,12 +15,23 @@ pub struct Page {
     pub name: &'static str,
     /// As the table of contents has it.
     pub title: String,
-    /// Whether it is a chapter: chapters have numbers.
-    pub is_chapter: bool,
+    /// How it stands in the table of contents.
+    pub place: Place,
     /// What it shows of the records, which stand at the end of the book.
     pub records: Records,
     /// Of a page that only lists records the heading and what stands before the list; the others are written by hand.
     pub written: Option<[String; 2]>,
+}
+
+/// How a page stands in the table of contents.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// Before the parts, without a number: the first page.
+    Before,
+    /// A chapter of this part, with a number.
+    In(&'static str),
+    /// Below the chapter before it, folded.
+    Below,
 }
 
 /// What a page lists.
@@ -45,61 +56,67 @@ pub struct Section {
     pub title: &'static str,
 }
 
+/// The parts of the book.
+const WHEEL: &str = "The wheel";
+const LEVER: &str = "The lever";
+const CASE: &str = "The case of 1973";
+const RECORDS: &str = "Records";
+
 /// All pages, in the order of the book.
 pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
-    let page = |name, title: &str| Page {
+    let page = |name: &'static str, title: &str, place| Page {
         name,
         title: title.to_owned(),
-        is_chapter: false,
+        place,
         records: Records::None,
         written: None,
     };
-    let chapter = |name, title| Page { is_chapter: true, ..page(name, title) };
-    let listing = |name, title: &str, lead: &str, records| Page {
+    let chapter = |part, name: &'static str, title: &str| page(name, title, Place::In(part));
+    let below = |name: &'static str, title: &str| page(name, title, Place::Below);
+    let listing = |name: &'static str, title: &str, heading: &str, lead: &str, records| Page {
         records,
-        written: Some([title.to_owned(), lead.to_owned()]),
-        ..page(name, title)
+        written: Some([heading.to_owned(), lead.to_owned()]),
+        ..below(name, title)
     };
     let whole = |work, title| Section { work, lines: 0..=u32::MAX, title };
-    let thesis = |name, of: &str, lines, title| {
+    let thesis = |name: &'static str, of: &str, lines, title| {
         let lead = "The claims of the thesis, in the order of the source, with what was found of each.";
         let records = Records::Claims(vec![Section { work: Work::Meyer1973, lines, title }]);
-        let listing = listing(name, &format!("The ledger of the escapement: {of}"), lead, records);
-        Page { title: format!("The ledger: escapement, {of}"), ..listing }
+        listing(name, &format!("Thesis: {of}"), &format!("The ledger of the thesis: {of}"), lead, records)
     };
     vec![
-        page("preface", "Preface"),
-        chapter("pin", "The pin in the slot"),
-        chapter("quick-return", "The quick-return mechanism"),
-        chapter("jazar", "The wheel of N stations"),
-        chapter("escapement", "The Geneva escapement"),
-        chapter("program", "The program of 1973"),
-        chapter("runs", "The runs of 1973"),
-        chapter("never-printed", "The tables never printed"),
-        chapter("terminal-speed", "How a terminal speed comes about"),
-        chapter("timer", "The seven recommendations"),
-        chapter("joints", "A pin of finite radius, and bearings that rub"),
-        chapter("solver", "The solver"),
-        page("glossary", "Words"),
-        Page { records: Records::Slips(&[Consequence::Result, Consequence::Conclusion]), ..page("errata", "Errata") },
+        page("preface", "Geneva, verified", Place::Before),
+        chapter(WHEEL, "pin", "The pin in the slot: a problem solved"),
+        chapter(WHEEL, "jazar", "The wheel of N stations: sizes and times"),
+        chapter(LEVER, "quick-return", "The quick-return mechanism: a problem solved"),
+        chapter(CASE, "escapement", "The Geneva escapement"),
+        chapter(CASE, "program", "The program of 1973"),
+        chapter(CASE, "runs", "What the runs of 1973 were"),
+        chapter(CASE, "never-printed", "The corrected tables"),
+        chapter(CASE, "terminal-speed", "Why it reaches a steady speed"),
+        chapter(CASE, "timer", "Is it a clock? Seven recommendations"),
+        chapter(CASE, "joints", "A pin of finite radius, and bearings that rub"),
+        Page {
+            records: Records::Slips(&[Consequence::Result, Consequence::Conclusion]),
+            ..chapter(RECORDS, "errata", "Errata")
+        },
         listing(
             "errata-small",
+            "In displays and words",
             "Errata in displays and words",
             "What is wrong in the sources and changes no result and no conclusion. [Errata](errata.md) has what does.",
             Records::Slips(&[Consequence::Derivation, Consequence::Wording]),
         ),
-        Page { records: Records::Slips(&[Consequence::Copy]), ..page("errata-copy", "Characters of the copies") },
-        listing(
-            "ledger",
-            "The ledger",
-            "Every claim, in the order of its source, with what was found of it. The same list as data:\n`cargo run \
-             --release -- claims --format json`.",
-            Records::Claims(vec![
+        Page { records: Records::Slips(&[Consequence::Copy]), ..below("errata-copy", "Characters of the copies") },
+        chapter(RECORDS, "method", "How it is checked"),
+        Page {
+            records: Records::Claims(vec![
                 whole(Work::Pin, "the pin in the slot"),
                 whole(Work::QuickReturn, "the quick-return mechanism"),
                 whole(Work::Jazar2003, "the wheel of N stations"),
             ]),
-        ),
+            ..below("ledger", "The ledger")
+        },
         thesis("ledger-meyer", "geometry", 0..=262, "front matter and geometry"),
         thesis("ledger-meyer-friction", "friction and energy", 263..=336, "friction and energy"),
         thesis("ledger-meyer-motion", "Lagrange’s equation", 337..=425, "Lagrange’s equation"),
@@ -108,15 +125,19 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
         thesis("ledger-meyer-runs", "appendix E", 776..=u32::MAX, "appendix E"),
         Page {
             records: Records::Lines(&[Work::Pin, Work::QuickReturn, Work::Jazar2003]),
-            ..page("coverage", "Coverage")
+            ..below("coverage", "Coverage")
         },
         listing(
             "coverage-meyer",
-            "Coverage of the escapement",
+            "Coverage of the thesis",
+            "Coverage of the thesis",
             "The thesis line by line; [what coverage means](coverage.md) is told with the other sources.",
             Records::Lines(&[Work::Meyer1973]),
         ),
-        page("architecture", "Architecture"),
+        chapter(RECORDS, "about", "Sources, data, how to cite"),
+        below("glossary", "Words"),
+        below("solver", "The solver"),
+        below("architecture", "Architecture"),
     ]
 });
 
@@ -163,13 +184,21 @@ pub fn written() -> Vec<(String, String)> {
 }
 
 fn table_of_contents() -> String {
-    let mut out = "# Summary\n".to_owned();
-    for part in PAGES.chunk_by(|page, next| page.is_chapter == next.is_chapter) {
-        out.push('\n');
-        for page in part {
-            let bullet = if page.is_chapter { "- " } else { "" };
-            out.push_str(&format!("{bullet}[{}]({}.md)\n", page.title, page.name));
-        }
+    let mut out = "# Summary\n\n".to_owned();
+    let mut part = "";
+    for page in PAGES.iter() {
+        let indent = match page.place {
+            Place::Before => "",
+            Place::In(of) => {
+                if part != of {
+                    out.push_str(&format!("\n# {of}\n\n"));
+                    part = of;
+                }
+                "- "
+            }
+            Place::Below => "  - ",
+        };
+        out.push_str(&format!("{indent}[{}]({}.md)\n", page.title, page.name));
     }
     out
 }

@@ -3,10 +3,12 @@
 //! A placeholder is `{{key:argument}}` or `{{key}}`. Those of other keys, and the braces of Rust and of mdBook's own
 //! `{{#include}}`, are left alone.
 
-use crate::html::escape;
+use crate::data::File;
+use crate::html::{Table, escape};
 use crate::ledger_pages::{compare, errata, forms, inline, lists, records};
-use crate::{figures, maths, measurements, tables};
-use anyhow::{bail, ensure};
+use crate::{computed, figures, maths, measurements, tables};
+use anyhow::{Context, bail, ensure};
+use std::collections::BTreeSet;
 use std::ops::Range;
 
 /// What is put in the place of a placeholder.
@@ -16,25 +18,38 @@ enum Put {
     Alone(fn() -> anyhow::Result<String>),
     /// What needs one.
     Of(fn(&str) -> anyhow::Result<String>),
+    /// What bears the mark of a claim, whose note is put at the end of the page.
+    Marked(fn(&str) -> anyhow::Result<String>),
     /// A figure with its number in the chapter.
     Figure,
-    /// The number of a figure in this chapter, as a link.
+    /// A table with its number in the chapter.
+    Numbered(fn(&str) -> anyhow::Result<Table>),
+    /// The number of a figure or a table, as a link.
     Reference,
 }
-use Put::{Alone, Of};
+use Put::{Alone, Marked, Numbered, Of};
 
 /// Every key, what it says or shows, and how that is made.
 const KEYS: &[(&str, &str, Put)] = &[
     ("citation", "what the source is", Of(inline::citation)),
-    ("claim", "a claim's printed characters with its verdict", Of(inline::claim)),
-    ("compare", "a table of printed against computed numbers, for a source or a list of claims", Of(compare::table)),
-    ("consequences", "how many slips there are, by what they do", Alone(errata::summary)),
+    ("claim", "a claim's printed characters with its mark", Marked(inline::claim)),
+    (
+        "compare",
+        "a table of printed against computed numbers: claims, and a caption after a semicolon",
+        Numbered(compare::table),
+    ),
+    ("computed", "a number of ours, by name", Of(computed::by_name)),
+    ("consequences", "how many slips there are, by what they do", Alone(|| Ok(errata::summary()?.html()))),
     ("count", "a number of claims: of a source, or of all", Of(inline::count)),
     ("erratum", "one erratum", Of(errata::one)),
-    ("evidence", "the kinds of evidence and how many claims use each", Alone(lists::evidence)),
+    ("evidence", "the kinds of evidence and how many claims use each", Alone(|| Ok(lists::evidence()?.html()))),
     ("figure", "a numbered figure", Put::Figure),
-    ("forms", "a source's equations, figures and statements with their findings", Of(forms::table)),
-    ("grave-errata", "what changes a result or a conclusion, in a table", Alone(errata::grave)),
+    (
+        "forms",
+        "a source's equations, figures and statements with their findings",
+        Of(|of| Ok(forms::table(of)?.html())),
+    ),
+    ("grave-errata", "what changes a result or a conclusion, in a table", Alone(|| Ok(errata::grave()?.html()))),
     ("printed", "a claim's printed characters", Of(inline::printed)),
     (
         "recorded",
@@ -42,16 +57,16 @@ const KEYS: &[(&str, &str, Put)] = &[
         Of(|name| Ok(escape(measurements::said(name)?))),
     ),
     ("records", "what the list of pages puts on this page: claims, slips or lines of sources", Of(records::page)),
-    ("ref", "the number of a figure in this chapter, as a link", Put::Reference),
+    ("ref", "the number of a figure or a table, as a link", Put::Reference),
     ("right", "the right number of a claim whose printed one is not", Of(inline::right)),
     ("slips", "a number of slips: of a consequence, or of all but those of the copy", Of(errata::count)),
-    ("symbols", "a source's letters and the book's", Of(lists::symbols)),
-    ("table", "a chapter's table of computed numbers, by name", Of(tables::by_name)),
-    ("tolerances", "the table of tolerances", Alone(lists::tolerances)),
+    ("symbols", "a source's letters and the book's", Of(|of| Ok(lists::symbols(of)?.html()))),
+    ("table", "a chapter's table of computed numbers, by name", Numbered(tables::by_name)),
+    ("tolerances", "the table of tolerances", Alone(|| Ok(lists::tolerances()?.html()))),
     ("value", "a claim's computed number", Of(inline::value)),
-    ("verdict", "a claim's verdict", Of(inline::verdict)),
-    ("verdicts", "the classes of verdict and how many claims have each", Alone(lists::verdicts)),
-    ("wheels", "a table of wheels, from one number of stations to another", Of(tables::wheels)),
+    ("verdict", "a claim's mark", Marked(inline::mark)),
+    ("verdicts", "the classes of verdict and how many claims have each", Alone(|| Ok(lists::verdicts()?.html()))),
+    ("wheels", "a table of wheels, from one number of stations to another", Numbered(tables::wheels)),
 ];
 
 /// A placeholder in a chapter.
@@ -64,20 +79,91 @@ struct Placeholder<'a> {
     argument: Option<&'a str>,
 }
 
-/// Replaces the placeholders of a chapter, whose number (`"1."`, or nothing) its figures bear.
-pub fn put_in(chapter: &str, number: &str) -> anyhow::Result<String> {
-    let placeholders = placeholders(chapter);
-    let is_figure = |placeholder: &&Placeholder| matches!(placeholder.put, Put::Figure);
-    let figures: Vec<_> = placeholders.iter().filter(is_figure).filter_map(|figure| figure.argument).collect();
-    let (mut edits, mut errors) = (Vec::new(), Vec::new());
-    for placeholder in &placeholders {
-        match text(placeholder, number, &figures) {
+/// The page that a chapter becomes.
+#[derive(Clone, Copy)]
+pub struct Page<'a> {
+    /// Its file, without the ending.
+    pub name: &'a str,
+    /// The chapter's number, with a point behind it, or nothing.
+    pub number: &'a str,
+}
+
+/// A figure or a table where it stands in the book.
+pub struct Shown {
+    /// By which a chapter refers to it.
+    name: String,
+    /// `Figure` or `Table`.
+    kind: &'static str,
+    /// As it is printed: that of the chapter, and its own.
+    number: String,
+    /// The page.
+    page: String,
+    /// Where the placeholder stands in the chapter.
+    at: usize,
+}
+
+/// The figures and tables of a chapter, in their order.
+pub fn shown(chapter: &str, page: Page<'_>) -> Vec<Shown> {
+    let (mut figures, mut tables) = (0, 0);
+    let all = placeholders(chapter).into_iter().filter_map(|placeholder| {
+        let (kind, count) = match placeholder.put {
+            Put::Figure => ("Figure", &mut figures),
+            Numbered(_) => ("Table", &mut tables),
+            _ => return None,
+        };
+        *count += 1;
+        let argument = placeholder.argument.unwrap_or_default();
+        let name = match placeholder.key {
+            "compare" => format!("{}-printed-{count}", page.name),
+            "wheels" => "wheels".to_owned(),
+            _ => argument.to_owned(),
+        };
+        let number = format!("{}{count}", page.number);
+        Some(Shown { name, kind, number, page: page.name.to_owned(), at: placeholder.range.start })
+    });
+    all.collect()
+}
+
+impl Shown {
+    /// The anchor on its page.
+    fn anchor(&self) -> String {
+        format!("{}-{}", if self.kind == "Figure" { "fig" } else { "table" }, self.name)
+    }
+
+    /// Caption and drawing or table, and what it was made of as a file.
+    fn framed(&self, caption: &str, inner: &str, source: &str, csv: String) -> (String, File) {
+        let file = File::of(&self.name, csv);
+        let (kind, number, path) = (self.kind, &self.number, file.path());
+        let class = if kind == "Figure" { "fig" } else { "tab" };
+        let caption = format!(
+            "<figcaption><strong>{kind}&nbsp;{number}.</strong> {caption} <small class=\"source\"><a href=\"{path}\" \
+             download>Data (CSV)</a>, made by <code>{}</code></small></figcaption>",
+            escape(source),
+        );
+        let inner = if kind == "Figure" { format!("{inner}\n{caption}") } else { format!("{caption}\n{inner}") };
+        (format!("<figure class=\"{class}\" id=\"{}\">\n{inner}\n</figure>", self.anchor()), file)
+    }
+}
+
+/// Replaces the placeholders of a chapter, in a book that shows these figures and tables. Returns also the files to
+/// which the page leads.
+pub fn put_in(chapter: &str, page: Page<'_>, all: &[Shown]) -> anyhow::Result<(String, Vec<File>)> {
+    let (mut edits, mut errors, mut files, mut marked) = (Vec::new(), Vec::new(), Vec::new(), BTreeSet::new());
+    for placeholder in &placeholders(chapter) {
+        if let (Marked(_), Some(id)) = (placeholder.put, placeholder.argument) {
+            marked.insert(id);
+        }
+        match text(placeholder, page, all, &mut files) {
             Ok(text) => edits.push((placeholder.range.clone(), text)),
             Err(error) => errors.push(format!("line {}: {error:#}", maths::line(chapter, placeholder.range.start))),
         }
     }
     ensure!(errors.is_empty(), "{}", errors.join("\n"));
-    Ok(maths::apply(chapter, &edits))
+    let mut page = maths::apply(chapter, &edits);
+    for id in marked {
+        page.push_str(&format!("\n{}\n", inline::note(id)?));
+    }
+    Ok((page, files))
 }
 
 /// The placeholders of our keys.
@@ -99,18 +185,40 @@ fn placeholders(chapter: &str) -> Vec<Placeholder<'_>> {
     found
 }
 
-/// What stands for a placeholder in a chapter with this number and these figures, which are numbered in their order.
-fn text(placeholder: &Placeholder, number: &str, figures: &[&str]) -> anyhow::Result<String> {
-    let place = |name: &str| figures.iter().position(|figure| *figure == name).map(|at| format!("{number}{}", at + 1));
+/// What stands for a placeholder on a page; the files to which it leads are added to those of the page.
+fn text(placeholder: &Placeholder, page: Page<'_>, all: &[Shown], files: &mut Vec<File>) -> anyhow::Result<String> {
+    let here = || {
+        let is_it = |shown: &&Shown| shown.page == page.name && shown.at == placeholder.range.start;
+        all.iter().find(is_it).with_context(|| format!("`{}` is in no list", placeholder.key))
+    };
     let Placeholder { key, what, .. } = placeholder;
     match (placeholder.put, placeholder.argument) {
         (Alone(put), None) => put(),
         (Alone(_), Some(argument)) => bail!("`{{{{{key}:{argument}}}}}` takes no argument"),
-        (Of(put), Some(argument)) => put(argument),
-        (Put::Figure, Some(name)) => figures::html(name, &place(name).unwrap_or_default()),
-        (Put::Reference, Some(name)) => match place(name) {
-            Some(place) => Ok(format!("<a href=\"#fig-{name}\">Figure&nbsp;{place}</a>")),
-            None => bail!("no figure `{name}` in this chapter; it shows: {}", figures.join(", ")),
+        (Of(put) | Marked(put), Some(argument)) => put(argument),
+        (Put::Figure, Some(name)) => {
+            let figure = figures::by_name(name)?;
+            let svg = figure.svg.trim_end();
+            let (html, file) = here()?.framed(&escape(&figure.caption), svg, figure.source, figure.series.to_csv());
+            files.push(file);
+            Ok(html)
+        }
+        (Numbered(make), Some(argument)) => {
+            let table = make(argument)?;
+            let caption = format!("{}.", escape(table.caption()));
+            let (html, file) = here()?.framed(&caption, &table.html(), table.source(), table.csv()?);
+            files.push(file);
+            Ok(html)
+        }
+        (Put::Reference, Some(name)) => match all.iter().find(|shown| shown.name == name) {
+            Some(shown) => {
+                let file = if shown.page == page.name { String::new() } else { format!("{}.html", shown.page) };
+                Ok(format!("<a href=\"{file}#{}\">{}&nbsp;{}</a>", shown.anchor(), shown.kind, shown.number))
+            }
+            None => {
+                let names: Vec<_> = all.iter().map(|shown| shown.name.as_str()).collect();
+                bail!("no figure or table `{name}` in the book; it shows: {}", names.join(", "))
+            }
         },
         (_, None) => bail!("`{{{{{key}}}}}` needs an argument, `{{{{{key}:…}}}}`: {what}"),
     }
@@ -120,23 +228,29 @@ fn text(placeholder: &Placeholder, number: &str, figures: &[&str]) -> anyhow::Re
 mod tests {
     use super::*;
 
+    const PAGE: Page<'_> = Page { name: "pin", number: "1." };
+
+    fn put(chapter: &str) -> anyhow::Result<String> {
+        Ok(put_in(chapter, PAGE, &shown(chapter, PAGE))?.0)
+    }
+
     #[test]
     fn braces_that_are_not_ours_stay() {
         let text = "format!(\"{{}}\") {{#include x}} {{ unclosed";
-        assert_eq!(put_in(text, "").expect("nothing to draw"), text);
+        assert_eq!(put(text).expect("nothing to draw"), text);
     }
 
     #[test]
     fn every_key_is_drawn_or_asks_for_its_argument() {
-        for (key, _, put) in KEYS {
-            let bare = put_in(&format!("{{{{{key}}}}}"), "");
-            assert_eq!(bare.is_ok(), matches!(put, Alone(_)), "{key}: {bare:?}");
+        for (key, _, kind) in KEYS {
+            let bare = put(&format!("{{{{{key}}}}}"));
+            assert_eq!(bare.is_ok(), matches!(kind, Alone(_)), "{key}: {bare:?}");
         }
     }
 
     #[test]
     fn an_unknown_id_is_named_with_its_line_and_a_neighbour() {
-        let error = put_in("one\n\n{{value:pin.radiuss}}", "").expect_err("no such claim").to_string();
+        let error = put("one\n\n{{value:pin.radiuss}}").expect_err("no such claim").to_string();
         assert!(
             error.starts_with("line 3:") && error.contains("pin.radiuss") && error.contains("pin.radius`"),
             "{error}"
@@ -144,11 +258,21 @@ mod tests {
     }
 
     #[test]
-    fn figures_are_numbered_where_they_stand() {
-        let page = put_in("see {{ref:pin-velocity}}\n\n{{figure:pin-position}}\n\n{{figure:pin-velocity}}\n", "1.");
-        let page = page.expect("both figures");
-        assert!(page.contains("<a href=\"#fig-pin-velocity\">Figure&nbsp;1.2</a>"));
-        assert!(page.contains("Figure 1.1"));
-        assert!(put_in("{{ref:pin-position}}", "1.").is_err());
+    fn figures_and_tables_are_numbered_where_they_stand() {
+        let chapter =
+            "see {{ref:pin-velocity}}\n\n{{figure:pin-position}}\n\n{{wheels:3 4}}\n\n{{figure:pin-velocity}}\n";
+        let page = put(chapter).expect("all are drawn");
+        assert!(page.contains("<a href=\"#fig-pin-velocity\">Figure&nbsp;1.2</a>"), "{page}");
+        assert!(page.contains("Figure&nbsp;1.1") && page.contains("Table&nbsp;1.1"));
+        assert!(put("{{ref:pin-position}}").is_err());
+        let other = put_in("{{ref:wheels}}", Page { name: "other", number: "2." }, &shown(chapter, PAGE));
+        assert_eq!(other.expect("known").0, "<a href=\"pin.html#table-wheels\">Table&nbsp;1.1</a>");
+    }
+
+    #[test]
+    fn a_mark_has_one_note_on_its_page() {
+        let page = put("at rest{{verdict:pin.standstill}} twice{{verdict:pin.standstill}}").expect("a claim");
+        assert_eq!(page.matches("popovertarget=\"note-pin.standstill\"").count(), 2);
+        assert_eq!(page.matches("id=\"note-pin.standstill\"").count(), 1);
     }
 }

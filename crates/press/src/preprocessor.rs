@@ -1,8 +1,10 @@
 //! The preprocessor that mdBook calls, in process or as a program.
 
-use crate::{fences, maths, placeholders};
+use crate::html::escape;
+use crate::placeholders::Page;
+use crate::{data, fences, maths, placeholders};
 use anyhow::{Context, bail};
-use mdbook_preprocessor::book::{Book, BookItem, Chapter};
+use mdbook_preprocessor::book::{Book, Chapter};
 use mdbook_preprocessor::errors::Result;
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
 
@@ -18,17 +20,40 @@ impl Preprocessor for Geneva {
     }
 
     fn run(&self, context: &PreprocessorContext, mut book: Book) -> Result<Book> {
+        if context.renderer == "test" {
+            book.for_each_chapter_mut(|chapter| {
+                chapter.content = fences::add_extern_crates(&chapter.content, &fences::CRATES);
+            });
+            return Ok(book);
+        }
         let mut errors = Vec::new();
-        book.for_each_mut(|item| {
-            let BookItem::Chapter(chapter) = item else { return };
-            match content(chapter, &context.renderer) {
-                Ok(content) => chapter.content = content,
+        book.for_each_chapter_mut(|chapter| match maths::render(&chapter.content).with_context(|| file(chapter)) {
+            Ok(content) => chapter.content = fences::fold(&content),
+            Err(error) => errors.push(format!("{error:#}")),
+        });
+        let shown: Vec<_> = book
+            .chapters()
+            .flat_map(|chapter| placeholders::shown(&chapter.content, Place::of(chapter).page()))
+            .collect();
+        let titles: Vec<_> = book.chapters().map(|chapter| (Place::of(chapter).name, chapter.name.clone())).collect();
+        let mut files = Vec::new();
+        let mut at = 0;
+        book.for_each_chapter_mut(|chapter| {
+            let place = Place::of(chapter);
+            let beside = neighbours(&titles, at);
+            at += 1;
+            match placeholders::put_in(&chapter.content, place.page(), &shown).with_context(|| file(chapter)) {
+                Ok((content, led_to)) => {
+                    chapter.content = content + &beside;
+                    files.extend(led_to);
+                }
                 Err(error) => errors.push(format!("{error:#}")),
             }
         });
         if !errors.is_empty() {
             bail!("{}", errors.join("\n"));
         }
+        data::write(&context.root.join(&context.config.book.src), &files)?;
         Ok(book)
     }
 
@@ -37,13 +62,36 @@ impl Preprocessor for Geneva {
     }
 }
 
-fn content(chapter: &Chapter, renderer: &str) -> Result<String> {
-    let file =
-        || chapter.source_path.as_deref().map_or_else(|| chapter.name.clone(), |path| path.display().to_string());
-    if renderer == "test" {
-        return Ok(fences::add_extern_crates(&chapter.content, &fences::CRATES));
+/// Links to the pages before and behind the one at this place, by their titles.
+fn neighbours(titles: &[(String, String)], at: usize) -> String {
+    let link = |at: Option<usize>, rel: &str, what: &str| {
+        let (name, title) = titles.get(at?)?;
+        Some(format!("<a rel=\"{rel}\" href=\"{name}.html\"><small>{what}</small> {}</a>", escape(title)))
+    };
+    let links = [link(at.checked_sub(1), "prev", "Previous"), link(Some(at + 1), "next", "Next")];
+    let links: Vec<_> = links.into_iter().flatten().collect();
+    format!("\n<nav class=\"beside\" aria-label=\"Previous and next page\">{}</nav>\n", links.join(" "))
+}
+
+/// The file that a chapter stands in.
+fn file(chapter: &Chapter) -> String {
+    chapter.source_path.as_deref().map_or_else(|| chapter.name.clone(), |path| path.display().to_string())
+}
+
+/// Where a chapter stands: its page, and its number.
+struct Place {
+    name: String,
+    number: String,
+}
+
+impl Place {
+    fn of(chapter: &Chapter) -> Self {
+        let stem = chapter.path.as_deref().and_then(|path| path.file_stem());
+        let name = stem.map_or_else(|| chapter.name.clone(), |stem| stem.to_string_lossy().into_owned());
+        Self { name, number: chapter.number.as_ref().map_or_else(String::new, ToString::to_string) }
     }
-    let number = chapter.number.as_ref().map_or_else(String::new, ToString::to_string);
-    let with_formulas = maths::render(&chapter.content).with_context(file)?;
-    placeholders::put_in(&with_formulas, &number).with_context(file)
+
+    fn page(&self) -> Page<'_> {
+        Page { name: &self.name, number: &self.number }
+    }
 }

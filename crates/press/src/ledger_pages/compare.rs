@@ -1,7 +1,7 @@
 //! The table of printed against computed numbers, with the differing digits marked.
 
 use super::inline::{computed, linked_badge, rounded, with_unit};
-use crate::html::{Cells, escape, table as html_table};
+use crate::html::{Cells, Table, escape, table as html_table};
 use crate::lookup;
 use geneva_ledger::{Claim, Decimal, Judged, Kind, Mark, Marked};
 
@@ -9,8 +9,10 @@ const LEGEND: &str = "<p class=\"legend\">Digits of the printed number: plain wh
      <span class=\"digit last\">dotted</span> where only the last place differs, \
      <span class=\"digit wrong\">wavy</span> from the first wrong one on.</p>";
 
-/// The table for all numbers of a source, or for the claims listed with spaces between.
-pub fn table(of: &str) -> anyhow::Result<String> {
+/// The table for all numbers of a source, or for the claims listed with spaces between; a caption after a semicolon.
+pub fn table(of: &str) -> anyhow::Result<Table> {
+    let (of, caption) =
+        of.split_once(';').map_or((of.trim(), "Printed and computed"), |(of, caption)| (of.trim(), caption.trim()));
     let listed: Vec<&Judged> = if of.contains('.') {
         of.split_whitespace().map(lookup::judged).collect::<Result<_, _>>()?
     } else {
@@ -21,14 +23,18 @@ pub fn table(of: &str) -> anyhow::Result<String> {
     let name = |claim: &Claim| {
         if alike(claim) { format!("{}: {}", claim.locator, claim.meaning) } else { claim.meaning.to_owned() }
     };
-    let rows = listed.iter().map(|judged| row(judged, &name(judged.claim)));
-    let head = ["Quantity", "Printed", "Computed", "From rounded steps", "Verdict"];
-    let table = html_table("Printed against computed", Cells::NamedNumbers, &head, rows)?;
+    let rounds = listed.iter().any(|judged| judged.from_rounded.is_some());
+    let rows = listed.iter().map(|judged| row(judged, &name(judged.claim), rounds));
+    let mut head = vec!["Quantity", "Printed", "Computed", "Verdict"];
+    if rounds {
+        head.insert(3, "From rounded steps");
+    }
+    let table = html_table(caption, Cells::NamedNumbers, &head, rows)?;
     // The legend explains marks; a table without marks needs none.
-    Ok(if table.contains("class=\"digit") { format!("{table}\n{LEGEND}") } else { table })
+    Ok(if table.holds("class=\"digit") { table.with_legend(LEGEND) } else { table })
 }
 
-fn row(judged: &Judged, name: &str) -> anyhow::Result<Vec<String>> {
+fn row(judged: &Judged, name: &str, rounds: bool) -> anyhow::Result<Vec<String>> {
     let claim = judged.claim;
     let (digits, remark) = match (claim.printed.parse::<Decimal>(), judged.computed) {
         (Ok(decimal), Some(number)) => marked(&decimal.marks(claim.printed, number)),
@@ -36,13 +42,16 @@ fn row(judged: &Judged, name: &str) -> anyhow::Result<Vec<String>> {
     };
     let printed = with_unit(&digits, claim.unit)?;
     let dash = || "–".to_owned();
-    Ok(vec![
+    let mut row = vec![
         escape(name),
         if remark.is_empty() { printed } else { format!("{printed} <small>{remark}</small>") },
         computed(judged).unwrap_or_else(dash),
-        judged.from_rounded.map_or_else(dash, |number| rounded(judged, number)),
         linked_badge(judged),
-    ])
+    ];
+    if rounds {
+        row.insert(3, judged.from_rounded.map_or_else(dash, |number| rounded(judged, number)));
+    }
+    Ok(row)
 }
 
 /// The digits with their marks, and the same in words.

@@ -2,29 +2,47 @@
 
 use super::forms::how;
 use super::inline::{badge, linked_id, rounded, with_unit};
-use crate::html::{Cells, escape, table, tex_or_text};
+use crate::formula::changed;
+use crate::html::{Cells, Table, escape, table, tex_or_text};
 use crate::lookup;
 use crate::pages::page_of_slips;
 use anyhow::anyhow;
 use geneva_ledger::{Consequence, Judged, Places, in_full, slip, slips, slips_of};
 
-/// The erratum of a claim, as a box.
+/// The erratum of a claim: one line, which opens.
 pub fn one(id: &str) -> anyhow::Result<String> {
     let judged = lookup::judged(id)?;
     let erratum = judged.claim.erratum.as_ref().ok_or_else(|| anyhow!("claim `{id}` has no erratum"))?;
-    let places = slip(erratum.slip.id);
-    boxed(judged, places.ok_or_else(|| anyhow!("slip `{}` has no places", erratum.slip.id))?, false)
+    let places = slip(erratum.slip.id).ok_or_else(|| anyhow!("slip `{}` has no places", erratum.slip.id))?;
+    Ok(format!(
+        "<details class=\"erratum\">\n<summary>{}</summary>\n{}\n</details>",
+        in_a_line(judged)?,
+        entries(judged, places, false)?
+    ))
+}
+
+/// Where a slip shows, and for a number or a few words what is printed there and what is right.
+fn in_a_line(judged: &Judged) -> anyhow::Result<String> {
+    /// Most characters of a form that stands in a line.
+    const SHORT: usize = 24;
+    let claim = judged.claim;
+    let mut line = format!("<strong>Erratum</strong>, {}: {}", escape(claim.locator), escape(claim.meaning));
+    let (printed, corrected) = (in_full(claim), judged.corrected().unwrap_or_default());
+    if printed.chars().count() <= SHORT && corrected.chars().count() <= SHORT {
+        line += &format!("; printed {}, right {}", with_unit(&tex_or_text(&printed)?, claim.unit)?, right(judged)?);
+    }
+    Ok(line)
 }
 
 /// All slips with a consequence, under a heading that says what they do.
 pub fn all(consequence: &Consequence) -> anyhow::Result<String> {
-    let slip = |places: &Places| Ok(format!("\n{}\n", boxed(places.main(), places, true)?));
+    let slip = |places: &Places| Ok(format!("\n{}\n", boxed(places)?));
     let slips = slips_of(*consequence).map(slip).collect::<anyhow::Result<String>>()?;
     Ok(format!("\n\n## {}\n{slips}", consequence.heading()))
 }
 
 /// What changes a result or a conclusion, a row each.
-pub fn grave() -> anyhow::Result<String> {
+pub fn grave() -> anyhow::Result<Table> {
     let grave = [Consequence::Result, Consequence::Conclusion].into_iter().flat_map(slips_of);
     let rows = grave.map(|places| {
         let (claim, slip) = (places.main().claim, &places.slip);
@@ -41,7 +59,7 @@ pub fn grave() -> anyhow::Result<String> {
 }
 
 /// How many slips there are of each consequence, and how many without those of the copy.
-pub fn summary() -> anyhow::Result<String> {
+pub fn summary() -> anyhow::Result<Table> {
     let rows = Consequence::ALL.iter().filter(|of| **of != Consequence::Copy).map(|consequence| {
         let (slips, places) =
             (slips_of(*consequence).count(), slips_of(*consequence).map(|of| of.claims.len()).sum::<usize>());
@@ -59,21 +77,28 @@ pub fn count(of_what: &str) -> anyhow::Result<String> {
     Ok(number.to_string())
 }
 
-/// An erratum as its chapter shows it; in full also how it was found, and where else the slip shows.
-fn boxed(judged: &Judged, places: &Places, in_full_detail: bool) -> anyhow::Result<String> {
-    let (claim, slip) = (judged.claim, &places.slip);
-    let anchor = if in_full_detail { format!(" id=\"slip-{}\"", slip.id) } else { String::new() };
-    let mut out = format!(
-        "<aside class=\"erratum\"{anchor} aria-label=\"Erratum {}\">\n<p><strong>Erratum ({}).</strong> {}: {}. {}</p>\n<dl>\n",
-        claim.id,
-        slip.consequence,
-        escape(claim.locator),
-        escape(claim.meaning),
+/// A slip in a box, in full.
+fn boxed(places: &Places) -> anyhow::Result<String> {
+    let (judged, slip) = (places.main(), &places.slip);
+    Ok(format!(
+        "<aside class=\"erratum\" id=\"slip-{}\" aria-label=\"Erratum {}\">\n<p><strong>{}</strong>: {}. {}</p>\n{}\n</aside>",
+        slip.id,
+        judged.claim.id,
+        escape(judged.claim.locator),
+        escape(judged.claim.meaning),
         badge(judged.verdict),
-    );
+        entries(judged, places, true)?
+    ))
+}
+
+/// What an erratum says; in full also how it was found, and where else the slip shows.
+fn entries(judged: &Judged, places: &Places, in_full_detail: bool) -> anyhow::Result<String> {
+    let (claim, slip) = (judged.claim, &places.slip);
+    let mut out = "<dl>\n".to_owned();
     let mut entry = |term: &str, text: String| out.push_str(&format!("<dt>{term}</dt><dd>{text}</dd>\n"));
-    entry("Printed", with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?);
-    entry("Right", right(judged)?);
+    let (printed, corrected) = (in_full(claim), judged.corrected().unwrap_or_default());
+    entry("Printed", with_unit(&changed(&printed, &corrected)?, claim.unit)?);
+    entry("Right", with_unit(&changed(&corrected, &printed)?, claim.unit)?);
     if !slip.changes.is_empty() {
         entry("What it does", escape(slip.changes) + &numbers(places));
     }
@@ -82,9 +107,9 @@ fn boxed(judged: &Judged, places: &Places, in_full_detail: bool) -> anyhow::Resu
     if in_full_detail {
         found(judged, places, &mut entry)?;
     }
-    let more = format!("<a href=\"{}.html#slip-{}\">how it was found</a>", page_of_slips(slip.consequence), slip.id);
-    let more = if in_full_detail { String::new() } else { format!(", {more}") };
-    out.push_str(&format!("</dl>\n<p>{}{more}</p>\n</aside>", linked_id(claim.id)));
+    let more = format!(", <a href=\"{}.html#slip-{}\">how it was found</a>", page_of_slips(slip.consequence), slip.id);
+    let more = if in_full_detail { String::new() } else { more };
+    out.push_str(&format!("</dl>\n<p>{}{more}</p>", linked_id(claim.id)));
     Ok(out)
 }
 

@@ -1,12 +1,12 @@
 //! The table of a source's equations, figures and statements, with what was found of each.
 
 use super::inline::linked_badge;
-use crate::html::{Cells, escape, table as html_table, tex_or_text};
+use crate::html::{Cells, Table, escape, table as html_table, tex_or_text};
 use crate::lookup;
 use geneva_ledger::{Check, Judged, Kind, in_full};
 
 /// The table for a source.
-pub fn table(slug: &str) -> anyhow::Result<String> {
+pub fn table(slug: &str) -> anyhow::Result<Table> {
     let forms = lookup::of_work(lookup::work(slug)?).filter(|judged| judged.claim.kind != Kind::Value);
     let head = ["What it says", "Printed", "Verdict", "How it was found"];
     html_table("Equations, figures and statements", Cells::Words, &head, forms.map(row))

@@ -26,14 +26,56 @@ pub fn right(id: &str) -> anyhow::Result<String> {
     Ok(format!("<span class=\"claim\">{}</span>", with_unit(&rounded(judged, right), judged.claim.unit)?))
 }
 
-/// The printed characters with their unit and verdict.
+/// The printed characters with their unit and mark.
 pub fn claim(id: &str) -> anyhow::Result<String> {
-    Ok(format!("{}&nbsp;({})", printed(id)?, verdict(id)?))
+    Ok(printed(id)? + &mark(id)?)
 }
 
-/// The verdict, as a link to the claim's row in the ledger.
-pub fn verdict(id: &str) -> anyhow::Result<String> {
-    Ok(linked_badge(lookup::judged(id)?))
+/// A mark that says whether what is printed is right, and opens the [`note`] on how we know.
+pub fn mark(id: &str) -> anyhow::Result<String> {
+    let verdict = lookup::judged(id)?.verdict;
+    Ok(format!(
+        "<button type=\"button\" class=\"mark verdict-{verdict}\" popovertarget=\"note-{id}\" aria-label=\"{verdict}: how \
+         this was checked\">{}</button>",
+        sign(verdict)
+    ))
+}
+
+/// The sign of a verdict: right, right to fewer digits, wrong, open.
+fn sign(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Reproduced => "✓",
+        Verdict::Truncated | Verdict::FromRounded | Verdict::ReadOff => "≈",
+        Verdict::ReproducedInError | Verdict::Corrected => "✗",
+        Verdict::NotReproduced | Verdict::NotReproducible => "?",
+    }
+}
+
+/// What a mark opens: where the claim stands, what is printed, what is right, by what evidence.
+pub fn note(id: &str) -> anyhow::Result<String> {
+    let judged = lookup::judged(id)?;
+    let claim = judged.claim;
+    let mut out = format!(
+        "<div popover class=\"note\" id=\"note-{id}\">\n<p>{}, {}: {}. {}</p>\n<dl>\n",
+        escape(&claim.work.to_string()),
+        escape(claim.locator),
+        escape(claim.meaning),
+        badge(judged.verdict)
+    );
+    let mut entry = |term: &str, text: String| out.push_str(&format!("<dt>{term}</dt><dd>{text}</dd>\n"));
+    entry("Printed", with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?);
+    if let Some(number) = computed(judged) {
+        entry("Computed", with_unit(&number, claim.unit)?);
+    }
+    if let Some(corrected) = judged.corrected() {
+        entry("Right", with_unit(&tex_or_text(&corrected)?, claim.unit)?);
+    }
+    let evidence: Vec<_> = claim.check.evidence().iter().map(ToString::to_string).collect();
+    if !evidence.is_empty() {
+        entry("Evidence", evidence.join(", "));
+    }
+    out.push_str(&format!("</dl>\n<p><a href=\"{}.html#{id}\">In the ledger</a></p>\n</div>", page_of_claim(id)));
+    Ok(out)
 }
 
 /// The number of claims of a source, or of `all`.

@@ -1,12 +1,12 @@
 //! Lists: the classes of verdict, the kinds of evidence, the tolerances, the letters of a source.
 
 use super::inline::badge;
-use crate::html::{Cells, escape, table, tex_or_text};
+use crate::html::{Cells, Table, escape, table, tex_or_text};
 use crate::{lookup, maths};
 use geneva_ledger::{Evidence, TOLERANCES, Verdict, verdicts as judged};
 
 /// The classes of verdict with their meaning and how many claims have each.
-pub fn verdicts() -> anyhow::Result<String> {
+pub fn verdicts() -> anyhow::Result<Table> {
     let rows = Verdict::ALL.iter().map(|verdict| {
         let count = judged().iter().filter(|judged| judged.verdict == *verdict).count();
         Ok(vec![badge(*verdict), escape(verdict.meaning()), verdict.truth().to_string(), count.to_string()])
@@ -15,7 +15,7 @@ pub fn verdicts() -> anyhow::Result<String> {
 }
 
 /// The kinds of evidence and how many claims use each.
-pub fn evidence() -> anyhow::Result<String> {
+pub fn evidence() -> anyhow::Result<Table> {
     let rows = Evidence::ALL.iter().map(|kind| {
         let count = judged().iter().filter(|judged| judged.claim.check.evidence().contains(kind)).count();
         Ok(vec![kind.to_string(), escape(kind.meaning()), count.to_string()])
@@ -24,7 +24,7 @@ pub fn evidence() -> anyhow::Result<String> {
 }
 
 /// The tolerances that are not printed digits.
-pub fn tolerances() -> anyhow::Result<String> {
+pub fn tolerances() -> anyhow::Result<Table> {
     let rows = TOLERANCES.iter().map(|tolerance| {
         Ok(vec![tolerance.name.to_owned(), format!("{:e}", tolerance.relative), escape(tolerance.reason)])
     });
@@ -32,7 +32,7 @@ pub fn tolerances() -> anyhow::Result<String> {
 }
 
 /// The letters of a source and the book's.
-pub fn symbols(slug: &str) -> anyhow::Result<String> {
+pub fn symbols(slug: &str) -> anyhow::Result<Table> {
     let rows = lookup::work(slug)?.symbols().iter().map(|symbol| {
         let ours = maths::formula(symbol.ours, false)?;
         Ok(vec![tex_or_text(symbol.printed)?, ours, escape(symbol.meaning)])

@@ -25,7 +25,7 @@ fn claims(section: &Section) -> anyhow::Result<String> {
     let head = ["Claim", "Where", "What", "Printed", "Computed", "Evidence", "Verdict"];
     let title = format!("Source {}: {}", section.work, section.title);
     let rows = section.ids().map(|id| claim(lookup::judged(id)?));
-    Ok(format!("## {title}\n\n{}\n\n", table(&title, Cells::Words, &head, rows)?))
+    Ok(format!("## {title}\n\n{}\n\n", table(&title, Cells::Words, &head, rows)?.html()))
 }
 
 fn claim(judged: &Judged) -> anyhow::Result<Vec<String>> {
@@ -82,7 +82,7 @@ fn lines(work: &Work) -> anyhow::Result<String> {
          all {numbers} numbers in {} lines.\n\n{}\n\n### No claims: {work}\n\n{}\n\n",
         lookup::of_work(*work).count(),
         lines.len(),
-        table(&format!("Lines of {work}"), Cells::Words, &["Line", "Claims", "Numbers", "Accounted for"], all)?,
-        table("Exceptions", Cells::Words, &["Exception", "Line", "Why there is nothing to check"], exceptions)?,
+        table(&format!("Lines of {work}"), Cells::Words, &["Line", "Claims", "Numbers", "Accounted for"], all)?.html(),
+        table("Exceptions", Cells::Words, &["Exception", "Line", "Why there is nothing to check"], exceptions)?.html(),
     ))
 }

@@ -1,6 +1,6 @@
 //! What a pin of finite radius and rubbing journals make of the thesis's mechanisms.
 
-use crate::html::{Cells, table};
+use crate::html::{Cells, Table, table};
 use crate::rows::{parameters, weakest};
 use geneva_dynamics::joints::{Joints, effects as all_effects, largest_pin_radius};
 use geneva_kinematics::Mechanism;
@@ -19,7 +19,7 @@ const COMPARED: [(f64, f64, f64); 8] = [
 ];
 
 /// Mean speed over that with ideal joints, and multiplier, of the three mechanisms.
-pub fn effects() -> anyhow::Result<String> {
+pub fn effects() -> anyhow::Result<Table> {
     let joints = |(pin_radius, journals, friction): (f64, f64, f64)| Joints {
         pin_radius,
         ..Joints::journals(journals, friction)

@@ -10,10 +10,11 @@ mod wheels;
 
 pub use wheels::wheels;
 
+use crate::html::Table;
 use crate::lookup;
 
-/// A table as HTML.
-type Draw = fn() -> anyhow::Result<String>;
+/// Makes a table.
+type Draw = fn() -> anyhow::Result<Table>;
 
 /// All tables, in the order of the book.
 const TABLES: &[(&str, Draw)] = &[
@@ -38,6 +39,6 @@ const TABLES: &[(&str, Draw)] = &[
 ];
 
 /// The table of this name.
-pub fn by_name(name: &str) -> anyhow::Result<String> {
+pub fn by_name(name: &str) -> anyhow::Result<Table> {
     lookup::named("table", name, TABLES)?()
 }

@@ -1,6 +1,6 @@
 //! The quick-return mechanism's vectors with their directions and senses, and what another reading would give.
 
-use crate::html::{Cells, table};
+use crate::html::{Cells, Table, table};
 use crate::maths::formula;
 use crate::numbers::fixed;
 use anyhow::Context;
@@ -14,7 +14,7 @@ use nalgebra::Vector2;
 const NOTHING: f64 = 1e-9;
 
 /// Every velocity and acceleration of the printed instant: magnitude, direction, sense; and the mirror image's sense.
-pub fn terms() -> anyhow::Result<String> {
+pub fn terms() -> anyhow::Result<Table> {
     let [ours, mirrored] = [Instant::printed()?, Instant::mirrored()?].map(|instant| instant.by_diagrams());
     let (ours, mirrored) = (ours.context("the pin is on the pivot")?, mirrored.context("the pin is on the pivot")?);
     let both = vectors(&ours).into_iter().zip(vectors(&mirrored));
@@ -37,7 +37,7 @@ pub fn terms() -> anyhow::Result<String> {
 }
 
 /// The printed data on the branch of the source, on the other one, and with the angle printed for the velocities.
-pub fn branches() -> anyhow::Result<String> {
+pub fn branches() -> anyhow::Result<Table> {
     let [far, near] = [Branch::Far, Branch::Near].map(Instant::on);
     let (far, near) = (far?, near?);
     let with_printed_angle = with_printed_angle();

@@ -1,11 +1,11 @@
 //! The printed rise times against definitions, and against the law of similarity.
 
-use crate::html::{Cells, escape, table};
+use crate::html::{Cells, Table, escape, table};
 use crate::numbers::signed;
 use geneva_ledger::meyer::runs::rise_times::{Misread, explained, groups as all_groups};
 
 /// How many rows each definition explains.
-pub fn definitions() -> anyhow::Result<String> {
+pub fn definitions() -> anyhow::Result<Table> {
     let explained = explained();
     let rows = explained.iter().map(|(definition, tried)| {
         let mut row = vec![escape(definition.name)];
@@ -36,7 +36,7 @@ pub fn definitions() -> anyhow::Result<String> {
 }
 
 /// Printed rise times times √K: equal within a group, were they defined by the motion alone.
-pub fn groups() -> anyhow::Result<String> {
+pub fn groups() -> anyhow::Result<Table> {
     let all = all_groups();
     let rows = all.iter().map(|group| {
         let scaled: Vec<String> = group.scaled.iter().map(|time| format!("{:.1}", 1e3 * time)).collect();

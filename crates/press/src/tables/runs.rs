@@ -1,6 +1,6 @@
 //! The thesis's runs: what explains the printed tables, what does not matter to them, and what they should have been.
 
-use crate::html::{Cells, table};
+use crate::html::{Cells, Table, table};
 use crate::numbers::signed;
 use crate::rows::engagement;
 use anyhow::Context;
@@ -11,7 +11,7 @@ use geneva_ledger::meyer::runs::{
 };
 
 /// The hypotheses, how many cells each explains, and how likely it makes the tables.
-pub fn hypotheses() -> anyhow::Result<String> {
+pub fn hypotheses() -> anyhow::Result<Table> {
     let rows = (1..).zip(scores()).map(|(number, score)| {
         let mut row = vec![format!("{number}: {}", score.hypothesis.words()), score.within_one().to_string()];
         row.extend(logs(score));
@@ -39,7 +39,7 @@ pub fn hypotheses() -> anyhow::Result<String> {
 }
 
 /// Delays of the sign of the friction.
-pub fn delays() -> anyhow::Result<String> {
+pub fn delays() -> anyhow::Result<Table> {
     let rows = all_delays().iter().map(|(delay, score)| {
         let [peak, minimum, period] = &score.fits;
         let [normal, _] = peak.likelihoods;
@@ -55,7 +55,7 @@ pub fn delays() -> anyhow::Result<String> {
 }
 
 /// What changes when the integrator is told otherwise what the thesis does not tell.
-pub fn integrator() -> anyhow::Result<String> {
+pub fn integrator() -> anyhow::Result<Table> {
     let changes = integrators::changes().context("a run of the program of 1973 comes to no end")?;
     let rows = changes.iter().map(|(variant, changes)| {
         let mut row = vec![variant.name.to_owned()];
@@ -89,26 +89,26 @@ fn logs(score: &Score) -> [String; 2] {
 }
 
 /// The runs with six pins, printed and as they should have been.
-pub fn six_pin() -> anyhow::Result<String> {
+pub fn six_pin() -> anyhow::Result<Table> {
     corrected(Mechanism::SIX_PIN, &Hypothesis::IDEAL)
 }
 
 /// The same of four pins.
-pub fn four_pin() -> anyhow::Result<String> {
+pub fn four_pin() -> anyhow::Result<Table> {
     corrected(Mechanism::FOUR_PIN, &Hypothesis::IDEAL)
 }
 
 /// The same of three pins.
-pub fn three_pin() -> anyhow::Result<String> {
+pub fn three_pin() -> anyhow::Result<Table> {
     corrected(Mechanism::THREE_PIN, &Hypothesis::IDEAL)
 }
 
 /// The same of six pins with the inertias of the table's heading.
-pub fn six_pin_as_headed() -> anyhow::Result<String> {
+pub fn six_pin_as_headed() -> anyhow::Result<Table> {
     corrected(Mechanism::SIX_PIN, &Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::IDEAL })
 }
 
-fn corrected(mechanism: Mechanism, hypothesis: &Hypothesis) -> anyhow::Result<String> {
+fn corrected(mechanism: Mechanism, hypothesis: &Hypothesis) -> anyhow::Result<Table> {
     let cells = rows_of(mechanism).map(|row| printed_and_right(row, hypothesis));
     let head = [
         "μ",

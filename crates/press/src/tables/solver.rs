@@ -1,6 +1,6 @@
 //! What the solver and other integrators cost, from the record.
 
-use crate::html::{Cells, escape, table};
+use crate::html::{Cells, Table, escape, table};
 use crate::measurements::{Measurement, integrators};
 use crate::numbers::with_minus_sign;
 
@@ -17,7 +17,7 @@ pub const CONTESTANTS: [(&str, &str); 8] = [
 ];
 
 /// Cost and true error at a few tolerances.
-pub fn speeds() -> anyhow::Result<String> {
+pub fn speeds() -> anyhow::Result<Table> {
     let all = integrators()?;
     let is_shown = |one: &&Measurement| {
         ["1e-6", "1e-9", "1e-12"].contains(&one.tolerance.as_str())
@@ -43,7 +43,7 @@ pub fn speeds() -> anyhow::Result<String> {
 }
 
 /// Maps of the terminal speed: time against points.
-pub fn maps() -> anyhow::Result<String> {
+pub fn maps() -> anyhow::Result<Table> {
     let all = integrators()?;
     let rows = all.iter().filter_map(|one| {
         let (points, threads) = (one.points?, one.threads?);

@@ -1,6 +1,6 @@
 //! What a clockmaker asks: settling, sensitivity, accelerations and mean speed of the thesis's mechanisms.
 
-use crate::html::{Cells, table};
+use crate::html::{Cells, Table, table};
 use crate::maths::formula;
 use crate::numbers::signed;
 use crate::rows::{engagement, example, parameters};
@@ -13,7 +13,7 @@ use geneva_ledger::meyer::runs::{Column, Hypothesis, Row};
 const DAY: f64 = 86_400.0;
 
 /// How fast four pins settle, with followers of another size, down to a part.
-pub fn settling() -> anyhow::Result<String> {
+pub fn settling() -> anyhow::Result<Table> {
     const PART: f64 = 0.01;
     let own = parameters(example()?)?;
     let rows = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0].map(|part| {
@@ -35,7 +35,7 @@ pub fn settling() -> anyhow::Result<String> {
 }
 
 /// Powers of the mean speed, and what one per cent of each quantity costs a day.
-pub fn sensitivity() -> anyhow::Result<String> {
+pub fn sensitivity() -> anyhow::Result<Table> {
     let rows = weakest().map(|row| {
         let found = Sensitivities::new(&parameters(row)?)?;
         let powers = [found.torque, found.friction, found.driver_inertia, found.follower_inertia];
@@ -54,7 +54,7 @@ pub fn sensitivity() -> anyhow::Result<String> {
 }
 
 /// The greatest accelerations and forces of the strongest run of each mechanism and friction.
-pub fn accelerations() -> anyhow::Result<String> {
+pub fn accelerations() -> anyhow::Result<Table> {
     let rows = strongest().map(|row| {
         let found = Accelerations::new(&parameters(row)?)?;
         let degrees = |angle: f64| signed(angle.to_degrees(), 1) + "°";
@@ -74,7 +74,7 @@ pub fn accelerations() -> anyhow::Result<String> {
 }
 
 /// The average of the thesis beside the mean speed over a revolution.
-pub fn mean_speed() -> anyhow::Result<String> {
+pub fn mean_speed() -> anyhow::Result<Table> {
     let rows = weakest().map(|row| {
         let steady = engagement(row, &Hypothesis::IDEAL)?.steady_state()?;
         let printed = (row.number(Column::Peak) + row.number(Column::Minimum)) / 2.0;

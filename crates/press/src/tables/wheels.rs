@@ -1,6 +1,6 @@
 //! The table of wheels: what each number of stations gives.
 
-use crate::html::{Cells, table};
+use crate::html::{Cells, Table, table};
 use crate::maths::formula;
 use crate::numbers::fixed;
 use anyhow::{Context, anyhow};
@@ -8,7 +8,7 @@ use geneva_kinematics::wheel::{Wheel, acceleration_peak, entry_acceleration, pea
 use std::ops::RangeInclusive;
 
 /// The table for the numbers of stations from the first to the second, written with a space between.
-pub fn wheels(range: &str) -> anyhow::Result<String> {
+pub fn wheels(range: &str) -> anyhow::Result<Table> {
     let stations = parsed(range).ok_or_else(|| anyhow!("`{range}`: two whole numbers are expected, as in `3 18`"))?;
     let symbol = |tex: &str| formula(tex, false);
     let head = [

@@ -1,0 +1,21 @@
+//! Numbers of ours in a sentence: what a chapter says with a number that no source prints.
+
+mod front;
+
+use crate::lookup;
+use anyhow::anyhow;
+
+/// A number with its unit, as HTML.
+type Number = fn() -> anyhow::Result<String>;
+
+/// The numbers of each chapter.
+const ALL: &[&[(&str, Number)]] = &[front::NUMBERS];
+
+/// The number of this name.
+pub fn by_name(name: &str) -> anyhow::Result<String> {
+    let found = ALL.iter().copied().flatten().find(|(known, _)| *known == name).map(|(_, number)| number);
+    let names = || ALL.iter().copied().flatten().map(|(known, _)| *known);
+    found
+        .ok_or_else(|| lookup::unknown("number", name, names()).context(anyhow!("in the lists of computed numbers")))?(
+    )
+}

@@ -1,0 +1,58 @@
+//! Files of data to which the pages lead.
+//!
+//! They are written among the chapters, where mdBook finds what it copies into the book; they are not committed.
+
+use anyhow::Context;
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+/// The folder among the chapters and in the book.
+const FOLDER: &str = "data";
+
+/// A file of data.
+pub struct File {
+    name: String,
+    text: String,
+}
+
+impl File {
+    /// The numbers of a figure or a table, as CSV.
+    pub fn of(name: &str, csv: String) -> Self {
+        Self { name: format!("{name}.csv"), text: csv }
+    }
+
+    /// Its path from a page.
+    pub fn path(&self) -> String {
+        format!("{FOLDER}/{}", self.name)
+    }
+}
+
+/// Writes the files of all pages into the folder of the chapters, and removes what is there besides.
+///
+/// A file that stands as it should is left alone, so that a builder that watches the chapters is not woken.
+pub fn write(chapters: &Path, files: &[File]) -> anyhow::Result<()> {
+    let folder = chapters.join(FOLDER);
+    let cannot =
+        || format!("cannot write in {}: the book is built from a folder that can be written", folder.display());
+    fs::create_dir_all(&folder).with_context(cannot)?;
+    for file in files {
+        let path = folder.join(&file.name);
+        if fs::read_to_string(&path).is_ok_and(|standing| standing == file.text) {
+            continue;
+        }
+        let beside = tempfile::NamedTempFile::new_in(&folder).with_context(cannot)?;
+        fs::write(beside.path(), &file.text).with_context(cannot)?;
+        beside.persist(&path).with_context(cannot)?;
+    }
+    let wanted: BTreeSet<_> = files.iter().map(|file| file.name.as_str()).collect();
+    for entry in fs::read_dir(&folder).with_context(cannot)? {
+        let entry = entry.with_context(cannot)?;
+        let name = entry.file_name();
+        // A name that begins with a point is that of a file on its way.
+        if !name.to_str().is_some_and(|name| wanted.contains(name) || name.starts_with('.')) {
+            fs::remove_file(entry.path()).with_context(cannot)?;
+        }
+    }
+    Ok(())
+}
