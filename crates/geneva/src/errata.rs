@@ -2,9 +2,10 @@
 
 use crate::arguments::{ErrataArguments, Format};
 use crate::claims::with_unit;
-use crate::fields::{self, Row};
+use crate::fields;
 use crate::output::{count, field, heading, wrapped};
 use geneva_ledger::{Consequence, Judged, Places, Work, in_full, slips};
+use geneva_press::records;
 
 /// The slips that are wanted, as they are wanted.
 pub fn page(wanted: &ErrataArguments) -> anyhow::Result<String> {
@@ -17,37 +18,13 @@ pub fn page(wanted: &ErrataArguments) -> anyhow::Result<String> {
     let wanted_of = |places: &&Places| of_source(places) && of_consequence(places);
     let slips: Vec<_> = slips().iter().filter(wanted_of).cloned().collect();
     match wanted.format {
-        Format::Json => fields::json(&slips.iter().map(row).collect::<Vec<_>>()),
-        Format::Csv => fields::csv(geneva_ledger::slips().first().map(row).as_ref(), slips.iter().map(row)),
+        Format::Json => fields::json(&slips.iter().map(records::slip).collect::<Vec<_>>()),
+        Format::Csv => {
+            fields::csv(geneva_ledger::slips().first().map(records::slip).as_ref(), slips.iter().map(records::slip))
+        }
         Format::Markdown => Ok(markdown(&slips)),
         _ => Ok(text(&slips)),
     }
-}
-
-/// All that is known of a slip.
-fn row(places: &Places) -> Row {
-    let (slip, main) = (&places.slip, places.main());
-    // The claims that it reaches.
-    let ids: Vec<_> = places.claims.iter().map(|judged| judged.claim.id).collect();
-    Row(vec![
-        ("id", slip.id.into()),
-        ("source", main.claim.work.slug().into()),
-        ("locator", main.claim.locator.into()),
-        ("meaning", main.claim.meaning.into()),
-        ("consequence", slip.consequence.slug().into()),
-        ("origin", slip.origin.slug().into()),
-        ("places", ids.into()),
-        ("printed", in_full(main.claim).into()),
-        ("corrected", main.corrected().unwrap_or_default().into()),
-        ("unit", main.claim.unit.into()),
-        ("reason", slip.reason.into()),
-        ("witness", slip.witness.into()),
-        ("changes", slip.changes.into()),
-        // How many printed numbers are not right because of it, and the largest of their deviations, relative to what is
-        // right.
-        ("wrong_numbers", places.wrong_numbers().count().into()),
-        ("greatest_change", places.greatest_change().into()),
-    ])
 }
 
 /// The slips of each consequence, if there are any.

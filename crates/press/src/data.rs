@@ -2,6 +2,7 @@
 //!
 //! They are written among the chapters, where mdBook finds what it copies into the book; they are not committed.
 
+use crate::records;
 use anyhow::Context;
 use std::collections::BTreeSet;
 use std::fs;
@@ -20,6 +21,11 @@ impl File {
     /// The numbers of a figure or a table, as CSV.
     pub fn of(name: &str, csv: String) -> Self {
         Self { name: format!("{name}.csv"), text: csv }
+    }
+
+    /// All claims and all slips.
+    pub fn records() -> anyhow::Result<impl Iterator<Item = Self>> {
+        Ok(records::files()?.into_iter().map(|(name, text)| Self { name: name.to_owned(), text }))
     }
 
     /// Its path from a page.

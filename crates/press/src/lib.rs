@@ -6,6 +6,7 @@
 
 // The book.
 pub mod building;
+mod edition;
 mod libraries;
 mod minify;
 pub mod pages;
@@ -17,9 +18,13 @@ pub mod maths;
 pub mod placeholders;
 mod preprocessor;
 
+// Data.
+mod data;
+pub mod fields;
+pub mod records;
+
 // What stands for a placeholder.
 mod computed;
-mod data;
 pub mod figures;
 mod ledger_pages;
 mod tables;

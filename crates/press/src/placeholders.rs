@@ -50,6 +50,7 @@ const KEYS: &[(&str, &str, Put)] = &[
         Of(|of| Ok(forms::table(of)?.html())),
     ),
     ("grave-errata", "what changes a result or a conclusion, in a table", Alone(|| Ok(errata::grave()?.html()))),
+    ("picture", "a figure without number and caption", Of(figures::picture)),
     ("printed", "a claim's printed characters", Of(inline::printed)),
     (
         "recorded",

@@ -2,7 +2,7 @@
 
 use crate::html::escape;
 use crate::placeholders::Page;
-use crate::{data, fences, maths, placeholders};
+use crate::{data, edition, fences, maths, placeholders};
 use anyhow::{Context, bail};
 use mdbook_preprocessor::book::{Book, Chapter};
 use mdbook_preprocessor::errors::Result;
@@ -36,6 +36,7 @@ impl Preprocessor for Geneva {
             .flat_map(|chapter| placeholders::shown(&chapter.content, Place::of(chapter).page()))
             .collect();
         let titles: Vec<_> = book.chapters().map(|chapter| (Place::of(chapter).name, chapter.name.clone())).collect();
+        let footer = edition::footer(&context.root);
         let mut files = Vec::new();
         let mut at = 0;
         book.for_each_chapter_mut(|chapter| {
@@ -44,7 +45,7 @@ impl Preprocessor for Geneva {
             at += 1;
             match placeholders::put_in(&chapter.content, place.page(), &shown).with_context(|| file(chapter)) {
                 Ok((content, led_to)) => {
-                    chapter.content = content + &beside;
+                    chapter.content = content + &beside + &footer;
                     files.extend(led_to);
                 }
                 Err(error) => errors.push(format!("{error:#}")),
@@ -53,6 +54,7 @@ impl Preprocessor for Geneva {
         if !errors.is_empty() {
             bail!("{}", errors.join("\n"));
         }
+        files.extend(data::File::records()?);
         data::write(&context.root.join(&context.config.book.src), &files)?;
         Ok(book)
     }

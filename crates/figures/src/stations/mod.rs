@@ -23,4 +23,4 @@ pub use extremes::extremes;
 pub use indexing::indexing;
 pub use mechanism::mechanism;
 pub use model::model;
-pub use motion::motion;
+pub use motion::{motion, turning};

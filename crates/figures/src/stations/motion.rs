@@ -63,9 +63,32 @@ pub fn motion(wheel: &Wheel) -> Figure {
             frames.len()
         ),
     );
+    words.figure(canvas, Kind::Mechanism, series(&keys))
+}
+
+/// The mechanism as it turns, alone: a drawing that moves, as the upper one of [`motion`] does.
+///
+/// Series: as of [`motion`].
+pub fn turning(wheel: &Wheel) -> Figure {
+    let (name, keys) = ("wheel-turning", keys(wheel));
+    let large = Bodies::new(wheel, WIDTH, LARGE);
+    let mut canvas = Canvas::new(WIDTH, large.height);
+    canvas.draw_markup(style(name, wheel, &keys));
+    moving(&mut canvas, &large, wheel, name);
+    let words = Words::new(
+        name,
+        format!("A Geneva wheel with {} slots, turning", wheel.stations()),
+        "A driver turns evenly and carries a pin. The pin enters a slot of the star wheel, turns the wheel by one station and \
+         leaves; then the wheel stands still, held by the driver's locking disc, until the pin comes round again.",
+        "A driver turns evenly; the wheel turns in steps and stands still in between.",
+    );
+    words.figure(canvas, Kind::Mechanism, series(&keys))
+}
+
+/// The key frames: share of the cycle, both angles in degrees.
+fn series(keys: &[Key]) -> Series {
     let row = |key: &Key| [key.share, key.theta.to_degrees(), key.phi.to_degrees()];
-    let columns = [("cycle", "1"), ("theta", "deg"), ("phi", "deg")];
-    words.figure(canvas, Kind::Mechanism, Series::new(columns, keys.iter().map(row)))
+    Series::new([("cycle", "1"), ("theta", "deg"), ("phi", "deg")], keys.iter().map(row))
 }
 
 /// Entry, line of centres, exit, the places half-way between them, and the middle of the dwell if there is one.

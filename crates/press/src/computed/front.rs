@@ -1,25 +1,43 @@
-//! Of the first page: how many of the rows describe no mechanism, how many cells come out.
+//! Of the first page: how many claims are right, how many rows describe no mechanism, how many cells come out.
 
+use super::Number;
 use anyhow::Context;
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::choice::rows_of;
 use geneva_ledger::meyer::runs::{Hypothesis, Row, Score, rows, scores};
+use geneva_ledger::{Consequence, Decimal, Truth, claim, slips_of, verdicts};
 
 /// The numbers of the first page.
-pub const NUMBERS: &[(&str, fn() -> anyhow::Result<String>)] = &[
+pub const NUMBERS: &[(&str, Number)] = &[
+    ("claims.right", || Ok(claims(Truth::Right))),
+    ("claims.wrong", || Ok(claims(Truth::Wrong))),
+    ("claims.open", || Ok(claims(Truth::Open))),
+    ("slips.grave", || {
+        Ok([Consequence::Result, Consequence::Conclusion]
+            .map(|of| slips_of(of).count())
+            .iter()
+            .sum::<usize>()
+            .to_string())
+    }),
     ("rows", || Ok(rows().len().to_string())),
     ("rows.of-no-mechanism", || Ok(rows().iter().filter(|row| !is_reset_rightly(row)).count().to_string())),
     ("rows.of-a-mechanism", || Ok(rows_of(Mechanism::FOUR_PIN).count().to_string())),
     ("cells", || Ok((3 * rows().len()).to_string())),
-    ("cells.by-the-program", || Ok(score(&Hypothesis::WITHOUT_LAG)?.within_one().to_string())),
+    ("cells.by-the-program", || Ok(score(&Hypothesis::as_run())?.within_one().to_string())),
     ("cells.by-the-mechanisms", || Ok(score(&Hypothesis::IDEAL)?.within_one().to_string())),
 ];
 
-/// Whether the program takes the angle of a row back by as much as the pins of its mechanism are apart.
+/// Whether the angle in the program is, as it is rounded there, that by which the pins of a row are apart.
 fn is_reset_rightly(row: &Row) -> bool {
-    Hypothesis::WITHOUT_LAG.angle(row.mechanism) == Hypothesis::IDEAL.angle(row.mechanism)
+    let reset: Option<Decimal> = claim("meyer.listing.quarter-turn").and_then(|claim| claim.printed.parse().ok());
+    reset.is_some_and(|reset| reset.is_rounding_of(Hypothesis::IDEAL.angle(row.mechanism)))
 }
 
 fn score(hypothesis: &Hypothesis) -> anyhow::Result<&'static Score> {
     scores().iter().find(|score| score.hypothesis == *hypothesis).context("a hypothesis that was not compared")
+}
+
+/// How many claims are right, wrong or open.
+fn claims(truth: Truth) -> String {
+    verdicts().iter().filter(|judged| judged.truth() == truth).count().to_string()
 }

@@ -6,7 +6,7 @@ use crate::lookup;
 use anyhow::anyhow;
 
 /// A number with its unit, as HTML.
-type Number = fn() -> anyhow::Result<String>;
+pub type Number = fn() -> anyhow::Result<String>;
 
 /// The numbers of each chapter.
 const ALL: &[&[(&str, Number)]] = &[front::NUMBERS];

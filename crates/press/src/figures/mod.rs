@@ -2,7 +2,6 @@
 
 mod runs;
 
-use crate::html::escape;
 use crate::rows::{example, parameters};
 use crate::{lookup, rows};
 use anyhow::Context;
@@ -19,6 +18,7 @@ type Draw = fn() -> anyhow::Result<Figure>;
 
 /// All figures by name, in the order of the book.
 pub const FIGURES: &[(&str, Draw)] = &[
+    ("wheel-turning", || Ok(stations::turning(&four_stations()?))),
     ("pin-position", || of_pin(|at| pin::position_triangle(&at.mechanism, &at.crank))),
     ("pin-velocity", || of_pin(|at| pin::velocity_triangle(&at.mechanism, &at.crank, at.driver_speed, "mm/s"))),
     ("pin-engagement", || of_pin(|at| pin::over_the_engagement(&at.mechanism, &at.crank, at.driver_speed, "mm"))),
@@ -73,14 +73,9 @@ pub fn by_name(name: &str) -> anyhow::Result<Figure> {
     lookup::named("figure", name, FIGURES)?()
 }
 
-/// The figure as HTML, with its number and caption.
-pub fn html(name: &str, number: &str) -> anyhow::Result<String> {
-    let figure = by_name(name)?;
-    Ok(format!(
-        "<figure class=\"fig\" id=\"fig-{name}\">\n{}\n<figcaption><strong>Figure {number}.</strong> {}</figcaption>\n</figure>",
-        figure.svg.trim_end(),
-        escape(&figure.caption),
-    ))
+/// The drawing alone, without number and caption: a picture of a page that has no number.
+pub fn picture(name: &str) -> anyhow::Result<String> {
+    Ok(format!("<div class=\"fig picture\">\n{}\n</div>", by_name(name)?.svg.trim_end()))
 }
 
 /// A drawing of the pin in the slot at the printed instant.

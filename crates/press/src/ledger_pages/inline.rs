@@ -22,8 +22,10 @@ pub fn value(id: &str) -> anyhow::Result<String> {
 /// The right number with its unit, where the printed one is not right.
 pub fn right(id: &str) -> anyhow::Result<String> {
     let judged = lookup::judged(id)?;
-    let right = judged.right_value.ok_or_else(|| anyhow!("claim `{id}` has no other number that is right"))?;
-    Ok(format!("<span class=\"claim\">{}</span>", with_unit(&rounded(judged, right), judged.claim.unit)?))
+    let in_places = || judged.right_value.map(|right| rounded(judged, right));
+    let right = judged.corrected().or_else(in_places);
+    let right = right.ok_or_else(|| anyhow!("claim `{id}` has no other number that is right"))?;
+    Ok(format!("<span class=\"claim\">{}</span>", with_unit(&tex_or_text(&right)?, judged.claim.unit)?))
 }
 
 /// The printed characters with their unit and mark.
