@@ -6,3 +6,13 @@ document.body.addEventListener('keydown', event => {
         event.stopPropagation();
     }
 });
+
+// What scrolls sideways can be reached by keyboard.
+const scrollable = () => document.querySelectorAll('main :is(pre > code, .display, dd, .form, .fig)').forEach(element => {
+    if (element.scrollWidth > element.clientWidth) {
+        element.tabIndex = 0;
+    }
+});
+scrollable();
+addEventListener('resize', scrollable);
+addEventListener('toggle', scrollable, true);

@@ -11,7 +11,7 @@ use mdbook_driver::MDBook;
 use mdbook_preprocessor::Preprocessor;
 use tempfile::TempDir;
 
-use crate::{libraries, minify};
+use crate::{libraries, minify, search};
 
 /// Renders the book of the workspace `root` into the directory `out`, and returns the path of its first page.
 ///
@@ -27,6 +27,7 @@ pub fn build(root: &Path, out: &Path, preprocessor: impl Preprocessor + 'static)
     book.build().with_context(|| {
         format!("the book in {} does not build; {} is as it was", book.root.display(), out.display())
     })?;
+    search::index(&new)?;
     minify::trim(&new)?;
     replace(&out, &new, old, beside)?;
     Ok(out.join("index.html"))

@@ -10,6 +10,7 @@ mod edition;
 mod libraries;
 mod minify;
 pub mod pages;
+mod search;
 
 // A chapter.
 pub mod fences;

@@ -4,7 +4,7 @@ use super::Number;
 use anyhow::Context;
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::choice::rows_of;
-use geneva_ledger::meyer::runs::{Hypothesis, Row, Score, rows, scores};
+use geneva_ledger::meyer::runs::{Hypothesis, Row, Score, delays, rows, scores};
 use geneva_ledger::{Consequence, Decimal, Truth, claim, slips_of, verdicts};
 
 /// The numbers of the first page.
@@ -34,7 +34,8 @@ fn is_reset_rightly(row: &Row) -> bool {
 }
 
 fn score(hypothesis: &Hypothesis) -> anyhow::Result<&'static Score> {
-    scores().iter().find(|score| score.hypothesis == *hypothesis).context("a hypothesis that was not compared")
+    let mut all = scores().iter().chain(delays().iter().map(|(_, score)| score));
+    all.find(|score| score.hypothesis == *hypothesis).context("a hypothesis that was not compared")
 }
 
 /// How many claims are right, wrong or open.

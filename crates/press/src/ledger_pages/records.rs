@@ -22,7 +22,7 @@ pub fn page(name: &str) -> anyhow::Result<String> {
 
 /// The claims of a section; every row can be linked to by the claim's id.
 fn claims(section: &Section) -> anyhow::Result<String> {
-    let head = ["Claim", "Where", "What", "Printed", "Computed", "Evidence", "Verdict"];
+    let head = ["Claim", "Verdict", "Printed", "Computed", "How it was checked"];
     let title = format!("Source {}: {}", section.work, section.title);
     let rows = section.ids().map(|id| claim(lookup::judged(id)?));
     Ok(format!("## {title}\n\n{}\n\n", table(&title, Cells::Words, &head, rows)?.html()))
@@ -31,14 +31,23 @@ fn claims(section: &Section) -> anyhow::Result<String> {
 fn claim(judged: &Judged) -> anyhow::Result<Vec<String>> {
     let claim = judged.claim;
     let evidence: Vec<_> = claim.check.evidence().iter().map(ToString::to_string).collect();
+    let evidence = evidence.join(", ");
+    let checked = match (judged.computed, evidence.is_empty()) {
+        (Some(_), _) => evidence,
+        (None, true) => how(judged),
+        (None, false) => format!("<details><summary>{evidence}</summary>{}</details>", how(judged)),
+    };
     Ok(vec![
-        format!("<code id=\"{0}\">{0}</code>", claim.id),
-        escape(claim.locator),
-        format!("{}: {}", claim.kind, escape(claim.meaning)),
-        with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?,
-        numbers(judged),
-        if judged.computed.is_some() { evidence.join(", ") } else { how(judged) },
+        format!(
+            "<code id=\"{0}\">{0}</code> <small>{1}: {2}</small>",
+            claim.id,
+            escape(claim.locator),
+            escape(claim.meaning)
+        ),
         badge(judged.verdict) + &slip(judged),
+        format!("<div class=\"form\">{}</div>", with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?),
+        numbers(judged),
+        checked,
     ])
 }
 
@@ -60,13 +69,15 @@ fn slip(judged: &Judged) -> String {
 fn lines(work: &Work) -> anyhow::Result<String> {
     let lines = work.inventory()?;
     let numbers: usize = lines.iter().map(|line| line.numbers.len()).sum();
+    if let Some(line) = lines.iter().find(|line| !line.is_accounted_for()) {
+        bail!("line {} of {work} has numbers that nothing accounts for", line.number);
+    }
     let all = lines.iter().map(|line| {
         let claims: Vec<_> = line.entries.iter().filter_map(|entry| entry.claimed()).map(linked_id).collect();
         Ok(vec![
             line.number.to_string(),
             if claims.is_empty() { "–".to_owned() } else { claims.join(", ") },
             line.numbers.len().to_string(),
-            if line.is_accounted_for() { "yes" } else { "no" }.to_owned(),
         ])
     });
     let exceptions = lines.iter().flat_map(|line| {
@@ -82,7 +93,7 @@ fn lines(work: &Work) -> anyhow::Result<String> {
          all {numbers} numbers in {} lines.\n\n{}\n\n### No claims: {work}\n\n{}\n\n",
         lookup::of_work(*work).count(),
         lines.len(),
-        table(&format!("Lines of {work}"), Cells::Words, &["Line", "Claims", "Numbers", "Accounted for"], all)?.html(),
+        table(&format!("Lines of {work}"), Cells::Words, &["Line", "Claims", "Numbers"], all)?.html(),
         table("Exceptions", Cells::Words, &["Exception", "Line", "Why there is nothing to check"], exceptions)?.html(),
     ))
 }
