@@ -10,6 +10,7 @@ mod edition;
 mod libraries;
 mod minify;
 pub mod pages;
+pub mod readme;
 mod search;
 
 // A chapter.

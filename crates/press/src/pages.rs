@@ -4,6 +4,7 @@
 //! What is written stands in `book`; a test writes it anew and fails on a difference. One page for the whole ledger
 //! would be too heavy for a phone, so each page lists some sections of the sources.
 
+use crate::readme;
 use geneva_ledger::{Consequence, Work, claims};
 use std::collections::HashMap;
 use std::ops::RangeInclusive;
@@ -172,15 +173,17 @@ impl Section {
     }
 }
 
-/// What this crate writes into `book/src`: file names and texts.
-pub fn written() -> Vec<(String, String)> {
+/// What this crate writes into the project: paths and texts.
+pub fn written() -> anyhow::Result<Vec<(String, String)>> {
     let listing = |page: &Page| {
         let [heading, lead] = page.written.as_ref()?;
-        Some((format!("{}.md", page.name), format!("# {heading}\n\n{lead}\n\n{{{{records:{}}}}}\n", page.name)))
+        let text = format!("# {heading}\n\n{lead}\n\n{{{{records:{}}}}}\n", page.name);
+        Some((format!("book/src/{}.md", page.name), text))
     };
     let mut written: Vec<_> = PAGES.iter().filter_map(listing).collect();
-    written.push(("SUMMARY.md".to_owned(), table_of_contents()));
-    written
+    written.push(("book/src/SUMMARY.md".to_owned(), table_of_contents()));
+    written.push(("book/picture.svg".to_owned(), readme::picture()?));
+    Ok(written)
 }
 
 fn table_of_contents() -> String {
