@@ -2,7 +2,7 @@
 
 use geneva_ledger::{Consequence, Decimal, Verdict, numeric_tokens, slips, verdicts};
 use geneva_press::pages::{self, PAGES, Page, Records};
-use geneva_press::{fences, figures};
+use geneva_press::{computed, fences, figures};
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 
 /// The pages by file name, with their Markdown.
@@ -97,6 +97,29 @@ fn every_figure_is_shown_in_some_chapter() {
     for (name, _) in figures::FIGURES {
         let shown = ["figure", "picture"].iter().any(|key| all.contains(&format!("{{{{{key}:{name}}}}}")));
         assert!(shown, "{name} is drawn and not shown");
+    }
+}
+
+#[test]
+fn every_number_of_the_lists_is_said_in_some_chapter() {
+    let all: String = chapters().into_iter().map(|(_, text)| text).collect();
+    for name in computed::names() {
+        assert!(all.contains(&format!("{{{{computed:{name}}}}}")), "{name} is computed and not said");
+    }
+}
+
+#[test]
+fn every_example_says_first_what_it_shows() {
+    for (file, text) in chapters() {
+        let blocks = text.split("\n```rust").skip(1).map(|rest| format!("```rust{rest}"));
+        for block in blocks {
+            let first = fences::headed(&block).map(|(first, _)| first);
+            assert!(
+                first.is_some_and(|first| first.ends_with('.')),
+                "{file}: {}",
+                block.lines().nth(1).unwrap_or_default()
+            );
+        }
     }
 }
 

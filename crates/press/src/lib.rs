@@ -26,7 +26,7 @@ pub mod fields;
 pub mod records;
 
 // What stands for a placeholder.
-mod computed;
+pub mod computed;
 pub mod figures;
 mod ledger_pages;
 mod tables;

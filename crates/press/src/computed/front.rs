@@ -2,26 +2,22 @@
 
 use super::Number;
 use anyhow::Context;
-use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::choice::rows_of;
 use geneva_ledger::meyer::runs::{Hypothesis, Row, Score, delays, rows, scores};
-use geneva_ledger::{Consequence, Decimal, Truth, claim, slips_of, verdicts};
+use geneva_ledger::{Consequence, Decimal, Judged, Truth, claim, slips_of, verdicts};
+
+/// What changes a result or a conclusion.
+const GRAVE: [Consequence; 2] = [Consequence::Result, Consequence::Conclusion];
 
 /// The numbers of the first page.
 pub const NUMBERS: &[(&str, Number)] = &[
-    ("claims.right", || Ok(claims(Truth::Right))),
-    ("claims.wrong", || Ok(claims(Truth::Wrong))),
-    ("claims.open", || Ok(claims(Truth::Open))),
-    ("slips.grave", || {
-        Ok([Consequence::Result, Consequence::Conclusion]
-            .map(|of| slips_of(of).count())
-            .iter()
-            .sum::<usize>()
-            .to_string())
-    }),
+    ("claims.right", || Ok(claims(Truth::Right, |_| true))),
+    ("claims.wrong", || Ok(claims(Truth::Wrong, |slip| slip != Some(Consequence::Copy)))),
+    ("claims.wrong-gravely", || Ok(claims(Truth::Wrong, |slip| slip.is_some_and(|slip| GRAVE.contains(&slip))))),
+    ("claims.copy", || Ok(claims(Truth::Wrong, |slip| slip == Some(Consequence::Copy)))),
+    ("claims.open", || Ok(claims(Truth::Open, |_| true))),
+    ("slips.grave", || Ok(GRAVE.map(|of| slips_of(of).count()).iter().sum::<usize>().to_string())),
     ("rows", || Ok(rows().len().to_string())),
     ("rows.of-no-mechanism", || Ok(rows().iter().filter(|row| !is_reset_rightly(row)).count().to_string())),
-    ("rows.of-a-mechanism", || Ok(rows_of(Mechanism::FOUR_PIN).count().to_string())),
     ("cells", || Ok((3 * rows().len()).to_string())),
     ("cells.by-the-program", || Ok(score(&Hypothesis::as_run())?.within_one().to_string())),
     ("cells.by-the-mechanisms", || Ok(score(&Hypothesis::IDEAL)?.within_one().to_string())),
@@ -38,7 +34,8 @@ fn score(hypothesis: &Hypothesis) -> anyhow::Result<&'static Score> {
     all.find(|score| score.hypothesis == *hypothesis).context("a hypothesis that was not compared")
 }
 
-/// How many claims are right, wrong or open.
-fn claims(truth: Truth) -> String {
-    verdicts().iter().filter(|judged| judged.truth() == truth).count().to_string()
+/// How many claims are right, wrong or open, and reached by such a slip or by none.
+fn claims(truth: Truth, by: fn(Option<Consequence>) -> bool) -> String {
+    let slip = |judged: &Judged| judged.claim.erratum.as_ref().map(|erratum| erratum.slip.consequence);
+    verdicts().iter().filter(|judged| judged.truth() == truth && by(slip(judged))).count().to_string()
 }

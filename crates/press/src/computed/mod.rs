@@ -3,7 +3,6 @@
 mod front;
 
 use crate::lookup;
-use anyhow::anyhow;
 
 /// A number with its unit, as HTML.
 pub type Number = fn() -> anyhow::Result<String>;
@@ -11,11 +10,13 @@ pub type Number = fn() -> anyhow::Result<String>;
 /// The numbers of each chapter.
 const ALL: &[&[(&str, Number)]] = &[front::NUMBERS];
 
+/// The names of all numbers; each is said in some chapter.
+pub fn names() -> impl Iterator<Item = &'static str> {
+    ALL.iter().copied().flatten().map(|(name, _)| *name)
+}
+
 /// The number of this name.
 pub fn by_name(name: &str) -> anyhow::Result<String> {
     let found = ALL.iter().copied().flatten().find(|(known, _)| *known == name).map(|(_, number)| number);
-    let names = || ALL.iter().copied().flatten().map(|(known, _)| *known);
-    found
-        .ok_or_else(|| lookup::unknown("number", name, names()).context(anyhow!("in the lists of computed numbers")))?(
-    )
+    found.ok_or_else(|| lookup::unknown("number", name, names()))?()
 }
