@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 use std::sync::{LazyLock, OnceLock};
 
-/// The tolerances that an [`Engagement`] can be asked for.
+/// The relative tolerances that an [`Engagement`] can be asked for, dimensionless.
 pub const TOLERANCES: RangeInclusive<f64> = 1e-13..=1e-6;
 
 /// Most subintervals, of sixteen nodes each, into which half an engagement is divided.
@@ -51,7 +51,7 @@ pub(super) struct Subinterval {
     pub nodes: NodesOf<'static>,
     /// Friction with the plus sign past the line of centres; mirrored, with the minus sign before it.
     pub plus: Solution,
-    /// e^Λ and J of the plus sign from the line of centres to the subinterval's lower end.
+    /// e^Λ and J of the plus sign from the line of centres to the subinterval's lower end, dimensionless.
     pub before: (f64, f64),
     /// Made when it is asked for: the motion has this sign from the contact reversal on only.
     trailing: OnceLock<Trailing>,
@@ -61,12 +61,12 @@ pub(super) struct Subinterval {
 #[derive(Clone, Debug)]
 pub(super) struct Trailing {
     pub minus: Solution,
-    /// Λ of the plus sign less Λ of the minus sign at the upper end, without cancellation.
+    /// Λ of the plus sign less Λ of the minus sign at the upper end, without cancellation, dimensionless.
     pub gap: f64,
 }
 
 impl Subinterval {
-    /// e^Λ and J of the plus sign from the line of centres to the subinterval's upper end.
+    /// e^Λ and J of the plus sign from the line of centres to the subinterval's upper end, dimensionless.
     pub fn after(&self) -> (f64, f64) {
         let (product, sum) = self.before;
         (product * self.plus.factor_end, sum + self.plus.integral_end / product)
@@ -267,7 +267,7 @@ impl Engagement {
         self.reset
     }
 
-    /// The relative tolerance that was asked for.
+    /// The relative tolerance that was asked for, dimensionless.
     pub fn tolerance(&self) -> f64 {
         self.tolerance
     }
