@@ -11,6 +11,9 @@ use std::sync::{LazyLock, OnceLock};
 /// The relative tolerances that an [`Engagement`] can be asked for, dimensionless.
 pub const TOLERANCES: RangeInclusive<f64> = 1e-13..=1e-6;
 
+/// The relative tolerance of an [`Engagement`] that is not asked for another, dimensionless.
+pub const TOLERANCE: f64 = 1e-12;
+
 /// Most subintervals, of sixteen nodes each, into which half an engagement is divided.
 pub const MOST_SUBINTERVALS: usize = 4096;
 
@@ -73,14 +76,19 @@ impl Subinterval {
     }
 }
 
+/// Λ with the plus sign over subintervals, dimensionless.
+pub(super) fn exponents(subintervals: &[Subinterval]) -> f64 {
+    subintervals.iter().map(|of| of.plus.exponent).sum()
+}
+
 impl Engagement {
-    /// The engagement of an escapement, from entry to exit, to a relative 10⁻¹².
+    /// The engagement of an escapement, from entry to exit, to the tolerance [`TOLERANCE`].
     ///
     /// # Errors
     ///
     /// [`Error::TooSharp`] if the friction is within rounding of the critical one, or the inertias differ too much.
     pub fn new(parameters: &Parameters) -> Result<Self, Error> {
-        Self::with_tolerance(parameters, 1e-12)
+        Self::with_tolerance(parameters, TOLERANCE)
     }
 
     /// The same to another relative tolerance, of [`TOLERANCES`]. A greater one takes less time.

@@ -1,9 +1,8 @@
 //! One passage of a pin through its slot: the motion of one engagement from one entry speed.
 
 use super::contact_reversal::{ContactReversal, Split};
-use super::engagement::Engagement;
+use super::engagement::{Engagement, exponents};
 use super::quadrature::{NODES, NodalValues};
-use super::steady_state::exponents;
 use super::subinterval::{NodeMapping, Nodes, NodesOf, Solution, middle};
 use crate::Error;
 

@@ -6,7 +6,7 @@
 //! because u_end(u_entry) rises everywhere by less than the difference at entry.
 
 use super::contact_reversal::{ContactReversal, Part, Split};
-use super::engagement::{Engagement, Subinterval, Trailing};
+use super::engagement::{Engagement, Subinterval, Trailing, exponents};
 use super::extremes::Extreme;
 use super::quadrature::{NodalValues, dot};
 use super::subinterval::Solution;
@@ -228,11 +228,6 @@ impl Engagement {
         let switches = || self.switching_function(self.subintervals[self.to_end - 1].nodes.high, entry) <= 0.0;
         (self.ends_before_centres || !switches()).then_some(entry)
     }
-}
-
-/// Λ with the plus sign over subintervals.
-pub(super) fn exponents(subintervals: &[Subinterval]) -> f64 {
-    subintervals.iter().map(|of| of.plus.exponent).sum()
 }
 
 /// What follows a part with the minus sign, put after it.
