@@ -1,5 +1,7 @@
 //! Are the rules of the repository kept?
 
+mod units;
+
 use geneva_ledger::numeric_tokens;
 use toml::Table;
 

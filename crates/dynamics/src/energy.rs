@@ -8,7 +8,8 @@
 use crate::{Coefficients, Pose, Sign};
 use geneva_kinematics::{Expression, Field, Identity, Jet, Turn, angular_velocity, pin_slot};
 
-/// Kinetic energy of both members over I_f, (I_D/I_f θ'² + φ'²)/2, from φ'/θ', θ' and I_D/I_f.
+/// Kinetic energy of both members over I_f, (I_D/I_f θ'² + φ'²)/2, from φ'/θ', θ' and I_D/I_f; in the unit of `speed`
+/// squared.
 ///
 /// Meyer 1973, Eq. (1-16).
 pub fn kinetic_energy<S: Field>(velocity_ratio: &S, speed: &S, inertia_ratio: &S) -> S {

@@ -17,39 +17,43 @@
 use crate::{Error, Pose, Sign};
 use geneva_kinematics::{Field, Turn};
 
-/// A: inertia that the driver feels, over the follower's: I_D / I_f + (a cos θ − 1)² / R⁴. Meyer 1973, after (1-18).
+/// A: inertia that the driver feels, over the follower's, dimensionless: I_D / I_f + (a cos θ − 1)² / R⁴.
+///
+/// Meyer 1973, after (1-18).
 pub fn coefficient_a<S: Field>(pose: &Pose<S>, inertia_ratio: &S) -> S {
     let ratio = pose.velocity_ratio();
     inertia_ratio.clone() + ratio.clone() * ratio
 }
 
-/// B: a (1 − a²) sin θ (a cos θ − 1) / R⁶, half the rate of change of A with θ. Meyer 1973, after (1-18).
+/// B: a (1 − a²) sin θ (a cos θ − 1) / R⁶, half the rate of change of A with θ, dimensionless.
+///
+/// Meyer 1973, after (1-18).
 pub fn coefficient_b<S: Field>(pose: &Pose<S>) -> S {
     pose.acceleration_ratio() * pose.velocity_ratio()
 }
 
-/// C: friction from the square of the speed, μ a² sin² θ (1 − a²) / R⁶. Meyer 1973, after (1-18).
+/// C: friction from the square of the speed, μ a² sin² θ (1 − a²) / R⁶, dimensionless. Meyer 1973, after (1-18).
 pub fn coefficient_c<S: Field>(pose: &Pose<S>, friction: &S) -> S {
     friction.clone() * (pose.cross.clone() / pose.square.clone()) * pose.acceleration_ratio()
 }
 
-/// D: friction from the acceleration, μ a sin θ (a cos θ − 1) / R⁴. Meyer 1973, after (1-18).
+/// D: friction from the acceleration, μ a sin θ (a cos θ − 1) / R⁴, dimensionless. Meyer 1973, after (1-18).
 pub fn coefficient_d<S: Field>(pose: &Pose<S>, friction: &S) -> S {
     friction.clone() * (pose.cross.clone() / pose.square.clone()) * pose.velocity_ratio()
 }
 
-/// The five coefficients of Eq. (1-19) at one crank angle. A and D have no unit if E is per square of a unit of time.
+/// The five coefficients of Eq. (1-19) at one crank angle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Coefficients<S> {
-    /// A, times θ''.
+    /// A, times θ''; dimensionless.
     pub a: S,
-    /// B, times θ'².
+    /// B, times θ'²; dimensionless.
     pub b: S,
-    /// C, times θ'² between the bars.
+    /// C, times θ'² between the bars; dimensionless.
     pub c: S,
-    /// D, times θ'' between the bars.
+    /// D, times θ'' between the bars; dimensionless.
     pub d: S,
-    /// E, the torque over the follower's inertia.
+    /// E, the torque over the follower's inertia, per square of the unit of time.
     pub e: S,
 }
 
@@ -71,12 +75,14 @@ impl<S: Field> Coefficients<S> {
         }
     }
 
-    /// C θ'² + D θ'', what stands between the bars: its sign is that of sin θ times the follower's acceleration.
+    /// C θ'² + D θ'', what stands between the bars, in the unit of `angular_acceleration`: its sign is that of sin θ
+    /// times the follower's acceleration.
     pub fn between_the_bars(&self, speed: &S, angular_acceleration: &S) -> S {
         self.c.clone() * speed.clone() * speed.clone() + self.d.clone() * angular_acceleration.clone()
     }
 
-    /// A θ'' + B θ'² + S (C θ'² + D θ'') − E: zero if the motion obeys the equation with this sign for the bars.
+    /// A θ'' + B θ'² + S (C θ'² + D θ'') − E, in the unit of `angular_acceleration`: zero if the motion obeys the
+    /// equation with this sign for the bars.
     pub fn residual(&self, speed: &S, angular_acceleration: &S, sign: Sign) -> S {
         let square = speed.clone() * speed.clone();
         self.a.clone() * angular_acceleration.clone()
@@ -85,13 +91,15 @@ impl<S: Field> Coefficients<S> {
             - self.e.clone()
     }
 
-    /// (E − (B + S C) θ'²) / (A + S D), the acceleration if the bars have this sign. Meyer 1973, Appendix B.
+    /// (E − (B + S C) θ'²) / (A + S D), the acceleration if the bars have this sign, in radians per square of the unit
+    /// of time. Meyer 1973, Appendix B.
     pub fn acceleration_with(&self, speed: &S, sign: Sign) -> S {
         let both = self.b.clone() + sign.of(self.c.clone());
         (self.e.clone() - both * speed.clone() * speed.clone()) / (self.a.clone() + sign.of(self.d.clone()))
     }
 
-    /// A C θ'² + D (E − B θ'²): where A > |D|, its sign is the sign of what stands between the bars.
+    /// A C θ'² + D (E − B θ'²), per square of the unit of time: where A > |D|, its sign is the sign of what stands
+    /// between the bars.
     pub fn sign_switching_function(&self, speed: &S) -> S {
         let square = speed.clone() * speed.clone();
         self.a.clone() * self.c.clone() * square.clone() + self.d.clone() * (self.e.clone() - self.b.clone() * square)
@@ -109,6 +117,10 @@ pub struct Acceleration {
 
 impl Coefficients<f64> {
     /// The one acceleration at this speed of the driver (≥ 0, radians per unit of time), with the sign of the bars.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Speed`] for a speed that is negative or not finite; [`Error::NotUnique`] unless A > |D|.
     pub fn acceleration(&self, speed: f64) -> Result<Acceleration, Error> {
         if !(speed >= 0.0 && speed.is_finite()) {
             return Err(Error::Speed { name: "driver speed", asked: speed });

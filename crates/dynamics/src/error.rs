@@ -8,7 +8,7 @@ pub enum Error {
     NotPositive {
         /// Which quantity.
         name: &'static str,
-        /// What was asked for.
+        /// What was asked for, in the quantity's own unit.
         asked: f64,
     },
     /// A quantity that must be finite and not negative is not.
@@ -16,7 +16,7 @@ pub enum Error {
     Negative {
         /// Which quantity.
         name: &'static str,
-        /// What was asked for.
+        /// What was asked for, in the quantity's own unit.
         asked: f64,
     },
     /// A quantity that must be finite is not.
@@ -24,7 +24,7 @@ pub enum Error {
     NotFinite {
         /// Which quantity.
         name: &'static str,
-        /// What was asked for.
+        /// What was asked for, in the quantity's own unit.
         asked: f64,
     },
     /// A quantity outside its range.
@@ -32,11 +32,11 @@ pub enum Error {
     OutOfRange {
         /// Which quantity.
         name: &'static str,
-        /// What was asked for.
+        /// What was asked for, in the quantity's own unit.
         asked: f64,
-        /// The least that is allowed.
+        /// The least that is allowed, in the same unit.
         least: f64,
-        /// The greatest that is allowed.
+        /// The greatest that is allowed, in the same unit.
         most: f64,
     },
     /// A speed of the driver that is negative or not finite, or whose square is not finite.
@@ -47,7 +47,7 @@ pub enum Error {
     Speed {
         /// At which place.
         name: &'static str,
-        /// What was asked for.
+        /// What was asked for, in radians per unit of time.
         asked: f64,
     },
     /// So much friction that somewhere no acceleration, or more than one, obeys the equation of motion.
@@ -56,9 +56,9 @@ pub enum Error {
          from the line of centres; give less friction or a driver with more inertia"
     )]
     TooMuchFriction {
-        /// What was asked for.
+        /// What was asked for, dimensionless.
         asked: f64,
-        /// The friction that it must stay below.
+        /// The friction that it must stay below, dimensionless.
         limit: f64,
         /// Crank angle in radians, to either side of the line of centres, where the limit is first reached.
         angle: f64,
@@ -69,9 +69,9 @@ pub enum Error {
          the driver's inertia"
     )]
     NotUnique {
-        /// A.
+        /// A, dimensionless.
         a: f64,
-        /// |D|.
+        /// |D|, dimensionless.
         d: f64,
     },
     /// A reset angle that is not positive, or that takes the pin past the far side of its circle.
@@ -84,7 +84,7 @@ pub enum Error {
     Reset {
         /// What was asked for, in radians.
         asked: f64,
-        /// The greatest possible: π + π/m.
+        /// The greatest possible, in radians: π + π/m.
         limit: f64,
     },
     /// So near the critical friction, or with such different inertias, that the motion has no scale to be computed at.
@@ -95,7 +95,7 @@ pub enum Error {
     TooSharp {
         /// Crank angle in radians where the equation changes too quickly.
         angle: f64,
-        /// A − |D| there.
+        /// A − |D| there, dimensionless.
         margin: f64,
     },
     /// Nothing brakes faster running more than slower running: the speed grows without end.
@@ -104,7 +104,7 @@ pub enum Error {
          grows with the load, in the slot or in the bearings"
     )]
     NoTerminalSpeed {
-        /// Multiplier of the return map; one, or within rounding of it.
+        /// Multiplier of the return map, dimensionless; one, or within rounding of it.
         multiplier: f64,
     },
     /// More engagements, or more printed lines, than are allowed.
@@ -121,7 +121,7 @@ pub enum Error {
          thinner pin"
     )]
     PinTooThick {
-        /// Radius over crank radius that was asked for.
+        /// The radius that was asked for, in crank radii.
         asked: f64,
     },
     /// A constant drag torque on the driver that the driving torque does not overcome.
@@ -130,9 +130,9 @@ pub enum Error {
          torque or more torque"
     )]
     DragTorque {
-        /// What was asked for.
+        /// What was asked for, in the unit of the driving torque.
         asked: f64,
-        /// The driving torque.
+        /// The driving torque, in its own unit.
         torque: f64,
     },
     /// Friction on the pin's surface and in the follower's journal holds the follower against any normal force.
@@ -143,7 +143,7 @@ pub enum Error {
     SelfLocking {
         /// μ ρ + μ_b r_b √(1 + μ²), the arm of the friction in crank radii.
         taken: f64,
-        /// a − 1, the arm of the normal force on the line of centres.
+        /// a − 1, the arm of the normal force on the line of centres, in crank radii.
         lever: f64,
     },
     /// With these joints somewhere no acceleration, or more than one, obeys the equation of motion.
@@ -152,7 +152,7 @@ pub enum Error {
          one solution; give less friction, thinner joints or a driver with more inertia"
     )]
     Jams {
-        /// The factor of θ'' over I_f there; not positive.
+        /// The factor of θ'' over I_f there, dimensionless; not positive.
         margin: f64,
         /// Crank angle in radians from the line of centres.
         angle: f64,
@@ -160,9 +160,9 @@ pub enum Error {
     /// A crank angle outside the engagement, or not a number.
     #[error("crank angle {asked} rad: a pin is in its slot from -{limit} to {limit}; give an angle between")]
     OutsideTheSlot {
-        /// What was asked for.
+        /// What was asked for, in radians.
         asked: f64,
-        /// Greatest angle to either side of the line of centres.
+        /// Greatest angle to either side of the line of centres, in radians.
         limit: f64,
     },
     /// The driver comes to rest within an engagement.
@@ -180,9 +180,9 @@ pub enum Error {
          or more friction that grows with the load"
     )]
     NotRepeated {
-        /// Speed at the last entry that was tried.
+        /// Speed at the last entry that was tried, in radians per unit of time.
         entry: f64,
-        /// Speed at the exit that it led to.
+        /// Speed at the exit that it led to, in radians per unit of time.
         exit: f64,
     },
     /// The steps that are allowed do not reach the tolerance.
@@ -191,9 +191,9 @@ pub enum Error {
          {reached}; allow more, or take less friction or inertias that are less different"
     )]
     NotSettled {
-        /// Relative tolerance that was asked for.
+        /// Relative tolerance that was asked for, dimensionless.
         tolerance: f64,
-        /// Relative change when the steps were last halved.
+        /// Relative change when the steps were last halved, dimensionless.
         reached: f64,
     },
     /// The integrator of the program of 1973 stopped, in its own words.

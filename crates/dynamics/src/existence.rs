@@ -31,7 +31,7 @@ use geneva_kinematics::Mechanism;
 /// The least friction at which the equation of motion fails to have one solution, and where that happens.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CriticalFriction {
-    /// Coefficient of friction; infinite if it is too great for a number.
+    /// Coefficient of friction, dimensionless; infinite if it is too great for a number.
     pub friction: f64,
     /// Crank angle in radians to either side of the line of centres.
     pub angle: f64,
@@ -40,18 +40,22 @@ pub struct CriticalFriction {
 /// The least excess of A over |D| while a pin is in its slot, and where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LeastMargin {
-    /// A − |D| there; one solution everywhere if and only if it is positive.
+    /// A − |D| there, dimensionless; one solution everywhere if and only if it is positive.
     pub margin: f64,
     /// Crank angle in radians to either side of the line of centres.
     pub angle: f64,
 }
 
-/// A − |D| at a pose, for I_D / I_f and μ.
+/// A − |D| at a pose, for I_D / I_f and μ; dimensionless.
 pub fn margin(pose: &Pose<f64>, inertia_ratio: f64, friction: f64) -> f64 {
     equation::coefficient_a(pose, &inertia_ratio) - equation::coefficient_d(pose, &friction).abs()
 }
 
 /// The friction from which on A > |D| fails somewhere in the engagement, for I_D / I_f (positive and finite).
+///
+/// # Errors
+///
+/// [`Error::NotPositive`].
 pub fn critical_friction(mechanism: Mechanism, inertia_ratio: f64) -> Result<CriticalFriction, Error> {
     let inertia = positive("driver inertia over follower inertia", inertia_ratio)?;
     let half = Half::new(mechanism);
@@ -98,13 +102,22 @@ const BISECTIONS: u32 = 6;
 /// The least A − |D| in the engagement, for I_D / I_f (positive and finite) and μ (finite, not negative).
 ///
 /// Without friction it is I_D / I_f, where the pin enters and leaves; with friction it is less.
+///
+/// # Errors
+///
+/// [`Error::NotPositive`] for the inertias, [`Error::Negative`] for the friction.
 pub fn least_margin(mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> Result<LeastMargin, Error> {
     let inertia = positive("driver inertia over follower inertia", inertia_ratio)?;
     let (worst, angle) = worst(mechanism, not_negative("friction coefficient", friction)?);
     Ok(LeastMargin { margin: inertia - worst, angle })
 }
 
-/// The ratio I_D / I_f that must be exceeded for one solution everywhere with this friction: zero without friction.
+/// The ratio I_D / I_f, dimensionless, that must be exceeded for one solution everywhere with this friction: zero
+/// without friction.
+///
+/// # Errors
+///
+/// [`Error::Negative`] for a friction that is negative or not finite.
 pub fn critical_inertia_ratio(mechanism: Mechanism, friction: f64) -> Result<f64, Error> {
     Ok(worst(mechanism, not_negative("friction coefficient", friction)?).0)
 }

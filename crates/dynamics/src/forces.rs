@@ -17,21 +17,23 @@ pub enum Flank {
     Neither,
 }
 
-/// What acts between pin and slot at one instant. Multiples of the crank radius: lengths have not been chosen yet.
+/// What acts between pin and slot at one instant. Forces as moments at the crank radius: lengths have not been chosen
+/// yet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactForces {
-    /// Angular acceleration of the follower, φ''.
+    /// Angular acceleration of the follower, φ'', in radians per square of the unit of time.
     pub follower_acceleration: f64,
-    /// N r, normal force times crank radius, in units of torque; positive on the leading flank.
+    /// N r, normal force times crank radius, in the unit of the torque; positive on the leading flank.
     pub normal_moment: f64,
-    /// Torque of friction about the driver's axis, never negative; it acts against the driver's motion.
+    /// Torque of friction about the driver's axis, in the unit of the torque, never negative; it acts against the
+    /// driver's motion.
     pub friction_torque: f64,
     /// Where the pin bears.
     pub flank: Flank,
 }
 
 impl ContactForces {
-    /// The normal force for a crank of this radius (in the unit of length of torque and inertia).
+    /// The normal force for a crank of this radius: in the unit of the torque over that of the radius.
     pub fn normal_force(&self, crank_radius: f64) -> f64 {
         self.normal_moment / crank_radius
     }
@@ -41,6 +43,10 @@ impl Parameters {
     /// Forces at a crank angle (radians from the line of centres) and a speed of the driver (≥ 0).
     ///
     /// Meyer 1973, Eqs. (1-13), with its first exponent put right, and (1-14).
+    ///
+    /// # Errors
+    ///
+    /// As for [`Parameters::acceleration`].
     pub fn contact_forces(&self, angle: f64, speed: f64) -> Result<ContactForces, Error> {
         let angular_acceleration = self.acceleration(angle, speed)?.value;
         let pose = self.pose(angle);

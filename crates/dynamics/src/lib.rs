@@ -11,6 +11,8 @@
 //!
 //! This crate holds no number that a source prints, does no input or output, and knows nothing of claims or books.
 
+#![warn(clippy::missing_errors_doc)]
+
 pub mod energy;
 pub mod equation;
 pub mod equation_proofs;

@@ -21,6 +21,10 @@ impl Inertias {
     /// Without inertia of the driver nothing is left to accelerate as a pin enters, where the follower stands still:
     /// there A = D = 0, and near it A < |D| for any friction. Without inertia of the follower there is no normal
     /// force, no friction and no brake; the equation, written per unit of I_f, does not cover it.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NotPositive`] for an inertia, or a quotient of the two, that is not positive and finite.
     pub fn new(driver: f64, follower: f64) -> Result<Self, Error> {
         let inertias =
             Self { driver: positive("driver inertia", driver)?, follower: positive("follower inertia", follower)? };
@@ -28,17 +32,17 @@ impl Inertias {
         Ok(inertias)
     }
 
-    /// Moment of inertia of the driver, I_D.
+    /// Moment of inertia of the driver, I_D, in the unit of the torque times the square of the unit of time.
     pub fn driver(&self) -> f64 {
         self.driver
     }
 
-    /// Moment of inertia of the follower, I_f.
+    /// Moment of inertia of the follower, I_f, in the unit of [`driver`](Self::driver).
     pub fn follower(&self) -> f64 {
         self.follower
     }
 
-    /// I_D / I_f.
+    /// I_D / I_f, dimensionless.
     pub fn ratio(&self) -> f64 {
         self.driver / self.follower
     }
@@ -57,6 +61,11 @@ impl Parameters {
     /// An escapement with this torque K (> 0) on its driver and this coefficient of friction μ between pin and slot.
     ///
     /// μ may be zero; it must stay below [`existence::critical_friction`].
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NotPositive`] for a torque, or one over I_f, that is not positive and finite; [`Error::Negative`] for a
+    /// friction that is negative or not finite; [`Error::TooMuchFriction`] from the critical friction on.
     pub fn new(mechanism: Mechanism, inertias: Inertias, torque: f64, friction: f64) -> Result<Self, Error> {
         let torque = positive("torque", torque)?;
         positive("torque over follower inertia", torque / inertias.follower)?;
@@ -81,12 +90,12 @@ impl Parameters {
         self.inertias
     }
 
-    /// Torque on the driver, K.
+    /// Torque on the driver, K, in any unit that is consistent with those of the inertias and of time.
     pub fn torque(&self) -> f64 {
         self.torque
     }
 
-    /// Coefficient of friction between pin and slot, μ.
+    /// Coefficient of friction between pin and slot, μ, dimensionless.
     pub fn friction(&self) -> f64 {
         self.friction
     }
@@ -111,6 +120,10 @@ impl Parameters {
     ///
     /// While a pin is in its slot there always is one. Beyond, the formula is evaluated all the same, and may have
     /// none.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NotFinite`] for an angle that is not finite; those of [`Coefficients::acceleration`].
     pub fn acceleration(&self, angle: f64, speed: f64) -> Result<Acceleration, Error> {
         if !angle.is_finite() {
             return Err(Error::NotFinite { name: "crank angle", asked: angle });

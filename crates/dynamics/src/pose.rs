@@ -2,16 +2,18 @@
 
 use geneva_kinematics::{Field, Jet, Turn, pin_slot};
 
-/// Where the mechanism stands, in crank radii: all that the equation of motion asks of the geometry.
+/// Where the mechanism stands, with the crank radius as the unit of length: all that the equation of motion asks of the
+/// geometry.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose<S> {
-    /// a cos θ − 1: zero as the pin enters and leaves, positive between.
+    /// a cos θ − 1, dimensionless: zero as the pin enters and leaves, positive between.
     pub numerator: S,
-    /// a sin θ: half the rate of change of the square below with θ.
+    /// a sin θ, dimensionless: half the rate of change of the square below with θ.
     pub cross: S,
-    /// 1 + a² − 2 a cos θ, the square of the pin's distance from the follower's pivot.
+    /// 1 + a² − 2 a cos θ, the square of the pin's distance from the follower's pivot over that of the crank radius,
+    /// dimensionless.
     pub square: S,
-    /// 1 − a², negative for centres farther apart than a crank radius.
+    /// 1 − a², dimensionless, negative for centres farther apart than a crank radius.
     pub shape: S,
 }
 
@@ -39,17 +41,21 @@ impl<S: Field> Pose<S> {
         }
     }
 
-    /// Angular velocity of the follower over that of the driver. Meyer 1973, Eq. (1-7).
+    /// Angular velocity of the follower over that of the driver, dimensionless. Meyer 1973, Eq. (1-7).
     pub fn velocity_ratio(&self) -> S {
         self.numerator.clone() / self.square.clone()
     }
 
-    /// Angular acceleration of the follower over the square of a constant speed of the driver. Meyer 1973, Eq. (1-8).
+    /// Angular acceleration of the follower over the square of a constant speed of the driver, dimensionless.
+    ///
+    /// Meyer 1973, Eq. (1-8).
     pub fn acceleration_ratio(&self) -> S {
         self.cross.clone() * self.shape.clone() / self.square.clone() / self.square.clone()
     }
 
-    /// Angular acceleration of the follower for a driver of this speed and acceleration. Meyer 1973, Eq. (1-8).
+    /// Angular acceleration of the follower for a driver of this speed and acceleration, in the unit of the latter.
+    ///
+    /// Meyer 1973, Eq. (1-8).
     pub fn follower_acceleration(&self, speed: &S, angular_acceleration: &S) -> S {
         self.acceleration_ratio() * speed.clone() * speed.clone() + self.velocity_ratio() * angular_acceleration.clone()
     }

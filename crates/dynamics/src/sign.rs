@@ -15,7 +15,7 @@ impl Sign {
     /// Both signs.
     pub const BOTH: [Self; 2] = [Self::Plus, Self::Minus];
 
-    /// `value` with this sign before it.
+    /// `value` with this sign before it, in its own unit.
     pub fn of<S: Field>(self, value: S) -> S {
         match self {
             Self::Plus => value,

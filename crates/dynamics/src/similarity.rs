@@ -10,11 +10,11 @@ use geneva_kinematics::{Expression, Identity};
 /// The factors of speed, acceleration and time when E = K/I_f grows by a factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scaling {
-    /// Factor of all angular speeds.
+    /// Factor of all angular speeds, dimensionless.
     pub speed: f64,
-    /// Factor of all angular accelerations.
+    /// Factor of all angular accelerations, dimensionless.
     pub acceleration: f64,
-    /// Factor of all times.
+    /// Factor of all times, dimensionless.
     pub time: f64,
 }
 

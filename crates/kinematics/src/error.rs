@@ -28,7 +28,7 @@ pub enum KinematicsError {
          apart or shorten the crank"
     )]
     CentreDistance {
-        /// The distance that was asked for.
+        /// The distance that was asked for, in the caller's unit.
         asked: f64,
         /// The crank radius that it must exceed, in the same unit.
         crank_radius: f64,
@@ -70,7 +70,7 @@ pub enum KinematicsError {
          mechanism"
     )]
     Ratio {
-        /// The ground distance.
+        /// The ground distance, in the caller's unit.
         ground: f64,
         /// The crank's length, in the same unit.
         crank: f64,

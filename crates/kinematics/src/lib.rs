@@ -7,6 +7,8 @@
 //!
 //! This crate holds no number that a source prints, does no input or output, and knows nothing of claims or books.
 
+#![warn(clippy::missing_errors_doc)]
+
 mod error;
 mod proofs;
 mod scalars;

@@ -76,7 +76,8 @@ impl Identity<4> for PinSpeed {
     }
 }
 
-/// v_P′ = r ω_S = v_P sin γ with γ = 90° − β − θ, multiplied by r: the component of v_P across the slot, towards the driver.
+/// v_P′ = r ω_S = v_P sin γ with γ = 90° − β − θ, multiplied by r: the component of v_P across the slot, towards the
+/// driver.
 ///
 /// sin γ = cos β cos θ − sin β sin θ; r cos β and r sin β are the pin's coordinates, R cos θ = −p and R sin θ = q.
 /// Variables: p, q, l, ω.
@@ -134,7 +135,8 @@ impl Identity<1> for StandstillOfFourSlots {
     }
 }
 
-/// How far the pin is off its circle if it is at β = 45° and the follower stands still: cos² θ + sin² θ − 1.
+/// How far the pin is off its circle if it is at β = 45° and the follower stands still: cos² θ + sin² θ − 1,
+/// dimensionless.
 ///
 /// Zero for the ratios k = l / R at which a four-slot follower is at rest as the pin enters; k must not be zero.
 pub fn four_slot_entry_misfit<S: Field>(ratio: &S) -> S {

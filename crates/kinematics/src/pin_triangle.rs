@@ -8,29 +8,30 @@ use crate::pin_slot::{PinSlot, slot_radius_squared};
 
 /// Lengths, angles and speeds at one instant, as the triangle gives them.
 ///
-/// Angles are in radians, lengths in the unit of the mechanism, speeds in that unit times the unit of the driver's
-/// angular speed. The signs hold for a driver that turns so that θ decreases.
+/// The signs hold for a driver that turns so that θ decreases.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TriangleSolution {
     /// r² / R², dimensionless.
     pub radius_squared_ratio: f64,
     /// r / R, dimensionless.
     pub radius_ratio: f64,
-    /// r, distance of the pin from the follower's pivot.
+    /// r, distance of the pin from the follower's pivot, in the unit of the mechanism.
     pub slot_radius: f64,
-    /// sin β, by the law of sines.
+    /// sin β, by the law of sines, dimensionless.
     pub sine_at_pivot: f64,
-    /// β, angle of the slot from the line of centres.
+    /// β, angle of the slot from the line of centres, in radians.
     pub angle_at_pivot: f64,
-    /// γ = 90° − β − θ.
+    /// γ = 90° − β − θ, in radians.
     pub velocity_angle: f64,
-    /// Speed of the pin, R ω.
+    /// Speed of the pin, R ω, in the unit of length times that of the driver's angular speed.
     pub pin_speed: f64,
-    /// Speed across the slot of the follower's point under the pin, v sin γ; positive against the driver's sense.
+    /// Speed across the slot of the follower's point under the pin, v sin γ, in the unit of length times that of the
+    /// driver's angular speed; positive against the driver's sense.
     pub slot_point_speed: f64,
-    /// Speed of the pin along the slot, v cos γ; positive towards the follower's pivot.
+    /// Speed of the pin along the slot, v cos γ, in the unit of length times that of the driver's angular speed;
+    /// positive towards the follower's pivot.
     pub sliding_speed: f64,
-    /// Angular speed of the follower; positive against the driver's sense.
+    /// Angular speed of the follower, in the unit of the driver's; positive against the driver's sense.
     pub follower_speed: f64,
 }
 

@@ -24,7 +24,8 @@ pub struct SlotAccelerations<S> {
     pub sliding_tangential: Vector2<S>,
     /// Coriolis acceleration, 2 ω × v with v the sliding velocity: v turned by a quarter with the follower, 2 ω times.
     pub coriolis: Vector2<S>,
-    /// Angular acceleration of the follower, counter-clockwise positive.
+    /// Angular acceleration of the follower in the unit of the pin's acceleration over that of its distance,
+    /// counter-clockwise positive.
     pub follower_acceleration: S,
 }
 

@@ -1,6 +1,6 @@
 //! One row of the ledger.
 
-use crate::checks::{in_display, reads};
+use crate::by_id::{in_display, reads};
 use crate::slugs::slugs;
 use crate::tex::{Exact, decide};
 use crate::{

@@ -7,8 +7,9 @@
 //!
 //! The ledger computes nothing itself: it calls the formula crates. A printed number stands here and nowhere else.
 
+mod agreement;
+mod by_id;
 mod check;
-mod checks;
 mod claim;
 mod dimension;
 mod duals;

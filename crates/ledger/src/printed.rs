@@ -4,7 +4,6 @@ use crate::tolerance::{ARITHMETIC, ROUTES};
 use dashu_base::{Abs, Signed};
 use dashu_int::{IBig, UBig};
 use geneva_kinematics::{Field, Rational, rational};
-use std::fmt;
 use std::str::FromStr;
 
 /// A number as printed: a decimal with its digits behind the point, or a fraction of whole numbers.
@@ -20,21 +19,12 @@ pub struct Decimal {
 }
 
 /// Text that is not a printed number.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "`{0}` is not a printed number: digits are expected, with an optional sign, thousands commas and one point, or a \
+     fraction of two such whole numbers"
+)]
 pub struct Unreadable(String);
-
-impl fmt::Display for Unreadable {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "`{}` is not a printed number: digits are expected, with an optional sign, thousands commas and one point, \
-             or a fraction of two such whole numbers",
-            self.0
-        )
-    }
-}
-
-impl std::error::Error for Unreadable {}
 
 /// How a printed digit compares with the computed value rounded to as many places.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -22,8 +22,9 @@ pub enum Extrapolation {
 
 /// The past of one quantity, as far back as its delay.
 ///
-/// Entries come from [`record`](Self::record), at rising times of any spacing: the steps that were kept. Reading changes
-/// nothing. The memory is an array of `CAPACITY` entries, at least 2; what no later reading can need makes room.
+/// Entries come from [`record`](Self::record), at rising times of any spacing: the steps that were kept. Reading
+/// changes nothing. The memory is an array of `CAPACITY` entries, at least 2; what no later reading can need makes
+/// room.
 ///
 /// A run's error test does not see how well the past is read: the whole step and the two halves read the same entries.
 /// [`Parameters::largest_step`](crate::Parameters::largest_step) keeps the entries close.
@@ -66,9 +67,9 @@ pub enum DelayError {
     /// A value that is not finite.
     #[error("value {asked:?} at time {time:?}: it must be finite; look for where it comes from")]
     Value {
-        /// The value.
+        /// The value, in the quantity's own unit.
         asked: f64,
-        /// When.
+        /// When, in the caller's unit of time.
         time: f64,
     },
     /// A time that is not finite.
@@ -79,9 +80,9 @@ pub enum DelayError {
         "time {asked:?}: to be recorded it must be after the latest entry's {latest:?}; record kept steps only, each once"
     )]
     Order {
-        /// The time.
+        /// The time, in the caller's unit of time.
         asked: f64,
-        /// The time of the latest entry.
+        /// The time of the latest entry, in the same unit.
         latest: f64,
     },
     /// All entries are within the delay and there is no room for another.
@@ -90,11 +91,11 @@ pub enum DelayError {
          {delay:?}; give the line a larger capacity, or the run longer steps"
     )]
     Full {
-        /// The time of the entry that does not fit.
+        /// The time of the entry that does not fit, in the caller's unit of time.
         time: f64,
-        /// The time of the oldest entry.
+        /// The time of the oldest entry, in the same unit.
         oldest: f64,
-        /// The delay.
+        /// The delay, in the same unit.
         delay: f64,
         /// The capacity.
         capacity: usize,
@@ -102,15 +103,20 @@ pub enum DelayError {
     /// A time so long ago that its entries have made room.
     #[error("time {asked:?}: the line remembers from {oldest:?} on; ask at times not before the latest entry")]
     Forgotten {
-        /// The time that was asked for, less the delay.
+        /// The time that was asked for, less the delay, in the caller's unit of time.
         asked: f64,
-        /// The time of the oldest entry.
+        /// The time of the oldest entry, in the same unit.
         oldest: f64,
     },
 }
 
 impl<const CAPACITY: usize> DelayLine<CAPACITY> {
     /// A line without entries. `delay` is positive, in the unit of time; `initial` is the value before the first entry.
+    ///
+    /// # Errors
+    ///
+    /// [`DelayError::Capacity`] for a `CAPACITY` below 2, [`DelayError::Delay`] for a delay that is not positive and
+    /// finite, [`DelayError::Initial`] for an initial value that is not finite.
     pub fn new(
         delay: f64,
         initial: f64,
@@ -131,6 +137,11 @@ impl<const CAPACITY: usize> DelayLine<CAPACITY> {
     }
 
     /// Enters the value at a time later than that of all entries. On an error nothing is entered.
+    ///
+    /// # Errors
+    ///
+    /// [`DelayError::Time`] and [`DelayError::Value`] for what is not finite; [`DelayError::Order`] for a time that is
+    /// not after the latest entry's; [`DelayError::Full`] if all entries are within the delay and fill the memory.
     pub fn record(&mut self, time: f64, value: f64) -> Result<(), DelayError> {
         if !time.is_finite() {
             return Err(DelayError::Time(time));
@@ -158,9 +169,15 @@ impl<const CAPACITY: usize> DelayLine<CAPACITY> {
         Ok(())
     }
 
-    /// The value at `time` less the delay, for a `time` not before that of the latest entry.
+    /// The value at `time` less the delay, in the quantity's own unit, for a `time` not before that of the latest
+    /// entry.
     ///
     /// Before the first entry of all it is the initial value; at the time of an entry, the entry's.
+    ///
+    /// # Errors
+    ///
+    /// [`DelayError::Time`] for a time that is not finite; [`DelayError::Forgotten`] if the entries at `time` less the
+    /// delay have made room.
     pub fn value(&self, time: f64) -> Result<f64, DelayError> {
         let asked = time - self.delay;
         if !asked.is_finite() {

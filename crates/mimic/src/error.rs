@@ -47,7 +47,7 @@ pub enum ParameterError {
     Range {
         /// The field of [`Parameters`](crate::Parameters).
         name: &'static str,
-        /// What was asked for.
+        /// What was asked for, in the field's own unit.
         asked: f64,
         /// What it can be.
         allowed: Allowed,
@@ -61,7 +61,7 @@ pub enum ParameterError {
          longer interval, run for a shorter time or allow more steps"
     )]
     PrintedPoints {
-        /// The run length over the print interval.
+        /// The run length over the print interval, dimensionless.
         points: f64,
         /// The bound on the number of steps.
         most_steps: u64,
@@ -98,11 +98,12 @@ pub enum Cause<F> {
          {smallest_step:?} and move the time; look for a singularity there, or allow a smaller step or a larger error"
     )]
     StepUnderflow {
-        /// The step that was refused or is too short for time to be told apart.
+        /// The step that was refused or is too short for time to be told apart, in the unit of the right-hand side's
+        /// time.
         step: f64,
-        /// The smallest step allowed.
+        /// The smallest step allowed, in the same unit.
         smallest_step: f64,
-        /// The error of the last attempt over what is allowed.
+        /// The error of the last attempt over what is allowed, dimensionless.
         excess: f64,
     },
     /// A number is infinite or not a number.
@@ -115,7 +116,7 @@ pub enum Cause<F> {
         quantity: Quantity,
         /// Its place in the state, counted from 0.
         component: usize,
-        /// Its value.
+        /// Its value, in the component's own unit.
         value: f64,
     },
     /// The bound on the number of steps is reached.
@@ -133,7 +134,7 @@ pub enum Cause<F> {
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error("stopped at time {time:?} in state {:?}: {cause}", .state.as_slice())]
 pub struct Stopped<const D: usize, F> {
-    /// Time of the last point that was kept.
+    /// Time of the last point that was kept, in the unit of the right-hand side's time.
     pub time: f64,
     /// State at that time.
     pub state: SVector<f64, D>,

@@ -29,6 +29,7 @@
 //! This crate knows nothing of mechanisms, claims or books.
 
 #![cfg_attr(not(test), no_std)]
+#![warn(clippy::missing_errors_doc)]
 
 mod delay;
 mod error;

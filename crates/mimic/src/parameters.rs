@@ -25,57 +25,62 @@ pub enum AtSmallestStep {
     Continue,
 }
 
-/// How a run is made. Times are in the unit of the right-hand side's time.
+/// How a run is made.
 ///
 /// The thesis gives the print interval `DT`, the run length and the relative error. The other fields are named because
 /// it does not give them: a result that depends on them is not a result of the thesis. Work::Meyer1973, Appendix B.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Parameters {
-    /// `DT`, time between printed points, positive. No step passes a printed point.
+    /// `DT`, time between printed points, in the unit of the right-hand side's time, positive. No step passes a printed
+    /// point.
     pub print_interval: f64,
-    /// Time of the last printed point, positive; the start is at 0.
+    /// Time of the last printed point, in the same unit, positive; the start is at 0.
     ///
     /// If it is no multiple of the print interval, the last interval is shorter. Within rounding of a multiple it is
     /// taken for the multiple.
     pub run_length: f64,
-    /// Largest difference of the whole step from two half steps, over the size of the component; between 0 and 1.
+    /// Largest difference of the whole step from two half steps, over the size of the component, dimensionless; between
+    /// 0 and 1.
     ///
     /// Default 5·10⁻⁶, from the thesis.
     pub relative_tolerance: f64,
     /// Size below which a component is judged as if it had this size, not negative, in the component's own unit.
     ///
-    /// Default 10⁻³. Without it a component that passes zero would stop the run; with it the test asks for 5·10⁻⁹ there,
-    /// which the rounding of sums of the order of one does not disturb.
+    /// Default 10⁻³. Without it a component that passes zero would stop the run; with it the test asks for 5·10⁻⁹
+    /// there, which the rounding of sums of the order of one does not disturb.
     pub absolute_floor: f64,
-    /// The next step is longer if the error was at most this part of the tolerance; from 0 to 1.
+    /// The next step is longer if the error was at most this part of the tolerance, dimensionless; from 0 to 1.
     ///
     /// Default 1/64. A step twice as long has 32 times the error; the 2 left over is a margin, so that a longer step is
     /// not refused at once.
     pub growth_below: f64,
-    /// What the step is multiplied by when it grows; at least 1, where 1 is never.
+    /// What the step is multiplied by when it grows, dimensionless; at least 1, where 1 is never.
     ///
     /// Default 2: halves and doubles of the print interval meet the printed points without a remainder.
     pub growth_factor: f64,
-    /// What a refused step is multiplied by; between 0 and 1.
+    /// What a refused step is multiplied by, dimensionless; between 0 and 1.
     ///
     /// Default 1/2, for the same reason.
     pub shrink_factor: f64,
-    /// Smallest step that is tried, positive, unless less is left to the next printed point.
+    /// Smallest step that is tried, in the unit of the right-hand side's time, positive, unless less is left to the
+    /// next printed point.
     ///
-    /// Default 2⁻³⁰ of the print interval. To pass a switch within the tolerance takes some 18 halvings; 12 more are for
-    /// a switch that is large for the state. A step that time in `f64` cannot tell from zero is too small in any case.
+    /// Default 2⁻³⁰ of the print interval. To pass a switch within the tolerance takes some 18 halvings; 12 more are
+    /// for a switch that is large for the state. A step that time in `f64` cannot tell from zero is too small in any
+    /// case.
     pub smallest_step: f64,
-    /// Largest step, at least the smallest.
+    /// Largest step, in the same unit, at least the smallest.
     ///
     /// Default: the print interval, beyond which no step goes.
     pub largest_step: f64,
-    /// First step that is tried, from the smallest to the largest.
+    /// First step that is tried, in the same unit, from the smallest to the largest.
     ///
     /// Default: the largest. It is judged as any other, and a few halvings find the right one.
     pub initial_step: f64,
     /// Which value is kept.
     ///
-    /// Default: two half steps. It is the better of the two that the thesis says are computed; of a third it says nothing.
+    /// Default: two half steps. It is the better of the two that the thesis says are computed; of a third it says
+    /// nothing.
     pub kept: Kept,
     /// What happens when the smallest step is not small enough.
     ///
@@ -121,6 +126,11 @@ impl Parameters {
     }
 
     /// The first parameter that is outside its range, as an error.
+    ///
+    /// # Errors
+    ///
+    /// [`ParameterError::Range`], [`ParameterError::MostSteps`], and [`ParameterError::PrintedPoints`] for more printed
+    /// points than steps.
     pub fn check(&self) -> Result<(), ParameterError> {
         let steps = Allowed::FromTo(self.smallest_step, self.largest_step);
         let asked = [

@@ -10,7 +10,8 @@ use nalgebra::SVector;
 pub struct Point<const D: usize> {
     /// Its number; the start is number 0.
     pub index: u64,
-    /// Its time: the number times the print interval, rounded once, or the run length.
+    /// Its time, in the unit of the right-hand side's time: the number times the print interval, rounded once, or the
+    /// run length.
     pub time: f64,
     /// The state there.
     pub state: SVector<f64, D>,
@@ -50,8 +51,11 @@ pub struct Outcome<const D: usize> {
 /// either is not finite; it is then tried shorter. The way from point to point of the print grid does not change the
 /// times of the points. Work::Meyer1973, Appendix B, and [`Parameters`] for what is not said there.
 ///
-/// Errors: a parameter outside its range; a start, or a derivative at a kept point, that is not finite; a step that
-/// would have to be smaller than allowed; too many steps; a fault of the system.
+/// # Errors
+///
+/// [`IntegrationError::Parameter`] for a parameter outside its range; [`IntegrationError::Stopped`] for a start, or a
+/// derivative at a kept point, that is not finite, a step that would have to be smaller than allowed, too many steps,
+/// or a fault of the system.
 pub fn integrate<S, const D: usize>(
     system: &mut S,
     start: SVector<f64, D>,

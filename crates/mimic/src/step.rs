@@ -5,9 +5,13 @@ use nalgebra::SVector;
 
 /// The state at `to` from that at `from` by one step of the classical Runge-Kutta method.
 ///
-/// With h = `to` − `from`: x + h/6 (f₁ + 2 f₂ + 2 f₃ + f₄), where f₁ = `first` is the derivative at the start, f₂ and f₃
-/// are two at the middle and f₄ is one at the end. Three evaluations of `rate`; its error is handed on. The error of
-/// one step is of order h⁵. Work::Meyer1973, Appendix B.
+/// With h = `to` − `from`: x + h/6 (f₁ + 2 f₂ + 2 f₃ + f₄), where f₁ = `first` is the derivative at the start, f₂ and
+/// f₃ are two at the middle and f₄ is one at the end. Three evaluations of `rate`. The error of one step is of order
+/// h⁵. Work::Meyer1973, Appendix B.
+///
+/// # Errors
+///
+/// The first error of `rate`.
 pub fn runge_kutta_step<F, const D: usize>(
     mut rate: impl FnMut(f64, &SVector<f64, D>) -> Result<SVector<f64, D>, F>,
     from: f64,

@@ -47,12 +47,20 @@ pub trait System<const D: usize> {
     /// The derivative x' at a time and a state.
     ///
     /// Called at trial points too, also beyond the time that is kept at last and at states that are refused later.
+    ///
+    /// # Errors
+    ///
+    /// A fault ends the run with [`Cause::System`](crate::Cause::System).
     fn derivative(&mut self, time: f64, state: &SVector<f64, D>) -> Result<SVector<f64, D>, Self::Fault>;
 
     /// A point has been kept.
     ///
     /// Called once for each, in order of time, the start included and before it is printed. The call just before was
     /// `derivative` at this point and gave `derivative`: whatever else the system worked out there is that of the point.
+    ///
+    /// # Errors
+    ///
+    /// A fault ends the run with [`Cause::System`](crate::Cause::System).
     fn accepted(
         &mut self,
         time: f64,

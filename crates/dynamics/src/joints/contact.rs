@@ -25,20 +25,20 @@ use geneva_kinematics::Field;
 /// Where the pin's centre is in the slot, and its rates with the driver's angle. Lengths in crank radii.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reach<S> {
-    /// R, from the follower's axis.
+    /// R, from the follower's axis, in crank radii.
     pub radius: S,
-    /// q = φ'/θ'; not negative in an engagement.
+    /// q = φ'/θ', dimensionless; not negative in an engagement.
     pub ratio: S,
-    /// dR/dθ, outward.
+    /// dR/dθ, outward, in crank radii per radian.
     pub slide: S,
 }
 
 /// Moments of the contact about the two axes over its normal force N, in crank radii.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arms<S> {
-    /// What turns the follower on.
+    /// λ, what turns the follower on, in crank radii.
     pub follower: S,
-    /// What holds the driver back.
+    /// κ, what holds the driver back, in crank radii.
     pub driver: S,
 }
 
@@ -52,8 +52,8 @@ impl Reach<f64> {
 }
 
 impl<S: Field> Reach<S> {
-    /// Sliding of the pin's surface on the slot's side over θ', outward, for a pin of this radius on this flank (plus:
-    /// leading): dR/dθ + s ρ (1 + q).
+    /// Sliding of the pin's surface on the slot's side over θ', outward, in crank radii, for a pin of this radius on
+    /// this flank (plus: leading): dR/dθ + s ρ (1 + q).
     pub fn sliding(&self, pin: &S, flank: Sign) -> S {
         self.slide.clone() + flank.of(pin.clone() * (S::one() + self.ratio.clone()))
     }
@@ -68,10 +68,12 @@ impl<S: Field> Reach<S> {
     }
 }
 
-/// Arms of the journals' friction over |N|, in crank radii: torque against the rotation over normal force.
+/// Arms of the journals' friction over |N|: torque against the rotation over normal force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Journals {
+    /// Of the driver's journal, in crank radii.
     pub driver: f64,
+    /// Of the follower's journal, in crank radii.
     pub follower: f64,
 }
 

@@ -54,15 +54,15 @@ impl Varied {
 /// What joints do to the steady motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Effect {
-    /// The value of what is varied.
+    /// The value of what is varied, in its own unit: that of the field of [`Joints`].
     pub value: f64,
-    /// Mean speed over that with ideal joints.
+    /// Mean speed over that with ideal joints, dimensionless.
     pub mean_speed: f64,
-    /// Factor by which one engagement reduces a difference of speeds.
+    /// Factor by which one engagement reduces a difference of speeds, dimensionless.
     pub multiplier: f64,
-    /// Engagements in which a difference falls to 1/e: −1 / ln of the multiplier.
+    /// Engagements in which a difference falls to 1/e, dimensionless: −1 / ln of the multiplier.
     pub decay_constant: f64,
-    /// Greatest less least speed, over the mean.
+    /// Greatest less least speed, over the mean, dimensionless.
     pub swing: f64,
     /// The steady motion itself.
     pub state: Passage,

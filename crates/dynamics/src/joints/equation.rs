@@ -24,36 +24,36 @@ use geneva_kinematics::Field;
 /// What the equation of motion asks of one crank angle but for the contact; inertias and torques over I_f.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Terms<S> {
-    /// I_D / I_f.
+    /// I_D / I_f, dimensionless.
     pub inertia: S,
-    /// (K − G) / I_f.
+    /// (K − G) / I_f, per square of the unit of time.
     pub drive: S,
-    /// H / I_f.
+    /// H / I_f, per square of the unit of time.
     pub drag: S,
-    /// q = φ'/θ'.
+    /// q = φ'/θ', dimensionless.
     pub ratio: S,
-    /// p, the follower's acceleration over the square of a constant speed of the driver.
+    /// p, the follower's acceleration over the square of a constant speed of the driver, dimensionless.
     pub bend: S,
 }
 
 impl<S: Field> Terms<S> {
-    /// M / I_f = p θ'² + q θ'' + H / I_f, the moment that the follower asks for.
+    /// M / I_f = p θ'² + q θ'' + H / I_f, the moment that the follower asks for, per square of the unit of time.
     pub fn moment(&self, square: &S, angular_acceleration: &S) -> S {
         self.bend.clone() * square.clone() + self.ratio.clone() * angular_acceleration.clone() + self.drag.clone()
     }
 
-    /// Factor of θ'' for a contact with m = κ/λ: I_D / I_f + m q.
+    /// Factor of θ'' for a contact with m = κ/λ, dimensionless: I_D / I_f + m q.
     pub fn slope(&self, leverage: &S) -> S {
         self.inertia.clone() + leverage.clone() * self.ratio.clone()
     }
 
-    /// θ'' at a square of the speed, for a contact with m = κ/λ.
+    /// θ'' at a square of the speed, for a contact with m = κ/λ, in radians per square of the unit of time.
     pub fn angular_acceleration(&self, square: &S, leverage: &S) -> S {
         let held = self.bend.clone() * square.clone() + self.drag.clone();
         (self.drive.clone() - leverage.clone() * held) / self.slope(leverage)
     }
 
-    /// i (p θ'² + H / I_f) + q (K − G) / I_f: its sign is that of the normal force.
+    /// i (p θ'² + H / I_f) + q (K − G) / I_f, per square of the unit of time: its sign is that of the normal force.
     pub fn flank_switching_function(&self, square: &S) -> S {
         let held = self.bend.clone() * square.clone() + self.drag.clone();
         self.inertia.clone() * held + self.ratio.clone() * self.drive.clone()
@@ -65,7 +65,7 @@ impl<S: Field> Terms<S> {
 pub struct Motion {
     /// θ'', in radians per square of the unit of time.
     pub angular_acceleration: f64,
-    /// φ'', the same of the follower.
+    /// φ'', the same of the follower, in radians per square of the unit of time.
     pub follower_acceleration: f64,
     /// N r, normal force times crank radius, in the unit of torque; positive on the leading flank.
     pub normal_moment: f64,
@@ -186,26 +186,27 @@ impl Escapement {
     }
 }
 
-/// Power at one instant, torque times radians per unit of time. Work done, when the rates are summed over a time.
+/// Power at one instant, in the unit of the torque times radians per unit of time; or, summed over a time, work done,
+/// in the unit of the torque times radians.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Power {
-    /// K θ', from the spring.
+    /// K θ', from the spring, in the unit of the torque per unit of time; as work in the unit of the torque.
     pub input: f64,
-    /// μ |N| times the sliding speed of the pin's surface; not negative.
+    /// μ |N| times the sliding speed of the pin's surface, in the same unit; not negative.
     pub sliding: f64,
-    /// Into the driver's bearing; not negative.
+    /// Into the driver's bearing, in the same unit; not negative.
     pub driver_bearing: f64,
-    /// Into the follower's bearing; not negative.
+    /// Into the follower's bearing, in the same unit; not negative.
     pub follower_bearing: f64,
 }
 
 impl Power {
-    /// What friction takes in all three places.
+    /// What friction takes in all three places, in the same unit.
     pub fn losses(&self) -> f64 {
         self.sliding + self.driver_bearing + self.follower_bearing
     }
 
-    /// Growth of the kinetic energy of both members.
+    /// Growth of the kinetic energy of both members, in the same unit.
     pub fn growth(&self) -> f64 {
         self.input - self.losses()
     }

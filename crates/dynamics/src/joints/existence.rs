@@ -18,7 +18,7 @@ use geneva_kinematics::Mechanism;
 /// The least factor of θ'' over I_f in an engagement, over both flanks; positive in a sound escapement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LeastMargin {
-    /// I_D/I_f + m q there; A − |D| if the joints are ideal.
+    /// I_D/I_f + m q there, dimensionless; A − |D| if the joints are ideal.
     pub margin: f64,
     /// Crank angle in radians from the line of centres.
     pub angle: f64,

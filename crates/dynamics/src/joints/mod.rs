@@ -71,20 +71,20 @@ pub use existence::{LeastMargin, largest_pin_radius};
 pub use passage::{Passage, STEPS};
 pub use steady::Settled;
 
-/// Sizes and frictions of the joints. Lengths in crank radii; frictions without a unit; torques in the unit of K.
+/// Sizes and frictions of the joints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Joints {
-    /// ρ, radius of the pin and half the width of the slot; from 0 to below 1.
+    /// ρ, radius of the pin and half the width of the slot, in crank radii; from 0 to below 1.
     pub pin_radius: f64,
-    /// Radius of the driver's journal, not negative.
+    /// Radius of the driver's journal, in crank radii, not negative.
     pub driver_journal: f64,
-    /// Radius of the follower's journal, not negative.
+    /// Radius of the follower's journal, in crank radii, not negative.
     pub follower_journal: f64,
-    /// μ_b, friction of both journals, not negative.
+    /// μ_b, friction of both journals, dimensionless, not negative.
     pub bearing_friction: f64,
-    /// Constant torque against the driver's rotation, not negative and below K.
+    /// Constant torque against the driver's rotation, in the unit of K, not negative and below K.
     pub driver_drag_torque: f64,
-    /// Constant torque against the follower's rotation, not negative.
+    /// Constant torque against the follower's rotation, in the unit of K, not negative.
     pub follower_drag_torque: f64,
 }
 

@@ -23,24 +23,24 @@ const MOST_CHANGES: usize = 4;
 /// u, ln of the shrinking, time, and work in the slot, in the driver's and in the follower's bearing.
 type State = SVector<f64, 6>;
 
-/// One engagement, from entry to exit. Speeds are the driver's, in radians per unit of time.
+/// One engagement, from entry to exit. Speeds are the driver's.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Passage {
-    /// θ' at entry.
+    /// θ' at entry, in radians per unit of time.
     pub entry_speed: f64,
-    /// θ' at exit.
+    /// θ' at exit, in radians per unit of time.
     pub exit_speed: f64,
-    /// Factor by which the engagement reduces a small difference of the squares of two entry speeds.
+    /// Factor by which the engagement reduces a small difference of the squares of two entry speeds, dimensionless.
     pub multiplier: f64,
-    /// Units of time from entry to exit.
+    /// Time from entry to exit, in units of time.
     pub duration: f64,
-    /// 2π/m over the duration.
+    /// 2π/m over the duration, in radians per unit of time.
     pub mean_speed: f64,
     /// Greatest speed.
     pub peak: Extreme,
     /// Least speed.
     pub minimum: Extreme,
-    /// Crank angles at which the pin changes its flank, in order.
+    /// Crank angles in radians from the line of centres at which the pin changes its flank, in order.
     pub changes: Vec<f64>,
     /// Work over the engagement: of the spring, and of friction in the three places.
     pub work: Power,

@@ -14,7 +14,8 @@ pub struct Settled {
     pub state: Passage,
     /// Steps that an engagement was divided into at last.
     pub steps: u32,
-    /// Greatest relative change of entry speed, peak, minimum, period and multiplier when the steps were last halved.
+    /// Greatest relative change, dimensionless, of entry speed, peak, minimum, period and multiplier when the steps
+    /// were last halved.
     pub change: f64,
 }
 

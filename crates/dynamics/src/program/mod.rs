@@ -31,11 +31,11 @@ pub struct Program {
     pub mechanism: Mechanism,
     /// The two moments of inertia.
     pub inertias: Inertias,
-    /// Torque on the driver.
+    /// Torque on the driver, in any unit that is consistent with those of the inertias and of time.
     pub torque: f64,
-    /// Friction between pin and slot.
+    /// Coefficient of friction between pin and slot, dimensionless.
     pub friction: f64,
-    /// Centre distance over crank radius.
+    /// Centre distance over crank radius, dimensionless.
     pub ratio: f64,
     /// Crank angle at the start of an engagement, in radians from the line of centres.
     pub start: f64,
@@ -125,17 +125,17 @@ impl Program {
 /// One printed line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
-    /// Time from the start.
+    /// Time from the start, in units of time.
     pub time: f64,
     /// Angle in radians through which the driver has turned, unfolded.
     pub turned: f64,
     /// The reset crank angle, in radians from the line of centres.
     pub angle: f64,
-    /// Driver's speed.
+    /// Driver's speed, in radians per unit of time.
     pub speed: f64,
-    /// Driver's acceleration.
+    /// Driver's acceleration, in radians per square of the unit of time.
     pub acceleration: f64,
-    /// Follower's speed, by the velocity ratio at the reset angle.
+    /// Follower's speed, by the velocity ratio at the reset angle, in radians per unit of time.
     pub follower_speed: f64,
 }
 
@@ -149,7 +149,7 @@ pub struct Printout {
 }
 
 impl Printout {
-    /// The largest printed speed of the driver.
+    /// The largest printed speed of the driver, in radians per unit of time.
     pub fn largest(&self) -> f64 {
         self.lines.iter().map(|line| line.speed).fold(f64::NEG_INFINITY, f64::max)
     }

@@ -20,31 +20,31 @@ use std::sync::LazyLock;
 /// The circle of one mechanism.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Circle {
-    /// a.
+    /// a, dimensionless.
     pub ratio: f64,
-    /// c = 1/(a² − 1), the circle's centre on the axis of ρ.
+    /// c = 1/(a² − 1), the circle's centre on the axis of ρ, dimensionless.
     pub centre: f64,
-    /// c a, its radius.
+    /// c a, its radius, dimensionless.
     pub radius: f64,
-    /// w where the pin leaves.
+    /// w where the pin leaves, dimensionless.
     pub exit: f64,
-    /// Real and imaginary part of the w where 1 + 2 ρ = 0.
+    /// Real and imaginary part of the w where 1 + 2 ρ = 0, dimensionless.
     pub far: (f64, f64),
 }
 
 /// One place on the circle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Place {
-    /// ρ, the velocity ratio: follower's speed over driver's.
+    /// ρ, the velocity ratio, dimensionless: follower's speed over driver's.
     pub rho: f64,
-    /// k, the sliding ratio: sliding per radian over R, positive past the line of centres.
+    /// k, the sliding ratio, dimensionless: sliding per radian over R, positive past the line of centres.
     pub k: f64,
-    /// dψ/dw, the Jacobian.
+    /// dψ/dw, the Jacobian, in radians for a w of one.
     pub jacobian: f64,
 }
 
 impl Place {
-    /// dψ/dθ, the angular velocity of ψ over the driver's.
+    /// dψ/dθ, the angular velocity of ψ over the driver's, dimensionless.
     #[inline]
     pub fn angular_velocity(&self) -> f64 {
         1.0 + 2.0 * self.rho
@@ -85,7 +85,7 @@ impl Circle {
         2.0 * libm::atan2(2.0 * w * less, (1.0 - w * w) * (self.ratio + 1.0))
     }
 
-    /// w at θ, for θ from 0 to π.
+    /// w, dimensionless, at θ, for θ from 0 to π.
     pub fn at_angle(&self, angle: f64) -> f64 {
         let less = 1.0 / (self.centre * (self.ratio + 1.0));
         let (sin, cos) = (libm::sin(angle / 2.0) * (self.ratio + 1.0), libm::cos(angle / 2.0) * less);

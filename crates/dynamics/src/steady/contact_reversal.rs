@@ -25,7 +25,7 @@ pub(super) const STEPS: u32 = 100;
 pub(super) struct ContactReversal {
     /// Number of the subinterval.
     pub subinterval: usize,
-    /// w.
+    /// w, dimensionless.
     pub at: f64,
 }
 
@@ -35,7 +35,7 @@ pub(super) struct ContactReversal {
 #[derive(Clone, Debug)]
 pub(super) struct Split {
     pub switch: ContactReversal,
-    /// u where it is divided.
+    /// u where it is divided, dimensionless.
     pub square: f64,
     /// With the plus sign up to there, with the minus sign from there on.
     pub parts: Box<[Part; 2]>,
@@ -51,17 +51,17 @@ pub(super) struct Part {
 /// What Newton's method ends with.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Found {
-    /// w of the switch.
+    /// w of the switch, dimensionless.
     pub switch: f64,
-    /// w of the last place that was asked for.
+    /// w of the last place that was asked for, dimensionless.
     pub at: f64,
-    /// u there.
+    /// u there, dimensionless.
     pub square: f64,
 }
 
 impl Engagement {
-    /// A step of Newton's method, over the subinterval, after which no other is needed: what is left is of the order of its
-    /// square.
+    /// A step of Newton's method, over the subinterval, after which no other is needed: what is left is of the order of
+    /// its square.
     pub(super) fn fine(&self) -> f64 {
         FINE.max(self.tolerance().sqrt() / 32.0)
     }

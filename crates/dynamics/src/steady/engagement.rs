@@ -8,8 +8,11 @@ use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 use std::sync::{LazyLock, OnceLock};
 
-/// The tolerances that an [`Engagement`] can be asked for.
+/// The relative tolerances that an [`Engagement`] can be asked for, dimensionless.
 pub const TOLERANCES: RangeInclusive<f64> = 1e-13..=1e-6;
+
+/// The relative tolerance of an [`Engagement`] that is not asked for another, dimensionless.
+pub const TOLERANCE: f64 = 1e-12;
 
 /// Most subintervals, of sixteen nodes each, into which half an engagement is divided.
 pub const MOST_SUBINTERVALS: usize = 4096;
@@ -51,7 +54,7 @@ pub(super) struct Subinterval {
     pub nodes: NodesOf<'static>,
     /// Friction with the plus sign past the line of centres; mirrored, with the minus sign before it.
     pub plus: Solution,
-    /// e^Λ and J of the plus sign from the line of centres to the subinterval's lower end.
+    /// e^Λ and J of the plus sign from the line of centres to the subinterval's lower end, dimensionless.
     pub before: (f64, f64),
     /// Made when it is asked for: the motion has this sign from the contact reversal on only.
     trailing: OnceLock<Trailing>,
@@ -61,26 +64,31 @@ pub(super) struct Subinterval {
 #[derive(Clone, Debug)]
 pub(super) struct Trailing {
     pub minus: Solution,
-    /// Λ of the plus sign less Λ of the minus sign at the upper end, without cancellation.
+    /// Λ of the plus sign less Λ of the minus sign at the upper end, without cancellation, dimensionless.
     pub gap: f64,
 }
 
 impl Subinterval {
-    /// e^Λ and J of the plus sign from the line of centres to the subinterval's upper end.
+    /// e^Λ and J of the plus sign from the line of centres to the subinterval's upper end, dimensionless.
     pub fn after(&self) -> (f64, f64) {
         let (product, sum) = self.before;
         (product * self.plus.factor_end, sum + self.plus.integral_end / product)
     }
 }
 
+/// Λ with the plus sign over subintervals, dimensionless.
+pub(super) fn exponents(subintervals: &[Subinterval]) -> f64 {
+    subintervals.iter().map(|of| of.plus.exponent).sum()
+}
+
 impl Engagement {
-    /// The engagement of an escapement, from entry to exit, to a relative 10⁻¹².
+    /// The engagement of an escapement, from entry to exit, to the tolerance [`TOLERANCE`].
     ///
     /// # Errors
     ///
     /// [`Error::TooSharp`] if the friction is within rounding of the critical one, or the inertias differ too much.
     pub fn new(parameters: &Parameters) -> Result<Self, Error> {
-        Self::with_tolerance(parameters, 1e-12)
+        Self::with_tolerance(parameters, TOLERANCE)
     }
 
     /// The same to another relative tolerance, of [`TOLERANCES`]. A greater one takes less time.
@@ -267,7 +275,7 @@ impl Engagement {
         self.reset
     }
 
-    /// The relative tolerance that was asked for.
+    /// The relative tolerance that was asked for, dimensionless.
     pub fn tolerance(&self) -> f64 {
         self.tolerance
     }

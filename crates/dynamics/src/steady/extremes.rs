@@ -16,7 +16,7 @@ pub struct Extreme {
     pub speed: f64,
     /// θ, in radians from the line of centres.
     pub angle: f64,
-    /// Units of time from the entry.
+    /// Time from the entry, in units of time.
     pub time: f64,
 }
 
@@ -187,8 +187,8 @@ impl Engagement {
     /// The first place from rest where the speed stops falling and rises again, with the time from the start; none if
     /// there is none in the first engagements.
     ///
-    /// It is not the least speed of an engagement, which from rest is zero at the start. Meyer 1973, chapter II, takes it
-    /// for the end of the rise.
+    /// It is not the least speed of an engagement, which from rest is zero at the start. Meyer 1973, chapter II, takes
+    /// it for the end of the rise.
     ///
     /// # Errors
     ///

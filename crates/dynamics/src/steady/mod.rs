@@ -28,7 +28,7 @@ mod subinterval;
 #[cfg(test)]
 mod tests;
 
-pub use engagement::{Engagement, MOST_SUBINTERVALS, TOLERANCES};
+pub use engagement::{Engagement, MOST_SUBINTERVALS, TOLERANCE, TOLERANCES};
 pub use extremes::Extreme;
 pub use passage::Passage;
 pub use rise::{Cycle, MOST_CYCLES, Rise};

@@ -1,9 +1,8 @@
 //! One passage of a pin through its slot: the motion of one engagement from one entry speed.
 
 use super::contact_reversal::{ContactReversal, Split};
-use super::engagement::Engagement;
+use super::engagement::{Engagement, exponents};
 use super::quadrature::{NODES, NodalValues};
-use super::steady_state::exponents;
 use super::subinterval::{NodeMapping, Nodes, NodesOf, Solution, middle};
 use crate::Error;
 
@@ -37,7 +36,8 @@ impl Engagement {
         }
     }
 
-    /// The return map of one engagement: the driver's speed at the end of an engagement from that at its start.
+    /// The return map of one engagement: the driver's speed at the end of an engagement from that at its start, both in
+    /// radians per unit of time.
     ///
     /// # Errors
     ///
@@ -121,7 +121,7 @@ impl<'a> Passage<'a> {
         self.speed(self.entry)
     }
 
-    /// Driver's speed at the end.
+    /// Driver's speed at the end, in radians per unit of time.
     pub fn end_speed(&self) -> f64 {
         self.speed(self.end)
     }
@@ -148,8 +148,8 @@ impl<'a> Passage<'a> {
         self.engagement.reset() / self.duration()
     }
 
-    /// The multiplier, slope of the return map in u: the factor by which the squares of two speeds that are close at
-    /// entry differ at the end. Below 1, except without friction and reset at the exit, where it is 1.
+    /// The multiplier, slope of the return map in u, dimensionless: the factor by which the squares of two speeds that
+    /// are close at entry differ at the end. Below 1, except without friction and reset at the exit, where it is 1.
     ///
     /// With κ for it, ln κ = −∫ 4 μ i k²/((i + ρ²)² − (μ k ρ)²) dψ from the switch to the exit: what is lost before the
     /// line of centres and gained past it up to the switch is the same. A reset angle elsewhere adds the loss of an
@@ -202,7 +202,7 @@ pub(super) struct Traversal<'a> {
     pub mode: ContactMode,
     /// u at the nodes.
     pub squares: NodalValues,
-    /// u at the start and at the end of the traversal.
+    /// u at the start and at the end of the traversal, dimensionless.
     pub ends: [f64; 2],
     /// How long it takes, in units of 1/√E.
     pub duration: f64,
@@ -219,7 +219,7 @@ const HALVINGS: u32 = 200;
 /// What marches through an engagement, subinterval by subinterval.
 pub(super) struct March<'a> {
     engagement: &'a Engagement,
-    /// u.
+    /// u, dimensionless.
     pub square: f64,
     /// In units of 1/√E.
     pub time: f64,

@@ -17,8 +17,8 @@ pub(super) struct GaussLegendre {
     pub weights: NodalValues,
     /// What a value counts in the barycentric formula, before division by the distance.
     barycentric: NodalValues,
-    /// By value, then by point of the lower half: what a pair of equal values counts in the integral up to the point, less
-    /// half of the whole.
+    /// By value, then by point of the lower half: what a pair of equal values counts in the integral up to the point,
+    /// less half of the whole.
     of_equal: [[f64; HALF]; HALF],
     /// The same for a pair of opposite values, whose whole is zero.
     of_opposite: [[f64; HALF]; HALF],
@@ -86,7 +86,7 @@ impl GaussLegendre {
         Self { nodes, weights, barycentric, of_equal, of_opposite }
     }
 
-    /// The integrals from −1 up to each point, and from −1 to 1.
+    /// The integrals from −1 up to each point, and from −1 to 1, in the unit of the values.
     ///
     /// As the sum of an even and an odd function, each with half as many values and half as many integrals.
     pub fn cumulative(&self, values: &NodalValues) -> (NodalValues, f64) {
@@ -108,7 +108,7 @@ impl GaussLegendre {
         (sums, 2.0 * whole)
     }
 
-    /// The integral from −1 to 1.
+    /// The integral from −1 to 1, in the unit of the values.
     pub fn integral(&self, values: &NodalValues) -> f64 {
         dot(&self.weights, values)
     }

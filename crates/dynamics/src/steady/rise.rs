@@ -10,19 +10,19 @@ use crate::Error;
 /// One engagement of a start from rest. Times are from the start, speeds the driver's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cycle {
-    /// When it starts.
+    /// When it starts, in units of time.
     pub start: f64,
-    /// When it ends.
+    /// When it ends, in units of time.
     pub end: f64,
-    /// Speed at its start.
+    /// Speed at its start, in radians per unit of time.
     pub entry_speed: f64,
-    /// Speed at its end.
+    /// Speed at its end, in radians per unit of time.
     pub end_speed: f64,
     /// Greatest speed, with the time from the start of the run.
     pub peak: Extreme,
     /// Least speed, with the time from the start of the run.
     pub minimum: Extreme,
-    /// Reset angle over duration.
+    /// Reset angle over duration, in radians per unit of time.
     pub mean_speed: f64,
 }
 
@@ -74,7 +74,8 @@ impl Engagement {
         Err(Error::TooMany { name: "engagements", limit: MOST_CYCLES })
     }
 
-    /// Engagements from rest until the speed at the end is within a relative `settled` of the steady one, and the time.
+    /// Engagements from rest until the speed at the end is within a relative `settled` of the steady one, and the time,
+    /// in units of time.
     ///
     /// # Errors
     ///
@@ -96,7 +97,7 @@ impl Rise {
         self.cycles.iter().find(|cycle| near(speed(cycle), steady, part))
     }
 
-    /// When the first engagement starts at a speed within `part` of the steady entry speed.
+    /// When the first engagement starts at a speed within `part` of the steady entry speed, in units of time.
     pub fn until_entry_speed(&self, part: f64) -> Option<f64> {
         let steady = self.steady.entry_speed;
         let last = self.cycles.last().filter(|cycle| near(cycle.end_speed, steady, part));
@@ -104,34 +105,35 @@ impl Rise {
         first.map(|cycle| cycle.start).or(last.map(|cycle| cycle.end))
     }
 
-    /// When the first engagement ends whose mean speed is within `part` of the steady one.
+    /// When the first engagement ends whose mean speed is within `part` of the steady one, in units of time.
     pub fn until_mean_speed(&self, part: f64) -> Option<f64> {
         self.first(part, self.steady.mean_speed, |cycle| cycle.mean_speed).map(|cycle| cycle.end)
     }
 
-    /// When the first engagement starts whose mean speed is within `part` of the steady one.
+    /// When the first engagement starts whose mean speed is within `part` of the steady one, in units of time.
     pub fn until_mean_speed_begins(&self, part: f64) -> Option<f64> {
         self.first(part, self.steady.mean_speed, |cycle| cycle.mean_speed).map(|cycle| cycle.start)
     }
 
-    /// When the driver is first at a greatest speed of an engagement that is within `part` of the steady one.
+    /// When the driver is first at a greatest speed of an engagement that is within `part` of the steady one, in units
+    /// of time.
     pub fn until_peak(&self, part: f64) -> Option<f64> {
         self.first(part, self.steady.peak.speed, |cycle| cycle.peak.speed).map(|cycle| cycle.peak.time)
     }
 
     /// When the driver is first, not counting the start, at a least speed of an engagement within `part` of the steady
-    /// one.
+    /// one, in units of time.
     pub fn until_minimum(&self, part: f64) -> Option<f64> {
         self.first(part, self.steady.minimum.speed, |cycle| cycle.minimum.speed).map(|cycle| cycle.minimum.time)
     }
 
-    /// When the driver is slowest in its second engagement: the first minimum after a hand-over.
+    /// When the driver is slowest in its second engagement, in units of time: the first minimum after a hand-over.
     pub fn until_first_minimum(&self) -> Option<f64> {
         self.cycles.get(1).map(|cycle| cycle.minimum.time)
     }
 
-    /// When the mean of an engagement's greatest and least speed is first within `part` of the steady one: the end of
-    /// that engagement.
+    /// When the mean of an engagement's greatest and least speed is first within `part` of the steady one, in units of
+    /// time: the end of that engagement.
     pub fn until_mean_of_extremes(&self, part: f64) -> Option<f64> {
         let mean = |cycle: &Cycle| f64::midpoint(cycle.peak.speed, cycle.minimum.speed);
         self.first(part, self.steady.mean_of_extremes(), mean).map(|cycle| cycle.end)

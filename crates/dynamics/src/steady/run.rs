@@ -9,17 +9,17 @@ use crate::Error;
 /// One printed line of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Printed {
-    /// Units of time from the start.
+    /// Time from the start, in units of time.
     pub time: f64,
     /// Angle in radians through which the driver has turned.
     pub turned: f64,
     /// Crank angle in radians from the line of centres.
     pub angle: f64,
-    /// Driver's speed θ'.
+    /// Driver's speed θ', in radians per unit of time.
     pub speed: f64,
-    /// Driver's acceleration θ''.
+    /// Driver's acceleration θ'', in radians per square of the unit of time.
     pub acceleration: f64,
-    /// Follower's speed φ'.
+    /// Follower's speed φ', in radians per unit of time.
     pub follower_speed: f64,
     /// Number of the engagement, from 0.
     pub engagement: usize,
@@ -35,8 +35,8 @@ impl Engagement {
     ///
     /// # Errors
     ///
-    /// As for [`Engagement::new`]; [`Error::NotPositive`] for an interval or duration that is not positive and finite; [`Error::TooMany`] for
-    /// more than [`MOST_PRINTED`] lines or engagements.
+    /// As for [`Engagement::new`]; [`Error::NotPositive`] for an interval or duration that is not positive and finite;
+    /// [`Error::TooMany`] for more than [`MOST_PRINTED`] lines or engagements.
     pub fn run(&self, interval: f64, duration: f64) -> Result<Vec<Printed>, Error> {
         for (name, asked) in [("print interval", interval), ("duration", duration)] {
             if !(asked > 0.0 && asked.is_finite()) {
@@ -67,6 +67,7 @@ impl Engagement {
 
 /// Where lines are printed: at multiples of an interval up to the last, in the engagement of a number.
 pub(super) struct Grid {
+    /// In units of time.
     pub interval: f64,
     pub last: usize,
     pub number: usize,
@@ -125,7 +126,8 @@ impl Passage<'_> {
 }
 
 impl Engagement {
-    /// The steady motion over one engagement, from its start to its end, at the ends of `parts` equal parts of the period.
+    /// The steady motion over one engagement, from its start to its end, at the ends of `parts` equal parts of the
+    /// period.
     ///
     /// Times are from the start of the engagement, which has the number 0.
     ///
@@ -150,17 +152,17 @@ impl Engagement {
 }
 
 impl Traversal<'_> {
-    /// w at the start of the traversal.
+    /// w at the start of the traversal, dimensionless.
     pub fn start(&self) -> f64 {
         if self.mode == ContactMode::Approach { self.nodes.high } else { self.nodes.low }
     }
 
-    /// w at its end.
+    /// w at its end, dimensionless.
     pub fn end(&self) -> f64 {
         if self.mode == ContactMode::Approach { self.nodes.low } else { self.nodes.high }
     }
 
-    /// u at s between −1 and 1.
+    /// u at s between −1 and 1, dimensionless.
     pub fn square_between(&self, rule: &GaussLegendre, s: f64) -> f64 {
         let (mut squares, shares) = (self.squares, rule.shares(s));
         // From rest u starts as the square of 1 − s: what is to be interpolated is the factor, which has no zero.
@@ -192,12 +194,12 @@ impl Traversal<'_> {
 pub(super) struct Clock {
     times: NodalValues,
     rates: NodalValues,
-    /// How long the traversal takes.
+    /// How long the traversal takes, in units of 1/√E.
     pub whole: f64,
 }
 
 impl Clock {
-    /// s at a time from 0 to the whole.
+    /// s, dimensionless, at a time from 0 to the whole.
     pub fn at(&self, rule: &GaussLegendre, backward: bool, time: f64) -> f64 {
         let (mut low, mut high) = (-1.0, 1.0);
         let sign = if backward { -1.0 } else { 1.0 };

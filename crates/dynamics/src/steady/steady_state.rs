@@ -6,38 +6,41 @@
 //! because u_end(u_entry) rises everywhere by less than the difference at entry.
 
 use super::contact_reversal::{ContactReversal, Part, Split};
-use super::engagement::{Engagement, Subinterval, Trailing};
+use super::engagement::{Engagement, Subinterval, Trailing, exponents};
 use super::extremes::Extreme;
 use super::quadrature::{NodalValues, dot};
 use super::subinterval::Solution;
 use crate::Error;
 use std::cell::LazyCell;
 
-/// The motion that repeats itself. Speeds are the driver's θ', in radians per unit of time.
+/// The motion that repeats itself. Speeds are the driver's θ'.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SteadyState {
-    /// Speed at the start of each engagement, and at its end.
+    /// Speed at the start of each engagement, and at its end, in radians per unit of time.
     pub entry_speed: f64,
     /// Greatest speed in the cycle: the true one, wherever it is.
     pub peak: Extreme,
     /// Least speed in the cycle.
     pub minimum: Extreme,
-    /// Units of time from one engagement to the next.
+    /// Time from one engagement to the next, in units of time.
     pub period: f64,
-    /// Reset angle over period. Meyer 1973, Recommendation 7, asks for it.
+    /// Reset angle over period, in radians per unit of time. Meyer 1973, Recommendation 7, asks for it.
     pub mean_speed: f64,
     /// Crank angle in radians where friction changes its sign past the line of centres; none if the end comes before.
     ///
     /// The other change is at 0.
     pub switch_angle: Option<f64>,
-    /// Factor by which one engagement reduces a small difference of the squares of two speeds; between 0 and 1.
+    /// Factor by which one engagement reduces a small difference of the squares of two speeds, dimensionless; between 0
+    /// and 1.
     ///
     /// Differences of speeds are reduced by the same factor.
     pub multiplier: f64,
 }
 
 impl SteadyState {
-    /// Arithmetic mean of the greatest and the least speed. Meyer 1973, chapter II: "average terminal velocity".
+    /// Arithmetic mean of the greatest and the least speed, in radians per unit of time.
+    ///
+    /// Meyer 1973, chapter II: "average terminal velocity".
     pub fn mean_of_extremes(&self) -> f64 {
         f64::midpoint(self.peak.speed, self.minimum.speed)
     }
@@ -81,10 +84,13 @@ struct Rest {
     log: f64,
 }
 
-/// The fixed point of the return map: u at entry, the contact reversal, ln of the multiplier.
+/// The fixed point of the return map.
 pub(super) struct FixedPoint {
+    /// u at entry, dimensionless.
     pub entry: f64,
+    /// The contact reversal.
     pub split: Option<Split>,
+    /// ln of the multiplier, dimensionless.
     pub log: f64,
 }
 
@@ -110,8 +116,8 @@ impl Engagement {
         })
     }
 
-    /// Entry speed and period of the steady state alone, for two thirds of the price: for maps of many escapements. The
-    /// numbers are the same to the last bit.
+    /// Entry speed, in radians per unit of time, and period, in units of time, of the steady state alone, for two
+    /// thirds of the price: for maps of many escapements. The numbers are the same to the last bit.
     ///
     /// # Errors
     ///
@@ -222,11 +228,6 @@ impl Engagement {
         let switches = || self.switching_function(self.subintervals[self.to_end - 1].nodes.high, entry) <= 0.0;
         (self.ends_before_centres || !switches()).then_some(entry)
     }
-}
-
-/// Λ with the plus sign over subintervals.
-pub(super) fn exponents(subintervals: &[Subinterval]) -> f64 {
-    subintervals.iter().map(|of| of.plus.exponent).sum()
 }
 
 /// What follows a part with the minus sign, put after it.

@@ -28,9 +28,9 @@ pub(super) enum NodeMapping {
 /// Where the nodes of a subinterval are, by rising w.
 #[derive(Clone, Debug)]
 pub(super) struct Nodes {
-    /// Least w.
+    /// Least w, dimensionless.
     pub low: f64,
-    /// Greatest w.
+    /// Greatest w, dimensionless.
     pub high: f64,
     pub mapping: NodeMapping,
     /// ρ at them.
@@ -50,11 +50,11 @@ pub(super) struct Solution {
     pub factor: NodalValues,
     /// J at the nodes.
     pub integral: NodalValues,
-    /// e^Λ at the upper end.
+    /// e^Λ at the upper end, dimensionless.
     pub factor_end: f64,
-    /// J at the upper end.
+    /// J at the upper end, dimensionless.
     pub integral_end: f64,
-    /// Λ at the upper end.
+    /// Λ at the upper end, dimensionless.
     pub exponent: f64,
 }
 
@@ -81,7 +81,7 @@ impl Nodes {
         nodes
     }
 
-    /// w at s between −1 and 1.
+    /// w at s between −1 and 1, dimensionless.
     pub fn at(&self, s: f64) -> f64 {
         match self.mapping {
             NodeMapping::Linear => self.low + (self.high - self.low) * ((1.0 + s) / 2.0),
@@ -148,7 +148,7 @@ impl Nodes {
 }
 
 impl Solution {
-    /// The square's change over a subinterval: u at the nodes and at the end, from u at the start.
+    /// The square's change over a subinterval: u at the nodes and at the end, from u at the start, dimensionless.
     pub fn motion(&self, mirrored: bool, start: f64) -> (NodalValues, f64) {
         if mirrored {
             (self.squares_of_approach(start), self.approach(start))
@@ -157,12 +157,13 @@ impl Solution {
         }
     }
 
-    /// u at the upper end, from u at the lower.
+    /// u at the upper end, from u at the lower, dimensionless.
     pub fn up(&self, square: f64) -> f64 {
         self.factor_end * (square + self.integral_end)
     }
 
-    /// u at the lower end, from u at the upper, for the mirror image: the approach to the line of centres.
+    /// u at the lower end, from u at the upper, dimensionless, for the mirror image: the approach to the line of
+    /// centres.
     pub fn approach(&self, square: f64) -> f64 {
         square / self.factor_end + self.integral_end
     }
@@ -186,7 +187,7 @@ impl Solution {
         squares
     }
 
-    /// e^Λ and J between the nodes.
+    /// e^Λ and J between the nodes, dimensionless.
     pub fn between(&self, shares: &NodalValues) -> (f64, f64) {
         (dot(shares, &self.factor), dot(shares, &self.integral))
     }

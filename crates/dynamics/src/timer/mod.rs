@@ -9,7 +9,7 @@ use crate::{Error, Inertias, Parameters};
 /// The greatest value of a quantity, by its size, and where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Strongest {
-    /// The value, with its sign.
+    /// The value, with its sign, in the quantity's own unit.
     pub value: f64,
     /// Crank angle in radians from the line of centres.
     pub angle: f64,
@@ -25,7 +25,8 @@ pub struct Accelerations {
     pub follower: Strongest,
     /// Normal force between pin and slot times the crank radius.
     pub normal_moment: Strongest,
-    /// By how much the follower's acceleration jumps as one pin hands over to the next: entry less exit.
+    /// By how much the follower's acceleration jumps as one pin hands over to the next, in radians per square of the
+    /// unit of time: entry less exit.
     pub jump: f64,
 }
 
@@ -91,13 +92,13 @@ impl Strongest {
 /// mean speed gains.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sensitivities {
-    /// To the torque K: one half, by the law of similarity.
+    /// To the torque K, dimensionless: one half, by the law of similarity.
     pub torque: f64,
-    /// To the friction μ.
+    /// To the friction μ, dimensionless.
     pub friction: f64,
-    /// To the driver's moment of inertia I_D.
+    /// To the driver's moment of inertia I_D, dimensionless.
     pub driver_inertia: f64,
-    /// To the follower's moment of inertia I_f.
+    /// To the follower's moment of inertia I_f, dimensionless.
     pub follower_inertia: f64,
 }
 
@@ -110,8 +111,8 @@ impl Sensitivities {
     ///
     /// # Errors
     ///
-    /// As for [`Engagement::steady_state`]: without friction there is no steady state. Too near to the critical friction
-    /// the neighbours of the escapement have none either.
+    /// As for [`Engagement::steady_state`]: without friction there is no steady state. Too near to the critical
+    /// friction the neighbours of the escapement have none either.
     pub fn new(parameters: &Parameters) -> Result<Self, Error> {
         let friction = power(|factor| of(parameters, factor, 1.0))?;
         let driver_inertia = power(|factor| of(parameters, 1.0, factor))?;
@@ -140,9 +141,9 @@ fn power(f: impl Fn(f64) -> Result<f64, Error>) -> Result<f64, Error> {
 /// How an escapement forgets how it was started.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settling {
-    /// Factor by which one engagement reduces a small difference of two speeds.
+    /// Factor by which one engagement reduces a small difference of two speeds, dimensionless.
     pub multiplier: f64,
-    /// Units of time that an engagement takes in the steady motion.
+    /// Time that an engagement takes in the steady motion, in units of time.
     pub period: f64,
 }
 
@@ -157,12 +158,13 @@ impl Settling {
         Ok(Self { multiplier: steady.multiplier, period: steady.period })
     }
 
-    /// Engagements, not rounded, until a small difference is down to this part of itself, which is between 0 and 1.
+    /// Engagements, dimensionless and not rounded, until a small difference is down to this part of itself, which is
+    /// between 0 and 1.
     pub fn engagements(&self, part: f64) -> f64 {
         libm::log(part) / libm::log(self.multiplier)
     }
 
-    /// Units of time until then, counted as if each engagement took a period.
+    /// Time until then, in units of time, counted as if each engagement took a period.
     ///
     /// A start from rest lasts longer than its first engagement, however small the number is here.
     pub fn time(&self, part: f64) -> f64 {

@@ -9,7 +9,7 @@ use crate::typed::{self, as_typed};
 use anyhow::{anyhow, bail, ensure};
 use clap::{Args, ValueEnum};
 use geneva_dynamics::existence::{critical_friction, least_margin};
-use geneva_dynamics::steady::{Engagement, MOST_CYCLES, SteadyState};
+use geneva_dynamics::steady::{Engagement, MOST_CYCLES, SteadyState, TOLERANCE};
 use geneva_dynamics::{Error, Inertias, Parameters};
 use geneva_figures::escapement::{mechanism, normal_force};
 use geneva_figures::runs::speeds;
@@ -110,9 +110,6 @@ const SETTLED: f64 = 0.01;
 /// What the rise time is.
 const RISE_TIME: &str = "time from rest, with a pin at its entry, until an engagement begins with at least 99 % of the \
                          entry speed of the steady state";
-
-/// Relative error that integrals are asked for. As [`Engagement::new`] does.
-const TOLERANCE: f64 = 1e-12;
 
 /// The escapement that is wanted, as it is wanted.
 pub fn page(wanted: &EscapementArguments) -> anyhow::Result<String> {

@@ -10,31 +10,32 @@ use crate::{Expression, Identity, Jet, Turn};
 use nalgebra::Vector2;
 
 impl Mechanism {
-    /// Least length of a slot, from the rim to the pin's place nearest to the follower's axis: cot(π/n) − (a − 1).
+    /// Least length of a slot, from the rim to the pin's place nearest to the follower's axis, in crank radii:
+    /// cot(π/n) − (a − 1).
     pub fn slot_length(&self) -> f64 {
         self.wheel().slot_length_ratio()
     }
 
-    /// Arc of the rim between the centre lines of two neighbouring mouths: (2π/n) cot(π/n). Slots of width w leave w
-    /// less.
+    /// Arc of the rim between the centre lines of two neighbouring mouths, in crank radii: (2π/n) cot(π/n). Slots of
+    /// width w leave w less.
     pub fn rim_arc(&self) -> f64 {
         self.follower_pitch_angle() * self.rim_radius()
     }
 
-    /// Distance between the ends of two neighbouring slots, 2 (a − 1) sin(π/n) = 2 (1 − sin(π/n)): above zero, so the
-    /// slots do not run into each other.
+    /// Distance between the ends of two neighbouring slots, in crank radii: 2 (a − 1) sin(π/n) = 2 (1 − sin(π/n)). It
+    /// is above zero, so the slots do not run into each other.
     pub fn web(&self) -> f64 {
         2.0 - 2.0 / self.centre_distance_ratio()
     }
 
-    /// Greatest radius of a driver's shaft in the plane of the follower, a − cot(π/n) = tan(π/(2n)): so near the rim
-    /// comes to the driver's axis.
+    /// Greatest radius of a driver's shaft in the plane of the follower, in crank radii: a − cot(π/n) = tan(π/(2n)). So
+    /// near the rim comes to the driver's axis.
     pub fn shaft_limit(&self) -> f64 {
         libm::tan(0.5 * self.follower_half_angle())
     }
 
-    /// How far outside the rim the nearest pin is that is in no slot, while the first pin is at this driver angle in
-    /// radians.
+    /// How far outside the rim, in crank radii, the nearest pin is that is in no slot, while the first pin is at this
+    /// driver angle in radians.
     ///
     /// Never negative but for rounding; it goes to zero as the next pin comes to its slot.
     ///
@@ -67,10 +68,10 @@ impl Identity<2> for RimExcess {
 /// How a pin comes to its slot: at the driver angle δ before the hand-over it is beside the slot's centre line by
 /// r δ² + …, and outside the rim by r δ + ….
 ///
-/// So the pin comes in from one side, and the edge of the mouth there must be cut back by about ρ²/r for a pin of radius
-/// ρ; on leaving, by symmetry, the other edge. Each coefficient is compared with the series of the pin's place seen from
-/// the slot, whose direction the leaving pin gives. Beside is told by the tangent of the angle between the two, times
-/// the radius of the rim. For any angle π/n with θ₀ = π/2 − π/n. Variable: tangent of π/(2n).
+/// So the pin comes in from one side, and the edge of the mouth there must be cut back by about ρ²/r for a pin of
+/// radius ρ; on leaving, by symmetry, the other edge. Each coefficient is compared with the series of the pin's place
+/// seen from the slot, whose direction the leaving pin gives. Beside is told by the tangent of the angle between the
+/// two, times the radius of the rim. For any angle π/n with θ₀ = π/2 − π/n. Variable: tangent of π/(2n).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ApproachCoefficient {
     /// Beside the centre line, the part without δ: 0.

@@ -45,13 +45,13 @@ pub struct Slot<S> {
 /// A pin seen from a slot; the velocity is for a driver of angular velocity one, and not relative to the slot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RelativePosition<S> {
-    /// How far out the pin is along the slot's centre line, from the follower's axis.
+    /// How far out the pin is along the slot's centre line, from the follower's axis, in crank radii.
     pub out: S,
-    /// How far beside the slot's centre line it is; positive is counter-clockwise from it.
+    /// How far beside the slot's centre line it is, in crank radii; positive is counter-clockwise from it.
     pub beside: S,
-    /// Its velocity along the slot, outwards.
+    /// Its velocity along the slot, outwards, in crank radii per radian of the driver.
     pub outward: S,
-    /// Its velocity across the slot, counter-clockwise.
+    /// Its velocity across the slot, counter-clockwise, in crank radii per radian of the driver.
     pub across: S,
 }
 
@@ -85,8 +85,8 @@ pub struct HandOver {
     pub entering: RelativePosition<Roots>,
     /// The follower's angular velocity over the driver's by the leaving pin and by the entering one: both zero.
     pub follower_speeds: [Roots; 2],
-    /// What is missing for the follower's angle by the leaving pin to agree, one slot on, with the angle by the entering
-    /// pin: the pins' places from the follower's axis, one turned by 2π/n, less the other. Zero.
+    /// What is missing for the follower's angle by the leaving pin to agree, one slot on, with the angle by the
+    /// entering pin: the pins' places from the follower's axis, one turned by 2π/n, less the other. Zero.
     pub gap: Vector2<Roots>,
 }
 

@@ -61,21 +61,22 @@ impl Continuous {
         PI / f64::from(self.slots)
     }
 
-    /// a = sin(π/m + π/n) / sin(π/n), centre distance over radius of the pins' circle.
+    /// a = sin(π/m + π/n) / sin(π/n), centre distance over radius of the pins' circle, dimensionless.
     pub fn centre_distance_ratio(&self) -> f64 {
         let slot = self.follower_half_angle();
         libm::sin(self.engagement_half_angle() + slot) / libm::sin(slot)
     }
 
-    /// sin(π/m) / sin(π/n), distance of a pin from the follower's axis as it enters and leaves: the follower's rim.
+    /// sin(π/m) / sin(π/n), distance of a pin from the follower's axis as it enters and leaves, in crank radii: the
+    /// radius of the follower's rim.
     ///
     /// A pin is the nearer to that axis the nearer it is to the line of centres, so no other pin is inside the rim.
     pub fn rim_radius(&self) -> f64 {
         libm::sin(self.engagement_half_angle()) / libm::sin(self.follower_half_angle())
     }
 
-    /// cos(π/m + π/n) sin(π/n) / sin(π/m), the follower's angular velocity over the driver's at the hand-over: the
-    /// least of the motion.
+    /// cos(π/m + π/n) sin(π/n) / sin(π/m), the follower's angular velocity over the driver's at the hand-over,
+    /// dimensionless: the least of the motion.
     pub fn hand_over_ratio(&self) -> f64 {
         let (crank, slot) = (self.engagement_half_angle(), self.follower_half_angle());
         libm::cos(crank + slot) * libm::sin(slot) / libm::sin(crank)
@@ -92,8 +93,8 @@ impl Continuous {
     }
 }
 
-/// Why one pin takes over from the next without a gap and without a blow. Variables: the tangents of θ₀/2 and φ₀/2, with
-/// θ₀ = π/m and φ₀ = π/n, or any other angles; a = sin(θ₀ + φ₀) / sin φ₀.
+/// Why one pin takes over from the next without a gap and without a blow. Variables: the tangents of θ₀/2 and φ₀/2,
+/// with θ₀ = π/m and φ₀ = π/n, or any other angles; a = sin(θ₀ + φ₀) / sin φ₀.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ContinuityStep {
     /// The leaving pin is in the direction φ₀ from the follower's axis: no gap in the follower's angle.

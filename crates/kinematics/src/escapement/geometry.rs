@@ -153,13 +153,14 @@ impl Mechanism {
         self.centre_distance_ratio_squared().sqrt()
     }
 
-    /// a², a fraction: 4/3, 2 and 4.
+    /// a², a fraction, dimensionless: 4/3, 2 and 4.
     pub fn centre_distance_ratio_squared(self) -> f64 {
         let [numerator, denominator] = self.square.map(f64::from);
         numerator / denominator
     }
 
-    /// R at entry and exit, r cot(π/n) = r √(a² − 1): there the slots begin, so it is the radius of the follower's rim.
+    /// R at entry and exit in crank radii, cot(π/n) = √(a² − 1): there the slots begin, so it is the radius of the
+    /// follower's rim.
     ///
     /// The source writes it r sin θ₀ / sin φ₀. Meyer 1973, Eq. (1-5) and appendix A.
     pub fn rim_radius(self) -> f64 {
@@ -167,7 +168,7 @@ impl Mechanism {
         ((numerator - denominator) / denominator).sqrt()
     }
 
-    /// R = r √(1 + a² − 2 a cos θ) at any driver angle: distance of a pin from the follower's axis.
+    /// R = √(1 + a² − 2 a cos θ) at any driver angle: distance of a pin from the follower's axis, in crank radii.
     ///
     /// Meyer 1973, display after Eq. (1-12).
     pub fn pin_distance(self, crank: &Turn<f64>) -> f64 {

@@ -86,7 +86,7 @@ impl Expression {
         self * self
     }
 
-    /// The value for these values of the variables, of an expression without a root.
+    /// The value for these values of the variables, in the unit of what is expressed, of an expression without a root.
     ///
     /// A variable without a value stops the program with a panic, as a division by zero does if `S` is exact.
     pub fn at<S: Field>(self, variables: &[S]) -> S {

@@ -37,13 +37,15 @@ impl<S: Field, const N: usize> Jet<S, N> {
         self.0[0].clone()
     }
 
-    /// The `order`-th derivative; zero beyond the last one carried is *not* implied: `None` there.
+    /// The `order`-th derivative, in the unit of the quantity over that power of the variable's; zero beyond the last
+    /// one carried is *not* implied: `None` there.
     pub fn derivative(&self, order: usize) -> Option<S> {
         let coefficient = self.0.get(order)?;
         Some((1..=order as i64).fold(coefficient.clone(), |product, k| product * S::integer(k)))
     }
 
-    /// The coefficient of a power; zero beyond those carried.
+    /// The coefficient of a power, in the unit of the quantity over that power of the variable's; zero beyond those
+    /// carried.
     pub fn coefficient(&self, power: usize) -> S {
         self.0.get(power).cloned().unwrap_or_else(S::zero)
     }
@@ -54,7 +56,8 @@ impl<S: Field, const N: usize> Jet<S, N> {
         Self(from_fn(|k| self.coefficient(k + 1) * S::integer(k as i64 + 1)))
     }
 
-    /// The first derivative. A jet that carries none (`N` = 1) has no rate, and does not compile.
+    /// The first derivative, in the unit of the quantity over the variable's. A jet that carries none (`N` = 1) has no
+    /// rate, and does not compile.
     pub fn rate(&self) -> S {
         const { assert!(N > 1, "a jet of one coefficient carries no derivative") }
         self.coefficient(1)

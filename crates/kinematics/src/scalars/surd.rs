@@ -9,9 +9,9 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// Nested, it holds several roots: `Surd<Surd<Rational, 2>, 3>` has √2, √3 and √6.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Surd<S, const D: u32> {
-    /// The part without the root.
+    /// The part without the root, in the number's own unit.
     pub plain: S,
-    /// What stands before the root.
+    /// What stands before the root, in the number's own unit.
     pub rooted: S,
 }
 

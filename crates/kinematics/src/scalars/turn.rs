@@ -11,9 +11,9 @@ use std::array::from_fn;
 /// the circle with rational cosine and sine are exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turn<S> {
-    /// Cosine of the angle.
+    /// Cosine of the angle, dimensionless.
     pub cos: S,
-    /// Sine of the angle.
+    /// Sine of the angle, dimensionless.
     pub sin: S,
 }
 
@@ -55,8 +55,8 @@ impl<S: Field> Turn<S> {
         self.moving_by(&Jet::from_coefficients(from_fn(|k| if k == 1 { rate.clone() } else { S::zero() })))
     }
 
-    /// The angle moving at `rate` and gaining speed at `angular_acceleration` (radians per unit of the variable, and its square), as a
-    /// power series from this instant on.
+    /// The angle moving at `rate` and gaining speed at `angular_acceleration` (radians per unit of the variable, and
+    /// its square), as a power series from this instant on.
     pub fn speeding_up(&self, rate: S, angular_acceleration: S) -> Turn<Jet<S, 3>> {
         self.moving_by(&Jet::from_coefficients([S::zero(), rate, angular_acceleration / S::integer(2)]))
     }

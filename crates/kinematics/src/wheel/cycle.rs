@@ -43,7 +43,8 @@ impl Wheel {
         self.engaged_at(Double::from(crank))
     }
 
-    /// The angular velocity over the driver's alone, as [`engaged`](Self::engaged) gives it, where speed matters.
+    /// The angular velocity over the driver's alone, dimensionless, as [`engaged`](Self::engaged) gives it, where speed
+    /// matters.
     ///
     /// # Errors
     ///

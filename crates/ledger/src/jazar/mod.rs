@@ -17,7 +17,8 @@ mod text;
 
 pub use symbols::SYMBOLS;
 
-use crate::checks::{agrees, characters, decimal, printed, rounds, same, vanishes};
+use crate::agreement::{agrees, same, vanishes};
+use crate::by_id::{characters, decimal, printed, rounds};
 use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Work};
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::pin_slot::pin_from_pivot;

@@ -39,7 +39,8 @@ mod symbols;
 
 pub use symbols::SYMBOLS;
 
-use crate::checks::{agrees, characters, named, numbers, printed, reads, right_side, same, vanishes};
+use crate::agreement::{agrees, same, vanishes};
+use crate::by_id::{characters, named, numbers, printed, reads, right_side};
 use crate::tex as reading;
 use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Verdict, Work, claim, numeric_tokens};
 use geneva_kinematics::escapement::{HandOver, Mechanism, Roots};

@@ -12,7 +12,8 @@ mod velocity;
 
 pub use symbols::SYMBOLS;
 
-use crate::checks::{coincide, interval, meets, printed, rounds, same, vanishes};
+use crate::agreement::{coincide, meets, same, vanishes};
+use crate::by_id::{interval, printed, rounds};
 use crate::duals::{Crank, path, turned};
 use crate::{Claim, Consequence, Dimension, Evidence, Finding, Origin, Place, Slip, Stated, Verdict, Work};
 use geneva_kinematics::KinematicsError;

@@ -17,7 +17,8 @@ mod with_printed_angle;
 pub use symbols::SYMBOLS;
 pub use with_printed_angle::{WithPrintedAngle, with_printed_angle};
 
-use crate::checks::{agrees, coincide, interval, meets, printed, rounds, same, vanishes};
+use crate::agreement::{agrees, coincide, meets, same, vanishes};
+use crate::by_id::{interval, printed, rounds};
 use crate::duals::{Crank, Time, advance, path, turned};
 use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Verdict, Work};
 use geneva_kinematics::KinematicsError;

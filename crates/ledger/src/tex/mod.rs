@@ -22,20 +22,12 @@ pub use tree::By;
 
 use crate::tolerance::{DIFFERENCES, ROUTES};
 use std::collections::BTreeSet;
-use std::fmt;
 use tree::{Function, Node};
 
 /// What of a formula has no meaning here.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the formula cannot be evaluated: {0}")]
 pub struct Illegible(String);
-
-impl fmt::Display for Illegible {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the formula cannot be evaluated: {}", self.0)
-    }
-}
-
-impl std::error::Error for Illegible {}
 
 /// The one spelling of a name that TeX may write in several ways: without braces, type faces and backslashes, its dots
 /// behind the letter as `theta'`, `theta''_0`.

@@ -136,10 +136,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_ids_inside_a_figure_begin_with_its_name() {
+    fn the_id_of_a_figure_is_its_name() {
         for (name, _) in FIGURES {
             let id = by_name(name).expect("drawn").id;
-            assert!(id.starts_with(name), "the figure `{name}` calls itself `{id}`");
+            assert_eq!(id, *name, "the figure `{name}` calls itself `{id}`");
         }
     }
 }

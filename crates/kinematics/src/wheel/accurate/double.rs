@@ -9,9 +9,9 @@
 /// Sums, products and quotients are right to about 100 bits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::wheel) struct Double {
-    /// The nearest `f64`.
+    /// The nearest `f64`, in the number's own unit.
     pub hi: f64,
-    /// What is left.
+    /// What is left, in the number's own unit.
     pub lo: f64,
 }
 
@@ -47,7 +47,7 @@ const fn halves(x: f64) -> (f64, f64) {
 impl Double {
     /// π; its own rounding is below 2⁻¹⁰⁸.
     pub const PI: Self = Self { hi: std::f64::consts::PI, lo: f64::from_bits(0x3ca1_a626_3314_5c07) };
-    /// What [`Double::PI`] leaves out of π.
+    /// What [`Double::PI`] leaves out of π, dimensionless.
     pub const PI_REST: f64 = f64::from_bits(0xb92f_1976_b7ed_8fbc);
     /// One.
     pub const ONE: Self = Self::from(1.0);
@@ -106,8 +106,8 @@ impl Double {
         Self { hi: 2.0 * self.hi, lo: 2.0 * self.lo }
     }
 
-    /// The number as a whole number of parts of one (a power of two) and the rest: the product of the first with a
-    /// short factor is exact.
+    /// The number as a whole number of parts of one (a power of two) and the rest, both in its own unit: the product of
+    /// the first with a short factor is exact.
     pub fn parted(self, parts_of_one: f64) -> (f64, f64) {
         let head = libm::floor(self.hi * parts_of_one) / parts_of_one;
         (head, (self.hi - head) + self.lo)

@@ -12,9 +12,9 @@ use super::double::{Double, ordered_sum};
 pub(super) struct Node {
     /// The angle in radians, to 2⁻⁸⁶.
     pub angle: Double,
-    /// 2t, twice the tangent of its half.
+    /// 2t, twice the tangent of its half, dimensionless.
     pub twice_tangent: f64,
-    /// t².
+    /// t², dimensionless.
     pub square: f64,
 }
 

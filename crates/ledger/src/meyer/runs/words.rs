@@ -28,7 +28,7 @@ impl Hypothesis {
             Reading::OnTheGrid => ["largest printed speed", "printed peaks"],
         };
         let constants = (self.constants == Constants::AsListed).then_some(["constants as listed", "listed π"]);
-        let sign = self.delay.map(|_| ["sign by the old acceleration", "old sign"]);
+        let sign = self.delay.map(|_| ["lagged sign of the contact force", "lagged sign"]);
         [reset, inertias, reading].into_iter().chain(constants).chain(sign).map(which).collect()
     }
 }

@@ -1,8 +1,7 @@
-//! Small pieces that the sources' checks are made of.
+//! What a claim prints, asked for by the claim's id: checks of one claim refer to others so.
 
 use crate::{Claim, Decimal, Finding, claim, numeric_tokens};
 use geneva_kinematics::Field;
-use nalgebra::Vector2;
 
 /// The claim with this id. The ids stand in the ledger's own text: one that no claim has is a mistake there, which must
 /// not pass for a number or a verdict.
@@ -47,35 +46,10 @@ pub(crate) fn numbers(id: &str) -> Vec<u32> {
     numeric_tokens(characters(id)).iter().filter_map(|token| token.parse().ok()).collect()
 }
 
-/// Whether two numbers agree as two routes must.
-pub(crate) fn agrees(a: f64, b: f64) -> bool {
-    crate::tolerance::ROUTES.agrees(a, b)
-}
-
-/// Whether a quantity that must be zero is, but for rounding.
-pub(crate) fn vanishes(x: f64) -> bool {
-    x.abs() <= crate::tolerance::CLOSURE.relative
-}
-
-/// Whether two vectors agree as two routes must.
-pub(crate) fn coincide(a: &Vector2<f64>, b: &Vector2<f64>) -> bool {
-    (a - b).norm() <= crate::tolerance::ROUTES.relative * a.norm().max(b.norm())
-}
-
 /// The interval that the digits printed in the claim with this id leave open: half a unit of the last place either way.
 pub(crate) fn interval(id: &str) -> [f64; 2] {
     let half = decimal(id).unit_in_last_place().approximate() / 2.0;
     [printed(id) - half, printed(id) + half]
-}
-
-/// The same as [`agrees`] as a finding, which says both.
-pub(crate) fn same(a: f64, b: f64) -> Finding {
-    Finding::new(agrees(a, b), format!("{a} against {b}"))
-}
-
-/// The same for numbers whose last bits are not the same on every machine: says six places of both.
-pub(crate) fn meets(a: f64, b: f64) -> Finding {
-    Finding::new(agrees(a, b), format!("{a:.6} against {b:.6}"))
 }
 
 /// Whether the right characters of the claim hold, read and evaluated; and the printed ones do not, if they are
