@@ -37,5 +37,5 @@ pub fn symbols(slug: &str) -> anyhow::Result<Table> {
         let ours = maths::formula(symbol.ours, false)?;
         Ok(vec![tex_or_text(symbol.printed)?, ours, escape(symbol.meaning)])
     });
-    table("Letters", Cells::Words, &["In the copy", "In this book", "What it stands for"], rows)
+    table("Letters", Cells::Words, &["In the source", "In this book", "What it stands for"], rows)
 }
