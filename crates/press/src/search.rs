@@ -222,6 +222,8 @@ impl State {
     /// Ends the entry that is being read and begins another. A section without words is none.
     fn close(&mut self, next: Entry) {
         let mut entry = std::mem::replace(&mut self.now, next);
+        entry.path =
+            if entry.path.is_empty() { entry.title.clone() } else { format!("{} » {}", entry.path, entry.title) };
         entry.body = entry.body.split_whitespace().collect::<Vec<_>>().join(" ");
         if !entry.body.is_empty() {
             self.done.push(entry);
@@ -242,7 +244,7 @@ mod tests {
         let told: Vec<_> = found.iter().map(|at| (at.id.as_str(), at.title.as_str(), at.body.as_str())).collect();
         let expected = [("", "Wheel", "a b"), ("s", "Part", "c"), ("pin.x", "pin.x", "36.5"), ("s", "Part", "d")];
         assert_eq!(told, expected);
-        assert_eq!(found[2].path, "Wheel");
+        assert_eq!(found[2].path, "Wheel » pin.x");
     }
 
     #[test]
