@@ -43,6 +43,11 @@ impl Stroke {
         Self { dashes: Some(dashes), ..self }
     }
 
+    /// The same in one piece.
+    pub const fn undashed(self) -> Self {
+        Self { dashes: None, ..self }
+    }
+
     /// The same of another class.
     pub const fn class(self, class: &'static str) -> Self {
         Self { class, ..self }

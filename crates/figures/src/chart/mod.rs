@@ -1,6 +1,6 @@
 //! The grammar of the charts: a figure says what it shows, and the rest is laid out here.
 //!
-//! A [`Chart`] is a key, [`Panel`]s one under another, and lines of notes. A panel has axes and layers: areas, curves,
+//! A [`Chart`] is a key, and [`Panel`]s one under another or in columns. A panel has axes and layers: areas, curves,
 //! marks and lines of reference, all in data of the axes; and names, which find their places by themselves. plotters
 //! draws frame, grid, numbers and layers on a [pen](pen::Pen) that writes our SVG.
 
@@ -20,9 +20,12 @@ use crate::svg::{Canvas, Kind, Label, Pixels, Shape, escape};
 use crate::{Figure, Series, Words};
 use look::draw_marks;
 use nalgebra::Vector2;
-use panel::WIDTH;
+use panel::Column;
 
-/// From line to line of the key and of the notes, and from the left side to either, in pixels.
+/// Width of a figure, in pixels: with panels one under another, and in columns.
+const WIDTH: f64 = 640.0;
+const WIDE: f64 = 840.0;
+/// From line to line of the key, and from the left side to it, in pixels.
 const LINE: f64 = 28.0;
 const LEFT: f64 = 16.0;
 /// Room below all, in pixels.
@@ -87,7 +90,7 @@ impl Entry {
 pub struct Chart {
     key: Vec<Entry>,
     panels: Vec<Panel>,
-    notes: Vec<Label>,
+    columns: usize,
 }
 
 impl Chart {
@@ -96,47 +99,50 @@ impl Chart {
         Self { panels: panels.into_iter().collect(), ..Self::default() }
     }
 
+    /// The same panels row by row in so many columns, on a wider page.
+    pub fn in_columns(self, columns: usize) -> Self {
+        Self { columns, ..self }
+    }
+
     /// What curves and marks stand for, above the panels.
     pub fn key(self, entries: impl IntoIterator<Item = Entry>) -> Self {
         Self { key: entries.into_iter().collect(), ..self }
-    }
-
-    /// Lines of words below the panels.
-    pub fn notes(self, notes: impl IntoIterator<Item = Label>) -> Self {
-        Self { notes: notes.into_iter().collect(), ..self }
     }
 
     /// The figure with its words and the numbers behind it.
     pub fn figure(self, words: Words, series: Series) -> Figure {
         let places = self.key_places();
         let head = places.last().map_or(0.0, |at| at.y + LINE / 2.0);
-        let panels: f64 = self.panels.iter().map(Panel::room).sum();
-        let notes = if self.notes.is_empty() { 0.0 } else { LINE * (self.notes.len() as f64 + 0.5) };
-        let notes = notes + FOOT;
-        let size = Vector2::new(WIDTH, head + panels + notes);
+        let rows = || self.panels.chunks(self.columns.max(1));
+        let room = |row: &[Panel]| row.iter().map(Panel::room).fold(0.0, f64::max);
+        let panels: f64 = rows().map(room).sum();
+        let size = Vector2::new(self.width(), head + panels + FOOT);
         let mut canvas = Canvas::new(size.x, size.y);
         for (entry, at) in self.key.iter().zip(&places) {
             entry.draw(&mut canvas, at);
         }
         let mut top = head;
-        for panel in &self.panels {
-            // Nothing that is written can fail. Should plotters fail all the same, the page says so.
-            if let Err(error) = panel.draw(&mut canvas, size, top) {
-                canvas.draw_markup(format!("<desc>plot failed: {}</desc>", escape(&error.to_string())));
+        for row in rows() {
+            for (number, panel) in row.iter().enumerate() {
+                let column = Column::of(number, self.columns, size.x);
+                // Nothing that is written can fail. Should plotters fail all the same, the page says so.
+                if let Err(error) = panel.draw(&mut canvas, size, &column, top) {
+                    canvas.draw_markup(format!("<desc>plot failed: {}</desc>", escape(&error.to_string())));
+                }
             }
-            top += panel.room();
+            top += room(row);
         }
-        for (k, note) in self.notes.iter().enumerate() {
-            let at = Vector2::new(LEFT, top + LINE * (k as f64 + 0.8));
-            canvas.label(&at, &Vector2::new(1.0, 0.0), 0.0, &note.clone().bare());
-        }
-        let kind = if self.panels.len() > 1 { Kind::Panels } else { Kind::Plot };
+        let kind = if rows().count() > 1 { Kind::Panels } else { Kind::Plot };
         words.figure(canvas, kind, series)
+    }
+
+    fn width(&self) -> f64 {
+        if self.columns > 1 { WIDE } else { WIDTH }
     }
 
     /// Where the entries of the key begin: in equal columns, or one after another if that takes fewer lines.
     fn key_places(&self) -> Vec<Pixels> {
-        let room = WIDTH - LEFT;
+        let room = self.width() - LEFT;
         let widest = self.key.iter().map(Entry::width).fold(1.0, f64::max);
         let columns = ((room / widest) as usize).clamp(1, self.key.len().max(1));
         let place = |x: f64, line: usize| Vector2::new(LEFT + x, 18.0 + LINE * line as f64);
@@ -189,6 +195,24 @@ mod tests {
             let none = figure(Chart::new([panel().curve(outside, Stroke::new(DRIVER))]));
             assert_eq!(Drawing::of(&none).count("curve"), 0, "{outside:?}");
         }
+    }
+
+    #[test]
+    fn columns_share_the_width_and_a_row_is_as_high_as_its_highest_panel() {
+        let high = |height: f64| {
+            let axis = Axis::whole(0.0..1.0, [0.0, 1.0]);
+            Panel::new(height, &axis, &axis).curve([(0.0, 0.0), (1.0, 1.0)], Stroke::new(DRIVER))
+        };
+        let chart = Chart::new([high(100.0), high(200.0), high(100.0)]).in_columns(2);
+        let figure = figure(chart);
+        drawn(&figure);
+        let drawing = Drawing::of(&figure);
+        let ends = [0, 1, 2].map(|number| {
+            let path = drawing.path("curve", number);
+            [path[0], path[path.len() - 1]]
+        });
+        assert!(ends[0][1].x < ends[1][0].x && ends[1][1].x < WIDE, "{ends:?}");
+        assert!(ends[2][0].x == ends[0][0].x && ends[2][1].y > ends[1][0].y, "{ends:?}");
     }
 
     #[test]

@@ -10,10 +10,11 @@ use nalgebra::Vector2;
 use plotters::prelude::*;
 use std::ops::Range;
 
-/// Width of a figure, in pixels.
-pub const WIDTH: f64 = 640.0;
-/// Room at the left and the right of a frame: for the numbers of the axes.
+/// Room at the left and the right of a frame: for the numbers of the axes; beside another panel, at the right, less.
 const SIDE: f64 = 66.0;
+const BETWEEN: f64 = 28.0;
+/// From the side of a panel to its titles.
+const INDENT: f64 = 8.0;
 /// Room above a frame: for the title of the y axis; below it for the numbers of the x axis, and for its title.
 const ABOVE: f64 = 44.0;
 const NUMBERS: f64 = 34.0;
@@ -39,6 +40,24 @@ enum Layer {
     Curve { side: Side, points: Vec<(f64, f64)>, stroke: Stroke },
     /// Equal marks, as far as they lie in the frame.
     Marks { side: Side, points: Vec<(f64, f64)>, marker: Marker },
+}
+
+/// From where to where on the page a panel goes, and its frame.
+#[derive(Clone, Copy, Debug)]
+pub struct Column {
+    panel: [f64; 2],
+    frame: [f64; 2],
+}
+
+impl Column {
+    /// The column of this number, of so many on a page of this width.
+    pub fn of(number: usize, columns: usize, width: f64) -> Self {
+        if columns < 2 {
+            return Self { panel: [0.0, width], frame: [SIDE, width - SIDE] };
+        }
+        let [left, right] = [number, number + 1].map(|k| width * k as f64 / columns as f64);
+        Self { panel: [left, right], frame: [left + SIDE, right - BETWEEN] }
+    }
 }
 
 /// A frame with axes and what it shows, drawn in the order in which it is added; areas lie under the grid.
@@ -134,18 +153,25 @@ impl Panel {
         above + self.height + numbers + if self.x.title.is_some() { TITLE } else { 0.0 }
     }
 
-    fn frame(&self, top: f64) -> Frame {
+    fn frame(&self, column: &Column, top: f64) -> Frame {
         let above = if self.left.title.is_some() { ABOVE } else { ABOVE / 2.0 };
-        let corner = Vector2::new(SIDE, top + above);
-        let end = corner + Vector2::new(WIDTH - 2.0 * SIDE, self.height);
+        let [left, right] = column.frame;
+        let corner = Vector2::new(left, top + above);
+        let end = Vector2::new(right, top + above + self.height);
         Frame { corners: [corner, end], x: self.x.clone(), left: self.left.clone(), right: self.right.clone() }
     }
 
-    /// Draws it on a canvas of this size, from `top` on.
-    pub fn draw(&self, canvas: &mut Canvas, size: Pixels, top: f64) -> Result<(), Box<dyn std::error::Error + '_>> {
-        let frame = self.frame(top);
+    /// Draws it on a canvas of this size, in a column, from `top` on.
+    pub fn draw(
+        &self,
+        canvas: &mut Canvas,
+        size: Pixels,
+        column: &Column,
+        top: f64,
+    ) -> Result<(), Box<dyn std::error::Error + '_>> {
+        let frame = self.frame(column, top);
         self.plot(canvas, size, &frame)?;
-        self.titles(canvas, &frame);
+        self.titles(canvas, column, &frame);
         let all = self.placing(&frame, |_| true);
         let off_curves = self.placing(&frame, |curve| !self.is_named(curve));
         write(canvas, &frame, all, off_curves, &self.names);
@@ -158,14 +184,16 @@ impl Panel {
             [Look::Frame, Look::Grid].into_iter().chain(self.layers.iter().map(Layer::look)).collect();
         let large = |length: f64| (length * ENLARGED) as u32;
         let [least, greatest] = frame.corners;
-        let below = size.y - greatest.y;
+        let (below, beside) = (size.y - greatest.y, size.x - greatest.x);
         let root = Pen::new(canvas, size, &looks).into_drawing_area();
         let mut chart = ChartBuilder::on(&root)
             .margin_top(large(least.y))
+            .margin_left(large(least.x - SIDE))
+            .margin_right(large(beside - beside.min(SIDE)))
             .margin_bottom(large(below - below.min(NUMBERS)))
             .x_label_area_size(large(below.min(NUMBERS)))
             .y_label_area_size(large(SIDE))
-            .right_y_label_area_size(large(SIDE))
+            .right_y_label_area_size(large(beside.min(SIDE)))
             .build_cartesian_2d(self.x.clone(), self.left.clone())?
             .set_secondary_coord(self.x.clone(), self.right.clone());
         let number = |k: usize| colour(k + 2);
@@ -222,14 +250,15 @@ impl Panel {
         Ok(())
     }
 
-    fn titles(&self, canvas: &mut Canvas, frame: &Frame) {
+    fn titles(&self, canvas: &mut Canvas, column: &Column, frame: &Frame) {
         let [least, greatest] = frame.corners;
+        let [left, end] = column.panel;
         let (right, up) = (Vector2::new(1.0, 0.0), Vector2::new(0.0, 25.0));
         if let Some(title) = &self.left.title {
-            canvas.label(&Vector2::new(8.0, least.y - up.y), &right, 0.0, &title.clone().bare());
+            canvas.label(&Vector2::new(left + INDENT, least.y - up.y), &right, 0.0, &title.clone().bare());
         }
         if let Some(title) = &self.right.title {
-            canvas.label(&Vector2::new(WIDTH - 8.0, least.y - up.y), &-right, 0.0, &title.clone().bare());
+            canvas.label(&Vector2::new(end - INDENT, least.y - up.y), &-right, 0.0, &title.clone().bare());
         }
         if let Some(title) = &self.x.title {
             let foot = Vector2::new((least.x + greatest.x) / 2.0, greatest.y + 50.0);

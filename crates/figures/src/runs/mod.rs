@@ -2,6 +2,7 @@
 //!
 //! What a table gives comes in as plain numbers; everything else is computed by `geneva-dynamics`.
 
+mod agreement;
 mod aliasing;
 mod deviations;
 mod over_torque;
@@ -9,8 +10,9 @@ mod speeds;
 #[cfg(test)]
 mod tests;
 
+pub use agreement::{Cell, Compared, agreement};
 pub use aliasing::aliasing;
-pub use deviations::{Deviation, Deviations, deviations};
+pub use deviations::deviations;
 pub use over_torque::over_torque;
 pub use speeds::{first_minimum, speeds};
 

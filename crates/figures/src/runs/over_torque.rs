@@ -1,73 +1,32 @@
-//! Rise time and terminal speed over the torque, for several frictions.
+//! Terminal speed over the torque, for several frictions.
 
 use super::{Group, Run};
-use crate::chart::{Axis, Chart, Entry, Panel, Spot, Stroke, kind};
+use crate::chart::{Axis, Chart, Entry, Panel, of_mechanism};
 use crate::number::{count_word, degrees, fixed, significant};
 use crate::svg::Label;
-use crate::theme::INK;
 use crate::{Figure, FigureError, Series, Words};
 use geneva_dynamics::steady::Engagement;
 
 /// Steps of a curve.
 const STEPS: u32 = 24;
-/// How near the first peak that counts as risen must be to the steady one.
-const PART: f64 = 0.01;
-/// A start is followed until an engagement ends so near the steady motion.
-const SETTLED: f64 = 1e-6;
 const DASHES: &str = "9 5";
 
-/// Rise time and mean of the extremes at a torque of one and an inertia of the follower of one: all that a friction
-/// makes of them.
-#[derive(Clone, Copy, Debug)]
-struct Scaled {
-    rise: f64,
-    mean: f64,
-}
-
-impl Scaled {
-    fn of(engagement: &Engagement) -> Result<Self, FigureError> {
-        let unit = engagement.parameters().drive().sqrt();
-        let rise = engagement.rise(SETTLED)?;
-        let settled = rise.cycles.last().map_or(0.0, |cycle| cycle.end);
-        // Who brakes well is settled before the first steady peak: then it is that of the next engagement.
-        let until = rise.until_peak(PART).unwrap_or(settled + rise.steady.peak.time);
-        Ok(Self { rise: until * unit, mean: rise.steady.mean_of_extremes() / unit })
-    }
-}
-
-/// One friction's curves.
+/// One friction's curves: the mean of the extremes at a torque of one and an inertia of the follower of one.
 struct Family {
     friction: f64,
-    as_run: Scaled,
-    as_is: Option<Scaled>,
+    as_run: f64,
+    as_is: Option<f64>,
 }
 
-/// What a panel shows of a run and of what is computed, at a torque over the inertia of the follower.
-struct Quantity {
-    given: fn(&Run) -> f64,
-    computed: fn(&Scaled, f64) -> f64,
-    name: &'static str,
+fn mean_of_extremes(engagement: &Engagement) -> Result<f64, FigureError> {
+    Ok(engagement.steady_state()?.mean_of_extremes() / engagement.parameters().drive().sqrt())
 }
 
-/// Rise time in milliseconds, and mean of the extremes.
-const QUANTITIES: [Quantity; 2] = [
-    Quantity {
-        given: |run| 1000.0 * run.rise,
-        computed: |scaled, drive| 1000.0 * scaled.rise / drive.sqrt(),
-        name: "rise time in ms",
-    },
-    Quantity {
-        given: mean,
-        computed: |scaled, drive| scaled.mean * drive.sqrt(),
-        name: "average terminal speed in rad/s",
-    },
-];
-
-/// Rise time (until a peak within one per cent of the steady one) and mean of peak and minimum over the torque.
+/// Mean of peak and minimum over the torque, a panel for each friction.
 ///
-/// For each friction an unbroken curve of what the runs' own reset angle gives, and a dashed one of the mechanism's
-/// reset angle if that is another; the runs of the table are marks. Meyer 1973, Figs. 9 to 11, which are lost. Series, a row
-/// for each run: friction, torque, then mean and rise time as given, with the runs' reset angle, and with the mechanism's.
+/// An unbroken curve of what the runs' own reset angle gives, and a dashed one of the mechanism's reset angle if that is
+/// another; the runs of the table are marks. Meyer 1973, the lower plots of Figs. 9 to 11, which are lost. Series, a row
+/// for each run: friction, torque, then the mean as given, with the runs' reset angle, and with the mechanism's.
 ///
 /// # Errors
 ///
@@ -76,7 +35,7 @@ pub fn over_torque(group: &Group) -> Result<Figure, FigureError> {
     let [least, greatest] = group.range(|run| run.torque);
     let mut families = Vec::new();
     for friction in group.frictions() {
-        let of = |reset: f64| Scaled::of(&group.engagement(friction, least, reset)?);
+        let of = |reset: f64| mean_of_extremes(&group.engagement(friction, least, reset)?);
         families.push(Family { friction, as_run: of(group.reset)?, as_is: group.own_reset().map(of).transpose()? });
     }
     if families.is_empty() {
@@ -84,56 +43,48 @@ pub fn over_torque(group: &Group) -> Result<Figure, FigureError> {
     }
     let room = 0.04 * (greatest - least).max(1e-3 * greatest);
     let x = Axis::spanning(least - room, greatest + room, 5.0);
-    let [rise, speed] = QUANTITIES;
-    let panels = [
-        panel(group, &families, &x, &rise),
-        panel(group, &families, &x.clone().titled(Label::words("torque ").and_symbol("K").and(" in in lb")), &speed),
-    ];
-    let exact = Stroke::new(INK).wide(2.4);
-    let run = group.own_reset().map_or("exact".to_owned(), |_| format!("exact, back after {}", degrees(group.reset)));
-    let mut key = vec![
-        Entry::marks((0..4).map(|number| kind(number).1), Label::words("printed")),
-        Entry::curve(exact, Label::words(&run)),
-    ];
-    if group.own_reset().is_some() {
-        key.push(Entry::curve(exact.dashed(DASHES), Label::words("exact, the mechanism as it is")));
+    let unit = (greatest / group.inertias.follower()).sqrt();
+    let ends = families.iter().flat_map(|one| [Some(one.as_run), one.as_is]).flatten().map(|scaled| scaled * unit);
+    let y = Axis::from_zero(0.0, group.runs.iter().map(mean).chain(ends).fold(0.0, f64::max), 3.0);
+    let panels: Vec<Panel> = (1..).zip(&families).map(|(number, one)| panel(group, one, number, &x, &y)).collect();
+    let (stroke, marker) = of_mechanism(group.mechanism.slots());
+    let as_run = stroke.wide(2.4).undashed();
+    let mut key = vec![Entry::marks([marker], Label::words("printed"))];
+    match group.own_reset() {
+        Some(own) => key.extend([
+            Entry::curve(as_run, Label::words(&format!("as run, reset after {}", degrees(group.reset)))),
+            Entry::curve(as_run.dashed(DASHES), Label::words(&format!("right, after {}", degrees(own)))),
+        ]),
+        None => key.push(Entry::curve(as_run, Label::words("computed"))),
     }
-    Ok(Chart::new(panels).key(key).figure(words(group, &families), series(group, &families)))
+    Ok(Chart::new(panels).in_columns(COLUMNS).key(key).figure(words(group, &families), series(group, &families)))
 }
 
-/// The curves of all frictions, and the runs.
-fn panel(group: &Group, families: &[Family], x: &Axis, quantity: &Quantity) -> Panel {
-    let Quantity { given, computed, name } = quantity;
-    let value = |scaled: &Scaled, torque: f64| computed(scaled, torque / group.inertias.follower());
-    let [least, greatest] = group.range(|run| run.torque);
+/// Panels in a row.
+const COLUMNS: usize = 2;
+
+/// The curves of a friction, and its runs.
+fn panel(group: &Group, family: &Family, number: usize, x: &Axis, y: &Axis) -> Panel {
+    let speed = |scaled: f64, torque: f64| scaled * (torque / group.inertias.follower()).sqrt();
+    let frictions = group.frictions().len();
+    let last = number + COLUMNS > frictions;
+    let x = if last { x.clone().titled(Label::words("torque ").and_symbol("K").and(" in in lb")) } else { x.clone() };
+    let title = Label::symbol("μ").and(&format!(" = {}: speed in rad/s", fixed(family.friction, 2)));
     let (from, to) = (x.range.start, x.range.end);
-    let ends = families.iter().flat_map(|one| [Some(one.as_run), one.as_is]).flatten();
-    let ends = ends.flat_map(|one| [value(&one, least), value(&one, greatest)]);
-    let most = group.runs.iter().map(given).chain(ends).fold(0.0, f64::max);
-    let y = Axis::from_zero(0.0, most, 4.0);
-    let mu = y.blank().titled(Label::symbol("μ"));
-    let mut panel =
-        Panel::new(if x.title.is_some() { 270.0 } else { 220.0 }, x, &y.titled(Label::words(name))).right(mu);
     let torques = (0..=STEPS).map(|step| from + (to - from) * f64::from(step) / f64::from(STEPS));
     let torques: Vec<f64> = torques.filter(|torque| *torque > 0.0).collect();
-    for (number, family) in families.iter().enumerate() {
-        let stroke = Stroke { dashes: None, ..kind(number).0 };
-        let curves = [
-            (Some(family.as_run), stroke.wide(2.4).class("as-run")),
-            (family.as_is, stroke.wide(2.0).dashed(DASHES).class("as-is")),
-        ];
-        for (scaled, stroke) in curves {
-            let Some(scaled) = scaled else { continue };
-            panel = panel.curve(torques.iter().map(|torque| (*torque, value(&scaled, *torque))), stroke);
-            let label = Label::words(&fixed(family.friction, 2)).shade(stroke.shade);
-            panel = panel.name(label, Spot::Beside(value(&scaled, to)));
-        }
+    let (stroke, marker) = of_mechanism(group.mechanism.slots());
+    let curves = [
+        (Some(family.as_run), stroke.wide(2.4).undashed().class("as-run")),
+        (family.as_is, stroke.wide(2.4).dashed(DASHES).class("as-is")),
+    ];
+    let mut panel = Panel::new(190.0, &x, &y.clone().titled(title));
+    for (scaled, stroke) in curves {
+        let Some(scaled) = scaled else { continue };
+        panel = panel.curve(torques.iter().map(|torque| (*torque, speed(scaled, *torque))), stroke);
     }
-    for (number, family) in families.iter().enumerate() {
-        let own = group.runs.iter().filter(|run| run.friction == family.friction);
-        panel = panel.marks(own.map(|run| (run.torque, given(run))), kind(number).1);
-    }
-    panel
+    let own = group.runs.iter().filter(|run| run.friction == family.friction);
+    panel.marks(own.map(|run| (run.torque, mean(run))), marker)
 }
 
 /// Meyer 1973, chapter II: the average terminal velocity.
@@ -141,29 +92,13 @@ fn mean(run: &Run) -> f64 {
     f64::midpoint(run.peak, run.minimum)
 }
 
-/// The family of a run.
-fn family<'a>(families: &'a [Family], run: &Run) -> Option<&'a Family> {
-    families.iter().find(|family| family.friction == run.friction)
-}
-
 fn series(group: &Group, families: &[Family]) -> Series {
-    let columns = [
-        ("mu", "1"),
-        ("K", "in lb"),
-        ("mean printed", "rad/s"),
-        ("as run", "rad/s"),
-        ("as is", "rad/s"),
-        ("rise printed", "s"),
-        ("as run", "s"),
-        ("as is", "s"),
-    ];
+    let columns = [("mu", "1"), ("K", "in lb"), ("mean printed", "rad/s"), ("as run", "rad/s"), ("as is", "rad/s")];
     let rows = group.runs.iter().filter_map(|run| {
-        let family = family(families, run)?;
+        let family = families.iter().find(|family| family.friction == run.friction)?;
         let unit = (run.torque / group.inertias.follower()).sqrt();
-        let (as_run, as_is) = (family.as_run, family.as_is.unwrap_or(family.as_run));
-        let speeds = [mean(run), as_run.mean * unit, as_is.mean * unit];
-        let [given, run_time, is_time] = [run.rise, as_run.rise / unit, as_is.rise / unit];
-        Some([run.friction, run.torque, speeds[0], speeds[1], speeds[2], given, run_time, is_time])
+        let as_is = family.as_is.unwrap_or(family.as_run);
+        Some([run.friction, run.torque, mean(run), family.as_run * unit, as_is * unit])
     });
     Series::new(columns, rows)
 }
@@ -172,44 +107,40 @@ fn words(group: &Group, families: &[Family]) -> Words {
     let pins = group.mechanism.pins();
     let name = count_word(pins);
     let rows = series(group, families).rows;
-    let quotients = |over: usize, under: usize| rows.iter().map(move |row| row[over] / row[under]);
-    let spread = |over: usize, under: usize| {
-        let least = quotients(over, under).fold(f64::INFINITY, f64::min);
-        let most = quotients(over, under).fold(0.0, f64::max);
-        [least, most].map(|quotient| significant(quotient, 3))
+    let spread = |under: usize| {
+        let quotients = || rows.iter().map(|row| row[2] / row[under]);
+        [quotients().fold(f64::INFINITY, f64::min), quotients().fold(0.0, f64::max)].map(|of| significant(of, 3))
     };
-    let ([low, high], [short, long]) = (spread(2, 3), spread(5, 6));
+    let [low, high] = spread(3);
     let as_is = if group.own_reset().is_some() {
-        let [low, high] = spread(2, 4);
-        format!(" Of the mechanism as it is, dashed, the printed speeds are {low} to {high} times those of its curves.")
+        let [low, high] = spread(4);
+        format!(" Of the right ones, dashed, they are {low} to {high} times the value.")
     } else {
         String::new()
     };
+    let inertias = format!(
+        "{pins} pins; inertia of the driver {} · 10⁻⁶, of the follower {} · 10⁻⁶ in lb s².",
+        fixed(1e6 * group.inertias.driver(), 0),
+        fixed(1e6 * group.inertias.follower(), 0)
+    );
+    let says = match group.own_reset() {
+        Some(_) => format!(
+            "The marks lie on the unbroken line, the driver's angle reset after {}, and not on the dashed one, the \
+             mechanism.",
+            degrees(group.reset)
+        ),
+        None => "Here the reset is right, and the marks lie on the mechanism's own line.".to_owned(),
+    };
     Words::new(
         format!("runs-{name}-pin"),
-        format!("Rise time and average terminal speed over the torque, {name} pins"),
+        format!("Average terminal speed over the torque, {name} pins"),
         format!(
-            "Two panels over the torque K, each with a curve and printed points for {} frictions. Above, the rise \
-             time: all curves fall, the points scatter, from {short} to {long} times the value of their curve. Below, \
-             the mean of peak and minimum: all curves rise, and the points lie on them, from {low} to {high} times \
-             their value.{as_is}",
+            "A panel for each of {} frictions, over the torque K: the mean of peak and minimum, as printed and as \
+             computed. The printed points lie on the rising curve of the runs, from {low} to {high} times its \
+             value.{as_is}",
             families.len()
         ),
-        if group.own_reset().is_some() {
-            format!(
-                "{pins} pins. The printed speeds are those of a driver whose angle is reset after {}, whatever the \
-                 mechanism, and not those of the mechanism as it is. The printed rise times keep to no curve: here the \
-                 time until a peak is within one per cent of the steady one, which leaps with the number of \
-                 engagements.",
-                degrees(group.reset)
-            )
-        } else {
-            format!(
-                "{pins} pins. The printed speeds are those of the equation of motion. The printed rise times keep to \
-                 no curve: here the time until a peak is within one per cent of the steady one, which leaps with the \
-                 number of engagements."
-            )
-        },
+        format!("{inertias} Speed is the mean of peak and minimum, the thesis's average terminal velocity. {says}"),
     )
 }
 
@@ -238,21 +169,16 @@ mod tests {
             for pair in figure.series.rows.chunks(2) {
                 for column in [3, 4] {
                     approx::assert_relative_eq!(pair[1][column], 2.0 * pair[0][column], max_relative = 1e-12);
-                    approx::assert_relative_eq!(pair[0][column + 3], 2.0 * pair[1][column + 3], max_relative = 1e-12);
                 }
                 // Each number by the engagement itself, at the run's own torque.
                 let row = &pair[1];
                 let own = group(mechanism, vec![]).engagement(row[0], row[1], FRAC_PI_2).expect("sound");
-                let rise = own.rise(SETTLED).expect("steady");
-                approx::assert_relative_eq!(row[3], rise.steady.mean_of_extremes(), max_relative = 1e-9);
-                let until =
-                    rise.cycles.iter().find(|cycle| (cycle.peak.speed / rise.steady.peak.speed - 1.0).abs() <= PART);
-                let next = rise.cycles[rise.cycles.len() - 1].end + rise.steady.peak.time;
-                approx::assert_relative_eq!(row[6], until.map_or(next, |at| at.peak.time), max_relative = 1e-9);
+                let steady = own.steady_state().expect("steady");
+                approx::assert_relative_eq!(row[3], steady.mean_of_extremes(), max_relative = 1e-9);
             }
             let drawing = Drawing::of(&figure);
             let curves = ["as-run", "as-is"].map(|class| drawing.count(class));
-            assert_eq!(curves, if mechanism == Mechanism::FOUR_PIN { [4, 0] } else { [4, 4] });
+            assert_eq!(curves, if mechanism == Mechanism::FOUR_PIN { [2, 0] } else { [2, 2] });
         }
     }
 

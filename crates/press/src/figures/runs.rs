@@ -2,36 +2,55 @@
 
 use super::designs;
 use crate::measurements::integrators;
+use crate::numbers::fixed;
 use crate::rows::{self, parameters, weakest};
 use crate::tables::solver::CONTESTANTS;
 use anyhow::Context;
 use geneva_dynamics::joints::{Joints, Varied, series};
 use geneva_figures::Figure;
-use geneva_figures::runs::{self, Deviation, Deviations, Group, Run};
+use geneva_figures::runs::{self, Cell, Compared, Group, Run};
 use geneva_figures::steady::{self, Line, Measurement};
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::choice::{comparable, least_braked, of_fig_8 as rows_of_fig_8, rows_of};
-use geneva_ledger::meyer::runs::{Column, Hypothesis, Row, Score, duration, interval, rows, scores};
+use geneva_ledger::meyer::runs::{Column, EXPLAINED, Hypothesis, Reset, Row, Score, duration, interval, rows, scores};
+
+/// Printed against computed numbers of all cells: each mechanism reset at its own angle, and all after the same.
+pub fn agreement() -> anyhow::Result<Figure> {
+    let of = |reset, name: &str| {
+        let wanted = Hypothesis { reset, ..Hypothesis::WITHOUT_LAG };
+        let score = scores().iter().find(|score| score.hypothesis == wanted).context("not among the hypotheses")?;
+        Ok::<_, anyhow::Error>(Compared { name: name.to_owned(), ..compared(score)? })
+    };
+    let compared = [of(Reset::OfTheMechanism, "own reset angle")?, of(Reset::QuarterTurn, "reset after 90°")?];
+    let inertias = Mechanism::ALL.map(|mechanism| {
+        let [driver, follower] = Hypothesis::WITHOUT_LAG.inertias(mechanism).map(|inertia| fixed(1e6 * inertia, 0));
+        format!("{driver} and {follower} with {} pins", mechanism.pins())
+    });
+    let says = format!(
+        "Inertias of driver and follower: {} (10⁻⁶ in lb s²); frictions and torques as in the tables.",
+        inertias.join(", ")
+    );
+    Ok(runs::agreement(&compared, "rad/s or ms", &says))
+}
 
 /// What each of the compared hypotheses makes of the rows.
 pub fn hypotheses() -> anyhow::Result<Figure> {
-    let compared = scores().iter().map(deviations).collect::<anyhow::Result<Vec<_>>>()?;
-    Ok(runs::deviations(&compared))
+    let all = scores().iter().map(compared).collect::<anyhow::Result<Vec<_>>>()?;
+    Ok(runs::deviations(&all))
 }
 
-fn deviations(score: &Score) -> anyhow::Result<Deviations> {
-    let of = |(row, run): (&Row, &Option<geneva_ledger::meyer::runs::Run>)| {
+/// The cells of the tables that a hypothesis is to explain, in units of the last printed place.
+fn compared(score: &Score) -> anyhow::Result<Compared> {
+    let mut cells = Vec::new();
+    for (row, run) in rows().iter().zip(&score.runs) {
         let run = run.context("a run of the program comes to no end")?;
-        let off = |column| run.number(column) / row.number(column) - 1.0;
-        Ok(Deviation {
+        cells.extend(EXPLAINED.map(|column| Cell {
             mechanism: row.mechanism,
-            peak: off(Column::Peak),
-            minimum: off(Column::Minimum),
-            period: off(Column::Period),
-        })
-    };
-    let runs = rows().iter().zip(&score.runs).map(of).collect::<anyhow::Result<_>>()?;
-    Ok(Deviations { name: score.hypothesis.brief_words(), runs })
+            printed: row.number(column) / column.unit(),
+            computed: run.number(column) / column.unit(),
+        }));
+    }
+    Ok(Compared { name: score.hypothesis.brief_words(), cells })
 }
 
 /// The speed between the printed instants: of the four-pin runs that brake least the one with the strongest spring.
@@ -135,14 +154,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_marks_of_the_drawing_are_of_the_deviations_that_the_ledger_scores() {
+    fn the_marks_of_the_drawing_are_of_the_cells_that_the_ledger_scores() {
         for score in scores() {
-            let drawn = deviations(score).expect("deviations");
-            assert_eq!(drawn.runs.len(), rows().len());
-            let further = |worst: f64, off: f64| if off.abs() > worst.abs() { off } else { worst };
-            let worst = drawn.runs.iter().map(|run| run.peak).fold(0.0, further);
-            let scored = score.on(Column::Peak).expect("a fit").worst;
-            assert!((worst - scored).abs() < 1e-12, "{}: {worst} and {scored}", drawn.name);
+            let drawn = compared(score).expect("cells");
+            assert_eq!(drawn.cells.len(), EXPLAINED.len() * rows().len());
+            let within = drawn.cells.iter().filter(|cell| cell.is_within_one()).count();
+            assert_eq!(within, score.within_one(), "{}", drawn.name);
         }
     }
 }

@@ -46,9 +46,9 @@ fn of_row(row: &'static Row) -> Vec<Claim> {
             // How finely a result could be read from a print-out: one unit of its last place, and for a time at which
             // something happens a print interval besides.
             .read_to(move || match column {
-                Column::Rise => scores::unit(Column::Rise) + interval(),
-                Column::Period => scores::unit(Column::Period),
-                _ => scores::unit(Column::Peak),
+                Column::Rise => Column::Rise.unit() + interval(),
+                Column::Period => Column::Period.unit(),
+                _ => Column::Peak.unit(),
             })
             .read_as(reading(column))
             .expecting(row.expected(column).unwrap_or(Verdict::Reproduced));

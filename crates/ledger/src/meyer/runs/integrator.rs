@@ -71,7 +71,7 @@ fn change(before: &[Run], after: &[Run]) -> Change {
     let mut found = Change { most: [0.0; 3], printed_otherwise: 0 };
     for (before, after) in before.iter().zip(after) {
         for (at, column) in EXPLAINED.into_iter().enumerate() {
-            let (old, new, unit) = (before.number(column), after.number(column), scores::unit(column));
+            let (old, new, unit) = (before.number(column), after.number(column), column.unit());
             found.most[at] = found.most[at].max((new / old - 1.0).abs());
             found.printed_otherwise += usize::from((old / unit).round() != (new / unit).round());
         }

@@ -70,9 +70,9 @@ pub const DEFINITIONS: [Definition; 11] = [
 pub struct Explained {
     /// Rows within one unit of the last place: with six, four and three pins.
     pub within_one: [usize; 3],
-    /// Mean of the relative deviation, with its sign.
+    /// Mean of printed over computed time, less one.
     pub mean: f64,
-    /// Least and greatest quotient of computed and printed time.
+    /// Least and greatest quotient of printed and computed time.
     pub range: [f64; 2],
 }
 
@@ -89,14 +89,14 @@ fn tried(definition: &Definition, starts: &[(&Row, Option<Start>)]) -> Explained
         let time = start.as_ref().and_then(definition.time).unwrap_or(f64::NAN);
         let printed = row.number(Column::Rise);
         found.within_one[row.mechanism.index()] += usize::from(near(time, printed));
-        found.mean += (time / printed - 1.0) / starts.len() as f64;
-        found.range = [found.range[0].min(time / printed), found.range[1].max(time / printed)];
+        found.mean += (printed / time - 1.0) / starts.len() as f64;
+        found.range = [found.range[0].min(printed / time), found.range[1].max(printed / time)];
     }
     found
 }
 
 fn near(time: f64, printed: f64) -> bool {
-    (time - printed).abs() <= scores::unit(Column::Rise) * (1.0 + 1e-9)
+    (time - printed).abs() <= Column::Rise.unit() * (1.0 + 1e-9)
 }
 
 /// The rows of a mechanism that a definition explains as they were run, to one unit of the last place.
@@ -137,7 +137,7 @@ pub struct Misread {
 
 /// All groups. By the law of similarity a time that only the motion defines goes as 1/√K within each.
 pub fn groups() -> Vec<Group> {
-    let slack = scores::unit(Column::Rise) + interval();
+    let slack = Column::Rise.unit() + interval();
     // The times √K that all of these rows allow.
     let allowed = |rows: &[&Row]| {
         rows.iter().fold([0.0_f64, f64::INFINITY], |[low, high], row| {

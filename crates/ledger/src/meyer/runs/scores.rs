@@ -10,9 +10,9 @@ pub struct Fit {
     pub exact: usize,
     /// Cells within one unit of the last place.
     pub within_one: usize,
-    /// Mean of the relative deviation, with its sign.
+    /// Mean of printed over computed, less one.
     pub mean: f64,
-    /// The largest relative deviation, with its sign.
+    /// Printed over computed, less one, where it is farthest from zero.
     pub worst: f64,
     /// By each law of error: how likely the printed cells are.
     pub likelihoods: [Likelihood; 2],
@@ -89,8 +89,8 @@ impl Fit {
             .zip(runs)
             .filter_map(|(row, run)| Some((row.number(column), run.as_ref()?.number(column))))
             .collect();
-        let units: Vec<_> = cells.iter().map(|(printed, found)| (found - printed).abs() / unit(column)).collect();
-        let relative = |(printed, computed): &(f64, f64)| computed / printed - 1.0;
+        let units: Vec<_> = cells.iter().map(|(printed, found)| (found - printed).abs() / column.unit()).collect();
+        let relative = |(printed, computed): &(f64, f64)| printed / computed - 1.0;
         let further = |worst: f64, next: f64| if next.abs() > worst.abs() { next } else { worst };
         let whole = cells.len() == rows().len();
         let impossible = Likelihood { spread: f64::INFINITY, log: f64::NEG_INFINITY };
@@ -103,11 +103,6 @@ impl Fit {
             likelihoods: Law::ALL.map(|law| if whole { law.of(&units) } else { impossible }),
         }
     }
-}
-
-/// The unit of the last place of a column.
-pub fn unit(column: Column) -> f64 {
-    if matches!(column, Column::Period | Column::Rise) { 1e-3 } else { 1.0 }
 }
 
 #[cfg(test)]

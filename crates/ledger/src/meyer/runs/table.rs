@@ -21,6 +21,13 @@ pub enum Column {
     Period,
 }
 
+impl Column {
+    /// The unit of the last printed place: 1 rad/s, or 1 ms in s.
+    pub fn unit(self) -> f64 {
+        if matches!(self, Self::Period | Self::Rise) { 1e-3 } else { 1.0 }
+    }
+}
+
 /// A mechanism as it stands in ids: the thesis names them by the pins.
 pub fn slug(mechanism: Mechanism) -> String {
     format!("{}-pin", mechanism.pins())
