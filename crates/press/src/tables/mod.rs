@@ -21,6 +21,7 @@ const TABLES: &[(&str, Draw)] = &[
     ("quick-return-terms", quick_return::terms),
     ("quick-return-branches", quick_return::branches),
     ("runs-hypotheses", runs::hypotheses),
+    ("runs-columns", runs::by_column),
     ("runs-delays", runs::delays),
     ("runs-integrator", runs::integrator),
     ("runs-rise-definitions", rise_times::definitions),

@@ -1,38 +1,29 @@
 //! The printed rise times against definitions, and against the law of similarity.
 
 use crate::html::{Cells, Table, escape, table};
-use crate::numbers::signed;
 use geneva_ledger::meyer::runs::rise_times::{Misread, explained, groups as all_groups};
 
 /// How many rows each definition explains.
 pub fn definitions() -> anyhow::Result<Table> {
     let explained = explained();
-    let rows = explained.iter().map(|(definition, tried)| {
-        let mut row = vec![escape(definition.name)];
-        for of in tried {
-            row.extend(of.within_one.map(|count| count.to_string()));
-            row.push(of.within_one.iter().sum::<usize>().to_string());
-            row.push(signed(100.0 * of.mean, 0));
-            row.push(format!("{:.2} to {:.2}", of.range[0], of.range[1]));
-        }
+    let rows = explained.iter().map(|(definition, [as_run, ideal])| {
+        let all = |counts: &[usize; 3]| counts.iter().sum::<usize>().to_string();
+        let mut row = vec![escape(definition.name), all(&as_run.within_one)];
+        row.extend(as_run.within_one.map(|count| count.to_string()));
+        row.push(format!("{:.2} to {:.2}", as_run.range[0], as_run.range[1]));
+        row.push(all(&ideal.within_one));
         Ok(row)
     });
     let head = [
         "Time from rest until",
-        "as run: six pins",
-        "four",
-        "three",
-        "of 49",
-        "mean %",
-        "over printed",
-        "as it is: six pins",
-        "four",
-        "three",
-        "of 49",
-        "mean %",
-        "over printed",
+        "As run,<br>of 49",
+        "six<br>pins",
+        "four<br>pins",
+        "three<br>pins",
+        "printed<br>over computed",
+        "The mechanism,<br>of 49",
     ];
-    table("Definitions of a rise time", Cells::NamedNumbers, &head, rows)
+    table("Rise times explained to one unit of the last place, by definition", Cells::NamedNumbers, &head, rows)
 }
 
 /// Printed rise times times √K: equal within a group, were they defined by the motion alone.
@@ -50,8 +41,13 @@ pub fn groups() -> anyhow::Result<Table> {
         let name = format!("{} pins, μ = {}", group.mechanism.pins(), group.friction);
         Ok(vec![name, scaled.join(", "), possible.to_owned(), misread])
     });
-    let head = ["Rows", "1000 t √K, by rising K", "one number for all?", "if one row is misread?"];
-    table("Printed rise times and the law of similarity", Cells::NamedNumbers, &head, rows)
+    let head = ["Rows", "1000 t √K, by rising K", "One number<br>for all?", "If one row is misread?"];
+    table(
+        "Printed rise times t, in s, times the root of K, in in lb: one number in each group by the law of similarity",
+        Cells::NamedNumbers,
+        &head,
+        rows,
+    )
 }
 
 /// A row that may be misread, and what it should have been.

@@ -1,57 +1,87 @@
 //! The thesis's runs: what explains the printed tables, what does not matter to them, and what they should have been.
 
 use crate::html::{Cells, Table, table};
-use crate::numbers::signed;
+use crate::numbers::{fixed, signed};
 use crate::rows::engagement;
 use anyhow::Context;
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::choice::rows_of;
 use geneva_ledger::meyer::runs::{
-    Column, Fit, Hypothesis, Row, Score, SixPin, delays as all_delays, integrator as integrators, scores,
+    Column, Constants, Fit, Hypothesis, Reading, Reset, Row, Score, SixPin, delays as all_delays,
+    integrator as integrators, scores,
 };
 
 /// The hypotheses, how many cells each explains, and how likely it makes the tables.
 pub fn hypotheses() -> anyhow::Result<Table> {
     let rows = (1..).zip(scores()).map(|(number, score)| {
-        let mut row = vec![format!("{number}: {}", score.hypothesis.words()), score.within_one().to_string()];
+        let Hypothesis { reset, six_pin, reading, constants, delay } = score.hypothesis;
+        let besides = match (constants, delay) {
+            (_, Some(_)) => "lagged sign",
+            (Constants::AsListed, None) => "π as listed",
+            (Constants::Exact, None) => "–",
+        };
+        let said = [
+            if reset == Reset::QuarterTurn { "90°" } else { "360°/m" },
+            if six_pin == SixPin::AsDrawn { "Fig. 11" } else { "heading" },
+            if reading == Reading::OnTheGrid { "largest printed" } else { "true" },
+            besides,
+        ];
+        let mut row = vec![number.to_string()];
+        row.extend(said.map(str::to_owned));
+        row.push(score.within_one().to_string());
         row.extend(logs(score));
-        for fit in &score.fits {
-            row.extend([counts(fit), signed(100.0 * fit.mean, 1), signed(100.0 * fit.worst, 1)]);
-        }
         Ok(row)
     });
     let head = [
-        "Hypothesis",
-        "of 147",
-        "ln L, normal",
-        "exponential",
-        "Peak",
-        "mean %",
-        "worst %",
-        "Minimum",
-        "mean %",
-        "worst %",
-        "Period",
-        "mean %",
-        "worst %",
+        "",
+        "Reset<br>after",
+        "Six-pin<br>inertias",
+        "Peaks",
+        "Besides",
+        "Right to one<br>unit, of 147",
+        "ln L,<br>normal",
+        "ln L,<br>exponential",
     ];
-    table("Hypotheses about the runs", Cells::NamedNumbers, &head, rows)
+    let says = "Ten hypotheses about the 49 runs: cells within one unit of the last printed place, and log-likelihood";
+    table(says, Cells::Numbers, &head, rows)
+}
+
+/// The same column by column.
+pub fn by_column() -> anyhow::Result<Table> {
+    let rows = (1..).zip(scores()).map(|(number, score)| {
+        let mut row = vec![number.to_string()];
+        row.extend(score.fits.iter().flat_map(|fit| [counts(fit), signed(100.0 * fit.worst, 1)]));
+        Ok(row)
+    });
+    let head = ["", "Peaks", "worst,<br>%", "Minima", "worst,<br>%", "Periods", "worst,<br>%"];
+    let says = "The ten hypotheses column by column: cells right to the printed digit / to one unit, of 49, and the worst \
+                deviation, printed over computed less one";
+    table(says, Cells::Numbers, &head, rows)
 }
 
 /// Delays of the sign of the friction.
 pub fn delays() -> anyhow::Result<Table> {
     let rows = all_delays().iter().map(|(delay, score)| {
         let [peak, minimum, period] = &score.fits;
-        let [normal, _] = peak.likelihoods;
         let mut row = vec![if *delay > 0.0 { format!("{:.3} ms", 1e3 * delay) } else { "none".to_owned() }];
+        row.push(score.within_one().to_string());
         row.extend(logs(score));
-        row.extend([counts(peak), signed(100.0 * peak.mean, 2), signed(100.0 * peak.worst, 1)]);
-        row.extend([format!("{:.2}", normal.spread), counts(minimum), counts(period)]);
+        row.extend([counts(peak), signed(100.0 * peak.mean, 2), counts(minimum), counts(period)]);
         Ok(row)
     });
-    let head =
-        ["Delay", "ln L, normal", "exponential", "Peak", "mean %", "worst %", "spread, rad/s", "Minimum", "Period"];
-    table("Delays of the sign of the friction", Cells::NamedNumbers, &head, rows)
+    let head = [
+        "Lag of<br>the sign",
+        "of 147",
+        "ln L,<br>normal",
+        "ln L,<br>exponential",
+        "Peaks",
+        "mean,<br>%",
+        "Minima",
+        "Periods",
+    ];
+    let says = "The program as listed with other lags: cells right to the digit / to one unit, and the mean of the printed \
+                peaks over the computed ones less one";
+    table(says, Cells::Numbers, &head, rows)
 }
 
 /// What changes when the integrator is told otherwise what the thesis does not tell.
@@ -59,24 +89,22 @@ pub fn integrator() -> anyhow::Result<Table> {
     let changes = integrators::changes().context("a run of the program of 1973 comes to no end")?;
     let rows = changes.iter().map(|(variant, changes)| {
         let mut row = vec![variant.name.to_owned()];
-        for change in changes {
-            row.extend(change.most.map(|most| format!("{:.1}", 1e6 * most)));
-            row.push(change.printed_otherwise.to_string());
-        }
+        row.extend(changes.iter().flat_map(|change| change.most.map(|most| format!("{:.1}", 1e6 * most))));
+        row.push(changes.iter().map(|change| change.printed_otherwise).sum::<usize>().to_string());
         Ok(row)
     });
     let head = [
         "Changed",
-        "peak, ppm",
-        "minimum, ppm",
-        "period, ppm",
-        "digits",
-        "lagged sign: peak, ppm",
-        "minimum, ppm",
-        "period, ppm",
-        "digits",
+        "Peak",
+        "Minimum",
+        "Period",
+        "Peak, with<br>the lag",
+        "Minimum,<br>with the lag",
+        "Period, with<br>the lag",
+        "Other<br>digits",
     ];
-    table("Parameters of the integrator that are not recorded", Cells::NamedNumbers, &head, rows)
+    let says = "Largest changes, in millionths, if the integrator does otherwise what the thesis does not tell";
+    table(says, Cells::NamedNumbers, &head, rows)
 }
 
 /// Cells to the printed digit, and within one unit.
@@ -113,18 +141,25 @@ fn corrected(mechanism: Mechanism, hypothesis: &Hypothesis) -> anyhow::Result<Ta
     let head = [
         "μ",
         "K",
-        "peak printed",
-        "peak",
-        "off by %",
-        "minimum printed",
-        "minimum",
-        "off by %",
-        "period printed",
-        "period",
-        "mean speed",
+        "Peak,<br>printed",
+        "Peak,<br>right",
+        "off by,<br>%",
+        "Minimum,<br>printed",
+        "Minimum,<br>right",
+        "Period,<br>printed",
+        "Period,<br>right",
     ];
-    let name = format!("The runs with {} pins, printed and as they should have been", mechanism.pins());
-    table(&name, Cells::Numbers, &head, cells)
+    let [driver, follower] = hypothesis.inertias(mechanism).map(|inertia| fixed(1e6 * inertia, 0));
+    let says = format!(
+        "{} pins, as printed and as it should be: K in in lb, speeds in rad/s, periods in s; inertia of the driver {driver} \
+         · 10⁻⁶, of the follower {follower} · 10⁻⁶ in lb s²",
+        match mechanism.pins() {
+            3 => "Three",
+            4 => "Four",
+            _ => "Six",
+        }
+    );
+    table(&says, Cells::Numbers, &head, cells)
 }
 
 fn printed_and_right(row: &Row, hypothesis: &Hypothesis) -> anyhow::Result<Vec<String>> {
@@ -139,9 +174,7 @@ fn printed_and_right(row: &Row, hypothesis: &Hypothesis) -> anyhow::Result<Vec<S
         off(Column::Peak, steady.peak.speed),
         printed(Column::Minimum),
         format!("{:.2}", steady.minimum.speed),
-        off(Column::Minimum, steady.minimum.speed),
         printed(Column::Period),
         format!("{:.5}", steady.period),
-        format!("{:.2}", steady.mean_speed),
     ])
 }

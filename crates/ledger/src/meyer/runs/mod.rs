@@ -32,7 +32,7 @@ pub use headings::{of_figures, of_headings};
 pub use hypotheses::{EXPLAINED, Score, delays, scores};
 pub use lagged::Lagged;
 pub use motion::{Constants, Hypothesis, Reading, Reset, Run, SixPin, delay, duration, fitting_interval, interval};
-pub use scores::{Fit, Law, Likelihood};
+pub use scores::{Fit, LEAST_SPREAD, Law, Likelihood};
 pub use table::{Column, Row, rows, series, slug};
 
 use super::*;

@@ -55,11 +55,16 @@ impl Law {
         beyond_near - self.beyond(off + 0.5, spread)
     }
 
-    /// The likelihood of deviations of this size, in units.
+    /// The logarithm of the likelihood of deviations of this size, with this spread, all in units.
+    pub fn log_likelihood(self, units: &[f64], spread: f64) -> f64 {
+        units.iter().map(|off| libm::log(self.chance(*off, spread))).sum()
+    }
+
+    /// The likelihood of deviations of this size, in units, with the spread that suits them best.
     fn of(self, units: &[f64]) -> Likelihood {
         let at = |octaves: f64| {
-            let spread = LEAST * libm::exp2(octaves);
-            Likelihood { spread, log: units.iter().map(|off| libm::log(self.chance(*off, spread))).sum::<f64>() }
+            let spread = LEAST_SPREAD * libm::exp2(octaves);
+            Likelihood { spread, log: self.log_likelihood(units, spread) }
         };
         type Found = (f64, Likelihood);
         let better = |a: Found, b: Found| if b.1.log > a.1.log { b } else { a };
@@ -73,7 +78,7 @@ impl Law {
 }
 
 /// Spreads that are tried: from 1/256 of a unit, 8 to an octave, over 20 octaves, and so many to either side of the best.
-const LEAST: f64 = 1.0 / 256.0;
+pub const LEAST_SPREAD: f64 = 1.0 / 256.0;
 const PER_OCTAVE: u32 = 8;
 const OCTAVES: u32 = 20;
 const FINER: i32 = 32;
