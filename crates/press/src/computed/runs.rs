@@ -10,15 +10,14 @@ use geneva_ledger::meyer::runs::{
 
 /// The numbers of the chapter on the runs.
 pub const NUMBERS: &[(&str, fn() -> anyhow::Result<String>)] = &[
-    ("runs.as-run", || Ok(lagged(0.1)?.within_one().to_string())),
     ("runs.minima", || within(best()?, Column::Minimum)),
     ("runs.periods", || within(best()?, Column::Period)),
     ("runs.peaks", || within(best()?, Column::Peak)),
     ("runs.peaks-lagged", || within(lagged(0.1)?, Column::Peak)),
     ("runs.others", || Ok((EXPLAINED.len() * others().count()).to_string())),
     ("runs.others-by-the-mechanisms", || Ok(of_others(score(&Hypothesis::IDEAL)?).to_string())),
-    ("runs.others-by-the-program", || Ok(of_others(best()?).to_string())),
-    ("runs.by-chance", || Ok(fixed(by_chance(rows(), best()?)?, 0))),
+    ("runs.others-by-the-program", || Ok(of_others(lagged(0.1)?).to_string())),
+    ("runs.by-chance", || Ok(fixed(by_chance(rows(), lagged(0.1)?)?, 0))),
     ("runs.margin", || Ok(fixed(margin()?.floor(), 0))),
     ("runs.margin.odds", || Ok(odds(margin()?))),
     ("runs.margin.coarse", || Ok(fixed(coarse_margin()?.floor(), 0))),

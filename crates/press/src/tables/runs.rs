@@ -16,7 +16,7 @@ pub fn hypotheses() -> anyhow::Result<Table> {
     let rows = (1..).zip(scores()).map(|(number, score)| {
         let Hypothesis { reset, six_pin, reading, constants, delay } = score.hypothesis;
         let besides = match (constants, delay) {
-            (_, Some(_)) => "lagged sign",
+            (_, Some(_)) => "π and lag as listed",
             (Constants::AsListed, None) => "π as listed",
             (Constants::Exact, None) => "–",
         };
