@@ -73,10 +73,13 @@ pub fn aliasing(engagement: &Engagement, interval: f64, duration: f64) -> Result
             significant(most, 4)
         ),
         format!(
-            "A peak falls between two printed lines. The largest printed speed of the run is {} rad/s, the peak is {} \
-             rad/s; which engagement is read matters, though all are alike.",
-            fixed(printed().fold(peaks.first().map_or(0.0, |peak| peak.printed.1), f64::max), 1),
-            fixed(actual, 1)
+            "The driver's speed about five peaks of one run, and the lines of its print-out. The true peaks are alike, \
+             {} rad/s; the printed ones swing between {} and {} rad/s. {} Torque K = {} in lb.",
+            fixed(actual, 1),
+            fixed(least, 1),
+            fixed(most, 1),
+            crate::number::shown(engagement.parameters()),
+            significant(engagement.parameters().torque(), 2)
         ),
     );
     Ok(chart.figure(words, Series::new(columns, rows)))

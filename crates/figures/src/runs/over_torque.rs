@@ -41,9 +41,9 @@ pub fn over_torque(group: &Group) -> Result<Figure, FigureError> {
     if families.is_empty() {
         return Err(FigureError::Nothing);
     }
-    let room = 0.04 * (greatest - least).max(1e-3 * greatest);
+    let room = room(least, greatest);
     let x = Axis::spanning(least - room, greatest + room, 5.0);
-    let unit = (greatest / group.inertias.follower()).sqrt();
+    let unit = ((greatest + room) / group.inertias.follower()).sqrt();
     let ends = families.iter().flat_map(|one| [Some(one.as_run), one.as_is]).flatten().map(|scaled| scaled * unit);
     let y = Axis::from_zero(0.0, group.runs.iter().map(mean).chain(ends).fold(0.0, f64::max), 3.0);
     let panels: Vec<Panel> = (1..).zip(&families).map(|(number, one)| panel(group, one, number, &x, &y)).collect();
@@ -63,6 +63,11 @@ pub fn over_torque(group: &Group) -> Result<Figure, FigureError> {
 /// Panels in a row.
 const COLUMNS: usize = 2;
 
+/// How far curves go beyond the least and the greatest torque.
+fn room(least: f64, greatest: f64) -> f64 {
+    0.04 * (greatest - least).max(1e-3 * greatest)
+}
+
 /// The curves of a friction, and its runs.
 fn panel(group: &Group, family: &Family, number: usize, x: &Axis, y: &Axis) -> Panel {
     let speed = |scaled: f64, torque: f64| scaled * (torque / group.inertias.follower()).sqrt();
@@ -70,7 +75,9 @@ fn panel(group: &Group, family: &Family, number: usize, x: &Axis, y: &Axis) -> P
     let last = number + COLUMNS > frictions;
     let x = if last { x.clone().titled(Label::words("torque ").and_symbol("K").and(" in in lb")) } else { x.clone() };
     let title = Label::symbol("μ").and(&format!(" = {}: speed in rad/s", fixed(family.friction, 2)));
-    let (from, to) = (x.range.start, x.range.end);
+    let [least, greatest] = group.range(|run| run.torque);
+    let room = room(least, greatest);
+    let (from, to) = (least - room, greatest + room);
     let torques = (0..=STEPS).map(|step| from + (to - from) * f64::from(step) / f64::from(STEPS));
     let torques: Vec<f64> = torques.filter(|torque| *torque > 0.0).collect();
     let (stroke, marker) = of_mechanism(group.mechanism.slots());

@@ -17,7 +17,11 @@ pub const NUMBERS: &[(&str, fn() -> anyhow::Result<String>)] = &[
     ("runs.others", || Ok((EXPLAINED.len() * others().count()).to_string())),
     ("runs.others-by-the-mechanisms", || Ok(of_others(score(&Hypothesis::IDEAL)?).to_string())),
     ("runs.others-by-the-program", || Ok(of_others(lagged(0.1)?).to_string())),
-    ("runs.by-chance", || Ok(fixed(by_chance(rows(), lagged(0.1)?)?, 0))),
+    ("runs.by-chance", || Ok(fixed(Mechanism::ALL.map(by_chance).into_iter().sum::<anyhow::Result<f64>>()?, 0))),
+    ("runs.others.by-chance", || {
+        let others = [Mechanism::SIX_PIN, Mechanism::THREE_PIN];
+        Ok(fixed(others.map(by_chance).into_iter().sum::<anyhow::Result<f64>>()?, 0))
+    }),
     ("runs.margin", || Ok(fixed(margin()?.floor(), 0))),
     ("runs.margin.odds", || Ok(odds(margin()?))),
     ("runs.margin.coarse", || Ok(fixed(coarse_margin()?.floor(), 0))),
@@ -80,24 +84,20 @@ fn is_near(printed: f64, computed: f64, column: Column) -> bool {
     (printed - computed).abs() <= column.unit() * (1.0 + 1e-9)
 }
 
-/// How many cells would be within one unit if the computed numbers of each column of each table were dealt out to its
+/// How many cells of a table would be within one unit if the computed numbers of each of its columns were dealt out to its
 /// rows at random: the expectation.
-fn by_chance(rows: &[Row], score: &Score) -> anyhow::Result<f64> {
-    let mut expected = 0.0;
-    for mechanism in Mechanism::ALL {
-        let own: Vec<_> = rows.iter().zip(&score.runs).filter(|(row, _)| row.mechanism == mechanism).collect();
-        for column in EXPLAINED {
-            let mut pairs = 0_u32;
-            for (row, _) in &own {
-                for (_, run) in &own {
-                    let run = run.as_ref().context("a run of the program comes to no end")?;
-                    pairs += u32::from(is_near(row.number(column), run.number(column), column));
-                }
-            }
-            expected += f64::from(pairs) / own.len() as f64;
+fn by_chance(mechanism: Mechanism) -> anyhow::Result<f64> {
+    let score = lagged(0.1)?;
+    let own: Vec<_> = rows().iter().zip(&score.runs).filter(|(row, _)| row.mechanism == mechanism).collect();
+    let mut pairs = 0_u32;
+    for (row, _) in &own {
+        for (_, run) in &own {
+            let run = run.as_ref().context("a run of the program comes to no end")?;
+            let near = |column: &&Column| is_near(row.number(**column), run.number(**column), **column);
+            pairs += EXPLAINED.iter().filter(near).count() as u32;
         }
     }
-    Ok(expected)
+    Ok(f64::from(pairs) / own.len() as f64)
 }
 
 /// By how much ln L of the best combination is above that of any with another reset angle or other inertias, by the law of
@@ -194,7 +194,7 @@ mod tests {
     #[test]
     fn chance_explains_a_part_and_the_program_nearly_all() {
         let best = best().expect("compared");
-        let chance = by_chance(rows(), best).expect("runs");
+        let chance: f64 = Mechanism::ALL.map(|of| by_chance(of).expect("runs")).iter().sum();
         assert!(3.0 * chance < best.within_one() as f64, "{chance}");
         assert!(of_others(best) + 3 >= EXPLAINED.len() * others().count());
         assert!(3 * of_others(score(&Hypothesis::IDEAL).expect("compared")) < of_others(best));

@@ -16,12 +16,12 @@ pub fn definitions() -> anyhow::Result<Table> {
     });
     let head = [
         "Time from rest until",
-        "As run,<br>of 49",
-        "six<br>pins",
-        "four<br>pins",
-        "three<br>pins",
-        "printed<br>over computed",
-        "The mechanism,<br>of 49",
+        "As run, <br>of 49",
+        "six <br>pins",
+        "four <br>pins",
+        "three <br>pins",
+        "printed <br>over computed",
+        "The mechanism, <br>of 49",
     ];
     table("Rise times explained to one unit of the last place, by definition", Cells::NamedNumbers, &head, rows)
 }
@@ -41,10 +41,10 @@ pub fn groups() -> anyhow::Result<Table> {
         let name = format!("{} pins, μ = {}", group.mechanism.pins(), group.friction);
         Ok(vec![name, scaled.join(", "), possible.to_owned(), misread])
     });
-    let head = ["Rows", "1000 t √K, by rising K", "One number<br>for all?", "If one row is misread?"];
+    let head = ["Rows", "1000 t √K, by rising K", "One number <br>for all?", "Or if one row is misread?"];
     table(
         "Printed rise times t, in s, times the root of K, in in lb: one number in each group by the law of similarity",
-        Cells::NamedNumbers,
+        Cells::Words,
         &head,
         rows,
     )
@@ -53,5 +53,5 @@ pub fn groups() -> anyhow::Result<Table> {
 /// A row that may be misread, and what it should have been.
 fn misread(row: &Misread) -> String {
     let [low, high] = row.between.map(|time| format!("{time:.4}"));
-    format!("K = {}, for {low} to {high} s", row.torque)
+    format!("K = {} ({low} to {high} s)", row.torque)
 }

@@ -33,14 +33,14 @@ pub fn hypotheses() -> anyhow::Result<Table> {
         Ok(row)
     });
     let head = [
-        "",
-        "Reset<br>after",
-        "Six-pin<br>inertias",
+        "No.",
+        "Reset <br>after",
+        "Six-pin <br>inertias",
         "Peaks",
         "Besides",
-        "Right to one<br>unit, of 147",
-        "ln L,<br>normal",
-        "ln L,<br>exponential",
+        "Right to one <br>unit, of 147",
+        "ln L, <br>normal",
+        "ln L, <br>exponential",
     ];
     let says = "Ten hypotheses about the 49 runs: cells within one unit of the last printed place, and log-likelihood";
     table(says, Cells::Numbers, &head, rows)
@@ -53,7 +53,7 @@ pub fn by_column() -> anyhow::Result<Table> {
         row.extend(score.fits.iter().flat_map(|fit| [counts(fit), signed(100.0 * fit.worst, 1)]));
         Ok(row)
     });
-    let head = ["", "Peaks", "worst,<br>%", "Minima", "worst,<br>%", "Periods", "worst,<br>%"];
+    let head = ["No.", "Peaks", "worst, <br>%", "Minima", "worst, <br>%", "Periods", "worst, <br>%"];
     let says = "The ten hypotheses column by column: cells right to the printed digit / to one unit, of 49, and the worst \
                 deviation, printed over computed less one";
     table(says, Cells::Numbers, &head, rows)
@@ -70,12 +70,12 @@ pub fn delays() -> anyhow::Result<Table> {
         Ok(row)
     });
     let head = [
-        "Lag of<br>the sign",
+        "Lag of <br>the sign",
         "of 147",
-        "ln L,<br>normal",
-        "ln L,<br>exponential",
+        "ln L, <br>normal",
+        "ln L, <br>exponential",
         "Peaks",
-        "mean,<br>%",
+        "mean off, <br>%",
         "Minima",
         "Periods",
     ];
@@ -98,10 +98,10 @@ pub fn integrator() -> anyhow::Result<Table> {
         "Peak",
         "Minimum",
         "Period",
-        "Peak, with<br>the lag",
-        "Minimum,<br>with the lag",
-        "Period, with<br>the lag",
-        "Other<br>digits",
+        "Peak, with <br>the lag",
+        "Minimum, <br>with the lag",
+        "Period, with <br>the lag",
+        "Other <br>digits",
     ];
     let says = "Largest changes, in millionths, if the integrator does otherwise what the thesis does not tell";
     table(says, Cells::NamedNumbers, &head, rows)
@@ -141,13 +141,13 @@ fn corrected(mechanism: Mechanism, hypothesis: &Hypothesis) -> anyhow::Result<Ta
     let head = [
         "μ",
         "K",
-        "Peak,<br>printed",
-        "Peak,<br>right",
-        "off by,<br>%",
-        "Minimum,<br>printed",
-        "Minimum,<br>right",
-        "Period,<br>printed",
-        "Period,<br>right",
+        "Peak, <br>printed",
+        "Peak, <br>right",
+        "off by, <br>%",
+        "Minimum, <br>printed",
+        "Minimum, <br>right",
+        "Period, <br>printed",
+        "Period, <br>right",
     ];
     let [driver, follower] = hypothesis.inertias(mechanism).map(|inertia| fixed(1e6 * inertia, 0));
     let says = format!(
