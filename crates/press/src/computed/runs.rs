@@ -10,6 +10,7 @@ use geneva_ledger::meyer::runs::{
 
 /// The numbers of the chapter on the runs.
 pub const NUMBERS: &[(&str, fn() -> anyhow::Result<String>)] = &[
+    ("runs.four", || Ok((rows().len() - others().count()).to_string())),
     ("runs.minima", || within(best()?, Column::Minimum)),
     ("runs.periods", || within(best()?, Column::Period)),
     ("runs.peaks", || within(best()?, Column::Peak)),
