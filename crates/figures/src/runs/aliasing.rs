@@ -73,7 +73,7 @@ pub fn aliasing(engagement: &Engagement, interval: f64, duration: f64) -> Result
             significant(most, 4)
         ),
         format!(
-            "The driver's speed about five peaks of one run, and the lines of its print-out. The true peaks are alike, \
+            "The driver's speed about five peaks of one run, and the lines of its print-out. The true peaks are alike after the start from rest, \
              {} rad/s; the printed ones swing between {} and {} rad/s. {} Torque K = {} in lb.",
             fixed(actual, 1),
             fixed(least, 1),
