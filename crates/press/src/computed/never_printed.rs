@@ -1,5 +1,6 @@
 //! Of the corrected tables: by how much the printed numbers are off.
 
+use super::Number;
 use crate::numbers::signed;
 use anyhow::Context;
 use geneva_kinematics::Mechanism;
@@ -7,7 +8,7 @@ use geneva_ledger::meyer::runs::choice::rows_of;
 use geneva_ledger::meyer::runs::{Column, Hypothesis, Row};
 
 /// The numbers of the chapter on the corrected tables.
-pub const NUMBERS: &[(&str, fn() -> anyhow::Result<String>)] = &[
+pub const NUMBERS: &[(&str, Number)] = &[
     ("never-printed.six.peaks", || range(Mechanism::SIX_PIN, Column::Peak)),
     ("never-printed.six.minima", || range(Mechanism::SIX_PIN, Column::Minimum)),
     ("never-printed.six.periods", || range(Mechanism::SIX_PIN, Column::Period)),

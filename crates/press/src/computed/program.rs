@@ -1,11 +1,12 @@
 //! Of the program: what the reset after a quarter of a turn does to six and to three pins.
 
+use super::Number;
 use geneva_dynamics::Pose;
 use geneva_kinematics::{Mechanism, Turn};
 use geneva_ledger::meyer::runs::Hypothesis;
 
 /// The numbers of the chapter on the program.
-pub const NUMBERS: &[(&str, fn() -> anyhow::Result<String>)] = &[
+pub const NUMBERS: &[(&str, Number)] = &[
     ("program.three-at-the-reset", || Ok(format!("{:.2}", ratio_at_the_reset(Mechanism::THREE_PIN)))),
     ("program.six-at-the-reset", || Ok(format!("{:.2}", -ratio_at_the_reset(Mechanism::SIX_PIN)))),
 ];

@@ -1,5 +1,6 @@
 //! Of the comparison: how many cells come out, how likely the tables are, and what chance would give.
 
+use super::Number;
 use crate::numbers::fixed;
 use anyhow::Context;
 use geneva_kinematics::Mechanism;
@@ -9,7 +10,7 @@ use geneva_ledger::meyer::runs::{
 };
 
 /// The numbers of the chapter on the runs.
-pub const NUMBERS: &[(&str, fn() -> anyhow::Result<String>)] = &[
+pub const NUMBERS: &[(&str, Number)] = &[
     ("runs.four", || Ok((rows().len() - others().count()).to_string())),
     ("runs.minima", || within(best()?, Column::Minimum)),
     ("runs.periods", || within(best()?, Column::Period)),
