@@ -62,8 +62,8 @@ pub fn order() -> Figure {
              the smooth problem lie along a line of slope 4 (observed: {smooth}), those of the problem with a switch, \
              far above, along one of slope 1 (observed: {switched})."
         ),
-        "Half the step, a sixteenth of the error: so it is while the right-hand side is smooth. Where it switches \
-         within a step, half the step gives only half the error, whatever the method's order.",
+        "Half the step, a sixteenth of the error: so it is while the right-hand side is smooth (x″ = −x). Where it \
+         switches within a step (x′ = 1, then 2), half the step gives only half the error, whatever the method's order.",
     );
     Chart::new([panel]).figure(words, series)
 }
