@@ -63,8 +63,11 @@ pub fn angles(escapement: &Mechanism, crank: f64) -> Result<Figure, FigureError>
             significant(distance, 4)
         ),
         format!(
-            "A general position, to scale at θ = {theta}. The pin's distance from the line of centres belongs to both \
-             angles: r sin θ = R sin φ; its foot divides c into r cos θ and R cos φ."
+            "A general position of the escapement with {} pins and {} slots, to scale at θ = {theta}; both angles are \
+             negative before the line of centres. The pin's distance from the line of centres belongs to both \
+             angles: r sin θ = R sin φ; its foot divides c into r cos θ and R cos φ.",
+            escapement.pins(),
+            escapement.slots()
         ),
     );
     Ok(words.figure(canvas, Kind::Mechanism, series))
@@ -92,10 +95,12 @@ fn names(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, pin: &Pixels) 
     angle(canvas, placing, &at.axis, MARK * at.view.scale, (0.0, at.theta), &Label::symbol("θ"));
     let mark = (MARK * reach).max(22.0);
     angle(canvas, placing, &at.pivot, mark, (PI, PI - at.phi), &Label::symbol("φ"));
+    // c stands away from the pin.
+    let [left, right] = if pin.y > at.axis.y { [&at.pivot, &at.axis] } else { [&at.axis, &at.pivot] };
     let sides = [
         (&at.axis, pin, Label::symbol("r").shade(DRIVER)),
         (&at.pivot, pin, Label::symbol("R").shade(FOLLOWER)),
-        (&at.axis, &at.pivot, Label::symbol("c")),
+        (left, right, Label::symbol("c")),
     ];
     for (from, to, label) in sides {
         placing.put(canvas, &label, beside_line(from, to, &NEAR));

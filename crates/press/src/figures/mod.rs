@@ -10,7 +10,8 @@ use geneva_figures::{Figure, escapement, pin, quick_return, stations};
 use geneva_kinematics::Mechanism;
 use geneva_kinematics::quick_return::{Drive, Position, QuickReturn};
 use geneva_kinematics::wheel::Wheel;
-use geneva_ledger::meyer::runs::{Hypothesis, choice::weakest};
+use geneva_ledger::meyer::runs::Hypothesis;
+use geneva_ledger::meyer::runs::choice::{least_braked, weakest};
 use geneva_ledger::{jazar, pin::Instant, quick_return::Instant as Lever};
 
 /// Draws a figure for the printed data of its source.
@@ -59,8 +60,8 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("runs-six-pin", || runs::over_torque(Mechanism::SIX_PIN)),
     ("runs-three-pin", || runs::over_torque(Mechanism::THREE_PIN)),
     ("steady-collapse", runs::collapse),
-    ("steady-return-map", || Ok(geneva_figures::steady::return_map(&parameters(example()?)?)?)),
-    ("steady-phase", || Ok(geneva_figures::steady::phase(&parameters(example()?)?)?)),
+    ("steady-return-map", || Ok(geneva_figures::steady::return_map(&with_three_pins()?)?)),
+    ("steady-phase", || Ok(geneva_figures::steady::phase(&with_three_pins()?)?)),
     ("steady-map-four-pin", || runs::map(Mechanism::FOUR_PIN)),
     ("steady-map-six-pin", || runs::map(Mechanism::SIX_PIN)),
     ("steady-map-three-pin", || runs::map(Mechanism::THREE_PIN)),
@@ -111,6 +112,12 @@ fn mechanism(slots: u32) -> anyhow::Result<Figure> {
     Ok(escapement::mechanism(&escapement, GENERAL * escapement.engagement_half_angle())?)
 }
 
+/// The three-pin run that brakes least, as the mechanism is: an engagement leaves more of a difference than with four pins,
+/// so that the steps to the steady state can be seen.
+fn with_three_pins() -> anyhow::Result<Parameters> {
+    parameters(rows::weakest(least_braked(Mechanism::THREE_PIN))?)
+}
+
 /// The example among the runs, and its speed as a pin enters in the steady state.
 fn in_steady_state() -> anyhow::Result<(Parameters, f64)> {
     let steady = rows::engagement(example()?, &Hypothesis::IDEAL)?.steady_state()?;
@@ -122,7 +129,6 @@ fn designs() -> anyhow::Result<Vec<escapement::Design>> {
     let design = |row| {
         let parameters = parameters(row)?;
         Ok(escapement::Design {
-            name: format!("{} pins", row.mechanism.pins()),
             mechanism: parameters.mechanism(),
             inertia_ratio: parameters.inertias().ratio(),
             friction: parameters.friction(),
