@@ -13,7 +13,8 @@ const STEPS: u32 = 32;
 /// Of the runs that were reset at another angle than the mechanism's own.
 const DASHES: &str = "5 5";
 /// The panels: the beginning of their titles, and the heights of their frames.
-const PANELS: [(&str, f64); 3] = [("peak speed over √(", 200.0), ("least speed over √(", 200.0), ("period times √(", 230.0)];
+const PANELS: [(&str, f64); 3] =
+    [("peak speed over √(", 200.0), ("least speed over √(", 200.0), ("period times √(", 230.0)];
 
 /// Peak and minimum over √(K / I_f), and period times the same.
 fn scaled(steady: &SteadyState, unit: f64) -> [f64; 3] {
@@ -76,9 +77,8 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, FigureError> {
     ];
     let worst = |k: usize| rows.iter().map(|row| (row[2 + k] / row[5 + k] - 1.0).abs()).fold(0.0, f64::max);
     let [peak, minimum, period] = [0, 1, 2].map(|k| significant(100.0 * worst(k), 2));
-    let of_group = |group: &Group| {
-        format!("{} with {} pins", significant(group.inertias.ratio(), 2), group.mechanism.pins())
-    };
+    let of_group =
+        |group: &Group| format!("{} with {} pins", significant(group.inertias.ratio(), 2), group.mechanism.pins());
     let inertias = groups.iter().map(of_group).collect::<Vec<_>>().join(", ");
     let words = Words::new(
         "steady-collapse",

@@ -46,7 +46,8 @@ pub fn return_map(parameters: &Parameters) -> Result<Figure, FigureError> {
         let u = end * f64::from(step) / f64::from(STEPS);
         rows.push([u, next(&engagement, u)?, next(&free, u)?]);
     }
-    let mut stairs = [0.0, ABOVE * fixed].map(|start| Stairs { corners: vec![(start, start)], engagements: Vec::new() });
+    let mut stairs =
+        [0.0, ABOVE * fixed].map(|start| Stairs { corners: vec![(start, start)], engagements: Vec::new() });
     for stairs in &mut stairs {
         let mut u = stairs.corners[0].0;
         for _ in 0..STAIRS {
@@ -71,13 +72,16 @@ pub fn return_map(parameters: &Parameters) -> Result<Figure, FigureError> {
         .curve(column(2), Stroke::new(FOLLOWER).dashed("3 4").class("free"))
         .curve(column(1), Stroke::new(DRIVER).class("braked"));
     for stairs in &stairs {
-        panel = panel
-            .curve(stairs.corners.iter().copied(), Stroke::new(CORIOLIS).wide(1.6).class("stairs"))
-            .marks(stairs.engagements.iter().copied(), Marker::new(CORIOLIS, Mark::Disc).sized(6.0).class("engagement"));
+        panel = panel.curve(stairs.corners.iter().copied(), Stroke::new(CORIOLIS).wide(1.6).class("stairs")).marks(
+            stairs.engagements.iter().copied(),
+            Marker::new(CORIOLIS, Mark::Disc).sized(6.0).class("engagement"),
+        );
     }
-    panel = panel
-        .marks([(fixed, fixed)], fixed_point)
-        .near([(fixed, fixed)], -FRAC_PI_4, Label::words(&format!("steady: {}", significant(fixed, 3))).shade(DRIVER));
+    panel = panel.marks([(fixed, fixed)], fixed_point).near(
+        [(fixed, fixed)],
+        -FRAC_PI_4,
+        Label::words(&format!("steady: {}", significant(fixed, 3))).shade(DRIVER),
+    );
     for (stairs, (name, towards)) in stairs.iter().zip([("from rest", FRAC_PI_4), ("from above", -FRAC_PI_2)]) {
         for (number, point) in stairs.engagements.iter().take(NUMBERED).enumerate() {
             let name = if number == 0 { format!("1, {name}") } else { (number + 1).to_string() };

@@ -43,8 +43,9 @@ pub const FIGURES: &[(&str, Draw)] = &[
     }),
     ("escapement-ratios", || Ok(escapement::ratios(&Mechanism::ALL))),
     ("escapement-forces", || {
-        let (parameters, speed) = in_steady_state()?;
-        let crank = -GENERAL * parameters.mechanism().engagement_half_angle();
+        let (parameters, entry_speed) = in_steady_state()?;
+        let crank = TRAILING * parameters.mechanism().engagement_half_angle();
+        let speed = escapement::speed_at(&parameters, entry_speed, crank)?;
         Ok(escapement::forces(&parameters, crank, speed)?)
     }),
     ("escapement-normal-force", || {
@@ -101,6 +102,8 @@ const MODEL_ANGLE: f64 = 0.5;
 
 /// Driver angle of the drawings of a general position, as a part of the half angle of the engagement.
 const GENERAL: f64 = -0.5;
+/// The same of the drawing of the forces: past the line of centres, where the follower drives the pin.
+const TRAILING: f64 = 2.0 / 3.0;
 
 fn with_slots(slots: u32) -> anyhow::Result<Mechanism> {
     Mechanism::new(slots).context("the thesis's mechanism cannot be built")
