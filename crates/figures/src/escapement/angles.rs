@@ -95,16 +95,15 @@ fn names(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, pin: &Pixels) 
     angle(canvas, placing, &at.axis, MARK * at.view.scale, (0.0, at.theta), &Label::symbol("θ"));
     let mark = (MARK * reach).max(22.0);
     angle(canvas, placing, &at.pivot, mark, (PI, PI - at.phi), &Label::symbol("φ"));
-    // c stands away from the pin.
-    let [left, right] = if pin.y > at.axis.y { [&at.pivot, &at.axis] } else { [&at.axis, &at.pivot] };
-    let sides = [
-        (&at.axis, pin, Label::symbol("r").shade(DRIVER)),
-        (&at.pivot, pin, Label::symbol("R").shade(FOLLOWER)),
-        (left, right, Label::symbol("c")),
-    ];
+    let sides =
+        [(&at.axis, pin, Label::symbol("r").shade(DRIVER)), (&at.pivot, pin, Label::symbol("R").shade(FOLLOWER))];
     for (from, to, label) in sides {
         placing.put(canvas, &label, beside_line(from, to, &NEAR));
     }
+    // Away from the pin, where the angles are not.
+    let places = beside_line(&at.axis, &at.pivot, &NEAR).into_iter();
+    let away = places.filter(|place| place.towards.y * (pin.y - at.axis.y) <= 0.0);
+    placing.put(canvas, &Label::symbol("c"), away);
     placing.put(canvas, &Label::words("B"), around(&at.axis, PI, &NEAR));
     placing.put(canvas, &Label::words("O"), around(&at.pivot, 0.0, &NEAR));
     placing.put(canvas, &Label::words("P"), around(pin, at.theta, &at.near_pin()));
