@@ -2,7 +2,8 @@
 
 use crate::Symbol;
 
-/// Each printed letter and the symbol of the book's chapters on the source. A letter that stands twice has two meanings in the source.
+/// Each printed letter and the symbol of the book's chapters on the source. A letter that stands twice has two meanings
+/// in the source.
 pub const SYMBOLS: &[Symbol] = &[
     Symbol { printed: "r", ours: "r", meaning: "radius of the circle of the pins" },
     Symbol { printed: "c", ours: "c", meaning: "distance of the two axes" },
