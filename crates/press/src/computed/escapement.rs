@@ -7,7 +7,6 @@ use geneva_ledger::meyer::runs::{Hypothesis, rows};
 
 /// The numbers of the chapter.
 pub const NUMBERS: &[(&str, fn() -> anyhow::Result<String>)] = &[
-    ("escapement.rows", || Ok(rows().len().to_string())),
     ("escapement.engagements", engagements),
     ("escapement.hand-overs", hand_overs),
     ("escapement.friction-a-day", || Ok(format!("{} minutes", a_day(|powers| powers.friction)?))),
