@@ -1,12 +1,13 @@
 //! Of the chapter on the escapement: what came of it, in a few numbers, over all rows of the thesis as the mechanisms are.
 
+use super::Number;
 use crate::rows::{engagement, parameters};
 use anyhow::Context;
 use geneva_dynamics::timer::Sensitivities;
 use geneva_ledger::meyer::runs::{Hypothesis, rows};
 
 /// The numbers of the chapter.
-pub const NUMBERS: &[(&str, fn() -> anyhow::Result<String>)] = &[
+pub const NUMBERS: &[(&str, Number)] = &[
     ("escapement.engagements", engagements),
     ("escapement.hand-overs", hand_overs),
     ("escapement.friction-a-day", || Ok(format!("{} minutes", a_day(|powers| powers.friction)?))),

@@ -1,10 +1,11 @@
 //! Of the chapter on the solver: what it takes, from the record.
 
+use super::Number;
 use crate::measurements::{Measurement, integrators};
 use anyhow::Context;
 
 /// The numbers of the chapter.
-pub const NUMBERS: &[(&str, fn() -> anyhow::Result<String>)] = &[
+pub const NUMBERS: &[(&str, Number)] = &[
     ("solver.escapements", || Ok(each()?.1.to_string())),
     ("solver.steady-state", || Ok(format!("{:.0} µs", each()?.0))),
 ];

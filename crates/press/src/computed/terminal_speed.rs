@@ -1,5 +1,6 @@
 //! Of the chapter on the steady state: multipliers, over the rows of the thesis as the mechanisms are.
 
+use super::Number;
 use super::escapement::over;
 use crate::rows::engagement;
 use geneva_dynamics::steady::SteadyState;
@@ -8,7 +9,7 @@ use geneva_ledger::meyer::runs::choice::rows_of;
 use geneva_ledger::meyer::runs::{Hypothesis, Row, rows};
 
 /// The numbers of the chapter.
-pub const NUMBERS: &[(&str, fn() -> anyhow::Result<String>)] = &[
+pub const NUMBERS: &[(&str, Number)] = &[
     ("terminal-speed.multiplier.three-pin", || multiplier(Mechanism::THREE_PIN)),
     ("terminal-speed.multiplier.four-pin", || multiplier(Mechanism::FOUR_PIN)),
     ("terminal-speed.multiplier.six-pin", || multiplier(Mechanism::SIX_PIN)),
