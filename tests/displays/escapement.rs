@@ -19,9 +19,7 @@ pub fn over_the_angle() -> Vec<Moment> {
     let squared = |state: Moment| {
         let [speed, angular_acceleration, follower] =
             ["theta'", "theta''", "varphi'"].map(|name| state.letters()[name]);
-        let [ratio, angle, distance, radius] = ["a", "theta", "R", "r"].map(|name| state.letters()[name]);
-        let slide = ratio * libm::sin(angle) * (radius / distance) * (radius / distance);
-        state.with([("u", speed * speed), ("u'", 2.0 * angular_acceleration), ("q", follower / speed), ("k", slide)])
+        state.with([("u", speed * speed), ("u'", 2.0 * angular_acceleration), ("q", follower / speed)])
     };
     states().into_iter().map(squared).collect()
 }

@@ -38,8 +38,9 @@ pub fn count_word(pins: u32) -> &'static str {
 /// Which escapement a figure shows, as its caption ends: pins, friction and the ratio of the inertias.
 pub fn shown(parameters: &Parameters) -> String {
     format!(
-        "Shown: {} pins, μ = {}, I_D/I_f = {}.",
+        "Shown: {} pins and {} slots, friction μ = {}, driver's moment of inertia over the follower's {}.",
         parameters.mechanism().pins(),
+        parameters.mechanism().slots(),
         trimmed(parameters.friction(), 4),
         significant(parameters.inertias().ratio(), 2)
     )

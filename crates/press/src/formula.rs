@@ -15,9 +15,10 @@ use math_core::{LatexError, LatexToMathML, MathCoreConfig, MathDisplay};
 /// the book's font has no sign for is an error, and so is an equation that would be numbered without a `\tag`.
 pub fn formula(tex: &str, display: bool) -> anyhow::Result<String> {
     let tex = tex.trim();
-    // A display with a number of its own is an equation, whether it says so or not.
-    let wrapped = (display && tex.contains(r"\tag{") && !tex.contains(r"\begin{"))
-        .then(|| format!(r"\begin{{equation}}{tex}\end{{equation}}"));
+    // A display with a number of its own is an equation, whether it says so or not; its lines may be aligned.
+    let is_equation = !tex.contains(r"\begin{") || tex.starts_with(r"\begin{aligned}");
+    let wrapped =
+        (display && tex.contains(r"\tag{") && is_equation).then(|| format!(r"\begin{{equation}}{tex}\end{{equation}}"));
     let markup = markup(wrapped.as_deref().unwrap_or(tex), display).with_context(|| format!("the formula `{tex}`"))?;
     Ok(if display { format!("<span class=\"display\">{markup}</span>") } else { markup })
 }

@@ -63,8 +63,11 @@ pub fn angles(escapement: &Mechanism, crank: f64) -> Result<Figure, FigureError>
             significant(distance, 4)
         ),
         format!(
-            "A general position, to scale at θ = {theta}. The pin's distance from the line of centres belongs to both \
-             angles: r sin θ = R sin φ; its foot divides c into r cos θ and R cos φ."
+            "A general position of the escapement with {} pins and {} slots, to scale at θ = {theta}; both angles are \
+             negative before the line of centres. The pin's distance from the line of centres belongs to both \
+             angles: r sin θ = R sin φ; its foot divides c into r cos θ and R cos φ.",
+            escapement.pins(),
+            escapement.slots()
         ),
     );
     Ok(words.figure(canvas, Kind::Mechanism, series))
@@ -92,14 +95,15 @@ fn names(canvas: &mut Canvas, placing: &mut Placing, at: &Bodies, pin: &Pixels) 
     angle(canvas, placing, &at.axis, MARK * at.view.scale, (0.0, at.theta), &Label::symbol("θ"));
     let mark = (MARK * reach).max(22.0);
     angle(canvas, placing, &at.pivot, mark, (PI, PI - at.phi), &Label::symbol("φ"));
-    let sides = [
-        (&at.axis, pin, Label::symbol("r").shade(DRIVER)),
-        (&at.pivot, pin, Label::symbol("R").shade(FOLLOWER)),
-        (&at.axis, &at.pivot, Label::symbol("c")),
-    ];
+    let sides =
+        [(&at.axis, pin, Label::symbol("r").shade(DRIVER)), (&at.pivot, pin, Label::symbol("R").shade(FOLLOWER))];
     for (from, to, label) in sides {
         placing.put(canvas, &label, beside_line(from, to, &NEAR));
     }
+    // Away from the pin, where the angles are not.
+    let places = beside_line(&at.axis, &at.pivot, &NEAR).into_iter();
+    let away = places.filter(|place| place.towards.y * (pin.y - at.axis.y) <= 0.0);
+    placing.put(canvas, &Label::symbol("c"), away);
     placing.put(canvas, &Label::words("B"), around(&at.axis, PI, &NEAR));
     placing.put(canvas, &Label::words("O"), around(&at.pivot, 0.0, &NEAR));
     placing.put(canvas, &Label::words("P"), around(pin, at.theta, &at.near_pin()));

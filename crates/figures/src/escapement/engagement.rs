@@ -51,11 +51,17 @@ pub fn speeds(parameters: &Parameters, entry_speed: f64) -> Result<Vec<[f64; 2]>
     let at = |step: u32| {
         // Counted from the line of centres, so that both halves have the same angles.
         let theta = half * ((2.0 * f64::from(step) - f64::from(STEPS)) / f64::from(STEPS));
-        let speed = match step {
-            0 => entry_speed,
-            _ => Engagement::reset_after(parameters, half + theta, TOLERANCE)?.passage(entry_speed)?.end_speed(),
-        };
-        Ok([theta, speed])
+        Ok([theta, if step == 0 { entry_speed } else { speed_at(parameters, entry_speed, theta)? }])
     };
     (0..=STEPS).map(at).collect()
+}
+
+/// θ' at a driver angle behind the entry (θ in radians), of a driver that has this speed (≥ 0) as the pin enters.
+///
+/// # Errors
+///
+/// [`FigureError::Dynamics`] if the angle is not behind the entry, or if the motion cannot be followed so far.
+pub fn speed_at(parameters: &Parameters, entry_speed: f64, theta: f64) -> Result<f64, FigureError> {
+    let turned = parameters.mechanism().engagement_half_angle() + theta;
+    Ok(Engagement::reset_after(parameters, turned, TOLERANCE)?.passage(entry_speed)?.end_speed())
 }

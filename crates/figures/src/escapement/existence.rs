@@ -1,12 +1,11 @@
 //! How much friction an escapement can bear before its equation of motion has no single solution.
 
-use crate::chart::{Axis, Chart, Panel, Spot, of_mechanism};
+use crate::chart::{Axis, Chart, Entry, Panel, Spot, of_mechanism};
 use crate::number::trimmed;
 use crate::svg::Label;
 use crate::{Figure, Series, Words};
 use geneva_dynamics::existence::{critical_friction, critical_inertia_ratio};
 use geneva_kinematics::Mechanism;
-use std::f64::consts::PI;
 use std::ops::Range;
 
 /// Points of a curve.
@@ -20,8 +19,6 @@ const LIMITS: Range<f64> = 1e-6..1e6;
 /// An escapement to be marked on the map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Design {
-    /// What it is called, in a few letters.
-    pub name: String,
     /// Pins, slots and centre distance.
     pub mechanism: Mechanism,
     /// I_D / I_f.
@@ -41,9 +38,6 @@ impl Design {
     }
 }
 
-/// Designs of one name and mechanism, with their places on the map.
-type Group<'a> = (&'a str, Mechanism, Vec<(f64, f64)>);
-
 /// The critical friction μ* over I_D / I_f for the three mechanisms, with designs marked on it.
 ///
 /// Below its curve a mechanism has one acceleration at every angle; on it and above there are angles with none or more
@@ -56,24 +50,15 @@ pub fn existence(designs: &[Design]) -> Figure {
     for mechanism in Mechanism::ALL {
         panel = panel.curve(curve(mechanism, &inertias.range, frictions.range.end), of_mechanism(mechanism.slots()).0);
     }
-    let mut groups: Vec<Group<'_>> = Vec::new();
     for design in &designs {
-        let point = (design.inertia_ratio, design.friction);
-        match groups.iter_mut().find(|(name, mechanism, _)| *name == design.name && *mechanism == design.mechanism) {
-            Some((.., points)) => points.push(point),
-            None => groups.push((&design.name, design.mechanism, vec![point])),
-        }
-        panel = panel.marks([point], of_mechanism(design.mechanism.slots()).1.sized(11.0).class("point"));
+        let marker = of_mechanism(design.mechanism.slots()).1.sized(11.0).class("point");
+        panel = panel.marks([(design.inertia_ratio, design.friction)], marker);
     }
-    for mechanism in Mechanism::ALL {
-        let high = curve(mechanism, &inertias.range, frictions.range.end).into_iter().rev().take(STEPS as usize / 2);
-        let label =
-            Label::words(&format!("{} slots", mechanism.slots())).shade(of_mechanism(mechanism.slots()).0.shade);
-        panel = panel.near(high.step_by(4), PI, label);
-    }
-    for (name, mechanism, points) in groups {
-        panel = panel.near(points, 0.0, Label::words(name).shade(of_mechanism(mechanism.slots()).0.shade));
-    }
+    let key = Mechanism::ALL.map(|mechanism| {
+        let (pins, slots) = (mechanism.pins(), mechanism.slots());
+        let look = of_mechanism(slots);
+        Entry::both(look, Label::words(&format!("{pins} pins, {slots} slots")).shade(look.0.shade))
+    });
     let above = [0.06, 0.1, 0.16, 0.22].into_iter().flat_map(|y| [0.18, 0.2, 0.24].map(|x| [x, 1.0 - y]));
     let below = [0.84, 0.78, 0.9, 0.7, 0.66, 0.6].into_iter().flat_map(|y| [0.78, 0.72].map(|x| [x, 1.0 - y]));
     let panel = panel
@@ -91,17 +76,17 @@ pub fn existence(designs: &[Design]) -> Figure {
              from right to left: fewer slots bear less friction. Below its curve a mechanism has exactly one \
              acceleration at every angle.{marked}"
         ),
-        "Critical friction: below its curve a mechanism has exactly one acceleration at every angle of the engagement; \
+        "Critical friction of the three mechanisms over their inertias (curves), and the runs of the thesis (marks of \
+         the same colour). Below its curve a mechanism has exactly one acceleration at every angle of the engagement; \
          above it there are angles with none, or with two. A light driver bears little friction.",
     );
-    Chart::new([panel]).figure(words, Series::new(columns, rows(&inertias.range, &designs)))
+    Chart::new([panel]).key(key).figure(words, Series::new(columns, rows(&inertias.range, &designs)))
 }
 
 fn said(design: &Design) -> String {
     let side = if design.is_sound() { "below" } else { "above" };
     format!(
-        "{}, {} slots, at I_D / I_f = {}, μ = {}: {side} its curve",
-        design.name,
+        "{} slots at I_D / I_f = {}, μ = {}: {side} its curve",
         design.mechanism.slots(),
         trimmed(design.inertia_ratio, 4),
         trimmed(design.friction, 4)
@@ -116,7 +101,7 @@ fn axes(designs: &[&Design]) -> [Axis; 2] {
     let top = designs.iter().map(|design| design.friction).fold(FRICTION, f64::max);
     let ratio = Label::words("inertia of the driver over that of the follower, ").and_symbol("I").sub("D");
     let ratio = ratio.and(" / ").and_symbol("I").sub("f");
-    let friction = Label::words("friction ").and_symbol("μ");
+    let friction = Label::words("coefficient of friction ").and_symbol("μ");
     [Axis::logarithmic(start..end).titled(ratio), Axis::from_zero(0.0, top, 4.0).titled(friction)]
 }
 
@@ -152,17 +137,17 @@ pub mod tests {
     use super::*;
     use crate::checks::{Drawing, drawn};
 
-    fn design(name: &str, mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> Design {
-        Design { name: name.to_owned(), mechanism, inertia_ratio, friction }
+    fn design(mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> Design {
+        Design { mechanism, inertia_ratio, friction }
     }
 
     /// Some designs, two of them close together.
     pub fn designs() -> Vec<Design> {
         vec![
-            design("one", Mechanism::FOUR_PIN, 0.03, 0.125),
-            design("another, close by", Mechanism::FOUR_PIN, 0.04, 0.2),
-            design("six pins", Mechanism::SIX_PIN, 0.7, 0.375),
-            design("three pins", Mechanism::THREE_PIN, 0.04, 0.25),
+            design(Mechanism::FOUR_PIN, 0.03, 0.125),
+            design(Mechanism::FOUR_PIN, 0.04, 0.2),
+            design(Mechanism::SIX_PIN, 0.7, 0.375),
+            design(Mechanism::THREE_PIN, 0.04, 0.25),
         ]
     }
 
@@ -189,7 +174,7 @@ pub mod tests {
 
     #[test]
     fn designs_far_off_widen_the_map_or_are_left_out() {
-        let far = |inertia, friction| vec![design("far", Mechanism::THREE_PIN, inertia, friction)];
+        let far = |inertia, friction| vec![design(Mechanism::THREE_PIN, inertia, friction)];
         for (marked, designs) in [
             (4, designs()),
             (0, vec![]),

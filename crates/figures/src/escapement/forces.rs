@@ -3,7 +3,7 @@
 use super::engagement::Instant;
 use super::force_panels::{contact, follower, pin_and_driver};
 use super::pose::{Bodies, Margins};
-use crate::number::{degrees, short, significant, without_noise};
+use crate::number::{degrees, short, shown, significant, without_noise};
 use crate::parts::{WIDTH, angle_label};
 use crate::svg::{Canvas, Kind, Label, Pixels, Shape, heading};
 use crate::theme::GRID;
@@ -83,11 +83,15 @@ pub fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<Figure,
             short(friction, 3)
         ),
         format!(
-            "Forces at θ = {}: {}. Friction acts on the pin against its sliding; its arm about B is c sin φ, \
-             the distance of B from the slot's centre line. What acts through O has no moment and is left out; arrows \
-             show directions, not sizes.",
+            "Forces at θ = {}, with a driver's speed of {} roots of the spring's torque over the follower's moment of \
+             inertia: {}. N counts as positive where the pin drives the follower. N r/K is the moment that N would have \
+             at the crank radius, in torques K of the spring; the other two are the moments on the driver and on the \
+             follower in the same unit. The friction acts on the pin against its sliding, with the arm c sin φ about B. \
+             Forces through O have no moment about it and are left out; arrows show directions, not sizes. {}",
             degrees(crank),
-            senses.flank_words()
+            significant(speed / parameters.drive().sqrt(), 3),
+            senses.flank_words(),
+            shown(parameters)
         ),
     );
     Ok(words.figure(canvas, Kind::Steps, series))

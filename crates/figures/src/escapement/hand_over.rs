@@ -73,8 +73,11 @@ pub fn hand_over(escapement: &Mechanism) -> Figure {
             significant(rim, 4),
             significant(ratio, 4)
         ),
-        "The hand-over. Each crank is at right angles to its slot, so both pins move along their slots' centre \
-                  lines and the follower stands still for this instant: θ₀ + φ₀ is a quarter turn.",
+        format!(
+            "The hand-over with {m} pins and {n} slots; the driver, at the left, turns counter-clockwise. Each crank is \
+             at right angles to its slot, so both pins move along their slots' centre lines and the follower stands \
+             still for this instant: θ₀ + φ₀ is a quarter turn."
+        ),
     );
     words.figure(canvas, Kind::Mechanism, series)
 }

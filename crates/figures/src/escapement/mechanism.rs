@@ -16,7 +16,7 @@ const MARKS: [f64; 2] = [62.0, 46.0];
 
 /// Driver with all pins and follower with all slots at a driver angle (θ in radians, within ±π/m), to scale.
 ///
-/// Thin lines lead from both axes to where a pin leaves and where it enters; they make the half angles π/m and π/n with
+/// Dashed lines lead from both axes to where a pin leaves and where it enters; they make the half angles π/m and π/n with
 /// the line of centres. The widths of slots, pins and the hollows between the slots are free. Series: n, m, c/r, rim/r,
 /// π/m, π/n, θ, φ, R/r.
 ///
@@ -52,7 +52,7 @@ pub fn mechanism(escapement: &Mechanism, crank: f64) -> Result<Figure, FigureErr
     ]);
     let words = Words::new(
         id("mechanism", escapement),
-        format!("Geneva escapement with {n} slots and {m} pins"),
+        format!("Geneva escapement with {m} pins and {n} slots"),
         format!(
             "At the left the driver, a disc with {m} pins all round, turning counter-clockwise about B. At the right \
              the follower, a star with {n} slots, turning clockwise about O, {} crank radii from B; its rim has a \
@@ -66,8 +66,9 @@ pub fn mechanism(escapement: &Mechanism, crank: f64) -> Result<Figure, FigureErr
             degrees(without_noise(bodies.phi, 1.0))
         ),
         format!(
-            "The escapement with {n} slots and {m} pins, to scale. A pin enters at the lower crossing of the thin \
-             lines and leaves at the upper one, π/{m} before and after the line of centres."
+            "The escapement with {m} pins and {n} slots, to scale. The driver, at the left, turns counter-clockwise, and \
+             its disc lies behind the follower; the follower turns clockwise. A pin enters at the lower crossing of \
+             the dashed lines and leaves at the upper one, π/{m} before and after the line of centres."
         ),
     );
     Ok(words.figure(canvas, Kind::Mechanism, series))

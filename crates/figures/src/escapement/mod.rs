@@ -20,6 +20,7 @@ mod pose;
 mod ratios;
 
 pub use angles::angles;
+pub use engagement::speed_at;
 pub(crate) use engagement::speeds;
 pub use existence::{Design, existence};
 pub use forces::forces;

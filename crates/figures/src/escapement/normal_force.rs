@@ -9,7 +9,7 @@ use crate::theme::{DRIVER, FILL, FOLLOWER, PAPER};
 use crate::{Figure, FigureError, Series, Words};
 use geneva_dynamics::Parameters;
 use geneva_dynamics::steady::Engagement;
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Marks of the angle to either side of the line of centres.
 const MARKS: i32 = 3;
@@ -74,9 +74,10 @@ pub fn normal_force(parameters: &Parameters, entry_speed: f64) -> Result<Figure,
             ))
         ),
         format!(
-            "One engagement. At first the pin drives the follower; then the follower, running ahead, drives the pin, and \
-             N changes sign with the flank. The friction acts against the motion on either flank, so its torque is |F| in \
-             the equation of motion; F also changes sign on the line of centres, where the sliding turns round. {}",
+            "One engagement of the steady state. At first the pin drives the follower (N positive); then the follower, \
+             running ahead, drives the pin, and N changes sign with the flank. The friction acts against the motion on \
+             either flank, so its torque is |F| in the equation of motion; F also changes sign on the line of centres, \
+             where the sliding turns round. {}",
             shown(parameters)
         ),
     );
@@ -92,7 +93,9 @@ fn ends(first: f64, changes: &[Option<f64>], last: f64) -> Vec<f64> {
 fn forces(x: &Axis, instants: &[Instant], change: Option<f64>) -> Panel {
     let values = || instants.iter().flat_map(|at| [at.normal, at.friction]);
     let y = Axis::from_zero(values().fold(0.0, f64::min), values().fold(0.0, f64::max), 4.0);
-    let y = y.titled(Label::words("parts of the driving torque ").and_symbol("K"));
+    let y = y.titled(Label::words("moments in torques ").and_symbol("K").and(" of the spring"));
+    // Where the words about the change of the flank stand: high above the curves there.
+    let aloft = 0.75 * y.range.end;
     let mut panel = Panel::new(336.0, x, &y).horizontal(0.0, Stroke::thin("zero"));
     let normal = Label::symbol("N").and_symbol("\u{2009}r").and(" / ").and_symbol("K");
     let friction = Label::words("friction ").and_symbol("τ").sub("2").and(" / ").and_symbol("K");
@@ -109,11 +112,11 @@ fn forces(x: &Axis, instants: &[Instant], change: Option<f64>) -> Panel {
         panel = panel.vertical(change.to_degrees(), Stroke::thin("switch").dashed("5 4"));
         panel = panel.marks([(change.to_degrees(), 0.0)], marker);
         let label = Label::words("flank changes: ").and_symbol("θ").and(&format!(" = {}", degrees(change)));
-        panel = panel.near([(change.to_degrees(), 0.0)], FRAC_PI_4, label);
+        panel = panel.near([(change.to_degrees(), aloft)], PI, label);
     }
-    for ((value, _, label), share) in curves.into_iter().zip([0.25, 0.2]) {
+    for ((value, _, label), (share, side)) in curves.into_iter().zip([(0.25, FRAC_PI_2), (0.06, -FRAC_PI_2)]) {
         let first = (share * f64::from(STEPS)) as usize;
-        panel = panel.near(points(value).skip(first).step_by(12).take(8), FRAC_PI_2, label);
+        panel = panel.near(points(value).skip(first).step_by(12), side, label);
     }
     panel
 }

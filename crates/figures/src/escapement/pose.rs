@@ -145,7 +145,13 @@ impl Bodies {
             placing.take([axis - Vector2::new(6.0, 6.0), axis + Vector2::new(6.0, 6.0)]);
         }
         for slot in &self.layout.slots {
-            placing.avoid(&self.view.place(&slot.mouth), &self.view.place(&slot.bottom), 0.8);
+            let [mouth, bottom] = [slot.mouth, slot.bottom].map(|at| self.view.place(&at));
+            placing.avoid(&mouth, &bottom, 0.8);
+            let along = (mouth - bottom).normalize();
+            let across = Vector2::new(-along.y, along.x) * (self.star.half_width * self.view.scale);
+            for flank in [across, -across] {
+                placing.avoid(&(mouth + flank), &(bottom + flank), 0.8);
+            }
         }
         placing.avoid_arc(&self.axis, self.view.scale, 0.0, 2.0 * PI, 0.3);
         placing.avoid_arc(&self.axis, self.disc(), 0.0, 2.0 * PI, 0.6);

@@ -22,14 +22,15 @@ pub fn ratios(escapements: &[Mechanism]) -> Figure {
     let greatest = escapements.iter().map(peak).fold(1e-3, f64::max);
     let angle = Label::words("driver angle ").and_symbol("θ").and(" / (π/").and_symbol("m").and("): entry −1, exit 1");
     let x = Axis { decimals: 1, ..Axis::whole(-1.0..1.0, [-1.0, -0.5, 0.0, 0.5, 1.0]) };
-    let ratio = Label::symbol("φ").and("′ / ").and_symbol("θ").and("\u{200a}′");
+    let ratio = Label::words("speed of the follower over the driver's, ").and_symbol("φ").and("′ / ").and_symbol("θ");
+    let ratio = ratio.and("\u{200a}′");
     let y = Axis::from_zero(0.0, greatest, 4.0).titled(ratio);
     let mut panel = Panel::new(366.0, &x.titled(angle), &y);
     let mut key = Vec::new();
     for (k, one) in escapements.iter().enumerate() {
         let (stroke, _) = of_mechanism(one.slots());
         panel = panel.curve(rows.iter().map(|row| (row[0], row[1 + 2 * k])), stroke);
-        let name = format!("{} slots: mean {}", one.slots(), mean(one));
+        let name = format!("{} pins, {} slots: mean {}", one.pins(), one.slots(), mean(one));
         key.push(Entry::curve(stroke, Label::words(&name).shade(stroke.shade)));
     }
     for one in escapements {
@@ -54,8 +55,9 @@ pub fn ratios(escapements: &[Mechanism]) -> Figure {
              zero at both ends and greatest on the line of centres. {}.",
             said.join("; ")
         ),
-        "The follower stands still at every hand-over and is fastest on the line of centres: with few slots in short \
-         bursts, with more slots gently. The mean is m/n, pins over slots.",
+        "The follower's speed over the driver's, by the geometry alone. It is zero at every hand-over and greatest on \
+         the line of centres: with few slots in short bursts, with more slots gently. It never changes its sign: the \
+         follower alternates in speed and does not reverse. The mean is m/n, pins over slots.",
     );
     Chart::new([panel]).key(key).figure(words, series)
 }

@@ -4,6 +4,7 @@ use crate::chart::{Axis, Chart, Entry, Panel, Spot, Stroke, of_mechanism};
 use crate::number::significant;
 use crate::runs::{Group, Run};
 use crate::svg::Label;
+use crate::theme::INK;
 use crate::{Figure, FigureError, Series, Words};
 use geneva_dynamics::steady::SteadyState;
 
@@ -12,7 +13,8 @@ const STEPS: u32 = 32;
 /// Of the runs that were reset at another angle than the mechanism's own.
 const DASHES: &str = "5 5";
 /// The panels: the beginning of their titles, and the heights of their frames.
-const PANELS: [(&str, f64); 3] = [("peak over √(", 200.0), ("minimum over √(", 200.0), ("period times √(", 230.0)];
+const PANELS: [(&str, f64); 3] =
+    [("peak speed over √(", 200.0), ("least speed over √(", 200.0), ("period times √(", 230.0)];
 
 /// Peak and minimum over √(K / I_f), and period times the same.
 fn scaled(steady: &SteadyState, unit: f64) -> [f64; 3] {
@@ -53,10 +55,13 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, FigureError> {
     let x = frictions(&rows)?;
     let curves = groups.iter().map(|group| both(group, &x)).collect::<Result<Vec<_>, FigureError>>()?;
     let panels = [0, 1, 2].map(|k| panel(groups, &rows, &curves, &x, k));
-    let key = groups.iter().map(|group| {
+    let printed = groups.iter().map(|group| {
         let marker = of_mechanism(group.mechanism.slots()).1;
         Entry::marks([marker], Label::words(&format!("{} pins", group.mechanism.pins())).shade(marker.shade))
     });
+    let [own, as_run] = [Stroke::new(INK).wide(2.2), Stroke::new(INK).wide(1.6).dashed(DASHES)];
+    let lines = [(own, "the mechanism"), (as_run, "the program as run")];
+    let key = printed.chain(lines.map(|(stroke, name)| Entry::curve(stroke, Label::words(name))));
     let columns = [
         ("n", "1"),
         ("mu", "1"),
@@ -72,6 +77,9 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, FigureError> {
     ];
     let worst = |k: usize| rows.iter().map(|row| (row[2 + k] / row[5 + k] - 1.0).abs()).fold(0.0, f64::max);
     let [peak, minimum, period] = [0, 1, 2].map(|k| significant(100.0 * worst(k), 2));
+    let of_group =
+        |group: &Group| format!("{} with {} pins", significant(group.inertias.ratio(), 2), group.mechanism.pins());
+    let inertias = groups.iter().map(of_group).collect::<Vec<_>>().join(", ");
     let words = Words::new(
         "steady-collapse",
         "All runs without the torque: peak, minimum and period over the friction",
@@ -83,10 +91,13 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, FigureError> {
              periods.",
             rows.len()
         ),
-        "The law of similarity: measured in the units that torque and inertias make, runs of all torques fall \
-         together, and each mechanism has one curve (unbroken). The points are the printed rows. Those of six and \
-         three pins lie on the broken curves, for a driver whose angle is reset after 90° as the program does, and not \
-         on those of the mechanisms. What is left is rounding and, in the peaks, the time between two printed lines.",
+        format!(
+            "The law of similarity: divided by the scales that torque and inertias make, the printed rows of all torques \
+         fall together (marks). The unbroken curves are the mechanisms', the broken ones those of the program of 1973, \
+         which resets the driver's angle after 90°. For four pins the two are one. The rows of six and three pins lie \
+         on the broken curves: they are runs of the program and not of the mechanisms. Driver's moment of inertia \
+         over the follower's: {inertias}."
+        ),
     );
     Ok(Chart::new(panels).key(key).figure(words, Series::new(columns, rows)))
 }
@@ -118,7 +129,8 @@ fn panel(groups: &[Group], rows: &[[f64; 11]], curves: &[[Option<Results>; 2]], 
     let (name, height) = PANELS[k];
     let title = Label::words(name).and_symbol("K").and("/").and_symbol("I").sub("f").and(")");
     let last = k + 1 == PANELS.len();
-    let x = if last { x.clone().titled(Label::words("friction ").and_symbol("μ")) } else { x.clone().unnumbered() };
+    let title_of_x = Label::words("coefficient of friction ").and_symbol("μ");
+    let x = if last { x.clone().titled(title_of_x) } else { x.clone().unnumbered() };
     let mut panel = Panel::new(height, &x, &Axis::from_zero(0.0, values.fold(0.0, f64::max), 4.0).titled(title));
     for (group, both) in groups.iter().zip(curves) {
         let (stroke, marker) = of_mechanism(group.mechanism.slots());

@@ -37,7 +37,7 @@ const KEPT: usize = 6;
 /// The lines of both panels, and beside the name of the y axis what they are.
 const LINES: [Stroke; 2] =
     [Stroke::new(DRIVER).wide(1.8).class("equal"), Stroke::new(FOLLOWER).wide(1.8).dashed("8 4").class("equal")];
-const NAMES: [&str; 2] = ["and lines of equal mean speed", "and lines of equal rise, in engagements"];
+const NAMES: [&str; 2] = ["with lines of equal mean speed", "with lines of equal rise, in engagements"];
 
 /// A value of the steady motion at a torque and an inertia of the follower of one.
 type Value = fn(&SteadyState) -> f64;
@@ -110,8 +110,8 @@ fn raised(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
 fn panel(mechanism: Mechanism, own: &[&Design], grid: &Grid, lines: &[Line], k: usize) -> Panel {
     let marks = (0..=6).map(|k| FRICTIONS.end * f64::from(k) / 6.0);
     let x = Axis { decimals: 1, ..Axis::whole(FRICTIONS, marks) };
-    let x = if k == 1 { x.titled(Label::words("friction ").and_symbol("μ")) } else { x };
-    let title = Label::symbol("I").sub("D").and(" / ").and_symbol("I").sub("f").and(&format!("  {}", NAMES[k]));
+    let x = if k == 1 { x.titled(Label::words("coefficient of friction ").and_symbol("μ")) } else { x };
+    let title = Label::symbol("I").sub("D").and(" / ").and_symbol("I").sub("f").and(&format!(", {}", NAMES[k]));
     let boundary = critical(mechanism);
     let ground = boundary.iter().copied().chain([(FRICTIONS.end, INERTIAS.start)]);
     // As far as it is above the foot of the panel.
@@ -205,10 +205,10 @@ fn words(mechanism: Mechanism, own: &[&Design], shown: [usize; 2], ridge: &[(f64
             if said.is_empty() { String::new() } else { format!(" Marked: {}.", said.join("; ")) }
         ),
         format!(
-            "{pins} pins. Above, lines of equal mean terminal speed, in units of the root of the torque over the \
-             follower's inertia; below, lines of equal number of engagements until a difference of speeds has shrunk \
-             to a hundredth. Marked: the runs; dotted: the ratio of the inertias at which the mean speed is greatest. \
-             On the tinted ground the equation of motion has no single solution."
+            "{pins} pins and {} slots: above, lines of equal mean speed in the steady state, in roots of the spring's \
+             torque over the follower's moment of inertia; below, lines of equal number of engagements until a difference of speeds is down to a hundredth. Marks: the runs of the \
+             thesis.",
+            mechanism.slots()
         ),
     )
 }
@@ -219,7 +219,7 @@ mod tests {
     use crate::checks::{Drawing, sound};
 
     fn design(mechanism: Mechanism, inertia_ratio: f64, friction: f64) -> Design {
-        Design { name: String::new(), mechanism, inertia_ratio, friction }
+        Design { mechanism, inertia_ratio, friction }
     }
 
     #[test]

@@ -34,8 +34,8 @@ struct Round {
 
 /// θ' over θ in successive engagements, from rest and from twice the steady speed at entry, with the steady cycle.
 ///
-/// Speeds are over √(K / I_f). Marks show where the friction changes its sign past the line of centres; it also does on
-/// the line of centres. Series: θ, then θ' of the engagements from rest, of those from above, and in the steady cycle.
+/// Speeds are over √(K / I_f). Marks show where the contact changes flank; there, and on the line of centres, the sign of
+/// the friction changes. Series: θ, then θ' of the engagements from rest, of those from above, and in the steady cycle.
 ///
 /// # Errors
 ///
@@ -75,7 +75,7 @@ pub fn phase(parameters: &Parameters) -> Result<Figure, FigureError> {
     let curves = STROKES.into_iter().zip(names);
     let mut key: Vec<Entry> =
         curves.map(|(stroke, name)| Entry::curve(stroke, Label::words(name).shade(stroke.shade))).collect();
-    key.push(Entry::marks([Marker::new(INK, Mark::Diamond)], Label::words("friction changes its sign")));
+    key.push(Entry::marks([Marker::new(INK, Mark::Diamond)], Label::words("contact changes flank")));
     let series = series(&from_rest, &from_above, &cycle);
     Ok(Chart::new([panel]).key(key).figure(words(parameters, &steady, unit, &cycle), series))
 }
@@ -83,7 +83,8 @@ pub fn phase(parameters: &Parameters) -> Result<Figure, FigureError> {
 /// All engagements over angles of ±`half` degrees, the first two of each kind numbered.
 fn panel(half: f64, groups: [&[Round]; 3]) -> Panel {
     let all = groups.iter().flat_map(|rounds| rounds.iter()).flat_map(|round| &round.points);
-    let symbol = Label::symbol("θ").and("\u{200a}′ over √(").and_symbol("K").and("/").and_symbol("I").sub("f").and(")");
+    let symbol = Label::words("driver's speed ").and_symbol("θ").and("\u{200a}′ over √(");
+    let symbol = symbol.and_symbol("K").and("/").and_symbol("I").sub("f").and(")");
     let y = Axis::from_zero(0.0, all.map(|point| point.1).fold(0.0, f64::max), 5.0).titled(symbol);
     let angle = Label::words("driver angle ").and_symbol("θ").and(" in degrees");
     let x = Axis::of_engagement(half, MARKS).titled(angle);
@@ -93,7 +94,7 @@ fn panel(half: f64, groups: [&[Round]; 3]) -> Panel {
     }
     for (rounds, stroke) in groups.iter().zip(STROKES) {
         let marker = Marker::new(stroke.shade, Mark::Diamond).sized(10.0);
-        panel = panel.marks(rounds.iter().filter_map(|round| round.switch), marker);
+        panel = panel.marks(rounds.first().and_then(|round| round.switch), marker);
         for (number, round) in rounds.iter().take(2).enumerate().filter(|_| rounds.len() > 1) {
             let label = Label::words(&(number + 1).to_string()).shade(stroke.shade);
             panel = panel.near(round.points.get(round.points.len() / 10).copied(), FRAC_PI_4, label);
@@ -125,7 +126,7 @@ fn series(from_rest: &[Round], from_above: &[Round], cycle: &Round) -> Series {
 fn words(parameters: &Parameters, steady: &SteadyState, unit: f64, cycle: &Round) -> Words {
     let switch = cycle.switch.map_or(String::new(), |(angle, _)| {
         format!(
-            " Past the line of centres the friction changes its sign at {} in the steady cycle.",
+            " Past the line of centres the contact changes flank at {} in the steady cycle.",
             degrees(angle.to_radians())
         )
     });
@@ -135,8 +136,7 @@ fn words(parameters: &Parameters, steady: &SteadyState, unit: f64, cycle: &Round
         format!(
             "Speed over angle for {} pins and μ = {}, for three engagements from rest, three from twice the steady \
              speed, and the steady cycle, which enters at {}, falls to {} and rises to {}. The curves from rest come \
-             from below and those from above from above; from the third engagement on they can hardly be told from \
-             the steady cycle.{switch}",
+             from below and those from above from above; the third of each is close to the steady cycle.{switch}",
             parameters.mechanism().pins(),
             trimmed(parameters.friction(), 4),
             significant(steady.entry_speed / unit, 3),
@@ -144,9 +144,9 @@ fn words(parameters: &Parameters, steady: &SteadyState, unit: f64, cycle: &Round
             significant(steady.peak.speed / unit, 3)
         ),
         format!(
-            "Successive engagements, numbered, from rest and from above: the third can hardly be told from the steady \
-             cycle. The friction changes its sign on the line of centres and at the diamonds, where the follower begins \
-             to run ahead of the pin. {}",
+            "Successive engagements, numbered, from rest and from twice the steady speed; each begins at the left with \
+             the speed with which the one before ended at the right. The third is close to the steady cycle. At the \
+             diamonds the follower begins to run ahead of the pin, and the contact changes flank. {}",
             shown(parameters)
         ),
     )

@@ -59,10 +59,11 @@ pub fn work_precision(measurements: &[Measurement]) -> Figure {
         let each = (libm::log10(greatest / least) as usize + 2) / MARKS + 1;
         Axis::decades(least, greatest, each)
     };
-    let works = ["evaluations of the right-hand side", "milliseconds"];
+    let works = ["evaluations of the right-hand side, all runs together", "time of all runs together, in milliseconds"];
     let panels = [0, 1].map(|k| {
-        let title = Label::words(&with_hyphens(&format!("true error over {}", works[k])));
-        let panel = Panel::new(290.0, &axis(k + 1), &axis(0).titled(title));
+        let work = Label::words(&with_hyphens(works[k]));
+        let error = Label::words("largest relative error");
+        let panel = Panel::new(290.0, &axis(k + 1).titled(work), &axis(0).titled(error));
         families.iter().enumerate().fold(panel, |panel, (number, points)| {
             let points = points.iter().map(|point| (point[k + 1], point[0])).filter(|(work, _)| work.is_finite());
             let (stroke, marker) = kind(number);
@@ -95,8 +96,8 @@ pub fn work_precision(measurements: &[Measurement]) -> Figure {
              left is better. The smallest errors: {}.",
             best.join("; ")
         ),
-        "The error that is left over the work that was done. A curve that runs lower needs less work for the same \
-         error; a steeper one gains more from further work.",
+        "The largest relative error in the speeds of all runs, of all three mechanisms, over the work that was done. A \
+         curve that runs lower needs less work for the same error; a steeper one gains more from further work.",
     );
     Chart::new(panels).key(key).figure(words, Series::new(columns, rows).to_decimals(DECIMALS))
 }

@@ -2,13 +2,14 @@
 
 use crate::Symbol;
 
-/// Each printed letter and the book's symbol. A letter that stands twice has two meanings in the source.
+/// Each printed letter and the symbol of the book's chapters on the source. A letter that stands twice has two meanings
+/// in the source.
 pub const SYMBOLS: &[Symbol] = &[
-    Symbol { printed: "r", ours: "R", meaning: "radius of the circle of the pins" },
-    Symbol { printed: "c", ours: "l", meaning: "distance of the two axes" },
-    Symbol { printed: "a", ours: "k", meaning: "centre distance over the radius of the pins' circle" },
-    Symbol { printed: "R", ours: "r", meaning: "distance of the pin from the follower's axis" },
-    Symbol { printed: "n, N", ours: "N", meaning: "number of slots; N in the program" },
+    Symbol { printed: "r", ours: "r", meaning: "radius of the circle of the pins" },
+    Symbol { printed: "c", ours: "c", meaning: "distance of the two axes" },
+    Symbol { printed: "a", ours: "a", meaning: "centre distance over the radius of the pins' circle" },
+    Symbol { printed: "R", ours: "R", meaning: "distance of the pin from the follower's axis" },
+    Symbol { printed: "n, N", ours: "n", meaning: "number of slots; N in the program" },
     Symbol { printed: "m", ours: "m", meaning: "number of pins" },
     Symbol { printed: "θ", ours: r"\theta", meaning: "driver's angle from the line of centres" },
     Symbol {
@@ -25,10 +26,10 @@ pub const SYMBOLS: &[Symbol] = &[
     Symbol {
         printed: "θ_∞", ours: r"\theta_\infty", meaning: "driver's angle at which a denominator would be zero"
     },
-    Symbol { printed: "I_D, I_d, I_b", ours: r"I_\mathrm{D}", meaning: "moment of inertia of the driver" },
-    Symbol { printed: "I_f, I_P", ours: r"I_\mathrm{F}", meaning: "moment of inertia of the follower" },
+    Symbol { printed: "I_D, I_d, I_b", ours: "I_D", meaning: "moment of inertia of the driver" },
+    Symbol { printed: "I_f, I_P", ours: "I_f", meaning: "moment of inertia of the follower" },
     Symbol { printed: "μ", ours: r"\mu", meaning: "coefficient of friction between pin and slot" },
-    Symbol { printed: "N", ours: r"F_\mathrm{n}", meaning: "normal force between pin and slot" },
+    Symbol { printed: "N", ours: "N", meaning: "normal force between pin and slot" },
     Symbol { printed: "h", ours: "h", meaning: "moment arm of the friction about the driver's axis" },
     Symbol { printed: "τ, Q_θ", ours: r"\tau", meaning: "torque on the driver, the generalised force" },
     Symbol { printed: "τ_1, K", ours: "K", meaning: "torque of the spring" },
@@ -48,7 +49,7 @@ pub const SYMBOLS: &[Symbol] = &[
     Symbol { printed: "t", ours: "b", meaning: "thickness of a disc" },
     Symbol { printed: "t", ours: "t", meaning: "time" },
     Symbol { printed: "h", ours: r"\Delta t", meaning: "step of the integration" },
-    Symbol { printed: "I", ours: r"k\sin\theta", meaning: "a letter of the program, not an inertia" },
+    Symbol { printed: "I", ours: r"a\sin\theta", meaning: "a letter of the program, not an inertia" },
 ];
 
 #[cfg(test)]

@@ -1,9 +1,12 @@
 //! Numbers of ours in a sentence: what a chapter says with a number that no source prints.
 
+mod escapement;
 mod front;
 mod never_printed;
 mod program;
 mod runs;
+mod solver;
+mod terminal_speed;
 
 use crate::lookup;
 
@@ -11,9 +14,7 @@ use crate::lookup;
 pub type Number = fn() -> anyhow::Result<String>;
 
 /// The numbers of each chapter.
-const ALL: &[&[(&str, Number)]] = &[front::NUMBERS, program::NUMBERS, runs::NUMBERS, never_printed::NUMBERS];
-
-/// The names of all numbers; each is said in some chapter.
+const ALL: &[&[(&str, Number)]] = &[escapement::NUMBERS, front::NUMBERS, never_printed::NUMBERS, program::NUMBERS, runs::NUMBERS, solver::NUMBERS, terminal_speed::NUMBERS];
 pub fn names() -> impl Iterator<Item = &'static str> {
     ALL.iter().copied().flatten().map(|(name, _)| *name)
 }

@@ -10,7 +10,8 @@ use geneva_figures::{Figure, escapement, pin, quick_return, stations};
 use geneva_kinematics::Mechanism;
 use geneva_kinematics::quick_return::{Drive, Position, QuickReturn};
 use geneva_kinematics::wheel::Wheel;
-use geneva_ledger::meyer::runs::{Hypothesis, choice::weakest};
+use geneva_ledger::meyer::runs::Hypothesis;
+use geneva_ledger::meyer::runs::choice::{least_braked, weakest};
 use geneva_ledger::{jazar, pin::Instant, quick_return::Instant as Lever};
 
 /// Draws a figure for the printed data of its source.
@@ -42,8 +43,9 @@ pub const FIGURES: &[(&str, Draw)] = &[
     }),
     ("escapement-ratios", || Ok(escapement::ratios(&Mechanism::ALL))),
     ("escapement-forces", || {
-        let (parameters, speed) = in_steady_state()?;
-        let crank = -GENERAL * parameters.mechanism().engagement_half_angle();
+        let (parameters, entry_speed) = in_steady_state()?;
+        let crank = TRAILING * parameters.mechanism().engagement_half_angle();
+        let speed = escapement::speed_at(&parameters, entry_speed, crank)?;
         Ok(escapement::forces(&parameters, crank, speed)?)
     }),
     ("escapement-normal-force", || {
@@ -60,8 +62,8 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("runs-six-pin", || runs::over_torque(Mechanism::SIX_PIN)),
     ("runs-three-pin", || runs::over_torque(Mechanism::THREE_PIN)),
     ("steady-collapse", runs::collapse),
-    ("steady-return-map", || Ok(geneva_figures::steady::return_map(&parameters(example()?)?)?)),
-    ("steady-phase", || Ok(geneva_figures::steady::phase(&parameters(example()?)?)?)),
+    ("steady-return-map", || Ok(geneva_figures::steady::return_map(&with_three_pins()?)?)),
+    ("steady-phase", || Ok(geneva_figures::steady::phase(&with_three_pins()?)?)),
     ("steady-map-four-pin", || runs::map(Mechanism::FOUR_PIN)),
     ("steady-map-six-pin", || runs::map(Mechanism::SIX_PIN)),
     ("steady-map-three-pin", || runs::map(Mechanism::THREE_PIN)),
@@ -101,6 +103,8 @@ const MODEL_ANGLE: f64 = 0.5;
 
 /// Driver angle of the drawings of a general position, as a part of the half angle of the engagement.
 const GENERAL: f64 = -0.5;
+/// The same of the drawing of the forces: past the line of centres, where the follower drives the pin.
+const TRAILING: f64 = 2.0 / 3.0;
 
 fn with_slots(slots: u32) -> anyhow::Result<Mechanism> {
     Mechanism::new(slots).context("the thesis's mechanism cannot be built")
@@ -110,6 +114,12 @@ fn with_slots(slots: u32) -> anyhow::Result<Mechanism> {
 fn mechanism(slots: u32) -> anyhow::Result<Figure> {
     let escapement = with_slots(slots)?;
     Ok(escapement::mechanism(&escapement, GENERAL * escapement.engagement_half_angle())?)
+}
+
+/// The three-pin run that brakes least, as the mechanism is: an engagement leaves more of a difference than with four pins,
+/// so that the steps to the steady state can be seen.
+fn with_three_pins() -> anyhow::Result<Parameters> {
+    parameters(rows::weakest(least_braked(Mechanism::THREE_PIN))?)
 }
 
 /// The example among the runs, and its speed as a pin enters in the steady state.
@@ -123,7 +133,6 @@ fn designs() -> anyhow::Result<Vec<escapement::Design>> {
     let design = |row| {
         let parameters = parameters(row)?;
         Ok(escapement::Design {
-            name: format!("{} pins", row.mechanism.pins()),
             mechanism: parameters.mechanism(),
             inertia_ratio: parameters.inertias().ratio(),
             friction: parameters.friction(),

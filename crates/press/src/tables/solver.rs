@@ -38,8 +38,8 @@ pub fn speeds() -> anyhow::Result<Table> {
             ]));
         }
     }
-    let head = ["Solver", "asked for", "evaluations", "ms for 49", "true error"];
-    table("Cost and error of the solvers", Cells::NamedNumbers, &head, rows)
+    let head = ["Solver", "Error asked for", "Evaluations", "Time of 49, ms", "Largest relative error"];
+    table("Cost and error of the solvers, for 49 escapements of all three mechanisms", Cells::NamedNumbers, &head, rows)
 }
 
 /// Maps of the terminal speed: time against points.
@@ -55,6 +55,6 @@ pub fn maps() -> anyhow::Result<Table> {
             format!("{:.2}", 1e3 * one.milliseconds / points as f64),
         ]))
     });
-    let head = ["points", "asked for", "threads", "s", "µs a point"];
-    table("Maps of the terminal speed", Cells::Numbers, &head, rows)
+    let head = ["Points", "Error asked for", "Threads", "Time, s", "Time of a point, µs"];
+    table("Maps of the terminal speed over friction and inertias, of all three mechanisms", Cells::Numbers, &head, rows)
 }
