@@ -2,7 +2,7 @@
 
 use super::instant::Instant;
 use crate::number::trimmed;
-use crate::parts::{WIDTH, axis, construction, fixed_pivot, link, pin, pin_circle};
+use crate::parts::{axis, construction, fixed_pivot, link, pin, pin_circle};
 use crate::svg::{Canvas, Path, Pixels, Placing, Shape, View, heading};
 use crate::theme::{DRIVER, FILL, FOLLOWER, INK, PAPER};
 use geneva_kinematics::Turn;
@@ -12,8 +12,10 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The other branch's pin is shown if it is so many pixels away.
 const APART: f64 = 14.0;
+/// Width of the drawing, in pixels: narrow enough for its letters to be read on a phone.
+pub const WIDTH: f64 = 460.0;
 /// The largest that the mechanism may be, in pixels.
-const ROOM: Pixels = Vector2::new(500.0, 380.0);
+const ROOM: Pixels = Vector2::new(388.0, 380.0);
 /// Free space above and below the mechanism, in pixels: for the senses and the names.
 const MARGIN: f64 = 56.0;
 /// How far the lever reaches beyond the pin's farthest point, over that distance.

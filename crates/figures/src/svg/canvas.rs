@@ -20,6 +20,10 @@ pub enum Kind {
     Panels,
 }
 
+/// A drawing narrower than this is shown so many times as wide as its view box, and not as wide as the page.
+const NARROW: f64 = 600.0;
+const ENLARGED: f64 = 1.15;
+
 /// A drawing in the making.
 #[derive(Clone, Debug)]
 pub struct Canvas {
@@ -66,8 +70,13 @@ impl Canvas {
             Kind::Steps => "diagram tall",
             Kind::Panels => "plot tall",
         };
+        let narrow = if self.width < NARROW {
+            format!(" style=\"max-width:min(100%,{}px)\"", trimmed(ENLARGED * self.width, 0))
+        } else {
+            String::new()
+        };
         let opening = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" class=\"{class}\" role=\"img\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" class=\"{class}\"{narrow} role=\"img\" \
              aria-labelledby=\"{id}-title {id}-desc\" font-family=\"sans-serif\" font-size=\"{}\">",
             trimmed(self.width, 2),
             trimmed(self.height, 2),
