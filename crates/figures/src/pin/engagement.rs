@@ -14,7 +14,7 @@ use std::f64::consts::{FRAC_PI_4, PI};
 /// Degrees between marks of the crank angle.
 const MARKS: f64 = 15.0;
 /// At least so many steps of a y axis.
-const STEPS: f64 = 4.0;
+const STEPS: f64 = 5.0;
 
 /// The wheel's angular velocity and acceleration and the pin's speed along the slot, from entry to exit.
 ///
@@ -30,13 +30,8 @@ pub fn over_the_engagement(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed:
     let now = row(mechanism, crank, driver_speed);
     let within = (now[0] - 180.0).abs() <= half.to_degrees() + 1e-6;
     let panels = [1, 2, 3].map(|column| panel(&rows, column, within.then_some(&now), &speed_unit));
-    let columns = [
-        ("phi", "deg"),
-        ("omega_S", "rad/s"),
-        ("alpha_S", "rad/s^2"),
-        ("v_P/S", speed_unit.as_str()),
-        ("r/R", "1"),
-    ];
+    let columns =
+        [("phi", "deg"), ("omega_S", "rad/s"), ("alpha_S", "rad/s^2"), ("v_P/S", speed_unit.as_str()), ("r/R", "1")];
     let [entry, exit] = [PI - half, PI + half].map(degrees);
     let [_, fastest, ..] = row(mechanism, &Turn::from_radians(PI), driver_speed);
     let [_, _, jump, ..] = rows.first().copied().unwrap_or_default();
@@ -55,7 +50,12 @@ pub fn over_the_engagement(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed:
         ),
         format!(
             "The whole engagement at a driver speed of {driver}. The wheel starts and stops at rest, but its \
-             acceleration jumps at both ends; the pin stops in the slot and turns back where the wheel is fastest."
+             acceleration jumps at both ends; where the wheel is fastest the pin stops in the slot and turns back.{}",
+            if within {
+                format!(" The dotted line is the instant φ = {}.", degrees(now[0].to_radians()))
+            } else {
+                String::new()
+            }
         ),
     );
     Chart::new(panels).figure(words, Series::new(columns, rows))
@@ -104,8 +104,8 @@ fn panel(rows: &[[f64; 5]], column: usize, now: Option<&[f64; 5]>, speed_unit: &
     let x = x_axis(rows);
     let angle = Label::words("crank angle ").and_symbol("φ").and(" in degrees");
     let x = if column == 3 { x.titled(angle) } else { x.unnumbered() };
-    let mut panel = Panel::new(150.0, &x, &y.titled(title))
-        .curve(rows.iter().map(|row| (row[0], row[column])), Stroke::new(shade));
+    let mut panel =
+        Panel::new(150.0, &x, &y.titled(title)).curve(rows.iter().map(|row| (row[0], row[column])), Stroke::new(shade));
     if let Some(now) = now {
         panel = mark(panel, (now[0], now[column]), greatest.max(-least), shade);
     }

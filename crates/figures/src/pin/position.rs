@@ -2,9 +2,7 @@
 
 use super::instant::Instant;
 use crate::number::{degrees, significant, without_noise};
-use crate::parts::{
-    self, angle_label, arc, arc_arrow, construction, dimension, fixed_pivot, pin, pin_circle, sense,
-};
+use crate::parts::{self, angle_label, arc, arc_arrow, construction, dimension, fixed_pivot, pin, pin_circle, sense};
 use crate::star::{SLOT_HALF_WIDTH, Star, rim_radius};
 use crate::svg::{Canvas, Kind, Label, Pixels, Shape, View, heading};
 use crate::theme::{DRIVER, FILL, FOLLOWER, INK, PAPER};

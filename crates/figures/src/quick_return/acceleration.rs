@@ -10,7 +10,7 @@ use crate::{Figure, Series, Words};
 use geneva_kinematics::quick_return::{Drive, Motion, Position, QuickReturn};
 use nalgebra::Vector2;
 
-/// The acceleration diagram in five numbered steps, to one scale.
+/// The acceleration diagram in five numbered steps, the last one larger.
 ///
 /// aⁿ_2 + aᵗ_2 = aⁿ_4 + aᵗ_4 + aᵗ_rel + 2 ω₄ × v_rel; aⁿ_rel is zero, for the slot is straight. `drive` is in
 /// radians per second and its square; `length_unit` the unit of the linkage's lengths. An acceleration of fewer than
@@ -61,7 +61,7 @@ pub fn acceleration_diagram(
             degrees(instant.lever_angle)
         ),
         format!(
-            "Five steps to one scale. 1: from the pole, the pin's normal acceleration, {}, and its tangential one, {}. 2 \
+            "Five steps, to scale. 1: from the pole, the pin's normal acceleration, {}, and its tangential one, {}. 2 \
              and 3: the normal acceleration of the lever's point P4, {}, and the Coriolis acceleration, {}. 4: two \
              dashed lines of known direction, one across the lever, one along it. 5: they meet and close the polygon \
              with the tangential acceleration of P4, {}, and that of P2 relative to P4, {}; the normal one of P2 \

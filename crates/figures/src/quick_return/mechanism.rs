@@ -81,7 +81,7 @@ pub fn mechanism(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>,
              lever's point under it, at the same place at this instant."
         ),
     );
-    words.figure(canvas, Kind::Mechanism, series)
+    words.figure(canvas, Kind::TallMechanism, series)
 }
 
 /// Angles, senses and names, the most bound to their places first.
@@ -132,9 +132,10 @@ fn names(
     }
     if let Some(limit) = linkage.strokes().swing_limit {
         for angle in [limit, -limit] {
-            let from = at.pivot.lerp(&at.tip(angle), 0.3);
+            let end = at.swing_end(angle);
+            let from = at.pivot.lerp(&end, 0.3);
             let label = Label::words(&format!("end of swing {}", degrees(angle))).shade(FOLLOWER);
-            placing.put(canvas, &label, beside_line(&from, &at.tip(angle), &NEAR));
+            placing.put(canvas, &label, beside_line(&from, &end, &NEAR));
         }
     }
 }

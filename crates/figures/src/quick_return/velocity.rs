@@ -10,7 +10,7 @@ use geneva_kinematics::pin_vectors::quarter_turn;
 use geneva_kinematics::quick_return::{Drive, Position, QuickReturn};
 use nalgebra::Vector2;
 
-/// The velocity diagram in three numbered steps, to one scale: v_2 = v_4 + v_rel.
+/// The velocity diagram in three numbered steps, the last one larger: v_2 = v_4 + v_rel.
 ///
 /// `drive` is in radians per second and its square; `length_unit` the unit of the linkage's lengths. A velocity of
 /// fewer than one pixel is not drawn but named. Series, a row for each vector in the order that the first column's
@@ -82,7 +82,7 @@ pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Driv
         "quick-return-velocity",
         format!("Velocity diagram of the quick-return mechanism at a lever angle of {psi}"),
         format!(
-            "Three steps to one scale. 1: from the pole, the velocity of the pin P2, {pin}. 2: two dashed lines of known \
+            "Three steps, to scale. 1: from the pole, the velocity of the pin P2, {pin}. 2: two dashed lines of known \
              direction, across the lever from the pole and along the lever through the tip. 3: they meet and close a \
              right-angled triangle: the velocity of the lever's point P4, {slot}, and the velocity of P2 relative to \
              P4, {sliding}, add up to that of P2. The lever's angular velocity is {}{}.",

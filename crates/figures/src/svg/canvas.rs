@@ -10,6 +10,8 @@ use crate::number::trimmed;
 pub enum Kind {
     /// Bodies and joints, to scale.
     Mechanism,
+    /// The same with words below, on more height than width.
+    TallMechanism,
     /// Vectors and angles, to scale.
     Diagram,
     /// Curves over axes.
@@ -65,6 +67,7 @@ impl Canvas {
     pub fn finish(self, kind: Kind, id: &str, title: &str, description: &str) -> String {
         let class = match kind {
             Kind::Mechanism => "mechanism",
+            Kind::TallMechanism => "mechanism tall",
             Kind::Diagram => "diagram",
             Kind::Plot => "plot",
             Kind::Steps => "diagram tall",
