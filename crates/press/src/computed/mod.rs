@@ -1,14 +1,16 @@
 //! Numbers of ours in a sentence: what a chapter says with a number that no source prints.
 
 mod front;
+mod pin;
+mod quick_return;
 
-use crate::lookup;
+use crate::{lookup, numbers};
 
 /// A number with its unit, as HTML.
 pub type Number = fn() -> anyhow::Result<String>;
 
 /// The numbers of each chapter.
-const ALL: &[&[(&str, Number)]] = &[front::NUMBERS];
+const ALL: &[&[(&str, Number)]] = &[front::NUMBERS, pin::NUMBERS, quick_return::NUMBERS];
 
 /// The names of all numbers; each is said in some chapter.
 pub fn names() -> impl Iterator<Item = &'static str> {
@@ -19,4 +21,14 @@ pub fn names() -> impl Iterator<Item = &'static str> {
 pub fn by_name(name: &str) -> anyhow::Result<String> {
     let found = ALL.iter().copied().flatten().find(|(known, _)| *known == name).map(|(_, number)| number);
     found.ok_or_else(|| lookup::unknown("number", name, names()))?()
+}
+
+/// A number to so many significant digits, trailing zeros kept, with its unit.
+fn with_unit(number: f64, digits: i32, unit: &str) -> String {
+    let after_first = usize::try_from(digits - 1).unwrap_or(0);
+    let scientific = format!("{number:.after_first$e}");
+    let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok()).unwrap_or(0);
+    let decimals = usize::try_from(digits - 1 - exponent).unwrap_or(0);
+    let number = numbers::fixed(scientific.parse().unwrap_or(number), decimals);
+    if unit.is_empty() { number } else { format!("{number}&nbsp;{unit}") }
 }
