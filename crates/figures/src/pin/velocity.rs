@@ -97,7 +97,7 @@ pub fn velocity_triangle(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed: f
              {along}. The angle between the pin's velocity and the slot is {gamma}."
         ),
         format!(
-            "The velocity triangle at φ = {phi}, to scale. The pin's velocity v_P is that of the wheel's point under it, \
+            "The velocity triangle at φ = {phi}, to scale. The pin's velocity is that of the wheel's point under it, \
              across the slot, plus the sliding velocity, along the slot."
         ),
     );
