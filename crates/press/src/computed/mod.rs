@@ -29,6 +29,16 @@ fn with_unit(number: f64, digits: i32, unit: &str) -> String {
     let scientific = format!("{number:.after_first$e}");
     let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok()).unwrap_or(0);
     let decimals = usize::try_from(digits - 1 - exponent).unwrap_or(0);
-    let number = numbers::fixed(scientific.parse().unwrap_or(number), decimals);
-    if unit.is_empty() { number } else { format!("{number}&nbsp;{unit}") }
+    format!("{}&nbsp;{unit}", numbers::fixed(scientific.parse().unwrap_or(number), decimals))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::with_unit;
+
+    #[test]
+    fn digits_count_from_the_first() {
+        let written = [0.0999, 9.999, 233.32, 1234.5, -4.1].map(|number| with_unit(number, 3, "m"));
+        assert_eq!(written, ["0.0999&nbsp;m", "10.0&nbsp;m", "233&nbsp;m", "1230&nbsp;m", "−4.10&nbsp;m"]);
+    }
 }

@@ -35,7 +35,6 @@ pub const NUMBERS: &[(&str, fn() -> anyhow::Result<String>)] = &[
     ("pin.six.slot-point-speed", || with_six(|of| with_unit(of.slot_point_speed, 3, "mm/s"))),
     ("pin.six.sliding-speed", || with_six(|of| with_unit(of.sliding_speed, 3, "mm/s"))),
     ("pin.six.wheel-speed", || with_six(|of| with_unit(of.follower_speed, 3, "rad/s"))),
-    ("pin.six.peak-ratio", || Ok(with_unit(peak_velocity(&Wheel::new(6)?), 3, ""))),
 ];
 
 /// The crank angle φ of the first exercise, in degrees.
@@ -69,7 +68,10 @@ fn acceleration(at: &Instant) -> anyhow::Result<String> {
     let rates = series::polar_rates(&distance, &radius, &at.crank, &Drive::steady(at.driver_speed));
     // The wheel turns clockwise.
     let by_series = -rates.context("the pin is on the pivot")?.turning_rate;
-    anyhow::ensure!((by_formula - by_series).abs() <= 1e-11 * squared, "{by_formula} by formula, {by_series} by series");
+    anyhow::ensure!(
+        (by_formula - by_series).abs() <= 1e-11 * squared,
+        "{by_formula} by formula, {by_series} by series"
+    );
     Ok(with_unit(by_formula, 3, "rad/s²"))
 }
 
@@ -87,7 +89,10 @@ mod tests {
         let figure =
             geneva_figures::pin::over_the_engagement(&printed.mechanism, &printed.crank, printed.driver_speed, "mm");
         let row = figure.series.rows.iter().find(|row| (row[0] - LATER).abs() < 1e-9).expect("each degree");
-        assert_eq!(with_unit(row[1], 3, "rad/s"), later(|of| with_unit(of.follower_speed, 3, "rad/s")).expect("a number"));
+        assert_eq!(
+            with_unit(row[1], 3, "rad/s"),
+            later(|of| with_unit(of.follower_speed, 3, "rad/s")).expect("a number")
+        );
         assert_eq!(with_unit(row[2], 3, "rad/s²"), acceleration(&at(4, LATER).expect("an instant")).expect("a number"));
         assert_eq!(with_unit(row[3], 3, "mm/s"), later(|of| with_unit(of.sliding_speed, 3, "mm/s")).expect("a number"));
     }

@@ -85,7 +85,12 @@ pub fn branches() -> anyhow::Result<Table> {
         Ok(row)
     });
     let head = ["Quantity", "Far point", "Near point", "With the misprinted angle"];
-    table("The problem at both points of the crank’s circle, and with the misprinted angle", Cells::NamedNumbers, &head, rows)
+    table(
+        "The problem at both points of the crank’s circle, and with the misprinted angle",
+        Cells::NamedNumbers,
+        &head,
+        rows,
+    )
 }
 
 /// Symbol, unit and vector: three velocities, then the seven terms of the acceleration.
