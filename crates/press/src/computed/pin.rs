@@ -1,6 +1,6 @@
 //! Of the pin in the slot: the wheel's acceleration at the instant of the problem, and the answers to the exercises.
 
-use super::with_unit;
+use super::{Number, with_unit};
 use anyhow::Context;
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_triangle::TriangleSolution;
@@ -8,7 +8,7 @@ use geneva_kinematics::wheel::{Wheel, acceleration_peak, acceleration_ratio, pea
 use geneva_ledger::pin::Instant;
 
 /// The numbers of the chapter.
-pub const NUMBERS: &[(&str, fn() -> anyhow::Result<String>)] = &[
+pub const NUMBERS: &[(&str, Number)] = &[
     ("pin.acceleration", || acceleration(&Instant::printed()?)),
     ("pin.peak-speed", || {
         let driver = Instant::printed()?.driver_speed;

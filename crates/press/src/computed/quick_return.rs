@@ -1,12 +1,12 @@
 //! Of the quick-return mechanism: its strokes, and the answers to the exercises.
 
-use super::with_unit;
+use super::{Number, with_unit};
 use anyhow::Context;
 use geneva_kinematics::quick_return::{Branch, Motion, Position};
 use geneva_ledger::quick_return::Instant;
 
 /// The numbers of the chapter.
-pub const NUMBERS: &[(&str, fn() -> anyhow::Result<String>)] = &[
+pub const NUMBERS: &[(&str, Number)] = &[
     ("quick-return.swing-limit", || {
         let limit = Instant::printed()?.linkage.strokes().swing_limit.context("the lever does not swing")?;
         Ok(degrees(limit))
