@@ -25,9 +25,10 @@ const UNDER_CONDITIONS: &[Condition] = &[
     ("pin", r"(k^2 - 1)(k^2 - 2) = 0", |number| {
         Moment::default().with([("k", [1.0, -1.0, 2f64.sqrt(), -(2f64.sqrt())][number % 4])])
     }),
-    // Four stations at a third of a right angle from the line of centres.
-    ("pin", r"r^2 = \left(1 + 2", |number| pin(number, Some(2f64.sqrt()), Some(30f64.to_radians()))),
-    ("pin", r"\frac{k - 1}{(k-1)^2}", |number| pin(number, Some(2f64.sqrt()), None)),
+    // Four stations at a third of a right angle from the line of centres, and on it.
+    ("pin", r"\frac{\omega_S}{\omega_D} = \frac{\tfrac12", at_the_instant),
+    ("pin", r"\frac{\alpha_S}{\omega_D^2} = \frac{\tfrac12", at_the_instant),
+    ("pin", r"\frac{\omega_S}{\omega_D} = \frac{k - 1}{(k-1)^2}", |number| pin(number, Some(2f64.sqrt()), Some(0.0))),
     // With an acceleration of the crank, which the other displays do without.
     ("quick-return", r"\vec{a}_2^\mathrm{n} +", |number| quick_return(number, 1.5)),
     ("jazar", r"R\sin\theta = r\sin\varphi", |number| wheel(number, Some(4), When::Steady)),
@@ -40,6 +41,10 @@ const UNDER_CONDITIONS: &[Condition] = &[
 fn entering(number: usize) -> Moment {
     let ratio = 1.0 + 3.0 * super::spread(number, 4);
     pin(number, Some(ratio), Some(libm::acos(1.0 / ratio)))
+}
+
+fn at_the_instant(number: usize) -> Moment {
+    pin(number, Some(2f64.sqrt()), Some(30f64.to_radians()))
 }
 
 /// One display of a chapter, and the states in which it must hold.

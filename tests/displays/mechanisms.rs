@@ -1,6 +1,7 @@
 //! The other mechanisms in many states of motion: what the letters of their chapters stand for.
 
 use super::spread;
+use geneva_kinematics::quick_return::series::polar_rates;
 use geneva_kinematics::quick_return::{Branch, Drive, Motion, QuickReturn};
 use geneva_kinematics::wheel::{
     Wheel, acceleration_peak, acceleration_ratio, gamma, jerk_ratio, unsteady_acceleration,
@@ -26,11 +27,16 @@ pub fn pin(number: usize, ratio: Option<f64>, angle: Option<f64>) -> Moment {
     let triangle = pin_triangle::solve(&mechanism, &theta, speed);
     let phi = theta.supplement();
     let vectors = pin_vectors::solve(&radius, &(ratio * radius), &phi, &speed).expect("off the pivot");
+    // The driver turns counter-clockwise, the wheel clockwise.
+    let rates = polar_rates(&(ratio * radius), &radius, &phi, &Drive::steady(speed)).expect("off the pivot");
     Moment::default()
         .with([("R", radius), ("l", ratio * radius), ("k", ratio), (r"\theta", angle), (r"\varphi", PI - angle)])
         .with([("r", triangle.slot_radius), (r"\beta", triangle.angle_at_pivot), (r"\gamma", triangle.velocity_angle)])
         .with([("v_P", triangle.pin_speed), ("v_{P'}", triangle.slot_point_speed), ("v_{P/S}", triangle.sliding_speed)])
-        .with([(r"\omega_D", speed), (r"\omega_S", triangle.follower_speed)])
+        .with([(r"\omega_D", speed), (r"\omega_S", triangle.follower_speed), (r"\alpha_S", -rates.turning_rate)])
+        .with([(r"\dot\theta", -speed), (r"\dot\beta", vectors.follower_speed)])
+        .with([("x", vectors.position.x), ("y", vectors.position.y)])
+        .with([(r"\dot x", vectors.pin_velocity.x), (r"\dot y", vectors.pin_velocity.y)])
         .with([(r"\vec{v}_P", vectors.pin_velocity), (r"\vec{v}_{P'}", vectors.slot_point_velocity)])
         .with([(r"\vec{v}_{P/S}", vectors.sliding_velocity), (r"\overrightarrow{OP}", vectors.position)])
 }
@@ -50,7 +56,11 @@ pub fn quick_return(number: usize, acceleration: f64) -> Moment {
     // As the source counts: towards the pivot along the lever; across it, as the pin's acceleration points.
     let (along, across) = (position.lever.direction(), pin_vectors::quarter_turn(&position.lever.direction()));
     let turning = velocities.follower_speed;
+    let rates = polar_rates(&ground, &crank, &position.crank, &drive).expect("off the pivot");
+    let distance = rates.position.norm();
     Moment::default()
+        .with([(r"\dot r", rates.sliding * distance), (r"\ddot r", rates.sliding_rate * distance)])
+        .with([(r"\dot\psi", rates.turning), (r"\ddot\psi", rates.turning_rate)])
         .with([("l", ground), ("R", crank), ("r", position.pin_distance), (r"\psi", lever)])
         .with([(r"\varphi", position.crank.radians()), (r"\beta", position.angle_at_pin())])
         .with([(r"\omega_2", speed), (r"\omega_4", turning), ("v_2", velocities.pin_velocity.norm())])

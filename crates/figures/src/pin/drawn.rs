@@ -62,14 +62,24 @@ fn the_series_of_the_engagement_has_both_ends_and_every_degree_between() {
     let rows = &figure.series.rows;
     let degrees = 2.0 * mechanism.engagement_half_angle().to_degrees();
     assert_eq!(rows.len(), degrees.round() as usize + 1);
-    for (row, sign) in [(&rows[0], -1.0), (&rows[rows.len() - 1], 1.0)] {
+    let [first, last] = [&rows[0], &rows[rows.len() - 1]];
+    for (row, sign) in [(first, -1.0), (last, 1.0)] {
         approx::assert_relative_eq!(row[0], 180.0 + sign * degrees / 2.0, max_relative = 1e-14);
-        approx::assert_abs_diff_eq!(row[1], 0.0, epsilon = 1e-14);
-        approx::assert_relative_eq!(row[2], -sign * RADIUS * DRIVER, max_relative = 1e-14);
+        approx::assert_abs_diff_eq!(row[1], 0.0, epsilon = 1e-13);
+        approx::assert_relative_eq!(row[3], -sign * RADIUS * DRIVER, max_relative = 1e-14);
     }
+    // The acceleration is the rate of the velocity: it goes up to the line of centres and down again.
+    let second = DRIVER / (1f64).to_radians();
+    for (before, after) in rows.iter().zip(&rows[1..]) {
+        let mean = (before[2] + after[2]) / 2.0;
+        let rate = (after[1] - before[1]) / (after[0] - before[0]) * second;
+        assert!((rate - mean).abs() < 2e-3 * first[2].max(DRIVER * DRIVER * 5.0), "{rate} and {mean} at {}", before[0]);
+    }
+    assert!(first[2] > 0.0 && last[2] == -first[2]);
     // The curves go from one side of the frame to the other.
     let drawing = Drawing::of(&figure);
-    let [ratio, sliding] = [0, 1].map(|number| drawing.path("curve", number));
-    assert!((ratio[0].x - sliding[0].x).abs() < PIXELS && sliding[0].y < sliding[sliding.len() - 1].y);
-    assert!((ratio[0].y - ratio[ratio.len() - 1].y).abs() < 0.11, "at rest at both ends");
+    let [speed, acceleration, sliding] = [0, 1, 2].map(|number| drawing.path("curve", number));
+    assert!((speed[0].x - sliding[0].x).abs() < PIXELS && sliding[0].y < sliding[sliding.len() - 1].y);
+    assert!((speed[0].y - speed[speed.len() - 1].y).abs() < 0.11, "at rest at both ends");
+    assert!(acceleration[0].y < acceleration[acceleration.len() - 1].y, "it speeds up first");
 }

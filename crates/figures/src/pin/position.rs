@@ -2,20 +2,26 @@
 
 use super::instant::Instant;
 use crate::number::{degrees, significant, without_noise};
-use crate::parts::{
-    self, WIDTH, angle_label, arc, arc_arrow, construction, dimension, fixed_pivot, pin, pin_circle, sense,
-};
+use crate::parts::{self, angle_label, arc, arc_arrow, construction, dimension, fixed_pivot, pin, pin_circle, sense};
 use crate::star::{SLOT_HALF_WIDTH, Star, rim_radius};
-use crate::svg::{Canvas, Kind, Label, Pixels, View, heading};
-use crate::theme::{DRIVER, FILL, FOLLOWER, INK};
+use crate::svg::{Canvas, Kind, Label, Pixels, Shape, View, heading};
+use crate::theme::{DRIVER, FILL, FOLLOWER, INK, PAPER};
 use crate::{Figure, Series, Words};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::PinSlot;
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
+/// Width of the drawing, in pixels: narrow enough for its letters to be read on a phone.
+const WIDTH: f64 = 460.0;
 /// Free space around the mechanism, in pixels.
-const MARGIN: f64 = 26.0;
+const MARGIN: f64 = 14.0;
+/// Radius of the driver's disc, in crank radii.
+const DISC: f64 = 1.13;
+/// Radius of the mark of the slot's angle, in pixels.
+const AT_PIVOT: f64 = 46.0;
+/// Width of the pin's outline and of the slot's, in pixels.
+const OUTLINE: f64 = 1.5;
 /// Room on the far side of the line of centres for the dimension of the centre distance, in pixels.
 const DIMENSION: f64 = 62.0;
 
@@ -38,8 +44,9 @@ struct Layout {
 impl Layout {
     fn new(mechanism: &PinSlot, instant: &Instant) -> Self {
         let (l, r, rim) = (mechanism.centre_distance(), mechanism.crank_radius(), rim_radius(mechanism));
-        let scale = (WIDTH - 2.0 * MARGIN) / (rim + l + r);
-        let reach = rim.max(r) * scale + MARGIN;
+        let disc = DISC * r;
+        let scale = (WIDTH - 2.0 * MARGIN) / (rim + l + disc);
+        let reach = rim.max(disc) * scale + MARGIN;
         let height = 2.0 * reach + DIMENSION - MARGIN / 2.0;
         let side = instant.side();
         let level = if side > 0.0 { reach } else { height - reach };
@@ -88,17 +95,23 @@ pub fn position_triangle(mechanism: &PinSlot, crank: &Turn<f64>) -> Figure {
              the pin P on the crank circle about B, at an angle of {phi} from the extension of OB beyond B. \
              P lies in a slot of the follower: OP is {r} crank radii long and makes an angle of {beta} with OB."
         ),
-        format!("Pivot O, axis B and pin P to scale at φ = {phi}. One slot of the follower S lies along OP."),
+        format!(
+            "The wheel S turns about O, the driver D about B with the pin P. To scale at φ = {phi}: the crank is \
+             θ = 180° − φ from the line of centres, and one slot lies along OP."
+        ),
     );
     words.figure(canvas, Kind::Mechanism, series)
 }
 
-/// The follower with its slots and the pin's circle, in the background.
+/// The driver's disc, the follower with its slots over it and the pin's circle, in the background.
 fn bodies(canvas: &mut Canvas, at: &Layout, mechanism: &PinSlot, instant: &Instant) {
-    let follower = Star::of_pin_slot(mechanism).body(instant.slot_angle, &at.view, 1.5);
-    canvas.draw(follower.with("stroke-opacity", "0.6").class("follower"));
+    canvas.draw(Shape::circle(&at.axis, DISC * at.crank).stroke(DRIVER, 1.5).class("driver"));
+    let follower = Star::of_pin_slot(mechanism);
+    canvas.draw(Shape::path(follower.outline(instant.slot_angle, &at.view)).fill(PAPER).class("follower-paper"));
+    let body = follower.body(instant.slot_angle, &at.view, OUTLINE);
+    canvas.draw(body.with("stroke-opacity", "0.6").class("follower"));
     pin_circle(canvas, &at.axis, at.crank);
-    construction(canvas, &at.axis, &(at.axis + Vector2::new(at.crank + 14.0, 0.0)), "line-of-centres");
+    construction(canvas, &at.axis, &(at.axis + Vector2::new(DISC * at.crank, 0.0)), "line-of-centres");
 }
 
 /// The three sides with their lengths, and the corners.
@@ -114,7 +127,8 @@ fn sides(canvas: &mut Canvas, at: &Layout, mechanism: &PinSlot, instant: &Instan
     parts::sides(canvas, triangle);
     fixed_pivot(canvas, &at.pivot, at.side);
     fixed_pivot(canvas, &at.axis, at.side);
-    pin(canvas, &at.pin, 0.8 * SLOT_HALF_WIDTH * at.crank);
+    // As wide as the slot: the two outlines touch.
+    pin(canvas, &at.pin, SLOT_HALF_WIDTH * at.crank - OUTLINE / 2.0 - 1.0);
 
     let length =
         |letter: &str, ratio: f64| Label::symbol(letter).and(&format!(" = {} ", significant(ratio, 4))).and_symbol("R");
@@ -130,7 +144,7 @@ fn sides(canvas: &mut Canvas, at: &Layout, mechanism: &PinSlot, instant: &Instan
     canvas.label(&at.axis.lerp(&at.pin, 0.5), &across, 14.0, &Label::symbol("R").shade(DRIVER));
     canvas.label(&at.pivot, &at.towards(200.0), 16.0, &Label::words("O").on(FILL));
     canvas.label(&at.axis, &at.towards(-20.0), 20.0, &Label::words("B"));
-    canvas.label(&at.pin, &at.towards(90.0), 32.0, &Label::words("P").on(FILL));
+    canvas.label(&at.pin, &at.towards(135.0), 16.0, &Label::words("P").on(FILL));
 }
 
 /// The angles at O and at B.
@@ -139,18 +153,18 @@ fn angles(canvas: &mut Canvas, at: &Layout, instant: &Instant) {
     let half_turn = at.side * PI;
     let phi = if at.side > 0.0 { phi } else { phi - 2.0 * PI };
     if beta.abs() > NARROWEST {
-        arc(canvas, &at.pivot, 60.0, 0.0, beta, INK, 1.5);
+        arc(canvas, &at.pivot, AT_PIVOT, 0.0, beta, INK, 1.5);
         let middle = heading(beta / 2.0);
-        canvas.label(&(at.pivot + middle * 60.0), &middle, 8.0, &Label::symbol("β").on(FILL));
+        canvas.label(&(at.pivot + middle * AT_PIVOT), &middle, 6.0, &Label::symbol("β").on(FILL));
     }
     arc_arrow(canvas, &at.axis, 40.0, 0.0, phi, INK, 1.5);
     let middle = at.towards(58.0);
     canvas.label(&(at.axis + middle * 40.0), &middle, 10.0, &angle_label("φ", instant.crank_angle));
-    // The rest to the half turn is too narrow for its label: the arc leads out of the triangle to it.
+    // θ is too narrow for its label: the arc leads out of the triangle to it.
     let out = half_turn + at.side * 0.3;
-    arc(canvas, &at.axis, 62.0, phi, out, INK, 1.5);
-    let rest = Label::words("180° − ").and_symbol("φ");
-    canvas.label(&(at.axis + heading(out) * 62.0), &at.towards(-109.0), 22.0, &rest);
+    arc(canvas, &at.axis, 58.0, phi, out, INK, 1.5);
+    let rest = angle_label("θ", (PI - instant.crank_angle).abs());
+    canvas.label(&(at.axis + heading(out) * 58.0), &at.towards(-109.0), 20.0, &rest);
 }
 
 /// The names of the two bodies and which way they turn, for a driver turning counter-clockwise.

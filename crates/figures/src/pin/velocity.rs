@@ -2,19 +2,26 @@
 
 use super::instant::Instant;
 use crate::number::{degrees, significant};
-use crate::parts::{WIDTH, angle_label, arc, arrow, right_angle, scale_bar};
+use crate::parts::{angle_label, arc, arrow, link, right_angle, scale_bar};
 use crate::svg::{Canvas, DASHED, Kind, Label, Pixels, Shape, View, angle_of, heading};
-use crate::theme::{DRIVER, FOLLOWER, GRID, INK, RELATIVE};
+use crate::theme::{DRIVER, FILL, FOLLOWER, GRID, INK, RELATIVE};
 use crate::{Figure, Series, Words};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::PinSlot;
 use nalgebra::Vector2;
 use std::f64::consts::{FRAC_PI_2, PI};
 
+/// Width of the drawing, in pixels: narrow enough for its letters to be read on a phone.
+const WIDTH: f64 = 460.0;
 /// The largest the triangle may be: width and height in pixels. Labels stand beside it.
-const ROOM: Pixels = Vector2::new(330.0, 400.0);
+const ROOM: Pixels = Vector2::new(250.0, 350.0);
 /// Free space above and below the triangle, in pixels.
-const MARGIN: f64 = 44.0;
+const MARGIN: f64 = 50.0;
+/// How far the triangle stands to the left of the middle, twice, in pixels: the labels at its right are longer.
+const ASIDE: f64 = 50.0;
+/// Half the width of the slot, and how far it goes on beyond the arrow in it, in pixels.
+const SLOT: f64 = 12.0;
+const BEYOND: f64 = 24.0;
 
 /// Radii of the two marks of the slot's angle, in pixels: at the common tip and at the common tail.
 const AT_TIP: f64 = 84.0;
@@ -38,7 +45,7 @@ impl Layout {
         let heights = corners.map(|corner| corner.y * view.scale);
         let size = heights.iter().fold(0.0, |a: f64, b| a.max(*b)) - heights.iter().fold(0.0, |a: f64, b| a.min(*b));
         let height = size.max(0.3 * WIDTH) + 2.0 * MARGIN;
-        let view = View { origin: view.origin + Vector2::new(WIDTH, height) / 2.0, ..view };
+        let view = View { origin: view.origin + Vector2::new(WIDTH - ASIDE, height) / 2.0, ..view };
         let [tail, corner, tip] = corners.map(|corner| view.place(&corner));
         Self { view, tail, corner, tip, height }
     }
@@ -89,7 +96,10 @@ pub fn velocity_triangle(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed: f
              of the velocity of the slot's point under the pin, {across}, and of the pin's velocity along the slot, \
              {along}. The angle between the pin's velocity and the slot is {gamma}."
         ),
-        "The pin's velocity is that of the slot under it plus that along the slot, which stand at right angles.",
+        format!(
+            "The velocity triangle at φ = {phi}, to scale. The pin's velocity is that of the wheel's point under it, \
+             across the slot, plus the sliding velocity, along the slot."
+        ),
     );
     words.figure(canvas, Kind::Diagram, series)
 }
@@ -98,8 +108,10 @@ pub fn velocity_triangle(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed: f
 fn directions(canvas: &mut Canvas, at: &Layout, instant: &Instant) {
     let along = at.corner - at.tip;
     if let Some(direction) = along.try_normalize(1e-9) {
-        let ends = (at.tip - direction * 34.0, at.corner + direction * 40.0);
-        canvas.draw(Shape::line(&ends.0, &ends.1).stroke(RELATIVE, 1.3).dashed(DASHED).class("slot-direction"));
+        let ends = (at.tip - direction * BEYOND, at.corner + direction * BEYOND);
+        let slot = Shape::path(link(&ends.0, &ends.1, SLOT)).fill(FILL).stroke(FOLLOWER, 1.0);
+        canvas.draw(slot.with("stroke-opacity", "0.5").class("slot"));
+        canvas.label(&(ends.0 - direction * SLOT), &-direction, 6.0, &Label::words("slot").shade(FOLLOWER));
         let horizontal = if direction.x < 0.0 { PI } else { 0.0 };
         if along.norm() > 2.0 * AT_TIP {
             angle_from(canvas, &at.tip, horizontal, angle_of(&along), AT_TIP, true);

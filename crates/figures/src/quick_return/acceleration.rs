@@ -1,6 +1,6 @@
 //! The acceleration diagram, step by step.
 
-use super::instant::{Instant, a, alpha, coriolis, omega, row, turning, turning_label, written};
+use super::instant::{Instant, a, alpha, coriolis, omega, row, turning, turning_label, v, written};
 use super::order::{Laid, Order};
 use super::steps::{Arrow, Diagram, Step};
 use crate::number::degrees;
@@ -10,9 +10,9 @@ use crate::{Figure, Series, Words};
 use geneva_kinematics::quick_return::{Drive, Motion, Position, QuickReturn};
 use nalgebra::Vector2;
 
-/// The acceleration diagram in five numbered steps, to one scale.
+/// The acceleration diagram in five numbered steps, the last one larger.
 ///
-/// aⁿ_P2 + aᵗ_P2 = aⁿ_P4 + aᵗ_P4 + aᵗ_P2P4 + 2 ω₄ × v_P2P4; aⁿ_P2P4 is zero, for the slot is straight. `drive` is in
+/// aⁿ_2 + aᵗ_2 = aⁿ_4 + aᵗ_4 + aᵗ_rel + 2 ω₄ × v_rel; aⁿ_rel is zero, for the slot is straight. `drive` is in
 /// radians per second and its square; `length_unit` the unit of the linkage's lengths. An acceleration of fewer than
 /// one pixel is not drawn but named. Series, a row for each term in the order that the first column's name gives: its
 /// components, along O4 → O2 and across it, its magnitude and its direction, which is zero for a vector of no length;
@@ -47,7 +47,7 @@ pub fn acceleration_diagram(
     let scale = vectors.iter().map(|vector| vector.norm()).fold(0.0, f64::max);
     let rows = vectors.iter().enumerate().map(|(k, vector)| row(k + 1, vector, scale));
     let columns = [
-        ("1 an_P2, 2 at_P2, 3 an_P4, 4 at_P4, 5 an_P2P4, 6 at_P2P4, 7 Coriolis, 8 gap", "1"),
+        ("1 an_2, 2 at_2, 3 an_4, 4 at_4, 5 an_rel, 6 at_rel, 7 Coriolis, 8 gap", "1"),
         ("x", ascii.as_str()),
         ("y", ascii.as_str()),
         ("magnitude", ascii.as_str()),
@@ -61,7 +61,7 @@ pub fn acceleration_diagram(
             degrees(instant.lever_angle)
         ),
         format!(
-            "Five steps to one scale. 1: from the pole, the pin's normal acceleration, {}, and its tangential one, {}. 2 \
+            "Five steps, to scale. 1: from the pole, the pin's normal acceleration, {}, and its tangential one, {}. 2 \
              and 3: the normal acceleration of the lever's point P4, {}, and the Coriolis acceleration, {}. 4: two \
              dashed lines of known direction, one across the lever, one along it. 5: they meet and close the polygon \
              with the tangential acceleration of P4, {}, and that of P2 relative to P4, {}; the normal one of P2 \
@@ -75,8 +75,11 @@ pub fn acceleration_diagram(
             written(alpha_4.abs(), "rad/s²"),
             turning(alpha_4)
         ),
-        "The acceleration diagram in five steps. Normal and Coriolis terms follow from the velocities; of the \
-                  two terms that are left the directions are known, and they close the polygon. The pole is o.",
+        format!(
+            "The acceleration diagram at ψ = {}, in five steps. Normal and Coriolis terms follow from the velocities; \
+             of the two terms left only the directions are known, and two directions close the polygon. The pole is o.",
+            degrees(instant.lever_angle)
+        ),
     );
     words.figure(diagram.draw(), Kind::Steps, Series::new(columns, rows))
 }
@@ -87,7 +90,7 @@ fn arrows(motion: &Motion<f64>, laid: &Laid) -> Vec<Arrow> {
     let arrow = |name, symbol, tail, vector, shade, if_zero| Arrow { name, symbol, tail, vector, shade, if_zero };
     let normal = arrow(
         "a-lever-normal",
-        a("n", "P4"),
+        a("n", "4"),
         laid.lever_normal,
         terms.follower_normal,
         FOLLOWER,
@@ -96,10 +99,10 @@ fn arrows(motion: &Motion<f64>, laid: &Laid) -> Vec<Arrow> {
     let turned = arrow("a-coriolis", coriolis(), laid.coriolis, terms.coriolis, CORIOLIS, "no turning or no sliding");
     let known = if laid.order == Order::First { [turned, normal] } else { [normal, turned] };
     let pin = [
-        arrow("a-pin-normal", a("n", "P2"), zero, motion.pin_normal, DRIVER, "the crank stands still"),
+        arrow("a-pin-normal", a("n", "2"), zero, motion.pin_normal, DRIVER, "the crank stands still"),
         arrow(
             "a-pin-tangential",
-            a("t", "P2"),
+            a("t", "2"),
             motion.pin_normal,
             motion.pin_tangential,
             DRIVER,
@@ -109,13 +112,13 @@ fn arrows(motion: &Motion<f64>, laid: &Laid) -> Vec<Arrow> {
     let found = [
         arrow(
             "a-lever-tangential",
-            a("t", "P4"),
+            a("t", "4"),
             laid.lever_tangential,
             terms.follower_tangential,
             FOLLOWER,
             "the lever turns steadily",
         ),
-        arrow("a-sliding", a("t", "P2P4"), laid.sliding, terms.sliding_tangential, RELATIVE, "the pin slides steadily"),
+        arrow("a-sliding", a("t", "rel"), laid.sliding, terms.sliding_tangential, RELATIVE, "the pin slides steadily"),
     ];
     pin.into_iter().chain(known).chain(found).collect()
 }
@@ -129,18 +132,19 @@ fn steps(diagram: &Diagram, order: Order, steady: bool) -> Vec<Step> {
     let tangential = if steady { line(" = 0: steady") } else { value("a-pin-tangential") };
     let pin = vec![
         line("Known: the pin. From ").and_symbol("o"),
-        a("n", "P2").and_label(&square("2", "R")),
+        a("n", "2").and_label(&square("2", "R")),
         value("a-pin-normal").and(" to ").and_label(&pivot("2")),
-        a("t", "P2").and_label(&tangential),
+        a("t", "2").and_label(&tangential),
     ];
     let lever = |begin: Label| {
         vec![
             begin.and("the lever:"),
-            a("n", "P4").and_label(&square("4", "r")),
+            a("n", "4").and_label(&square("4", "r")),
             value("a-lever-normal").and(" to ").and_label(&pivot("4")),
         ]
     };
-    let turned = |first: Label| vec![first, coriolis(), line("").and_label(&value("a-coriolis")).and(", ⊥ lever")];
+    let twice = coriolis().and(" = 2").and_label(&omega("4")).and("\u{2009}").and_label(&v("rel"));
+    let turned = |first: Label| vec![first, twice.clone(), line("").and_label(&value("a-coriolis")).and(", ⊥ lever")];
     let (from_pole, then) = (line("From ").and_symbol("o").and(", "), line("Then "));
     let (second, third) = match order {
         Order::Last => (lever(from_pole), turned(line("Coriolis, up to the tip:"))),
@@ -148,8 +152,8 @@ fn steps(diagram: &Diagram, order: Order, steady: bool) -> Vec<Step> {
         Order::Second => (lever(from_pole), turned(then.and("Coriolis:"))),
     };
     let (goes_on, comes_in) = match order {
-        Order::Second => (a("t", "P2P4").and(" lies along,"), a("t", "P4").and(" across the lever;")),
-        _ => (a("t", "P4").and(" lies across,"), a("t", "P2P4").and(" along the lever;")),
+        Order::Second => (a("t", "rel").and(" lies along,"), a("t", "4").and(" across the lever;")),
+        _ => (a("t", "4").and(" lies across,"), a("t", "rel").and(" along the lever;")),
     };
     let end = if order == Order::Last { "then comes Coriolis" } else { "it ends at the tip" };
     let unknown = vec![goes_on, comes_in, line(end)];
@@ -165,11 +169,11 @@ fn steps(diagram: &Diagram, order: Order, steady: bool) -> Vec<Step> {
 fn closing(alpha_4: f64) -> Vec<Label> {
     vec![
         Label::words("Where they meet the polygon closes."),
-        alpha("4").and(" = ").and_label(&a("t", "P4")).and(" / ").and_symbol("r").and(&format!(
+        alpha("4").and(" = ").and_label(&a("t", "4")).and(" / ").and_symbol("r").and(&format!(
             " = {}{}",
             written(alpha_4.abs(), "rad/s²"),
             turning_label(alpha_4)
         )),
-        a("n", "P2P4").and(" = 0: the slot is straight"),
+        a("n", "rel").and(" = 0: the slot is straight"),
     ]
 }

@@ -1,8 +1,8 @@
 //! What must hold of the drawings as they are written, read back from the SVG.
 
-use super::{acceleration_diagram, mechanism, over_a_turn, velocity_diagram};
+use super::{acceleration_diagram, bead_on_a_lever, mechanism, over_a_turn, velocity_diagram};
 use crate::Figure;
-use crate::checks::{Drawing, PIXELS, drawn, sound};
+use crate::checks::{Drawing, PIXELS, drawn, number, sound};
 use geneva_kinematics::Turn;
 use geneva_kinematics::quick_return::{Branch, Drive, Position, QuickReturn};
 use nalgebra::Vector2;
@@ -113,10 +113,15 @@ fn the_arrows_close_and_are_to_scale() {
         // Every arrow but those at the pole begins where another ends, to the digit.
         let loose = tails.iter().filter(|at| !tips.contains(at)).count();
         assert_eq!(loose, 2, "{}: two begin at the pole", figure.id);
-        let value = drawing.length("scale-bar") / scale;
-        let said = drawing.texts().into_iter().find(|text| text.contains("in every step")).expect("said");
-        let said: f64 = said.split(' ').next().expect("a number").parse().expect("a number");
-        assert!((value - said).abs() * scale < PIXELS, "{value} for {said}");
+        // The first scale bar is that of the small steps, the second that of the last one, whose arrows are named.
+        let bars = drawing.all("scale-bar");
+        let said = drawing.texts().into_iter().filter(|text| text.contains(" in step"));
+        let said: Vec<f64> =
+            said.map(|text| text.split(' ').next().and_then(|of| of.parse().ok()).expect("said")).collect();
+        for (bar, said, smaller) in [(&bars[0], said[0], 1.5), (&bars[1], said[1], 1.0)] {
+            let value = (number(bar, "x2") - number(bar, "x1")) / scale * smaller;
+            assert!((value - said).abs() * scale < 2.0 * PIXELS, "{value} for {said}");
+        }
     }
 }
 
@@ -177,4 +182,22 @@ fn the_curves_go_all_around_and_reverse_with_the_lever() {
             assert_eq!(drawing.count(class), count, "{class}");
         }
     }
+}
+
+#[test]
+fn the_two_strips_of_the_bead_are_equal_and_end_where_the_bead_does() {
+    let figure = bead_on_a_lever();
+    sound(&figure);
+    let drawing = Drawing::of(&figure);
+    let farther = drawing.path("farther", 0);
+    let length: f64 = farther.windows(2).map(|pair| (pair[1] - pair[0]).norm()).sum();
+    let turned = drawing.length("turned");
+    assert!((turned - length).abs() < 0.01 * length, "{turned} and {length}");
+    let beads = drawing.all("bead");
+    let last = Vector2::new(number(&beads[2], "cx"), number(&beads[2], "cy"));
+    assert!((farther[farther.len() - 1] - last).norm() < PIXELS);
+    // The slide as it would be had the lever not turned, and the one that is, begin at the bead.
+    let middle = Vector2::new(number(&beads[1], "cx"), number(&beads[1], "cy"));
+    assert!((drawing.line("unturned")[0] - middle).norm() < PIXELS);
+    assert!((drawing.path("slide", 2)[0] - middle).norm() < PIXELS);
 }

@@ -97,19 +97,19 @@ pub fn turning_label(rate: f64) -> String {
     turning(rate).replace('-', "\u{2010}")
 }
 
-/// Velocity of a point.
-pub fn v(point: &str) -> Label {
-    Label::symbol("v").sub(point)
+/// Velocity of the pin, "2", of the lever's point under it, "4", or of the one relative to the other, "rel".
+pub fn v(of: &str) -> Label {
+    Label::symbol("v").sub(of)
 }
 
-/// A part of the acceleration of a point: normal, n, or tangential, t.
-pub fn a(part: &str, point: &str) -> Label {
-    Label::symbol("a").sup(part).sub(point)
+/// A part of the acceleration of the same: normal, n, or tangential, t.
+pub fn a(part: &str, of: &str) -> Label {
+    Label::symbol("a").sup(part).sub(of)
 }
 
-/// The Coriolis acceleration, 2 ω₄ × v.
+/// The Coriolis acceleration.
 pub fn coriolis() -> Label {
-    Label::words("2").and_symbol("ω").sub("4").and(" × ").and_label(&v("P2P4"))
+    Label::symbol("a").sub("Cor")
 }
 
 /// Angular velocity of a link.

@@ -2,7 +2,7 @@
 
 use super::instant::Instant;
 use crate::number::trimmed;
-use crate::parts::{WIDTH, axis, construction, fixed_pivot, link, pin, pin_circle};
+use crate::parts::{axis, construction, fixed_pivot, link, pin, pin_circle};
 use crate::svg::{Canvas, Path, Pixels, Placing, Shape, View, heading};
 use crate::theme::{DRIVER, FILL, FOLLOWER, INK, PAPER};
 use geneva_kinematics::Turn;
@@ -12,10 +12,14 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The other branch's pin is shown if it is so many pixels away.
 const APART: f64 = 14.0;
+/// Width of the drawing, in pixels: narrow enough for its letters to be read on a phone.
+pub const WIDTH: f64 = 460.0;
 /// The largest that the mechanism may be, in pixels.
-const ROOM: Pixels = Vector2::new(500.0, 380.0);
+const ROOM: Pixels = Vector2::new(388.0, 380.0);
 /// Free space above and below the mechanism, in pixels: for the senses and the names.
 const MARGIN: f64 = 56.0;
+/// How far the line of an end of the swing goes beyond the pin's place there, over that distance.
+const SWING_END: f64 = 1.1;
 /// How far the lever reaches beyond the pin's farthest point, over that distance.
 const REACH: f64 = 1.05;
 /// Half the widths of the lever, of its slot and of the crank, in pixels.
@@ -36,6 +40,8 @@ pub struct Layout {
     pub crank: f64,
     /// Length of the lever from O4, in pixels.
     pub lever: f64,
+    /// Length of the lines that mark the ends of the swing, in pixels.
+    pub swing: f64,
     /// Nearest and farthest place of the pin from O4, in pixels.
     pub pin_range: (f64, f64),
     /// +1 if the pin is above the line of centres or on it, −1 below.
@@ -50,14 +56,16 @@ impl Layout {
     pub fn new(linkage: &QuickReturn, instant: &Instant, top: f64) -> Self {
         let (l, r) = (linkage.ground(), linkage.crank());
         let reach = REACH * (l + r);
-        let tip = |angle: f64| {
+        let at = |angle: f64, distance: f64| {
             let towards = heading(angle);
-            Vector2::new(towards.x, -towards.y) * reach
+            Vector2::new(towards.x, -towards.y) * distance
         };
+        // There the crank is at right angles to the lever.
+        let swing = SWING_END * ((l - r) * (l + r)).max(0.0).sqrt();
         let mut ends = vec![Vector2::zeros(), Vector2::new(l + r, r), Vector2::new(l - r, -r)];
-        ends.push(tip(instant.lever_angle));
+        ends.push(at(instant.lever_angle, reach));
         if let Some(limit) = linkage.strokes().swing_limit {
-            ends.extend([tip(limit), tip(-limit)]);
+            ends.extend([at(limit, swing), at(-limit, swing)]);
         }
         let fitted = View::fitting(ends.iter().copied(), ROOM, Pixels::zeros());
         let y = |end: &Vector2<f64>| end.y * fitted.scale;
@@ -72,6 +80,7 @@ impl Layout {
             pin,
             crank: r * view.scale,
             lever: reach * view.scale,
+            swing: swing * view.scale,
             pin_range: ((l - r).abs() * view.scale, (l + r) * view.scale),
             side: if instant.along.y < -1e-9 { -1.0 } else { 1.0 },
             height,
@@ -81,6 +90,11 @@ impl Layout {
     /// The tip of the lever at an angle.
     pub fn tip(&self, angle: f64) -> Pixels {
         self.pivot + heading(angle) * self.lever
+    }
+
+    /// The end of the line that marks an end of the swing.
+    pub fn swing_end(&self, angle: f64) -> Pixels {
+        self.pivot + heading(angle) * self.swing
     }
 
     /// The slot: its ends are the pin's nearest and farthest place, as far as the pivot leaves room.
@@ -112,9 +126,10 @@ pub fn bodies(canvas: &mut Canvas, placing: &mut Placing, at: &Layout, linkage: 
     placing.avoid_arc(&at.axis, at.crank, 0.0, 2.0 * PI, 0.25);
     if let Some(limit) = linkage.strokes().swing_limit {
         for angle in [limit, -limit] {
-            let line = Shape::line(&at.pivot, &at.tip(angle)).stroke(FOLLOWER, 1.2).with("stroke-opacity", "0.7");
+            let end = at.swing_end(angle);
+            let line = Shape::line(&at.pivot, &end).stroke(FOLLOWER, 1.2).with("stroke-opacity", "0.7");
             canvas.draw(line.dashed("10 4").class("swing-end"));
-            placing.avoid(&at.pivot, &at.tip(angle), 0.5);
+            placing.avoid(&at.pivot, &end, 0.5);
         }
     }
     if let Some(ghost) = other_branch(at, linkage, instant) {

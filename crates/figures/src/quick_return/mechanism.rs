@@ -1,9 +1,9 @@
 //! The mechanism to scale at an instant.
 
 use super::instant::{Instant, alpha, omega, turning, written};
-use super::linkage::{LEVER, Layout, bodies, length, other_branch, wrapped};
+use super::linkage::{LEVER, Layout, WIDTH, bodies, length, other_branch, wrapped};
 use crate::number::degrees;
-use crate::parts::{NEAR, WIDTH, along_arc, angle_label, arc, arc_arrow, scale_bar};
+use crate::parts::{NEAR, along_arc, angle_label, arc, arc_arrow, scale_bar};
 use crate::svg::{Canvas, Kind, Label, Pixels, Placing, Sense, Shape, around, beside_line, heading, leader};
 use crate::theme::{DRIVER, FOLLOWER, GRID, INK};
 use crate::{Figure, Series, Words};
@@ -12,9 +12,9 @@ use nalgebra::Vector2;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Room for the values below the mechanism, its lines and where its columns begin, in pixels.
-const VALUES: f64 = 3.0 * LINE + 8.0;
+const VALUES: f64 = 5.0 * LINE + 8.0;
 const LINE: f64 = 28.0;
-const COLUMNS: [f64; 3] = [30.0, 225.0, 410.0];
+const COLUMNS: [f64; 2] = [24.0, 230.0];
 /// From a body to the arrow of its sense, in pixels, and half the arrow's length.
 const TO_ARROW: f64 = 15.0;
 const HALF_ARROW: f64 = 30.0;
@@ -52,7 +52,7 @@ pub fn mechanism(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>,
         ("alpha_2", "rad/s^2", drive.acceleration),
         ("omega_4", "rad/s", motion.velocities.follower_speed),
         ("alpha_4", "rad/s^2", motion.accelerations.follower_acceleration),
-        ("v_P2P4", &speed_unit, motion.velocities.sliding_velocity.dot(&instant.along)),
+        ("v_rel", &speed_unit, motion.velocities.sliding_velocity.dot(&instant.along)),
     ]);
     let [phi, psi, beta] = [instant.crank_angle, instant.lever_angle, instant.angle_at_pin].map(degrees);
     let (omega_2, omega_4) = (drive.speed, instant.lever_speed(drive));
@@ -76,10 +76,12 @@ pub fn mechanism(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>,
             written(omega_4.abs(), "rad/s"),
             turning(omega_4)
         ),
-        "The mechanism to scale. The pin P2 on the crank slides in the slot; P4 is the lever's point under it, \
-                  at the same place at this instant.",
+        format!(
+            "The mechanism to scale at ψ = {psi}. The pin P₂ on the crank slides in the slot of the lever; P₄ is the \
+             lever's point under it, at the same place at this instant."
+        ),
     );
-    words.figure(canvas, Kind::Mechanism, series)
+    words.figure(canvas, Kind::TallMechanism, series)
 }
 
 /// Angles, senses and names, the most bound to their places first.
@@ -130,9 +132,10 @@ fn names(
     }
     if let Some(limit) = linkage.strokes().swing_limit {
         for angle in [limit, -limit] {
-            let from = at.pivot.lerp(&at.tip(angle), 0.3);
+            let end = at.swing_end(angle);
+            let from = at.pivot.lerp(&end, 0.3);
             let label = Label::words(&format!("end of swing {}", degrees(angle))).shade(FOLLOWER);
-            placing.put(canvas, &label, beside_line(&from, &at.tip(angle), &NEAR));
+            placing.put(canvas, &label, beside_line(&from, &end, &NEAR));
         }
     }
 }
@@ -173,17 +176,15 @@ fn values(canvas: &mut Canvas, linkage: &QuickReturn, instant: &Instant, drive: 
     let rule = [COLUMNS[0], WIDTH - COLUMNS[0]].map(|x| Vector2::new(x, top));
     canvas.draw(Shape::line(&rule[0], &rule[1]).stroke(GRID, 1.2));
     let columns = [
-        [
+        vec![
             Label::symbol("l").and(&format!(" = {}", length(linkage.ground(), unit))),
             Label::symbol("R").and(&format!(" = {}", length(linkage.crank(), unit))).shade(DRIVER),
-            Label::symbol("r").and(&format!(" = {}", written(instant.pin_distance, unit))).shade(FOLLOWER),
-        ],
-        [
-            angle_label("φ", instant.crank_angle),
             angle_label("ψ", instant.lever_angle),
+            angle_label("φ", instant.crank_angle),
             angle_label("β", instant.angle_at_pin),
         ],
-        [
+        vec![
+            Label::symbol("r").and(&format!(" = {}", written(instant.pin_distance, unit))).shade(FOLLOWER),
             omega("2").and(&format!(" = {}", written(drive.speed, "rad/s"))).shade(DRIVER),
             omega("4").and(&format!(" = {}", written(instant.lever_speed(drive), "rad/s"))).shade(FOLLOWER),
             alpha("4").and(&format!(" = {}", written(instant.lever_acceleration(drive), "rad/s²"))).shade(FOLLOWER),

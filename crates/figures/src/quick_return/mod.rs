@@ -6,6 +6,7 @@
 //! pin's distance from O4.
 
 mod acceleration;
+mod bead;
 #[cfg(test)]
 mod drawn;
 mod instant;
@@ -17,6 +18,7 @@ mod turn;
 mod velocity;
 
 pub use acceleration::acceleration_diagram;
+pub use bead::bead_on_a_lever;
 pub use mechanism::mechanism;
 pub use turn::over_a_turn;
 pub use velocity::velocity_diagram;

@@ -1,4 +1,4 @@
-//! A vector diagram in numbered steps, all to one scale: how the steps lie on the page.
+//! A vector diagram in numbered steps, the last one larger than the others: how the steps lie on the page.
 
 use super::instant::{cleared, written};
 use crate::parts::{WIDTH, arrow, numbered, scale_bar};
@@ -8,6 +8,8 @@ use nalgebra::Vector2;
 
 /// The largest that the vectors may be: width and height in pixels.
 const ROOM: Pixels = Vector2::new(208.0, 214.0);
+/// How many times as large the last step is: its labels, with their values, need room.
+const LARGER: f64 = 1.5;
 /// Free space above and below the vectors, in pixels: in the small steps and in the last one.
 const MARGIN: f64 = 42.0;
 const LAST_MARGIN: f64 = 52.0;
@@ -88,20 +90,23 @@ pub struct Diagram {
 }
 
 impl Diagram {
-    /// The steps in two columns, the last one across both, and the scale bar.
+    /// The steps in two columns, the last one across both and larger, each with its scale bar.
     pub fn draw(&self) -> Canvas {
         let ends = self.arrows.iter().flat_map(|at| [at.tail, at.tail + at.vector]);
         let fitted = View::fitting(ends.clone(), ROOM, Pixels::zeros());
         let (scale, y) = (fitted.scale, |end: Vector2<f64>| end.y * fitted.scale);
         let drawn = ends.clone().map(y).fold(0.0, f64::max) - ends.map(y).fold(0.0, f64::min);
         let drawn = drawn.max(40.0);
-        let view = |x: f64, y: f64| View { origin: fitted.origin + Vector2::new(x, y), scale };
+        let view = |x: f64, y: f64, larger: f64| View {
+            origin: fitted.origin * larger + Vector2::new(x, y),
+            scale: scale * larger,
+        };
 
         let closing = self.closing_step(scale);
         let rows: Vec<f64> = self.steps.chunks(2).map(|row| head(row) + drawn + 2.0 * MARGIN).collect();
-        let top: f64 = rows.iter().sum();
+        let top: f64 = rows.iter().sum::<f64>() + SCALE_BAR;
         let last = head(std::slice::from_ref(&closing));
-        let height = top + last + drawn + 2.0 * LAST_MARGIN + SCALE_BAR;
+        let height = top + last + LARGER * drawn + 2.0 * LAST_MARGIN + SCALE_BAR;
         let mut canvas = Canvas::new(WIDTH, height);
         let mut above = 0.0;
         for (row, steps) in self.steps.chunks(2).enumerate() {
@@ -111,23 +116,26 @@ impl Diagram {
                 let centre = (left + WIDTH / 4.0, bottom - MARGIN - drawn / 2.0);
                 let number = 2 * row + column + 1;
                 let corners = [Vector2::new(left, above), Vector2::new(left + WIDTH / 2.0, bottom)];
-                self.step(&mut canvas, step, number, corners, &view(centre.0, centre.1), false);
+                self.step(&mut canvas, step, number, corners, &view(centre.0, centre.1, 1.0), false);
             }
             above = bottom;
         }
-        let bottom = height - SCALE_BAR;
-        let corners = [Vector2::new(0.0, above), Vector2::new(WIDTH, bottom)];
-        let at = |shift: f64| view(WIDTH / 2.0 + shift, bottom - LAST_MARGIN - drawn / 2.0);
-        let draw = |canvas: &mut Canvas, shift: f64| {
-            self.step(canvas, &closing, self.steps.len() + 1, corners, &at(shift), true)
+        let count = self.steps.len();
+        let bar = |canvas: &mut Canvas, bottom: f64, scale: f64, steps: &str| {
+            let start = Vector2::new(NUMBER, bottom - SCALE_BAR / 2.0);
+            scale_bar(canvas, &start, scale, false, &format!("{} in step{steps}", self.unit));
         };
+        bar(&mut canvas, top, scale, &format!("s 1 {} {count}", if count == 2 { "and" } else { "to" }));
+        let bottom = height - SCALE_BAR;
+        let corners = [Vector2::new(0.0, top), Vector2::new(WIDTH, bottom)];
+        let at = |shift: f64| view(WIDTH / 2.0 + shift, bottom - LAST_MARGIN - LARGER * drawn / 2.0, LARGER);
+        let draw = |canvas: &mut Canvas, shift: f64| self.step(canvas, &closing, count + 1, corners, &at(shift), true);
         // Where the labels, which are long here, have most room.
         let cost = |shift: f64| draw(&mut Canvas::new(WIDTH, height), shift);
         let shifts = SHIFTS.map(|shift| (cost(shift), shift));
         let (_, shift) = shifts.into_iter().fold(shifts[0], |best, at| if at.0 < best.0 - 1e-6 { at } else { best });
         draw(&mut canvas, shift);
-        let start = Vector2::new(NUMBER, height - SCALE_BAR / 2.0);
-        scale_bar(&mut canvas, &start, scale, false, &format!("{}, in every step", self.unit));
+        bar(&mut canvas, height, scale * LARGER, &format!(" {}", count + 1));
         canvas
     }
 

@@ -2,7 +2,7 @@
 
 use super::instant::{Instant, alpha, omega, written};
 use crate::chart::{Axis, Chart, Entry, Mark, Marker, Panel, Stroke};
-use crate::number::{degrees, significant};
+use crate::number::{degrees, short, significant};
 use crate::svg::Label;
 use crate::theme::{FILL, FOLLOWER};
 use crate::{Figure, Series, Words};
@@ -46,8 +46,9 @@ pub fn over_a_turn(linkage: &QuickReturn, position: &Position, drive: &Drive<f64
             written(instant.lever_acceleration(&drive), "rad/s²"),
         ),
         format!(
-            "A whole turn of the crank at constant speed. Tinted: the fast {stroke}. The line marks the instant of the \
-             diagrams."
+            "A whole turn of the crank at {}. Tinted: the fast {stroke}. The dashed line marks the instant φ = {phi}, \
+             ψ = {psi}.",
+            written(drive.speed, "rad/s")
         ),
     );
     Chart::new(panels).key(header(&strokes)).figure(words, Series::new(columns, rows))
@@ -94,16 +95,17 @@ fn panel(rows: &[[f64; 4]], column: usize, instant: &Instant, drive: &Drive<f64>
     let psi = instant.lever_angle.to_degrees();
     let psi = if turns && instant.crank_angle > PI && psi < 0.0 { psi + 360.0 } else { psi };
     let (speed, rate) = (instant.lever_speed(drive), instant.lever_acceleration(drive));
+    // Beside the mark the value alone: a longer label would stand on the line of the instant.
     let (symbol, unit, value, text) = match column {
         1 => (Label::symbol("ψ"), "degrees", psi, degrees(psi.to_radians())),
-        2 => (omega("4"), "rad/s", speed, written(speed, "rad/s")),
-        _ => (alpha("4"), "rad/s²", rate, written(rate, "rad/s²")),
+        2 => (omega("4"), "rad/s", speed, short(speed, 4)),
+        _ => (alpha("4"), "rad/s²", rate, short(rate, 4)),
     };
     let values = || rows.iter().map(|row| row[column]);
     let (least, greatest) = (values().fold(0.0, f64::min), values().fold(0.0, f64::max));
     // Angles end on the frame: their ends are known.
     let axis = if column == 1 { Axis::of_angles } else { Axis::from_zero };
-    let y = axis(least, greatest, STEPS).titled(symbol.clone().and(&format!(" in {unit}")).shade(FOLLOWER));
+    let y = axis(least, greatest, STEPS).titled(symbol.and(&format!(" in {unit}")).shade(FOLLOWER));
     let x = Axis::whole(0.0..360.0, (0..=360).step_by(MARKS).map(f64::from));
     let angle = Label::words("crank angle ").and_symbol("φ").and(" in degrees");
     let x = if column == 3 { x.titled(angle) } else { x.unnumbered() };
@@ -118,5 +120,5 @@ fn panel(rows: &[[f64; 4]], column: usize, instant: &Instant, drive: &Drive<f64>
         .curve(rows.iter().map(|row| (row[0], row[column])), Stroke::new(FOLLOWER))
         .vertical(now, Stroke::thin("instant").dashed("5 4"))
         .marks([(now, value)], Marker::new(FOLLOWER, Mark::Disc).sized(11.0).class("now"))
-        .near([(now, value)], 0.4, symbol.and(&format!(" = {text}")).shade(FOLLOWER))
+        .near([(now, value)], 0.4, Label::words(&text).shade(FOLLOWER))
 }

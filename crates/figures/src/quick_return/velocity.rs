@@ -10,7 +10,7 @@ use geneva_kinematics::pin_vectors::quarter_turn;
 use geneva_kinematics::quick_return::{Drive, Position, QuickReturn};
 use nalgebra::Vector2;
 
-/// The velocity diagram in three numbered steps, to one scale: v_P2 = v_P4 + v_P2P4.
+/// The velocity diagram in three numbered steps, the last one larger: v_2 = v_4 + v_rel.
 ///
 /// `drive` is in radians per second and its square; `length_unit` the unit of the linkage's lengths. A velocity of
 /// fewer than one pixel is not drawn but named. Series, a row for each vector in the order that the first column's
@@ -25,9 +25,9 @@ pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Driv
         |name, point, tail, vector, shade, if_zero| Arrow { name, symbol: v(point), tail, vector, shade, if_zero };
     let zero = Vector2::zeros();
     let arrows = vec![
-        arrow("v-pin", "P2", zero, pin, DRIVER, "the crank stands still"),
-        arrow("v-lever", "P4", zero, slot, FOLLOWER, "the lever stands still"),
-        arrow("v-sliding", "P2P4", slot, sliding, RELATIVE, "the pin does not slide"),
+        arrow("v-pin", "2", zero, pin, DRIVER, "the crank stands still"),
+        arrow("v-lever", "4", zero, slot, FOLLOWER, "the lever stands still"),
+        arrow("v-sliding", "rel", slot, sliding, RELATIVE, "the pin does not slide"),
     ];
     let across = quarter_turn(&instant.along);
     let direction = |name, words, from, along, shade| Direction { name, words, from, along, meeting: slot, shade };
@@ -39,17 +39,17 @@ pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Driv
     let line = Label::words;
     let known = vec![
         line("Known: the pin. From ").and_symbol("o"),
-        v("P2").and(" = ").and_label(&omega("2")).and("\u{2009}").and_symbol("R"),
+        v("2").and(" = ").and_label(&omega("2")).and("\u{2009}").and_symbol("R"),
         line(&format!("= {}, ⊥ crank", written(pin.norm(), &unit))),
     ];
     let unknown = vec![
-        v("P4").and(" is across the lever"),
-        line("from ").and_symbol("o").and("; ").and_label(&v("P2P4")).and(" is along"),
+        v("4").and(" is across the lever"),
+        line("from ").and_symbol("o").and("; ").and_label(&v("rel")).and(" is along"),
         line("it and ends at the tip"),
     ];
     let closing = vec![
         line("Where they meet the triangle closes: ").and_label(&sum()),
-        omega("4").and(" = ").and_label(&v("P4")).and(" / ").and_symbol("r").and(&format!(
+        omega("4").and(" = ").and_label(&v("4")).and(" / ").and_symbol("r").and(&format!(
             " = {}{}",
             written(omega_4.abs(), "rad/s"),
             turning_label(omega_4)
@@ -70,7 +70,7 @@ pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Driv
     let gap = pin - slot - sliding;
     let rows = [pin, slot, sliding, gap].into_iter().enumerate().map(|(k, vector)| row(k + 1, &vector, scale));
     let columns = [
-        ("1 v_P2, 2 v_P4, 3 v_P2P4, 4 gap", "1"),
+        ("1 v_2, 2 v_4, 3 v_rel, 4 gap", "1"),
         ("x", unit.as_str()),
         ("y", unit.as_str()),
         ("magnitude", unit.as_str()),
@@ -82,20 +82,22 @@ pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Driv
         "quick-return-velocity",
         format!("Velocity diagram of the quick-return mechanism at a lever angle of {psi}"),
         format!(
-            "Three steps to one scale. 1: from the pole, the velocity of the pin P2, {pin}. 2: two dashed lines of known \
+            "Three steps, to scale. 1: from the pole, the velocity of the pin P2, {pin}. 2: two dashed lines of known \
              direction, across the lever from the pole and along the lever through the tip. 3: they meet and close a \
              right-angled triangle: the velocity of the lever's point P4, {slot}, and the velocity of P2 relative to \
              P4, {sliding}, add up to that of P2. The lever's angular velocity is {}{}.",
             written(omega_4.abs(), "rad/s"),
             turning(omega_4)
         ),
-        "The velocity diagram in three steps. One vector is known; of the other two the directions are, and \
-                  two directions close a triangle. The pole is o.",
+        format!(
+            "The velocity diagram at ψ = {psi}, in three steps. One vector is known; of the other two only the \
+             directions, and two directions close a triangle. The pole is o."
+        ),
     );
     words.figure(diagram.draw(), Kind::Steps, Series::new(columns, rows))
 }
 
-/// v_P2 = v_P4 + v_P2P4.
+/// v_2 = v_4 + v_rel.
 fn sum() -> Label {
-    v("P2").and(" = ").and_label(&v("P4")).and(" + ").and_label(&v("P2P4"))
+    v("2").and(" = ").and_label(&v("4")).and(" + ").and_label(&v("rel"))
 }

@@ -10,6 +10,8 @@ use crate::number::trimmed;
 pub enum Kind {
     /// Bodies and joints, to scale.
     Mechanism,
+    /// The same with words below, on more height than width.
+    TallMechanism,
     /// Vectors and angles, to scale.
     Diagram,
     /// Curves over axes.
@@ -19,6 +21,10 @@ pub enum Kind {
     /// Curves over axes one under another, on more height than width.
     Panels,
 }
+
+/// A drawing narrower than this is shown so many times as wide as its view box, and not as wide as the page.
+const NARROW: f64 = 600.0;
+const ENLARGED: f64 = 1.15;
 
 /// A drawing in the making.
 #[derive(Clone, Debug)]
@@ -61,13 +67,19 @@ impl Canvas {
     pub fn finish(self, kind: Kind, id: &str, title: &str, description: &str) -> String {
         let class = match kind {
             Kind::Mechanism => "mechanism",
+            Kind::TallMechanism => "mechanism tall",
             Kind::Diagram => "diagram",
             Kind::Plot => "plot",
             Kind::Steps => "diagram tall",
             Kind::Panels => "plot tall",
         };
+        let narrow = if self.width < NARROW {
+            format!(" style=\"max-width:min(100%,{}px)\"", trimmed(ENLARGED * self.width, 0))
+        } else {
+            String::new()
+        };
         let opening = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" class=\"{class}\" role=\"img\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" class=\"{class}\"{narrow} role=\"img\" \
              aria-labelledby=\"{id}-title {id}-desc\" font-family=\"sans-serif\" font-size=\"{}\">",
             trimmed(self.width, 2),
             trimmed(self.height, 2),

@@ -3,18 +3,20 @@
 mod escapement;
 mod front;
 mod never_printed;
+mod pin;
 mod program;
+mod quick_return;
 mod runs;
 mod solver;
 mod terminal_speed;
 
-use crate::lookup;
+use crate::{lookup, numbers};
 
 /// A number with its unit, as HTML.
 pub type Number = fn() -> anyhow::Result<String>;
 
 /// The numbers of each chapter.
-const ALL: &[&[(&str, Number)]] = &[escapement::NUMBERS, front::NUMBERS, never_printed::NUMBERS, program::NUMBERS, runs::NUMBERS, solver::NUMBERS, terminal_speed::NUMBERS];
+const ALL: &[&[(&str, Number)]] = &[escapement::NUMBERS, front::NUMBERS, never_printed::NUMBERS, pin::NUMBERS, program::NUMBERS, quick_return::NUMBERS, runs::NUMBERS, solver::NUMBERS, terminal_speed::NUMBERS];
 pub fn names() -> impl Iterator<Item = &'static str> {
     ALL.iter().copied().flatten().map(|(name, _)| *name)
 }
@@ -23,4 +25,24 @@ pub fn names() -> impl Iterator<Item = &'static str> {
 pub fn by_name(name: &str) -> anyhow::Result<String> {
     let found = ALL.iter().copied().flatten().find(|(known, _)| *known == name).map(|(_, number)| number);
     found.ok_or_else(|| lookup::unknown("number", name, names()))?()
+}
+
+/// A number to so many significant digits, trailing zeros kept, with its unit.
+fn with_unit(number: f64, digits: i32, unit: &str) -> String {
+    let after_first = usize::try_from(digits - 1).unwrap_or(0);
+    let scientific = format!("{number:.after_first$e}");
+    let exponent = scientific.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok()).unwrap_or(0);
+    let decimals = usize::try_from(digits - 1 - exponent).unwrap_or(0);
+    format!("{}&nbsp;{unit}", numbers::fixed(scientific.parse().unwrap_or(number), decimals))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::with_unit;
+
+    #[test]
+    fn digits_count_from_the_first() {
+        let written = [0.0999, 9.999, 233.32, 1234.5, -4.1].map(|number| with_unit(number, 3, "m"));
+        assert_eq!(written, ["0.0999&nbsp;m", "10.0&nbsp;m", "233&nbsp;m", "1230&nbsp;m", "−4.10&nbsp;m"]);
+    }
 }

@@ -26,6 +26,7 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("quick-return-mechanism", || of_lever(quick_return::mechanism)),
     ("quick-return-velocity", || of_lever(quick_return::velocity_diagram)),
     ("quick-return-acceleration", || of_lever(quick_return::acceleration_diagram)),
+    ("quick-return-bead", || Ok(quick_return::bead_on_a_lever())),
     ("quick-return-turn", || of_lever(|linkage, at, drive, _| quick_return::over_a_turn(linkage, at, drive))),
     ("wheel-mechanism", || Ok(stations::mechanism(&four_stations()?))),
     ("wheel-model", || Ok(stations::model(&four_stations()?, MODEL_ANGLE)?)),

@@ -1,4 +1,4 @@
-//! The quick-return mechanism's vectors with their directions and senses, and what another reading would give.
+//! The quick-return mechanism's vectors with their directions and senses, and what other readings would give.
 
 use crate::html::{Cells, Table, table};
 use crate::maths::formula;
@@ -13,27 +13,21 @@ use nalgebra::Vector2;
 /// A part of a vector that is zero but for rounding, relative to the vector.
 const NOTHING: f64 = 1e-9;
 
-/// Every velocity and acceleration of the printed instant: magnitude, direction, sense; and the mirror image's sense.
+/// Every velocity and acceleration of the printed instant: magnitude, direction, sense.
 pub fn terms() -> anyhow::Result<Table> {
-    let [ours, mirrored] = [Instant::printed()?, Instant::mirrored()?].map(|instant| instant.by_diagrams());
-    let (ours, mirrored) = (ours.context("the pin is on the pivot")?, mirrored.context("the pin is on the pivot")?);
-    let both = vectors(&ours).into_iter().zip(vectors(&mirrored));
-    let rows = both.map(|((symbol, unit, vector), (_, _, mirror))| {
+    let motion = Instant::printed()?.by_diagrams().context("the pin is on the pivot")?;
+    let rows = vectors(&motion).into_iter().map(|(symbol, unit, vector)| {
         let symbol = formula(symbol, false)?;
         Ok(if vector.norm() == 0.0 {
-            vec![symbol, "0".to_owned(), "–".to_owned(), "none".to_owned(), "none".to_owned()]
+            vec![symbol, "0".to_owned(), "–".to_owned(), "none".to_owned()]
         } else {
-            vec![
-                symbol,
-                format!("{:.4}&nbsp;{unit}", vector.norm()),
-                format!("{}°", fixed(direction(&vector), 2)),
-                words(&vector, &ours),
-                words(&mirror, &mirrored),
-            ]
+            let length = format!("{:.4}&nbsp;{unit}", vector.norm());
+            vec![symbol, length, format!("{}°", fixed(direction(&vector), 2)), words(&vector, &motion)]
         })
     });
-    let head = ["Vector", "Magnitude", "Direction", "Sense", "Sense in the mirror image"];
-    table("Vectors of the quick-return mechanism", Cells::Words, &head, rows)
+    let head = ["Vector", "Magnitude", "Direction", "Sense"];
+    let caption = "All vectors of the problem; directions counter-clockwise from lever’s pivot to crank’s axis";
+    table(caption, Cells::Words, &head, rows)
 }
 
 /// The printed data on the branch of the source, on the other one, and with the angle printed for the velocities.
@@ -90,8 +84,13 @@ pub fn branches() -> anyhow::Result<Table> {
         row.extend([far_column[at], near_column[at], with_printed_angle[at]].map(|value| fixed(value, 4)));
         Ok(row)
     });
-    let head = ["Quantity", "This branch", "The other branch", "Had the printed angle been right"];
-    table("Other readings of the quick-return problem", Cells::NamedNumbers, &head, rows)
+    let head = ["Quantity", "Far point", "Near point", "With the misprinted angle"];
+    table(
+        "The problem at both points of the crank’s circle, and with the misprinted angle",
+        Cells::NamedNumbers,
+        &head,
+        rows,
+    )
 }
 
 /// Symbol, unit and vector: three velocities, then the seven terms of the acceleration.
