@@ -5,7 +5,7 @@ use crate::measurements::integrators;
 use crate::rows::{self, parameters, weakest};
 use crate::tables::solver::CONTESTANTS;
 use anyhow::Context;
-use geneva_dynamics::joints::{Joints, Varied, series};
+use geneva_dynamics::joints::{Escapement, Joints, Varied, series};
 use geneva_figures::Figure;
 use geneva_figures::runs::{self, Deviation, Deviations, Group, Run};
 use geneva_figures::steady::{self, Line, Measurement};
@@ -85,6 +85,29 @@ fn group(mechanism: Mechanism) -> anyhow::Result<Group> {
 /// The map of a mechanism, with its runs.
 pub fn map(mechanism: Mechanism) -> anyhow::Result<Figure> {
     Ok(steady::map(mechanism, &designs()?)?)
+}
+
+/// Accelerations and pin force over an engagement: of the four-pin runs that brake least the one with the strongest spring.
+pub fn accelerations() -> anyhow::Result<Figure> {
+    let row = least_braked(Mechanism::FOUR_PIN).and_then(<[Row]>::last).context("no run with four pins")?;
+    let run = format!(
+        "four pins, μ = {}, K = {} in lb, inertias as in the runs of the thesis",
+        row.printed(Column::Friction),
+        row.printed(Column::Torque)
+    );
+    Ok(steady::accelerations(&parameters(row)?, &run)?)
+}
+
+/// A pin of finite radius in its slot, four pins: while it drives the follower, and where the driver is fastest.
+pub fn contact() -> anyhow::Result<Figure> {
+    /// Radius of the pin in crank radii, and the first instant as a part of the way to entry.
+    const PIN: f64 = 0.1;
+    const DRIVING: f64 = 0.6;
+    let of = parameters(weakest(comparable(Mechanism::FOUR_PIN))?)?;
+    let escapement = Escapement::new(&of, Joints { pin_radius: PIN, ..Joints::IDEAL })?;
+    let state = escapement.steady_state(1e-9)?.state;
+    let driving = -DRIVING * of.mechanism().engagement_half_angle();
+    Ok(steady::contact(&escapement, [(driving, state.entry_speed), (state.peak.angle, state.peak.speed)])?)
 }
 
 /// Mean speed and multiplier over the radius of the pin, of the driver's journal, and of the follower's.
