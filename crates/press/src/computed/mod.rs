@@ -1,6 +1,9 @@
 //! Numbers of ours in a sentence: what a chapter says with a number that no source prints.
 
 mod front;
+mod jazar;
+mod joints;
+mod timer;
 
 use crate::lookup;
 
@@ -8,7 +11,7 @@ use crate::lookup;
 pub type Number = fn() -> anyhow::Result<String>;
 
 /// The numbers of each chapter.
-const ALL: &[&[(&str, Number)]] = &[front::NUMBERS];
+const ALL: &[&[(&str, Number)]] = &[front::NUMBERS, jazar::NUMBERS, timer::NUMBERS, joints::NUMBERS];
 
 /// The names of all numbers; each is said in some chapter.
 pub fn names() -> impl Iterator<Item = &'static str> {

@@ -10,20 +10,29 @@ use std::ops::RangeInclusive;
 /// The table for the numbers of stations from the first to the second, written with a space between.
 pub fn wheels(range: &str) -> anyhow::Result<Table> {
     let stations = parsed(range).ok_or_else(|| anyhow!("`{range}`: two whole numbers are expected, as in `3 18`"))?;
-    let symbol = |tex: &str| formula(tex, false);
+    let (first, last) = (*stations.start(), *stations.end());
+    let speed = formula(r"\dot\varphi/\dot\theta", false)?;
+    let acceleration = formula(r"\lvert\ddot\varphi\rvert/\dot\theta^2", false)?;
     let head = [
-        symbol("N")?,
-        "moves".to_owned(),
-        "dwells".to_owned(),
-        symbol("l/R")?,
-        "wheel radius".to_owned(),
-        format!("peak {}", symbol(r"\dot\varphi/\dot\theta")?),
-        format!("entry {}", symbol(r"\ddot\varphi/\dot\theta^2")?),
-        format!("peak {}", symbol(r"\lvert\ddot\varphi\rvert/\dot\theta^2")?),
-        format!("at {}", symbol(r"\theta = \mp")?),
+        format!("stations <small>{}</small>", formula("N", false)?),
+        "moves <small>of a turn</small>".to_owned(),
+        "dwells <small>of a turn</small>".to_owned(),
+        format!("centre <br>distance <small>{}</small>", formula("l/R", false)?),
+        format!("wheel <br>radius <small>over {}</small>", formula("R", false)?),
+        format!("peak <br>speed <small>{speed}</small>"),
+        format!("jump <br>at entry <small>{acceleration}</small>"),
+        format!("peak <br>acceleration <small>{acceleration}</small>"),
+        format!("peak <br>where <small>{}</small>", formula(r"\theta = \mp", false)?),
     ];
     let head: Vec<&str> = head.iter().map(String::as_str).collect();
-    table("Wheels by number of stations", Cells::Numbers, &head, stations.map(row))
+    let caption = format!(
+        "Wheels of {first} to {last} stations, one pin, driver at constant speed. Moves and dwells: which number of \
+         stations to take. Centre distance and wheel radius, over the crank radius: how large it is. Peak speed, over the \
+         driver's; jump of the acceleration at entry and exit, and peak acceleration, over the square of the driver's \
+         speed in rad/s: how hard it is moved. The last column has the crank angles of the peak, before and behind the \
+         line of centres."
+    );
+    table(&caption, Cells::Numbers, &head, stations.map(row))
 }
 
 fn parsed(range: &str) -> Option<RangeInclusive<u32>> {
@@ -44,7 +53,7 @@ fn row(stations: u32) -> anyhow::Result<Vec<String>> {
         ratio(peak_velocity(&wheel)),
         ratio(entry_acceleration(&wheel)),
         ratio(peak.ratio),
-        format!("{:.3}°", peak.angle.to_degrees()),
+        format!("{:.2}°", peak.angle.to_degrees()),
     ])
 }
 
