@@ -30,7 +30,8 @@ pub fn extremes(stations: RangeInclusive<u32>) -> Figure {
     let x = Axis::whole(first - room..last + 0.06 * room, marks)
         .titled(Label::words("number of stations ").and_symbol("N"));
     let values = || rows.iter().flat_map(|row| CURVES.map(|(column, ..)| row[column]));
-    let y = Axis::logarithmic_about(values().fold(f64::INFINITY, f64::min)..values().fold(0.0, f64::max));
+    let y = Axis::logarithmic_about(values().fold(f64::INFINITY, f64::min)..values().fold(0.0, f64::max))
+        .titled(Label::words("over the driver's speed, or over its square"));
     let mut panel = Panel::new(426.0, &x, &y);
     let points = |column: usize| rows.iter().map(move |row| (row[0], row[column]));
     for (column, shade, mark, _) in CURVES {

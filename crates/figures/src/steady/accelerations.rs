@@ -31,16 +31,23 @@ type Row = [f64; 6];
 /// [`FigureError::Dynamics`] if the escapement has no steady state.
 pub fn accelerations(parameters: &Parameters, run: &str) -> Result<Figure, FigureError> {
     let mechanism = parameters.mechanism();
-    let lines = Engagement::new(parameters)?.steady_cycle(PARTS)?;
+    let engagement = Engagement::new(parameters)?;
+    let lines = engagement.steady_cycle(PARTS)?;
     let rows = lines.iter().map(|line| row(parameters, line.angle, line.speed)).collect::<Result<Vec<Row>, _>>()?;
     let half = mechanism.engagement_half_angle();
     let x = Axis::of_engagement(half.to_degrees(), MARKS);
     let angle = Label::words("driver angle ").and_symbol("θ").and(" in degrees");
     let panels = [
-        both(&x.clone().unnumbered(), &rows, [1, 2], "speeds ", "′", " in rad/s"),
-        jumping(both(&x.clone().unnumbered(), &rows, [3, 4], "accelerations ", "″", " in 1000 rad/s²"), &rows),
-        force(&x.titled(angle), &rows),
+        both(&x, &rows, [1, 2], "speeds ", "′", " in rad/s"),
+        jumping(both(&x, &rows, [3, 4], "accelerations ", "″", " in 1000 rad/s²"), &rows),
+        force(&x.clone().titled(angle), &rows),
     ];
+    let change = engagement.passage(engagement.steady_state()?.entry_speed)?.switch_angle();
+    let flank = Stroke::thin("switch").dashed("5 4");
+    let panels = panels.map(|panel| match change {
+        Some(change) => panel.vertical(change.to_degrees(), flank),
+        None => panel,
+    });
 
     let greatest = |column: usize| significant(rows.iter().map(|row| row[column]).fold(0.0, f64::max), 3);
     let strongest = Accelerations::new(parameters)?;
@@ -64,10 +71,14 @@ pub fn accelerations(parameters: &Parameters, run: &str) -> Result<Figure, Figur
             said(strongest.normal_moment, parameters.torque()),
         ),
         format!(
-            "One engagement of the steady motion, entry at the left, exit at the right. The follower is fastest on the line \
-             of centres, and past it runs ahead of the pin: it brakes itself on the pin and throws the driver on. N r / K \
-             is the force between pin and slot over the force of the spring at the crank radius. At the hand-over the \
-             follower's acceleration jumps from the right ring to the left one. Shown: {run}."
+            "One engagement of the steady motion, entry at the left, exit at the right. {}N r / K is the force between pin \
+             and slot over the force of the spring at the crank radius. At the hand-over the follower's acceleration jumps \
+             from the right ring to the left one. Shown: {run}.",
+            change.map_or_else(String::new, |change| format!(
+                "Up to θ = {}, the dashed line, the pin drives the follower; from there on the follower runs ahead, the \
+                 pin holds it back, and it throws the driver on. ",
+                degrees(change)
+            ))
         ),
     );
     let columns = [
@@ -99,7 +110,8 @@ fn row(parameters: &Parameters, angle: f64, speed: f64) -> Result<Row, FigureErr
 fn both(x: &Axis, rows: &[Row], columns: [usize; 2], what: &str, primes: &str, unit: &str) -> Panel {
     let values = || rows.iter().flat_map(|row| columns.map(|column| row[column]));
     let y = Axis::from_zero(values().fold(0.0, f64::min), values().fold(0.0, f64::max), 4.0);
-    let [theta, phi] = [("θ", DRIVER), ("φ", FOLLOWER)].map(|(letter, shade)| Label::symbol(letter).and(primes).shade(shade));
+    let [theta, phi] =
+        [("θ", DRIVER), ("φ", FOLLOWER)].map(|(letter, shade)| Label::symbol(letter).and(primes).shade(shade));
     let title = Label::words(what).and_label(&theta).and(" and ").and_label(&phi).and(unit);
     let strokes = [Stroke::new(DRIVER).dashed("10 5"), Stroke::new(FOLLOWER)];
     let mut panel = Panel::new(190.0, x, &y.titled(title)).horizontal(0.0, Stroke::thin("zero"));

@@ -16,8 +16,8 @@ const WALL: f64 = 36.0;
 const NORMAL: f64 = 82.0;
 const FRICTION: f64 = 92.0;
 const SPEED: f64 = 170.0;
-/// How far beside the flank friction and sliding are drawn.
-const BESIDE: f64 = 9.0;
+/// How far beside the flank the sliding of the surface is drawn.
+const BESIDE: f64 = 13.0;
 /// From the top of a panel to what is drawn, and the height of a panel.
 const HEAD: f64 = 52.0;
 const HEIGHT: f64 = 318.0;
@@ -129,9 +129,11 @@ fn panel(canvas: &mut Canvas, at: &Instant, count: usize, top: f64) {
         canvas.draw(Shape::path(wall).fill(FILL).class("wall"));
         let bears = side == at.side;
         let flank = Shape::line(&across(ENDS[0], near), &across(ENDS[1], near));
-        canvas.draw(
-            flank.stroke(FOLLOWER, if bears { 4.0 } else { 1.8 }).class(if bears { "bearing-flank" } else { "flank" }),
-        );
+        canvas.draw(flank.stroke(FOLLOWER, if bears { 4.0 } else { 1.8 }).class(if bears {
+            "bearing-flank"
+        } else {
+            "flank"
+        }));
         let words = Label::words(if side > 0.0 { "leading flank" } else { "trailing flank" }).shade(FOLLOWER).on(FILL);
         canvas.label(&place(-outward * 92.0, side * (PIN + WALL / 2.0)), &(right * -outward), 0.0, &words);
     }
@@ -148,8 +150,11 @@ fn panel(canvas: &mut Canvas, at: &Instant, count: usize, top: f64) {
     // Velocities: of the centre, and of the surface where it touches.
     let tip = place(at.slide * SPEED, 0.0);
     arrow(canvas, &centre, &tip, RELATIVE, 4.0, "sliding-of-centre");
-    canvas.label(&tip, &(right * outward), 8.0, &Label::symbol("R").and("′ of the centre").shade(RELATIVE));
-    let inside = at.side * (PIN - BESIDE - 4.0);
+    // Beside the arrow's tip, on the side that does not rub.
+    let beside = tip - right * (outward * 20.0);
+    let label = Label::symbol("R").and("′ of the centre").shade(RELATIVE);
+    canvas.label(&beside, &(up * -at.side), 18.0, &label);
+    let inside = at.side * (PIN - BESIDE);
     let tip = place(at.sliding * SPEED, inside);
     arrow(canvas, &place(0.0, inside), &tip, DRIVER, 4.0, "sliding-of-surface");
     canvas.label(&tip, &(right * outward), 8.0, &Label::symbol("w").and(" of the surface").shade(DRIVER));
@@ -157,7 +162,7 @@ fn panel(canvas: &mut Canvas, at: &Instant, count: usize, top: f64) {
     let end = touch + up * (at.side * NORMAL);
     arrow(canvas, &touch, &end, INK, 4.0, "normal-force");
     canvas.label(&end.lerp(&touch, 0.15), &(right * -outward), 10.0, &Label::symbol("N"));
-    let from = touch + up * (at.side * BESIDE);
+    let from = touch + up * (at.side * WALL / 2.0);
     let end = from + right * (outward * FRICTION);
     arrow(canvas, &from, &end, CORIOLIS, 4.0, "friction");
     let label = Label::symbol("μ").and("\u{2009}|").and_symbol("N").and("|").shade(CORIOLIS).on(FILL);

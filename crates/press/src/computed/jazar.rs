@@ -21,6 +21,7 @@ pub const NUMBERS: &[(&str, fn() -> anyhow::Result<String>)] = &[
     ("jazar.example.wheel-radius", || Ok(with(crank_radius()? * example()?.wheel_radius_ratio(), 1, "mm"))),
     ("jazar.example.slot-depth", || Ok(with(crank_radius()? * example()?.slot_length_ratio(), 1, "mm"))),
     ("jazar.example.entry-acceleration", || Ok(with(entry_acceleration(&example()?) * square(), 0, "rad/s²"))),
+    ("jazar.example.peak-angle", || Ok(fixed(acceleration_peak(&example()?).angle.to_degrees(), 1) + "°")),
     ("jazar.example.inertia", || Ok(with(INERTIA, 3, "kg&nbsp;m²"))),
     ("jazar.example.torque", || Ok(with(acceleration_peak(&example()?).ratio * square() * INERTIA, 1, "N&nbsp;m"))),
     ("jazar.exercise.turn", || Ok(with(turn()?, 1, "s"))),

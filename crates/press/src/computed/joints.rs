@@ -12,9 +12,9 @@ const JOURNALS: (f64, f64) = (0.1, 0.2);
 
 /// The numbers of this chapter.
 pub const NUMBERS: &[(&str, fn() -> anyhow::Result<String>)] = &[
-    ("joints.pin.least", || Ok(per_cent(least(&with(pin())?)))),
+    ("joints.pin.least", || Ok(fixed(100.0 * least(&with(pin())?), 0))),
     ("joints.pin.most", || Ok(per_cent(most(&with(pin())?)))),
-    ("joints.journals.least", || Ok(per_cent(least(&slower()?)))),
+    ("joints.journals.least", || Ok(fixed(100.0 * least(&slower()?), 0))),
     ("joints.journals.most", || Ok(per_cent(most(&slower()?)))),
     ("joints.both", || Ok(per_cent(most(&with(both())?.map(f64::abs))))),
 ];

@@ -10,15 +10,15 @@ use geneva_ledger::meyer::runs::choice::{strongest, weakest};
 /// The numbers of this chapter.
 pub const NUMBERS: &[(&str, fn() -> anyhow::Result<String>)] = &[
     ("timer.day.torque", || Ok(seconds(Sensitivities::new(&parameters(example()?)?)?.torque))),
-    ("timer.day.friction.least", || Ok(seconds(least(&frictions()?)))),
+    ("timer.day.friction.least", || Ok(fixed(DAY * least(&frictions()?) / 100.0, 0))),
     ("timer.day.friction.most", || Ok(seconds(most(&frictions()?)))),
     ("timer.minutes.friction.least", || Ok(fixed(least(&frictions()?) * DAY / 6000.0, 0))),
     ("timer.minutes.friction.most", || Ok(fixed(most(&frictions()?) * DAY / 6000.0, 0))),
     ("timer.power.least", || Ok(signed(-least(&frictions()?), 2))),
     ("timer.power.most", || Ok(signed(-most(&frictions()?), 2))),
-    ("timer.oil.least", || Ok(per_cent(least(&oil()?)))),
+    ("timer.oil.least", || Ok(fixed(100.0 * (least(&oil()?) - 1.0), 0))),
     ("timer.oil.most", || Ok(per_cent(most(&oil()?)))),
-    ("timer.settling.least", || Ok(format!("{}&nbsp;ms", fixed(1e3 * least(&settling_times()?), 0)))),
+    ("timer.settling.least", || Ok(fixed(1e3 * least(&settling_times()?), 0))),
     ("timer.settling.most", || Ok(format!("{}&nbsp;ms", fixed(1e3 * most(&settling_times()?), 0)))),
     ("timer.force.least", || Ok(fixed(least(&forces()?), 0))),
     ("timer.force.most", || Ok(fixed(most(&forces()?), 0))),

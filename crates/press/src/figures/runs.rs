@@ -132,7 +132,11 @@ pub fn losses() -> anyhow::Result<Figure> {
         speeds.push(line(effects.iter().map(|effect| (effect.value, effect.mean_speed)).collect()));
         multipliers.push(line(effects.iter().map(|effect| (effect.value, effect.multiplier)).collect()));
     }
-    Ok(steady::losses("radius in crank radii", &speeds, &multipliers))
+    let shown = format!(
+        "four pins, μ = {} in the slot, {BEARINGS} in the bearings, inertias as in the runs of the thesis",
+        of.friction()
+    );
+    Ok(steady::losses("radius in crank radii", &shown, &speeds, &multipliers))
 }
 
 /// Work and precision of those solvers in the record that run over the same times.

@@ -23,14 +23,14 @@ const COMPARED: [(f64, f64, f64); 8] = [
 pub fn speeds() -> anyhow::Result<Table> {
     let caption = "What the joints do to the mean speed, against ideal joints. Pin: its radius, in crank radii; journals: \
                    radius of both, in crank radii, and their friction. Inertias as in the runs of the thesis, friction in \
-                   the slot μ = 1/4. In brackets: on paper only, for the slots would run into one another.";
+                   the slot μ = 1/4. In brackets: on paper only, for the slots would run into one another";
     compared(caption, |effect| signed(100.0 * (effect.mean_speed - 1.0), 1) + "&nbsp;%")
 }
 
 /// The multiplier with such joints.
 pub fn multipliers() -> anyhow::Result<Table> {
     let caption = "What the joints do to the multiplier, the part of a difference of speed squared that an engagement \
-                   leaves. The same joints, inertias and friction.";
+                   leaves. The same joints, inertias and friction";
     compared(caption, |effect| format!("{:.3}", effect.multiplier))
 }
 

@@ -55,8 +55,8 @@ pub fn settling() -> anyhow::Result<Table> {
     ];
     let caption = format!(
         "Settling with a lighter follower: {}, driver, friction and torque kept. The multiplier is what one engagement \
-         leaves of a small difference of speed squared; engagements and time until it is down to one per cent.",
-        with_torque(example()?).replace("&nbsp;", " ")
+         leaves of a small difference of speed squared; engagements and time until it is down to one per cent",
+        with_torque(example()?).replace("&nbsp;", " ") + " in lb"
     );
     table(&caption, Cells::NamedNumbers, &head, rows)
 }
@@ -89,7 +89,7 @@ pub fn sensitivity() -> anyhow::Result<Table> {
     let caption = "What changes the rate: seconds that the timer gains in a day (loses, with a minus) for one per cent more \
                    of torque, friction, or inertia of driver or follower; the power of the friction with which the mean \
                    speed goes; and by how much half the friction speeds it up. Ideal mechanisms, inertias of the thesis's \
-                   runs; the torque does not matter.";
+                   runs; the torque does not matter";
     table(caption, Cells::NamedNumbers, &head, rows)
 }
 
@@ -129,7 +129,7 @@ pub fn accelerations() -> anyhow::Result<Table> {
     let caption = "Greatest accelerations by size, in 1000 rad/s², with the driver angle from the line of centres; the jump \
                    of the follower's acceleration at the hand-over; and the greatest force on the pin over that of the \
                    spring at the crank radius. Ideal mechanisms; of each friction the run of the thesis with the \
-                   strongest spring.";
+                   strongest spring";
     table(caption, Cells::NamedNumbers, &head, rows)
 }
 
@@ -146,10 +146,11 @@ pub fn mean_speed() -> anyhow::Result<Table> {
             format!("{:.2}", steady.mean_of_extremes() / steady.mean_speed),
         ])
     });
-    let head = ["run", "printed <br>extremes", "right <br>extremes", "over a <br>revolution", "too great <br>by the factor"];
+    let head =
+        ["run", "printed <br>extremes", "right <br>extremes", "over a <br>revolution", "too great <br>by the factor"];
     let caption = "Two meanings of an average speed, in rad/s: the mean of peak and minimum as the thesis prints them, the \
                    same of the right ones, and the mean over a revolution; the factor is that of the two last. Of each \
-                   mechanism and friction the run with the weakest spring.";
+                   mechanism and friction the run with the weakest spring";
     table(caption, Cells::NamedNumbers, &head, rows)
 }
 

@@ -26,11 +26,9 @@ pub fn wheels(range: &str) -> anyhow::Result<Table> {
     ];
     let head: Vec<&str> = head.iter().map(String::as_str).collect();
     let caption = format!(
-        "Wheels of {first} to {last} stations, one pin, driver at constant speed. Moves and dwells: which number of \
-         stations to take. Centre distance and wheel radius, over the crank radius: how large it is. Peak speed, over the \
-         driver's; jump of the acceleration at entry and exit, and peak acceleration, over the square of the driver's \
-         speed in rad/s: how hard it is moved. The last column has the crank angles of the peak, before and behind the \
-         line of centres."
+        "Wheels of {first} to {last} stations, one pin, driver at constant speed. Moves and dwells say which number of \
+         stations to take; centre distance and wheel radius how large it is; speed and accelerations how hard it is moved; \
+         the last column at which crank angle before and behind the line of centres the acceleration is greatest"
     );
     table(&caption, Cells::Numbers, &head, stations.map(row))
 }
