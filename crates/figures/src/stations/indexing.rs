@@ -95,7 +95,7 @@ fn motion(wheel: &Wheel, rows: &[[f64; 4]], most: f64, rest: f64) -> Panel {
     let (alpha, end) = (wheel.half_pitch_angle(), most + rest);
     let [position, velocity, _] = symbols();
     let y = Axis::from_zero(-alpha, peak_velocity(wheel).max(alpha), 4.0);
-    let foot = y.range.start + 0.1 * (y.range.end - y.range.start);
+    let head = y.range.end - 0.1 * (y.range.end - y.range.start);
     let extended = |column: usize, value: f64| {
         let dwell = |sense: f64| (rest > 0.0).then_some((sense * end, sense * value));
         let inside = rows.iter().map(move |row| (row[0], row[column]));
@@ -106,7 +106,7 @@ fn motion(wheel: &Wheel, rows: &[[f64; 4]], most: f64, rest: f64) -> Panel {
         .horizontal(0.0, Stroke::thin("zero"))
         .curve(extended(1, alpha), Stroke::new(RELATIVE).dashed("3 5"))
         .curve(extended(2, 0.0), Stroke::new(FOLLOWER));
-    ends(panel, most, rest, foot).near(part(rows, most, 0.1, 0.5).map(|row| (row[0], row[2])), 0.5, velocity).near(
+    ends(panel, most, rest, head).near(part(rows, most, 0.1, 0.5).map(|row| (row[0], row[2])), 0.5, velocity).near(
         part(rows, most, -1.0, -0.4).map(|row| (row[0], row[1])),
         FRAC_PI_2,
         position,

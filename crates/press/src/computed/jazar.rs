@@ -1,5 +1,6 @@
 //! Of the chapter on the wheel of N stations: its example, with a size and a load, and its exercise.
 
+use super::Number;
 use crate::numbers::fixed;
 use anyhow::Context;
 use geneva_kinematics::wheel::{Wheel, acceleration_peak, entry_acceleration, peak_velocity};
@@ -14,7 +15,7 @@ const STATIONS: u32 = 8;
 const DWELL: f64 = 1.5;
 
 /// The numbers of this chapter.
-pub const NUMBERS: &[(&str, fn() -> anyhow::Result<String>)] = &[
+pub const NUMBERS: &[(&str, Number)] = &[
     ("jazar.example.centre-distance", || Ok(with(CENTRE_DISTANCE, 0, "mm"))),
     ("jazar.example.indexing", || Ok(with(example()?.indexing_time(jazar::example_speed())?, 4, "s"))),
     ("jazar.example.crank-radius", || Ok(with(crank_radius()?, 1, "mm"))),

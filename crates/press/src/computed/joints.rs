@@ -1,5 +1,6 @@
 //! Of the chapter on pins of finite radius and friction in the bearings: per cents of the mean speed.
 
+use super::Number;
 use crate::numbers::fixed;
 use crate::rows::{parameters, weakest};
 use geneva_dynamics::joints::{Joints, effects};
@@ -11,7 +12,7 @@ const PIN: f64 = 0.1;
 const JOURNALS: (f64, f64) = (0.1, 0.2);
 
 /// The numbers of this chapter.
-pub const NUMBERS: &[(&str, fn() -> anyhow::Result<String>)] = &[
+pub const NUMBERS: &[(&str, Number)] = &[
     ("joints.pin.least", || Ok(fixed(100.0 * least(&with(pin())?), 0))),
     ("joints.pin.most", || Ok(per_cent(most(&with(pin())?)))),
     ("joints.journals.least", || Ok(fixed(100.0 * least(&slower()?), 0))),

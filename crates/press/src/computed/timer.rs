@@ -1,5 +1,6 @@
 //! Of the chapter on the timer's accuracy: seconds a day, powers, oil, accelerations, averages.
 
+use super::Number;
 use crate::numbers::{fixed, signed};
 use crate::rows::{engagement, example, parameters};
 use crate::tables::timer::{DAY, oiled, settling_times};
@@ -8,7 +9,7 @@ use geneva_ledger::meyer::runs::Hypothesis;
 use geneva_ledger::meyer::runs::choice::{strongest, weakest};
 
 /// The numbers of this chapter.
-pub const NUMBERS: &[(&str, fn() -> anyhow::Result<String>)] = &[
+pub const NUMBERS: &[(&str, Number)] = &[
     ("timer.day.torque", || Ok(seconds(Sensitivities::new(&parameters(example()?)?)?.torque))),
     ("timer.day.friction.least", || Ok(fixed(DAY * least(&frictions()?) / 100.0, 0))),
     ("timer.day.friction.most", || Ok(seconds(most(&frictions()?)))),

@@ -1,7 +1,6 @@
 //! What a clockmaker asks: settling, sensitivity, accelerations and mean speed of the thesis's mechanisms.
 
 use crate::html::{Cells, Table, table};
-use crate::maths::formula;
 use crate::numbers::signed;
 use crate::rows::{engagement, example, parameters};
 use geneva_dynamics::steady::Engagement;
@@ -44,14 +43,13 @@ pub fn settling() -> anyhow::Result<Table> {
             format!("{:.1}", 1e3 * settling.time(SETTLED)),
         ])
     });
-    let ratio = formula("I_D/I_f", false)?;
     let head = [
         "follower's inertia",
-        &ratio,
+        "inertia, driver <br>over follower",
         "multiplier",
         "engagements <br>to 1 %",
-        "period <small>ms</small>",
-        "time to 1 % <small>ms</small>",
+        "period, <small>ms</small>",
+        "time to 1 %, <small>ms</small>",
     ];
     let caption = format!(
         "Settling with a lighter follower: {}, driver, friction and torque kept. The multiplier is what one engagement \
@@ -73,19 +71,15 @@ pub fn sensitivity() -> anyhow::Result<Table> {
         cells.push(signed(100.0 * (oiled(&own)? - 1.0), 0) + "&nbsp;%");
         Ok(cells)
     });
-    let [torque, friction, driver, follower] = ["K", r"\mu", "I_D", "I_f"].map(|symbol| formula(symbol, false));
-    let (torque, friction, driver, follower) = (torque?, friction?, driver?, follower?);
-    let day = |what: &str, symbol: &str| format!("{what} <br>{symbol} <small>s a day</small>");
     let head = [
-        "mechanism".to_owned(),
-        day("torque", &torque),
-        day("friction", &friction),
-        day("driver", &driver),
-        day("follower", &follower),
-        format!("power <br>of {friction}"),
-        "half the <br>friction".to_owned(),
+        "mechanism",
+        "torque, <small>s a day</small>",
+        "friction, <small>s a day</small>",
+        "driver, <small>s a day</small>",
+        "follower, <small>s a day</small>",
+        "power of <br>friction",
+        "half the <br>friction",
     ];
-    let head: Vec<&str> = head.iter().map(String::as_str).collect();
     let caption = "What changes the rate: seconds that the timer gains in a day (loses, with a minus) for one per cent more \
                    of torque, friction, or inertia of driver or follower; the power of the friction with which the mean \
                    speed goes; and by how much half the friction speeds it up. Ideal mechanisms, inertias of the thesis's \
@@ -115,17 +109,15 @@ pub fn accelerations() -> anyhow::Result<Table> {
             signed(found.normal_moment.value / row.torque(), 1),
         ])
     });
-    let force = formula("N r/K", false)?;
     let head = [
-        "run".to_owned(),
-        "driver".to_owned(),
-        "at".to_owned(),
-        "follower".to_owned(),
-        "at".to_owned(),
-        "follower's <br>jump".to_owned(),
-        format!("pin force <small>{force}</small>"),
+        "run",
+        "driver",
+        "driver <br>at",
+        "follower",
+        "follower <br>at",
+        "follower's <br>jump",
+        "pin force, <small>× spring’s</small>",
     ];
-    let head: Vec<&str> = head.iter().map(String::as_str).collect();
     let caption = "Greatest accelerations by size, in 1000 rad/s², with the driver angle from the line of centres; the jump \
                    of the follower's acceleration at the hand-over; and the greatest force on the pin over that of the \
                    spring at the crank radius. Ideal mechanisms; of each friction the run of the thesis with the \

@@ -1,7 +1,6 @@
 //! The table of wheels: what each number of stations gives.
 
 use crate::html::{Cells, Table, table};
-use crate::maths::formula;
 use crate::numbers::fixed;
 use anyhow::{Context, anyhow};
 use geneva_kinematics::wheel::{Wheel, acceleration_peak, entry_acceleration, peak_velocity};
@@ -11,20 +10,17 @@ use std::ops::RangeInclusive;
 pub fn wheels(range: &str) -> anyhow::Result<Table> {
     let stations = parsed(range).ok_or_else(|| anyhow!("`{range}`: two whole numbers are expected, as in `3 18`"))?;
     let (first, last) = (*stations.start(), *stations.end());
-    let speed = formula(r"\dot\varphi/\dot\theta", false)?;
-    let acceleration = formula(r"\lvert\ddot\varphi\rvert/\dot\theta^2", false)?;
     let head = [
-        format!("stations <small>{}</small>", formula("N", false)?),
-        "moves <small>of a turn</small>".to_owned(),
-        "dwells <small>of a turn</small>".to_owned(),
-        format!("centre <br>distance <small>{}</small>", formula("l/R", false)?),
-        format!("wheel <br>radius <small>over {}</small>", formula("R", false)?),
-        format!("peak <br>speed <small>{speed}</small>"),
-        format!("jump <br>at entry <small>{acceleration}</small>"),
-        format!("peak <br>acceleration <small>{acceleration}</small>"),
-        format!("peak <br>where <small>{}</small>", formula(r"\theta = \mp", false)?),
+        "stations",
+        "moves, <small>of a turn</small>",
+        "dwells, <small>of a turn</small>",
+        "centre <br>distance, <small>× crank</small>",
+        "wheel <br>radius, <small>× crank</small>",
+        "peak <br>speed, <small>× driver’s</small>",
+        "jump <br>at entry, <small>× its square</small>",
+        "peak <br>acceleration, <small>× its square</small>",
+        "at <small>crank angle</small>",
     ];
-    let head: Vec<&str> = head.iter().map(String::as_str).collect();
     let caption = format!(
         "Wheels of {first} to {last} stations, one pin, driver at constant speed. Moves and dwells say which number of \
          stations to take; centre distance and wheel radius how large it is; speed and accelerations how hard it is moved; \
@@ -43,7 +39,7 @@ fn row(stations: u32) -> anyhow::Result<Vec<String>> {
     let peak = acceleration_peak(&wheel);
     let ratio = |number| fixed(number, 4);
     Ok(vec![
-        stations.to_string(),
+        format!("<i>N</i>&nbsp;=&nbsp;{stations}"),
         ratio(wheel.motion_fraction()),
         ratio(wheel.dwell_fraction()),
         ratio(wheel.centre_distance_ratio()),
@@ -51,7 +47,7 @@ fn row(stations: u32) -> anyhow::Result<Vec<String>> {
         ratio(peak_velocity(&wheel)),
         ratio(entry_acceleration(&wheel)),
         ratio(peak.ratio),
-        format!("{:.2}°", peak.angle.to_degrees()),
+        format!("∓{:.2}°", peak.angle.to_degrees()),
     ])
 }
 
