@@ -83,7 +83,7 @@ pub fn sensitivity() -> anyhow::Result<Table> {
     let caption = "What changes the rate: seconds that the timer gains in a day (loses, with a minus) for one per cent more \
                    of torque, friction, or inertia of driver or follower; the power of the friction with which the mean \
                    speed goes; and by how much half the friction speeds it up. Ideal mechanisms, inertias of the thesis's \
-                   runs; the torque does not matter";
+                   runs; how strong the spring is does not matter";
     table(caption, Cells::NamedNumbers, &head, rows)
 }
 
