@@ -31,7 +31,6 @@ const UNDER_CONDITIONS: &[Condition] = &[
     ("pin", r"\frac{\omega_S}{\omega_D} = \frac{k - 1}{(k-1)^2}", |number| pin(number, Some(2f64.sqrt()), Some(0.0))),
     // With an acceleration of the crank, which the other displays do without.
     ("quick-return", r"\vec{a}_2^\mathrm{n} +", |number| quick_return(number, 1.5)),
-    ("jazar", r"R\sin\theta = r\sin\varphi", |number| wheel(number, Some(4), When::Steady)),
     ("jazar", r"\cos^2\theta + \gamma\cos\theta", |number| wheel(number, None, When::AtPeak)),
     // Any numbers of pins and slots, as one pin takes over from the next.
     ("escapement", r"a = \frac{\sin(\pi/m + \pi/n)}", escapement::taking_over),

@@ -42,8 +42,8 @@ fn state(number: usize) -> Moment {
     let load = joints.bearing_friction * (1.0 + friction * friction).sqrt();
     // The arms are what the moments and the force say they are.
     let moment = inertias.follower() * motion.follower_acceleration + joints.follower_drag_torque;
-    let lambda = moment / motion.normal_moment;
-    let kappa =
+    let follower_arm = moment / motion.normal_moment;
+    let driver_arm =
         (torque - joints.driver_drag_torque - inertias.driver() * motion.angular_acceleration) / motion.normal_moment;
     let sign = |sign: Sign| if sign == Sign::Plus { 1.0 } else { -1.0 };
 
@@ -57,7 +57,7 @@ fn state(number: usize) -> Moment {
         ])
         .with([("w", motion.sliding * speed), ("N", motion.normal_moment), ("M", moment)])
         .with([("s", sign(motion.flank)), (r"\sigma", sign(Sign::from_number(motion.sliding)))])
-        .with([(r"\lambda", lambda), (r"\kappa", kappa), ("m", kappa / lambda)])
+        .with([(r"\kappa_f", follower_arm), (r"\kappa_D", driver_arm), (r"\kappa", driver_arm / follower_arm)])
         .with([("I_D", inertias.driver()), ("I_f", inertias.follower()), ("K", torque), (r"\mu", friction)])
         .with([("G", joints.driver_drag_torque), ("H", joints.follower_drag_torque), (r"\rho", joints.pin_radius)])
         .with([("b_D", load * joints.driver_journal), ("b_f", load * joints.follower_journal)])

@@ -96,7 +96,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
         chapter(CASE, "never-printed", "The corrected tables"),
         chapter(CASE, "terminal-speed", "Why it reaches a steady speed"),
         chapter(CASE, "timer", "Is it a clock? Seven recommendations"),
-        chapter(CASE, "joints", "A pin of finite radius, and bearings that rub"),
+        chapter(CASE, "joints", "A pin of finite radius, and friction in the bearings"),
         Page {
             records: Records::Slips(&[Consequence::Result, Consequence::Conclusion]),
             ..chapter(RECORDS, "errata", "Errata")

@@ -30,11 +30,12 @@ pub fn extremes(stations: RangeInclusive<u32>) -> Figure {
     let x = Axis::whole(first - room..last + 0.06 * room, marks)
         .titled(Label::words("number of stations ").and_symbol("N"));
     let values = || rows.iter().flat_map(|row| CURVES.map(|(column, ..)| row[column]));
-    let y = Axis::logarithmic_about(values().fold(f64::INFINITY, f64::min)..values().fold(0.0, f64::max));
+    let y = Axis::logarithmic_about(values().fold(f64::INFINITY, f64::min)..values().fold(0.0, f64::max))
+        .titled(Label::words("over the driver's speed, or over its square"));
     let mut panel = Panel::new(426.0, &x, &y);
     let points = |column: usize| rows.iter().map(move |row| (row[0], row[column]));
     for (column, shade, mark, _) in CURVES {
-        panel = panel.curve(points(column), Stroke::new(shade).wide(2.0).dashed("4 5"));
+        panel = panel.curve(points(column), Stroke::new(shade).wide(2.0).dashed("8 6"));
         panel = panel.marks(points(column), Marker::new(shade, mark).class("point"));
     }
     for (column, shade, _, name) in CURVES {
@@ -62,8 +63,9 @@ pub fn extremes(stations: RangeInclusive<u32>) -> Figure {
              the three, least. {}",
             crossing(&rows)
         ),
-        "More stations, gentler motion: peak velocity over the driver's speed; peak acceleration and acceleration at \
-         entry over its square. The dotted lines only lead the eye.",
+        "More stations, gentler motion: the wheel's peak speed over the driver's, its peak acceleration and its jump of \
+         acceleration at entry over the square of the driver's speed, for a driver of constant speed. Numbers of stations \
+         are whole: the dashed lines only join the marks.",
     );
     Chart::new([panel]).figure(words, Series::new(columns, rows))
 }

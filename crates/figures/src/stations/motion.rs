@@ -58,8 +58,10 @@ pub fn motion(wheel: &Wheel) -> Figure {
             steps.join("; ")
         ),
         format!(
-            "One cycle in {} positions, by crank angle θ: the advance, and the dwell. The upper drawing moves where \
-             the reader's settings allow it and rests under the pointer.",
+            "Animated: one cycle of a wheel with {}, the driver at constant speed. Rest the pointer on the upper \
+             drawing to stop it; if your system asks for reduced motion, it stands still. Below it, the same cycle in \
+             {} positions by crank angle θ.",
+            counted(wheel.stations(), "station"),
             frames.len()
         ),
     );

@@ -20,9 +20,9 @@ pub struct Line {
 /// Mean speed over that of the ideal mechanism, and multiplier, over the size of a joint.
 ///
 /// `speeds` and `multipliers` are the lines of the two panels; lines of the same name have the same look. `size` says
-/// what the joint's size is and its unit. Points that are no numbers are left out. Series: panel, number of the line's
+/// what the joint's size is and its unit, `shown` which escapement it is. Points that are no numbers are left out. Series: panel, number of the line's
 /// name in order of first appearance, size, value.
-pub fn losses(size: &str, speeds: &[Line], multipliers: &[Line]) -> Figure {
+pub fn losses(size: &str, shown: &str, speeds: &[Line], multipliers: &[Line]) -> Figure {
     let groups = [speeds, multipliers];
     let mut names: Vec<&str> = Vec::new();
     for line in groups.into_iter().flatten() {
@@ -74,7 +74,7 @@ pub fn losses(size: &str, speeds: &[Line], multipliers: &[Line]) -> Figure {
             "Two panels over the {size}: the mean speed over that of the ideal mechanism, and the multiplier. {}.",
             said.join("; ")
         ),
-        format!("Mean speed over that of the ideal mechanism, and multiplier, over the {size}."),
+        format!("Mean speed over that of the ideal mechanism, and multiplier, over the {size}. Shown: {shown}."),
     );
     let rows = groups.into_iter().enumerate().flat_map(|(panel, lines)| {
         lines.iter().flat_map(move |line| {
@@ -100,7 +100,7 @@ mod tests {
     fn every_line_is_drawn_where_its_points_are() {
         for (count, points) in [(1, 4), (3, 12), (5, 40)] {
             let (speeds, multipliers) = (lines(count, points, |x| 1.0 - 0.5 * x), lines(count, points, |x| 0.1 + x));
-            let figure = losses("radius of the pin over the crank", &speeds, &multipliers);
+            let figure = losses("radius of the pin over the crank", "an example", &speeds, &multipliers);
             sound(&figure);
             let drawing = Drawing::of(&figure);
             assert_eq!(drawing.count("loss"), 2 * count);
@@ -119,7 +119,7 @@ mod tests {
         let odd =
             vec![Line { name: "odd".to_owned(), points: vec![(f64::NAN, 1.0), (0.5, f64::INFINITY), (0.25, 0.5)] }];
         for some in [vec![], odd] {
-            let figure = losses("size", &some, &some);
+            let figure = losses("size", "nothing", &some, &some);
             drawn(&figure);
         }
     }

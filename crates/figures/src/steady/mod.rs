@@ -1,6 +1,8 @@
 //! The steady motion of the escapement: how engagements draw all motions together, and what the motion depends on.
 
+mod accelerations;
 mod collapse;
+mod contact;
 mod contours;
 mod losses;
 mod map;
@@ -10,7 +12,9 @@ mod return_map;
 mod tests;
 mod work_precision;
 
+pub use accelerations::accelerations;
 pub use collapse::collapse;
+pub use contact::contact;
 pub use losses::{Line, losses};
 pub use map::map;
 pub use phase::phase;

@@ -1,9 +1,11 @@
 //! What must hold of the drawings of the steady motion.
 
-use super::{phase, return_map};
+use super::{accelerations, contact, phase, return_map};
 use crate::FigureError;
 use crate::checks::{Drawing, sound};
+use geneva_dynamics::joints::{Escapement, Joints};
 use geneva_dynamics::steady::Engagement;
+use geneva_dynamics::timer::Accelerations;
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
 
@@ -58,4 +60,54 @@ fn engagements_from_rest_and_from_above_enclose_the_steady_cycle() {
         assert_eq!(drawing.count("marks"), 3);
     }
     assert!(phase(&parameters(Mechanism::FOUR_PIN, 0.0)).is_err());
+}
+
+#[test]
+fn the_accelerations_are_drawn_up_to_their_strongest() {
+    for mechanism in Mechanism::ALL {
+        let one = parameters(mechanism, 0.125);
+        let figure = accelerations(&one, "an example").expect("drawn");
+        sound(&figure);
+        let strongest = Accelerations::new(&one).expect("steady");
+        let rows = &figure.series.rows;
+        for (column, value) in [
+            (3, strongest.driver.value / 1000.0),
+            (4, strongest.follower.value / 1000.0),
+            (5, strongest.normal_moment.value / one.torque()),
+        ] {
+            let drawn = rows.iter().map(|row| row[column]).max_by(|a, b| a.abs().total_cmp(&b.abs())).expect("rows");
+            assert!((drawn / value - 1.0).abs() < 0.04, "column {column}: {drawn} and {value}");
+        }
+        let (first, last) = (&rows[0], &rows[rows.len() - 1]);
+        approx::assert_relative_eq!(first[4] - last[4], strongest.jump / 1000.0, max_relative = 1e-9);
+        assert!((first[1] / last[1] - 1.0).abs() < 1e-9 && first[2] == 0.0);
+        let drawing = Drawing::of(&figure);
+        assert_eq!((drawing.count("force"), drawing.count("curve")), (1, 4));
+    }
+    assert!(accelerations(&parameters(Mechanism::FOUR_PIN, 0.0), "none").is_err());
+}
+
+#[test]
+fn the_surface_of_a_pin_slides_more_slowly_than_its_centre_moves() {
+    for mechanism in [Mechanism::THREE_PIN, Mechanism::FOUR_PIN] {
+        let half = mechanism.engagement_half_angle();
+        for pin_radius in [0.05, 0.1] {
+            let joints = Joints { pin_radius, ..Joints::IDEAL };
+            let one = Escapement::new(&parameters(mechanism, 0.125), joints).expect("it runs");
+            let steady = one.steady_state(1e-9).expect("steady").state;
+            let instants = [(-0.7 * half, steady.entry_speed), (steady.peak.angle, steady.peak.speed)];
+            let figure = contact(&one, instants).expect("drawn");
+            sound(&figure);
+            let drawing = Drawing::of(&figure);
+            assert_eq!(["wall", "bearing-flank", "enlarged-pin"].map(|class| drawing.count(class)), [4, 2, 2]);
+            let rows = &figure.series.rows;
+            assert_eq!([rows[0][1], rows[1][1]], [1.0, -1.0]);
+            for row in rows {
+                assert!(row[4].abs() < row[2].abs() && row[4] * row[2] > 0.0, "{row:?}");
+                assert!((row[2] + row[3] - row[4]).abs() < 1e-12);
+            }
+        }
+        let one = Escapement::new(&parameters(mechanism, 0.125), Joints::IDEAL).expect("it runs");
+        assert!(contact(&one, [(-half, 1.0), (1.1 * half, 1.0)]).is_err());
+    }
 }

@@ -2,6 +2,8 @@
 
 mod escapement;
 mod front;
+mod jazar;
+mod joints;
 mod never_printed;
 mod pin;
 mod program;
@@ -9,6 +11,7 @@ mod quick_return;
 mod runs;
 mod solver;
 mod terminal_speed;
+mod timer;
 
 use crate::{lookup, numbers};
 
@@ -16,7 +19,7 @@ use crate::{lookup, numbers};
 pub type Number = fn() -> anyhow::Result<String>;
 
 /// The numbers of each chapter.
-const ALL: &[&[(&str, Number)]] = &[escapement::NUMBERS, front::NUMBERS, never_printed::NUMBERS, pin::NUMBERS, program::NUMBERS, quick_return::NUMBERS, runs::NUMBERS, solver::NUMBERS, terminal_speed::NUMBERS];
+const ALL: &[&[(&str, Number)]] = &[escapement::NUMBERS, front::NUMBERS, jazar::NUMBERS, joints::NUMBERS, never_printed::NUMBERS, pin::NUMBERS, program::NUMBERS, quick_return::NUMBERS, runs::NUMBERS, solver::NUMBERS, terminal_speed::NUMBERS, timer::NUMBERS];
 pub fn names() -> impl Iterator<Item = &'static str> {
     ALL.iter().copied().flatten().map(|(name, _)| *name)
 }

@@ -68,6 +68,8 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("steady-map-four-pin", || runs::map(Mechanism::FOUR_PIN)),
     ("steady-map-six-pin", || runs::map(Mechanism::SIX_PIN)),
     ("steady-map-three-pin", || runs::map(Mechanism::THREE_PIN)),
+    ("timer-accelerations", runs::accelerations),
+    ("joints-contact", runs::contact),
     ("joints-losses", runs::losses),
     ("solver-work-precision", runs::work_precision),
 ];

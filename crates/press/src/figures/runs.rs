@@ -6,7 +6,7 @@ use crate::numbers::fixed;
 use crate::rows::{self, parameters, weakest};
 use crate::tables::solver::CONTESTANTS;
 use anyhow::Context;
-use geneva_dynamics::joints::{Joints, Varied, series};
+use geneva_dynamics::joints::{Escapement, Joints, Varied, series};
 use geneva_figures::Figure;
 use geneva_figures::runs::{self, Cell, Compared, Group, Run};
 use geneva_figures::steady::{self, Line, Measurement};
@@ -110,6 +110,29 @@ pub fn map(mechanism: Mechanism) -> anyhow::Result<Figure> {
     Ok(steady::map(mechanism, &designs()?)?)
 }
 
+/// Accelerations and pin force over an engagement: of the four-pin runs that brake least the one with the strongest spring.
+pub fn accelerations() -> anyhow::Result<Figure> {
+    let row = least_braked(Mechanism::FOUR_PIN).and_then(<[Row]>::last).context("no run with four pins")?;
+    let run = format!(
+        "four pins, μ = {}, K = {} in lb, inertias as in the runs of the thesis",
+        row.printed(Column::Friction),
+        row.printed(Column::Torque)
+    );
+    Ok(steady::accelerations(&parameters(row)?, &run)?)
+}
+
+/// A pin of finite radius in its slot, four pins: while it drives the follower, and where the driver is fastest.
+pub fn contact() -> anyhow::Result<Figure> {
+    /// Radius of the pin in crank radii, and the first instant as a part of the way to entry.
+    const PIN: f64 = 0.1;
+    const DRIVING: f64 = 0.6;
+    let of = parameters(weakest(comparable(Mechanism::FOUR_PIN))?)?;
+    let escapement = Escapement::new(&of, Joints { pin_radius: PIN, ..Joints::IDEAL })?;
+    let state = escapement.steady_state(1e-9)?.state;
+    let driving = -DRIVING * of.mechanism().engagement_half_angle();
+    Ok(steady::contact(&escapement, [(driving, state.entry_speed), (state.peak.angle, state.peak.speed)])?)
+}
+
 /// Mean speed and multiplier over the radius of the pin, of the driver's journal, and of the follower's.
 pub fn losses() -> anyhow::Result<Figure> {
     /// Friction of the journals.
@@ -132,7 +155,11 @@ pub fn losses() -> anyhow::Result<Figure> {
         speeds.push(line(effects.iter().map(|effect| (effect.value, effect.mean_speed)).collect()));
         multipliers.push(line(effects.iter().map(|effect| (effect.value, effect.multiplier)).collect()));
     }
-    Ok(steady::losses("radius in crank radii", &speeds, &multipliers))
+    let shown = format!(
+        "four pins, μ = {} in the slot, {BEARINGS} in the bearings, inertias as in the runs of the thesis",
+        of.friction()
+    );
+    Ok(steady::losses("radius in crank radii", &shown, &speeds, &multipliers))
 }
 
 /// Work and precision of those solvers in the record that run over the same times.

@@ -5,7 +5,7 @@ mod quick_return;
 mod rise_times;
 mod runs;
 pub mod solver;
-mod timer;
+pub mod timer;
 mod wheels;
 
 pub use wheels::wheels;
@@ -30,7 +30,8 @@ const TABLES: &[(&str, Draw)] = &[
     ("runs-six-pin-as-headed", runs::six_pin_as_headed),
     ("runs-four-pin", runs::four_pin),
     ("runs-three-pin", runs::three_pin),
-    ("joints", joints::effects),
+    ("joints", joints::speeds),
+    ("joints-multiplier", joints::multipliers),
     ("solver-speeds", solver::speeds),
     ("solver-maps", solver::maps),
     ("timer-settling", timer::settling),

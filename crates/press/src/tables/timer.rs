@@ -1,56 +1,97 @@
 //! What a clockmaker asks: settling, sensitivity, accelerations and mean speed of the thesis's mechanisms.
 
 use crate::html::{Cells, Table, table};
-use crate::maths::formula;
 use crate::numbers::signed;
 use crate::rows::{engagement, example, parameters};
+use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::timer::{Accelerations, Sensitivities, Settling};
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_ledger::meyer::runs::choice::{strongest, weakest};
 use geneva_ledger::meyer::runs::{Column, Hypothesis, Row};
 
 /// Seconds of a day.
-const DAY: f64 = 86_400.0;
+pub const DAY: f64 = 86_400.0;
+
+/// The followers compared: parts of the inertia of the example's.
+const PARTS: [f64; 7] = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0];
+/// A motion counts as settled when a small difference is down to this part of itself.
+const SETTLED: f64 = 0.01;
+
+/// The example with so many times less inertia of its follower.
+fn lighter(part: f64) -> anyhow::Result<(Inertias, Settling)> {
+    let own = parameters(example()?)?;
+    let inertias = Inertias::new(own.inertias().driver(), own.inertias().follower() / part)?;
+    Ok((inertias, Settling::new(&Parameters::new(own.mechanism(), inertias, own.torque(), own.friction())?)?))
+}
+
+/// How long each of the compared followers takes to settle, in seconds.
+pub fn settling_times() -> anyhow::Result<Vec<f64>> {
+    PARTS.iter().map(|part| Ok(lighter(*part)?.1.time(SETTLED))).collect()
+}
 
 /// How fast four pins settle, with followers of another size, down to a part.
 pub fn settling() -> anyhow::Result<Table> {
-    const PART: f64 = 0.01;
-    let own = parameters(example()?)?;
-    let rows = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0].map(|part| {
-        let inertias = Inertias::new(own.inertias().driver(), own.inertias().follower() / part)?;
-        let settling = Settling::new(&Parameters::new(own.mechanism(), inertias, own.torque(), own.friction())?)?;
+    let rows = PARTS.map(|part| {
+        let (inertias, settling) = lighter(part)?;
         let name = if part > 1.0 { format!("1/{part}") } else { "as run".to_owned() };
         Ok(vec![
             name,
-            format!("{:.3}", inertias.ratio()),
-            format!("{:.4}", settling.multiplier),
-            format!("{:.2}", settling.engagements(PART)),
+            format!("{:.2}", inertias.ratio()),
+            format!("{:.3}", settling.multiplier),
+            format!("{:.1}", settling.engagements(SETTLED)),
             format!("{:.1}", 1e3 * settling.period),
-            format!("{:.1}", 1e3 * settling.time(PART)),
+            format!("{:.1}", 1e3 * settling.time(SETTLED)),
         ])
     });
-    let ratio = formula("I_D/I_f", false)?;
-    let head = ["Follower", &ratio, "multiplier", "engagements to 1%", "period, ms", "time to 1%, ms"];
-    table("Settling with a lighter follower", Cells::NamedNumbers, &head, rows)
+    let head = [
+        "follower's inertia",
+        "inertia, driver <br>over follower",
+        "multiplier",
+        "engagements <br>to 1 %",
+        "period, <small>ms</small>",
+        "time to 1 %, <small>ms</small>",
+    ];
+    let caption = format!(
+        "Settling with a lighter follower: {}, driver, friction and torque kept. The multiplier is what one engagement \
+         leaves of a small difference of speed squared; engagements and time until it is down to one per cent",
+        with_torque(example()?).replace("&nbsp;", " ") + " in lb"
+    );
+    table(&caption, Cells::NamedNumbers, &head, rows)
 }
 
-/// Powers of the mean speed, and what one per cent of each quantity costs a day.
+/// What one per cent of each quantity makes in a day, and what half the friction does.
 pub fn sensitivity() -> anyhow::Result<Table> {
     let rows = weakest().map(|row| {
-        let found = Sensitivities::new(&parameters(row)?)?;
+        let own = parameters(row)?;
+        let found = Sensitivities::new(&own)?;
         let powers = [found.torque, found.friction, found.driver_inertia, found.follower_inertia];
         let mut cells = vec![name(row)];
-        cells.extend(powers.map(|power| signed(power, 3)));
         cells.extend(powers.map(|power| signed(DAY * power / 100.0, 0)));
+        cells.push(signed(found.friction, 3));
+        cells.push(signed(100.0 * (oiled(&own)? - 1.0), 0) + "&nbsp;%");
         Ok(cells)
     });
-    let symbols = ["K", r"\mu", "I_D", "I_f"].map(|symbol| formula(symbol, false));
-    let [torque, friction, driver, follower] = symbols;
-    let (torque, friction, driver, follower) = (torque?, friction?, driver?, follower?);
-    let costs = [&torque, &friction, &driver, &follower].map(|symbol| format!("1% of {symbol}, s a day"));
-    let mut head = vec!["Mechanism", &torque, &friction, &driver, &follower];
-    head.extend(costs.iter().map(String::as_str));
-    table("Sensitivities of the mean speed", Cells::NamedNumbers, &head, rows)
+    let head = [
+        "mechanism",
+        "torque, <small>s a day</small>",
+        "friction, <small>s a day</small>",
+        "driver, <small>s a day</small>",
+        "follower, <small>s a day</small>",
+        "power of <br>friction",
+        "half the <br>friction",
+    ];
+    let caption = "What changes the rate: seconds that the timer gains in a day (loses, with a minus) for one per cent more \
+                   of torque, friction, or inertia of driver or follower; the power of the friction with which the mean \
+                   speed goes; and by how much half the friction speeds it up. Ideal mechanisms, inertias of the thesis's \
+                   runs; how strong the spring is does not matter";
+    table(caption, Cells::NamedNumbers, &head, rows)
+}
+
+/// Mean speed with half the friction over that with all of it.
+pub fn oiled(own: &Parameters) -> anyhow::Result<f64> {
+    let oiled = Parameters::new(own.mechanism(), own.inertias(), own.torque(), own.friction() / 2.0)?;
+    let speed = |of: &Parameters| Ok::<_, anyhow::Error>(Engagement::new(of)?.steady_state()?.mean_speed);
+    Ok(speed(&oiled)? / speed(own)?)
 }
 
 /// The greatest accelerations and forces of the strongest run of each mechanism and friction.
@@ -64,13 +105,24 @@ pub fn accelerations() -> anyhow::Result<Table> {
             degrees(found.driver.angle),
             signed(found.follower.value / 1e3, 1),
             degrees(found.follower.angle),
-            signed(found.jump / 1e3, 2),
-            signed(found.normal_moment.value / row.torque(), 2),
+            signed(found.jump / 1e3, 1),
+            signed(found.normal_moment.value / row.torque(), 1),
         ])
     });
-    let force = formula("N r/K", false)?;
-    let head = ["Run", "driver, 1000 rad/s²", "at", "follower, 1000 rad/s²", "at", "its jump", &force];
-    table("Accelerations of the members", Cells::NamedNumbers, &head, rows)
+    let head = [
+        "run",
+        "driver",
+        "driver <br>at",
+        "follower",
+        "follower <br>at",
+        "follower's <br>jump",
+        "pin force, <small>× spring’s</small>",
+    ];
+    let caption = "Greatest accelerations by size, in 1000 rad/s², with the driver angle from the line of centres; the jump \
+                   of the follower's acceleration at the hand-over; and the greatest force on the pin over that of the \
+                   spring at the crank radius. Ideal mechanisms; of each friction the run of the thesis with the \
+                   strongest spring";
+    table(caption, Cells::NamedNumbers, &head, rows)
 }
 
 /// The average of the thesis beside the mean speed over a revolution.
@@ -82,14 +134,16 @@ pub fn mean_speed() -> anyhow::Result<Table> {
             with_torque(row),
             format!("{printed:.1}"),
             format!("{:.1}", steady.mean_of_extremes()),
-            format!("{:.2}", steady.mean_speed),
-            format!("{:.2}", printed / steady.mean_speed),
+            format!("{:.1}", steady.mean_speed),
             format!("{:.2}", steady.mean_of_extremes() / steady.mean_speed),
         ])
     });
     let head =
-        ["Run", "printed extremes", "right extremes", "revolution", "printed over revolution", "right over revolution"];
-    table("Two meanings of the average terminal velocity", Cells::NamedNumbers, &head, rows)
+        ["run", "printed <br>extremes", "right <br>extremes", "over a <br>revolution", "too great <br>by the factor"];
+    let caption = "Two meanings of an average speed, in rad/s: the mean of peak and minimum as the thesis prints them, the \
+                   same of the right ones, and the mean over a revolution; the factor is that of the two last. Of each \
+                   mechanism and friction the run with the weakest spring";
+    table(caption, Cells::NamedNumbers, &head, rows)
 }
 
 fn name(row: &Row) -> String {

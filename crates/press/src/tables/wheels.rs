@@ -1,7 +1,6 @@
 //! The table of wheels: what each number of stations gives.
 
 use crate::html::{Cells, Table, table};
-use crate::maths::formula;
 use crate::numbers::fixed;
 use anyhow::{Context, anyhow};
 use geneva_kinematics::wheel::{Wheel, acceleration_peak, entry_acceleration, peak_velocity};
@@ -10,20 +9,24 @@ use std::ops::RangeInclusive;
 /// The table for the numbers of stations from the first to the second, written with a space between.
 pub fn wheels(range: &str) -> anyhow::Result<Table> {
     let stations = parsed(range).ok_or_else(|| anyhow!("`{range}`: two whole numbers are expected, as in `3 18`"))?;
-    let symbol = |tex: &str| formula(tex, false);
+    let (first, last) = (*stations.start(), *stations.end());
     let head = [
-        symbol("N")?,
-        "moves".to_owned(),
-        "dwells".to_owned(),
-        symbol("l/R")?,
-        "wheel radius".to_owned(),
-        format!("peak {}", symbol(r"\dot\varphi/\dot\theta")?),
-        format!("entry {}", symbol(r"\ddot\varphi/\dot\theta^2")?),
-        format!("peak {}", symbol(r"\lvert\ddot\varphi\rvert/\dot\theta^2")?),
-        format!("at {}", symbol(r"\theta = \mp")?),
+        "stations",
+        "moves, <small>of a turn</small>",
+        "dwells, <small>of a turn</small>",
+        "centre <br>distance, <small>× crank</small>",
+        "wheel <br>radius, <small>× crank</small>",
+        "peak <br>speed, <small>× driver’s</small>",
+        "jump <br>at entry, <small>× its square</small>",
+        "peak <br>acceleration, <small>× its square</small>",
+        "at <small>crank angle</small>",
     ];
-    let head: Vec<&str> = head.iter().map(String::as_str).collect();
-    table("Wheels by number of stations", Cells::Numbers, &head, stations.map(row))
+    let caption = format!(
+        "Wheels of {first} to {last} stations, one pin, driver at constant speed. Moves and dwells say which number of \
+         stations to take; centre distance and wheel radius how large it is; speed and accelerations how hard it is moved; \
+         the last column at which crank angle before and behind the line of centres the acceleration is greatest"
+    );
+    table(&caption, Cells::Numbers, &head, stations.map(row))
 }
 
 fn parsed(range: &str) -> Option<RangeInclusive<u32>> {
@@ -36,7 +39,7 @@ fn row(stations: u32) -> anyhow::Result<Vec<String>> {
     let peak = acceleration_peak(&wheel);
     let ratio = |number| fixed(number, 4);
     Ok(vec![
-        stations.to_string(),
+        format!("<i>N</i>&nbsp;=&nbsp;{stations}"),
         ratio(wheel.motion_fraction()),
         ratio(wheel.dwell_fraction()),
         ratio(wheel.centre_distance_ratio()),
@@ -44,7 +47,7 @@ fn row(stations: u32) -> anyhow::Result<Vec<String>> {
         ratio(peak_velocity(&wheel)),
         ratio(entry_acceleration(&wheel)),
         ratio(peak.ratio),
-        format!("{:.3}°", peak.angle.to_degrees()),
+        format!("∓{:.2}°", peak.angle.to_degrees()),
     ])
 }
 

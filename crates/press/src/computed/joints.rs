@@ -1,0 +1,60 @@
+//! Of the chapter on pins of finite radius and friction in the bearings: per cents of the mean speed.
+
+use super::Number;
+use crate::numbers::fixed;
+use crate::rows::{parameters, weakest};
+use geneva_dynamics::joints::{Joints, effects};
+use geneva_kinematics::Mechanism;
+use geneva_ledger::meyer::runs::choice::comparable;
+
+/// Radius of the pin, in crank radii, and radius and friction of the journals, of which the chapter speaks first.
+const PIN: f64 = 0.1;
+const JOURNALS: (f64, f64) = (0.1, 0.2);
+
+/// The numbers of this chapter.
+pub const NUMBERS: &[(&str, Number)] = &[
+    ("joints.pin.least", || Ok(fixed(100.0 * least(&with(pin())?), 0))),
+    ("joints.pin.most", || Ok(per_cent(most(&with(pin())?)))),
+    ("joints.journals.least", || Ok(fixed(100.0 * least(&slower()?), 0))),
+    ("joints.journals.most", || Ok(per_cent(most(&slower()?)))),
+    ("joints.both", || Ok(per_cent(most(&with(both())?.map(f64::abs))))),
+];
+
+fn per_cent(share: f64) -> String {
+    format!("{}&nbsp;%", fixed(100.0 * share, if share < 0.01 { 1 } else { 0 }))
+}
+
+fn least(all: &[f64]) -> f64 {
+    all.iter().copied().fold(f64::INFINITY, f64::min)
+}
+
+fn most(all: &[f64]) -> f64 {
+    all.iter().copied().fold(f64::NEG_INFINITY, f64::max)
+}
+
+fn pin() -> Joints {
+    Joints { pin_radius: PIN, ..Joints::IDEAL }
+}
+
+fn journals() -> Joints {
+    Joints::journals(JOURNALS.0, JOURNALS.1)
+}
+
+fn both() -> Joints {
+    Joints { pin_radius: PIN, ..journals() }
+}
+
+/// By what part journals slow down each mechanism.
+fn slower() -> anyhow::Result<[f64; 3]> {
+    Ok(with(journals())?.map(|change| -change))
+}
+
+/// By what part of itself these joints change the mean speed of each mechanism.
+fn with(joints: Joints) -> anyhow::Result<[f64; 3]> {
+    let mut changes = [0.0; 3];
+    for (change, mechanism) in changes.iter_mut().zip(Mechanism::ALL) {
+        let found = effects(&parameters(weakest(comparable(mechanism))?)?, [(0.0, joints)])?;
+        *change = found.first().map_or(f64::NAN, |effect| effect.mean_speed - 1.0);
+    }
+    Ok(changes)
+}
