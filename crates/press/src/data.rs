@@ -37,7 +37,12 @@ impl File {
 /// Writes the files of all pages into the folder of the chapters, and removes what is there besides.
 ///
 /// A file that stands as it should is left alone, so that a builder that watches the chapters is not woken.
+///
+/// Where there are no chapters, as when a book is handed over without its folder, nothing is written.
 pub fn write(chapters: &Path, files: &[File]) -> anyhow::Result<()> {
+    if !chapters.join("SUMMARY.md").is_file() {
+        return Ok(());
+    }
     let folder = chapters.join(FOLDER);
     let cannot =
         || format!("cannot write in {}: the book is built from a folder that can be written", folder.display());

@@ -19,7 +19,22 @@ use crate::{lookup, numbers};
 pub type Number = fn() -> anyhow::Result<String>;
 
 /// The numbers of each chapter.
-const ALL: &[&[(&str, Number)]] = &[escapement::NUMBERS, front::NUMBERS, jazar::NUMBERS, joints::NUMBERS, never_printed::NUMBERS, pin::NUMBERS, program::NUMBERS, quick_return::NUMBERS, runs::NUMBERS, solver::NUMBERS, terminal_speed::NUMBERS, timer::NUMBERS];
+const ALL: &[&[(&str, Number)]] = &[
+    escapement::NUMBERS,
+    front::NUMBERS,
+    jazar::NUMBERS,
+    joints::NUMBERS,
+    never_printed::NUMBERS,
+    pin::NUMBERS,
+    program::NUMBERS,
+    quick_return::NUMBERS,
+    runs::NUMBERS,
+    solver::NUMBERS,
+    terminal_speed::NUMBERS,
+    timer::NUMBERS,
+];
+
+/// The names of all numbers; each is said in some chapter.
 pub fn names() -> impl Iterator<Item = &'static str> {
     ALL.iter().copied().flatten().map(|(name, _)| *name)
 }
