@@ -1,6 +1,6 @@
 //! Where the names of curves and points stand: where they hide least.
 
-use super::panel::{Frame, Side};
+use super::panel::Frame;
 use crate::svg::{Canvas, Label, Path, Pixels, Place, Placing, Shape, around, leader};
 use crate::theme::PAPER;
 use nalgebra::Vector2;
@@ -18,7 +18,7 @@ const BESIDE: f64 = 23.0;
 #[derive(Clone, Debug)]
 pub enum Spot {
     /// Near one of the points that lie in the frame, first in this direction (radians, counter-clockwise as seen).
-    Near(Side, Vec<(f64, f64)>, f64),
+    Near(Vec<(f64, f64)>, f64),
     /// In the middle of a range of the x axis, at this height: less of it, or beside it, where there is no room.
     Within(Range<f64>, f64),
     /// On a curve, which it interrupts, the nearer to the middle the better; not at all where there is no room.
@@ -43,8 +43,8 @@ pub struct Name {
 pub fn write(canvas: &mut Canvas, frame: &Frame, mut all: Placing, mut off_curves: Placing, names: &[Name]) {
     for Name { label, spot } in names {
         match spot {
-            Spot::Near(side, points, first) => {
-                let places = frame.inside(*side, points);
+            Spot::Near(points, first) => {
+                let places = frame.inside(points);
                 let spots = places.iter().step_by(places.len().div_ceil(TRIED).max(1)).flat_map(|at| {
                     around(at, *first, &NEAR).into_iter().chain(above_and_below(frame, at, label.width()))
                 });
@@ -54,7 +54,7 @@ pub fn write(canvas: &mut Canvas, frame: &Frame, mut all: Placing, mut off_curve
                 }
             }
             Spot::Within(range, y) => within(canvas, frame, label, range, *y),
-            Spot::On(points) => on(canvas, &mut off_curves, label, &frame.inside(Side::Left, points)),
+            Spot::On(points) => on(canvas, &mut off_curves, label, &frame.inside(points)),
             Spot::Free(shares) => free(canvas, frame, [&mut all, &mut off_curves], label, shares),
             Spot::Beside(_) => {}
         }
@@ -81,7 +81,7 @@ fn centred(point: Pixels, cost: f64) -> Place {
 }
 
 fn within(canvas: &mut Canvas, frame: &Frame, label: &Label, range: &Range<f64>, y: f64) {
-    let [left, right] = [range.start, range.end].map(|x| frame.at(Side::Left, x, y));
+    let [left, right] = [range.start, range.end].map(|x| frame.at(x, y));
     let short = label.first_word();
     if label.width() < right.x - left.x {
         canvas.label(&left.lerp(&right, 0.5), &Pixels::zeros(), 0.0, label);
@@ -129,7 +129,7 @@ fn beside(canvas: &mut Canvas, frame: &Frame, names: &[Name]) {
     let mut beside: Vec<(f64, &Label)> = names
         .iter()
         .filter_map(|name| match name.spot {
-            Spot::Beside(y) => Some((frame.at(Side::Left, frame.x.range.end, y).y, &name.label)),
+            Spot::Beside(y) => Some((frame.at(frame.x.range.end, y).y, &name.label)),
             _ => None,
         })
         .collect();

@@ -22,24 +22,15 @@ const TITLE: f64 = 36.0;
 /// Length of a tick; the numbers are twice as far from the frame.
 const TICK: f64 = 6.0;
 
-/// On which of the two y axes values are read.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
-    /// The axis at the left.
-    Left,
-    /// The axis at the right.
-    Right,
-}
-
 /// What is drawn in a frame, in data of its axes.
 #[derive(Clone, Debug)]
 enum Layer {
     /// A filled area, under the grid.
     Area { corners: Vec<(f64, f64)>, shade: Shade, class: &'static str },
     /// A curve, as far as it lies in the frame.
-    Curve { side: Side, points: Vec<(f64, f64)>, stroke: Stroke },
+    Curve { points: Vec<(f64, f64)>, stroke: Stroke },
     /// Equal marks, as far as they lie in the frame.
-    Marks { side: Side, points: Vec<(f64, f64)>, marker: Marker },
+    Marks { points: Vec<(f64, f64)>, marker: Marker },
 }
 
 /// From where to where on the page a panel goes, and its frame.
@@ -78,7 +69,7 @@ impl Panel {
         Self { height, x: x.clone(), left: left.clone(), right, layers: Vec::new(), names: Vec::new() }
     }
 
-    /// Another y axis, at the right.
+    /// Other marks and words at the right: for what belongs to the same heights.
     pub fn right(self, right: Axis) -> Self {
         Self { right, ..self }
     }
@@ -97,24 +88,14 @@ impl Panel {
     }
 
     /// A curve, as far as it lies in the frame.
-    pub fn curve(self, points: impl IntoIterator<Item = (f64, f64)>, stroke: Stroke) -> Self {
-        self.curve_on(Side::Left, points, stroke)
-    }
-
-    /// A curve that is read on one of the y axes.
-    pub fn curve_on(mut self, side: Side, points: impl IntoIterator<Item = (f64, f64)>, stroke: Stroke) -> Self {
-        self.layers.push(Layer::Curve { side, points: points.into_iter().collect(), stroke });
+    pub fn curve(mut self, points: impl IntoIterator<Item = (f64, f64)>, stroke: Stroke) -> Self {
+        self.layers.push(Layer::Curve { points: points.into_iter().collect(), stroke });
         self
     }
 
     /// Equal marks at points, as far as they lie in the frame.
-    pub fn marks(self, points: impl IntoIterator<Item = (f64, f64)>, marker: Marker) -> Self {
-        self.marks_on(Side::Left, points, marker)
-    }
-
-    /// Equal marks that are read on one of the y axes.
-    pub fn marks_on(mut self, side: Side, points: impl IntoIterator<Item = (f64, f64)>, marker: Marker) -> Self {
-        self.layers.push(Layer::Marks { side, points: points.into_iter().collect(), marker });
+    pub fn marks(mut self, points: impl IntoIterator<Item = (f64, f64)>, marker: Marker) -> Self {
+        self.layers.push(Layer::Marks { points: points.into_iter().collect(), marker });
         self
     }
 
@@ -132,12 +113,7 @@ impl Panel {
 
     /// A name near one of the points, first in this direction (radians, counter-clockwise as seen).
     pub fn near(self, points: impl IntoIterator<Item = (f64, f64)>, first: f64, label: Label) -> Self {
-        self.near_on(Side::Left, points, first, label)
-    }
-
-    /// A name near points that are read on one of the y axes.
-    pub fn near_on(self, side: Side, points: impl IntoIterator<Item = (f64, f64)>, first: f64, label: Label) -> Self {
-        self.name(label, Spot::Near(side, points.into_iter().collect(), first))
+        self.name(label, Spot::Near(points.into_iter().collect(), first))
     }
 
     /// A name where it may stand.
@@ -158,7 +134,7 @@ impl Panel {
         let [left, right] = column.frame;
         let corner = Vector2::new(left, top + above);
         let end = Vector2::new(right, top + above + self.height);
-        Frame { corners: [corner, end], x: self.x.clone(), left: self.left.clone(), right: self.right.clone() }
+        Frame { corners: [corner, end], x: self.x.clone(), left: self.left.clone() }
     }
 
     /// Draws it on a canvas of this size, in a column, from `top` on.
@@ -227,22 +203,15 @@ impl Panel {
             let style = number(k);
             match layer {
                 Layer::Area { .. } => {}
-                Layer::Curve { side, points, .. } => {
-                    for part in frame.parts(*side, points) {
-                        let line = LineSeries::new(part, style);
-                        match side {
-                            Side::Left => chart.draw_series(line)?,
-                            Side::Right => chart.draw_secondary_series(line)?,
-                        };
+                Layer::Curve { points, .. } => {
+                    for part in frame.parts(points) {
+                        chart.draw_series(LineSeries::new(part, style))?;
                     }
                 }
-                Layer::Marks { side, points, .. } => {
-                    let inside = points.iter().filter(|(x, y)| frame.holds(&frame.at(*side, *x, *y)));
+                Layer::Marks { points, .. } => {
+                    let inside = points.iter().filter(|(x, y)| frame.holds(&frame.at(*x, *y)));
                     let marks = inside.map(|point| Circle::new(*point, 1, style));
-                    match side {
-                        Side::Left => chart.draw_series(marks)?,
-                        Side::Right => chart.draw_secondary_series(marks)?,
-                    };
+                    chart.draw_series(marks)?;
                 }
             }
             root.present()?;
@@ -280,13 +249,13 @@ impl Panel {
             match layer {
                 Layer::Area { .. } => {}
                 Layer::Curve { points, .. } if !avoided(points) => {}
-                Layer::Curve { side, points, stroke } => {
-                    let places: Vec<Pixels> = points.iter().map(|(x, y)| frame.at(*side, *x, *y)).collect();
+                Layer::Curve { points, stroke } => {
+                    let places: Vec<Pixels> = points.iter().map(|(x, y)| frame.at(*x, *y)).collect();
                     placing.avoid_all(&super::trace::thinned(&places), if stroke.width < 1.5 { 0.3 } else { 2.0 });
                 }
-                Layer::Marks { side, points, marker } => {
+                Layer::Marks { points, marker } => {
                     let room = Vector2::new(1.0, 1.0) * (marker.size / 2.0 + 1.0);
-                    for at in points.iter().map(|(x, y)| frame.at(*side, *x, *y)) {
+                    for at in points.iter().map(|(x, y)| frame.at(*x, *y)) {
                         placing.take([at - room, at + room]);
                     }
                 }
@@ -313,7 +282,6 @@ pub struct Frame {
     /// The x axis.
     pub x: Axis,
     left: Axis,
-    right: Axis,
 }
 
 impl Frame {
@@ -322,10 +290,9 @@ impl Frame {
         self.corners
     }
 
-    /// Where values of the x axis and of a y axis meet.
-    pub fn at(&self, side: Side, x: f64, y: f64) -> Pixels {
-        let upright = if side == Side::Left { &self.left } else { &self.right };
-        self.at_share([self.x.share(x), upright.share(y)])
+    /// Where values of the x axis and of the y axis meet.
+    pub fn at(&self, x: f64, y: f64) -> Pixels {
+        self.at_share([self.x.share(x), self.left.share(y)])
     }
 
     /// A place in shares of the frame, from its lower left corner.
@@ -335,8 +302,8 @@ impl Frame {
     }
 
     /// The places of points, as far as they lie within.
-    pub fn inside(&self, side: Side, points: &[(f64, f64)]) -> Vec<Pixels> {
-        points.iter().map(|(x, y)| self.at(side, *x, *y)).filter(|at| self.holds(at)).collect()
+    pub fn inside(&self, points: &[(f64, f64)]) -> Vec<Pixels> {
+        points.iter().map(|(x, y)| self.at(*x, *y)).filter(|at| self.holds(at)).collect()
     }
 
     fn holds(&self, at: &Pixels) -> bool {
@@ -346,19 +313,19 @@ impl Frame {
     }
 
     /// The parts of a curve that lie within: plotters would draw the rest along the edge.
-    fn parts(&self, side: Side, points: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
+    fn parts(&self, points: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
         let mut parts: Vec<Vec<(f64, f64)>> = Vec::new();
         let mut goes_on = false;
         for pair in points.windows(2) {
-            let [from, to] = [pair[0], pair[1]].map(|(x, y)| self.at(side, x, y));
+            let [from, to] = [pair[0], pair[1]].map(|(x, y)| self.at(x, y));
             let Some([enter, leave]) = part_within(&from, &to, &self.corners) else {
                 goes_on = false;
                 continue;
             };
-            let end = if leave < 1.0 { self.data(side, &from.lerp(&to, leave)) } else { pair[1] };
+            let end = if leave < 1.0 { self.data(&from.lerp(&to, leave)) } else { pair[1] };
             match parts.last_mut() {
                 Some(part) if goes_on => part.push(end),
-                _ => parts.push(vec![if enter > 0.0 { self.data(side, &from.lerp(&to, enter)) } else { pair[0] }, end]),
+                _ => parts.push(vec![if enter > 0.0 { self.data(&from.lerp(&to, enter)) } else { pair[0] }, end]),
             }
             goes_on = leave >= 1.0;
         }
@@ -366,10 +333,9 @@ impl Frame {
     }
 
     /// The values at a place.
-    fn data(&self, side: Side, at: &Pixels) -> (f64, f64) {
+    fn data(&self, at: &Pixels) -> (f64, f64) {
         let [least, greatest] = self.corners;
-        let upright = if side == Side::Left { &self.left } else { &self.right };
         let x = self.x.value_at((at.x - least.x) / (greatest.x - least.x));
-        (x, upright.value_at((greatest.y - at.y) / (greatest.y - least.y)))
+        (x, self.left.value_at((greatest.y - at.y) / (greatest.y - least.y)))
     }
 }
