@@ -25,7 +25,7 @@ const AXE: &str = "tests/browser/axe.min.js";
 
 /// What may scroll sideways: code always, the others where the screen is narrow.
 const CODE: &str = "pre, pre code";
-const SCROLLING: &str = "pre, pre code, .display, .fig, .compare, .listing, .table-wrapper";
+const SCROLLING: &str = "pre, pre code, .display, .form, .fig, .compare, .listing, .table-wrapper, dd";
 
 /// The height of the smallest letters of a figure, in pixels, and how far two labels' boxes may touch.
 const SMALLEST: u32 = 11;
@@ -57,6 +57,8 @@ const FAULTS: &[&str] = &[
     "error page: Light 1280",
     "keyboard #unreached: Light 1280",
     "keyboard #unseen: Light 1280",
+    "note #opens-nothing: Light 360 768 1280 1920",
+    "note #unseen-note: Light 360 768 1280 1920",
     "overlap #overlap: Light 360 768 1280 1920",
     "overlap #turned: Light 360 768 1280 1920",
     "request page: Light 1280",
@@ -176,6 +178,7 @@ impl Look<'_> {
         self.check(&format!("geneva.tooWide({})", json!(scrolling)));
         if self.view.1 != Medium::Paper {
             self.check(&format!("geneva.labels({SMALLEST}, {TOUCHING})"));
+            self.check("geneva.notes()");
         }
     }
 

@@ -65,6 +65,29 @@ const geneva = (() => {
         return found;
     };
 
+    /** What opens over the page when its button is pressed: whether it does, within the window, and fits its box. */
+    const notes = () => {
+        const found = [];
+        for (const button of main().querySelectorAll('[popovertarget]')) {
+            const note = document.getElementById(button.getAttribute('popovertarget'));
+            button.click();
+            if (!note?.matches(':popover-open')) {
+                found.push(fault('note', button, 'opens nothing'));
+                continue;
+            }
+            const box = note.getBoundingClientRect();
+            const out = Math.max(-box.left, box.right - window.innerWidth);
+            if (out > 1) {
+                found.push(fault('note', note, `leaves the window, by ${Math.round(out)} px`));
+            }
+            if (note.scrollWidth > note.clientWidth + 1) {
+                found.push(fault('note', note, `is wider than its box, by ${note.scrollWidth - note.clientWidth} px`));
+            }
+            note.hidePopover();
+        }
+        return found;
+    };
+
     const canvas = document.createElement('canvas').getContext('2d');
 
     /** The boxes of the ink of a label's pieces, on the screen. */
@@ -251,5 +274,5 @@ const geneva = (() => {
         return { counts, text: text.textContent.replace(/\s+/g, ' ').trim() };
     };
 
-    return { unfold, closeList, tooWide, labels, keyboard, load, accessibility, contrast, content };
+    return { unfold, closeList, tooWide, notes, labels, keyboard, load, accessibility, contrast, content };
 })();

@@ -34,10 +34,10 @@ pub struct Browser {
     _profile: TempDir,
 }
 
-/// The program, if there is one.
+/// The program, if there is one. `$CHROMIUM` may be empty, and then there is none.
 fn program() -> Option<PathBuf> {
     if let Some(told) = std::env::var_os("CHROMIUM") {
-        return Some(told.into());
+        return (!told.is_empty()).then(|| told.into());
     }
     let folders: Vec<PathBuf> = std::env::split_paths(&std::env::var_os("PATH")?).collect();
     NAMES.iter().find_map(|name| folders.iter().map(|folder| folder.join(name)).find(|path| path.is_file()))
