@@ -12,8 +12,8 @@ use tempfile::TempDir;
 const HEAVIEST_PAGE: usize = 350_000;
 const HEAVIEST_FIGURE: usize = 40_000;
 
-/// The book, built once for all tests of this file.
-fn book() -> &'static Path {
+/// The book, built once for all tests of this program.
+pub(crate) fn book() -> &'static Path {
     static BOOK: OnceLock<(TempDir, PathBuf)> = OnceLock::new();
     &BOOK.get_or_init(built).1
 }
@@ -86,9 +86,18 @@ fn pieces(html: &str) -> Vec<Piece> {
     tokenizer.sink.0.into_inner()
 }
 
+fn is_page(name: &str) -> bool {
+    name.ends_with(".html") && name != "toc.html"
+}
+
+/// The names of all pages of the book.
+pub(crate) fn names() -> Vec<String> {
+    contents(book()).into_keys().filter(|name| is_page(name)).collect()
+}
+
 fn pages() -> Vec<(String, Vec<Piece>)> {
     let files = contents(book());
-    let pages = files.into_iter().filter(|(name, _)| name.ends_with(".html") && name != "toc.html");
+    let pages = files.into_iter().filter(|(name, _)| is_page(name));
     pages.map(|(name, bytes)| (name, pieces(&String::from_utf8(bytes).expect("UTF-8")))).collect()
 }
 

@@ -6,6 +6,7 @@
 
 mod book_pages;
 mod book_sources;
+mod browser;
 mod coverage;
 mod displays;
 mod pin_over_the_engagement;

@@ -1,0 +1,335 @@
+//! Does a reader get what the pages promise? Opens every page of the book in a browser: at the width of a phone, of a
+//! tablet and of two screens, light, dark and on paper, by keyboard alone and without scripts.
+
+mod devtools;
+
+use devtools::{Browser, Medium};
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::path::Path;
+use std::sync::Mutex;
+use tempfile::TempDir;
+
+/// The widths of a phone, a tablet and two screens, in pixels.
+const WIDTHS: [u32; 4] = [1920, WIDE, 768, 360];
+
+/// From this width on nothing scrolls sideways but code.
+const WIDE: u32 = 1280;
+
+/// A sheet of A4 without the margins that `geneva.css` gives it, in pixels of 1/96 inch.
+const SHEET: u32 = 673;
+
+/// What finds faults of accessibility: <https://github.com/dequelabs/axe-core>, version 4.11.0.
+const AXE: &str = "tests/browser/axe.min.js";
+
+/// What may scroll sideways: code always, the others where the screen is narrow.
+const CODE: &str = "pre, pre code";
+const SCROLLING: &str = "pre, pre code, .display, .form, .fig, .compare, .listing, .table-wrapper, dd";
+
+/// The height of the smallest letters of a figure, in pixels, and how far two labels' boxes may touch.
+const SMALLEST: u32 = 11;
+const TOUCHING: u32 = 2;
+
+/// What is left as it is: kind of fault, page (or none for every page), beginning of the place, and why.
+type Exception = (&'static str, Option<&'static str>, &'static str, &'static str);
+
+/// One that is not needed any more is a fault.
+const EXCEPTIONS: &[Exception] = &[
+    (
+        "axe aria-allowed-attr",
+        None,
+        "#mdbook-sidebar-toggle",
+        "mdBook's own: a label that says whether the list is open",
+    ),
+    ("axe region", None, "#mdbook-menu-bar", "mdBook's own: its bar is no landmark"),
+    ("axe region", None, "#mdbook-sidebar-toggle", "mdBook's own: its bar is no landmark"),
+];
+
+/// What is wrong with `browser/faulty.html`, and in which ways of showing it.
+const FAULTS: &[&str] = &[
+    "axe color-contrast #faint: Light 1280",
+    "axe color-contrast #faint-in-the-dark: Dark 1280",
+    "axe empty-table-header #no-heading: Light 1280",
+    "console page: Light 1280",
+    "cut #cut: Light 360 768 1280 1920, Paper 673",
+    "cut #outside: Light 360 768 1280 1920",
+    "error page: Light 1280",
+    "keyboard #unreached: Light 1280",
+    "keyboard #unseen: Light 1280",
+    "note #opens-nothing: Light 360 768 1280 1920",
+    "note #unseen-note: Light 360 768 1280 1920",
+    "overlap #overlap: Light 360 768 1280 1920",
+    "overlap #turned: Light 360 768 1280 1920",
+    "request page: Light 1280",
+    "scripts page: Light 1280",
+    "small #index: Light 360 768 1280 1920",
+    "small #phone: Light 360",
+    "small #tiny: Light 360 768 1280 1920",
+    "wide #display: Light 1280 1920, Paper 673",
+    "wide #folded: Light 360 768 1280 1920, Paper 673",
+    "wide #phone-box: Light 360",
+    "wide #sheet-box: Paper 673",
+    "wide #table: Light 1280 1920, Paper 673",
+    "wide #word: Light 360 768 1280 1920, Paper 673",
+    "wide page: Light 360 768 1280 1920, Paper 673",
+];
+
+/// Something wrong with a page, as it was shown.
+struct Fault {
+    page: String,
+    view: (u32, Medium),
+    kind: String,
+    at: String,
+    what: String,
+}
+
+/// What the browser tells of a page besides what its elements show: errors, and requests for what is not in its folder.
+fn reported(events: &[Value], folder: &str) -> Vec<(&'static str, String)> {
+    let mut found = Vec::new();
+    for event in events {
+        let told = &event["params"];
+        let is_bad = |kind: &Value| ["error", "warning", "assert"].iter().any(|bad| kind == bad);
+        match event["method"].as_str().unwrap_or_default() {
+            "Runtime.exceptionThrown" => {
+                let details = &told["exceptionDetails"];
+                let text = details["exception"]["description"].as_str().or(details["text"].as_str());
+                found.push(("error", text.unwrap_or_default().lines().next().unwrap_or_default().to_owned()));
+            }
+            "Runtime.consoleAPICalled" if is_bad(&told["type"]) => {
+                found.push(("console", told["args"][0]["value"].to_string()));
+            }
+            "Log.entryAdded" if is_bad(&told["entry"]["level"]) => {
+                let [text, url] = ["text", "url"].map(|part| told["entry"][part].as_str().unwrap_or_default());
+                found.push(("console", format!("{text} {url}")));
+            }
+            "Network.requestWillBeSent" => {
+                let url = told["request"]["url"].as_str().unwrap_or_default();
+                let is_inside = url.strip_prefix(folder).is_some_and(|path| path.starts_with('/'));
+                if !is_inside && !url.starts_with("data:") && !url.ends_with(AXE) {
+                    found.push(("request", format!("asks for {url}")));
+                }
+            }
+            _ => {}
+        }
+    }
+    found
+}
+
+fn address(folder: &Path) -> String {
+    format!("file://{}", folder.display())
+}
+
+/// Looks at one page in all ways.
+struct Look<'a> {
+    browser: &'a mut Browser,
+    folder: &'a Path,
+    page: &'a str,
+    view: (u32, Medium),
+    opened: (u32, Medium),
+    faults: Vec<Fault>,
+}
+
+impl Look<'_> {
+    fn fault(&mut self, kind: &str, at: &str, what: &str) {
+        let [page, kind, at, what] = [self.page, kind, at, what].map(str::to_owned);
+        self.faults.push(Fault { page, view: self.view, kind, at, what });
+    }
+
+    /// Opens the page anew, as it is shown to one who comes with this screen.
+    fn open(&mut self, width: u32, medium: Medium) {
+        self.events();
+        self.turn(width, medium);
+        self.opened = self.view;
+        self.browser.open(&format!("{}/{}", address(self.folder), self.page));
+        self.browser.evaluate(include_str!("browser/check.js"));
+        self.browser.evaluate("geneva.unfold()");
+    }
+
+    /// Shows the page that is open in another way.
+    fn turn(&mut self, width: u32, medium: Medium) {
+        self.view = (width, medium);
+        self.browser.show(width, medium);
+    }
+
+    /// Takes note of what has happened since the page was opened.
+    fn events(&mut self) {
+        self.view = self.opened;
+        let events = self.browser.events();
+        for (kind, what) in reported(&events, &address(self.folder)) {
+            self.fault(kind, "page", &what);
+        }
+    }
+
+    fn check(&mut self, expression: &str) {
+        let found = self.browser.evaluate(expression);
+        for fault in found.as_array().into_iter().flatten() {
+            let part = |name: &str| fault[name].as_str().unwrap_or_default();
+            self.fault(part("kind"), part("at"), part("what"));
+        }
+    }
+
+    fn boxes(&mut self) {
+        let scrolling = match self.view {
+            (_, Medium::Paper) => "",
+            (width, _) if width < WIDE => SCROLLING,
+            _ => CODE,
+        };
+        self.check(&format!("geneva.tooWide({})", json!(scrolling)));
+        if self.view.1 != Medium::Paper {
+            self.check(&format!("geneva.labels({SMALLEST}, {TOUCHING})"));
+            self.check("geneva.notes()");
+        }
+    }
+
+    fn everything(&mut self) {
+        for medium in [Medium::Light, Medium::Dark] {
+            self.open(WIDE, medium);
+            self.browser.evaluate(&format!("geneva.load({})", json!(address(&crate::path(AXE)))));
+            self.check("geneva.contrast()");
+            if medium == Medium::Light {
+                self.check("geneva.accessibility()");
+                self.check("geneva.keyboard()");
+            }
+            for width in WIDTHS {
+                if width < WIDE {
+                    self.browser.evaluate("geneva.closeList()");
+                }
+                self.turn(width, medium);
+                self.boxes();
+            }
+        }
+        self.turn(SHEET, Medium::Paper);
+        self.boxes();
+        self.without_scripts();
+    }
+
+    /// Without scripts the same can be read.
+    fn without_scripts(&mut self) {
+        self.turn(WIDE, Medium::Light);
+        let read = self.browser.evaluate("geneva.content()");
+        self.browser.run_scripts(false);
+        self.open(WIDE, Medium::Light);
+        let left = self.browser.evaluate("geneva.content()");
+        self.browser.run_scripts(true);
+        for part in ["counts", "text"] {
+            let [with, without] = [&read, &left].map(|of| of[part].as_str().unwrap_or_default());
+            if with != without {
+                let from = with.chars().zip(without.chars()).take_while(|(a, b)| a == b).count();
+                let [with, without] =
+                    [with, without].map(|of| of.chars().skip(from.saturating_sub(10)).take(50).collect::<String>());
+                self.fault("scripts", "page", &format!("without scripts “{without}”, with them “{with}”"));
+            }
+        }
+        self.events();
+    }
+}
+
+/// All faults of these pages. As many browsers look as the machine has cores for; none, if there is no browser.
+fn faults(folder: &Path, pages: &[String]) -> Option<Vec<Fault>> {
+    let first = Browser::start()?;
+    let pages = Mutex::new(pages.iter());
+    let next = || pages.lock().ok().and_then(|mut pages| pages.next());
+    let look_on = |mut browser: Browser| {
+        let mut found = Vec::new();
+        while let Some(page) = next() {
+            let view = (WIDE, Medium::Light);
+            let mut look = Look { browser: &mut browser, folder, page, view, opened: view, faults: Vec::new() };
+            look.everything();
+            found.extend(look.faults);
+        }
+        found
+    };
+    let others = std::thread::available_parallelism().map_or(1, usize::from).min(4) - 1;
+    std::thread::scope(|scope| {
+        let others: Vec<_> =
+            (0..others).map(|_| scope.spawn(|| Browser::start().map(look_on).unwrap_or_default())).collect();
+        let mut found = look_on(first);
+        for other in others {
+            found.extend(other.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic)));
+        }
+        Some(found)
+    })
+}
+
+/// The faults in one list: those of a kind together, each with its pages and all ways of showing them in which it is.
+fn list(faults: &[Fault]) -> String {
+    let mut ways: BTreeMap<_, BTreeMap<_, &str>> = BTreeMap::new();
+    for fault in faults {
+        // How much it is differs from width to width.
+        let (what, much) = fault.what.rsplit_once(", by ").unwrap_or((&fault.what, ""));
+        let of_one = ways.entry((&fault.kind, &fault.page, &fault.at, what)).or_default();
+        of_one.insert((fault.view.1, fault.view.0), much);
+    }
+    let mut pages: BTreeMap<_, Vec<&str>> = BTreeMap::new();
+    for ((kind, page, at, what), of_one) in &ways {
+        pages.entry((*kind, views(of_one), *at, *what)).or_default().push(page);
+    }
+    let mut kinds: BTreeMap<_, Vec<String>> = BTreeMap::new();
+    for ((kind, views, at, what), pages) in pages {
+        kinds.entry(kind).or_default().push(format!("{} | {views} | {at} | {what}", pages.join(" ")));
+    }
+    let mut text = String::new();
+    for (kind, mut lines) in kinds {
+        lines.sort();
+        let _ = writeln!(text, "\n== {kind}: {}\n{}", lines.len(), lines.join("\n"));
+    }
+    text
+}
+
+/// In which ways of showing a page a fault is, and how much it is there.
+fn views(all: &BTreeMap<(Medium, u32), &str>) -> String {
+    let mut media: BTreeMap<Medium, Vec<String>> = BTreeMap::new();
+    for ((medium, width), much) in all {
+        let much = if much.is_empty() { String::new() } else { format!(" ({much})") };
+        media.entry(*medium).or_default().push(format!("{width}{much}"));
+    }
+    if media.get(&Medium::Light) == media.get(&Medium::Dark) {
+        media.remove(&Medium::Dark);
+    }
+    let ways = media.into_iter().map(|(medium, widths)| format!("{medium:?} {}", widths.join(" ")));
+    ways.collect::<Vec<_>>().join(", ")
+}
+
+#[test]
+fn every_page_can_be_read_on_every_screen_and_on_paper() {
+    let Some(mut found) = faults(crate::book_pages::book(), &crate::book_pages::names()) else { return };
+    let is_excused = |fault: &Fault, (kind, page, at, _): &Exception| {
+        fault.kind == *kind && page.is_none_or(|page| page == fault.page) && fault.at.starts_with(at)
+    };
+    for exception in EXCEPTIONS {
+        assert!(found.iter().any(|fault| is_excused(fault, exception)), "not needed any more: {exception:?}");
+    }
+    found.retain(|fault| !EXCEPTIONS.iter().any(|exception| is_excused(fault, exception)));
+    assert!(found.is_empty(), "{}", list(&found));
+}
+
+#[test]
+fn each_fault_of_a_faulty_page_is_found() {
+    let folder = TempDir::new().expect("a folder");
+    std::fs::write(folder.path().join("faulty.html"), include_str!("browser/faulty.html")).expect("written");
+    let Some(found) = faults(folder.path(), &["faulty.html".to_owned()]) else { return };
+    let mut ways: BTreeMap<_, BTreeMap<_, &str>> = BTreeMap::new();
+    for fault in &found {
+        ways.entry((&*fault.kind, &*fault.at)).or_default().insert((fault.view.1, fault.view.0), "");
+    }
+    let ways: Vec<_> =
+        ways.into_iter().map(|((kind, at), of_one)| format!("{kind} {at}: {}", views(&of_one))).collect();
+    assert_eq!(ways, FAULTS, "{}", list(&found));
+}
+
+#[test]
+fn an_arrow_key_turns_the_page_except_where_something_scrolls_by_it() {
+    let Some(mut browser) = Browser::start() else { return };
+    browser.show(WIDE, Medium::Light);
+    browser.open(&format!("{}/pin.html", address(crate::book_pages::book())));
+    for (within, turns) in [("main .compare", false), ("main .display", false), ("body", true)] {
+        let focus = format!("const at = document.querySelector('{within}'); at.tabIndex = 0; at.focus()");
+        browser.evaluate(&format!("{{ {focus} }}"));
+        browser.events();
+        browser.press("ArrowRight", 39);
+        browser.evaluate("null");
+        let turned = browser.events().iter().any(|event| event["method"] == "Page.frameRequestedNavigation");
+        assert_eq!(turned, turns, "within {within}");
+    }
+}

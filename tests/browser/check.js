@@ -1,0 +1,278 @@
+// What can be wrong with a page as a browser shows it. Each check answers with a list of {kind, at, what}: what kind of
+// fault, at which element, and what is the matter with it. Numbers come last, so that lists of two widths compare.
+'use strict';
+
+const geneva = (() => {
+    const main = () => document.querySelector('main');
+    const isShown = element => element.checkVisibility({ visibilityProperty: true });
+
+    /** An element by its place: the nearest identity above it and what leads from there. */
+    const place = element => {
+        const steps = [];
+        for (let at = element; at && at !== document.body; at = at.parentElement) {
+            if (at.id) {
+                steps.unshift(`#${at.id}`);
+                break;
+            }
+            const name = at.localName + [...at.classList].map(of => `.${of}`).join('');
+            const alike = [...(at.parentElement?.children ?? [])].filter(of => of.localName === at.localName);
+            steps.unshift(alike.length > 1 ? `${name}:nth-of-type(${alike.indexOf(at) + 1})` : name);
+            if (at.localName === 'main') {
+                break;
+            }
+        }
+        return steps.length > 4 ? `${steps[0]} … ${steps.slice(-2).join(' > ')}` : steps.join(' > ');
+    };
+    const words = text => {
+        const short = text.replace(/\s+/g, ' ').trim();
+        return short.length > 40 ? `${short.slice(0, 39)}…` : short;
+    };
+    const fault = (kind, element, what) => ({ kind, at: element ? place(element) : 'page', what });
+
+    /** Opens everything that is folded. */
+    const unfold = () => document.querySelectorAll('main details').forEach(of => { of.open = true; });
+
+    /** Closes the list of chapters, as it is closed for one who comes with a narrow screen. */
+    const closeList = () => {
+        document.querySelector('#mdbook-sidebar-toggle-anchor:checked')?.click();
+        // Or the next page would open without it.
+        localStorage.removeItem('mdbook-sidebar');
+    };
+
+    /** What is wider than its box. `scrolling`: the elements that may be, since they scroll by design. */
+    const tooWide = scrolling => {
+        const found = [];
+        const root = document.documentElement;
+        if (root.scrollWidth > window.innerWidth) {
+            found.push(fault('wide', null, `the page scrolls sideways, by ${root.scrollWidth - window.innerWidth} px`));
+        }
+        const boxes = [main(), ...main().querySelectorAll('*')].filter(of => of instanceof HTMLElement && isShown(of));
+        const wide = boxes.filter(of => {
+            const style = getComputedStyle(of);
+            const isBox = !['inline', 'contents', 'none'].includes(style.display) && of.clientWidth > 1;
+            return isBox && of.scrollWidth > of.clientWidth + 1 && !(scrolling && of.matches(scrolling));
+        });
+        // Only the innermost: what holds a box that is too wide is too wide itself.
+        for (const of of wide.filter(of => !wide.some(other => other !== of && of.contains(other)))) {
+            found.push(fault('wide', of, `“${words(of.textContent)}” is wider than its box, by ${of.scrollWidth - of.clientWidth} px`));
+        }
+        for (const of of boxes) {
+            const hides = ['hidden', 'clip'].includes(getComputedStyle(of).overflowY);
+            if (hides && of.clientHeight > 1 && of.scrollHeight > of.clientHeight + 1) {
+                found.push(fault('cut', of, `“${words(of.textContent)}” is cut off below, by ${of.scrollHeight - of.clientHeight} px`));
+            }
+        }
+        return found;
+    };
+
+    /** What opens over the page when its button is pressed: whether it does, within the window, and fits its box. */
+    const notes = () => {
+        const found = [];
+        for (const button of main().querySelectorAll('[popovertarget]')) {
+            const note = document.getElementById(button.getAttribute('popovertarget'));
+            button.click();
+            if (!note?.matches(':popover-open')) {
+                found.push(fault('note', button, 'opens nothing'));
+                continue;
+            }
+            const box = note.getBoundingClientRect();
+            const out = Math.max(-box.left, box.right - window.innerWidth);
+            if (out > 1) {
+                found.push(fault('note', note, `leaves the window, by ${Math.round(out)} px`));
+            }
+            if (note.scrollWidth > note.clientWidth + 1) {
+                found.push(fault('note', note, `is wider than its box, by ${note.scrollWidth - note.clientWidth} px`));
+            }
+            note.hidePopover();
+        }
+        return found;
+    };
+
+    const canvas = document.createElement('canvas').getContext('2d');
+
+    /** The boxes of the ink of a label's pieces, on the screen. */
+    const inked = label => {
+        const pieces = [];
+        const walker = document.createTreeWalker(label, NodeFilter.SHOW_TEXT);
+        while (walker.nextNode()) {
+            const node = walker.currentNode;
+            if (!node.data.trim()) {
+                continue;
+            }
+            const range = document.createRange();
+            range.selectNodeContents(node);
+            const style = getComputedStyle(node.parentElement);
+            canvas.font = `${style.fontStyle} ${style.fontWeight} ${style.fontSize} ${style.fontFamily}`;
+            const ink = canvas.measureText(node.data);
+            const em = ink.fontBoundingBoxAscent + ink.fontBoundingBoxDescent;
+            const matrix = label.getScreenCTM();
+            const isUpright = Math.abs(matrix.b) < 1e-6;
+            for (const box of range.getClientRects()) {
+                if (isUpright) {
+                    const scale = box.height / em;
+                    const top = box.top + scale * (ink.fontBoundingBoxAscent - ink.actualBoundingBoxAscent);
+                    const bottom = box.bottom - scale * (ink.fontBoundingBoxDescent - ink.actualBoundingBoxDescent);
+                    pieces.push({ left: box.left, right: box.right, top, bottom });
+                } else {
+                    // Turned by a quarter: its em box lies sideways.
+                    pieces.push({ left: box.left, right: box.right, top: box.top, bottom: box.bottom });
+                }
+            }
+        }
+        return pieces;
+    };
+
+    /** How far two boxes lie over each other, in the direction in which it is least. */
+    const overlap = (a, b) =>
+        Math.min(Math.min(a.right, b.right) - Math.max(a.left, b.left), Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top));
+
+    /** Labels of figures that are too small to be read, lie on one another, or are cut off. */
+    const labels = (smallest, allowed) => {
+        const found = [];
+        for (const svg of main().querySelectorAll('svg')) {
+            if (!isShown(svg)) {
+                continue;
+            }
+            const texts = [...svg.querySelectorAll('text')].filter(of => isShown(of) && of.textContent.trim());
+            const frame = svg.getBoundingClientRect();
+            const small = new Map();
+            for (const text of texts) {
+                const matrix = text.getScreenCTM();
+                const scale = Math.sqrt(Math.abs(matrix.a * matrix.d - matrix.b * matrix.c));
+                for (const part of [text, ...text.querySelectorAll('tspan')]) {
+                    const own = [...part.childNodes].filter(of => of.nodeType === Node.TEXT_NODE).map(of => of.data).join('');
+                    const size = parseFloat(getComputedStyle(part).fontSize) * scale;
+                    if (own.trim() && size < smallest - 0.01) {
+                        const key = size.toFixed(1);
+                        small.set(key, [...(small.get(key) ?? []), words(own)]);
+                    }
+                }
+            }
+            for (const [size, names] of small) {
+                const some = names.slice(0, 3).map(of => `“${of}”`).join(', ');
+                const rest = names.length > 3 ? ` and ${names.length - 3} more` : '';
+                found.push(fault('small', svg, `${some}${rest}: letters of ${size} px`));
+            }
+            const inks = texts.map(text => inked(text));
+            texts.forEach((text, at) => {
+                const out = Math.max(...inks[at].map(of => Math.max(
+                    frame.left - of.left, of.right - frame.right, frame.top - of.top, of.bottom - frame.bottom)));
+                if (out > allowed && getComputedStyle(svg).overflow !== 'visible') {
+                    found.push(fault('cut', svg, `“${words(text.textContent)}” leaves its figure, by ${out.toFixed(1)} px`));
+                }
+                for (let other = 0; other < at; other += 1) {
+                    const depth = Math.max(...inks[at].flatMap(a => inks[other].map(b => overlap(a, b))));
+                    if (depth > allowed) {
+                        const pair = `“${words(texts[other].textContent)}” and “${words(text.textContent)}”`;
+                        found.push(fault('overlap', svg, `${pair} overlap, by ${depth.toFixed(1)} px`));
+                    }
+                }
+            });
+        }
+        return found;
+    };
+
+    /** What can be pressed or filled in and is not reached by the keyboard, or does not show that it is. */
+    const keyboard = () => {
+        const found = [];
+        const controls = 'a[href], button, summary, input, select, textarea, [tabindex], [onclick], [role="button"]';
+        const look = style => [style.outlineStyle, style.outlineWidth, style.outlineColor, style.boxShadow, style.borderColor,
+            style.backgroundColor, style.textDecoration].join();
+        for (const control of main().querySelectorAll(controls)) {
+            if (!isShown(control) || control.disabled) {
+                continue;
+            }
+            if (control.tabIndex < 0) {
+                found.push(fault('keyboard', control, `“${words(control.textContent)}” is not reached by the Tab key`));
+                continue;
+            }
+            const style = getComputedStyle(control);
+            const before = look(style);
+            control.focus({ preventScroll: true, focusVisible: true });
+            if (document.activeElement !== control) {
+                found.push(fault('keyboard', control, `“${words(control.textContent)}” takes no focus`));
+            } else if (look(style) === before) {
+                found.push(fault('keyboard', control, `“${words(control.textContent)}” does not show that it has the focus`));
+            }
+            control.blur();
+        }
+        return found;
+    };
+
+    /** Loads axe-core from where it is. */
+    const load = address => new Promise((done, failed) => {
+        const script = document.createElement('script');
+        Object.assign(script, { src: address, onload: () => done(), onerror: failed });
+        document.head.append(script);
+    });
+
+    const axeFinds = async (context, runOnly, options) => {
+        const sparing = { preload: false, resultTypes: ['violations'], selectors: false, elementRef: true };
+        const { violations } = await axe.run(context, { runOnly, ...options, ...sparing });
+        // It takes a heading of a table that is a formula for an empty one: it does not read MathML.
+        const isFormula = (id, { element }) => id === 'empty-table-header' && element.querySelector('math');
+        return violations.flatMap(({ id, help, nodes }) => nodes.filter(node => !isFormula(id, node)).map(node => {
+            const why = [...node.any, ...node.all, ...node.none].map(of => of.message)[0] ?? '';
+            return fault(`axe ${id}`, node.element, `${help}; “${words(node.element.textContent)}”: ${why}`);
+        }));
+    };
+
+    /** What axe-core finds, colours aside. */
+    const accessibility = () => {
+        const tags = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'];
+        return axeFinds(document, { type: 'tag', values: tags }, { rules: { 'color-contrast': { enabled: false } } });
+    };
+
+    /**
+     * Text too faint on its ground, by axe-core. It takes its time: one element of each look is shown to it, and no look
+     * that was good on an earlier page.
+     */
+    const contrast = async () => {
+        const good = new Set(JSON.parse(localStorage.getItem('good looks') ?? '[]'));
+        const looks = new Map();
+        const grounds = new Map();
+        const ground = element => {
+            if (!element) {
+                return '';
+            }
+            if (!grounds.has(element)) {
+                const { backgroundColor, backgroundImage, opacity } = getComputedStyle(element);
+                const own = backgroundColor === 'rgba(0, 0, 0, 0)' && backgroundImage === 'none' && opacity === '1';
+                const below = ground(element.parentElement);
+                grounds.set(element, own ? below : `${below} ${backgroundColor} ${backgroundImage} ${opacity}`);
+            }
+            return grounds.get(element);
+        };
+        for (const element of document.body.querySelectorAll('*')) {
+            const hasText = [...element.childNodes].some(of => of.nodeType === Node.TEXT_NODE && of.data.trim());
+            if (hasText && isShown(element)) {
+                const { color, fontSize, fontWeight } = getComputedStyle(element);
+                const look = [color, fontSize, fontWeight, ground(element)].join('|');
+                const known = looks.get(look);
+                if (!good.has(look) && (!known || element.childElementCount < known.childElementCount)) {
+                    looks.set(look, element);
+                }
+            }
+        }
+        if (looks.size === 0) {
+            return [];
+        }
+        const found = await axeFinds({ include: [...looks.values()] }, { type: 'rule', values: ['color-contrast'] });
+        if (found.length === 0) {
+            localStorage.setItem('good looks', JSON.stringify([...good, ...looks.keys()]));
+        }
+        return found;
+    };
+
+    /** What a reader can read: how many formulas, drawings, tables are shown, and the words. */
+    const content = () => {
+        const isContent = of => !of.closest('button, .buttons') && isShown(of);
+        const count = name => [...main().querySelectorAll(name)].filter(isContent).length;
+        const counts = ['math', 'svg', 'table', 'img', 'pre', 'p', 'li', 'td'].map(name => `${count(name)} ${name}`).join(', ');
+        const text = main().cloneNode(true);
+        text.querySelectorAll('button, .buttons').forEach(of => of.remove());
+        return { counts, text: text.textContent.replace(/\s+/g, ' ').trim() };
+    };
+
+    return { unfold, closeList, tooWide, notes, labels, keyboard, load, accessibility, contrast, content };
+})();

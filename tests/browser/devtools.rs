@@ -1,0 +1,210 @@
+//! A browser without a window, spoken to by the DevTools protocol over a pipe.
+
+use serde_json::{Value, json};
+use std::collections::VecDeque;
+use std::io::{BufRead, BufReader, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Child, ChildStdin, Command, Stdio};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
+use std::time::{Duration, Instant};
+use tempfile::TempDir;
+
+/// How long one answer may take, however busy the machine is.
+const PATIENCE: Duration = Duration::from_secs(120);
+
+/// By what names the program goes, where `$CHROMIUM` does not say.
+const NAMES: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
+
+/// How a page is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Medium {
+    Light,
+    Dark,
+    Paper,
+}
+
+/// One browser with one page. Its profile is its own and goes with it.
+pub struct Browser {
+    process: Child,
+    commands: ChildStdin,
+    messages: Receiver<Value>,
+    events: VecDeque<Value>,
+    session: Option<String>,
+    calls: u64,
+    _profile: TempDir,
+}
+
+/// The program, if there is one. `$CHROMIUM` may be empty, and then there is none.
+fn program() -> Option<PathBuf> {
+    if let Some(told) = std::env::var_os("CHROMIUM") {
+        return (!told.is_empty()).then(|| told.into());
+    }
+    let folders: Vec<PathBuf> = std::env::split_paths(&std::env::var_os("PATH")?).collect();
+    NAMES.iter().find_map(|name| folders.iter().map(|folder| folder.join(name)).find(|path| path.is_file()))
+}
+
+impl Browser {
+    /// A browser with an empty page. Where there is none, this says so and gives none; where one must be, it fails.
+    pub fn start() -> Option<Self> {
+        let started = match program() {
+            None => Err(format!("none of {} is installed, and $CHROMIUM does not name one", NAMES.join(", "))),
+            Some(_) if !cfg!(unix) => Err("its pipe is laid by a Unix shell".to_owned()),
+            Some(program) => Self::from(&program).map_err(|why| format!("{} does not start: {why}", program.display())),
+        };
+        match started {
+            Ok(browser) => Some(browser),
+            Err(why) => {
+                assert!(std::env::var_os("BROWSER_REQUIRED").is_none(), "no browser: {why}");
+                // Not by a macro: what a passing test prints by one is not shown.
+                let _ = writeln!(std::io::stderr(), "skipped: the pages are not looked at in a browser: {why}");
+                None
+            }
+        }
+    }
+
+    fn from(program: &Path) -> Result<Self, String> {
+        let profile = TempDir::new().map_err(|error| error.to_string())?;
+        // The browser reads commands from its file 3 and answers on its file 4.
+        let mut process = Command::new("sh")
+            .args(["-c", r#"exec "$0" "$@" 3<&0 4>&1 </dev/null >/dev/null 2>&1"#])
+            .arg(program)
+            // No sandbox: it does not start for root or in a container, and only pages of our own are shown.
+            .args(["--headless", "--no-sandbox", "--disable-gpu", "--remote-debugging-pipe", "--hide-scrollbars"])
+            .args(["--no-first-run", "--mute-audio", "--disable-background-networking", "--disable-component-update"])
+            // A page that asks for something elsewhere is found out, and gets nothing.
+            .args(["--disable-extensions", "--disable-sync", "--host-resolver-rules=MAP * ~NOTFOUND"])
+            .args(["--allow-file-access-from-files", "--font-render-hinting=none"])
+            .arg(format!("--user-data-dir={}", profile.path().display()))
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .map_err(|error| error.to_string())?;
+        let (Some(commands), Some(answers)) = (process.stdin.take(), process.stdout.take()) else {
+            return Err("it has no pipe".to_owned());
+        };
+        let (sender, messages) = channel();
+        std::thread::spawn(move || {
+            for message in BufReader::new(answers).split(0).map_while(Result::ok) {
+                let told = serde_json::from_slice(&message).map(|message| sender.send(message));
+                if !matches!(told, Ok(Ok(()))) {
+                    break;
+                }
+            }
+        });
+        let mut browser =
+            Self { process, commands, messages, events: VecDeque::new(), session: None, calls: 0, _profile: profile };
+        let target = browser.ask("Target.createTarget", json!({ "url": "about:blank" }))?;
+        let attached =
+            browser.ask("Target.attachToTarget", json!({ "targetId": target["targetId"], "flatten": true }))?;
+        browser.session = attached["sessionId"].as_str().map(str::to_owned);
+        for domain in ["Page", "Runtime", "Log", "Network"] {
+            browser.ask(&format!("{domain}.enable"), json!({}))?;
+        }
+        browser.ask("Page.setLifecycleEventsEnabled", json!({ "enabled": true }))?;
+        browser.ask("Emulation.setFocusEmulationEnabled", json!({ "enabled": true }))?;
+        Ok(browser)
+    }
+
+    /// The next message, waited for until `end`.
+    fn message(&mut self, end: Instant) -> Result<Value, String> {
+        let left = end.saturating_duration_since(Instant::now());
+        self.messages.recv_timeout(left).map_err(|why| match why {
+            RecvTimeoutError::Timeout => format!("no answer within {} s", PATIENCE.as_secs()),
+            RecvTimeoutError::Disconnected => "it has ended".to_owned(),
+        })
+    }
+
+    fn ask(&mut self, method: &str, parameters: Value) -> Result<Value, String> {
+        self.calls += 1;
+        let mut command = json!({ "id": self.calls, "method": method, "params": parameters });
+        if let Some(session) = &self.session {
+            command["sessionId"] = json!(session);
+        }
+        let sent = self.commands.write_all(format!("{command}\0").as_bytes()).and_then(|()| self.commands.flush());
+        sent.map_err(|error| format!("{method}: {error}"))?;
+        let end = Instant::now() + PATIENCE;
+        loop {
+            let mut message = self.message(end).map_err(|why| format!("{method}: {why}"))?;
+            if message["id"] == self.calls {
+                let error = &message["error"]["message"];
+                return if error.is_null() { Ok(message["result"].take()) } else { Err(format!("{method}: {error}")) };
+            }
+            self.events.push_back(message);
+        }
+    }
+
+    /// What a command of the protocol gives.
+    #[track_caller]
+    pub fn command(&mut self, method: &str, parameters: Value) -> Value {
+        self.ask(method, parameters).unwrap_or_else(|why| panic!("the browser: {why}"))
+    }
+
+    /// Shows pages from now on at this width, on this medium. The page that is open changes with it.
+    pub fn show(&mut self, width: u32, medium: Medium) {
+        let size = json!({ "width": width, "height": 900, "deviceScaleFactor": 1, "mobile": false });
+        self.command("Emulation.setDeviceMetricsOverride", size);
+        let (media, scheme) = match medium {
+            Medium::Light => ("screen", "light"),
+            Medium::Dark => ("screen", "dark"),
+            Medium::Paper => ("print", "light"),
+        };
+        // Still: what slides into its place would be measured on its way.
+        let features = json!([
+            { "name": "prefers-color-scheme", "value": scheme },
+            { "name": "prefers-reduced-motion", "value": "reduce" },
+        ]);
+        self.command("Emulation.setEmulatedMedia", json!({ "media": media, "features": features }));
+    }
+
+    /// Whether the scripts of pages that are opened from now on run. Those of [`Self::evaluate`] do.
+    pub fn run_scripts(&mut self, run: bool) {
+        self.command("Emulation.setScriptExecutionDisabled", json!({ "value": !run }));
+    }
+
+    /// Opens a page, and waits until it is loaded with its fonts.
+    #[track_caller]
+    pub fn open(&mut self, address: &str) {
+        let opened = self.command("Page.navigate", json!({ "url": address }));
+        assert!(opened["errorText"].is_null(), "the browser: {address}: {}", opened["errorText"]);
+        let end = Instant::now() + PATIENCE;
+        let is_loaded = |event: &Value| {
+            let what = &event["params"];
+            event["method"] == "Page.lifecycleEvent" && what["name"] == "load" && what["loaderId"] == opened["loaderId"]
+        };
+        while !self.events.iter().any(is_loaded) {
+            let event = self.message(end).unwrap_or_else(|why| panic!("the browser: {address}: {why}"));
+            self.events.push_back(event);
+        }
+        self.evaluate("document.fonts.ready.then(() => null)");
+    }
+
+    /// The value of an expression in the page; of a promise, what it promises.
+    #[track_caller]
+    pub fn evaluate(&mut self, expression: &str) -> Value {
+        let asked = json!({ "expression": expression, "awaitPromise": true, "returnByValue": true });
+        let mut answer = self.command("Runtime.evaluate", asked);
+        let wrong = &answer["exceptionDetails"];
+        assert!(wrong.is_null(), "the browser: {wrong:#}");
+        answer["result"]["value"].take()
+    }
+
+    /// Presses a key: its name, and its number on a keyboard.
+    pub fn press(&mut self, key: &str, number: u8) {
+        for kind in ["rawKeyDown", "keyUp"] {
+            let event = json!({ "type": kind, "key": key, "code": key, "windowsVirtualKeyCode": number });
+            self.command("Input.dispatchKeyEvent", event);
+        }
+    }
+
+    /// What has happened since the last call, as the protocol tells it.
+    pub fn events(&mut self) -> Vec<Value> {
+        self.events.drain(..).collect()
+    }
+}
+
+impl Drop for Browser {
+    fn drop(&mut self) {
+        let _ = self.process.kill();
+        let _ = self.process.wait();
+    }
+}
