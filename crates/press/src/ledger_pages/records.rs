@@ -22,7 +22,7 @@ pub fn page(name: &str) -> anyhow::Result<String> {
 
 /// The claims of a section; every row can be linked to by the claim's id.
 fn claims(section: &Section) -> anyhow::Result<String> {
-    let head = ["Claim", "Verdict", "Printed", "Computed", "How it was checked"];
+    let head = ["Claim", "Verdict", "Printed and computed", "How it was checked"];
     let title = format!("Source {}: {}", section.work, section.title);
     let rows = section.ids().map(|id| claim(lookup::judged(id)?));
     Ok(format!("## {title}\n\n{}\n\n", table(&title, Cells::Words, &head, rows)?.html()))
@@ -37,25 +37,25 @@ fn claim(judged: &Judged) -> anyhow::Result<Vec<String>> {
         (None, true) => how(judged),
         (None, false) => format!("<details><summary>{evidence}</summary>{}</details>", how(judged)),
     };
-    Ok(vec![
-        format!(
-            "<code id=\"{0}\">{0}</code> <small>{1}: {2}</small>",
-            claim.id,
-            escape(claim.locator),
-            escape(claim.meaning)
-        ),
-        badge(judged.verdict) + &slip(judged),
-        format!("<div class=\"form\">{}</div>", with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?),
-        numbers(judged),
-        checked,
-    ])
+    let name = format!(
+        "<code id=\"{0}\">{0}</code> <small>{1}: {2}</small>",
+        claim.id,
+        escape(claim.locator),
+        escape(claim.meaning)
+    );
+    let printed = with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?;
+    // A form needs more room than a column of numbers has.
+    let (name, numbers) = match computed(judged) {
+        Some(computed) => (name, format!("{printed}<br>computed {computed}{}", right(judged))),
+        None => (format!("{name}<div class=\"form\">{printed}</div>"), "–".to_owned()),
+    };
+    Ok(vec![name, badge(judged.verdict) + &slip(judged), numbers, checked])
 }
 
-/// What was computed and, where the printed number is not right, what is.
-fn numbers(judged: &Judged) -> String {
-    let computed = computed(judged).unwrap_or_else(|| "–".to_owned());
+/// What is right, where what was computed is not.
+fn right(judged: &Judged) -> String {
     let in_error = judged.right_value.filter(|right| judged.computed != Some(*right));
-    in_error.map_or(computed.clone(), |right| format!("{computed}; right: {}", rounded(judged, right)))
+    in_error.map_or_else(String::new, |right| format!("<br>right {}", rounded(judged, right)))
 }
 
 /// The slip that reaches a claim, as a link to where it is told.
@@ -94,6 +94,12 @@ fn lines(work: &Work) -> anyhow::Result<String> {
         lookup::of_work(*work).count(),
         lines.len(),
         table(&format!("Lines of {work}"), Cells::Words, &["Line", "Claims", "Numbers"], all)?.html(),
-        table("Exceptions", Cells::Words, &["Exception", "Line", "Why there is nothing to check"], exceptions)?.html(),
+        table(
+            &format!("Exceptions of {work}"),
+            Cells::Words,
+            &["Exception", "Line", "Why there is nothing to check"],
+            exceptions
+        )?
+        .html(),
     ))
 }
