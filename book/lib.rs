@@ -23,6 +23,7 @@ chapters! {
     errata_copy = "src/errata-copy.md",
     method = "src/method.md",
     ledger = "src/ledger.md",
+    ledger_jazar = "src/ledger-jazar.md",
     ledger_meyer = "src/ledger-meyer.md",
     ledger_meyer_friction = "src/ledger-meyer-friction.md",
     ledger_meyer_motion = "src/ledger-meyer-motion.md",

@@ -114,10 +114,16 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
             records: Records::Claims(vec![
                 whole(Work::Pin, "the pin in the slot"),
                 whole(Work::QuickReturn, "the quick-return mechanism"),
-                whole(Work::Jazar2003, "the wheel of N stations"),
             ]),
-            ..below("ledger", "The ledger")
+            ..below("ledger", "The ledger: both problems")
         },
+        listing(
+            "ledger-jazar",
+            "Handout: the wheel of N stations",
+            "The ledger of the handout",
+            "The claims of the handout, in the order of the source, with what was found of each.",
+            Records::Claims(vec![whole(Work::Jazar2003, "the wheel of N stations")]),
+        ),
         thesis("ledger-meyer", "geometry", 0..=262, "front matter and geometry"),
         thesis("ledger-meyer-friction", "friction and energy", 263..=336, "friction and energy"),
         thesis("ledger-meyer-motion", "Lagrange’s equation", 337..=425, "Lagrange’s equation"),
