@@ -22,8 +22,9 @@ pub fn escape(text: &str) -> String {
 
 /// A piece of TeX as markup if it is TeX, else as text.
 pub fn tex_or_text(text: &str) -> anyhow::Result<String> {
-    let is_tex = text.contains(['\\', '{', '=']);
-    if is_tex { maths::formula(text, false) } else { Ok(escape(text)) }
+    // Dots between words are no formula.
+    let words = text.replace(r" \ldots", "\u{a0}…");
+    if words.contains(['\\', '{', '=']) { maths::formula(text, false) } else { Ok(escape(&words)) }
 }
 
 /// What a table holds, which decides how its cells are set.

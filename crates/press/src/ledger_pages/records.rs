@@ -22,7 +22,7 @@ pub fn page(name: &str) -> anyhow::Result<String> {
 
 /// The claims of a section; every row can be linked to by the claim's id.
 fn claims(section: &Section) -> anyhow::Result<String> {
-    let head = ["Claim", "Verdict", "Printed and computed", "How it was checked"];
+    let head = ["Claim", "Verdict and evidence", "Printed and computed"];
     let title = format!("Source {}: {}", section.work, section.title);
     let rows = section.ids().map(|id| claim(lookup::judged(id)?));
     Ok(format!("## {title}\n\n{}\n\n", table(&title, Cells::Words, &head, rows)?.html()))
@@ -49,7 +49,7 @@ fn claim(judged: &Judged) -> anyhow::Result<Vec<String>> {
         Some(computed) => (name, format!("{printed}<br>computed {computed}{}", right(judged))),
         None => (format!("{name}<div class=\"form\">{printed}</div>"), "–".to_owned()),
     };
-    Ok(vec![name, badge(judged.verdict) + &slip(judged), numbers, checked])
+    Ok(vec![name, format!("{}{} <div>{checked}</div>", badge(judged.verdict), slip(judged)), numbers])
 }
 
 /// What is right, where what was computed is not.
