@@ -188,7 +188,7 @@ pub fn written() -> anyhow::Result<Vec<(String, String)>> {
     };
     let mut written: Vec<_> = PAGES.iter().filter_map(listing).collect();
     written.push(("book/src/SUMMARY.md".to_owned(), table_of_contents()));
-    written.push(("book/picture.svg".to_owned(), readme::picture()?));
+    written.extend(readme::pictures()?);
     Ok(written)
 }
 

@@ -8,8 +8,16 @@ use anyhow::Context;
 const STYLE: &str = include_str!("../../../book/theme/geneva.css");
 const FIRST_PAGE: &str = include_str!("../../../book/src/preface.md");
 
-/// The turning wheel as a drawing of its own, in the book's colours, light or dark as the reader's system is.
-pub fn picture() -> anyhow::Result<String> {
+/// The figures that the README shows.
+const PICTURES: [&str; 2] = ["wheel-turning", "runs-agreement"];
+
+/// The README's pictures: paths and drawings.
+pub fn pictures() -> anyhow::Result<Vec<(String, String)>> {
+    PICTURES.iter().map(|name| Ok((format!("book/{name}.svg"), picture(name)?))).collect()
+}
+
+/// A figure as a drawing of its own, in the book's colours, light or dark as the reader's system is.
+fn picture(name: &str) -> anyhow::Result<String> {
     let colours = |theme: &str| -> anyhow::Result<String> {
         let block = STYLE.split_once(theme).and_then(|(_, rest)| rest.split_once('}'));
         let (block, _) = block.with_context(|| format!("the style has no `{theme}`"))?;
@@ -21,7 +29,7 @@ pub fn picture() -> anyhow::Result<String> {
         colours("html:not(.js) {")?,
         colours("html.ayu {")?
     );
-    let svg = figures::by_name("wheel-turning")?.svg;
+    let svg = figures::by_name(name)?.svg;
     let (opening, rest) = svg.split_once('\n').context("a drawing of one line")?;
     Ok(format!("{opening}\n{style}\n{rest}"))
 }
@@ -31,10 +39,23 @@ pub fn findings() -> anyhow::Result<String> {
     let (_, rest) =
         FIRST_PAGE.split_once("## What was found\n").context("the first page does not say what was found")?;
     let (section, _) = rest.split_once("\n## ").context("the first page ends with what was found")?;
-    let (drawn, _) = put_in(section, Page { name: "preface", number: "" }, &[])?;
-    let paragraphs = drawn.split("\n\n").map(plain).filter(|paragraph| !paragraph.is_empty());
-    let paragraphs: Vec<_> = paragraphs.map(|paragraph| in_the_project(&paragraph)).collect();
+    let (drawn, _) = put_in(&with_images(section)?, Page { name: "preface", number: "" }, &[])?;
+    let paragraphs =
+        drawn.split("\n\n").map(|part| if part.starts_with(IMAGE) { part.to_owned() } else { plain(part) });
+    let paragraphs: Vec<_> = paragraphs.filter(|part| !part.is_empty()).map(|part| in_the_project(&part)).collect();
     Ok(paragraphs.join("\n\n"))
+}
+
+const IMAGE: &str = "<img ";
+
+/// The same with each picture as an image.
+fn with_images(markdown: &str) -> anyhow::Result<String> {
+    let mut out = markdown.to_owned();
+    for name in PICTURES {
+        let image = format!("{IMAGE}src=\"book/{name}.svg\" alt=\"{}\" width=\"640\">", figures::by_name(name)?.title);
+        out = out.replace(&format!("{{{{picture:{name}}}}}"), &image);
+    }
+    Ok(out)
 }
 
 /// The same with links that lead from the folder of the project.
