@@ -268,6 +268,25 @@ fn figures_have_a_number_a_caption_and_words_for_those_who_do_not_see_them() {
 }
 
 #[test]
+fn the_pages_lead_from_one_to_the_next_in_the_order_of_the_book() {
+    let pages: BTreeMap<_, _> = pages().into_iter().collect();
+    let order: Vec<_> = geneva_press::pages::PAGES.iter().map(|page| format!("{}.html", page.name)).collect();
+    for (at, name) in order.iter().enumerate() {
+        let leads = |rel: &str| {
+            let links = pages[name].iter().filter_map(|piece| match piece {
+                Piece::Start { element, attributes } if element == "a" => Some(attributes),
+                _ => None,
+            });
+            // mdBook's own have titles for an arrow.
+            let mut ours = links.filter(|of| of.get("rel").is_some_and(|of| of == rel) && !of.contains_key("title"));
+            ours.next().map(|of| of["href"].clone())
+        };
+        assert_eq!(leads("prev").as_ref(), at.checked_sub(1).map(|before| &order[before]), "{name}");
+        assert_eq!(leads("next").as_ref(), order.get(at + 1), "{name}");
+    }
+}
+
+#[test]
 fn formulas_are_there_without_scripts() {
     let files = contents(book());
     let pin = String::from_utf8_lossy(&files["pin.html"]).into_owned();

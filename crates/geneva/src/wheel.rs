@@ -38,7 +38,7 @@ pub struct WheelArguments {
 
 const INTRODUCTION: &str = "\
 Crank angles are measured at the driver's axis from the line of centres, which joins the two axes. The driver turns at \
-constant speed. While a pin is in a slot the wheel turns against the driver; it slows down behind the line of centres as \
+constant speed. While a pin is in a slot the wheel turns against the driver; it slows down past the line of centres as \
 it sped up before it.";
 
 /// The wheel that is wanted, as it is wanted.

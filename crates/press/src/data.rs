@@ -3,8 +3,7 @@
 //! They are written among the chapters, where mdBook finds what it copies into the book; they are not committed.
 
 use crate::records;
-use anyhow::Context;
-use std::collections::BTreeSet;
+use anyhow::{Context, bail};
 use std::fs;
 use std::path::Path;
 
@@ -43,6 +42,11 @@ pub fn write(chapters: &Path, files: &[File]) -> anyhow::Result<()> {
     if !chapters.join("SUMMARY.md").is_file() {
         return Ok(());
     }
+    let mut names: Vec<_> = files.iter().map(|file| file.name.as_str()).collect();
+    names.sort_unstable();
+    if let Some(twice) = names.windows(2).find(|pair| pair[0] == pair[1]) {
+        bail!("two figures or tables have the name `{}`: name one of them otherwise", twice[0]);
+    }
     let folder = chapters.join(FOLDER);
     let cannot =
         || format!("cannot write in {}: the book is built from a folder that can be written", folder.display());
@@ -56,12 +60,11 @@ pub fn write(chapters: &Path, files: &[File]) -> anyhow::Result<()> {
         fs::write(beside.path(), &file.text).with_context(cannot)?;
         beside.persist(&path).with_context(cannot)?;
     }
-    let wanted: BTreeSet<_> = files.iter().map(|file| file.name.as_str()).collect();
     for entry in fs::read_dir(&folder).with_context(cannot)? {
         let entry = entry.with_context(cannot)?;
         let name = entry.file_name();
         // A name that begins with a point is that of a file on its way.
-        if !name.to_str().is_some_and(|name| wanted.contains(name) || name.starts_with('.')) {
+        if !name.to_str().is_some_and(|name| names.binary_search(&name).is_ok() || name.starts_with('.')) {
             fs::remove_file(entry.path()).with_context(cannot)?;
         }
     }

@@ -109,7 +109,7 @@ impl Table {
                     out.push_str(&format!("<th scope=\"row\">{cell}</th>"));
                 } else {
                     let label = self.head.get(at).map_or_else(String::new, |head| escape(&plain(head)));
-                    out.push_str(&format!("<td data-label=\"{label}\">{cell}</td>"));
+                    out.push_str(&format!("<td data-label=\"{label}\"><span>{cell}</span></td>"));
                 }
             }
             out.push_str("</tr>\n");

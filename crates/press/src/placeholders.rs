@@ -131,9 +131,14 @@ impl Shown {
         format!("{}-{}", if self.kind == "Figure" { "fig" } else { "table" }, self.name)
     }
 
+    /// The name of its data: a figure and a table may bear the same.
+    fn file(&self) -> String {
+        if self.kind == "Figure" { self.name.clone() } else { format!("table-{}", self.name) }
+    }
+
     /// Caption and drawing or table, and what it was made of as a file.
     fn framed(&self, caption: &str, inner: &str, source: &str, csv: String) -> (String, File) {
-        let file = File::of(&self.name, csv);
+        let file = File::of(&self.file(), csv);
         let (kind, number, path) = (self.kind, &self.number, file.path());
         let class = if kind == "Figure" { "fig" } else { "tab" };
         let caption = format!(

@@ -38,11 +38,9 @@ impl Preprocessor for Geneva {
         let titles: Vec<_> = book.chapters().map(|chapter| (Place::of(chapter).name, chapter.name.clone())).collect();
         let footer = edition::footer(&context.root);
         let mut files = Vec::new();
-        let mut at = 0;
         book.for_each_chapter_mut(|chapter| {
             let place = Place::of(chapter);
-            let beside = neighbours(&titles, at);
-            at += 1;
+            let beside = neighbours(&titles, &place.name);
             match placeholders::put_in(&chapter.content, place.page(), &shown).with_context(|| file(chapter)) {
                 Ok((content, led_to)) => {
                     chapter.content = content + &beside + &footer;
@@ -64,8 +62,9 @@ impl Preprocessor for Geneva {
     }
 }
 
-/// Links to the pages before and behind the one at this place, by their titles.
-fn neighbours(titles: &[(String, String)], at: usize) -> String {
+/// Links to the pages before and behind the one of this name, by their titles.
+fn neighbours(titles: &[(String, String)], page: &str) -> String {
+    let Some(at) = titles.iter().position(|(name, _)| name == page) else { return String::new() };
     let link = |at: Option<usize>, rel: &str, what: &str| {
         let (name, title) = titles.get(at?)?;
         Some(format!("<a rel=\"{rel}\" href=\"{name}.html\"><small>{what}</small> {}</a>", escape(title)))

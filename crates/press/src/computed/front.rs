@@ -3,7 +3,7 @@
 use super::Number;
 use anyhow::Context;
 use geneva_ledger::meyer::runs::{Hypothesis, Row, Score, delays, rows, scores};
-use geneva_ledger::{Consequence, Decimal, Judged, Truth, claim, slips_of, verdicts};
+use geneva_ledger::{Consequence, Decimal, Judged, Truth, Verdict, claim, slips_of, verdicts};
 
 /// What changes a result or a conclusion.
 const GRAVE: [Consequence; 2] = [Consequence::Result, Consequence::Conclusion];
@@ -15,6 +15,8 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("claims.wrong-gravely", || Ok(claims(Truth::Wrong, |slip| slip.is_some_and(|slip| GRAVE.contains(&slip))))),
     ("claims.copy", || Ok(claims(Truth::Wrong, |slip| slip == Some(Consequence::Copy)))),
     ("claims.open", || Ok(claims(Truth::Open, |_| true))),
+    ("claims.not-reproduced", || Ok(found(Verdict::NotReproduced))),
+    ("claims.without-datum", || Ok(found(Verdict::NotReproducible))),
     ("slips.grave", || Ok(GRAVE.map(|of| slips_of(of).count()).iter().sum::<usize>().to_string())),
     ("rows", || Ok(rows().len().to_string())),
     ("rows.of-no-mechanism", || Ok(rows().iter().filter(|row| !is_reset_rightly(row)).count().to_string())),
@@ -38,4 +40,8 @@ fn score(hypothesis: &Hypothesis) -> anyhow::Result<&'static Score> {
 fn claims(truth: Truth, by: fn(Option<Consequence>) -> bool) -> String {
     let slip = |judged: &Judged| judged.claim.erratum.as_ref().map(|erratum| erratum.slip.consequence);
     verdicts().iter().filter(|judged| judged.truth() == truth && by(slip(judged))).count().to_string()
+}
+
+fn found(verdict: Verdict) -> String {
+    verdicts().iter().filter(|judged| judged.verdict == verdict).count().to_string()
 }

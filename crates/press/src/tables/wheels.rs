@@ -17,14 +17,14 @@ pub fn wheels(range: &str) -> anyhow::Result<Table> {
         "centre <br>distance, <small>× crank</small>",
         "wheel <br>radius, <small>× crank</small>",
         "peak <br>speed, <small>× driver’s</small>",
-        "jump <br>at entry, <small>× its square</small>",
-        "peak <br>acceleration, <small>× its square</small>",
+        "jump <br>at entry, <small>× driver’s speed²</small>",
+        "peak <br>acceleration, <small>× driver’s speed²</small>",
         "at <small>crank angle</small>",
     ];
     let caption = format!(
         "Wheels of {first} to {last} stations, one pin, driver at constant speed. Moves and dwells say which number of \
          stations to take; centre distance and wheel radius how large it is; speed and accelerations how hard it is moved; \
-         the last column at which crank angle before and behind the line of centres the acceleration is greatest"
+         the last column at which crank angle before and past the line of centres the acceleration is greatest"
     );
     table(&caption, Cells::Numbers, &head, stations.map(row))
 }
