@@ -126,7 +126,7 @@ pub fn wheel(number: usize, stations: Option<u32>, when: When) -> Moment {
         .with([(r"\ddot\varphi", unsteady_acceleration(&ratio, &crank, &speed, &angular_acceleration))])
         .changing(By::Time, [("varphi''", jerk_ratio(&ratio, &crank) * speed * speed * speed)])
         .with([(r"\text{wheel radius}", wheel.wheel_radius_ratio() * radius)])
-        .with([(r"\text{slot depth}", wheel.slot_length_ratio() * radius)])
+        .with([(r"\text{pin travel}", wheel.slot_length_ratio() * radius)])
         .with([
             (r"\text{moving time}", wheel.indexing_time(speed).expect("a speed")),
             (r"\text{dwell time}", wheel.dwell_time(speed).expect("a speed")),

@@ -106,10 +106,12 @@ impl Table {
             out.push_str("<tr>");
             for (at, cell) in row.iter().enumerate() {
                 if at == 0 {
-                    out.push_str(&format!("<th scope=\"row\">{cell}</th>"));
+                    out.push_str(&format!("<th scope=\"row\"{}>{cell}</th>", self.first_label()));
                 } else {
                     let label = self.head.get(at).map_or_else(String::new, |head| escape(&plain(head)));
-                    out.push_str(&format!("<td data-label=\"{label}\"><span>{cell}</span></td>"));
+                    // Beside its label a cell is one piece.
+                    let cell = if matches!(self.cells, Cells::Words) { cell } else { &format!("<span>{cell}</span>") };
+                    out.push_str(&format!("<td data-label=\"{label}\">{cell}</td>"));
                 }
             }
             out.push_str("</tr>\n");
@@ -119,6 +121,12 @@ impl Table {
             out.push_str(&format!("\n{}", self.legend));
         }
         out
+    }
+
+    /// On a narrow page a number at the head of a row says what it is.
+    fn first_label(&self) -> String {
+        let label = self.head.first().filter(|_| matches!(self.cells, Cells::Numbers));
+        label.map_or_else(String::new, |head| format!(" data-label=\"{} \"", escape(&plain(head))))
     }
 
     /// The table as CSV: the text of its cells.

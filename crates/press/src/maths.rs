@@ -31,8 +31,10 @@ pub fn render(chapter: &str) -> anyhow::Result<String> {
                 if let Some(heading) = &mut heading {
                     heading.holds_formula = true;
                 }
+                // A sign behind a formula does not begin a line.
+                let joined = !display && chapter[range.end..].starts_with(JOINED);
                 match formula(&tex, display) {
-                    Ok(markup) => edits.push((range, markup)),
+                    Ok(markup) => edits.push((range, if joined { markup + WORD_JOINER } else { markup })),
                     Err(error) => errors.push(format!("line {}: {error:#}", line(chapter, range.start))),
                 }
             }
@@ -67,6 +69,10 @@ pub fn render(chapter: &str) -> anyhow::Result<String> {
     }
     Ok(apply(chapter, &edits))
 }
+
+/// Signs that stand close behind a formula, and what keeps a line from breaking before them.
+const JOINED: [char; 7] = [',', '.', ';', ':', ')', '?', '’'];
+const WORD_JOINER: &str = "&#8288;";
 
 /// Markdown as mdBook reads it, and formulas besides.
 fn dialect() -> Options {

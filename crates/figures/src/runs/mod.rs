@@ -6,6 +6,7 @@ mod agreement;
 mod aliasing;
 mod deviations;
 mod over_torque;
+mod reset_angle;
 mod speeds;
 #[cfg(test)]
 mod tests;
@@ -14,6 +15,7 @@ pub use agreement::{Cell, Compared, agreement};
 pub use aliasing::aliasing;
 pub use deviations::deviations;
 pub use over_torque::over_torque;
+pub use reset_angle::{Scan, reset_angle};
 pub use speeds::{first_minimum, speeds};
 
 use crate::error::FigureError;

@@ -16,6 +16,8 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("runs.periods", || within(best()?, Column::Period)),
     ("runs.peaks", || within(best()?, Column::Peak)),
     ("runs.peaks-lagged", || within(lagged(0.1)?, Column::Peak)),
+    ("runs.exact", || Ok(exact(lagged(0.1)?).to_string())),
+    ("runs.exact.mechanisms", || Ok(exact(score(&Hypothesis::IDEAL)?).to_string())),
     ("runs.others", || Ok((EXPLAINED.len() * others().count()).to_string())),
     ("runs.others-by-the-mechanisms", || Ok(of_others(score(&Hypothesis::IDEAL)?).to_string())),
     ("runs.others-by-the-program", || Ok(of_others(lagged(0.1)?).to_string())),
@@ -46,6 +48,11 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("rise.groups.without", || Ok(groups().iter().filter(|group| !group.possible).count().to_string())),
     ("rise.groups.but-for-one", || Ok(groups().iter().filter(|group| bears_one_number(group)).count().to_string())),
 ];
+
+/// How many cells a hypothesis gives to the printed digit.
+fn exact(score: &Score) -> usize {
+    score.fits.iter().map(|fit| fit.exact).sum()
+}
 
 /// The score of a hypothesis among those compared.
 fn score(hypothesis: &Hypothesis) -> anyhow::Result<&'static Score> {

@@ -56,6 +56,7 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("escapement-existence", || Ok(escapement::existence(&designs()?))),
     ("integrator-order", || Ok(escapement::order())),
     ("runs-agreement", runs::agreement),
+    ("runs-reset-angle", runs::reset_angle),
     ("runs-aliasing", runs::printed_too_seldom),
     ("runs-hypotheses", runs::hypotheses),
     ("runs-speeds", runs::of_fig_8),

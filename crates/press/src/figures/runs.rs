@@ -7,8 +7,9 @@ use crate::rows::{self, parameters, weakest};
 use crate::tables::solver::CONTESTANTS;
 use anyhow::Context;
 use geneva_dynamics::joints::{Escapement, Joints, Varied, series};
+use geneva_dynamics::steady::Engagement;
 use geneva_figures::Figure;
-use geneva_figures::runs::{self, Cell, Compared, Group, Run};
+use geneva_figures::runs::{self, Cell, Compared, Group, Run, Scan};
 use geneva_figures::steady::{self, Line, Measurement};
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::choice::{comparable, least_braked, of_fig_8 as rows_of_fig_8, rows_of};
@@ -31,6 +32,34 @@ pub fn agreement() -> anyhow::Result<Figure> {
         inertias.join(", ")
     );
     Ok(runs::agreement(&compared, "rad/s or ms", &says))
+}
+
+/// How many of a mechanism's numbers come out, over the reset angle: where the pins of neither fit the program.
+pub fn reset_angle() -> anyhow::Result<Figure> {
+    /// From half the angle between the pins of three, in half degrees.
+    const HALF_DEGREES: std::ops::RangeInclusive<u32> = 120..=240;
+    let scan = |mechanism| -> anyhow::Result<Scan> {
+        let rows: Vec<&Row> = rows_of(mechanism).collect();
+        let count = |half_degrees: u32| -> anyhow::Result<(f64, usize)> {
+            let angle = f64::from(half_degrees) / 2.0;
+            let each = rows.iter().map(|row| within_one(row, angle.to_radians()));
+            Ok((angle, each.sum::<anyhow::Result<usize>>()?))
+        };
+        let counts = HALF_DEGREES.map(count).collect::<anyhow::Result<_>>()?;
+        Ok(Scan { mechanism, cells: EXPLAINED.len() * rows.len(), counts })
+    };
+    Ok(runs::reset_angle(&[scan(Mechanism::SIX_PIN)?, scan(Mechanism::THREE_PIN)?]))
+}
+
+/// How many numbers of a row come out with this reset angle: none where the motion comes to no steady state.
+fn within_one(row: &Row, reset: f64) -> anyhow::Result<usize> {
+    let parameters = Hypothesis::WITHOUT_LAG.parameters(row).context("a run's data make no escapement")?;
+    let Ok(steady) = Engagement::reset_after(&parameters, reset, 1e-10).and_then(|of| of.steady_state()) else {
+        return Ok(0);
+    };
+    let computed = [steady.peak.speed, steady.minimum.speed, steady.period];
+    let is_near = |(column, number): (Column, f64)| (row.number(column) - number).abs() <= (1.0 + 1e-9) * column.unit();
+    Ok(EXPLAINED.into_iter().zip(computed).filter(|cell| is_near(*cell)).count())
 }
 
 /// What each of the compared hypotheses makes of the rows.

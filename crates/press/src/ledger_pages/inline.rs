@@ -37,8 +37,8 @@ pub fn claim(id: &str) -> anyhow::Result<String> {
 pub fn mark(id: &str) -> anyhow::Result<String> {
     let verdict = lookup::judged(id)?.verdict;
     Ok(format!(
-        "<button type=\"button\" class=\"mark verdict-{verdict}\" popovertarget=\"note-{id}\" aria-label=\"{verdict}: how \
-         this was checked\">{}</button>",
+        "&#8288;<button type=\"button\" class=\"mark verdict-{verdict}\" popovertarget=\"note-{id}\" aria-label=\"{verdict}: how \
+         this was checked\">{}</button>&#8288;",
         sign(verdict)
     ))
 }

@@ -1,0 +1,95 @@
+//! How many printed numbers come out, over the angle after which the program resets the driver.
+
+use crate::chart::{Axis, Chart, Entry, Panel, Scale, Stroke, of_mechanism};
+use crate::svg::Label;
+use crate::{Figure, Series, Words};
+use geneva_kinematics::Mechanism;
+
+/// What a mechanism's table says of the reset angle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scan {
+    /// The mechanism.
+    pub mechanism: Mechanism,
+    /// How many numbers its table has.
+    pub cells: usize,
+    /// Reset angles in degrees, and how many of the numbers come out with each.
+    pub counts: Vec<(f64, usize)>,
+}
+
+/// The counts over the reset angle, a curve for each mechanism, which all have the same angles.
+///
+/// Series: the reset angle in degrees, and the count of each mechanism in the order given.
+pub fn reset_angle(scans: &[Scan]) -> Figure {
+    let angles: Vec<f64> = scans.first().map_or_else(Vec::new, |scan| scan.counts.iter().map(|(at, _)| *at).collect());
+    let range = angles.first().copied().unwrap_or(0.0)..angles.last().copied().unwrap_or(1.0);
+    let most = scans.iter().map(|scan| scan.cells).max().unwrap_or(1) as f64;
+    let x = Axis::new(Scale::Linear, range.clone(), tens(range.start, range.end), 0);
+    let x = x.titled(Label::words("reset angle of the program, in degrees"));
+    let y = Axis::new(Scale::Linear, 0.0..1.05 * most, tens(0.0, most), 0);
+    let y = y.titled(Label::words("printed numbers within one unit"));
+    let panel = scans.iter().fold(Panel::new(300.0, &x, &y), |panel, scan| {
+        panel.curve(scan.counts.iter().map(|(at, count)| (*at, *count as f64)), stroke(scan.mechanism))
+    });
+    let key = scans.iter().map(|scan| {
+        let name = Label::words(&format!("{} pins, of {}", scan.mechanism.pins(), scan.cells));
+        Entry::curve(stroke(scan.mechanism), name)
+    });
+    let best: Vec<String> = scans.iter().map(told).collect();
+    let words = Words::new(
+        "runs-reset-angle",
+        "How many printed numbers come out, over the reset angle",
+        format!(
+            "A curve for each mechanism over the reset angle from {} to {} degrees. Each has a sharp peak. {}.",
+            range.start,
+            range.end,
+            best.join("; ")
+        ),
+        format!(
+            "Leave the reset angle free and count the peaks, minima and periods of Appendix E that come within one unit, \
+             with the true peaks and the inertias of Fig. 11. {}.",
+            best.join("; ")
+        ),
+    );
+    let columns = std::iter::once(("reset".to_owned(), "deg"))
+        .chain(scans.iter().map(|scan| (format!("{} pins", scan.mechanism.pins()), "1")));
+    let row = |(at, angle): (usize, &f64)| {
+        let counts = scans.iter().map(|scan| scan.counts.get(at).map_or(f64::NAN, |(_, count)| *count as f64));
+        std::iter::once(*angle).chain(counts).collect()
+    };
+    let rows = angles.iter().enumerate().map(row).collect();
+    Chart::new([panel]).key(key).figure(words, Series::of_columns(columns, rows))
+}
+
+fn stroke(mechanism: Mechanism) -> Stroke {
+    of_mechanism(mechanism.slots()).0
+}
+
+/// Where most of a mechanism's numbers come out, and how many.
+fn told(scan: &Scan) -> String {
+    let most = scan.counts.iter().max_by_key(|(_, count)| *count).copied().unwrap_or_default();
+    format!("with {} pins most come out at {}°, {} of {}", scan.mechanism.pins(), most.0, most.1, scan.cells)
+}
+
+/// The tens from one number to another.
+fn tens(from: f64, to: f64) -> Vec<f64> {
+    (0..).map(|k| 10.0 * ((from / 10.0).ceil() + f64::from(k))).take_while(|ten| *ten <= to).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::sound;
+
+    #[test]
+    fn the_angle_with_most_numbers_is_told() {
+        let scan = |mechanism, best: u32| Scan {
+            mechanism,
+            cells: 48,
+            counts: (60..=120).map(|at| (f64::from(at), 40 - best.abs_diff(at).min(40) as usize)).collect(),
+        };
+        let figure = reset_angle(&[scan(Mechanism::SIX_PIN, 70), scan(Mechanism::THREE_PIN, 90)]);
+        sound(&figure);
+        assert!(figure.caption.contains("with 6 pins most come out at 70°, 40 of 48"), "{}", figure.caption);
+        assert_eq!(figure.series.rows[30], [90.0, 20.0, 40.0]);
+    }
+}
