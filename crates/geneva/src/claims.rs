@@ -3,22 +3,26 @@
 use crate::arguments::{ClaimsArguments, Format};
 use crate::fields;
 use crate::output::{WIDTH, count, cut, heading, style};
-use geneva_ledger::{Decimal, Judged, Verdict, in_full};
+use geneva_ledger::{Decimal, Judged, Verdict, claims, in_full, verdict, verdicts, verdicts_of};
 use geneva_press::records;
 
 /// The claims that are wanted, as they are wanted.
 pub fn page(wanted: &ClaimsArguments) -> anyhow::Result<String> {
-    let of_source = |judged: &&Judged| wanted.source.is_none_or(|source| judged.claim.work == source);
     let of_verdict = |judged: &&Judged| wanted.verdict.is_none_or(|verdict| judged.verdict == verdict);
-    let rows: Vec<_> = geneva_ledger::verdicts().iter().filter(of_source).filter(of_verdict).collect();
+    let rows: Vec<_> = derived(wanted).into_iter().filter(of_verdict).collect();
     match wanted.format {
         Format::Json => fields::json(&rows.into_iter().map(records::claim).collect::<Vec<_>>()),
         Format::Csv => fields::csv(
-            geneva_ledger::verdicts().first().map(records::claim).as_ref(),
+            claims().first().and_then(|claim| verdict(claim.id)).map(records::claim).as_ref(),
             rows.into_iter().map(records::claim),
         ),
         _ => Ok(table(&rows)),
     }
+}
+
+/// The verdicts on the claims of the source that is wanted, or on all.
+pub fn derived(wanted: &ClaimsArguments) -> Vec<&'static Judged> {
+    wanted.source.map_or_else(|| verdicts().iter().collect(), verdicts_of)
 }
 
 /// A line for each claim, under the place in the source. Ids and verdicts are never cut.
@@ -62,4 +66,32 @@ fn computed(judged: &Judged) -> Option<String> {
         Ok(printed) => format!("{number:.*}", printed.places() as usize + Decimal::MORE_PLACES),
         Err(_) => number.to_string(),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::arguments::{Arguments, Command};
+    use clap::Parser;
+    use geneva_ledger::Work;
+
+    /// The ids of the claims that are listed for these options.
+    fn listed(options: &[&str]) -> Vec<String> {
+        let line = [&["geneva", "claims", "--format", "json"], options].concat();
+        let Some(Command::Claims(wanted)) = Arguments::parse_from(line).command else { panic!("{options:?}") };
+        let rows: Vec<serde_json::Value> = serde_json::from_str(&page(&wanted).expect("a page")).expect("an array");
+        rows.iter().map(|row| row["id"].as_str().expect("an id").to_owned()).collect()
+    }
+
+    #[test]
+    fn every_source_and_every_verdict_select_their_claims() {
+        for work in Work::ALL {
+            for verdict in Verdict::ALL {
+                let is_wanted = |judged: &&Judged| judged.claim.work == *work && judged.verdict == *verdict;
+                let expected: Vec<_> = verdicts().iter().filter(is_wanted).map(|judged| judged.claim.id).collect();
+                let found = listed(&["--source", work.slug(), "--verdict", verdict.slug()]);
+                assert_eq!(found, expected, "{work} {verdict}");
+            }
+        }
+    }
 }

@@ -146,7 +146,9 @@ fn code(characters: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{code, percent};
+    use super::*;
+    use crate::arguments::{Arguments, Command};
+    use clap::Parser;
 
     #[test]
     fn backticks_in_printed_characters_do_not_end_the_code() {
@@ -157,5 +159,30 @@ mod tests {
     #[test]
     fn a_share_keeps_two_digits() {
         assert_eq!([0.9, 0.0165, 0.0017].map(percent), ["90 %", "1.7 %", "0.17 %"]);
+    }
+
+    /// The ids of the slips that are listed for these options.
+    fn listed(options: &[&str]) -> Vec<String> {
+        let line = [&["geneva", "errata", "--format", "json"], options].concat();
+        let Some(Command::Errata(wanted)) = Arguments::parse_from(line).command else { panic!("{options:?}") };
+        let rows: Vec<serde_json::Value> = serde_json::from_str(&page(&wanted).expect("a page")).expect("an array");
+        rows.iter().map(|row| row["id"].as_str().expect("an id").to_owned()).collect()
+    }
+
+    #[test]
+    fn the_options_select_the_slips_of_the_ledger() {
+        let expected = |wanted: &dyn Fn(&Places) -> bool| -> Vec<_> {
+            slips().iter().filter(|places| wanted(places)).map(|places| places.slip.id.to_owned()).collect()
+        };
+        assert_eq!(listed(&["--all"]), expected(&|_| true));
+        assert_eq!(listed(&[]), expected(&|places| places.slip.consequence != Consequence::Copy));
+        for consequence in Consequence::ALL {
+            let own = expected(&|places| places.slip.consequence == *consequence);
+            assert_eq!(listed(&["--consequence", consequence.slug()]), own, "{consequence}");
+        }
+        for source in Work::ALL {
+            let own = expected(&|places| places.main().claim.work == *source);
+            assert_eq!(listed(&["--source", source.slug(), "--all"]), own, "{source}");
+        }
     }
 }

@@ -42,8 +42,12 @@ fn main() -> ExitCode {
 fn run(arguments: Arguments) -> anyhow::Result<Outcome> {
     match arguments.command {
         None => verify_and_build(),
-        Some(Command::Claims(wanted)) => answer(&claims::page(&wanted)?, &wanted.to, as_recorded()),
-        Some(Command::Errata(wanted)) => answer(&errata::page(&wanted)?, &wanted.to, as_recorded()),
+        Some(Command::Claims(wanted)) => {
+            answer(&claims::page(&wanted)?, &wanted.to, as_recorded(claims::derived(&wanted)))
+        }
+        Some(Command::Errata(wanted)) => {
+            answer(&errata::page(&wanted)?, &wanted.to, as_recorded(geneva_ledger::verdicts()))
+        }
         Some(Command::Coverage(wanted)) => {
             let (page, outcome) = coverage::page(&wanted)?;
             print(&page)?;
@@ -79,10 +83,10 @@ fn verify_and_build() -> anyhow::Result<Outcome> {
     };
     print(&summary::page(verdicts))?;
     book::build(&arguments::BuildArguments::default())?;
-    Ok(as_recorded())
+    Ok(as_recorded(verdicts))
 }
 
-/// Whether every verdict is the one on record.
-fn as_recorded() -> Outcome {
-    Outcome::as_recorded_if(geneva_ledger::verdicts().iter().all(geneva_ledger::Judged::holds))
+/// Whether each of these verdicts is the one on record.
+fn as_recorded<'a>(verdicts: impl IntoIterator<Item = &'a geneva_ledger::Judged>) -> Outcome {
+    Outcome::as_recorded_if(verdicts.into_iter().all(geneva_ledger::Judged::holds))
 }

@@ -59,26 +59,50 @@ pub fn claim(id: &str) -> Option<&'static Claim> {
 /// All verdicts, derived once and kept, in the order of [`claims`]. Shared out among the machine's processors.
 pub fn verdicts() -> &'static [Judged] {
     static VERDICTS: OnceLock<Vec<Judged>> = OnceLock::new();
-    VERDICTS.get_or_init(|| {
-        let workers = available_parallelism().map_or(1, usize::from);
-        // Each takes every n-th claim: neighbours are often equally hard.
-        let mut verdicts = scope(|scope| {
-            let share = |worker| move || claims().iter().skip(worker).step_by(workers).map(judge).collect::<Vec<_>>();
-            let running: Vec<_> = (0..workers).map(|worker| scope.spawn(share(worker))).collect();
-            running
-                .into_iter()
-                .flat_map(|worker| worker.join().unwrap_or_else(|panic| resume_unwind(panic)))
-                .collect::<Vec<_>>()
-        });
-        let place = |judged: &Judged| claims().iter().position(|claim| std::ptr::eq(claim, judged.claim));
-        verdicts.sort_by_key(place);
-        verdicts
-    })
+    VERDICTS.get_or_init(|| verdicts_where(|_| true).into_iter().cloned().collect())
+}
+
+/// The verdicts on the claims of a source, in their order: the others are not derived for it.
+pub fn verdicts_of(work: Work) -> Vec<&'static Judged> {
+    verdicts_where(|claim| claim.work == work)
+}
+
+/// The verdicts on some claims, in their order: the others are not derived for it.
+fn verdicts_where(wanted: impl Fn(&Claim) -> bool) -> Vec<&'static Judged> {
+    let these = claims().iter().enumerate().filter(|(_, claim)| wanted(claim));
+    derived(&these.map(|(at, _)| at).collect::<Vec<_>>())
 }
 
 /// The derived verdict of the claim with this id.
 pub fn verdict(id: &str) -> Option<&'static Judged> {
-    verdicts().iter().find(|judged| judged.claim.id == id)
+    Some(judged(claims().iter().position(|claim| claim.id == id)?))
+}
+
+/// The verdict on the claim of this number, derived when it is first asked for.
+fn judged(number: usize) -> &'static Judged {
+    static JUDGED: OnceLock<Vec<OnceLock<Judged>>> = OnceLock::new();
+    let all = JUDGED.get_or_init(|| claims().iter().map(|_| OnceLock::new()).collect());
+    all[number].get_or_init(|| judge(&claims()[number]))
+}
+
+/// The verdicts on the claims of these numbers, shared out among the machine's processors.
+fn derived(numbers: &[usize]) -> Vec<&'static Judged> {
+    let workers = available_parallelism().map_or(1, usize::from);
+    scope(|scope| {
+        // Each takes every n-th claim: neighbours are often equally hard.
+        let share = |worker| {
+            move || {
+                numbers.iter().skip(worker).step_by(workers).for_each(|number| {
+                    judged(*number);
+                })
+            }
+        };
+        let running: Vec<_> = (0..workers).map(|worker| scope.spawn(share(worker))).collect();
+        for worker in running {
+            worker.join().unwrap_or_else(|panic| resume_unwind(panic));
+        }
+    });
+    numbers.iter().map(|number| judged(*number)).collect()
 }
 
 /// The number that the source prints in the claim with this id, in the printed unit.

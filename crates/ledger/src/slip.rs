@@ -1,7 +1,7 @@
 //! What is wrong in a source: one slip, in one place or in many.
 
 use crate::slugs::slugs;
-use crate::{Judged, Kind, Verdict, verdicts};
+use crate::{Judged, Kind, Verdict, verdicts_where};
 use std::cmp::Reverse;
 use std::sync::OnceLock;
 
@@ -128,7 +128,7 @@ pub fn slip(id: &str) -> Option<&'static Places> {
 
 fn collected() -> Vec<Places> {
     let mut found: Vec<Places> = Vec::new();
-    for judged in verdicts() {
+    for judged in verdicts_where(|claim| claim.erratum.is_some()) {
         let Some(erratum) = &judged.claim.erratum else { continue };
         match found.iter_mut().find(|places| places.slip.id == erratum.slip.id) {
             Some(places) => places.claims.push(judged),

@@ -1,7 +1,7 @@
 //! Finding things by name; the error tells the nearest name or all there are.
 
 use anyhow::anyhow;
-use geneva_ledger::{Consequence, Judged, Work, verdict, verdicts};
+use geneva_ledger::{Consequence, Judged, Work, claims, verdict, verdicts_of};
 
 /// What bears this name in a list.
 pub fn named<T: Copy>(what: &str, name: &str, list: &[(&str, T)]) -> anyhow::Result<T> {
@@ -14,7 +14,7 @@ pub fn named<T: Copy>(what: &str, name: &str, list: &[(&str, T)]) -> anyhow::Res
 
 /// The judged claim with this id.
 pub fn judged(id: &str) -> anyhow::Result<&'static Judged> {
-    verdict(id).ok_or_else(|| unknown("claim", id, verdicts().iter().map(|judged| judged.claim.id)))
+    verdict(id).ok_or_else(|| unknown("claim", id, claims().iter().map(|claim| claim.id)))
 }
 
 /// The source with this slug.
@@ -31,7 +31,7 @@ pub fn consequence(slug: &str) -> anyhow::Result<Consequence> {
 
 /// The judged claims of a source.
 pub fn of_work(work: Work) -> impl Iterator<Item = &'static Judged> {
-    verdicts().iter().filter(move |judged| judged.claim.work == work)
+    verdicts_of(work).into_iter()
 }
 
 /// That nothing of this kind bears the name, with the nearest that something bears.
