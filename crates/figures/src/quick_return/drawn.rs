@@ -150,7 +150,7 @@ fn the_mechanism_is_to_scale_and_shows_the_other_branch_only_where_there_is_one(
         assert!(drawing.count("other-branch") == 0 || linkage.ratio() > 1.0);
     });
     let document = usual().map(|figure| figure.svg).concat();
-    assert_eq!(document.matches("other branch").count(), 1);
+    assert_eq!(document.matches("other point").count(), 1);
 }
 
 #[test]

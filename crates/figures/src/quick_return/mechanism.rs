@@ -78,7 +78,8 @@ pub fn mechanism(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>,
         ),
         format!(
             "The mechanism to scale at ψ = {psi}. The pin P₂ on the crank slides in the slot of the lever; P₄ is the \
-             lever's point under it, at the same place at this instant."
+             lever's point under it, at the same place at this instant. At the “other point” of its circle the pin would be \
+             with the same ψ. Counter-clockwise is positive."
         ),
     );
     words.figure(canvas, Kind::TallMechanism, series)
@@ -126,7 +127,7 @@ fn names(
     if let Some(ghost) = other_branch(at, linkage, instant) {
         let places =
             beside_line(&at.axis, &ghost, &NEAR).into_iter().chain(around(&ghost, -FRAC_PI_2 * at.side, &NEAR));
-        if let Some(place) = placing.put(canvas, &Label::words("other branch").shade(DRIVER), places) {
+        if let Some(place) = placing.put(canvas, &Label::words("other point").shade(DRIVER), places) {
             leader(canvas, &place);
         }
     }

@@ -47,7 +47,7 @@ pub fn over_a_turn(linkage: &QuickReturn, position: &Position, drive: &Drive<f64
         ),
         format!(
             "A whole turn of the crank at {}. Tinted: the fast {stroke}. The dashed line marks the instant φ = {phi}, \
-             ψ = {psi}.",
+             ψ = {psi}. Counter-clockwise is positive.",
             written(drive.speed, "rad/s")
         ),
     );

@@ -92,7 +92,7 @@ pub fn agreement(hypotheses: &[Compared; 2], unit: &str, others: &str) -> Figure
             "Each mark is one printed number of Appendix E: peak and minimum of the driver's speed and period of 49 \
              runs, in {unit}. On the diagonal the computed number is the printed one. Counted as agreeing are those \
              within one unit of the last printed place, the shaded strip. Left, the mechanisms: the driver's angle is reset as each \
-             needs it; right, the program as listed: after 90° for all three. {others}"
+             needs it, and the peaks are the true ones; right, the program as listed: after 90° for all three, and the peaks are the largest on the print-out. {others}"
         )
         .trim_end(),
     );

@@ -73,7 +73,7 @@ fn panel(group: &Group, family: &Family, number: usize, x: &Axis, y: &Axis) -> P
     let speed = |scaled: f64, torque: f64| scaled * (torque / group.inertias.follower()).sqrt();
     let frictions = group.frictions().len();
     let last = number + COLUMNS > frictions;
-    let x = if last { x.clone().titled(Label::words("torque ").and_symbol("K").and(" in in lb")) } else { x.clone() };
+    let x = if last { x.clone().titled(Label::words("torque ").and_symbol("K").and(" in in·lb")) } else { x.clone() };
     let title = Label::symbol("μ").and(&format!(" = {}: speed in rad/s", fixed(family.friction, 2)));
     let [least, greatest] = group.range(|run| run.torque);
     let room = room(least, greatest);

@@ -38,8 +38,8 @@ pub const NUMBERS: &[(&str, Number)] = &[
         Ok(format!("{peak}, {minimum} and {period}"))
     }),
     ("runs.fifth", || Ok(fixed(against_a_fifth()?.floor(), 0))),
-    ("runs.lag.normal", || Ok(fixed(for_the_lag()?[0], 0))),
-    ("runs.lag.exponential", || Ok(fixed(for_the_lag()?[1], 0))),
+    ("runs.lag.normal", || Ok(fixed(for_the_lag()?[0], 1))),
+    ("runs.lag.exponential", || Ok(fixed(for_the_lag()?[1], 1))),
     ("rise.most", || {
         let counts = explained().into_iter().flat_map(|(_, both)| both.map(|of| of.within_one.iter().sum::<usize>()));
         Ok(counts.max().unwrap_or(0).to_string())

@@ -30,6 +30,9 @@ fn in_a_line(judged: &Judged) -> anyhow::Result<String> {
     let (printed, corrected) = (in_full(claim), judged.corrected().unwrap_or_default());
     if printed.chars().count() <= SHORT && corrected.chars().count() <= SHORT {
         line += &format!("; printed {}, right {}", with_unit(&tex_or_text(&printed)?, claim.unit)?, right(judged)?);
+    } else {
+        // The words before say what the source says.
+        line += "; wrong as printed";
     }
     Ok(line)
 }

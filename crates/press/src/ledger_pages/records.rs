@@ -2,10 +2,10 @@
 
 use super::errata;
 use super::forms::how;
-use super::inline::{badge, computed, linked_id, rounded, with_unit};
+use super::inline::{badge, computed, rounded, with_unit};
 use crate::html::{Cells, escape, table, tex_or_text};
 use crate::lookup;
-use crate::pages::{PAGES, Records, Section, page_of_slips};
+use crate::pages::{PAGES, Records, Section, page_of_claim, page_of_slips};
 use anyhow::{Context, bail};
 use geneva_ledger::{Entry, Judged, Work, in_full};
 
@@ -73,7 +73,9 @@ fn lines(work: &Work) -> anyhow::Result<String> {
         bail!("line {} of {work} has numbers that nothing accounts for", line.number);
     }
     let all = lines.iter().map(|line| {
-        let claims: Vec<_> = line.entries.iter().filter_map(|entry| entry.claimed()).map(linked_id).collect();
+        // As text, not as code: there are many on a page.
+        let link = |id: &str| format!("<a href=\"{}.html#{id}\">{id}</a>", page_of_claim(id));
+        let claims: Vec<_> = line.entries.iter().filter_map(|entry| entry.claimed()).map(link).collect();
         Ok(vec![
             line.number.to_string(),
             if claims.is_empty() { "–".to_owned() } else { claims.join(", ") },

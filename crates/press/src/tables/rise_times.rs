@@ -43,7 +43,7 @@ pub fn groups() -> anyhow::Result<Table> {
     });
     let head = ["Rows", "1000 t √K, by rising K", "One number <br>for all?", "Or if one row is misread?"];
     table(
-        "Printed rise times t, in s, times the root of K, in in lb: one number in each group by the law of similarity",
+        "Printed rise times t, in s, times the root of K, in in·lb: one number in each group by the law of similarity",
         Cells::Words,
         &head,
         rows,

@@ -151,7 +151,7 @@ fn corrected(mechanism: Mechanism, hypothesis: &Hypothesis) -> anyhow::Result<Ta
     ];
     let [driver, follower] = hypothesis.inertias(mechanism).map(|inertia| fixed(1e6 * inertia, 0));
     let says = format!(
-        "{} pins, as printed and as it should be: K in in lb, speeds in rad/s, periods in s; inertia of the driver {driver} \
+        "{} pins, as printed and as it should be: K in in·lb, speeds in rad/s, periods in s; inertia of the driver {driver} \
          · 10⁻⁶, of the follower {follower} · 10⁻⁶ in lb s²",
         match mechanism.pins() {
             3 => "Three",
