@@ -5,7 +5,7 @@
 
 use crate::data::File;
 use crate::html::{Table, escape};
-use crate::ledger_pages::{compare, errata, forms, inline, lists, records};
+use crate::ledger_pages::{compare, errata, inline, lists, records};
 use crate::{computed, figures, maths, measurements, tables};
 use anyhow::{Context, bail, ensure};
 use std::collections::BTreeSet;
@@ -44,11 +44,6 @@ const KEYS: &[(&str, &str, Put)] = &[
     ("erratum", "one erratum", Of(errata::one)),
     ("evidence", "the kinds of evidence and how many claims use each", Alone(|| Ok(lists::evidence()?.html()))),
     ("figure", "a numbered figure", Put::Figure),
-    (
-        "forms",
-        "a source's equations, figures and statements with their findings",
-        Of(|of| Ok(forms::table(of)?.html())),
-    ),
     ("grave-errata", "what changes a result or a conclusion, in a table", Alone(|| Ok(errata::grave()?.html()))),
     ("picture", "a figure without number and caption", Of(figures::picture)),
     ("printed", "a claim's printed characters", Of(inline::printed)),

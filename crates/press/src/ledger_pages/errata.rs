@@ -1,6 +1,6 @@
 //! What is wrong in the sources: one erratum in its chapter, and the pages of all slips by what they do.
 
-use super::forms::how;
+use super::findings::how;
 use super::inline::{badge, linked_id, rounded, with_unit};
 use crate::formula::changed;
 use crate::html::{Cells, Table, escape, table, tex_or_text};

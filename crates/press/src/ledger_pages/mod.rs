@@ -2,7 +2,7 @@
 
 pub mod compare;
 pub mod errata;
-pub mod forms;
+pub mod findings;
 pub mod inline;
 pub mod lists;
 pub mod records;

@@ -1,7 +1,7 @@
 //! What the pages of the records list: all claims, all slips, the sources line by line.
 
 use super::errata;
-use super::forms::how;
+use super::findings::how;
 use super::inline::{badge, computed, rounded, with_unit};
 use crate::html::{Cells, escape, table, tex_or_text};
 use crate::lookup;
