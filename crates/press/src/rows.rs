@@ -5,7 +5,7 @@ use geneva_dynamics::Parameters;
 use geneva_dynamics::steady::Engagement;
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::choice::least_braked;
-use geneva_ledger::meyer::runs::{Hypothesis, Row};
+use geneva_ledger::meyer::runs::{Hypothesis, Row, Score, scores};
 
 const NONE: &str = "a run's data make no escapement";
 
@@ -22,6 +22,11 @@ pub fn engagement(row: &Row, hypothesis: &Hypothesis) -> anyhow::Result<Engageme
 /// The four-pin run that brakes least, with the weakest spring: the example wherever one run stands for all.
 pub fn example() -> anyhow::Result<&'static Row> {
     weakest(least_braked(Mechanism::FOUR_PIN))
+}
+
+/// The score of a hypothesis among those compared.
+pub fn score(hypothesis: &Hypothesis) -> anyhow::Result<&'static Score> {
+    scores().iter().find(|score| score.hypothesis == *hypothesis).context("a hypothesis that was not compared")
 }
 
 /// The row with the weakest spring, of rows by rising torque.

@@ -1,8 +1,8 @@
 //! Of the first page: how many claims are right, how many rows describe no mechanism, how many cells come out.
 
 use super::Number;
-use anyhow::Context;
-use geneva_ledger::meyer::runs::{Hypothesis, Row, Score, delays, rows, scores};
+use crate::rows::score;
+use geneva_ledger::meyer::runs::{Hypothesis, Row, rows};
 use geneva_ledger::{Consequence, Decimal, Judged, Truth, Verdict, claim, slips_of, verdicts};
 
 /// What changes a result or a conclusion.
@@ -29,11 +29,6 @@ pub const NUMBERS: &[(&str, Number)] = &[
 fn is_reset_rightly(row: &Row) -> bool {
     let reset: Option<Decimal> = claim("meyer.listing.quarter-turn").and_then(|claim| claim.printed.parse().ok());
     reset.is_some_and(|reset| reset.is_rounding_of(Hypothesis::IDEAL.angle(row.mechanism)))
-}
-
-fn score(hypothesis: &Hypothesis) -> anyhow::Result<&'static Score> {
-    let mut all = scores().iter().chain(delays().iter().map(|(_, score)| score));
-    all.find(|score| score.hypothesis == *hypothesis).context("a hypothesis that was not compared")
 }
 
 /// How many claims are right, wrong or open, and reached by such a slip or by none.

@@ -1,6 +1,6 @@
 //! Of the chapter on pins of finite radius and friction in the bearings: per cents of the mean speed.
 
-use super::Number;
+use super::{Number, least, most};
 use crate::numbers::fixed;
 use crate::rows::{parameters, weakest};
 use geneva_dynamics::joints::{Joints, effects};
@@ -22,14 +22,6 @@ pub const NUMBERS: &[(&str, Number)] = &[
 
 fn per_cent(share: f64) -> String {
     format!("{}&nbsp;%", fixed(100.0 * share, if share < 0.01 { 1 } else { 0 }))
-}
-
-fn least(all: &[f64]) -> f64 {
-    all.iter().copied().fold(f64::INFINITY, f64::min)
-}
-
-fn most(all: &[f64]) -> f64 {
-    all.iter().copied().fold(f64::NEG_INFINITY, f64::max)
 }
 
 fn pin() -> Joints {

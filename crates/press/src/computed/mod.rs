@@ -54,6 +54,21 @@ fn with_unit(number: f64, digits: i32, unit: &str) -> String {
     format!("{}&nbsp;{unit}", numbers::fixed(scientific.parse().unwrap_or(number), decimals))
 }
 
+/// An angle in degrees with one decimal.
+fn degrees(radians: f64) -> String {
+    format!("{:.1}°", radians.to_degrees())
+}
+
+/// The least of some numbers.
+fn least(all: &[f64]) -> f64 {
+    all.iter().copied().fold(f64::INFINITY, f64::min)
+}
+
+/// The greatest of some numbers.
+fn most(all: &[f64]) -> f64 {
+    all.iter().copied().fold(f64::NEG_INFINITY, f64::max)
+}
+
 #[cfg(test)]
 mod tests {
     use super::with_unit;

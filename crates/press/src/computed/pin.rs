@@ -1,6 +1,6 @@
 //! Of the pin in the slot: the wheel's acceleration at the instant of the problem, and the answers to the exercises.
 
-use super::{Number, with_unit};
+use super::{Number, degrees, with_unit};
 use anyhow::Context;
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_triangle::TriangleSolution;
@@ -73,10 +73,6 @@ fn acceleration(at: &Instant) -> anyhow::Result<String> {
         "{by_formula} by formula, {by_series} by series"
     );
     Ok(with_unit(by_formula, 3, "rad/s²"))
-}
-
-fn degrees(radians: f64) -> String {
-    format!("{:.1}°", radians.to_degrees())
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Of the quick-return mechanism: its strokes, and the answers to the exercises.
 
-use super::{Number, with_unit};
+use super::{Number, degrees, with_unit};
 use anyhow::Context;
 use geneva_kinematics::quick_return::{Branch, Motion, Position};
 use geneva_ledger::quick_return::Instant;
@@ -99,10 +99,6 @@ impl Seen {
     fn lever_acceleration(&self) -> String {
         with_unit(self.motion.accelerations.follower_acceleration.abs(), 3, "rad/s²")
     }
-}
-
-fn degrees(radians: f64) -> String {
-    format!("{:.1}°", radians.to_degrees())
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use super::Number;
 use crate::numbers::fixed;
+use crate::rows::score;
 use anyhow::Context;
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::rise_times::{Group, explained, groups};
@@ -54,11 +55,6 @@ fn exact(score: &Score) -> usize {
     score.fits.iter().map(|fit| fit.exact).sum()
 }
 
-/// The score of a hypothesis among those compared.
-fn score(hypothesis: &Hypothesis) -> anyhow::Result<&'static Score> {
-    scores().iter().find(|score| score.hypothesis == *hypothesis).context("a hypothesis that was not compared")
-}
-
 /// The reset after a quarter of a turn, the inertias of Fig. 11, printed peaks.
 fn best() -> anyhow::Result<&'static Score> {
     score(&Hypothesis::WITHOUT_LAG)
@@ -82,15 +78,12 @@ fn others() -> impl Iterator<Item = &'static Row> {
 /// Cells of six and three pins that are within one unit.
 fn of_others(score: &Score) -> usize {
     let near = |(row, run): (&Row, &Option<Run>)| {
-        let near = |column: &Column| run.is_some_and(|run| is_near(row.number(*column), run.number(*column), *column));
+        let near =
+            |column: &Column| run.is_some_and(|run| column.is_within_one(row.number(*column), run.number(*column)));
         EXPLAINED.iter().filter(|column| near(column)).count()
     };
     let all = rows().iter().zip(&score.runs).filter(|(row, _)| row.mechanism != Mechanism::FOUR_PIN);
     all.map(near).sum()
-}
-
-fn is_near(printed: f64, computed: f64, column: Column) -> bool {
-    (printed - computed).abs() <= column.unit() * (1.0 + 1e-9)
 }
 
 /// How many cells of a table would be within one unit if the computed numbers of each of its columns were dealt out to its
@@ -102,7 +95,7 @@ fn by_chance(mechanism: Mechanism) -> anyhow::Result<f64> {
     for (row, _) in &own {
         for (_, run) in &own {
             let run = run.as_ref().context("a run of the program comes to no end")?;
-            let near = |column: &&Column| is_near(row.number(**column), run.number(**column), **column);
+            let near = |column: &&Column| column.is_within_one(row.number(**column), run.number(**column));
             pairs += EXPLAINED.iter().filter(near).count() as u32;
         }
     }

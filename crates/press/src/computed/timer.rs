@@ -1,6 +1,6 @@
 //! Of the chapter on the timer's accuracy: seconds a day, powers, oil, accelerations, averages.
 
-use super::Number;
+use super::{Number, least, most};
 use crate::numbers::{fixed, signed};
 use crate::rows::{engagement, example, parameters};
 use crate::tables::timer::{DAY, oiled, settling_times};
@@ -33,14 +33,6 @@ fn seconds(power: f64) -> String {
 
 fn per_cent(factor: f64) -> String {
     format!("{}&nbsp;%", fixed(100.0 * (factor - 1.0), 0))
-}
-
-fn least(all: &[f64]) -> f64 {
-    all.iter().copied().fold(f64::INFINITY, f64::min)
-}
-
-fn most(all: &[f64]) -> f64 {
-    all.iter().copied().fold(f64::NEG_INFINITY, f64::max)
 }
 
 /// By what power of the friction the mean speed falls, of each mechanism and friction.

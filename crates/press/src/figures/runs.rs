@@ -18,9 +18,7 @@ use geneva_ledger::meyer::runs::{Column, EXPLAINED, Hypothesis, Row, Score, dura
 /// Printed against computed numbers of all cells: of the mechanisms as they are, and of the program as listed.
 pub fn agreement() -> anyhow::Result<Figure> {
     let of = |hypothesis: &Hypothesis, name: &str| {
-        let score =
-            scores().iter().find(|score| score.hypothesis == *hypothesis).context("not among the hypotheses")?;
-        Ok::<_, anyhow::Error>(Compared { name: name.to_owned(), ..compared(score)? })
+        Ok::<_, anyhow::Error>(Compared { name: name.to_owned(), ..compared(rows::score(hypothesis)?)? })
     };
     let compared = [of(&Hypothesis::IDEAL, "own reset angle")?, of(&Hypothesis::as_run(), "reset after 90°")?];
     let inertias = Mechanism::ALL.map(|mechanism| {
@@ -58,8 +56,8 @@ fn within_one(row: &Row, reset: f64) -> anyhow::Result<usize> {
         return Ok(0);
     };
     let computed = [steady.peak.speed, steady.minimum.speed, steady.period];
-    let is_near = |(column, number): (Column, f64)| (row.number(column) - number).abs() <= (1.0 + 1e-9) * column.unit();
-    Ok(EXPLAINED.into_iter().zip(computed).filter(|cell| is_near(*cell)).count())
+    let is_near = |(column, number): &(Column, f64)| column.is_within_one(row.number(*column), *number);
+    Ok(EXPLAINED.into_iter().zip(computed).filter(is_near).count())
 }
 
 /// What each of the compared hypotheses makes of the rows.

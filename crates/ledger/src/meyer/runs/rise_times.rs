@@ -96,7 +96,7 @@ fn tried(definition: &Definition, starts: &[(&Row, Option<Start>)]) -> Explained
 }
 
 fn near(time: f64, printed: f64) -> bool {
-    (time - printed).abs() <= Column::Rise.unit() * (1.0 + 1e-9)
+    Column::Rise.is_within_one(printed, time)
 }
 
 /// The rows of a mechanism that a definition explains as they were run, to one unit of the last place.

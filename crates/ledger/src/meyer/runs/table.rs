@@ -26,6 +26,11 @@ impl Column {
     pub fn unit(self) -> f64 {
         if matches!(self, Self::Period | Self::Rise) { 1e-3 } else { 1.0 }
     }
+
+    /// Whether a computed number of this column is no more than a unit of the last printed place from the printed one.
+    pub fn is_within_one(self, printed: f64, computed: f64) -> bool {
+        (printed - computed).abs() <= self.unit() * (1.0 + 1e-9)
+    }
 }
 
 /// A mechanism as it stands in ids: the thesis names them by the pins.
