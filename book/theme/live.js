@@ -46,7 +46,7 @@
 
     const begin = figure => {
         const form = figure.querySelector('form');
-        const inputs = [...form.querySelectorAll('[name]')].filter(input => input.dataset.box === undefined);
+        const inputs = [...form.querySelectorAll('input[name], select')];
         const player = form.querySelector('[data-play]');
         const message = form.querySelector('.message');
         const first = Object.fromEntries(inputs.map(input => [input.name, input.value]));
