@@ -12,8 +12,9 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("mimic", &[]),
     ("ledger", &["kinematics", "dynamics", "mimic"]),
     ("figures", &["kinematics", "dynamics", "mimic"]),
-    ("press", &["kinematics", "dynamics", "mimic", "ledger", "figures"]),
-    ("geneva", &["kinematics", "dynamics", "mimic", "ledger", "figures", "press"]),
+    ("live", &["kinematics", "dynamics", "mimic", "figures"]),
+    ("press", &["kinematics", "dynamics", "mimic", "ledger", "figures", "live"]),
+    ("geneva", &["kinematics", "dynamics", "mimic", "ledger", "figures", "live", "press"]),
 ];
 
 /// Each crate, what it depends on, and whether the version is the workspace's.
