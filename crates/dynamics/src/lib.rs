@@ -21,6 +21,7 @@ pub mod existence;
 pub mod existence_proofs;
 pub mod forces;
 pub mod joints;
+pub mod likelihood;
 mod parameters;
 pub mod pose;
 pub mod program;

@@ -17,6 +17,7 @@ mod mechanism;
 mod model;
 mod motion;
 mod pose;
+mod running;
 
 pub use critical::critical_geometry;
 pub use extremes::extremes;
@@ -24,3 +25,4 @@ pub use indexing::indexing;
 pub use mechanism::mechanism;
 pub use model::model;
 pub use motion::{motion, turning};
+pub use running::running;
