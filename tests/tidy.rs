@@ -14,7 +14,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("figures", &["kinematics", "dynamics", "mimic"]),
     ("workshop", &["kinematics"]),
     ("press", &["kinematics", "dynamics", "mimic", "ledger", "figures"]),
-    ("geneva", &["kinematics", "dynamics", "mimic", "ledger", "figures", "press"]),
+    ("geneva", &["kinematics", "dynamics", "mimic", "ledger", "figures", "press", "workshop"]),
 ];
 
 /// Each crate, what it depends on, and whether the version is the workspace's.
