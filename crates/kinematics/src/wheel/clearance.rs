@@ -311,3 +311,78 @@ impl<'a> Assembly<'a> {
         least
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::wheel::{Choices, LockingDisc, Scale, Wheel};
+
+    /// Wheels with their own crescents, and with one that is too shallow: there the least distance is somewhere inside
+    /// the engagement.
+    fn assemblies() -> Vec<Sizes> {
+        let mut all = Vec::new();
+        for (stations, pins) in [(3, 1), (3, 6), (4, 2), (5, 3), (6, 1), (7, 2), (12, 1), (60, 2)] {
+            let wheel = Wheel::with_pins(stations, pins).unwrap();
+            let sizes = Sizes::new(wheel, Scale::CentreDistance(100.0), &Choices::default()).unwrap();
+            all.push(sizes);
+            if let Some(LockingDisc { radius, crescent }) = sizes.locking_disc {
+                let centre = 1.5 * crescent.centre;
+                let crescent = super::super::Crescent::through_edges(radius, crescent.half_angle, centre);
+                all.push(Sizes { locking_disc: Some(LockingDisc { radius, crescent }), ..sizes });
+            }
+        }
+        all
+    }
+
+    #[test]
+    fn no_crank_angle_is_nearer_than_is_said() {
+        let mut inside = 0;
+        for sizes in assemblies() {
+            let assembly = Assembly::new(&sizes, sizes.centre_distance);
+            let clearance = assembly.clearance();
+            let Some((disc, said)) = assembly.disc.as_ref().zip(clearance.crescent) else { continue };
+            let share = said.crank_angle / assembly.engaged;
+            inside += u32::from(share > 0.001 && share < 0.999);
+            let mut seen = f64::INFINITY;
+            for step in 0..=20_000 {
+                let theta = assembly.engaged * f64::from(step) / 20_000.0;
+                seen = seen.min(assembly.disc_distance(disc, theta));
+            }
+            assert!(seen >= said.distance - clearance.tolerance, "{seen} {said:?}");
+            assert!(said.distance >= seen - 1e-3, "{seen} {said:?}");
+        }
+        assert!(inside >= 4, "{inside} have their least distance inside the engagement");
+    }
+
+    #[test]
+    fn distances_change_no_faster_than_is_said() {
+        for sizes in assemblies() {
+            let assembly = Assembly::new(&sizes, sizes.centre_distance);
+            let Some(disc) = &assembly.disc else { continue };
+            for step in 0..400 {
+                let width = assembly.engaged / 400.0;
+                let (from, to) = (width * f64::from(step), width * f64::from(step + 1));
+                let (one, other) = (assembly.disc_distance(disc, from), assembly.disc_distance(disc, to));
+                let reach = one.max(other).max(0.0);
+                let most = disc.radius + reach + assembly.speed_ratio(from, to) * (assembly.wheel.rim + reach);
+                assert!((one - other).abs() <= most * width, "{from}: {one} {other}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_speed_ratio_is_the_wheels() {
+        for sizes in assemblies() {
+            let assembly = Assembly::new(&sizes, sizes.centre_distance);
+            for share in [0.0, 0.3, 0.7, 0.99] {
+                let (from, to) = (share * assembly.engaged, (share + 0.01) * assembly.engaged);
+                let most = assembly.speed_ratio(from, to);
+                for within in [0.0, 0.4, 1.0] {
+                    let speed =
+                        sizes.wheel.velocity_ratio((from + within * (to - from)).min(assembly.engaged)).unwrap();
+                    assert!(speed.abs() <= most * (1.0 + 1e-9) + 1e-12, "{speed} {most}");
+                }
+            }
+        }
+    }
+}

@@ -28,6 +28,8 @@ pub struct Crescent {
 /// place is then known to 10⁻⁴ of the engagement, and what depends on it to the square of that.
 const PLACES: u32 = 12;
 const STEPS: u32 = 16;
+/// What that leaves open of the gap, over the centre distance, with room to spare.
+const LEFT_OPEN: f64 = 1e-8;
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 impl Crescent {
@@ -47,7 +49,8 @@ impl Crescent {
     /// [`SizesError::DoesNotFit`] if the cut would have to reach the driver's axis.
     pub(super) fn of(sizes: &Sizes, disc: f64) -> Result<Self, SizesError> {
         let swing = sizes.slot_gap() * sizes.tip_radius / sizes.slot_end;
-        let passing = Passing::new(sizes, disc, sizes.play.locking / 2.0 + swing);
+        let gap = sizes.play.locking / 2.0 + swing + LEFT_OPEN * sizes.centre_distance;
+        let passing = Passing::new(sizes, disc, gap);
         let thinner = |what, by| {
             Err(SizesError::DoesNotFit { what, by, change: "take a thinner pin, a thinner horn or less play" })
         };

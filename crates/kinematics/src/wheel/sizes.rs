@@ -295,7 +295,7 @@ mod tests {
     #[test]
     fn thin_and_fat_pins_run_clear_or_are_refused() {
         let mut refused = Vec::new();
-        for stations in [3, 4, 5, 6, 8, 10, 12, 18, 30, 60] {
+        for stations in [3, 4, 6, 8, 12, 60] {
             let a = 100.0 / Wheel::new(stations).unwrap().centre_distance_ratio();
             for tenth in 1..=9 {
                 for horn in [0.3, 1.0, 2.0] {
@@ -371,6 +371,9 @@ mod tests {
         let pin = |pin| Choices { pin_diameter: Some(pin), ..Choices::default() };
         let message = sized(3, &pin(30.0)).unwrap_err().to_string();
         assert!(message.contains("slots run into each other, by ") && message.contains("thinner pin"), "{message}");
+        // With a pin of 0.4 a no arc through the edges of the opening is right.
+        let message = sized(12, &pin(0.4 * 100.0 * libm::sin(std::f64::consts::PI / 12.0))).unwrap_err().to_string();
+        assert!(message.contains("run into the wheel's horns"), "{message}");
         assert!(matches!(sized(6, &pin(0.0)), Err(SizesError::Kinematics(KinematicsError::Length { .. }))));
         assert!(matches!(sized(6, &pin(f64::NAN)), Err(SizesError::Kinematics(_))));
         for play in [-0.1, f64::INFINITY, f64::NAN] {

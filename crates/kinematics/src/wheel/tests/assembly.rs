@@ -150,10 +150,10 @@ fn centre(pin: &Loop) -> Point {
 #[test]
 fn the_outlines_are_as_near_as_is_said() {
     for (stations, pins) in [(3, 1), (3, 6), (4, 3), (5, 2), (6, 1), (6, 2), (8, 1), (12, 2), (30, 1)] {
-        check(&sized(stations, pins, &Choices::default()), 150);
+        check(&sized(stations, pins, &Choices::default()), 60);
     }
     let play = Some(Play { slot: 0.4, locking: 1.0, bore: 0.0 });
-    check(&sized(6, 1, &Choices { play, pin_diameter: Some(14.0), ..Choices::default() }), 150);
+    check(&sized(6, 1, &Choices { play, pin_diameter: Some(14.0), ..Choices::default() }), 60);
     check(
         &sized(4, 1, &Choices { play, pin_diameter: Some(12.0), horn_thickness: Some(3.0), ..Choices::default() }),
         150,
@@ -161,11 +161,12 @@ fn the_outlines_are_as_near_as_is_said() {
 }
 
 /// The sizes with the crescent that handbooks give: of the wheel's radius, about the wheel's axis in mid-index.
-fn customary(stations: u32, pin_over_crank: f64) -> Sizes {
-    let crank = 100.0 / Wheel::new(stations).unwrap().centre_distance_ratio();
-    let choices =
-        Choices { pin_diameter: Some(pin_over_crank * crank), play: Some(Play::all(0.0)), ..Choices::default() };
-    let mut sizes = sized(stations, 1, &choices);
+fn customary(stations: u32, pin: f64) -> Sizes {
+    let choices = Choices { pin_diameter: Some(pin), play: Some(Play::all(0.0)), ..Choices::default() };
+    with_customary_cut(sized(stations, 1, &choices))
+}
+
+fn with_customary_cut(mut sizes: Sizes) -> Sizes {
     let (c, r, z) = (sizes.centre_distance, sizes.tip_radius, sizes.locking_disc.unwrap().radius);
     let half_angle = ((z * z + c * c - r * r) / (2.0 * c * z)).acos();
     sizes.locking_disc = Some(LockingDisc { radius: z, crescent: Crescent { centre: c, radius: r, half_angle } });
@@ -173,8 +174,22 @@ fn customary(stations: u32, pin_over_crank: f64) -> Sizes {
 }
 
 #[test]
+fn the_customary_crescent_bites_as_deep_as_a_tips_path_tells() {
+    // Worked out elsewhere, from the path of points of the rim in the driver's plane: a pin of 8 mm, a horn as thick, no
+    // play, and a rim that is cut at the pin's centre.
+    for (stations, depth) in [(3, 0.2478), (6, 0.5259), (12, 1.1794)] {
+        let choices = Choices { pin_diameter: Some(8.0), play: Some(Play::all(0.0)), ..Choices::default() };
+        let mut sizes = sized(stations, 1, &choices);
+        sizes.tip_radius = sizes.wheel_radius;
+        sizes.wheel_radius = (sizes.tip_radius * sizes.tip_radius - 16.0).sqrt();
+        let found = with_customary_cut(sizes).clearance().crescent.unwrap();
+        approx::assert_relative_eq!(found.distance, -depth, epsilon = 3e-4);
+    }
+}
+
+#[test]
 fn the_customary_crescent_bites() {
-    for (stations, pin) in [(3, 0.1), (4, 0.2), (6, 0.2), (8, 0.3), (12, 0.3)] {
+    for (stations, pin) in [(3, 8.0), (4, 14.0), (6, 10.0), (8, 11.0), (12, 7.0)] {
         let wrong = customary(stations, pin);
         let found = wrong.clearance().crescent.unwrap();
         let (wheel, disc, _) = placed(&wrong, found.crank_angle);
@@ -183,18 +198,14 @@ fn the_customary_crescent_bites() {
         assert!(found.distance < -0.1 && found.crank_angle > 0.01, "{found:?}");
         approx::assert_relative_eq!(found.distance, seen, max_relative = 1e-3);
         // Nowhere deeper.
-        for step in 0..200 {
-            let theta = wrong.wheel.engagement_half_angle() * f64::from(step) / 200.0;
+        for step in 0..60 {
+            let theta = wrong.wheel.engagement_half_angle() * f64::from(step) / 60.0;
             let (wheel, disc, _) = placed(&wrong, theta);
             assert!(between(&wheel, &disc.unwrap()) > found.distance - 0.01);
         }
         // With the cut of ours the same parts without play touch and no more.
-        let crank = wrong.crank_radius;
-        let ours = sized(
-            stations,
-            1,
-            &Choices { pin_diameter: Some(pin * crank), play: Some(Play::all(0.0)), ..Choices::default() },
-        );
+        let choices = Choices { pin_diameter: Some(pin), play: Some(Play::all(0.0)), ..Choices::default() };
+        let ours = sized(stations, 1, &choices);
         assert!(ours.clearance().least().distance.abs() < 1e-9, "{:?}", ours.clearance());
     }
 }
