@@ -385,4 +385,16 @@ mod tests {
             }
         }
     }
+    #[test]
+    fn no_dip_is_narrow_enough_to_be_missed() {
+        let sizes = assemblies().swap_remove(0);
+        let assembly = Assembly::new(&sizes, sizes.centre_distance);
+        let speed = 80.0;
+        for k in 0..500 {
+            let (place, depth) = (f64::from(k) * 0.002 + 0.000_3, 0.01);
+            let distance = |theta: f64| 1.0 - (depth - speed * f64::abs(theta - place)).max(0.0);
+            let found = assembly.search(Contact::Crescent, 0.0, 1.0, None, distance, |_, _, _| speed);
+            assert!(found.distance <= 1.0 - depth + assembly.tolerance, "{place}: {found:?}");
+        }
+    }
 }
