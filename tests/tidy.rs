@@ -12,9 +12,10 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("mimic", &[]),
     ("ledger", &["kinematics", "dynamics", "mimic"]),
     ("figures", &["kinematics", "dynamics", "mimic"]),
+    ("live", &["kinematics", "dynamics", "mimic", "figures"]),
     ("workshop", &["kinematics"]),
-    ("press", &["kinematics", "dynamics", "mimic", "ledger", "figures"]),
-    ("geneva", &["kinematics", "dynamics", "mimic", "ledger", "figures", "press", "workshop"]),
+    ("press", &["kinematics", "dynamics", "mimic", "ledger", "figures", "live"]),
+    ("geneva", &["kinematics", "dynamics", "mimic", "ledger", "figures", "live", "press", "workshop"]),
 ];
 
 /// Each crate, what it depends on, and whether the version is the workspace's.
