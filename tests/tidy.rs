@@ -13,8 +13,9 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("ledger", &["kinematics", "dynamics", "mimic"]),
     ("figures", &["kinematics", "dynamics", "mimic"]),
     ("live", &["kinematics", "dynamics", "mimic", "figures"]),
+    ("workshop", &["kinematics"]),
     ("press", &["kinematics", "dynamics", "mimic", "ledger", "figures", "live"]),
-    ("geneva", &["kinematics", "dynamics", "mimic", "ledger", "figures", "live", "press"]),
+    ("geneva", &["kinematics", "dynamics", "mimic", "ledger", "figures", "live", "press", "workshop"]),
 ];
 
 /// Each crate, what it depends on, and whether the version is the workspace's.
@@ -85,6 +86,7 @@ fn no_printed_decimal_stands_outside_the_ledger() {
         "crates/dynamics",
         "crates/mimic",
         "crates/figures",
+        "crates/workshop",
         "crates/press",
         "crates/geneva",
         "tests",
@@ -109,9 +111,14 @@ fn formulas_use_no_mathematics_of_the_platform() {
     ];
     // Modules of tests alone: what they compute is compared, not pinned.
     let tests = ["program/tests.rs", "judge_tests.rs", "drawn.rs", "clearance.rs", "figures/src/checks.rs"];
-    for package in
-        ["crates/kinematics/src", "crates/dynamics/src", "crates/mimic/src", "crates/ledger/src", "crates/figures/src"]
-    {
+    for package in [
+        "crates/kinematics/src",
+        "crates/dynamics/src",
+        "crates/mimic/src",
+        "crates/ledger/src",
+        "crates/figures/src",
+        "crates/workshop/src",
+    ] {
         for (path, text) in crate::files(package, &[".rs"]) {
             if tests.iter().any(|name| path.ends_with(name)) || path.iter().any(|part| part == "tests") {
                 continue;

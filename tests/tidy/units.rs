@@ -1,7 +1,7 @@
 //! Does every public number of the formulas and of the solver say its unit?
 
 /// What tells a unit, as whole words.
-const UNITS: [&str; 14] = [
+const UNITS: [&str; 16] = [
     "dimensionless",
     "rad",
     "radians",
@@ -10,6 +10,8 @@ const UNITS: [&str; 14] = [
     "degrees",
     "seconds",
     "crank radii",
+    "millimetres",
+    "kg m²",
     // Where any consistent units will do.
     "unit of",
     "units of",

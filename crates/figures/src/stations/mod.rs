@@ -8,6 +8,7 @@
 mod clearance;
 mod critical;
 mod cycle;
+mod dimensions;
 #[cfg(test)]
 mod drawn;
 mod driver;
@@ -20,6 +21,7 @@ mod pose;
 mod running;
 
 pub use critical::critical_geometry;
+pub use dimensions::dimensions;
 pub use extremes::extremes;
 pub use indexing::indexing;
 pub use mechanism::mechanism;
