@@ -38,8 +38,10 @@ pub enum KinematicsError {
     Stations(u32),
     /// So many pins do not fit: one would enter before the one before it has left, or there is none at all.
     #[error(
-        "{asked} pins: a driver for {stations} stations carries 1 to {most}, or a pin would enter before the one before \
-         it has left; give a number between them"
+        "{asked} pins: a driver for {stations} stations carries {}, or a pin would enter before the one before \
+         it has left; give {}",
+        if *most == 1 { "1".to_owned() } else { format!("1 to {most}") },
+        if *most == 1 { "1" } else { "a number between them" }
     )]
     Pins {
         /// How many were asked for.

@@ -9,9 +9,11 @@ mod accurate;
 mod cycle;
 mod extremes;
 mod geometry;
+mod indexing;
 mod motion;
 
 pub use cycle::{Motion, Phase};
 pub use extremes::{AccelerationPeak, acceleration_peak, entry_acceleration, gamma, peak_velocity};
 pub use geometry::{STATIONS, Wheel};
+pub use indexing::peak_jerk;
 pub use motion::{acceleration_ratio, jerk_ratio, unsteady_acceleration};
