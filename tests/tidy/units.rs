@@ -1,7 +1,7 @@
 //! Does every public number of the formulas and of the solver say its unit?
 
 /// What tells a unit, as whole words.
-const UNITS: [&str; 14] = [
+const UNITS: [&str; 19] = [
     "dimensionless",
     "rad",
     "radians",
@@ -10,6 +10,11 @@ const UNITS: [&str; 14] = [
     "degrees",
     "seconds",
     "crank radii",
+    "in metres",
+    "in N",
+    "in N m",
+    "in kg m²",
+    "in Pa",
     // Where any consistent units will do.
     "unit of",
     "units of",

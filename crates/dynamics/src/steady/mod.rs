@@ -19,7 +19,7 @@ mod exponential;
 mod extremes;
 mod passage;
 pub mod proofs;
-mod quadrature;
+pub(crate) mod quadrature;
 mod rise;
 mod run;
 mod steady_state;
