@@ -1,7 +1,7 @@
 //! Does every public number of the formulas and of the solver say its unit?
 
 /// What tells a unit, as whole words.
-const UNITS: [&str; 19] = [
+const UNITS: [&str; 20] = [
     "dimensionless",
     "rad",
     "radians",
@@ -11,9 +11,10 @@ const UNITS: [&str; 19] = [
     "seconds",
     "crank radii",
     "in metres",
+    "millimetres",
     "in N",
     "in N m",
-    "in kg m²",
+    "kg m²",
     "in Pa",
     // Where any consistent units will do.
     "unit of",

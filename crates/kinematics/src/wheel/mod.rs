@@ -4,16 +4,37 @@
 //! from the middle of the advance, k = 1 / sin α the centre distance in crank radii. θ and φ grow in opposite senses.
 //! A wheel is a pin in a slot ([`pin_slot`](crate::pin_slot)) whose ratio k is chosen so that it starts and stops at
 //! rest.
+//!
+//! [`Wheel`] has the ratios. [`Sizes`] makes millimetres of them, with pins, slots, locking disc and play, and from them
+//! the [`Outline`] of both parts and their [`Clearance`] over a whole turn.
 
 mod accurate;
+mod clearance;
+mod crescent;
 mod cycle;
 mod extremes;
+mod fit;
 mod geometry;
 mod indexing;
 mod motion;
+mod outline;
+mod play;
+mod regions;
+mod sizes;
 
+pub use clearance::{Clearance, Contact, Nearest, TOLERANCE};
+pub use crescent::Crescent;
 pub use cycle::{Motion, Phase};
 pub use extremes::{AccelerationPeak, acceleration_peak, entry_acceleration, gamma, peak_velocity};
+pub use fit::SizesError;
 pub use geometry::{STATIONS, Wheel};
 pub use indexing::peak_jerk;
 pub use motion::{acceleration_ratio, jerk_ratio, unsteady_acceleration};
+pub use outline::{Edge, Face, Loop, Outline};
+pub use play::{Entry, EntryContact};
+pub use sizes::{Choices, LockingDisc, Play, Scale, Sizes};
+
+#[cfg(test)]
+mod tests {
+    mod assembly;
+}

@@ -1,0 +1,313 @@
+//! How near driver and wheel come to each other over a whole turn.
+//!
+//! At one instant distances are exact: of a point from a part by [`regions`](super::regions), of two parts by the points
+//! where arcs and lines can come nearest, which are their ends and the points on the lines of centres of two arcs.
+//!
+//! Over the turn nothing is sampled away. As the crank turns by dθ, in the plane of either part no point of the other
+//! moves farther than (|p − B| + |φ'| |p − O|) dθ, with B the driver's axis and O the wheel's; so within an interval of
+//! crank angles the distance is at least that at its middle less half the interval times a bound of that speed. The ratio
+//! |φ'| falls from the line of centres to the ends of the engagement, so its bound is its value at the nearer end.
+//! Intervals are halved until each is either above the least distance found, less the tolerance, or shorter than that.
+//!
+//! Two long stretches of constant distance need no search: the pin in its slot stays in the slot's middle, so only its
+//! distance from the slot's end changes; and while the wheel stands, the locking disc turns in itself.
+//!
+//! With both parts rigid, the wheel is turned so that the pin is in the middle of its slot, and stands still between. How
+//! far play lets it turn besides is another question ([`play`](super::play)).
+
+use super::regions::{DiscRegion, WheelRegion};
+use super::sizes::Sizes;
+use crate::KinematicsError;
+use nalgebra::Vector2;
+use std::f64::consts::PI;
+
+type Point = Vector2<f64>;
+
+/// Which parts come near each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Contact {
+    /// A pin and the slot that it is in.
+    PinInSlot,
+    /// A pin and the wheel, while the pin is in no slot.
+    PinOutside,
+    /// The locking disc and the locking arc that it is in, while the wheel stands.
+    LockingDisc,
+    /// The locking disc with its crescents and the wheel, while the wheel turns.
+    Crescent,
+}
+
+/// A least distance, and where it is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Nearest {
+    /// The distance in millimetres; below zero how deep the parts are in each other.
+    pub distance: f64,
+    /// Crank angle from the line of centres at which it is reached, in radians. The same holds at its negative, and
+    /// for each pin.
+    pub crank_angle: f64,
+    /// Between which parts.
+    pub contact: Contact,
+}
+
+/// The least distances of driver and wheel over a whole turn of the driver.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Clearance {
+    /// Of a pin in its slot.
+    pub pin_in_slot: Nearest,
+    /// Of a pin in no slot from the wheel; none where every pin is always in a slot.
+    pub pin_outside: Option<Nearest>,
+    /// Of the locking disc in its arc; none without one.
+    pub locking_disc: Option<Nearest>,
+    /// Of the locking disc from the wheel during the engagement; none without a disc.
+    pub crescent: Option<Nearest>,
+    /// How much less, in millimetres, any of these distances may be somewhere than is said here.
+    pub tolerance: f64,
+}
+
+impl Clearance {
+    /// The least of all.
+    pub fn least(&self) -> Nearest {
+        let others = [self.pin_outside, self.locking_disc, self.crescent];
+        others.into_iter().flatten().fold(self.pin_in_slot, Nearest::or)
+    }
+}
+
+impl Nearest {
+    /// The nearer of two, the first of equals.
+    fn or(self, other: Self) -> Self {
+        if other.distance < self.distance { other } else { self }
+    }
+}
+
+/// The tolerance over the centre distance, dimensionless.
+pub const TOLERANCE: f64 = 2e-6;
+/// Intervals of the engagement to begin with.
+const INTERVALS: u32 = 16;
+
+impl Sizes {
+    /// The least distances of driver and wheel over a whole turn, the parts as sized. The tolerance is [`TOLERANCE`]
+    /// times the centre distance.
+    pub fn clearance(&self) -> Clearance {
+        Assembly::new(self, self.centre_distance).clearance()
+    }
+
+    /// The same with the axes at another distance, in millimetres.
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::CentreDistance`] for a distance that is not finite and greater than the crank radius.
+    pub fn clearance_at(&self, centre_distance: f64) -> Result<Clearance, KinematicsError> {
+        if !(centre_distance > self.crank_radius && centre_distance.is_finite()) {
+            return Err(KinematicsError::CentreDistance { asked: centre_distance, crank_radius: self.crank_radius });
+        }
+        Ok(Assembly::new(self, centre_distance).clearance())
+    }
+}
+
+/// Wheel and driver with their axes apart, in millimetres and radians.
+struct Assembly<'a> {
+    sizes: &'a Sizes,
+    distance: f64,
+    wheel: WheelRegion,
+    disc: Option<DiscRegion>,
+    /// Half the angle between pins, half of the engagement, half the angle between slots.
+    half_turn: f64,
+    engaged: f64,
+    half_pitch: f64,
+    /// Of the slots near the driver.
+    corners: Vec<Point>,
+    locking_centres: Vec<Point>,
+    edges: Vec<Point>,
+    cuts: Vec<Point>,
+    tolerance: f64,
+}
+
+/// The slots within two pitches of the line of centres; others are farther from it than any part of the driver.
+fn slots_near(stations: u32) -> std::ops::RangeInclusive<i32> {
+    match stations {
+        3 => -1..=1,
+        4 => -1..=2,
+        _ => -2..=2,
+    }
+}
+
+impl<'a> Assembly<'a> {
+    fn new(sizes: &'a Sizes, distance: f64) -> Self {
+        let (wheel, disc) = (WheelRegion::new(sizes), DiscRegion::new(sizes));
+        let (corners, locking_centres): (Vec<_>, Vec<_>) =
+            slots_near(sizes.wheel.stations()).map(|k| wheel.sector(k)).unzip();
+        let (edges, cuts) = disc.as_ref().map(|disc| (disc.edges(), disc.cuts())).unwrap_or_default();
+        Self {
+            sizes,
+            distance,
+            wheel,
+            disc,
+            half_turn: PI / f64::from(sizes.wheel.pins()),
+            engaged: sizes.wheel.engagement_half_angle(),
+            half_pitch: sizes.wheel.half_pitch_angle(),
+            corners: corners.into_iter().flatten().collect(),
+            locking_centres,
+            edges,
+            cuts,
+            tolerance: TOLERANCE * sizes.centre_distance,
+        }
+    }
+
+    fn clearance(&self) -> Clearance {
+        // The pin is on the slot's middle line all the time and nearest to the slot's end on the line of centres.
+        let deepest = Point::new(self.distance - self.sizes.crank_radius, 0.0);
+        let pin_in_slot = Nearest {
+            distance: self.wheel.distance(&deepest) - self.sizes.pin_radius(),
+            crank_angle: 0.0,
+            contact: Contact::PinInSlot,
+        };
+        let at_rest = self.half_turn > self.engaged * (1.0 + 1e-12);
+        let end = self.engaged.min(self.half_turn);
+        let resting = at_rest.then(|| self.pin_outside(0.0, end, self.half_turn, None));
+        let pin_outside = self.sizes.pin_directions().skip(1).fold(resting, |known, pin| {
+            let indexing = self.pin_outside(pin, 0.0, end, known);
+            Some(if at_rest { self.pin_outside(pin, end, self.half_turn, Some(indexing)) } else { indexing })
+        });
+        let locking_disc = self.disc.as_ref().map(|disc| Nearest {
+            distance: self.wheel.distance(&self.driver_axis_at_rest()) - disc.radius,
+            crank_angle: self.half_turn,
+            contact: Contact::LockingDisc,
+        });
+        let crescent = self.disc.as_ref().map(|disc| self.crescent(disc));
+        Clearance { pin_in_slot, pin_outside, locking_disc, crescent, tolerance: self.tolerance }
+    }
+
+    /// The driver's axis from the wheel while it stands, half a pitch past the slot that the pin left.
+    fn driver_axis_at_rest(&self) -> Point {
+        Point::new(libm::cos(self.half_pitch), -libm::sin(self.half_pitch)) * self.distance
+    }
+
+    /// Sine and cosine of the wheel's angle: that of the pin's direction while it is in the slot.
+    fn wheel_turn(&self, theta: f64) -> (f64, f64) {
+        if theta > self.engaged {
+            return libm::sincos(self.half_pitch);
+        }
+        let (sin, cos) = libm::sincos(theta);
+        let (x, y) = (self.distance - self.sizes.crank_radius * cos, self.sizes.crank_radius * sin);
+        let r = (x * x + y * y).sqrt();
+        (y / r, x / r)
+    }
+
+    /// The greatest speed ratio of the wheel between two crank angles, the first the smaller, none below zero.
+    fn speed_ratio(&self, from: f64, to: f64) -> f64 {
+        if from >= self.engaged {
+            return 0.0;
+        }
+        let k = self.distance / self.sizes.crank_radius;
+        let ratio = |theta: f64| {
+            let cosine = libm::cos(theta);
+            (k * cosine - 1.0) / (1.0 + k * k - 2.0 * k * cosine)
+        };
+        ratio(from).max(-ratio(to))
+    }
+
+    /// The least distance of a pin in no slot, so far ahead of the first, between two crank angles of the first.
+    fn pin_outside(&self, ahead: f64, from: f64, to: f64, known: Option<Nearest>) -> Nearest {
+        let (a, rho) = (self.sizes.crank_radius, self.sizes.pin_radius());
+        let distance = |theta: f64| {
+            let (sin, cos) = libm::sincos(theta + ahead);
+            let (x, y) = (self.distance - a * cos, a * sin);
+            let outside = (x * x + y * y).sqrt() - self.wheel.rim - rho;
+            if known.is_some_and(|known| outside > known.distance) {
+                return outside;
+            }
+            // An interval of the dwell begins as the pin leaves its slot: there the wheel has come to rest.
+            let (s, c) = if from >= self.engaged { libm::sincos(self.half_pitch) } else { self.wheel_turn(theta) };
+            self.wheel.distance(&Point::new(x * c + y * s, y * c - x * s)) - rho
+        };
+        let speed =
+            |from: f64, to: f64, least: f64| a + self.speed_ratio(from, to) * (self.wheel.rim + rho + least.max(0.0));
+        self.search(Contact::PinOutside, from, to, known, distance, speed)
+    }
+
+    /// The least distance of the locking disc from the wheel during the engagement.
+    fn crescent(&self, disc: &DiscRegion) -> Nearest {
+        let distance = |theta: f64| self.disc_distance(disc, theta);
+        let speed = |from: f64, to: f64, least: f64| {
+            let least = least.max(0.0);
+            disc.radius + least + self.speed_ratio(from, to) * (self.wheel.rim + least)
+        };
+        self.search(Contact::Crescent, 0.0, self.engaged, None, distance, speed)
+    }
+
+    /// The distance of the locking disc from the wheel at one crank angle.
+    fn disc_distance(&self, disc: &DiscRegion, theta: f64) -> f64 {
+        let (sin, cos) = libm::sincos(theta);
+        let (s, c) = self.wheel_turn(theta);
+        // From the driver's plane to the wheel's and back: the driver is turned by π − θ, the wheel by φ.
+        let on_page = |p: &Point| Point::new(self.distance - p.x * cos - p.y * sin, p.x * sin - p.y * cos);
+        let on_wheel = |p: &Point| {
+            let p = on_page(p);
+            Point::new(p.x * c + p.y * s, p.y * c - p.x * s)
+        };
+        let on_driver = |p: &Point| {
+            let (x, y) = (p.x * c - p.y * s - self.distance, p.x * s + p.y * c);
+            Point::new(y * sin - x * cos, -x * sin - y * cos)
+        };
+        let mut least = f64::INFINITY;
+        for edge in self.edges.iter().map(on_wheel) {
+            if edge.norm() - self.wheel.rim < least {
+                least = least.min(self.wheel.distance(&edge));
+            }
+        }
+        let mut near = |p: &Point| {
+            let p = on_driver(p);
+            let reach = disc.radius + least;
+            if reach > 0.0 && p.norm_squared() < reach * reach {
+                least = least.min(disc.distance(&p));
+            }
+        };
+        self.corners.iter().for_each(&mut near);
+        // Points of the locking arcs on the lines of centres with the disc and with its cuts, and of the rim on the line
+        // of the axes.
+        let axis = Point::new(self.distance * c, -self.distance * s);
+        let radius = self.wheel.locking_radius();
+        for centre in &self.locking_centres {
+            let mut on_arc = |direction: Point| {
+                let length = direction.norm();
+                let at = centre + direction * (radius / length);
+                if length > 0.0 && at.norm_squared() <= self.wheel.rim * self.wheel.rim {
+                    near(&at);
+                }
+            };
+            on_arc(axis - centre);
+            self.cuts.iter().for_each(|cut| on_arc(centre - on_wheel(cut)));
+        }
+        if self.wheel.has_rim_at(libm::atan2(s, c)) {
+            near(&Point::new(self.wheel.rim * c, -self.wheel.rim * s));
+        }
+        least
+    }
+
+    /// The least value of a function of the crank angle that changes no faster than `speed` says between two angles for
+    /// distances up to a given one.
+    fn search(
+        &self,
+        contact: Contact,
+        from: f64,
+        to: f64,
+        known: Option<Nearest>,
+        distance: impl Fn(f64) -> f64,
+        speed: impl Fn(f64, f64, f64) -> f64,
+    ) -> Nearest {
+        let at = |crank_angle: f64| Nearest { distance: distance(crank_angle), crank_angle, contact };
+        let mut least = known.map_or(at(from), |known| known.or(at(from))).or(at(to));
+        let width = (to - from) / f64::from(INTERVALS);
+        let first = |k: u32| (from + width * f64::from(k), from + width * f64::from(k + 1));
+        let mut intervals: Vec<(f64, f64)> = (0..INTERVALS).map(first).collect();
+        while let Some((from, to)) = intervals.pop() {
+            let middle = (from + to) / 2.0;
+            let here = at(middle);
+            least = least.or(here);
+            let bound = here.distance - speed(from, to, least.distance) * (to - from) / 2.0;
+            if bound < least.distance - self.tolerance && from < middle && middle < to {
+                intervals.extend([(middle, to), (from, middle)]);
+            }
+        }
+        least
+    }
+}

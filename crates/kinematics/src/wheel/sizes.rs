@@ -1,0 +1,390 @@
+//! Sizes of the two parts in millimetres, from the numbers of stations and pins and one length.
+//!
+//! Notation: `a` crank radius, `c` centre distance, `R` wheel radius to the pin's centre at entry, ρ the pin's radius,
+//! `h` half the width of a slot, α half the angle between slots.
+//!
+//! Every play is the difference of two widths or diameters, as in a table of fits; the gap on each side is half of it.
+
+use super::Wheel;
+use super::crescent::Crescent;
+use super::fit::SizesError;
+use crate::error::length;
+
+/// The one length that is given; it makes millimetres of a wheel's ratios.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Scale {
+    /// Distance of the pin's centre from the driver's axis, in millimetres.
+    CrankRadius(f64),
+    /// Distance between the two axes, in millimetres.
+    CentreDistance(f64),
+    /// Distance of the pin's centre from the wheel's axis as it enters, in millimetres.
+    WheelRadius(f64),
+}
+
+/// How much wider each hollow is than what runs in it; the gap on each side is half as much.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Play {
+    /// Width of a slot less the pin's diameter, in millimetres.
+    pub slot: f64,
+    /// Diameter of the locking arcs less that of the locking disc, in millimetres.
+    pub locking: f64,
+    /// Diameter of a bore less that of its shaft, in millimetres.
+    pub bore: f64,
+}
+
+impl Play {
+    /// The same play everywhere, in millimetres.
+    pub fn all(play: f64) -> Self {
+        Self { slot: play, locking: play, bore: play }
+    }
+}
+
+/// What a designer may choose; what is not chosen has a default.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Choices {
+    /// Diameter of the pins, in millimetres. By default the least of 0.3 a, ⅔ (c − a) and 0.9 √(a (c − R)): the first
+    /// for strength, the second for three and four stations, whose hub is small, the third for many, whose crescents
+    /// come near the driver's axis.
+    pub pin_diameter: Option<f64>,
+    /// The plays, in millimetres, zero or more. By default each is the least of a thousandth of the centre distance, a
+    /// twentieth of the pin's diameter and a tenth of c − R, the way from the driver's axis to the wheel.
+    pub play: Option<Play>,
+    /// Least thickness of the wheel between a slot and a locking arc, in millimetres. By default the pin's diameter, so
+    /// that without play the locking disc's radius is the customary a − 3 ρ.
+    pub horn_thickness: Option<f64>,
+    /// Diameter of the wheel's shaft, in millimetres. By default half of the greatest.
+    pub wheel_shaft: Option<f64>,
+    /// Diameter of the driver's shaft in the plane of the wheel, in millimetres. By default half of the greatest; none,
+    /// so that the shaft must end in the plate, where that would be less than a quarter of the pin's diameter.
+    pub driver_shaft: Option<f64>,
+}
+
+/// The driver's locking disc.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LockingDisc {
+    /// Its radius, in millimetres.
+    pub radius: f64,
+    /// What is cut out of it before each pin.
+    pub crescent: Crescent,
+}
+
+/// Sizes of a wheel and its driver, in millimetres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Sizes {
+    /// The numbers of stations and pins.
+    pub wheel: Wheel,
+    /// Distance of a pin's centre from the driver's axis, in millimetres.
+    pub crank_radius: f64,
+    /// Distance between the axes, in millimetres: a / sin α.
+    pub centre_distance: f64,
+    /// Distance of the pin's centre from the wheel's axis as it enters, in millimetres: c cos α.
+    pub wheel_radius: f64,
+    /// Radius of the wheel's rim, in millimetres: the corners of a slot stand at R along it, h beside its middle, so that
+    /// the pin enters between straight walls.
+    pub tip_radius: f64,
+    /// Diameter of a pin, in millimetres.
+    pub pin_diameter: f64,
+    /// The plays.
+    pub play: Play,
+    /// Width of a slot, in millimetres.
+    pub slot_width: f64,
+    /// Distance of the centre of a slot's round end from the wheel's axis, in millimetres: c − a.
+    pub slot_end: f64,
+    /// From the wheel radius to the bottom of a slot, in millimetres: R − (c − a) + h.
+    pub slot_depth: f64,
+    /// Least thickness of the wheel between a slot and a locking arc, in millimetres; it is at the slot's corner.
+    pub horn_thickness: f64,
+    /// Least thickness of the wheel between two neighbouring slots, in millimetres; it is between their ends.
+    pub web: f64,
+    /// Radius of the wheel's locking arcs, in millimetres.
+    pub locking_arc_radius: f64,
+    /// The locking disc; none where the pins take turns without a dwell.
+    pub locking_disc: Option<LockingDisc>,
+    /// Radius of the round plate behind the wheel that carries disc and pins, in millimetres.
+    pub plate_radius: f64,
+    /// Greatest diameter of the wheel's shaft, in millimetres: it must leave the slots' ends, and the driver's plate
+    /// must pass it.
+    pub wheel_shaft_limit: f64,
+    /// Greatest diameter of the driver's shaft in the plane of the wheel, in millimetres: the wheel's rim must pass it,
+    /// and the crescent must leave it.
+    pub driver_shaft_limit: f64,
+    /// Diameter of the wheel's shaft, in millimetres.
+    pub wheel_shaft: f64,
+    /// Diameter of the driver's shaft in the plane of the wheel, in millimetres; zero if it ends in the plate.
+    pub driver_shaft: f64,
+}
+
+/// A dwell shorter than this part of a turn is none: it is rounding.
+const SHORTEST_DWELL: f64 = 1e-9;
+
+impl Sizes {
+    /// The sizes of a wheel of this scale.
+    ///
+    /// # Errors
+    ///
+    /// [`SizesError::Kinematics`] for a length that is not positive and finite, [`SizesError::Play`] for a play that is
+    /// negative or not finite, [`SizesError::DoesNotFit`] for parts that are in each other's way, and
+    /// [`SizesError::Shaft`] for a shaft that is too thick.
+    pub fn new(wheel: Wheel, scale: Scale, choices: &Choices) -> Result<Self, SizesError> {
+        let [a, c, wheel_radius] = lengths(&wheel, scale)?;
+        // a tan(α/2), without the difference of nearly equal lengths.
+        let from_axis = a * libm::tan(wheel.half_pitch_angle() / 2.0);
+        let pin_diameter = match choices.pin_diameter {
+            Some(asked) => length("pin diameter", asked)?,
+            None => default_pin(a, c, from_axis),
+        };
+        let play = match choices.play {
+            Some(play) => fitting_play(play)?,
+            None => Play::all((c / 1000.0).min(pin_diameter / 20.0).min(0.1 * from_axis)),
+        };
+        let horn_thickness = length("horn thickness", choices.horn_thickness.unwrap_or(pin_diameter))?;
+        let slot_width = pin_diameter + play.slot;
+        let (half, slot_end) = (slot_width / 2.0, c - a);
+        let sine = libm::sin(wheel.half_pitch_angle());
+        let web = 2.0 * slot_end * sine - slot_width;
+        let fits = |room: f64, what, change| {
+            if room > 0.0 { Ok(room) } else { Err(SizesError::DoesNotFit { what, by: -room, change }) }
+        };
+        fits(web, "the ends of two neighbouring slots run into each other", "take a thinner pin or less slot play")?;
+        let locking_arc_radius = a - half - horn_thickness;
+        let tip_radius = libm::hypot(wheel_radius, half);
+        fits(
+            locking_arc_radius + tip_radius - c,
+            "the locking arcs do not reach the wheel",
+            "take a thinner pin or a thinner horn",
+        )?;
+        let passing = slot_end - pin_diameter / 2.0;
+        let plate_radius = a + pin_diameter / 2.0 + (pin_diameter / 2.0).min(passing / 2.0);
+        let mut sizes = Self {
+            wheel,
+            crank_radius: a,
+            centre_distance: c,
+            wheel_radius,
+            tip_radius,
+            pin_diameter,
+            play,
+            slot_width,
+            slot_end,
+            slot_depth: wheel_radius - slot_end + half,
+            horn_thickness,
+            web,
+            locking_arc_radius,
+            locking_disc: None,
+            plate_radius,
+            wheel_shaft_limit: 2.0 * (slot_end - half).min(c - plate_radius) - play.bore,
+            driver_shaft_limit: 2.0 * (c - tip_radius) - play.bore,
+            wheel_shaft: 0.0,
+            driver_shaft: 0.0,
+        };
+        if wheel.dwell_fraction() > SHORTEST_DWELL {
+            let radius = fits(
+                locking_arc_radius - play.locking / 2.0,
+                "the play leaves no locking disc",
+                "take less locking play",
+            )?;
+            let crescent = Crescent::of(&sizes, radius)?;
+            let left = 2.0 * (crescent.centre - crescent.radius) - play.bore;
+            sizes.driver_shaft_limit = sizes.driver_shaft_limit.min(left);
+            sizes.locking_disc = Some(LockingDisc { radius, crescent });
+        }
+        sizes.wheel_shaft = shaft("wheel's shaft", choices.wheel_shaft, sizes.wheel_shaft_limit, 0.0)?;
+        sizes.driver_shaft =
+            shaft("driver's shaft", choices.driver_shaft, sizes.driver_shaft_limit, pin_diameter / 4.0)?;
+        Ok(sizes)
+    }
+
+    /// Radius of a pin, in millimetres.
+    pub fn pin_radius(&self) -> f64 {
+        self.pin_diameter / 2.0
+    }
+
+    /// The gap on each side of a pin that is in the middle of its slot, in millimetres.
+    pub fn slot_gap(&self) -> f64 {
+        self.play.slot / 2.0
+    }
+
+    /// Angle of a slot's corners from its middle, seen from the wheel's axis, in radians.
+    pub(super) fn corner_angle(&self) -> f64 {
+        libm::atan2(self.slot_width / 2.0, self.wheel_radius)
+    }
+
+    /// Angle of the ends of a locking arc from its middle, seen from the wheel's axis, in radians.
+    pub(super) fn locking_end_angle(&self) -> f64 {
+        let (c, rim, arc) = (self.centre_distance, self.tip_radius, self.locking_arc_radius);
+        // By half the angle, whose sine loses no digits: sin²(x/2) = (arc² − (c − rim)²) / (4 c rim).
+        let square = (arc - (c - rim)) * (arc + (c - rim)) / (4.0 * c * rim);
+        2.0 * libm::asin(square.max(0.0).sqrt().min(1.0))
+    }
+
+    /// Angle of the ends of a locking arc from the slot beside them, seen from the wheel's axis, in radians.
+    pub(super) fn tip_angle(&self) -> f64 {
+        self.wheel.half_pitch_angle() - self.locking_end_angle()
+    }
+}
+
+/// Crank radius, centre distance and wheel radius; the one that is given comes back as it is.
+fn lengths(wheel: &Wheel, scale: Scale) -> Result<[f64; 3], SizesError> {
+    let (c, r) = (wheel.centre_distance_ratio(), wheel.wheel_radius_ratio());
+    let lengths = match scale {
+        Scale::CrankRadius(a) => {
+            let a = length("crank radius", a)?;
+            [a, a * c, a * r]
+        }
+        Scale::CentreDistance(distance) => {
+            let distance = length("centre distance", distance)?;
+            [distance / c, distance, distance / c * r]
+        }
+        Scale::WheelRadius(radius) => {
+            let radius = length("wheel radius", radius)?;
+            [radius / r, radius / r * c, radius]
+        }
+    };
+    for (name, of) in ["crank radius", "centre distance", "wheel radius"].into_iter().zip(lengths) {
+        length(name, of)?;
+    }
+    Ok(lengths)
+}
+
+fn default_pin(a: f64, c: f64, from_axis: f64) -> f64 {
+    (0.3 * a).min((c - a) / 1.5).min(0.9 * (a * from_axis).sqrt())
+}
+
+fn fitting_play(play: Play) -> Result<Play, SizesError> {
+    let named = [("slot play", play.slot), ("locking play", play.locking), ("bore play", play.bore)];
+    match named.into_iter().find(|(_, asked)| !(*asked >= 0.0 && asked.is_finite())) {
+        Some((name, asked)) => Err(SizesError::Play { name, asked }),
+        None => Ok(play),
+    }
+}
+
+/// The shaft that was asked for, or half of the greatest, or none if that is too thin to be of use.
+fn shaft(name: &'static str, asked: Option<f64>, most: f64, least: f64) -> Result<f64, SizesError> {
+    match asked {
+        None => Ok(Some(most / 2.0).filter(|half| *half > least).unwrap_or_default()),
+        Some(asked) if length(name, asked)? < most => Ok(asked),
+        Some(asked) => Err(SizesError::Shaft { name, asked, most }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::KinematicsError;
+
+    fn sized(stations: u32, choices: &Choices) -> Result<Sizes, SizesError> {
+        Sizes::new(Wheel::new(stations).unwrap(), Scale::CentreDistance(100.0), choices)
+    }
+
+    #[test]
+    fn every_wheel_has_sizes_that_run_clear() {
+        for stations in (3..=60).chain([100, 300, 1000]) {
+            for pins in 1..=6 {
+                let Ok(wheel) = Wheel::with_pins(stations, pins) else { continue };
+                for a in [0.7, 50.0] {
+                    let sizes = Sizes::new(wheel, Scale::CrankRadius(a), &Choices::default()).unwrap();
+                    let clearance = sizes.clearance();
+                    let gap = sizes.play.slot / 2.0;
+                    let least = clearance.least().distance;
+                    assert!((least / gap - 1.0).abs() < 1e-6, "{stations} stations, {pins} pins: {clearance:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn thin_and_fat_pins_run_clear_or_are_refused() {
+        let mut refused = Vec::new();
+        for stations in [3, 4, 5, 6, 8, 10, 12, 18, 30, 60] {
+            let a = 100.0 / Wheel::new(stations).unwrap().centre_distance_ratio();
+            for tenth in 1..=9 {
+                for horn in [0.3, 1.0, 2.0] {
+                    for play in [0.0, 0.02, 0.2] {
+                        let pin = 0.05 * f64::from(tenth) * a;
+                        let play = Play::all(play * pin);
+                        let choices = Choices {
+                            pin_diameter: Some(pin),
+                            play: Some(play),
+                            horn_thickness: Some(horn * pin),
+                            ..Choices::default()
+                        };
+                        match sized(stations, &choices) {
+                            Ok(sizes) => {
+                                let clearance = sizes.clearance();
+                                let (least, gap) = (clearance.least().distance, play.slot / 2.0);
+                                let said =
+                                    format!("{stations} stations, pin {tenth}, horn {horn}, {play:?}: {clearance:?}");
+                                if play.slot < 0.1 * pin {
+                                    assert!((least - gap).abs() <= 1e-6 * pin, "{said}");
+                                } else {
+                                    // With so much play a small disc's edges pass the horns nearer than it fits its arc.
+                                    assert!(least > 0.3 * gap && least <= gap * (1.0 + 1e-9), "{said}");
+                                }
+                            }
+                            Err(SizesError::DoesNotFit { what, by, .. }) => {
+                                assert!(by >= 0.0, "{what} {by}");
+                                refused.push(what);
+                            }
+                            Err(other) => panic!("{other}"),
+                        }
+                    }
+                }
+            }
+        }
+        refused.sort_unstable();
+        refused.dedup();
+        assert_eq!(refused.len(), 4, "{refused:?}");
+    }
+
+    #[test]
+    fn each_length_gives_the_same_wheel() {
+        for stations in [3, 4, 6, 60, 1000] {
+            let wheel = Wheel::new(stations).unwrap();
+            let sizes = |scale| Sizes::new(wheel, scale, &Choices::default()).unwrap();
+            let first = sizes(Scale::CrankRadius(50.0));
+            assert_eq!(first.crank_radius, 50.0);
+            for scale in [Scale::CentreDistance(first.centre_distance), Scale::WheelRadius(first.wheel_radius)] {
+                let other = sizes(scale);
+                approx::assert_relative_eq!(other.crank_radius, 50.0, max_relative = 1e-14);
+                approx::assert_relative_eq!(other.tip_radius, first.tip_radius, max_relative = 1e-13);
+                approx::assert_relative_eq!(other.plate_radius, first.plate_radius, max_relative = 1e-13);
+            }
+            // Pythagoras, at entry.
+            let hypotenuse = libm::hypot(first.crank_radius, first.wheel_radius);
+            approx::assert_relative_eq!(hypotenuse, first.centre_distance, max_relative = 1e-14);
+        }
+    }
+
+    #[test]
+    fn six_stations_have_the_customary_sizes() {
+        let sizes = sized(6, &Choices { play: Some(Play::all(0.0)), ..Choices::default() }).unwrap();
+        approx::assert_relative_eq!(sizes.crank_radius, 50.0, max_relative = 1e-14);
+        approx::assert_relative_eq!(sizes.wheel_radius, 7500.0_f64.sqrt(), max_relative = 1e-14);
+        assert_eq!(sizes.pin_diameter, 0.3 * sizes.crank_radius);
+        let disc = sizes.locking_disc.unwrap();
+        approx::assert_relative_eq!(disc.radius, 50.0 - 1.5 * 15.0, max_relative = 1e-14);
+        approx::assert_relative_eq!(sizes.slot_depth, 7500.0_f64.sqrt() - 50.0 + 7.5, max_relative = 1e-14);
+    }
+
+    #[test]
+    fn what_does_not_fit_is_said() {
+        let pin = |pin| Choices { pin_diameter: Some(pin), ..Choices::default() };
+        let message = sized(3, &pin(30.0)).unwrap_err().to_string();
+        assert!(message.contains("slots run into each other, by ") && message.contains("thinner pin"), "{message}");
+        assert!(matches!(sized(6, &pin(0.0)), Err(SizesError::Kinematics(KinematicsError::Length { .. }))));
+        assert!(matches!(sized(6, &pin(f64::NAN)), Err(SizesError::Kinematics(_))));
+        for play in [-0.1, f64::INFINITY, f64::NAN] {
+            let choices = Choices { play: Some(Play { locking: play, ..Play::all(0.1) }), ..Choices::default() };
+            let message = sized(6, &choices).unwrap_err().to_string();
+            assert!(message.starts_with("locking play"), "{message}");
+        }
+        let limit = sized(6, &Choices::default()).unwrap().wheel_shaft_limit;
+        let shaft = |shaft| sized(6, &Choices { wheel_shaft: Some(shaft), ..Choices::default() });
+        assert_eq!(shaft(0.99 * limit).unwrap().wheel_shaft, 0.99 * limit);
+        assert!(matches!(shaft(limit), Err(SizesError::Shaft { asked, most, .. }) if asked == most));
+        let wheel = Wheel::new(6).unwrap();
+        for scale in [Scale::CrankRadius(0.0), Scale::CentreDistance(f64::NAN), Scale::WheelRadius(f64::INFINITY)] {
+            assert!(Sizes::new(wheel, scale, &Choices::default()).is_err(), "{scale:?}");
+        }
+    }
+}
