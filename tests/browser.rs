@@ -1,7 +1,7 @@
 //! Does a reader get what the pages promise? Opens every page of the book in a browser: at the width of a phone, of a
 //! tablet and of two screens, light, dark and on paper, by keyboard alone and without scripts.
 
-mod devtools;
+pub(crate) mod devtools;
 
 use devtools::{Browser, Medium};
 use serde_json::{Value, json};

@@ -9,6 +9,7 @@ mod book_sources;
 mod browser;
 mod coverage;
 mod displays;
+mod live;
 mod pin_over_the_engagement;
 mod snapshots;
 mod tidy;

@@ -12,6 +12,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("mimic", &[]),
     ("ledger", &["kinematics", "dynamics", "mimic"]),
     ("figures", &["kinematics", "dynamics", "mimic"]),
+    ("workshop", &["kinematics"]),
     ("press", &["kinematics", "dynamics", "mimic", "ledger", "figures"]),
     ("geneva", &["kinematics", "dynamics", "mimic", "ledger", "figures", "press"]),
 ];
@@ -84,6 +85,7 @@ fn no_printed_decimal_stands_outside_the_ledger() {
         "crates/dynamics",
         "crates/mimic",
         "crates/figures",
+        "crates/workshop",
         "crates/press",
         "crates/geneva",
         "tests",
@@ -108,9 +110,14 @@ fn formulas_use_no_mathematics_of_the_platform() {
     ];
     // Modules of tests alone: what they compute is compared, not pinned.
     let tests = ["program/tests.rs", "judge_tests.rs", "drawn.rs", "clearance.rs", "figures/src/checks.rs"];
-    for package in
-        ["crates/kinematics/src", "crates/dynamics/src", "crates/mimic/src", "crates/ledger/src", "crates/figures/src"]
-    {
+    for package in [
+        "crates/kinematics/src",
+        "crates/dynamics/src",
+        "crates/mimic/src",
+        "crates/ledger/src",
+        "crates/figures/src",
+        "crates/workshop/src",
+    ] {
         for (path, text) in crate::files(package, &[".rs"]) {
             if tests.iter().any(|name| path.ends_with(name)) || path.iter().any(|part| part == "tests") {
                 continue;

@@ -264,13 +264,13 @@ const geneva = (() => {
         return found;
     };
 
-    /** What a reader can read: how many formulas, drawings, tables are shown, and the words. */
+    /** What a reader can read: how many formulas, drawings, tables are shown, and the words. What moves a figure is no reading. */
     const content = () => {
-        const isContent = of => !of.closest('button, .buttons') && isShown(of);
+        const isContent = of => !of.closest('button, .buttons, .live form') && isShown(of);
         const count = name => [...main().querySelectorAll(name)].filter(isContent).length;
         const counts = ['math', 'svg', 'table', 'img', 'pre', 'p', 'li', 'td'].map(name => `${count(name)} ${name}`).join(', ');
         const text = main().cloneNode(true);
-        text.querySelectorAll('button, .buttons').forEach(of => of.remove());
+        text.querySelectorAll('button, .buttons, .live form').forEach(of => of.remove());
         return { counts, text: text.textContent.replace(/\s+/g, ' ').trim() };
     };
 

@@ -22,6 +22,7 @@ pub mod existence;
 pub mod existence_proofs;
 pub mod forces;
 pub mod joints;
+pub mod likelihood;
 pub mod line_contact;
 mod parameters;
 pub mod pose;

@@ -26,6 +26,9 @@ pub enum FigureError {
         /// The greatest that is shown.
         greatest: f64,
     },
+    /// An instant outside of what is shown.
+    #[error("a share of {0} of what is shown: give one from 0 to 1")]
+    Share(f64),
     /// There is nothing to draw.
     #[error("nothing to draw: give at least one run that reaches its steady motion")]
     Nothing,

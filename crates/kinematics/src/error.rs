@@ -51,6 +51,19 @@ pub enum KinematicsError {
         /// The number of stations.
         stations: u32,
     },
+    /// The axes of a wheel stand where its pin never passes the rim.
+    #[error(
+        "a centre distance wrong by {asked}, as a part of it: the pin enters if it is wrong by more than {least:.4} and less \
+         than {most:.4}; give a part between them"
+    )]
+    Misplaced {
+        /// The part that was asked for, dimensionless.
+        asked: f64,
+        /// The least part, dimensionless.
+        least: f64,
+        /// The greatest part, dimensionless.
+        most: f64,
+    },
     /// A wheel's crank angle beyond half a turn to either side, or not finite, in radians.
     #[error("crank angle {0} rad: within a turn it goes from −π to π; give whole turns by their number")]
     Turn(f64),

@@ -27,6 +27,11 @@ impl File {
         Ok(records::files()?.into_iter().map(|(name, text)| Self { name: name.to_owned(), text }))
     }
 
+    /// A script.
+    pub fn script(name: &str, text: String) -> Self {
+        Self { name: name.to_owned(), text }
+    }
+
     /// Its path from a page.
     pub fn path(&self) -> String {
         format!("{FOLDER}/{}", self.name)
@@ -51,6 +56,7 @@ pub fn write(chapters: &Path, files: &[File]) -> anyhow::Result<()> {
     let cannot =
         || format!("cannot write in {}: the book is built from a folder that can be written", folder.display());
     fs::create_dir_all(&folder).with_context(cannot)?;
+    let as_the_chapters = fs::metadata(chapters.join("SUMMARY.md")).with_context(cannot)?.permissions();
     for file in files {
         let path = folder.join(&file.name);
         if fs::read_to_string(&path).is_ok_and(|standing| standing == file.text) {
@@ -58,6 +64,8 @@ pub fn write(chapters: &Path, files: &[File]) -> anyhow::Result<()> {
         }
         let beside = tempfile::NamedTempFile::new_in(&folder).with_context(cannot)?;
         fs::write(beside.path(), &file.text).with_context(cannot)?;
+        // Whoever may read the chapters may read what belongs to them; a temporary file is its maker's alone.
+        fs::set_permissions(beside.path(), as_the_chapters.clone()).with_context(cannot)?;
         beside.persist(&path).with_context(cannot)?;
     }
     for entry in fs::read_dir(&folder).with_context(cannot)? {

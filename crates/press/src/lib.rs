@@ -29,6 +29,7 @@ pub mod records;
 pub mod computed;
 pub mod figures;
 mod ledger_pages;
+pub mod live;
 mod tables;
 
 // What these need.

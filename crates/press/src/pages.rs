@@ -93,6 +93,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
         chapter(CASE, "escapement", "The Geneva escapement"),
         chapter(CASE, "program", "The program of 1973"),
         chapter(CASE, "runs", "What the runs of 1973 were"),
+        chapter(CASE, "mistake", "Make the mistake of 1973"),
         chapter(CASE, "never-printed", "The corrected tables"),
         chapter(CASE, "terminal-speed", "Why it reaches a steady speed"),
         chapter(CASE, "timer", "Is it a clock? Seven recommendations"),

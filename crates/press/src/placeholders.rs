@@ -6,7 +6,7 @@
 use crate::data::File;
 use crate::html::{Table, escape};
 use crate::ledger_pages::{compare, errata, inline, lists, records};
-use crate::{computed, figures, maths, measurements, tables};
+use crate::{computed, figures, live, maths, measurements, tables};
 use anyhow::{Context, bail, ensure};
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -22,6 +22,8 @@ enum Put {
     Marked(fn(&str) -> anyhow::Result<String>),
     /// A figure with its number in the chapter.
     Figure,
+    /// The same, with what a reader may move.
+    Live,
     /// A table with its number in the chapter.
     Numbered(fn(&str) -> anyhow::Result<Table>),
     /// The number of a figure or a table, as a link.
@@ -45,6 +47,7 @@ const KEYS: &[(&str, &str, Put)] = &[
     ("evidence", "the kinds of evidence and how many claims use each", Alone(|| Ok(lists::evidence()?.html()))),
     ("figure", "a numbered figure", Put::Figure),
     ("grave-errata", "what changes a result or a conclusion, in a table", Alone(|| Ok(errata::grave()?.html()))),
+    ("live", "a numbered figure that a reader moves", Put::Live),
     ("picture", "a figure without number and caption", Of(figures::picture)),
     ("printed", "a claim's printed characters", Of(inline::printed)),
     (
@@ -103,7 +106,7 @@ pub fn shown(chapter: &str, page: Page<'_>) -> Vec<Shown> {
     let (mut figures, mut tables) = (0, 0);
     let all = placeholders(chapter).into_iter().filter_map(|placeholder| {
         let (kind, count) = match placeholder.put {
-            Put::Figure => ("Figure", &mut figures),
+            Put::Figure | Put::Live => ("Figure", &mut figures),
             Numbered(_) => ("Table", &mut tables),
             _ => return None,
         };
@@ -112,6 +115,7 @@ pub fn shown(chapter: &str, page: Page<'_>) -> Vec<Shown> {
         let name = match placeholder.key {
             "compare" => format!("{}-printed-{count}", page.name),
             "wheels" => "wheels".to_owned(),
+            "live" => format!("live-{argument}"),
             _ => argument.to_owned(),
         };
         let number = format!("{}{count}", page.number);
@@ -137,7 +141,7 @@ impl Shown {
         let (kind, number, path) = (self.kind, &self.number, file.path());
         let class = if kind == "Figure" { "fig" } else { "tab" };
         let caption = format!(
-            "<figcaption><strong>{kind}&nbsp;{number}.</strong> {caption} <small class=\"source\"><a href=\"{path}\" \
+            "<figcaption><strong>{kind}&nbsp;{number}.</strong> <span class=\"says\">{caption}</span> <small class=\"source\"><a href=\"{path}\" \
              download>Data (CSV)</a>, made by <code>{}</code></small></figcaption>",
             escape(source),
         );
@@ -151,8 +155,13 @@ impl Shown {
 pub fn put_in(chapter: &str, page: Page<'_>, all: &[Shown]) -> anyhow::Result<(String, Vec<File>)> {
     let (mut edits, mut errors, mut files, mut marked) = (Vec::new(), Vec::new(), Vec::new(), BTreeSet::new());
     for placeholder in &placeholders(chapter) {
-        if let (Marked(_), Some(id)) = (placeholder.put, placeholder.argument) {
-            marked.insert(id);
+        match (placeholder.put, placeholder.argument) {
+            (Marked(_), Some(id)) => {
+                marked.insert(id);
+            }
+            // An unknown figure is told of below.
+            (Put::Live, Some(name)) => marked.extend(live::claims(name).into_iter().flatten()),
+            _ => {}
         }
         match text(placeholder, page, all, &mut files) {
             Ok(text) => edits.push((placeholder.range.clone(), text)),
@@ -203,6 +212,16 @@ fn text(placeholder: &Placeholder, page: Page<'_>, all: &[Shown], files: &mut Ve
             let (html, file) = here()?.framed(&escape(&figure.caption), svg, figure.source, figure.series.to_csv());
             files.push(file);
             Ok(html)
+        }
+        (Put::Live, Some(name)) => {
+            let (figure, inner) = (live::figure(name)?, live::html(name)?);
+            let (html, file) = here()?.framed(&escape(&figure.caption), &inner, figure.source, figure.series.to_csv());
+            files.push(file);
+            Ok(html.replacen(
+                "<figure class=\"fig\"",
+                &format!("<figure class=\"fig live\"{}", live::attributes(name)?),
+                1,
+            ))
         }
         (Numbered(make), Some(argument)) => {
             let table = make(argument)?;

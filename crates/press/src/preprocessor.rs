@@ -2,11 +2,12 @@
 
 use crate::html::escape;
 use crate::placeholders::Page;
-use crate::{data, edition, fences, maths, placeholders};
+use crate::{data, edition, fences, live, maths, placeholders};
 use anyhow::{Context, bail};
 use mdbook_preprocessor::book::{Book, Chapter};
 use mdbook_preprocessor::errors::Result;
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
+use std::path::Path;
 
 /// Turns a chapter with formulas and placeholders into one that is all there.
 ///
@@ -53,6 +54,7 @@ impl Preprocessor for Geneva {
             bail!("{}", errors.join("\n"));
         }
         files.extend(data::File::records()?);
+        files.extend(scripts_of_moved_figures(&mut book, &context.root));
         data::write(&context.root.join(&context.config.book.src), &files)?;
         Ok(book)
     }
@@ -60,6 +62,23 @@ impl Preprocessor for Geneva {
     fn supports_renderer(&self, renderer: &str) -> Result<bool> {
         Ok(matches!(renderer, "html" | "test"))
     }
+}
+
+/// The scripts of the figures that a reader moves, if a page shows one; such a page loads the first of them.
+fn scripts_of_moved_figures(book: &mut Book, root: &Path) -> Vec<data::File> {
+    let is_moved = |chapter: &Chapter| chapter.content.contains(" data-live=\"");
+    if !book.chapters().any(is_moved) {
+        return Vec::new();
+    }
+    let scripts = live::scripts(root.parent().unwrap_or(root));
+    if let Some(shell) = scripts.first() {
+        book.for_each_chapter_mut(|chapter| {
+            if is_moved(chapter) {
+                chapter.content.push_str(&format!("\n<script src=\"{}\" defer></script>\n", shell.path()));
+            }
+        });
+    }
+    scripts
 }
 
 /// Links to the pages before and behind the one of this name, by their titles.

@@ -13,6 +13,10 @@ use geneva_mimic::{DelayError, DelayLine, Extrapolation, IntegrationError, Inter
 use nalgebra::Vector2;
 use std::fmt;
 
+mod readings;
+
+pub use readings::Readings;
+
 /// How the program chooses between the two signs of C θ'² + D θ''.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Contact {

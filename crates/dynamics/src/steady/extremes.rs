@@ -66,6 +66,13 @@ impl Passage<'_> {
         spots.windows(3).find(is_valley).map(|w| self.at_spot(w[1]))
     }
 
+    /// The ends, and where the speed is level: times from the start, in units of 1/√E.
+    pub(super) fn level_times(&self) -> Vec<f64> {
+        let before =
+            |spot: &Spot| self.traversals[..spot.traversal].iter().map(|traversal| traversal.duration).sum::<f64>();
+        self.spots().iter().map(|spot| before(spot) + spot.time).collect()
+    }
+
     fn at_spot(&self, spot: Spot) -> Extreme {
         let angle = self.engagement.circle.angle(spot.at);
         let angle = if self.traversals[spot.traversal].mode == ContactMode::Approach { -angle } else { angle };

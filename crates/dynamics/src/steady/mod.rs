@@ -17,6 +17,7 @@ mod contact_reversal;
 mod engagement;
 mod exponential;
 mod extremes;
+mod largest_printed;
 mod passage;
 pub mod proofs;
 pub(crate) mod quadrature;

@@ -98,7 +98,14 @@ impl Passage<'_> {
         Some(self.line(traversal, &clock, clock.whole, time, number))
     }
 
-    fn line(&self, traversal: &Traversal<'_>, clock: &Clock, since: f64, time: f64, number: usize) -> Printed {
+    pub(super) fn line(
+        &self,
+        traversal: &Traversal<'_>,
+        clock: &Clock,
+        since: f64,
+        time: f64,
+        number: usize,
+    ) -> Printed {
         let engagement = self.engagement;
         let backward = traversal.mode == ContactMode::Approach;
         let s = clock.at(engagement.rule, backward, since.max(0.0));

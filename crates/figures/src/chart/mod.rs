@@ -124,16 +124,26 @@ impl Chart {
         let mut top = head;
         for row in rows() {
             for (number, panel) in row.iter().enumerate() {
-                let column = Column::of(number, self.columns, size.x);
-                // Nothing that is written can fail. Should plotters fail all the same, the page says so.
-                if let Err(error) = panel.draw(&mut canvas, size, &column, top) {
-                    canvas.draw_markup(format!("<desc>plot failed: {}</desc>", escape(&error.to_string())));
-                }
+                draw_panel(panel, &mut canvas, size, &Column::of(number, self.columns, size.x), top);
             }
             top += room(row);
         }
         let kind = if rows().count() > 1 { Kind::Panels } else { Kind::Plot };
         words.figure(canvas, kind, series)
+    }
+
+    /// The panels one under another in the right half of a wide page, and in its left half what `draw` draws there.
+    pub fn figure_beside(self, words: Words, series: Series, draw: impl FnOnce(&mut Canvas)) -> Figure {
+        let height: f64 = self.panels.iter().map(Panel::room).sum();
+        let size = Vector2::new(WIDE, height + FOOT);
+        let mut canvas = Canvas::new(size.x, size.y);
+        draw(&mut canvas);
+        let mut top = 0.0;
+        for panel in &self.panels {
+            draw_panel(panel, &mut canvas, size, &Column::of(1, 2, size.x), top);
+            top += panel.room();
+        }
+        words.figure(canvas, Kind::Plot, series)
     }
 
     fn width(&self) -> f64 {
@@ -158,6 +168,13 @@ impl Chart {
             return flowing;
         }
         (0..self.key.len()).map(|k| place(room / columns as f64 * (k % columns) as f64, k / columns)).collect()
+    }
+}
+
+/// Nothing that is written can fail. Should plotters fail all the same, the page says so.
+fn draw_panel(panel: &Panel, canvas: &mut Canvas, size: Pixels, column: &Column, top: f64) {
+    if let Err(error) = panel.draw(canvas, size, column, top) {
+        canvas.draw_markup(format!("<desc>plot failed: {}</desc>", escape(&error.to_string())));
     }
 }
 

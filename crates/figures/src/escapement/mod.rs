@@ -18,6 +18,7 @@ mod normal_force;
 mod order;
 mod pose;
 mod ratios;
+mod running;
 
 pub use angles::angles;
 pub use engagement::speed_at;
@@ -29,3 +30,4 @@ pub use mechanism::mechanism;
 pub use normal_force::normal_force;
 pub use order::order;
 pub use ratios::ratios;
+pub use running::running;

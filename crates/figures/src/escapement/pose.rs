@@ -7,7 +7,7 @@ use crate::svg::{Canvas, Label, Path, Pixels, Placing, Shape, View, heading};
 use crate::theme::{DRIVER, FOLLOWER, Shade};
 use geneva_kinematics::escapement::{Configuration, Mechanism};
 use nalgebra::Vector2;
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Radius of the driver's disc, in crank radii: it lies behind the follower and carries the pins.
 const DISC: f64 = 1.1;
@@ -53,10 +53,33 @@ impl Bodies {
         Ok(Self::new(escapement, layout, [theta, phi], margins))
     }
 
+    /// The same in a column of this width.
+    pub fn in_column(escapement: &Mechanism, theta: f64, width: f64, margins: Margins) -> Result<Self, FigureError> {
+        let layout = escapement.layout(theta)?;
+        let phi = escapement.wheel().engaged(theta)?.angle;
+        Ok(Self::wide(escapement, layout, [theta, phi], width, margins))
+    }
+
+    /// The same mechanism elsewhere on the page.
+    pub fn moved(&self, by: &Pixels) -> Self {
+        let view = View { origin: self.view.origin + by, ..self.view };
+        Self { view, axis: self.axis + by, pivot: self.pivot + by, ..self.clone() }
+    }
+
     /// The mechanism with its parts in these places.
-    pub fn new(escapement: &Mechanism, layout: Configuration<f64>, [theta, phi]: [f64; 2], margins: Margins) -> Self {
+    pub fn new(escapement: &Mechanism, layout: Configuration<f64>, angles: [f64; 2], margins: Margins) -> Self {
+        Self::wide(escapement, layout, angles, WIDTH, margins)
+    }
+
+    fn wide(
+        escapement: &Mechanism,
+        layout: Configuration<f64>,
+        [theta, phi]: [f64; 2],
+        width: f64,
+        margins: Margins,
+    ) -> Self {
         let star = Star::of_wheel(&escapement.wheel());
-        let scale = (WIDTH - 2.0 * margins.side) / (DISC + star.centre + star.rim);
+        let scale = (width - 2.0 * margins.side) / (DISC + star.centre + star.rim);
         let half = DISC.max(star.rim) * scale;
         let view = View { origin: Vector2::new(margins.side + DISC * scale, margins.above + half), scale };
         let pivot = view.place(&layout.follower_axis);
@@ -110,6 +133,12 @@ impl Bodies {
     /// All pins.
     pub fn draw_pins(&self, canvas: &mut Canvas) {
         self.layout.pins.iter().for_each(|at| pin(canvas, &self.view.place(at), self.pin_radius()));
+    }
+
+    /// The flank of the first pin's slot ahead of it in the follower's sense (1) or behind it (−1): its ends.
+    pub fn flank(&self, side: f64) -> [Pixels; 2] {
+        let across = heading(PI - self.phi - FRAC_PI_2) * (side * self.star.half_width * self.view.scale);
+        [self.star.bottom, self.star.rim].map(|radius| self.on_follower(radius, self.phi) + across)
     }
 
     /// The marks of both axes.

@@ -54,6 +54,16 @@ impl Layout {
     /// The mechanism with its circle, its lever and the ends of the swing, as large as there is room, so far below the
     /// upper edge of the page.
     pub fn new(linkage: &QuickReturn, instant: &Instant, top: f64) -> Self {
+        Self::fitted(linkage, instant, top, false)
+    }
+
+    /// The same with room for the lever at all angles, half-way down a page of this height.
+    pub fn of_the_turn(linkage: &QuickReturn, instant: &Instant, height: f64) -> Self {
+        let own = Self::fitted(linkage, instant, 0.0, true);
+        Self::fitted(linkage, instant, (height - own.height) / 2.0, true)
+    }
+
+    fn fitted(linkage: &QuickReturn, instant: &Instant, top: f64, whole_turn: bool) -> Self {
         let (l, r) = (linkage.ground(), linkage.crank());
         let reach = REACH * (l + r);
         let at = |angle: f64, distance: f64| {
@@ -63,8 +73,13 @@ impl Layout {
         // There the crank is at right angles to the lever.
         let swing = SWING_END * ((l - r) * (l + r)).max(0.0).sqrt();
         let mut ends = vec![Vector2::zeros(), Vector2::new(l + r, r), Vector2::new(l - r, -r)];
-        ends.push(at(instant.lever_angle, reach));
-        if let Some(limit) = linkage.strokes().swing_limit {
+        let limit = linkage.strokes().swing_limit;
+        match (whole_turn, limit) {
+            (false, _) => ends.push(at(instant.lever_angle, reach)),
+            (true, Some(limit)) => ends.extend([0.0, limit, -limit].map(|angle| at(angle, reach))),
+            (true, None) => ends.extend([Vector2::new(-reach, -reach), Vector2::new(reach, reach)]),
+        }
+        if let Some(limit) = limit {
             ends.extend([at(limit, swing), at(-limit, swing)]);
         }
         let fitted = View::fitting(ends.iter().copied(), ROOM, Pixels::zeros());

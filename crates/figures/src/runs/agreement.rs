@@ -9,6 +9,7 @@ use geneva_kinematics::Mechanism;
 /// Marks of both axes, and how far beyond the outermost numbers they go.
 const MARKS: [f64; 7] = [1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0];
 const ROOM: f64 = 1.15;
+const ROOM_FOR_OTHERS: f64 = 1.6;
 /// Steps of the edges of the strip of one unit.
 const STEPS: u32 = 60;
 /// Where the count may stand, in shares of the frame.
@@ -60,21 +61,7 @@ pub fn agreement(hypotheses: &[Compared; 2], unit: &str, others: &str) -> Figure
     let marks = MARKS.into_iter().filter(|mark| range.contains(mark)).collect();
     let axis = Axis::new(Scale::Logarithmic, range, marks, 0);
     let x = axis.clone().titled(Label::words(&format!("printed, in {unit}")));
-    let panels = hypotheses.each_ref().map(|hypothesis| {
-        let y = axis.clone().titled(Label::words(&format!("computed: {}", hypothesis.name)));
-        let panel = Panel::new(330.0, &x, &y).area(strip(&axis), FILL, "one-unit");
-        let ends = [axis.range.start, axis.range.end];
-        let panel = panel.curve(ends.map(|end| (end, end)), Stroke::thin("diagonal"));
-        let panel = Mechanism::ALL.into_iter().fold(panel, |panel, mechanism| {
-            let own = hypothesis.cells.iter().filter(|cell| cell.mechanism == mechanism);
-            panel.marks(own.map(|cell| (cell.printed, cell.computed)), marker(mechanism))
-        });
-        panel.name(Label::words(&format!("{} agree", hypothesis.count())), Spot::Free(COUNT.to_vec()))
-    });
-    let key = Mechanism::ALL.map(|mechanism| {
-        let marker = of_mechanism(mechanism.slots()).1;
-        Entry::marks([marker], Label::words(&format!("{} pins", mechanism.pins())).shade(marker.shade))
-    });
+    let panels = hypotheses.each_ref().map(|hypothesis| panel(hypothesis, &axis, &x));
     let [before, after] = hypotheses;
     let words = Words::new(
         "runs-agreement",
@@ -99,7 +86,58 @@ pub fn agreement(hypotheses: &[Compared; 2], unit: &str, others: &str) -> Figure
     let columns = [("n", "1"), ("printed", "unit"), ("own reset", "unit"), ("one reset", "unit")];
     let rows = before.cells.iter().zip(&after.cells);
     let rows = rows.map(|(a, b)| [f64::from(a.mechanism.slots()), a.printed, a.computed, b.computed]);
-    Chart::new(panels).in_columns(2).key(key).figure(words, Series::new(columns, rows))
+    Chart::new(panels).in_columns(2).key(key()).figure(words, Series::new(columns, rows))
+}
+
+/// The same for one hypothesis, on axes of the printed numbers alone, so that hypotheses can be compared one after another.
+///
+/// Series, a row for each cell: slots, printed, computed.
+pub fn one_agreement(hypothesis: &Compared, unit: &str) -> Figure {
+    let printed = || hypothesis.cells.iter().map(|cell| cell.printed).filter(|value| *value > 0.0);
+    let (least, most) = (printed().fold(f64::INFINITY, f64::min), printed().fold(0.0, f64::max));
+    let range = if least < most { least / ROOM_FOR_OTHERS..most * ROOM_FOR_OTHERS } else { 1.0..1000.0 };
+    let marks = MARKS.into_iter().filter(|mark| range.contains(mark)).collect();
+    let axis = Axis::new(Scale::Logarithmic, range, marks, 0);
+    let x = axis.clone().titled(Label::words(&format!("printed, in {unit}")));
+    let words = Words::new(
+        "live-mistake",
+        format!("Printed numbers against computed ones: {}", hypothesis.name),
+        format!(
+            "Logarithmic axes, printed numbers to the right, computed ones upwards, and a diagonal. Computed with {}, {} are \
+             within one unit of the last printed place.",
+            hypothesis.name,
+            hypothesis.count()
+        ),
+        format!(
+            "Each mark is one printed number of Appendix E in {unit}, against the computed one. Computed with {}: {} agree \
+             within a unit of the last printed place, the shaded strip.",
+            hypothesis.name,
+            hypothesis.count()
+        ),
+    );
+    let rows = hypothesis.cells.iter().map(|cell| [f64::from(cell.mechanism.slots()), cell.printed, cell.computed]);
+    let series = Series::new([("n", "1"), ("printed", "unit"), ("computed", "unit")], rows);
+    Chart::new([panel(hypothesis, &axis, &x)]).key(key()).figure(words, series)
+}
+
+/// The cells of a hypothesis, the diagonal and the strip of one unit about it.
+fn panel(hypothesis: &Compared, axis: &Axis, x: &Axis) -> Panel {
+    let y = axis.clone().titled(Label::words(&format!("computed: {}", hypothesis.name)));
+    let panel = Panel::new(330.0, x, &y).area(strip(axis), FILL, "one-unit");
+    let ends = [axis.range.start, axis.range.end];
+    let panel = panel.curve(ends.map(|end| (end, end)), Stroke::thin("diagonal"));
+    let panel = Mechanism::ALL.into_iter().fold(panel, |panel, mechanism| {
+        let own = hypothesis.cells.iter().filter(|cell| cell.mechanism == mechanism);
+        panel.marks(own.map(|cell| (cell.printed, cell.computed)), marker(mechanism))
+    });
+    panel.name(Label::words(&format!("{} agree", hypothesis.count())), Spot::Free(COUNT.to_vec()))
+}
+
+fn key() -> [Entry; 3] {
+    Mechanism::ALL.map(|mechanism| {
+        let marker = of_mechanism(mechanism.slots()).1;
+        Entry::marks([marker], Label::words(&format!("{} pins", mechanism.pins())).shade(marker.shade))
+    })
 }
 
 fn marker(mechanism: Mechanism) -> Marker {

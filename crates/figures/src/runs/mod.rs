@@ -11,7 +11,7 @@ mod speeds;
 #[cfg(test)]
 mod tests;
 
-pub use agreement::{Cell, Compared, agreement};
+pub use agreement::{Cell, Compared, agreement, one_agreement};
 pub use aliasing::aliasing;
 pub use deviations::deviations;
 pub use over_torque::over_torque;

@@ -19,6 +19,7 @@ mod mechanism;
 mod model;
 mod motion;
 mod pose;
+mod running;
 mod spherical;
 
 pub use critical::critical_geometry;
@@ -28,4 +29,5 @@ pub use internal::internal_mechanism;
 pub use mechanism::mechanism;
 pub use model::model;
 pub use motion::{motion, turning};
+pub use running::running;
 pub use spherical::spherical_mechanism;

@@ -16,6 +16,7 @@ mod extremes;
 mod fit;
 mod geometry;
 mod indexing;
+mod misplaced;
 mod motion;
 mod outline;
 mod play;
@@ -29,6 +30,7 @@ pub use extremes::{AccelerationPeak, acceleration_peak, entry_acceleration, gamm
 pub use fit::SizesError;
 pub use geometry::{STATIONS, Wheel};
 pub use indexing::peak_jerk;
+pub use misplaced::Misplaced;
 pub use motion::{acceleration_ratio, jerk_ratio, unsteady_acceleration};
 pub use outline::{Edge, Face, Loop, Outline};
 pub use play::{Entry, EntryContact};

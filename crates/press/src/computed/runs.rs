@@ -4,10 +4,11 @@ use super::Number;
 use crate::numbers::fixed;
 use crate::rows::score;
 use anyhow::Context;
+use geneva_dynamics::likelihood::Law;
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::rise_times::{Group, explained, groups};
 use geneva_ledger::meyer::runs::{
-    Column, EXPLAINED, Fit, Hypothesis, Law, Reading, Row, Run, Score, delays, interval, rows, scores,
+    Column, EXPLAINED, Fit, Hypothesis, Reading, Row, Run, Score, delays, interval, rows, scores,
 };
 
 /// The numbers of the chapter on the runs.
@@ -191,7 +192,7 @@ fn bears_one_number(group: &Group) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use geneva_ledger::meyer::runs::LEAST_SPREAD;
+    use geneva_dynamics::likelihood::LEAST_SPREAD;
 
     #[test]
     fn chance_explains_a_part_and_the_program_nearly_all() {

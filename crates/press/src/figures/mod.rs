@@ -3,7 +3,7 @@
 mod runs;
 
 use crate::rows::{example, parameters};
-use crate::{lookup, rows};
+use crate::{live, lookup, rows};
 use anyhow::Context;
 use geneva_dynamics::Parameters;
 use geneva_figures::{Figure, escapement, pin, quick_return, stations};
@@ -20,6 +20,7 @@ type Draw = fn() -> anyhow::Result<Figure>;
 /// All figures by name, in the order of the book.
 pub const FIGURES: &[(&str, Draw)] = &[
     ("wheel-turning", || Ok(stations::turning(&four_stations()?))),
+    ("live-wheel", || live::figure("wheel")),
     ("pin-position", || of_pin(|at| pin::position_triangle(&at.mechanism, &at.crank))),
     ("pin-velocity", || of_pin(|at| pin::velocity_triangle(&at.mechanism, &at.crank, at.driver_speed, "mm/s"))),
     ("pin-engagement", || of_pin(|at| pin::over_the_engagement(&at.mechanism, &at.crank, at.driver_speed, "mm"))),
@@ -27,6 +28,7 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("quick-return-velocity", || of_lever(quick_return::velocity_diagram)),
     ("quick-return-acceleration", || of_lever(quick_return::acceleration_diagram)),
     ("quick-return-bead", || Ok(quick_return::bead_on_a_lever())),
+    ("live-polygon", || live::figure("polygon")),
     ("quick-return-turn", || of_lever(|linkage, at, drive, _| quick_return::over_a_turn(linkage, at, drive))),
     ("wheel-mechanism", || Ok(stations::mechanism(&four_stations()?))),
     ("wheel-model", || Ok(stations::model(&four_stations()?, MODEL_ANGLE)?)),
@@ -63,7 +65,9 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("runs-four-pin", || runs::over_torque(Mechanism::FOUR_PIN)),
     ("runs-six-pin", || runs::over_torque(Mechanism::SIX_PIN)),
     ("runs-three-pin", || runs::over_torque(Mechanism::THREE_PIN)),
+    ("live-mistake", || live::figure("mistake")),
     ("steady-collapse", runs::collapse),
+    ("live-escapement", || live::figure("escapement")),
     ("steady-return-map", || Ok(geneva_figures::steady::return_map(&with_three_pins()?)?)),
     ("steady-phase", || Ok(geneva_figures::steady::phase(&with_three_pins()?)?)),
     ("steady-map-four-pin", || runs::map(Mechanism::FOUR_PIN)),

@@ -2,7 +2,6 @@
 //!
 //! - `table`: the printed rows, with the verdicts on record of their results.
 //! - `motion`: a row's motion under a [`Hypothesis`], by two routes.
-//! - `printout`: what is read off the lines of a run.
 //! - `scores`: how well computed numbers explain printed ones.
 //! - `hypotheses`: how many cells each hypothesis explains.
 //! - `rise_times`: which definition could be that of the rise times.
@@ -20,7 +19,6 @@ mod hypotheses;
 pub mod integrator;
 mod lagged;
 mod motion;
-mod printout;
 pub mod rise_times;
 mod scores;
 pub mod steps;
@@ -32,7 +30,7 @@ pub use headings::{of_figures, of_headings};
 pub use hypotheses::{EXPLAINED, Score, delays, scores};
 pub use lagged::Lagged;
 pub use motion::{Constants, Hypothesis, Reading, Reset, Run, SixPin, delay, duration, fitting_interval, interval};
-pub use scores::{Fit, LEAST_SPREAD, Law, Likelihood};
+pub use scores::Fit;
 pub use table::{Column, Row, rows, series, slug};
 
 use super::*;

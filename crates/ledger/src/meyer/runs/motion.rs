@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::meyer::appendix_b::DELAY_PARTS;
-use geneva_dynamics::program::{Contact, Program};
+use geneva_dynamics::program::{Contact, Program, Readings};
 use geneva_dynamics::steady::{Engagement, Rise};
 use geneva_mimic::AtSmallestStep;
 use std::collections::HashMap;
@@ -140,7 +140,7 @@ impl Hypothesis {
         let steady = engagement.steady_state().ok()?;
         let peak = match self.reading {
             Reading::True => steady.peak.speed,
-            Reading::OnTheGrid => largest_printed(&engagement, interval())?,
+            Reading::OnTheGrid => engagement.largest_printed(interval(), 0.0, duration()).ok()?,
         };
         let first_minimum = engagement.first_minimum().ok()?.map_or(f64::NAN, |minimum| minimum.time);
         Some(Run { peak, minimum: steady.minimum.speed, period: steady.period, first_minimum })
@@ -149,7 +149,9 @@ impl Hypothesis {
     /// The same, read off the lines that the program prints; the true peak is not among them.
     pub fn by_program(&self, row: &Row, integrator: &geneva_mimic::Parameters) -> Option<Run> {
         let program = self.program(row)?;
-        Run::read_off(&program.run(integrator).ok()?, program.reset)
+        let Readings { peak, minimum, period, first_minimum } =
+            Readings::of(&program.run(integrator).ok()?, program.reset)?;
+        Some(Run { peak, minimum, period, first_minimum })
     }
 
     /// The start of a row's run from rest.
@@ -192,12 +194,6 @@ pub fn parameters_with(row: &Row, [driver, follower]: [f64; 2]) -> Option<Parame
     Parameters::new(row.mechanism, Inertias::new(driver, follower).ok()?, row.torque(), row.friction()).ok()
 }
 
-/// The largest speed of a run from rest that is printed at each interval.
-fn largest_printed(engagement: &Engagement, interval: f64) -> Option<f64> {
-    let lines = engagement.run(interval, duration()).ok()?;
-    Some(lines.iter().map(|line| line.speed).fold(0.0, f64::max))
-}
-
 /// The unit of the printed inertias.
 pub const MILLIONTH: f64 = 1e-6;
 
@@ -218,7 +214,7 @@ pub fn fitting_interval(mechanism: Mechanism) -> f64 {
     let misfit = |interval: f64| {
         let of = |row: &Row| {
             let largest = if mechanism == Mechanism::SIX_PIN {
-                largest_printed(&Hypothesis::WITHOUT_LAG.engagement(row)?, interval)?
+                Hypothesis::WITHOUT_LAG.engagement(row)?.largest_printed(interval, 0.0, duration()).ok()?
             } else {
                 let integrator = geneva_mimic::Parameters {
                     print_interval: interval,

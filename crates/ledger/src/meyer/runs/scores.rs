@@ -1,7 +1,7 @@
 //! How well computed numbers explain printed ones.
 
 use super::*;
-use std::f64::consts::SQRT_2;
+use geneva_dynamics::likelihood::{Law, Likelihood};
 
 /// How a set of runs does on one column of the tables. The mean and the worst are over the runs that came to an end.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,71 +17,6 @@ pub struct Fit {
     /// By each law of error: how likely the printed cells are.
     pub likelihoods: [Likelihood; 2],
 }
-
-/// How likely the printed cells of a column are.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Likelihood {
-    /// The spread of the errors with which they are most likely, in units of the last place.
-    pub spread: f64,
-    /// The logarithm of the likelihood with this spread: zero if each cell is certain, negative infinity if one cannot be.
-    pub log: f64,
-}
-
-/// How errors are distributed about the computed number.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Law {
-    /// Normal: large errors are all but impossible.
-    Normal,
-    /// Exponential to either side: large errors happen now and then, as when somebody misreads a print-out.
-    Exponential,
-}
-
-impl Law {
-    /// Both, in the order of [`Fit::likelihoods`].
-    pub const ALL: [Self; 2] = [Self::Normal, Self::Exponential];
-
-    /// The chance of an error above a number of units, which is not negative.
-    fn beyond(self, units: f64, spread: f64) -> f64 {
-        match self {
-            Self::Normal => libm::erfc(units / (spread * SQRT_2)) / 2.0,
-            Self::Exponential => libm::exp(-units / spread) / 2.0,
-        }
-    }
-
-    /// The chance that an error of zero mean rounds to a number so many units away.
-    fn chance(self, off: f64, spread: f64) -> f64 {
-        let near = off - 0.5;
-        let beyond_near = if near < 0.0 { 1.0 - self.beyond(-near, spread) } else { self.beyond(near, spread) };
-        beyond_near - self.beyond(off + 0.5, spread)
-    }
-
-    /// The logarithm of the likelihood of deviations of this size, with this spread, all in units.
-    pub fn log_likelihood(self, units: &[f64], spread: f64) -> f64 {
-        units.iter().map(|off| libm::log(self.chance(*off, spread))).sum()
-    }
-
-    /// The likelihood of deviations of this size, in units, with the spread that suits them best.
-    fn of(self, units: &[f64]) -> Likelihood {
-        let at = |octaves: f64| {
-            let spread = LEAST_SPREAD * libm::exp2(octaves);
-            Likelihood { spread, log: self.log_likelihood(units, spread) }
-        };
-        type Found = (f64, Likelihood);
-        let better = |a: Found, b: Found| if b.1.log > a.1.log { b } else { a };
-        let tried = |octaves: f64| (octaves, at(octaves));
-        // First in steps, then between the neighbours of the best.
-        let rough = (1..=OCTAVES * PER_OCTAVE).map(|step| f64::from(step) / f64::from(PER_OCTAVE));
-        let best = rough.map(tried).fold(tried(0.0), better);
-        let fine = (-FINER..=FINER).map(|step| best.0 + f64::from(step) / f64::from(FINER) / f64::from(PER_OCTAVE));
-        fine.filter(|octaves| *octaves >= 0.0).map(tried).fold(best, better).1
-    }
-}
-
-/// Spreads that are tried: from 1/256 of a unit, 8 to an octave, over 20 octaves, and so many to either side of the best.
-pub const LEAST_SPREAD: f64 = 1.0 / 256.0;
-const PER_OCTAVE: u32 = 8;
-const OCTAVES: u32 = 20;
-const FINER: i32 = 32;
 
 impl Fit {
     /// Of the column, for the runs of all rows; a run that came to nothing explains nothing.
@@ -113,47 +48,6 @@ impl Fit {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn the_chances_of_all_numbers_add_to_one() {
-        for (law, spread) in [(Law::Normal, 0.2), (Law::Normal, 7.0), (Law::Exponential, 0.2), (Law::Exponential, 3.0)]
-        {
-            let sum: f64 = (-80..=80).map(|off| law.chance((f64::from(off) + 0.3).abs(), spread)).sum();
-            assert!((sum - 1.0).abs() < 1e-9, "{law:?} {sum}");
-        }
-    }
-
-    /// A thousand errors as the law with a spread of 3 has them, found by bisection.
-    fn errors(law: Law) -> Vec<f64> {
-        let quantile = |part: f64| {
-            let (mut low, mut high) = (0.0, 200.0);
-            for _ in 0..60 {
-                let middle = f64::midpoint(low, high);
-                *(if 1.0 - 2.0 * law.beyond(middle, 3.0) < part { &mut low } else { &mut high }) = middle;
-            }
-            low
-        };
-        (0..1000).map(|k| quantile((f64::from(k) + 0.5) / 1000.0)).collect()
-    }
-
-    #[test]
-    fn the_spread_found_is_that_of_the_errors_and_their_own_law_is_the_likelier() {
-        for (law, other) in [(Law::Normal, Law::Exponential), (Law::Exponential, Law::Normal)] {
-            let errors = errors(law);
-            let found = law.of(&errors);
-            assert!((found.spread - 3.0).abs() < 0.15, "{law:?} {}", found.spread);
-            assert!(found.log < 0.0 && found.log > other.of(&errors).log, "{law:?}");
-        }
-    }
-
-    #[test]
-    fn certain_cells_cost_nothing_and_distant_ones_much() {
-        for law in Law::ALL {
-            // Not quite certain: no spread that is tried is zero.
-            assert!(law.of(&[0.0; 9]).log > -1e-5, "{law:?}");
-            assert!(law.of(&[1e4; 9]).log < -50.0, "{law:?}");
-        }
-    }
 
     #[test]
     fn a_run_that_comes_to_nothing_makes_the_tables_impossible() {

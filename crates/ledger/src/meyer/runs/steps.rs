@@ -86,7 +86,7 @@ fn duration(parameters: &Parameters, angles: &[f64], squares: &[f64]) -> f64 {
 }
 
 /// The lowest value of the parabola through three neighbours; the middle one if it is not the lowest of the three.
-pub fn lowest(before: f64, middle: f64, next: f64) -> f64 {
+fn lowest(before: f64, middle: f64, next: f64) -> f64 {
     let bend = before - 2.0 * middle + next;
     if middle < before && middle < next { middle - (next - before) * (next - before) / (8.0 * bend) } else { middle }
 }

@@ -1,23 +1,39 @@
 //! What somebody with a ruler reads off a run's printed lines.
 
-use super::motion::Run;
-use super::steps;
-use geneva_dynamics::program::{Line, Printout};
+use super::{Line, Printout};
 
-impl Run {
-    /// From the lines of a run whose driver's angle is reset after `reset` radians: the greatest speed of all, and the
-    /// least speed and the duration of the last whole engagement. None if the run has no two hand-overs.
-    pub fn read_off(printout: &Printout, reset: f64) -> Option<Self> {
+/// What is read off the lines of a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Readings {
+    /// Greatest speed of all lines, in radians per unit of time.
+    pub peak: f64,
+    /// Least speed in the last whole engagement, in radians per unit of time: between the lines by a parabola.
+    pub minimum: f64,
+    /// Duration of the last whole engagement, in units of time.
+    pub period: f64,
+    /// When the driver is first at its slowest, in units of time from the start.
+    pub first_minimum: f64,
+}
+
+impl Readings {
+    /// From the lines of a run whose driver's angle is reset after `reset` radians; none if the run has no two hand-overs.
+    pub fn of(printout: &Printout, reset: f64) -> Option<Self> {
         let lines = &printout.lines;
         let last = (lines.last()?.turned / reset).floor();
         let (start, end) = (passing(lines, (last - 1.0) * reset)?, passing(lines, last * reset)?);
         let own: Vec<f64> =
             lines.iter().filter(|line| line.time >= start && line.time <= end).map(|line| line.speed).collect();
-        // Between the lines by a parabola: at its lowest the speed is smooth.
-        let minimum = own.windows(3).map(|w| steps::lowest(w[0], w[1], w[2])).fold(f64::INFINITY, f64::min);
+        // At its lowest the speed is smooth.
+        let minimum = own.windows(3).map(|w| lowest(w[0], w[1], w[2])).fold(f64::INFINITY, f64::min);
         let first_minimum = slowest(lines)?;
         (last >= 2.0).then_some(Self { peak: printout.largest(), minimum, period: end - start, first_minimum })
     }
+}
+
+/// The lowest value of the parabola through three neighbours; the middle one if it is not the lowest of the three.
+fn lowest(before: f64, middle: f64, next: f64) -> f64 {
+    let bend = before - 2.0 * middle + next;
+    if middle < before && middle < next { middle - (next - before) * (next - before) / (8.0 * bend) } else { middle }
 }
 
 /// When the driver is first at its slowest: where the printed acceleration changes to plus, as if it were straight
@@ -48,20 +64,28 @@ fn passing(lines: &[Line], turned: f64) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::*;
     use super::*;
-    use geneva_dynamics::program::Program;
+    use crate::program::Program;
+    use crate::steady::Engagement;
+    use crate::{Inertias, Parameters};
+    use geneva_kinematics::Mechanism;
+
+    fn parameters(mechanism: Mechanism) -> Parameters {
+        let inertias = Inertias::new(0.2, 1.0).expect("two inertias");
+        Parameters::new(mechanism, inertias, 1.0, 0.3).expect("an escapement")
+    }
 
     #[test]
     fn what_is_read_off_is_what_the_solver_has() {
-        for row in [&rows()[0], &rows()[16], &rows()[40]] {
-            let [solved, read] =
-                [Hypothesis::WITHOUT_LAG.run(row), Hypothesis::WITHOUT_LAG.by_program(row, &motion::usual())]
-                    .map(|run| run.expect("a run"));
-            assert!((read.peak / solved.peak - 1.0).abs() < 2e-4, "{read:?} {solved:?}");
-            // With few engagements the last one is not quite the steady one.
-            assert!((read.period / solved.period - 1.0).abs() < 3e-3, "{read:?} {solved:?}");
-            assert!((read.minimum / solved.minimum - 1.0).abs() < 5e-3, "{read:?} {solved:?}");
+        for mechanism in Mechanism::ALL {
+            let parameters = parameters(mechanism);
+            let steady = Engagement::new(&parameters).and_then(|of| of.steady_state()).expect("a steady state");
+            let program = Program::of(&parameters);
+            let integrator = geneva_mimic::Parameters::new(steady.period / 200.0, 30.0 * steady.period);
+            let read = Readings::of(&program.run(&integrator).expect("a run"), program.reset).expect("readings");
+            assert!((read.peak / steady.peak.speed - 1.0).abs() < 1e-3, "{read:?} {steady:?}");
+            assert!((read.period / steady.period - 1.0).abs() < 1e-3, "{read:?} {steady:?}");
+            assert!((read.minimum / steady.minimum.speed - 1.0).abs() < 1e-3, "{read:?} {steady:?}");
         }
     }
 
@@ -85,10 +109,9 @@ mod tests {
 
     #[test]
     fn a_run_without_two_hand_overs_has_no_period() {
-        let parameters = Hypothesis::WITHOUT_LAG.parameters(&rows()[0]).expect("an escapement");
-        let integrator = geneva_mimic::Parameters::new(interval(), 40.0 * interval());
-        let program = Program::of(&parameters);
+        let program = Program::of(&parameters(Mechanism::FOUR_PIN));
+        let integrator = geneva_mimic::Parameters::new(0.01, 0.4);
         let short = program.run(&integrator).expect("a run");
-        assert!(Run::read_off(&short, program.reset).is_none());
+        assert!(Readings::of(&short, program.reset).is_none());
     }
 }

@@ -1,0 +1,144 @@
+//! The escapement at an instant of its run from rest, beside its speed and the force between pin and slot.
+
+use super::pose::{Bodies, Margins};
+use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
+use crate::number::{degrees, fixed, shown, significant};
+use crate::svg::{Canvas, Label, Pixels, Shape};
+use crate::theme::{CORIOLIS, DRIVER, FOLLOWER, INK};
+use crate::{Figure, FigureError, Series, Words};
+use geneva_dynamics::Parameters;
+use geneva_dynamics::forces::Flank;
+use geneva_dynamics::steady::{Engagement, Printed};
+
+/// Engagements that are shown, and instants in all of them.
+const SHOWN: usize = 6;
+const INSTANTS: usize = 600;
+/// The mechanism's column and its margins, in pixels.
+const COLUMN: f64 = 420.0;
+const MARGINS: Margins = Margins { side: 8.0, above: 8.0, below: 8.0 };
+/// Heights of the two frames, in pixels.
+const FRAMES: [f64; 2] = [170.0, 110.0];
+/// Where a curve stands at the instant.
+const HERE: Marker = Marker::new(INK, Mark::Disc).sized(11.0).class("here");
+/// The driver's speed, and the force while the pin bears on either flank.
+const SPEED: Stroke = Stroke::new(DRIVER).class("speed");
+const LEADING: Stroke = Stroke::new(FOLLOWER).class("leading");
+const TRAILING: Stroke = Stroke::new(CORIOLIS).class("trailing");
+
+/// One instant: the line of the run, and N r / K.
+struct Instant {
+    line: Printed,
+    normal: f64,
+}
+
+/// The escapement after a share (0 to 1) of the time of its first six engagements from rest, a mark where the pin bears on
+/// the slot; the driver's speed over time, and the normal force N as N r / K: positive on the leading flank of the slot.
+///
+/// Series, at equal times: time, crank angle, θ', N r/K.
+///
+/// # Errors
+///
+/// [`FigureError`] if there is no steady motion, or the share is not between 0 and 1.
+pub fn running(parameters: &Parameters, share: f64) -> Result<Figure, FigureError> {
+    let engagement = Engagement::new(parameters)?;
+    let steady = engagement.steady_state()?;
+    let (mut duration, mut entry, mut starts) = (0.0, 0.0, Vec::new());
+    for _ in 0..SHOWN {
+        starts.push(duration);
+        let passage = engagement.passage(entry)?;
+        (duration, entry) = (duration + passage.duration(), passage.end_speed());
+    }
+    // The last line is an instant before the end.
+    let instants = engagement.run(duration / INSTANTS as f64, duration * (1.0 - 0.5 / INSTANTS as f64))?;
+    let instants =
+        instants.into_iter().map(|line| instant(parameters, line)).collect::<Result<Vec<_>, FigureError>>()?;
+    let at = if (0.0..=1.0).contains(&share) { (share * INSTANTS as f64) as usize } else { usize::MAX };
+    let now = instants.get(at.min(INSTANTS - 1)).filter(|_| at != usize::MAX).ok_or(FigureError::Share(share))?;
+
+    let panels = panels(&instants, now, &starts, [steady.minimum.speed, steady.peak.speed], duration);
+    let height: f64 = panels.iter().map(Panel::room).sum();
+    let bodies = Bodies::in_column(&parameters.mechanism(), now.line.angle, COLUMN, MARGINS)?;
+    let down = Pixels::new(0.0, (height - bodies.height) / 2.0);
+    let bodies = bodies.moved(&down);
+    let (m, speed) = (parameters.mechanism().pins(), significant(now.line.speed, 4));
+    let words = Words::new(
+        "live-escapement",
+        format!("A Geneva escapement with {m} pins, {} ms after its start", fixed(1000.0 * now.line.time, 1)),
+        format!(
+            "At the left the mechanism to scale at a driver angle of {}. At the right, over the time of six engagements from \
+             rest, the driver's speed, {speed} rad/s at this instant, between dashed lines at {} and {} rad/s, the least and \
+             the greatest of the steady motion; and below it the normal force, positive where the pin drives the follower.",
+            degrees(now.line.angle),
+            significant(steady.minimum.speed, 4),
+            significant(steady.peak.speed, 4)
+        ),
+        format!(
+            "The first six engagements from rest. Above, the driver's speed; dashed, the least and the greatest of the steady \
+             motion. Below, the force between pin and slot, N r / K: positive on the leading flank, negative on the trailing \
+             one. The mark in the drawing is where the pin bears. {}",
+            shown(parameters)
+        ),
+    );
+    let columns = [("t", "s"), ("theta", "deg"), ("theta'", "rad/s"), ("N r/K", "1")];
+    let rows =
+        instants.iter().step_by(4).map(|at| [at.line.time, at.line.angle.to_degrees(), at.line.speed, at.normal]);
+    let series = Series::new(columns, rows.collect::<Vec<_>>());
+    let flank = flank(now.normal);
+    Ok(Chart::new(panels).figure_beside(words, series, |canvas: &mut Canvas| {
+        bodies.draw_driver(canvas, 1.8);
+        bodies.draw_follower(canvas, 2.0);
+        bodies.draw_line_of_centres(canvas);
+        bodies.draw_pins(canvas);
+        bodies.draw_axes(canvas);
+        if let Some((side, stroke)) = flank {
+            let [from, to] = bodies.flank(side);
+            canvas.draw(Shape::line(&from, &to).stroke(stroke.shade, 5.0).class("bearing-flank"));
+        }
+    }))
+}
+
+/// The force at a line of the run.
+fn instant(parameters: &Parameters, line: Printed) -> Result<Instant, FigureError> {
+    let forces = parameters.contact_forces(line.angle, line.speed)?;
+    let normal = if forces.flank == Flank::Neither { 0.0 } else { forces.normal_moment / parameters.torque() };
+    Ok(Instant { line, normal })
+}
+
+/// On which side of the slot the pin bears, ahead of it (1) or behind (−1), and the colour of that force.
+fn flank(normal: f64) -> Option<(f64, Stroke)> {
+    match normal {
+        normal if normal > 0.0 => Some((1.0, LEADING)),
+        normal if normal < 0.0 => Some((-1.0, TRAILING)),
+        _ => None,
+    }
+}
+
+fn panels(instants: &[Instant], now: &Instant, starts: &[f64], steady: [f64; 2], duration: f64) -> Vec<Panel> {
+    let ms = |time: f64| 1000.0 * time;
+    let most = instants.iter().map(|at| at.line.speed).fold(steady[1], f64::max);
+    let forces = || instants.iter().map(|at| at.normal);
+    let [least_force, most_force] = [forces().fold(0.0, f64::min), forces().fold(0.0, f64::max)];
+    let steps = Axis::from_zero(0.0, ms(duration) / 1.04, 4.0);
+    let marks = steps.marks.iter().copied().filter(|mark| *mark <= ms(duration)).collect();
+    let x = Axis { range: 0.0..ms(duration), marks, ..steps };
+    let y = Axis::from_zero(0.0, most, 4.0).titled(Label::words("driver's speed in rad/s").shade(SPEED.shade));
+    let mut speed = Panel::new(FRAMES[0], &x.clone().unnumbered(), &y);
+    let title = Label::words("force ").and_symbol("N\u{2009}r").and(" / ").and_symbol("K");
+    let y = Axis::from_zero(least_force, most_force, 3.0).titled(title);
+    let mut force = Panel::new(FRAMES[1], &x.titled(Label::words("time from rest in ms")), &y);
+    for start in starts.iter().skip(1) {
+        speed = speed.vertical(ms(*start), Stroke::thin("entry"));
+        force = force.vertical(ms(*start), Stroke::thin("entry"));
+    }
+    for level in steady {
+        speed = speed.horizontal(level, Stroke::new(DRIVER).wide(1.3).dashed("5 4").class("steady"));
+    }
+    speed = speed.curve(instants.iter().map(|at| (ms(at.line.time), at.line.speed)), SPEED);
+    force = force.horizontal(0.0, Stroke::thin("zero"));
+    for part in instants.chunk_by(|a, b| (a.normal < 0.0) == (b.normal < 0.0)) {
+        let stroke = if part[0].normal < 0.0 { TRAILING } else { LEADING };
+        force = force.curve(part.iter().map(|at| (ms(at.line.time), at.normal)), stroke);
+    }
+    let time = ms(now.line.time);
+    vec![speed.marks([(time, now.line.speed)], HERE), force.marks([(time, now.normal)], HERE)]
+}

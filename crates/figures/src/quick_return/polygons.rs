@@ -1,0 +1,158 @@
+//! The mechanism beside its two vector diagrams, in one scale for the whole turn.
+
+use super::instant::{Instant, a, cleared, coriolis, v, written};
+use super::linkage::{Layout, bodies};
+use crate::number::{degrees, trimmed};
+use crate::parts::arrow;
+use crate::svg::{Canvas, DASHED, Kind, Label, Pixels, Placing, Shape, View, around, beside_line};
+use crate::theme::{CORIOLIS, DRIVER, FOLLOWER, INK, RELATIVE, Shade};
+use crate::{Figure, Series, Words};
+use geneva_kinematics::quick_return::{Drive, Position, QuickReturn};
+use nalgebra::Vector2;
+
+/// Size of the page in pixels, where the mechanism ends, and the room of a diagram about its middle.
+const PAGE: Pixels = Vector2::new(840.0, 560.0);
+const DIVIDE: f64 = 450.0;
+const ROOM: Pixels = Vector2::new(290.0, 186.0);
+const MARGIN: f64 = 8.0;
+/// From the top of a diagram's half of the page to its title.
+const TITLE: f64 = 16.0;
+/// Positions of a turn of which the scales are made.
+const POSITIONS: u32 = 72;
+/// A vector of fewer pixels is not drawn.
+const SHORTEST: f64 = 1.0;
+/// How far labels may stand from their vectors, in pixels.
+const NEAR: [f64; 5] = [8.0, 14.0, 22.0, 34.0, 50.0];
+
+/// One vector: its class, its symbol, its colour.
+struct Arrow {
+    name: &'static str,
+    symbol: Label,
+    shade: Shade,
+    tail: Vector2<f64>,
+    vector: Vector2<f64>,
+}
+
+/// Mechanism, velocity diagram and acceleration diagram at a position, with the Coriolis acceleration counted
+/// `factor` times ω₄ × v_rel.
+///
+/// The lever's and the sliding acceleration are those of the motion. So the polygon closes with a factor of 2 alone; with
+/// another its gap is drawn. Scales are those of the whole turn, so that positions can be compared. Series, a row for each
+/// vector in the order that the first column's name gives: components along O4 → O2 and across it, and magnitude.
+pub fn polygons(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>, factor: f64, unit: &str) -> Figure {
+    let here = diagrams(&Instant::new(linkage, position, drive), factor);
+    let instant = Instant::new(linkage, position, drive);
+    let mut all = [Vec::new(), Vec::new()];
+    for k in 0..POSITIONS {
+        let Ok(at) = linkage.at_crank_degrees(360.0 * f64::from(k) / f64::from(POSITIONS)) else { continue };
+        for (ends, arrows) in all.iter_mut().zip(diagrams(&Instant::new(linkage, &at, drive), factor)) {
+            ends.extend(arrows.iter().flat_map(|arrow| [arrow.tail, arrow.tail + arrow.vector]));
+        }
+    }
+    let mut canvas = Canvas::new(PAGE.x, PAGE.y);
+    let layout = Layout::of_the_turn(linkage, &instant, PAGE.y);
+    let mut placing = Placing::within(Vector2::zeros(), Vector2::new(DIVIDE, PAGE.y));
+    bodies(&mut canvas, &mut placing, &layout, linkage, &instant);
+    let pin = Label::words("P").sub("2").and(", P").sub("4");
+    placing.put(&mut canvas, &pin, around(&layout.pin, 1.0, &[12.0, 18.0, 26.0, 36.0]));
+
+    let half = PAGE.y / 2.0;
+    let titles = [format!("velocities, {unit}/s"), format!("accelerations, {unit}/s²")];
+    for (k, ((arrows, ends), title)) in here.iter().zip(&all).zip(titles).enumerate() {
+        let top = half * k as f64;
+        let middle = Vector2::new((DIVIDE + PAGE.x) / 2.0, top + half / 2.0 + TITLE / 2.0);
+        let view = View::fitting(ends.iter().copied(), ROOM, middle);
+        let corners = [Vector2::new(DIVIDE, top), Vector2::new(PAGE.x - MARGIN, top + half)];
+        canvas.label(
+            &Vector2::new(DIVIDE + MARGIN, top + TITLE),
+            &Vector2::new(1.0, 0.0),
+            0.0,
+            &Label::words(&title).bare(),
+        );
+        draw(&mut canvas, corners, &view, arrows);
+    }
+
+    let [velocities, accelerations] = &here;
+    let gap = accelerations.last().map_or(0.0, |arrow| arrow.vector.norm());
+    let closes =
+        if gap == 0.0 { "closes".to_owned() } else { format!("misses by {}", written(gap, &format!("{unit}/s²"))) };
+    let phi = degrees(instant.crank_angle);
+    let times = trimmed(factor, 3);
+    let words = Words::new(
+        "live-polygon",
+        format!("Quick-return mechanism at a crank angle of {phi}, and its vector diagrams"),
+        format!(
+            "At the left the mechanism to scale. At the right above, the velocity of the pin is the sum of the lever's and \
+             the sliding one. Below, the acceleration of the pin against the sum of the lever's normal and tangential ones, \
+             the sliding one, and {times} times the lever's angular velocity times the sliding velocity: the polygon {closes}."
+        ),
+        format!(
+            "The mechanism at φ = {phi} with its velocities and accelerations; the Coriolis acceleration is counted {times} \
+             times ω₄ v_rel. The polygon {closes}."
+        ),
+    );
+    let columns = [
+        ("1 v_2, 2 v_4, 3 v_rel, 4 a_2, 5 an_4, 6 at_4, 7 at_rel, 8 Coriolis, 9 gap", "1"),
+        ("x", unit),
+        ("y", unit),
+        ("magnitude", unit),
+    ];
+    let rows =
+        velocities.iter().chain(accelerations).zip(1..).map(|(arrow, k)| {
+            [f64::from(k), arrow.vector.x, arrow.vector.y, libm::hypot(arrow.vector.x, arrow.vector.y)]
+        });
+    words.figure(canvas, Kind::Diagram, Series::new(columns, rows))
+}
+
+/// The vectors of both diagrams from the pole; the last one is the gap of the accelerations.
+fn diagrams(instant: &Instant, factor: f64) -> [Vec<Arrow>; 2] {
+    let arrow = |name, symbol, shade, tail, vector| Arrow { name, symbol, shade, tail, vector };
+    let (zero, motion) = (Vector2::zeros(), &instant.motion);
+    let of = &motion.velocities;
+    let velocities = vec![
+        arrow("v-pin", v("2"), DRIVER, zero, of.pin_velocity),
+        arrow("v-lever", v("4"), FOLLOWER, zero, of.slot_point_velocity),
+        arrow("v-sliding", v("rel"), RELATIVE, of.slot_point_velocity, of.sliding_velocity),
+    ];
+    let terms = &motion.accelerations;
+    let pin = motion.pin_normal + motion.pin_tangential;
+    let counted = terms.coriolis * (factor / 2.0);
+    let mut tail = zero;
+    let mut accelerations = vec![arrow("a-pin", a("", "2"), DRIVER, zero, pin)];
+    for (name, symbol, shade, vector) in [
+        ("a-lever-normal", a("n", "4"), FOLLOWER, terms.follower_normal),
+        ("a-lever-tangential", a("t", "4"), FOLLOWER, terms.follower_tangential),
+        ("a-sliding", a("t", "rel"), RELATIVE, terms.sliding_tangential),
+        ("a-coriolis", coriolis(), CORIOLIS, counted),
+    ] {
+        accelerations.push(arrow(name, symbol, shade, tail, vector));
+        tail += vector;
+    }
+    let greatest = accelerations.iter().map(|arrow| arrow.vector.norm()).fold(0.0, f64::max);
+    let gap = if cleared((pin - tail).norm(), greatest) == 0.0 { zero } else { pin - tail };
+    accelerations.push(arrow("gap", Label::words("gap"), INK, tail, gap));
+    [velocities, accelerations]
+}
+
+/// One diagram between two corners of the page.
+fn draw(canvas: &mut Canvas, corners: [Pixels; 2], at: &View, arrows: &[Arrow]) {
+    let mut placing = Placing::within(corners[0] + Vector2::new(0.0, 2.0 * TITLE), corners[1]);
+    let pole = at.place(&Vector2::zeros());
+    let long: Vec<&Arrow> = arrows.iter().filter(|arrow| arrow.vector.norm() * at.scale >= SHORTEST).collect();
+    let ends = |arrow: &Arrow| [at.place(&arrow.tail), at.place(&(arrow.tail + arrow.vector))];
+    for drawn in &long {
+        let [from, to] = ends(drawn);
+        if drawn.name == "gap" {
+            canvas.draw(Shape::line(&from, &to).stroke(INK, 2.0).dashed(DASHED).class("gap"));
+        } else {
+            arrow(canvas, &from, &to, drawn.shade, if drawn.tail == Vector2::zeros() { 3.6 } else { 2.8 }, drawn.name);
+        }
+        placing.avoid(&from, &to, 1.5);
+    }
+    canvas.draw(Shape::circle(&pole, 4.0).fill(INK).class("pole"));
+    for drawn in &long {
+        let [from, to] = ends(drawn);
+        let label = drawn.symbol.clone().shade(drawn.shade);
+        placing.put(canvas, &label, beside_line(&from, &to, &NEAR).into_iter().chain(around(&to, 0.0, &NEAR)));
+    }
+}

@@ -1,0 +1,169 @@
+//! A wheel whose axes stand at another distance than the right one.
+//!
+//! Driver and wheel are those of the right distance: crank radius, slots and rim stay. Only the tangent condition is lost:
+//! as the pin passes the rim, it no longer moves along the slot.
+
+use super::{Motion, Phase, Wheel, acceleration_ratio, jerk_ratio};
+use crate::Turn;
+use crate::error::KinematicsError;
+use crate::pin_slot::{pin_from_pivot, velocity_ratio};
+
+/// A wheel and its driver at a given distance of their axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Misplaced {
+    wheel: Wheel,
+    ratio: f64,
+    half: f64,
+}
+
+impl Misplaced {
+    /// A wheel whose axes stand by this part of the right distance too far apart (above zero) or too near (below).
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::Misplaced`] for a distance at which the pin does not pass the rim on its way in and out, or
+    /// the driver's axis does not lie outside the crank circle about the wheel's.
+    pub fn new(wheel: &Wheel, error: f64) -> Result<Self, KinematicsError> {
+        let (right, rim) = (wheel.centre_distance_ratio(), wheel.wheel_radius_ratio());
+        if error == 0.0 {
+            return Ok(Self { wheel: *wheel, ratio: right, half: wheel.engagement_half_angle() });
+        }
+        let ratio = right * (1.0 + error);
+        // The pin is at the rim: the law of cosines in the triangle of axes and pin.
+        let cosine = (1.0 + ratio * ratio - rim * rim) / (2.0 * ratio);
+        if !(ratio > 1.0 && cosine.abs() < 1.0) {
+            let [least, most] = [(rim - 1.0).max(1.0), rim + 1.0].map(|end| end / right - 1.0);
+            return Err(KinematicsError::Misplaced { asked: error, least, most });
+        }
+        Ok(Self { wheel: *wheel, ratio, half: libm::acos(cosine) })
+    }
+
+    /// The wheel.
+    pub fn wheel(&self) -> &Wheel {
+        &self.wheel
+    }
+
+    /// Centre distance over crank radius as it is, dimensionless.
+    pub fn centre_distance_ratio(&self) -> f64 {
+        self.ratio
+    }
+
+    /// Crank angle in radians from the line of centres at which the pin's centre passes the rim.
+    pub fn engagement_half_angle(&self) -> f64 {
+        self.half
+    }
+
+    /// Angle in radians by which a pin turns the wheel on its way from rim to rim: 2π/N at the right distance.
+    pub fn index_angle(&self) -> f64 {
+        let pin = pin_from_pivot(&self.ratio, &Turn::from_radians(self.half));
+        2.0 * libm::atan2(pin.y, pin.x)
+    }
+
+    /// The blow: the jump of the wheel's angular velocity over the driver's as the pin enters, dimensionless.
+    ///
+    /// Zero at the right distance; negative where the wheel is first turned the wrong way.
+    pub fn entry_velocity_ratio(&self) -> f64 {
+        if self.ratio == self.wheel.centre_distance_ratio() {
+            return 0.0;
+        }
+        velocity_ratio(&self.ratio, &Turn::from_radians(self.half))
+    }
+
+    /// The motion at a crank angle from −π to π radians, for a driver of constant speed; between two pins the wheel rests
+    /// where the last one left it.
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::Turn`] for a crank angle beyond half a turn, and for what is not finite.
+    pub fn at(&self, crank: f64) -> Result<Motion, KinematicsError> {
+        let right = self.wheel.at(0, crank)?;
+        if self.ratio == self.wheel.centre_distance_ratio() {
+            return Ok(right);
+        }
+        let pitch = std::f64::consts::TAU / f64::from(self.wheel.pins());
+        let pin = libm::round(crank / pitch);
+        let crank = crank - pin * pitch;
+        let stations = right.stations;
+        if crank.abs() > self.half {
+            let angle = (self.index_angle() / 2.0).copysign(crank);
+            return Ok(Motion { phase: Phase::Dwell, stations, angle, velocity: 0.0, acceleration: 0.0, jerk: 0.0 });
+        }
+        let turn = Turn::from_radians(crank);
+        let pin = pin_from_pivot(&self.ratio, &turn);
+        Ok(Motion {
+            phase: Phase::Advance,
+            stations,
+            angle: libm::atan2(pin.y, pin.x),
+            velocity: velocity_ratio(&self.ratio, &turn),
+            acceleration: acceleration_ratio(&self.ratio, &turn),
+            jerk: jerk_ratio(&self.ratio, &turn),
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn at_the_right_distance_it_is_the_wheel() {
+        for stations in 3..=24 {
+            let wheel = Wheel::new(stations).expect("possible");
+            let right = Misplaced::new(&wheel, 0.0).expect("possible");
+            assert_eq!(right.entry_velocity_ratio(), 0.0);
+            approx::assert_relative_eq!(right.index_angle(), 2.0 * wheel.half_pitch_angle(), max_relative = 1e-12);
+            for crank in [-3.0, -0.4, 0.0, 0.2, 1.9] {
+                assert_eq!(right.at(crank), wheel.at(0, crank));
+            }
+        }
+    }
+
+    #[test]
+    fn next_to_the_right_distance_the_motion_is_next_to_the_right_one() {
+        for (stations, pins) in [(3, 1), (4, 2), (8, 1), (24, 2)] {
+            let wheel = Wheel::with_pins(stations, pins).expect("possible");
+            let near = Misplaced::new(&wheel, 1e-9).expect("possible");
+            for step in -30..=30 {
+                let crank = 0.1 * f64::from(step);
+                let [a, b] = [near.at(crank).expect("an angle"), wheel.at(0, crank).expect("an angle")];
+                // The rim is passed at a small angle to the slot: half the digits.
+                approx::assert_abs_diff_eq!(a.angle, b.angle, epsilon = 1e-6);
+                approx::assert_abs_diff_eq!(a.velocity, b.velocity, epsilon = 1e-3);
+            }
+        }
+    }
+
+    #[test]
+    fn too_far_apart_the_pin_drives_at_once_and_too_near_it_turns_the_wheel_back_first() {
+        for stations in 3..=24 {
+            let wheel = Wheel::new(stations).expect("possible");
+            let mut last = f64::NEG_INFINITY;
+            for error in [-0.02, -0.01, 0.0, 0.01, 0.02] {
+                let misplaced = Misplaced::new(&wheel, error).expect("possible");
+                let blow = misplaced.entry_velocity_ratio();
+                assert!(blow > last && blow.signum() * error >= 0.0, "{stations} {error} {blow}");
+                last = blow;
+                // By the pin's velocity across the slot, over its distance from the wheel's axis.
+                let half = -misplaced.engagement_half_angle();
+                let at = |crank: f64| {
+                    let ratio = misplaced.centre_distance_ratio();
+                    libm::atan2(libm::sin(crank), ratio - libm::cos(crank))
+                };
+                let numeric = (at(half + 1e-6) - at(half - 1e-6)) / 2e-6;
+                approx::assert_abs_diff_eq!(blow, numeric, epsilon = 1e-8);
+                let pin = libm::hypot(misplaced.centre_distance_ratio() - libm::cos(half), libm::sin(half));
+                approx::assert_relative_eq!(pin, wheel.wheel_radius_ratio(), max_relative = 1e-12);
+            }
+        }
+    }
+
+    #[test]
+    fn distances_at_which_no_pin_enters_are_named() {
+        let wheel = Wheel::new(4).expect("possible");
+        for error in [-0.5, 1.0, f64::NAN, f64::INFINITY] {
+            let words = Misplaced::new(&wheel, error).expect_err("no pin enters").to_string();
+            assert!(words.contains("-0.29") && words.contains("0.41"), "{words}");
+        }
+        assert!(Misplaced::new(&wheel, 0.0).expect("possible").at(4.0).is_err());
+    }
+}

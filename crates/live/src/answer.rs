@@ -1,0 +1,92 @@
+//! What a figure answers.
+
+use geneva_figures::Figure;
+
+/// A drawing and its numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answer {
+    /// The drawing with its words and its series.
+    pub figure: Figure,
+    /// What is told beside it.
+    pub numbers: Vec<Number>,
+    /// What is to be said of the setting, if anything.
+    pub message: Option<String>,
+    /// How far a long calculation has come; asked again, it goes on.
+    pub progress: Option<Progress>,
+}
+
+/// A number with its text.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Number {
+    /// Its name among the figure's quantities.
+    pub name: &'static str,
+    /// All its digits, in the unit of the text.
+    pub value: f64,
+    /// As it is read, with its unit.
+    pub text: String,
+}
+
+/// So many of so many parts of a long calculation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Progress {
+    /// Parts that are done.
+    pub done: usize,
+    /// All parts.
+    pub all: usize,
+}
+
+impl Answer {
+    /// A drawing and its numbers.
+    pub fn new(figure: Figure, numbers: impl IntoIterator<Item = Number>) -> Self {
+        Self { figure, numbers: numbers.into_iter().collect(), message: None, progress: None }
+    }
+
+    /// The answer for a page, line by line: `number`, name, value and text with tabs between them, for each number;
+    /// `message` and its words; `progress`, parts done and all; an empty line; the caption; the drawing.
+    pub fn to_text(&self) -> String {
+        let mut text = String::new();
+        for Number { name, value, text: read } in &self.numbers {
+            text.push_str(&format!("number\t{name}\t{value:?}\t{read}\n"));
+        }
+        if let Some(message) = &self.message {
+            text.push_str(&format!("message\t{message}\n"));
+        }
+        if let Some(Progress { done, all }) = self.progress {
+            text.push_str(&format!("progress\t{done}\t{all}\n"));
+        }
+        text + "\n" + &self.figure.caption + "\n" + self.figure.svg.trim_end() + "\n"
+    }
+}
+
+impl Number {
+    /// A number to so many digits after the point, with its unit.
+    pub fn new(name: &'static str, value: f64, digits: usize, unit: &str) -> Self {
+        // What rounds to zero has no sign.
+        let value = if value == 0.0 { 0.0 } else { value };
+        let text = format!("{value:.digits$}");
+        let is_zero = !text.contains(|c: char| ('1'..='9').contains(&c));
+        let text = if is_zero { text.trim_start_matches('-').to_owned() } else { text.replace('-', "−") };
+        let gap = if unit.is_empty() || unit == "°" { "" } else { " " };
+        Self { name, value, text: format!("{text}{gap}{unit}") }
+    }
+
+    /// A number to so many digits that count, with its unit.
+    pub fn significant(name: &'static str, value: f64, digits: usize, unit: &str) -> Self {
+        let magnitude = if value == 0.0 || !value.is_finite() { 0.0 } else { libm::floor(libm::log10(value.abs())) };
+        Self::new(name, value, (digits as f64 - 1.0 - magnitude).clamp(0.0, 12.0) as usize, unit)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_read_with_a_true_minus_and_no_negative_zero() {
+        assert_eq!(Number::new("a", -1.25, 1, "rad/s").text, "−1.2 rad/s");
+        assert_eq!(Number::new("a", -0.04, 1, "°").text, "0.0°");
+        assert_eq!(Number::new("a", -0.0, 0, "").value.to_bits(), 0);
+        assert_eq!(Number::significant("a", 0.012_345, 3, "").text, "0.0123");
+        assert_eq!(Number::significant("a", 1234.5, 3, "ms").text, "1234 ms");
+    }
+}

@@ -1,0 +1,146 @@
+//! What a reader may move in a figure, and what is told.
+
+use crate::answer::Answer;
+use crate::arguments::{Arguments, number};
+
+/// A figure that a reader moves.
+#[derive(Debug)]
+pub struct Live {
+    /// Its one name, in lower-case letters.
+    pub name: &'static str,
+    /// What to try, and what to see.
+    pub hint: &'static str,
+    /// What may be moved.
+    pub controls: &'static [Control],
+    /// Settings worth a look.
+    pub presets: &'static [Preset],
+    /// Arguments that come with the page: data of a source.
+    pub given: &'static [&'static str],
+    /// What is told beside the drawing, in its order.
+    pub quantities: &'static [Quantity],
+    /// What the pointer moves in the drawing.
+    pub drag: Option<Drag>,
+    /// Draws it.
+    pub draw: fn(&Settings) -> Result<Answer, String>,
+}
+
+/// One thing that may be moved.
+#[derive(Debug)]
+pub struct Control {
+    /// Its name among the arguments.
+    pub name: &'static str,
+    /// What it is called.
+    pub label: &'static str,
+    /// Its unit; nothing for a pure number.
+    pub unit: &'static str,
+    /// The least value of its slider.
+    pub least: f64,
+    /// The greatest.
+    pub most: f64,
+    /// From one value to the next.
+    pub step: f64,
+    /// Where it stands at first, unless the page gives another value.
+    pub preset: f64,
+    /// How it is moved.
+    pub kind: Kind,
+}
+
+/// How a value is moved.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// By a slider and a box for the number.
+    Slider,
+    /// The same, and it can run by itself: so much in a second, over and over.
+    Player(f64),
+    /// One of several, by its number from 0.
+    Choice(&'static [&'static str]),
+}
+
+/// A setting worth a look.
+#[derive(Debug)]
+pub struct Preset {
+    /// What it is called.
+    pub name: &'static str,
+    /// Its arguments; those left out keep their values.
+    pub arguments: &'static str,
+}
+
+/// A number that is told.
+#[derive(Debug)]
+pub struct Quantity {
+    /// Its name in the answer.
+    pub name: &'static str,
+    /// What it is called.
+    pub label: &'static str,
+}
+
+/// An angle of the drawing that the pointer sets: that of the pointer about the circle of the pins.
+#[derive(Clone, Copy, Debug)]
+pub struct Drag {
+    /// Which control.
+    pub control: &'static str,
+    /// Its value in degrees where the pointer is at the right of the circle's centre.
+    pub at_right: f64,
+    /// 1 if it grows counter-clockwise, −1 if clockwise.
+    pub sense: f64,
+}
+
+/// The arguments of a figure, each known to it.
+#[derive(Clone, Debug)]
+pub struct Settings<'a> {
+    live: &'a Live,
+    arguments: &'a Arguments,
+}
+
+impl Live {
+    /// The figure with these arguments; those left out are as at first.
+    ///
+    /// # Errors
+    ///
+    /// What is wrong with the arguments, and what to give.
+    pub fn answer(&self, arguments: &Arguments) -> Result<Answer, String> {
+        let names = || self.controls.iter().map(|control| control.name).chain(self.given.iter().copied());
+        if let Some(unknown) = arguments.names().find(|name| names().all(|known| known != *name)) {
+            return Err(format!("no argument `{unknown}`: there are {}", names().collect::<Vec<_>>().join(", ")));
+        }
+        (self.draw)(&Settings { live: self, arguments })
+    }
+}
+
+impl Settings<'_> {
+    /// The value of a control.
+    pub fn value(&self, name: &str) -> Result<f64, String> {
+        match (self.arguments.text(name), self.live.controls.iter().find(|control| control.name == name)) {
+            (Some(text), _) => number(name, text),
+            (None, Some(control)) => Ok(control.preset),
+            (None, None) => Err(format!("no control `{name}`")),
+        }
+    }
+
+    /// A count.
+    pub fn count(&self, name: &str) -> Result<u32, String> {
+        let value = self.value(name)?;
+        if value == f64::from(value as u32) {
+            Ok(value as u32)
+        } else {
+            Err(format!("{name} {value}: not a whole number; give one from 0 up"))
+        }
+    }
+
+    /// The number of a choice.
+    pub fn choice(&self, name: &str) -> Result<usize, String> {
+        let value = self.count(name)? as usize;
+        let choices = self
+            .live
+            .controls
+            .iter()
+            .find(|control| control.name == name)
+            .map_or(0, |control| if let Kind::Choice(choices) = control.kind { choices.len() } else { 0 });
+        if value < choices { Ok(value) } else { Err(format!("{name} {value}: give a whole number below {choices}")) }
+    }
+
+    /// What came with the page.
+    pub fn arguments(&self) -> &Arguments {
+        self.arguments
+    }
+}

@@ -1,0 +1,131 @@
+//! The escapement from rest to its steady motion.
+
+use crate::answer::{Answer, Number};
+use crate::control::{Control, Kind, Live, Preset, Quantity, Settings};
+use geneva_dynamics::existence::critical_friction;
+use geneva_dynamics::steady::Engagement;
+use geneva_dynamics::timer::Sensitivities;
+use geneva_dynamics::{Error, Inertias, Parameters};
+use geneva_figures::escapement;
+use geneva_kinematics::Mechanism;
+
+/// Seconds of a day.
+const DAY: f64 = 86_400.0;
+/// The speed has been reached where an engagement begins so near it.
+const REACHED: f64 = 0.01;
+
+pub const LIVE: Live = Live {
+    name: "escapement",
+    hint: "Take the friction away bit by bit: the start takes longer and longer, and without any there is no steady speed. Add \
+           friction until it jams. Twice the torque makes it faster by the root of two, and nothing else.",
+    controls: &[
+        Control {
+            name: "share",
+            label: "time",
+            unit: "% of what is shown",
+            least: 0.0,
+            most: 100.0,
+            step: 0.25,
+            preset: 40.0,
+            kind: Kind::Player(8.0),
+        },
+        Control {
+            name: "mechanism",
+            label: "mechanism",
+            unit: "",
+            least: 0.0,
+            most: 2.0,
+            step: 1.0,
+            preset: 1.0,
+            kind: Kind::Choice(&["6 pins, 3 slots", "4 pins, 4 slots", "3 pins, 6 slots"]),
+        },
+        Control {
+            name: "friction",
+            label: "friction μ",
+            unit: "",
+            least: 0.0,
+            most: 1.0,
+            step: 0.01,
+            preset: 0.2,
+            kind: Kind::Slider,
+        },
+        Control {
+            name: "ratio",
+            label: "inertia of the driver over the follower's",
+            unit: "",
+            least: 0.02,
+            most: 1.0,
+            step: 0.01,
+            preset: 0.1,
+            kind: Kind::Slider,
+        },
+        Control {
+            name: "torque",
+            label: "torque K",
+            unit: "in lb",
+            least: 0.05,
+            most: 1.0,
+            step: 0.01,
+            preset: 0.3,
+            kind: Kind::Slider,
+        },
+    ],
+    presets: &[
+        Preset { name: "hardly any friction", arguments: "friction=0.02" },
+        Preset { name: "twice the torque", arguments: "torque=0.6" },
+        Preset { name: "jammed", arguments: "friction=0.9" },
+    ],
+    given: &["follower"],
+    quantities: &[
+        Quantity { name: "rate", label: "one per cent more friction" },
+        Quantity { name: "entry", label: "terminal speed, at entry" },
+        Quantity { name: "least", label: "least speed" },
+        Quantity { name: "greatest", label: "greatest speed" },
+        Quantity { name: "period", label: "from pin to pin" },
+        Quantity { name: "engagements", label: "pins until within 1 %" },
+        Quantity { name: "critical", label: "may jam from μ =" },
+    ],
+    drag: None,
+    draw,
+};
+
+/// The mechanisms in the order of the choice.
+const MECHANISMS: [Mechanism; 3] = [Mechanism::SIX_PIN, Mechanism::FOUR_PIN, Mechanism::THREE_PIN];
+
+fn draw(settings: &Settings) -> Result<Answer, String> {
+    let mechanism = MECHANISMS[settings.choice("mechanism")?];
+    let follower = settings.arguments().given_number("follower")?;
+    let inertias = Inertias::new(settings.value("ratio")? * follower, follower).map_err(|error| error.to_string())?;
+    let (torque, friction, share) =
+        (settings.value("torque")?, settings.value("friction")?, settings.value("share")? / 100.0);
+    let words = |error: Error| error.to_string();
+    let limit = critical_friction(mechanism, inertias.ratio()).map_err(words)?;
+    let critical = Number::new("critical", limit.friction, 3, "");
+    let parameters = match Parameters::new(mechanism, inertias, torque, friction) {
+        Err(error @ Error::TooMuchFriction { angle, .. }) => {
+            // Where it jams, and why.
+            let figure = escapement::mechanism(&mechanism, -angle).map_err(|error| error.to_string())?;
+            let message = Some(error.to_string());
+            return Ok(Answer { message, ..Answer::new(figure, [critical]) });
+        }
+        other => other.map_err(words)?,
+    };
+    let engagement = Engagement::new(&parameters).map_err(words)?;
+    let steady = engagement.steady_state().map_err(words)?;
+    let figure = escapement::running(&parameters, share).map_err(|error| error.to_string())?;
+    let engagements = engagement.engagements_to_settle(REACHED).map_err(words)?.0;
+    // The same number of turns takes longer by as much as the mean speed falls.
+    let slower = Sensitivities::new(&parameters).map_err(words)?.friction * 0.01 * DAY;
+    let rate = Number::new("rate", slower, 0, "s a day");
+    let speed = |name, speed| Number::significant(name, speed, 4, "rad/s");
+    let numbers = [
+        rate,
+        speed("entry", steady.entry_speed),
+        speed("least", steady.minimum.speed),
+        speed("greatest", steady.peak.speed),
+        Number::significant("period", 1000.0 * steady.period, 4, "ms"),
+        Number::new("engagements", engagements as f64, 0, ""),
+        critical,
+    ];
+    Ok(Answer::new(figure, numbers))
+}

@@ -1,0 +1,74 @@
+//! The vector diagrams of the quick-return mechanism.
+
+use crate::answer::{Answer, Number};
+use crate::control::{Control, Drag, Kind, Live, Preset, Quantity, Settings};
+use geneva_figures::quick_return;
+use geneva_kinematics::quick_return::{Drive, Motion, QuickReturn};
+
+pub const LIVE: Live = Live {
+    name: "polygon",
+    hint: "Count the Coriolis acceleration once, or three times: the polygon stays open at every angle. It closes with two.",
+    controls: &[
+        Control {
+            name: "crank",
+            label: "crank angle φ",
+            unit: "°",
+            least: 0.0,
+            most: 360.0,
+            step: 0.5,
+            preset: 60.0,
+            kind: Kind::Player(30.0),
+        },
+        Control {
+            name: "factor",
+            label: "times ω₄ v_rel",
+            unit: "",
+            least: 0.0,
+            most: 3.0,
+            step: 1.0,
+            preset: 2.0,
+            kind: Kind::Slider,
+        },
+    ],
+    presets: &[
+        Preset { name: "forgotten: 0", arguments: "factor=0" },
+        Preset { name: "half of it: 1", arguments: "factor=1" },
+        Preset { name: "right: 2", arguments: "factor=2" },
+        Preset { name: "too much: 3", arguments: "factor=3" },
+    ],
+    given: &["ground", "radius", "speed", "unit"],
+    quantities: &[
+        Quantity { name: "gap", label: "gap of the acceleration polygon" },
+        Quantity { name: "lever-speed", label: "lever's angular velocity ω₄" },
+        Quantity { name: "lever-acceleration", label: "lever's angular acceleration α₄" },
+        Quantity { name: "sliding", label: "sliding velocity v_rel" },
+        Quantity { name: "coriolis", label: "Coriolis acceleration 2 ω₄ v_rel" },
+    ],
+    drag: Some(Drag { control: "crank", at_right: 0.0, sense: 1.0 }),
+    draw,
+};
+
+fn draw(settings: &Settings) -> Result<Answer, String> {
+    let given = settings.arguments();
+    let [ground, radius, speed] = ["ground", "radius", "speed"].map(|name| given.given_number(name));
+    let (ground, radius, drive, unit) = (ground?, radius?, Drive::steady(speed?), given.given("unit")?);
+    let linkage = QuickReturn::new(ground, radius).map_err(|error| error.to_string())?;
+    let (crank, factor) = (settings.value("crank")?, settings.value("factor")?);
+    let position = linkage.at_crank_degrees(crank).map_err(|error| error.to_string())?;
+    let motion = Motion::at(&ground, &radius, &position.crank, &drive)
+        .ok_or_else(|| format!("crank {crank}: the pin is on the lever's pivot; give another angle"))?;
+    let figure = quick_return::polygons(&linkage, &position, &drive, factor, unit);
+    // The last row of the series is the gap, its last column the size of it.
+    let gap = figure.series.rows.last().and_then(|row| row.last()).copied().unwrap_or(f64::NAN);
+    let coriolis = motion.accelerations.coriolis.norm();
+    let sliding = motion.velocities.sliding_velocity.dot(&position.lever.direction());
+    let (speed, acceleration) = (format!("{unit}/s"), format!("{unit}/s²"));
+    let numbers = [
+        Number::significant("gap", gap, 4, &acceleration),
+        Number::significant("lever-speed", motion.velocities.follower_speed, 4, "rad/s"),
+        Number::significant("lever-acceleration", motion.accelerations.follower_acceleration, 4, "rad/s²"),
+        Number::significant("sliding", sliding, 4, &speed),
+        Number::significant("coriolis", coriolis, 4, &acceleration),
+    ];
+    Ok(Answer::new(figure, numbers))
+}

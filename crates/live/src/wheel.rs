@@ -1,0 +1,89 @@
+//! The wheel, at the right distance of its axes or another.
+
+use crate::answer::{Answer, Number};
+use crate::control::{Control, Drag, Kind, Live, Preset, Quantity, Settings};
+use geneva_figures::stations;
+use geneva_kinematics::wheel::{Misplaced, Wheel};
+
+pub const LIVE: Live = Live {
+    name: "wheel",
+    hint: "Move the axes apart by one per cent: the velocity no longer begins at zero, and the pin enters with a blow. At the \
+           right distance the blow is gone.",
+    controls: &[
+        Control {
+            name: "crank",
+            label: "crank angle θ",
+            unit: "°",
+            least: -180.0,
+            most: 180.0,
+            step: 0.5,
+            preset: -30.0,
+            kind: Kind::Player(45.0),
+        },
+        Control {
+            name: "stations",
+            label: "stations N",
+            unit: "",
+            least: 3.0,
+            most: 24.0,
+            step: 1.0,
+            preset: 4.0,
+            kind: Kind::Slider,
+        },
+        Control {
+            name: "pins",
+            label: "pins",
+            unit: "",
+            least: 1.0,
+            most: 6.0,
+            step: 1.0,
+            preset: 1.0,
+            kind: Kind::Slider,
+        },
+        Control {
+            name: "error",
+            label: "centre distance wrong by",
+            unit: "%",
+            least: -5.0,
+            most: 5.0,
+            step: 0.1,
+            preset: 0.0,
+            kind: Kind::Slider,
+        },
+    ],
+    presets: &[
+        Preset { name: "four slots", arguments: "stations=4&pins=1&error=0&crank=-30" },
+        Preset { name: "eight slots, two pins", arguments: "stations=8&pins=2&error=0&crank=-40" },
+        Preset { name: "axes 1 % too far apart", arguments: "error=1" },
+        Preset { name: "axes 1 % too near", arguments: "error=-1" },
+    ],
+    given: &[],
+    quantities: &[
+        Quantity { name: "blow", label: "blow: jump of the velocity ratio at entry" },
+        Quantity { name: "velocity", label: "velocity ratio" },
+        Quantity { name: "acceleration", label: "acceleration ratio" },
+        Quantity { name: "jerk", label: "jerk ratio" },
+        Quantity { name: "angle", label: "wheel angle φ" },
+        Quantity { name: "index", label: "turn of the wheel for a pin" },
+    ],
+    drag: Some(Drag { control: "crank", at_right: 180.0, sense: -1.0 }),
+    draw,
+};
+
+fn draw(settings: &Settings) -> Result<Answer, String> {
+    let wheel =
+        Wheel::with_pins(settings.count("stations")?, settings.count("pins")?).map_err(|error| error.to_string())?;
+    let (error, crank) = (settings.value("error")? / 100.0, settings.value("crank")?.to_radians());
+    let misplaced = Misplaced::new(&wheel, error).map_err(|error| error.to_string())?;
+    let figure = stations::running(&wheel, error, crank).map_err(|error| error.to_string())?;
+    let motion = misplaced.at(crank).map_err(|error| error.to_string())?;
+    let numbers = [
+        Number::new("blow", misplaced.entry_velocity_ratio(), 4, ""),
+        Number::new("velocity", motion.velocity, 4, ""),
+        Number::new("acceleration", motion.acceleration, 4, ""),
+        Number::new("jerk", motion.jerk, 3, ""),
+        Number::new("angle", motion.angle.to_degrees(), 2, "°"),
+        Number::new("index", misplaced.index_angle().to_degrees(), 2, "°"),
+    ];
+    Ok(Answer::new(figure, numbers))
+}

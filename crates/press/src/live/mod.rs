@@ -1,0 +1,180 @@
+//! The figures that a reader moves, on a page: the still figure, and its controls hidden until a script finds them.
+
+mod module;
+
+pub use module::scripts;
+
+use crate::html::escape;
+use crate::ledger_pages::inline;
+use crate::lookup;
+use anyhow::{Context, anyhow};
+use geneva_figures::Figure;
+use geneva_kinematics::Mechanism;
+use geneva_ledger::meyer::runs::{Column, Hypothesis, SixPin, delay, duration, interval, rows};
+use geneva_ledger::quick_return::Instant as Lever;
+use geneva_live::{Answer, Arguments, Control, Kind, LIVE, Live};
+
+/// What stands in the book beside a figure's own: the data of a source that it is asked with, and the claims of its numbers.
+struct Told {
+    name: &'static str,
+    given: fn() -> anyhow::Result<String>,
+    /// Quantities, and the claim that says the same of one setting.
+    claims: &'static [(&'static str, &'static str)],
+}
+
+const TOLD: &[Told] = &[
+    Told { name: "wheel", given: || Ok(String::new()), claims: &[] },
+    Told { name: "polygon", given: lever, claims: &[] },
+    Told { name: "escapement", given: example, claims: &[] },
+    Told { name: "mistake", given: runs, claims: &[] },
+];
+
+/// The figure of this name as it stands at first: what its still form shows.
+pub fn figure(name: &str) -> anyhow::Result<Figure> {
+    Ok(at_first(named(name)?)?.figure)
+}
+
+/// The claims whose marks stand among the numbers of a figure.
+pub fn claims(name: &str) -> anyhow::Result<Vec<&'static str>> {
+    Ok(told(name)?.claims.iter().map(|(_, id)| *id).collect())
+}
+
+/// The figure with its controls; `framed` puts caption and number to it.
+pub fn html(name: &str) -> anyhow::Result<String> {
+    let (live, answer) = (named(name)?, at_first(named(name)?)?);
+    let given = given(name)?;
+    let rows: Vec<String> = live.controls.iter().map(|control| row(live, control, &given)).collect();
+    let presets = live.presets.iter().map(|preset| {
+        format!("<button type=\"button\" data-set=\"{}\">{}</button>", escape(preset.arguments), escape(preset.name))
+    });
+    let numbers: Vec<String> = live
+        .quantities
+        .iter()
+        .map(|quantity| {
+            let claim = told(name)?.claims.iter().find(|(of, _)| *of == quantity.name);
+            let mark = claim.map(|(_, id)| inline::mark(id)).transpose()?.unwrap_or_default();
+            let text = answer.numbers.iter().find(|number| number.name == quantity.name);
+            let text = text.map_or("–", |number| number.text.as_str());
+            Ok(format!(
+                "<div><dt>{}{mark}</dt><dd><output name=\"{}\">{}</output></dd></div>",
+                escape(quantity.label),
+                quantity.name,
+                escape(text)
+            ))
+        })
+        .collect::<anyhow::Result<_>>()?;
+    Ok(format!(
+        "<div class=\"drawing\">\n{}\n</div>\n<form hidden>\n<p class=\"hint\"><strong>Try this.</strong> {}</p>\n<div \
+         class=\"moved\">{}</div>\n<p class=\"buttons\"><button type=\"button\" data-do=\"play\">Play</button><button type=\"button\" \
+         data-do=\"back\" aria-label=\"One step back\">◂</button><button type=\"button\" data-do=\"forth\" aria-label=\"One step \
+         forward\">▸</button><button type=\"button\" data-do=\"reset\">Reset</button>{} <a data-do=\"link\" \
+         href=\"#fig-live-{name}\">Link to this setting</a></p>\n<dl aria-live=\"polite\">{}</dl>\n<p class=\"message\" \
+         role=\"status\"></p>\n</form>",
+        answer.figure.svg.trim_end(),
+        escape(live.hint),
+        rows.concat(),
+        presets.collect::<String>(),
+        numbers.concat(),
+    ))
+}
+
+/// The attributes of the figure element that its script reads.
+pub fn attributes(name: &str) -> anyhow::Result<String> {
+    let drag = named(name)?
+        .drag
+        .map_or_else(String::new, |drag| format!(" data-drag=\"{} {} {}\"", drag.control, drag.at_right, drag.sense));
+    let (given, live) = (given(name)?, named(name)?);
+    let fixed: Vec<&str> = given.split('&').filter(|pair| live.given.iter().any(|of| pair.starts_with(of))).collect();
+    Ok(format!(" data-live=\"{name}\" data-given=\"{}\"{drag}", escape(&fixed.join("&"))))
+}
+
+/// One control with its label, its number and its unit.
+fn row(live: &Live, control: &Control, given: &str) -> String {
+    let Control { name, label, unit, least, most, step, .. } = control;
+    let id = format!("live-{}-{name}", live.name);
+    let value = Arguments::parse(given).text(name).map_or_else(|| control.preset.to_string(), str::to_owned);
+    let (label, spoken) = (escape(label), escape(&format!("{label} {unit}")));
+    match control.kind {
+        Kind::Choice(choices) => {
+            let option = |(number, words): (usize, &&str)| {
+                let chosen = if number.to_string() == value { " selected" } else { "" };
+                format!("<option value=\"{number}\"{chosen}>{}</option>", escape(words))
+            };
+            let options: String = choices.iter().enumerate().map(option).collect();
+            format!("<label for=\"{id}\">{label}</label><select id=\"{id}\" name=\"{name}\">{options}</select>")
+        }
+        Kind::Slider | Kind::Player(_) => {
+            let play =
+                if let Kind::Player(rate) = control.kind { format!(" data-play=\"{rate}\"") } else { String::new() };
+            let range = format!("min=\"{least}\" max=\"{most}\" step=\"{step}\" value=\"{value}\"");
+            format!(
+                "<label for=\"{id}\">{label}</label><input type=\"range\" id=\"{id}\" name=\"{name}\" {range}{play}><span><input \
+                 type=\"number\" data-box=\"{name}\" aria-label=\"{}\" step=\"any\" value=\"{value}\"> {}</span>",
+                spoken.trim_end(),
+                escape(unit)
+            )
+        }
+    }
+}
+
+fn named(name: &str) -> anyhow::Result<&'static Live> {
+    let all: Vec<(&str, &'static Live)> = LIVE.into_iter().map(|live| (live.name, live)).collect();
+    Ok(lookup::named("figure that a reader moves", name, &all)?)
+}
+
+fn told(name: &str) -> anyhow::Result<&'static Told> {
+    TOLD.iter().find(|told| told.name == name).with_context(|| format!("what is told of `{name}`"))
+}
+
+/// What the page gives a figure: data of a source, and where controls stand at first.
+fn given(name: &str) -> anyhow::Result<String> {
+    (told(name)?.given)()
+}
+
+/// The answer where all controls stand as at first.
+fn at_first(live: &'static Live) -> anyhow::Result<Answer> {
+    live.answer(&Arguments::parse(&given(live.name)?)).map_err(|message| anyhow!("{}: {message}", live.name))
+}
+
+/// The linkage of the source's problem; its angle to the degree.
+fn lever() -> anyhow::Result<String> {
+    let at = Lever::printed().context("the printed data make no quick-return mechanism")?;
+    let crank = at.position.crank.radians().to_degrees().rem_euclid(360.0).round();
+    let (ground, radius, speed) = (at.linkage.ground(), at.linkage.crank(), at.drive.speed);
+    Ok(format!("ground={ground}&radius={radius}&speed={speed}&unit=m&crank={crank}"))
+}
+
+/// The run that stands for all, its ratio of inertias to three digits.
+fn example() -> anyhow::Result<String> {
+    let parameters = crate::rows::parameters(crate::rows::example()?)?;
+    let (follower, ratio) = (parameters.inertias().follower(), parameters.inertias().ratio());
+    let (friction, torque) = (parameters.friction(), parameters.torque());
+    Ok(format!("follower={follower}&ratio={ratio:.3}&friction={friction}&torque={torque}"))
+}
+
+/// The tables of Appendix E, the inertias of the runs, and the cards of the program.
+fn runs() -> anyhow::Result<String> {
+    let columns = [Column::Friction, Column::Torque, Column::Peak, Column::Minimum, Column::Period];
+    let row = |row: &geneva_ledger::meyer::runs::Row| {
+        let cells = columns.map(|column| row.printed(column)).join(",");
+        format!("{},{cells}", row.mechanism.slots())
+    };
+    let rows: Vec<String> = rows().iter().map(row).collect();
+    let of = |hypothesis: &Hypothesis, mechanism: Mechanism| {
+        let [driver, follower] = hypothesis.inertias(mechanism);
+        format!("{},{driver:e},{follower:e}", mechanism.slots())
+    };
+    let headed = Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::IDEAL };
+    let units = columns[2..].iter().map(|column| column.unit().to_string()).collect::<Vec<_>>();
+    Ok(format!(
+        "rows={}&inertias={}&headed={}&units={}&duration={}&delay={}&pi={}&interval={}",
+        rows.join(";"),
+        Mechanism::ALL.map(|mechanism| of(&Hypothesis::IDEAL, mechanism)).join(";"),
+        of(&headed, Mechanism::SIX_PIN),
+        units.join(","),
+        duration(),
+        delay(),
+        geneva_ledger::printed_value("meyer.listing.pi").context("the program has a π")?,
+        (1e6 * interval()).round() / 1e3
+    ))
+}

@@ -1,0 +1,207 @@
+//! Closed surfaces of triangles around the parts.
+//!
+//! Arcs become chords; the corners are on the arcs. So a mesh is inside its part at outer arcs and outside at hollow
+//! ones, by the tolerance at most: keep that well below the play.
+
+use earcut::Earcut;
+use geneva_kinematics::KinematicsError;
+use geneva_kinematics::wheel::{Face, Loop, Outline, Sizes};
+use nalgebra::{Vector2, Vector3};
+
+/// How a part becomes a solid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Solid {
+    /// Thickness of the wheel, of the locking disc and of the plate, in millimetres.
+    pub thickness: f64,
+    /// How far a chord may leave its arc, in millimetres.
+    pub tolerance: f64,
+}
+
+impl Solid {
+    /// The solid, if its lengths are positive and finite.
+    pub(crate) fn checked(self) -> Result<Self, KinematicsError> {
+        for (name, asked) in [("thickness", self.thickness), ("chord tolerance", self.tolerance)] {
+            if !(asked > 0.0 && asked.is_finite()) {
+                return Err(KinematicsError::Length { name, asked });
+            }
+        }
+        Ok(self)
+    }
+}
+
+/// A closed surface; lengths in millimetres.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// Its triangles, each with its corners counter-clockwise as seen from outside.
+    pub triangles: Vec<[Vector3<f64>; 3]>,
+}
+
+impl Mesh {
+    /// The volume inside, in cubic millimetres.
+    pub fn volume(&self) -> f64 {
+        self.triangles.iter().map(|[a, b, c]| a.dot(&b.cross(c))).sum::<f64>() / 6.0
+    }
+
+    /// The same moved along the first axis, in millimetres.
+    pub(crate) fn moved(mut self, x: f64) -> Self {
+        self.triangles.iter_mut().flatten().for_each(|corner| corner.x += x);
+        self
+    }
+
+    /// A flat face at a height, seen from above or from below.
+    fn face(&mut self, loops: &[&Polygon], height: f64, from_above: bool) {
+        let mut corners: Vec<[f64; 2]> = Vec::new();
+        let mut holes: Vec<u32> = Vec::new();
+        for polygon in loops {
+            if !corners.is_empty() {
+                holes.push(corners.len() as u32);
+            }
+            corners.extend(polygon.iter().map(|p| [p.x, p.y]));
+        }
+        let mut found: Vec<u32> = Vec::new();
+        Earcut::new().earcut(corners.iter().copied(), &holes, &mut found);
+        let at = |k: u32| corners.get(k as usize).map(|[x, y]| Vector3::new(*x, *y, height));
+        for corner in found.chunks_exact(3) {
+            let [Some(a), Some(b), Some(c)] = [corner[0], corner[1], corner[2]].map(at) else { continue };
+            let is_up = (b - a).cross(&(c - a)).z > 0.0;
+            self.triangles.push(if is_up == from_above { [a, b, c] } else { [a, c, b] });
+        }
+    }
+
+    /// The wall over a loop with the material on its left, from one height to another.
+    fn wall(&mut self, polygon: &Polygon, bottom: f64, top: f64) {
+        for (from, to) in polygon.iter().zip(polygon.iter().cycle().skip(1)) {
+            let at = |p: &Vector2<f64>, height| Vector3::new(p.x, p.y, height);
+            let [a, b, c, d] = [at(from, bottom), at(to, bottom), at(to, top), at(from, top)];
+            self.triangles.extend([[a, b, c], [a, c, d]]);
+        }
+    }
+}
+
+type Polygon = Vec<Vector2<f64>>;
+
+/// The wheel as a plate on the plane z = 0.
+///
+/// # Errors
+///
+/// [`KinematicsError::Length`] for a thickness or a tolerance that is not positive and finite.
+pub fn wheel_mesh(sizes: &Sizes, solid: Solid) -> Result<Mesh, KinematicsError> {
+    let Solid { thickness, tolerance } = solid.checked()?;
+    let loops = corners(&sizes.outline().wheel, tolerance)?;
+    let mut mesh = Mesh::default();
+    let all: Vec<_> = loops.iter().collect();
+    mesh.face(&all, 0.0, false);
+    mesh.face(&all, thickness, true);
+    loops.iter().for_each(|of| mesh.wall(of, 0.0, thickness));
+    Ok(mesh)
+}
+
+/// The driver in one piece: the plate on the plane z = 0, locking disc and pins on it.
+///
+/// Disc and pins stand above the plate by the wheel's thickness and the play of the bores, so that the wheel runs between
+/// plate and tops.
+///
+/// # Errors
+///
+/// Those of [`wheel_mesh`].
+pub fn driver_mesh(sizes: &Sizes, solid: Solid) -> Result<Mesh, KinematicsError> {
+    let Solid { thickness, tolerance } = solid.checked()?;
+    let Outline { disc, plate, pins, .. } = sizes.outline();
+    let (middle, top) = (thickness, 2.0 * thickness + sizes.play.bore);
+    let plate = corners(&plate, tolerance)?;
+    let disc = disc.map(|disc| corners(&disc, tolerance)).transpose()?;
+    let pins = pins.iter().map(|pin| pin.corners(tolerance)).collect::<Result<Vec<_>, _>>()?;
+
+    let mut mesh = Mesh::default();
+    mesh.face(&plate.iter().collect::<Vec<_>>(), 0.0, false);
+    let Some((rim, bores)) = plate.split_first() else { return Ok(mesh) };
+    mesh.wall(rim, 0.0, middle);
+    // The bore goes through plate and disc.
+    bores.iter().for_each(|bore| mesh.wall(bore, 0.0, if disc.is_some() { top } else { middle }));
+    // What stands on the plate is a hole of its upper face.
+    let stands = disc.iter().flat_map(|disc| disc.first()).chain(&pins);
+    let on_plate = if disc.is_some() { &[] } else { bores };
+    mesh.face(&[rim].into_iter().chain(stands.clone()).chain(on_plate).collect::<Vec<_>>(), middle, true);
+    stands.for_each(|of| mesh.wall(of, middle, top));
+    if let Some(disc) = &disc {
+        mesh.face(&disc.iter().collect::<Vec<_>>(), top, true);
+    }
+    pins.iter().for_each(|pin| mesh.face(&[pin], top, true));
+    Ok(mesh)
+}
+
+fn corners(face: &Face, tolerance: f64) -> Result<Vec<Polygon>, KinematicsError> {
+    face.loops().map(|of: &Loop| of.corners(tolerance)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use geneva_kinematics::wheel::{Choices, Scale, Wheel};
+    use std::collections::HashMap;
+    use std::f64::consts::PI;
+
+    fn sizes(stations: u32, pins: u32) -> Sizes {
+        let wheel = Wheel::with_pins(stations, pins).unwrap();
+        Sizes::new(wheel, Scale::CentreDistance(100.0), &Choices::default()).unwrap()
+    }
+
+    /// Each edge is shared by two triangles, which run along it in opposite senses; none is degenerate.
+    #[track_caller]
+    fn is_closed(mesh: &Mesh, name: &str) {
+        let key = |p: &Vector3<f64>| [p.x, p.y, p.z].map(|x| (x + 0.0).to_bits());
+        let mut edges: HashMap<_, i32> = HashMap::new();
+        for triangle in &mesh.triangles {
+            let [a, b, c] = triangle;
+            assert!((b - a).cross(&(c - a)).norm() > 0.0, "{name}: {triangle:?}");
+            for (from, to) in [(a, b), (b, c), (c, a)] {
+                *edges.entry((key(from), key(to))).or_default() += 1;
+            }
+        }
+        for ((from, to), count) in &edges {
+            assert_eq!((*count, edges.get(&(*to, *from))), (1, Some(&1)), "{name}");
+        }
+    }
+
+    #[test]
+    fn meshes_are_closed_and_as_large_as_the_outlines() {
+        for (stations, pins) in [(3, 1), (3, 6), (4, 1), (4, 3), (4, 4), (6, 1), (6, 2), (12, 1), (60, 2)] {
+            let sizes = sizes(stations, pins);
+            let outline = sizes.outline();
+            let solid = Solid { thickness: 5.0, tolerance: 0.005 };
+            let (wheel, driver) = (wheel_mesh(&sizes, solid).unwrap(), driver_mesh(&sizes, solid).unwrap());
+            let name = format!("{stations} stations, {pins} pins");
+            is_closed(&wheel, &name);
+            is_closed(&driver, &name);
+            // A chord takes from or adds to the area less than its length times the tolerance.
+            let length = |face: &Face| -> f64 {
+                let around = |of: &Loop| {
+                    let corners = of.corners(1e-3).unwrap();
+                    let next = corners.iter().cycle().skip(1);
+                    corners.iter().zip(next).map(|(a, b)| (b - a).norm()).sum::<f64>()
+                };
+                face.loops().map(around).sum()
+            };
+            let room = |face: &Face| length(face) * solid.tolerance * solid.thickness;
+            let volume = outline.wheel.area() * solid.thickness;
+            assert!((wheel.volume() - volume).abs() < room(&outline.wheel), "{name}: {} {volume}", wheel.volume());
+            let pin = PI * sizes.pin_radius() * sizes.pin_radius() * f64::from(pins);
+            let above = outline.disc.as_ref().map_or(0.0, Face::area) + pin;
+            let volume = outline.plate.area() * solid.thickness + above * (solid.thickness + sizes.play.bore);
+            let rooms = 3.0 * room(&outline.plate) + 3.0 * outline.disc.as_ref().map_or(0.0, room);
+            assert!((driver.volume() - volume).abs() < rooms, "{name}: {} {volume}", driver.volume());
+            // With finer chords the volume comes to that of the arcs.
+            let fine = wheel_mesh(&sizes, Solid { tolerance: 1e-4, ..solid }).unwrap().volume();
+            approx::assert_relative_eq!(fine, outline.wheel.area() * solid.thickness, max_relative = 1e-5);
+        }
+    }
+
+    #[test]
+    fn a_mesh_without_thickness_is_refused() {
+        for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            let of = |thickness, tolerance| wheel_mesh(&sizes(6, 1), Solid { thickness, tolerance });
+            assert!(matches!(of(wrong, 0.1), Err(KinematicsError::Length { name: "thickness", .. })));
+            assert!(matches!(of(1.0, wrong), Err(KinematicsError::Length { name: "chord tolerance", .. })));
+        }
+    }
+}

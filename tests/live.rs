@@ -1,0 +1,198 @@
+//! Is what a reader moves the same as what is tested? The module in the page against the library on this machine, and the
+//! controls by keyboard, pointer and address.
+
+use crate::browser::devtools::{Browser, Medium};
+use geneva_live::LIVE;
+use geneva_press::figures;
+use serde_json::{Value, json};
+
+/// The pages that show the figures.
+const PAGES: [(&str, &str); 4] =
+    [("polygon", "quick-return"), ("wheel", "jazar"), ("escapement", "terminal-speed"), ("mistake", "mistake")];
+
+fn page_text(page: &str) -> String {
+    std::fs::read_to_string(crate::book_pages::book().join(format!("{page}.html"))).expect("a page")
+}
+
+fn open(browser: &mut Browser, page: &str, rest: &str) {
+    browser.open(&format!("file://{}/{page}.html{rest}", crate::book_pages::book().display()));
+}
+
+/// What a figure of the open page is given with each question.
+fn given(browser: &mut Browser, name: &str) -> String {
+    let given = browser.evaluate(&format!("document.querySelector('[data-live={name}]').dataset.given"));
+    given.as_str().expect("a figure").to_owned()
+}
+
+/// Settings all over the range of a figure: each control at five places with the others as at first, and the presets.
+fn grid(name: &str) -> Vec<String> {
+    let live = geneva_live::by_name(name).expect("a figure");
+    let mut settings: Vec<String> = live.presets.iter().map(|preset| preset.arguments.to_owned()).collect();
+    for control in live.controls {
+        for part in 0..=4 {
+            let value = control.least + (control.most - control.least) * f64::from(part) / 4.0;
+            let value = (value / control.step).round() * control.step;
+            settings.push(format!("{}={value}", control.name));
+        }
+    }
+    settings
+}
+
+#[test]
+fn every_figure_that_moves_is_on_its_page_and_stands_still_as_at_first() {
+    let shown: Vec<&str> = PAGES.iter().map(|(name, _)| *name).collect();
+    assert_eq!(LIVE.map(|live| live.name).to_vec(), shown);
+    let Some(mut browser) = Browser::start() else { return };
+    for (name, page) in PAGES {
+        open(&mut browser, page, "");
+        let figure = figures::by_name(&format!("live-{name}")).expect("a figure");
+        // Both as the browser reads them.
+        let still = format!(
+            "f.querySelector('.drawing').innerHTML.trim() === (() => {{ const d = document.createElement('div'); \
+                             d.innerHTML = {}; return d.innerHTML }})()",
+            json!(figure.svg.trim_end())
+        );
+        assert_eq!(of(&mut browser, name, &still), json!(true), "{name} is not as at first on {page}");
+    }
+}
+
+#[test]
+fn the_module_in_the_page_gives_the_same_characters_as_the_library() {
+    let Some(mut browser) = Browser::start() else { return };
+    browser.show(1280, Medium::Light);
+    for (name, page) in PAGES {
+        open(&mut browser, page, "");
+        let given = given(&mut browser, name);
+        // A few of those that run the program itself are enough: each takes its time.
+        let settings = grid(name);
+        let wrong = [format!("{}=x", LIVE.iter().find(|live| live.name == name).expect("one").controls[0].name)];
+        for setting in settings.iter().chain(&wrong) {
+            let question = format!("{name}?{given}&{setting}");
+            loop {
+                let answer = geneva_live::answer(&question);
+                let theirs = browser.evaluate(&format!("genevaLive({})", json!(question)));
+                assert!(theirs.as_str() == Some(&answer), "{name}?{setting} is answered otherwise in the page");
+                if !answer.contains("\nprogress\t") || setting.contains("late=1") && !setting.contains("reset=90") {
+                    break;
+                }
+            }
+        }
+    }
+}
+
+/// The value of an expression about a figure's element `f` and its form `g`.
+fn of(browser: &mut Browser, name: &str, expression: &str) -> Value {
+    browser.evaluate(&format!(
+        "(async () => {{ const f = document.querySelector('[data-live={name}]'), g = f.querySelector('form'); await \
+         genevaLive('x'); await new Promise(done => setTimeout(done, 80)); return {expression} }})()"
+    ))
+}
+
+#[test]
+fn a_slider_goes_by_arrow_keys_and_the_page_stays() {
+    let Some(mut browser) = Browser::start() else { return };
+    browser.show(1280, Medium::Light);
+    open(&mut browser, "jazar", "");
+    let before = of(&mut browser, "wheel", "[g.elements.crank.value, f.querySelector('svg').outerHTML]");
+    of(&mut browser, "wheel", "g.elements.crank.focus()");
+    browser.press("ArrowRight", 39);
+    let after =
+        of(&mut browser, "wheel", "[g.elements.crank.value, f.querySelector('svg').outerHTML, location.pathname]");
+    assert_eq!([&before[0], &after[0]], [&json!("-30"), &json!("-29.5")]);
+    assert!(before[1] != after[1], "the drawing stays as it was");
+    assert!(after[2].as_str().is_some_and(|path| path.ends_with("/jazar.html")), "{after}");
+    // Reset brings the still figure back.
+    let reset = of(
+        &mut browser,
+        "wheel",
+        "(g.querySelector('[data-do=reset]').click(), await new Promise(done => setTimeout(done, 80)), \
+         f.querySelector('svg').outerHTML)",
+    );
+    assert!(reset == before[1], "the still figure is not back");
+}
+
+#[test]
+fn a_number_beyond_the_slider_is_computed_or_refused_as_at_the_command_line() {
+    let Some(mut browser) = Browser::start() else { return };
+    browser.show(1280, Medium::Light);
+    open(&mut browser, "jazar", "");
+    let typed = |value: &str| {
+        format!(
+            "(() => {{ const box = g.querySelector('[data-box=stations]'); box.value = '{value}'; box.dispatchEvent(new \
+             Event('input', {{ bubbles: true }})) }})()"
+        )
+    };
+    of(&mut browser, "wheel", &typed("30"));
+    let title = of(&mut browser, "wheel", "f.querySelector('svg title').textContent");
+    assert!(title.as_str().is_some_and(|title| title.contains("30 stations")), "{title}");
+    of(&mut browser, "wheel", &typed("2"));
+    let message = of(&mut browser, "wheel", "g.querySelector('.message').textContent");
+    let refused = geneva_kinematics::wheel::Wheel::new(2).expect_err("too few").to_string();
+    assert_eq!(message, json!(refused));
+}
+
+#[test]
+fn a_link_carries_the_setting_and_the_pointer_turns_the_crank() {
+    let Some(mut browser) = Browser::start() else { return };
+    browser.show(1280, Medium::Light);
+    open(&mut browser, "jazar", "#fig-live-wheel?stations=7&error=1&crank=-20");
+    let told =
+        of(&mut browser, "wheel", "[f.querySelector('svg title').textContent, g.querySelector('[data-do=link]').hash]");
+    assert!(
+        told[0].as_str().is_some_and(|title| title.contains("7 stations") && title.contains("1.00 % too far")),
+        "{told}"
+    );
+    assert!(told[1].as_str().is_some_and(|hash| hash.contains("stations=7") && hash.contains("error=1")), "{told}");
+    // The right end of the pin's circle is half a turn from the line of centres.
+    let place = of(
+        &mut browser,
+        "wheel",
+        "(() => { const c = f.querySelector('.pin-circle').getBoundingClientRect(); return [c.right - 2, (c.top + c.bottom) / 2, \
+         (c.left + c.right) / 2, c.top + 2] })()",
+    );
+    let at = |k: usize| place[k].as_f64().expect("a place");
+    for (kind, x, y) in [("mousePressed", at(0), at(1)), ("mouseMoved", at(2), at(3)), ("mouseReleased", at(2), at(3))]
+    {
+        let event = json!({ "type": kind, "x": x, "y": y, "button": "left", "buttons": 1, "clickCount": 1 });
+        browser.command("Input.dispatchMouseEvent", event);
+    }
+    let crank = of(&mut browser, "wheel", "g.elements.crank.value");
+    assert_eq!(crank, json!("90"));
+}
+
+#[test]
+fn what_plays_can_be_paused_and_makes_steps_for_who_wants_less_motion() {
+    let Some(mut browser) = Browser::start() else { return };
+    browser.show(1280, Medium::Light);
+    open(&mut browser, "jazar", "#fig-live-wheel?crank=0");
+    let values = |browser: &mut Browser| {
+        of(
+            browser,
+            "wheel",
+            "(async () => { const play = g.querySelector('[data-do=play]'); play.click(); const seen = new Set(); for (let k = 0; k < \
+             30; k++) { await new Promise(done => setTimeout(done, 50)); seen.add(g.elements.crank.value) } const during = \
+             play.textContent; play.click(); const last = g.elements.crank.value; await new Promise(done => setTimeout(done, 200)); \
+             return [seen.size, during, play.textContent, last === g.elements.crank.value] })()",
+        )
+    };
+    let wanted = |browser: &mut Browser, motion: &str| {
+        let features = json!({ "features": [{ "name": "prefers-reduced-motion", "value": motion }] });
+        browser.command("Emulation.setEmulatedMedia", features);
+    };
+    wanted(&mut browser, "no-preference");
+    let smooth = values(&mut browser);
+    assert!(smooth[0].as_u64().is_some_and(|count| count > 5), "{smooth}");
+    assert_eq!([&smooth[1], &smooth[2], &smooth[3]], [&json!("Pause"), &json!("Play"), &json!(true)]);
+    wanted(&mut browser, "reduce");
+    let stepped = values(&mut browser);
+    assert!(stepped[0].as_u64().is_some_and(|count| (1..=3).contains(&count)), "{stepped}");
+}
+
+#[test]
+fn pages_without_a_figure_that_moves_load_nothing_of_it() {
+    for page in crate::book_pages::names() {
+        let text = page_text(page.trim_end_matches(".html"));
+        let moves = PAGES.iter().any(|(_, own)| page == format!("{own}.html"));
+        assert_eq!(text.contains("data/live.js"), moves, "{page}");
+    }
+}
