@@ -14,6 +14,7 @@ chapters! {
     escapement = "src/escapement.md",
     program = "src/program.md",
     runs = "src/runs.md",
+    mistake = "src/mistake.md",
     never_printed = "src/never-printed.md",
     terminal_speed = "src/terminal-speed.md",
     timer = "src/timer.md",

@@ -25,7 +25,7 @@ const AXE: &str = "tests/browser/axe.min.js";
 
 /// What may scroll sideways: code always, the others where the screen is narrow.
 const CODE: &str = "pre, pre code";
-const SCROLLING: &str = "pre, pre code, .display, .form, .fig, .compare, .listing, .table-wrapper, dd";
+const SCROLLING: &str = "pre, pre code, .display, .form, .fig, .drawing, .compare, .listing, .table-wrapper, dd";
 
 /// The height of the smallest letters of a figure, in pixels, and how far two labels' boxes may touch.
 const SMALLEST: u32 = 11;

@@ -196,3 +196,35 @@ fn pages_without_a_figure_that_moves_load_nothing_of_it() {
         assert_eq!(text.contains("data/live.js"), moves, "{page}");
     }
 }
+
+#[test]
+fn the_mistake_is_scored_as_the_ledger_scores_it() {
+    use geneva_ledger::meyer::runs::{Hypothesis, SixPin, scores};
+    let page = page_text("mistake");
+    let given = page.split("data-given=\"").nth(1).and_then(|rest| rest.split('"').next()).expect("what is given");
+    let given = given.replace("&amp;", "&");
+    let headed = Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::WITHOUT_LAG };
+    for (setting, hypothesis) in [
+        ("own=1", Hypothesis::IDEAL),
+        ("reset=90", Hypothesis::WITHOUT_LAG),
+        ("reset=90&six=0", headed),
+        ("reset=90&late=1", Hypothesis::as_run()),
+    ] {
+        let answer = loop {
+            let answer = geneva_live::answer(&format!("mistake?{given}&{setting}"));
+            if !answer.contains("\nprogress\t") {
+                break answer;
+            }
+        };
+        let number = |name: &str| -> f64 {
+            let line = answer.lines().find(|line| line.split('\t').nth(1) == Some(name)).expect("a number");
+            line.split('\t').nth(2).and_then(|value| value.parse().ok()).expect("digits")
+        };
+        let score = scores().iter().find(|score| score.hypothesis == hypothesis).expect("compared");
+        assert_eq!(number("agree"), score.within_one() as f64, "{setting}");
+        // The program's quarter turn has four digits behind the point, the slider's is exact.
+        for (name, log) in ["normal", "exponential"].into_iter().zip(score.likelihoods()) {
+            approx::assert_abs_diff_eq!(number(name), log, epsilon = 0.1);
+        }
+    }
+}

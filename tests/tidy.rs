@@ -13,8 +13,9 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("ledger", &["kinematics", "dynamics", "mimic"]),
     ("figures", &["kinematics", "dynamics", "mimic"]),
     ("workshop", &["kinematics"]),
-    ("press", &["kinematics", "dynamics", "mimic", "ledger", "figures"]),
-    ("geneva", &["kinematics", "dynamics", "mimic", "ledger", "figures", "press"]),
+    ("live", &["kinematics", "dynamics", "mimic", "figures"]),
+    ("press", &["kinematics", "dynamics", "mimic", "ledger", "figures", "live"]),
+    ("geneva", &["kinematics", "dynamics", "mimic", "ledger", "figures", "live", "press", "workshop"]),
 ];
 
 /// Each crate, what it depends on, and whether the version is the workspace's.

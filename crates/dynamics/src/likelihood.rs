@@ -10,7 +10,7 @@ use std::f64::consts::SQRT_2;
 pub struct Likelihood {
     /// The spread of the errors with which they are most likely, in units of the last place.
     pub spread: f64,
-    /// The logarithm of the likelihood with this spread: zero if each number is certain, negative infinity if one cannot be.
+    /// The natural logarithm of the likelihood with this spread, dimensionless: zero if each number is certain, negative infinity if one cannot be.
     pub log: f64,
 }
 
@@ -42,7 +42,8 @@ impl Law {
         beyond_near - self.beyond(off + 0.5, spread)
     }
 
-    /// The logarithm of the likelihood of deviations of this size, with this spread, all in units.
+    /// The natural logarithm, dimensionless, of the likelihood of deviations of this size with this spread, both in units of
+    /// the last place.
     pub fn log_likelihood(self, units: &[f64], spread: f64) -> f64 {
         units.iter().map(|off| libm::log(self.chance(*off, spread))).sum()
     }
@@ -64,7 +65,8 @@ impl Law {
     }
 }
 
-/// Spreads that are tried: from 1/256 of a unit, 8 to an octave, over 20 octaves, and so many to either side of the best.
+/// Spreads that are tried: from 1/256 of a unit of the last place, 8 to an octave, over 20 octaves, and so many to either
+/// side of the best.
 pub const LEAST_SPREAD: f64 = 1.0 / 256.0;
 const PER_OCTAVE: u32 = 8;
 const OCTAVES: u32 = 20;

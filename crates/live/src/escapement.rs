@@ -21,8 +21,8 @@ pub const LIVE: Live = Live {
     controls: &[
         Control {
             name: "share",
-            label: "time",
-            unit: "% of what is shown",
+            label: "time, of what is shown",
+            unit: "%",
             least: 0.0,
             most: 100.0,
             step: 0.25,

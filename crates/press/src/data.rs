@@ -8,7 +8,7 @@ use std::fs;
 use std::path::Path;
 
 /// The folder among the chapters and in the book.
-const FOLDER: &str = "data";
+pub const FOLDER: &str = "data";
 
 /// A file of data.
 pub struct File {
@@ -27,7 +27,7 @@ impl File {
         Ok(records::files()?.into_iter().map(|(name, text)| Self { name: name.to_owned(), text }))
     }
 
-    /// A script.
+    /// A script or a style sheet.
     pub fn script(name: &str, text: String) -> Self {
         Self { name: name.to_owned(), text }
     }

@@ -71,10 +71,10 @@ fn scripts_of_moved_figures(book: &mut Book, root: &Path) -> Vec<data::File> {
         return Vec::new();
     }
     let scripts = live::scripts(root.parent().unwrap_or(root));
-    if let Some(shell) = scripts.first() {
+    if !scripts.is_empty() {
         book.for_each_chapter_mut(|chapter| {
             if is_moved(chapter) {
-                chapter.content.push_str(&format!("\n<script src=\"{}\" defer></script>\n", shell.path()));
+                chapter.content = live::on_a_page(&chapter.content);
             }
         });
     }

@@ -2,7 +2,7 @@
 
 mod module;
 
-pub use module::scripts;
+pub use module::{on_a_page, scripts};
 
 use crate::html::escape;
 use crate::ledger_pages::inline;

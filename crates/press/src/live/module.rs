@@ -1,6 +1,6 @@
 //! The module that answers the pages: compiled for WebAssembly, packed as text in a script.
 
-use crate::data::File;
+use crate::data::{FOLDER, File};
 use miniz_oxide::deflate::compress_to_vec;
 use std::ffi::OsString;
 use std::fs;
@@ -10,8 +10,11 @@ use std::process::{Command, Stdio};
 /// It asks the system for nothing; for the target without a system, plotters would bring much that is never called.
 const TARGET: &str = "wasm32-wasip1";
 const PROFILE: &str = "live";
-/// The controls.
+/// The controls, and how they look.
 const SHELL: &str = include_str!("../../../../book/theme/live.js");
+const STYLE: &str = include_str!("../../../../book/theme/live.css");
+const SHELL_NAME: &str = "live.js";
+const STYLE_NAME: &str = "live.css";
 /// Of ten levels, the one that packs best.
 const LEVEL: u8 = 10;
 
@@ -22,13 +25,25 @@ pub fn scripts(root: &Path) -> Vec<File> {
     match module(root) {
         Ok(code) => {
             let text = format!("genevaModule('{}');\n", base64(&compress_to_vec(&code, LEVEL)));
-            vec![File::script("live.js", SHELL.to_owned()), File::script("live-module.js", text)]
+            vec![
+                File::script(SHELL_NAME, SHELL.to_owned()),
+                File::script(STYLE_NAME, STYLE.to_owned()),
+                File::script("live-module.js", text),
+            ]
         }
         Err(why) => {
             eprintln!("The figures that a reader moves stand still in this book: {why}");
             Vec::new()
         }
     }
+}
+
+/// A page with what it must load to move its figures; the module comes later, when a figure is near.
+pub fn on_a_page(content: &str) -> String {
+    format!(
+        "<link rel=\"stylesheet\" href=\"{FOLDER}/{STYLE_NAME}\">\n\n{content}\n<script src=\"{FOLDER}/{SHELL_NAME}\" \
+         defer></script>\n"
+    )
 }
 
 /// The compiled module.
