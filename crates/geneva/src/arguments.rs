@@ -80,6 +80,8 @@ Examples:
   geneva wheel --stations 4 --pins 2 --format json
   geneva wheel --stations 6 --rpm 60 --format csv --output cycle.csv
   geneva wheel --stations 6 --format svg --output wheel.svg
+  geneva wheel --stations 6 --crank-radius 50 --format dxf --output wheel.dxf
+  geneva wheel --stations 6 --crank-radius 50 --thickness 8 --format stl --output wheel.stl
   geneva wheel --index-time 0.4 --dwell-time 1
 
 An option that would change nothing is refused, with what to add.")]
@@ -296,6 +298,12 @@ pub enum Format {
     Csv,
     /// A drawing, a file of its own.
     Svg,
+    /// A drawing for machines that cut.
+    Dxf,
+    /// A model for OpenSCAD.
+    Scad,
+    /// A mesh for printing.
+    Stl,
     /// For pages.
     Markdown,
 }
@@ -308,6 +316,9 @@ impl Format {
             Self::Json => "json",
             Self::Csv => "csv",
             Self::Svg => "svg",
+            Self::Dxf => "dxf",
+            Self::Scad => "scad",
+            Self::Stl => "stl",
             Self::Markdown => "markdown",
         }
     }

@@ -56,34 +56,32 @@ pub fn beside_times(wanted: &WheelArguments) -> anyhow::Result<()> {
 
 /// Whether all that was given for one wheel counts.
 pub fn refused(wanted: &WheelArguments) -> anyhow::Result<()> {
-    let kind = wanted.kind.unwrap_or(Kind::External);
-    let name = wanted.format.name();
-    let (has_size, is_external) =
-        (numbers(wanted).iter().any(|(name, _)| SIZES.contains(name)), kind == Kind::External);
-    let parts = ["--pin-diameter", "--play", "--thickness", "--density"];
+    let is_external = wanted.kind.is_none_or(|kind| kind == Kind::External);
     if !is_external {
-        let why =
-            format!("only an external wheel has parts in mm; leave it out, or give --type {}", Kind::External.name());
-        none_of(wanted, &parts, &why)?;
+        none_of(wanted, &PARTS, "only an external wheel has parts in mm; leave it out, or give --type external")?;
     }
-    if wanted.format == Format::Svg {
-        let of_motion = ["--rpm", "--inertia", "--density", "--friction-torque", "--at"];
-        let why = "a drawing shows no speed and no load; leave it out, or give --format text, json or csv";
-        none_of(wanted, &of_motion, why)?;
+    if !is_told(wanted.format) {
+        none_of(
+            wanted,
+            &MOTION,
+            "a file of shapes has no speed and no load; leave it out, or give --format text, json or csv",
+        )?;
         if !is_external {
             none_of(wanted, &SIZES, "this drawing has no scale; leave it out, or give --format text, json or csv")?;
         }
     }
-    if !has_size {
+    if !numbers(wanted).iter().any(|(name, _)| SIZES.contains(name)) {
         let why = "without a size no part has mm; add --crank-radius MM, --centre-distance MM or --wheel-radius MM";
-        none_of(wanted, &parts, why)?;
+        none_of(wanted, &PARTS, why)?;
     }
     if wanted.thickness.is_none() {
         none_of(wanted, &["--density"], "without a thickness there is no mass; add --thickness MM")?;
     }
-    if wanted.density.is_none() && is_flat(wanted.format) {
-        let why = format!("without a density there is no mass, and {name} has no third dimension; add --density KGM3");
-        none_of(wanted, &["--thickness"], &why)?;
+    if is_told(wanted.format) && wanted.density.is_none() {
+        none_of(wanted, &["--thickness"], "without a density there is no mass; add --density KGM3")?;
+    }
+    if matches!(wanted.format, Format::Svg | Format::Dxf) {
+        none_of(wanted, &["--thickness"], "this drawing is flat; leave it out, or give --format scad or stl")?;
     }
     if wanted.rpm.is_none() {
         none_of(wanted, &["--inertia", "--friction-torque"], "at no speed there is no load; add --rpm R")?;
@@ -97,8 +95,12 @@ pub fn refused(wanted: &WheelArguments) -> anyhow::Result<()> {
 
 /// The three that give a size.
 const SIZES: [&str; 3] = ["--crank-radius", "--centre-distance", "--wheel-radius"];
+/// Those of the parts in millimetres.
+const PARTS: [&str; 4] = ["--pin-diameter", "--play", "--thickness", "--density"];
+/// Those of motion and loads.
+const MOTION: [&str; 5] = ["--rpm", "--inertia", "--density", "--friction-torque", "--at"];
 
-/// Whether a format has no use for a thickness.
-fn is_flat(format: Format) -> bool {
-    matches!(format, Format::Text | Format::Json | Format::Csv | Format::Svg | Format::Markdown)
+/// Whether a format tells numbers, and does not show shapes.
+fn is_told(format: Format) -> bool {
+    matches!(format, Format::Text | Format::Json | Format::Csv)
 }

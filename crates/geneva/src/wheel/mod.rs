@@ -8,6 +8,7 @@ mod made;
 mod report;
 mod sizes;
 mod times;
+mod workshop;
 
 use crate::arguments::{Format, Output, formats};
 use crate::fields;
@@ -58,7 +59,8 @@ pub struct WheelArguments {
     #[arg(long, value_name = "KGM2", value_parser = typed::zero_or_more, allow_hyphen_values = true,
         conflicts_with_all = ["thickness", "density"])]
     pub inertia: Option<f64>,
-    /// Thickness of the wheel in millimetres; with --density, instead of --inertia, for a wheel that carries nothing
+    /// Thickness of the wheel in millimetres: with --density instead of --inertia, for a wheel that carries nothing; and of
+    /// the parts in OpenSCAD and STL files
     #[arg(long, value_name = "MM", value_parser = typed::millimetres, allow_hyphen_values = true)]
     pub thickness: Option<f64>,
     /// Density of the wheel in kg/m³
@@ -83,6 +85,9 @@ pub struct WheelArguments {
         (Format::Json, "An object with all digits; null where an option that it needs is missing"),
         (Format::Csv, "The cycle: a row for each degree of a turn of the driver, or for each --at"),
         (Format::Svg, "A drawing, a file of its own"),
+        (Format::Dxf, "The outlines of all parts side by side, in mm, with true arcs; needs a size"),
+        (Format::Scad, "A model for OpenSCAD in mm, which moves; needs a size and --thickness"),
+        (Format::Stl, "Meshes of the parts side by side, in mm; needs a size and --thickness"),
     ]))]
     pub format: Format,
     /// Where to write it.
@@ -101,6 +106,7 @@ pub fn page(wanted: &WheelArguments) -> anyhow::Result<String> {
     match wanted.format {
         Format::Svg => Ok(standalone(&made.wheel.drawing().svg)),
         Format::Csv => cycle::csv(&made, &wanted.at),
+        Format::Dxf | Format::Scad | Format::Stl => workshop::file(&made, wanted.thickness, wanted.format),
         format => {
             let report = report::report(&made, &wanted.at, format == Format::Text)?;
             ensure!(
