@@ -9,6 +9,7 @@
 mod clearance;
 mod critical;
 mod cycle;
+mod dimensions;
 #[cfg(test)]
 mod drawn;
 mod driver;
@@ -23,6 +24,7 @@ mod running;
 mod spherical;
 
 pub use critical::critical_geometry;
+pub use dimensions::dimensions;
 pub use extremes::extremes;
 pub use indexing::indexing;
 pub use internal::internal_mechanism;

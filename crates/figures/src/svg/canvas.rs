@@ -20,7 +20,12 @@ pub enum Kind {
     Steps,
     /// Curves over axes one under another, on more height than width.
     Panels,
+    /// Bodies in their true size on paper: [`PIXELS_PER_MILLIMETRE`].
+    TrueSize,
 }
+
+/// Pixels of the view box to a millimetre of a drawing in true size: its letters are 3.5 mm high.
+pub const PIXELS_PER_MILLIMETRE: f64 = 6.0;
 
 /// A drawing narrower than this is shown so many times as wide as its view box, and not as wide as the page.
 const NARROW: f64 = 600.0;
@@ -66,20 +71,23 @@ impl Canvas {
     /// The drawing as one `svg` element, named and described for those who cannot see it.
     pub fn finish(self, kind: Kind, id: &str, title: &str, description: &str) -> String {
         let class = match kind {
-            Kind::Mechanism => "mechanism",
+            Kind::Mechanism | Kind::TrueSize => "mechanism",
             Kind::TallMechanism => "mechanism tall",
             Kind::Diagram => "diagram",
             Kind::Plot => "plot",
             Kind::Steps => "diagram tall",
             Kind::Panels => "plot tall",
         };
-        let narrow = if self.width < NARROW {
+        let size = if matches!(kind, Kind::TrueSize) {
+            let [width, height] = [self.width, self.height].map(|size| trimmed(size / PIXELS_PER_MILLIMETRE, 3));
+            format!(" width=\"{width}mm\" height=\"{height}mm\"")
+        } else if self.width < NARROW {
             format!(" style=\"max-width:min(100%,{}px)\"", trimmed(ENLARGED * self.width, 0))
         } else {
             String::new()
         };
         let opening = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" class=\"{class}\"{narrow} role=\"img\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" class=\"{class}\"{size} role=\"img\" \
              aria-labelledby=\"{id}-title {id}-desc\" font-family=\"sans-serif\" font-size=\"{}\">",
             trimmed(self.width, 2),
             trimmed(self.height, 2),

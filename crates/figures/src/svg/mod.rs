@@ -9,7 +9,7 @@ mod placing;
 mod shape;
 mod view;
 
-pub use canvas::{Canvas, Kind};
+pub use canvas::{Canvas, Kind, PIXELS_PER_MILLIMETRE};
 pub use label::{Label, TEXT_SIZE, escape};
 pub use path::{Path, Sense};
 pub use placing::{Place, Placing, around, beside_line, leader};

@@ -4,6 +4,8 @@ use super::WheelArguments;
 use super::kind::{AnyWheel, Kind};
 use anyhow::bail;
 use geneva_dynamics::wheel_loads::WheelLoads;
+use geneva_figures::Figure;
+use geneva_figures::stations::dimensions;
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes};
 use std::f64::consts::PI;
@@ -48,6 +50,11 @@ impl Made {
             _ => wanted.inertia,
         };
         Ok(Self { wheel, rpm: wanted.rpm, crank_radius, sizes, inertia, friction_torque: wanted.friction_torque })
+    }
+
+    /// The drawing: in true size with dimensions, where there are sizes of the parts; else to no scale.
+    pub fn drawing(&self) -> Figure {
+        self.sizes.as_ref().map_or_else(|| self.wheel.drawing(), dimensions)
     }
 
     /// Speed of the driver in rad/s.

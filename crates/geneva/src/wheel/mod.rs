@@ -84,7 +84,7 @@ pub struct WheelArguments {
         (Format::Text, "A sheet for reading, which says what is measured from where"),
         (Format::Json, "An object with all digits; null where an option that it needs is missing"),
         (Format::Csv, "The cycle: a row for each degree of a turn of the driver, or for each --at"),
-        (Format::Svg, "A drawing, a file of its own"),
+        (Format::Svg, "A drawing, a file of its own; with a size in mm, with dimensions"),
         (Format::Dxf, "The outlines of all parts side by side, in mm, with true arcs; needs a size"),
         (Format::Scad, "A model for OpenSCAD in mm, which moves; needs a size and --thickness"),
         (Format::Stl, "Meshes of the parts side by side, in mm; needs a size and --thickness"),
@@ -104,7 +104,7 @@ pub fn page(wanted: &WheelArguments) -> anyhow::Result<String> {
     let made = Made::new(wanted)?;
     idle::refused(wanted)?;
     match wanted.format {
-        Format::Svg => Ok(standalone(&made.wheel.drawing().svg)),
+        Format::Svg => Ok(standalone(&made.drawing().svg)),
         Format::Csv => cycle::csv(&made, &wanted.at),
         Format::Dxf | Format::Scad | Format::Stl => workshop::file(&made, wanted.thickness, wanted.format),
         format => {

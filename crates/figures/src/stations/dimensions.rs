@@ -1,0 +1,290 @@
+//! Wheel and driver in their true size, with dimensions in millimetres.
+
+use super::pose::counted;
+use crate::figure::Figure;
+use crate::number::{trimmed, with_minus_sign};
+use crate::parts::{self, axis};
+use crate::svg::{Canvas, DASHED, Kind, Label, PIXELS_PER_MILLIMETRE, Path, Pixels, Sense, Shape, View};
+use crate::theme::{DRIVER, FILL, FOLLOWER, GRID, INK, PAPER, Shade};
+use crate::{Series, Words};
+use geneva_kinematics::wheel::{Edge, Face, Loop, Sizes};
+use nalgebra::Vector2;
+use std::f64::consts::PI;
+
+/// Free space at the edges, and from the bodies to the first line of dimensions, in pixels.
+const MARGIN: f64 = 30.0;
+const TO_FIRST: f64 = 40.0;
+/// From one line of dimensions, or of words, to the next.
+const ROW: f64 = 44.0;
+const LINE: f64 = 30.0;
+/// Coordinates are written to so many decimals of a pixel.
+const DECIMALS: usize = 3;
+/// Digits after the point of a dimension in millimetres.
+const DIGITS: usize = 3;
+/// Width of a column of the list, in pixels.
+const COLUMN: f64 = 430.0;
+/// Free space beside a dimension's name, and how much two that share an end may overlap, in pixels.
+const AIR: f64 = 4.0;
+const TOUCHING: f64 = 1e-6;
+
+/// Wheel and driver in their true size, assembled, with a pin deepest in its slot.
+///
+/// Dimensions along the line of centres stand above and below; what has no room there is listed. Series: the same
+/// numbers, in millimetres.
+pub fn dimensions(sizes: &Sizes) -> Figure {
+    let scale = PIXELS_PER_MILLIMETRE;
+    let (c, reach) = (sizes.centre_distance, sizes.plate_radius);
+    let (above, below) = along(sizes);
+    let (above, below) = (Rows::of(above, scale), Rows::of(below, scale));
+    let left = above.left.min(below.left).min(-sizes.tip_radius * scale);
+    let right = above.right.max(below.right).max((c + reach) * scale).max(left + COLUMN);
+    let half = sizes.tip_radius.max(reach) * scale;
+    let listed = list(sizes);
+    let lines = listed.len().div_ceil(((right - left) / COLUMN).max(1.0) as usize).max(1);
+    let width = right - left + 2.0 * MARGIN;
+    let pivot = Vector2::new(MARGIN - left, MARGIN + above.height() + half);
+    let words = pivot.y + half + below.height() + MARGIN;
+
+    let view = View { origin: pivot, scale };
+    let mut canvas = Canvas::new(width, words + LINE * lines as f64 + MARGIN);
+    bodies(&mut canvas, sizes, &view);
+    above.draw(&mut canvas, &view, -half, -1.0);
+    below.draw(&mut canvas, &view, half, 1.0);
+    let in_true_size = Label::words("scale 1 : 1, lengths in mm");
+    canvas.label(&Pixels::new(MARGIN, words - 0.5 * LINE), &Pixels::new(1.0, 0.0), 0.0, &in_true_size);
+    for (k, (name, value)) in listed.iter().enumerate() {
+        let (column, line) = (k / lines, k % lines);
+        let at = Pixels::new(MARGIN + COLUMN * column as f64, words + LINE * (line as f64 + 0.5));
+        canvas.label(&at, &Pixels::new(1.0, 0.0), 0.0, &Label::words(&format!("{name} {}", trimmed(*value, DIGITS))));
+    }
+
+    let (stations, pins) = (sizes.wheel.stations(), counted(sizes.wheel.pins(), "pin"));
+    let words = Words::new(
+        "wheel-dimensions",
+        format!("Geneva wheel with {stations} stations and {pins}, in true size"),
+        with_minus_sign(&format!(
+            "At the left the wheel, at the right the driver with a pin deepest in its slot, to be printed in true size. \
+             Centre distance {} mm, crank radius {} mm, wheel radius {} mm; slots {} mm wide, pins {} mm in diameter.",
+            trimmed(c, DIGITS),
+            trimmed(sizes.crank_radius, DIGITS),
+            trimmed(sizes.wheel_radius, DIGITS),
+            trimmed(sizes.slot_width, DIGITS),
+            trimmed(sizes.pin_diameter, DIGITS)
+        )),
+        "Wheel and driver in true size; lengths in millimetres. The plate turns behind the wheel.",
+    );
+    let drawn = above.dimensions.iter().chain(&below.dimensions).map(|(_, of)| (of.name, of.to - of.from));
+    let numbers: Vec<(&str, f64)> = drawn.chain(listed.iter().copied()).collect();
+    let columns = numbers.iter().map(|(name, _)| (name.replace(' ', "-"), unit(name)));
+    let series = Series::of_columns(columns, vec![numbers.iter().map(|(_, value)| *value).collect()]);
+    words.figure(canvas, Kind::TrueSize, series)
+}
+
+/// A length along the line of centres, from and to places from the wheel's axis, in millimetres.
+#[derive(Clone, Copy, Debug)]
+struct Dimension {
+    name: &'static str,
+    from: f64,
+    to: f64,
+}
+
+impl Dimension {
+    fn label(&self) -> Label {
+        Label::words(&format!("{} {}", self.name, trimmed(self.to - self.from, DIGITS)))
+    }
+}
+
+/// The dimensions above and below the bodies.
+fn along(sizes: &Sizes) -> (Vec<Dimension>, Vec<Dimension>) {
+    let c = sizes.centre_distance;
+    let of = |name, from, to| Dimension { name, from, to };
+    let mut above = vec![
+        of("slot depth", sizes.slot_end - sizes.slot_width / 2.0, sizes.wheel_radius),
+        of("wheel radius", 0.0, sizes.wheel_radius),
+        of("plate radius", c, c + sizes.plate_radius),
+    ];
+    above.extend(sizes.locking_disc.map(|disc| of("locking disc radius", c, c + disc.radius)));
+    let below = vec![
+        of("tip radius", -sizes.tip_radius, 0.0),
+        of("slot end", 0.0, sizes.slot_end),
+        of("crank radius", sizes.slot_end, c),
+        of("centre distance", 0.0, c),
+    ];
+    (above, below)
+}
+
+/// Dimensions in rows in which neither they nor their names overlap.
+struct Rows {
+    /// Each with the number of its row from the bodies.
+    dimensions: Vec<(usize, Dimension)>,
+    count: usize,
+    /// How far they reach from the wheel's axis, in pixels.
+    left: f64,
+    right: f64,
+}
+
+impl Rows {
+    /// Each dimension in the row nearest to the bodies that has room.
+    fn of(dimensions: Vec<Dimension>, scale: f64) -> Self {
+        let mut rows: Vec<Vec<[f64; 2]>> = Vec::new();
+        let mut placed = Vec::new();
+        for dimension in dimensions {
+            let [from, to] = [dimension.from, dimension.to].map(|x| x * scale);
+            let (middle, half) = ((from + to) / 2.0, dimension.label().width() / 2.0 + AIR);
+            let [from, to] = [from.min(middle - half), to.max(middle + half)];
+            let is_free = |row: &Vec<[f64; 2]>| row.iter().all(|[a, b]| *b <= from + TOUCHING || *a >= to - TOUCHING);
+            let row = rows.iter().position(is_free).unwrap_or(rows.len());
+            if row == rows.len() {
+                rows.push(Vec::new());
+            }
+            if let Some(row) = rows.get_mut(row) {
+                row.push([from, to]);
+            }
+            placed.push((row, dimension));
+        }
+        let left = rows.iter().flatten().map(|[from, _]| *from).fold(0.0, f64::min);
+        let right = rows.iter().flatten().map(|[_, to]| *to).fold(0.0, f64::max);
+        Self { dimensions: placed, count: rows.len(), left, right }
+    }
+
+    fn height(&self) -> f64 {
+        TO_FIRST + ROW * self.count as f64
+    }
+
+    /// Draws them on one side (−1 above, 1 below) of the bodies, whose edge is so far from the line of centres.
+    fn draw(&self, canvas: &mut Canvas, view: &View, edge: f64, side: f64) {
+        for (row, dimension) in &self.dimensions {
+            let at = |x: f64| view.place(&Vector2::new(x, 0.0));
+            let offset = Pixels::new(0.0, edge + side * (TO_FIRST + ROW * *row as f64));
+            let middle = parts::dimension(canvas, &at(dimension.from), &at(dimension.to), &offset);
+            canvas.label(&middle, &Pixels::new(0.0, -1.0), 7.0, &dimension.label());
+        }
+    }
+}
+
+fn unit(name: &str) -> &'static str {
+    if ["stations", "pins"].contains(&name) { "1" } else { "mm" }
+}
+
+/// What has no room on the drawing.
+fn list(sizes: &Sizes) -> Vec<(&'static str, f64)> {
+    let cut = sizes.locking_disc.map(|disc| disc.crescent);
+    let cut =
+        cut.into_iter().flat_map(|cut| [("crescent radius", cut.radius), ("crescent centre from axis", cut.centre)]);
+    let shaft = |name, shaft: f64| (shaft > 0.0).then_some((name, shaft + sizes.play.bore));
+    [
+        ("stations", f64::from(sizes.wheel.stations())),
+        ("pins", f64::from(sizes.wheel.pins())),
+        ("pin diameter", sizes.pin_diameter),
+        ("slot width", sizes.slot_width),
+        ("slot play", sizes.play.slot),
+        ("locking play", sizes.play.locking),
+        ("bore play", sizes.play.bore),
+        ("locking arc radius", sizes.locking_arc_radius),
+        ("horn thickness", sizes.horn_thickness),
+        ("web between slots", sizes.web),
+    ]
+    .into_iter()
+    .chain(cut)
+    .chain(shaft("wheel bore", sizes.wheel_shaft))
+    .chain(shaft("driver bore", sizes.driver_shaft))
+    .collect()
+}
+
+/// Both parts with a pin on the line of centres, and the lines that tell where their axes and the pin's circle are.
+fn bodies(canvas: &mut Canvas, sizes: &Sizes, view: &View) {
+    let outline = sizes.outline();
+    let axis_at = Vector2::new(sizes.centre_distance, 0.0);
+    let driver = |face: &Face| face.placed(PI, axis_at);
+    let face = |canvas: &mut Canvas, face: &Face, fill: Shade, line: Shade, opacity: &str, class: &'static str| {
+        let shape = Shape::path(path(face.loops(), view)).fill(fill).with("fill-opacity", opacity).stroke(line, 1.5);
+        canvas.draw(shape.with("fill-rule", "evenodd").with("stroke-linejoin", "round").class(class));
+    };
+    face(canvas, &driver(&outline.plate), DRIVER, DRIVER, "0.1", "plate");
+    face(canvas, &outline.wheel, FILL, FOLLOWER, "1", "wheel");
+    if let Some(disc) = &outline.disc {
+        face(canvas, &driver(disc), DRIVER, DRIVER, "0.22", "locking-disc");
+    }
+    for pin in &outline.pins {
+        let pin = path(std::iter::once(&pin.placed(PI, axis_at)), view);
+        canvas.draw(Shape::path(pin).fill(PAPER).stroke(INK, 1.5).class("pin"));
+    }
+    let (pivot, centre) = (view.origin, view.place(&axis_at));
+    let circle = Shape::circle(&centre, sizes.crank_radius * view.scale).stroke(GRID, 1.0).dashed(DASHED);
+    canvas.draw(circle.class("pin-circle"));
+    canvas.draw(Shape::line(&pivot, &centre).stroke(GRID, 1.0).dashed(DASHED).class("line-of-centres"));
+    axis(canvas, &pivot, FOLLOWER);
+    axis(canvas, &centre, DRIVER);
+}
+
+/// Loops as one path.
+fn path<'a>(loops: impl Iterator<Item = &'a Loop>, view: &View) -> Path {
+    loops.fold(Path::empty(DECIMALS), |path, of| {
+        let Some(first) = of.edges.first() else { return path };
+        let path = of.edges.iter().fold(path.again_at(&view.place(&first.from())), |path, edge| match *edge {
+            Edge::Line { to, .. } => path.line_to(&view.place(&to)),
+            Edge::Arc { centre, radius, start, sweep } => {
+                // A whole circle has no ends to draw it between: two halves.
+                let halves = if sweep.abs() > 1.5 * PI { 2 } else { 1 };
+                (1..=halves).fold(path, |path, half| {
+                    let part = sweep / f64::from(halves);
+                    let arc = Edge::Arc { centre, radius, start, sweep: part * f64::from(half) };
+                    path.arc(radius * view.scale, part.abs() > PI, Sense::of(sweep), &view.place(&arc.to()))
+                })
+            }
+        });
+        path.close()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::{Drawing, drawn};
+    use geneva_kinematics::wheel::{Choices, Scale, Wheel};
+
+    fn sizes(stations: u32, pins: u32, a: f64) -> Sizes {
+        let wheel = Wheel::with_pins(stations, pins).expect("possible");
+        Sizes::new(wheel, Scale::CrankRadius(a), &Choices::default()).expect("fits")
+    }
+
+    #[test]
+    fn a_millimetre_is_a_millimetre() {
+        for (stations, pins, a) in [(3, 1, 50.0), (4, 4, 20.0), (6, 2, 50.0), (12, 1, 30.0), (18, 1, 5.0), (6, 1, 0.8)]
+        {
+            let sizes = sizes(stations, pins, a);
+            let figure = dimensions(&sizes);
+            drawn(&figure);
+            let document = roxmltree::Document::parse(&figure.svg).expect("well-formed");
+            let root = document.root_element();
+            let millimetres = |name: &str| -> f64 {
+                root.attribute(name).and_then(|size| size.strip_suffix("mm")).expect("mm").parse().expect("a number")
+            };
+            let view: Vec<f64> =
+                root.attribute("viewBox").expect("there").split(' ').map(|x| x.parse().expect("a number")).collect();
+            let scale = millimetres("width") / view[2];
+            approx::assert_relative_eq!(scale, millimetres("height") / view[3], max_relative = 1e-4);
+            let drawing = Drawing::of(&figure);
+            let near = |read: f64, size: f64| assert!((read * scale - size).abs() < 0.01, "{} {size}", read * scale);
+            near(drawing.number("pin-circle", "r"), sizes.crank_radius);
+            near(drawing.length("line-of-centres"), sizes.centre_distance);
+            let [pivot, centre] = drawing.line("line-of-centres");
+            // Outlines read back: of the outermost loop the farthest and the nearest point.
+            let farthest = |class: &str, from: &Vector2<f64>| {
+                let node = &drawing.all(class)[0];
+                let data = node.attribute("d").expect("a path").split('Z').next().expect("a loop").trim().to_owned();
+                crate::checks::corners(&data, 0.02).iter().map(|p| (p - from).norm()).fold(0.0, f64::max)
+            };
+            near(farthest("wheel", &pivot), sizes.tip_radius);
+            near(farthest("plate", &centre), sizes.plate_radius);
+            if let Some(disc) = sizes.locking_disc {
+                near(farthest("locking-disc", &centre), disc.radius);
+            }
+            assert_eq!(drawing.count("pin") as u32, pins);
+            let texts = drawing.texts();
+            let said = format!("centre distance {}", trimmed(sizes.centre_distance, DIGITS));
+            assert!(texts.contains(&said), "{texts:?}");
+            assert_eq!(texts.len(), figure.series.columns.len() + 1);
+        }
+    }
+}
