@@ -5,6 +5,7 @@ mod idle;
 mod loads;
 mod parts;
 mod times;
+mod workshop;
 
 use crate::{assert_is_drawn, assert_is_plain, geneva, number, object, on_sheet, pin, refusal, right, stdout};
 use geneva_figures::stations::{internal_mechanism, mechanism, spherical_mechanism};
