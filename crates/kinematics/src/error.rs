@@ -79,6 +79,17 @@ pub enum KinematicsError {
         /// The greatest angle allowed to either side, in radians.
         most: f64,
     },
+    /// A wheel angle that no pin in a slot gives, or that is not finite.
+    #[error(
+        "wheel angle {asked} rad: during an index it goes from {} to {most} rad; give an angle between them",
+        -most
+    )]
+    WheelAngle {
+        /// The angle asked for, in radians.
+        asked: f64,
+        /// The greatest to either side of the middle, in radians.
+        most: f64,
+    },
     /// Lengths of a quick-return mechanism so different that their ratio is not a number a machine can hold.
     #[error(
         "ground distance {ground} and crank {crank}: their ratio is beyond what can be computed; give lengths of one \

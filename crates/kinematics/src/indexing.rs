@@ -58,6 +58,15 @@ pub trait Indexing {
     /// As for [`engaged`](Self::engaged).
     fn pin_in_slot(&self, crank: f64) -> Result<PinInSlot, KinematicsError>;
 
+    /// Crank angle in radians at which the wheel is at this angle, from the middle of the index, in radians too: from −α to α.
+    ///
+    /// Near the ends a small change of the wheel's angle is a large one of the crank's: half of the digits are left there.
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::WheelAngle`] beyond a half pitch angle, and for what is not finite.
+    fn crank_at(&self, wheel_angle: f64) -> Result<f64, KinematicsError>;
+
     /// Greatest velocity ratio, in the middle of the engagement, dimensionless.
     fn peak_velocity(&self) -> f64;
 
@@ -132,6 +141,12 @@ pub trait Indexing {
         let pin = libm::round(crank / pitch);
         (pin as i64, crank - pin * pitch)
     }
+}
+
+/// A wheel angle in radians, if it is within a half pitch angle.
+pub(crate) fn within_half_pitch(wheel: &dyn Indexing, asked: f64) -> Result<f64, KinematicsError> {
+    let most = wheel.half_pitch_angle();
+    if (-most..=most).contains(&asked) { Ok(asked) } else { Err(KinematicsError::WheelAngle { asked, most }) }
 }
 
 #[cfg(test)]
@@ -224,6 +239,22 @@ mod tests {
                 // Across the slot the pin moves with the wheel, along it it slides: both make up its speed.
                 let across = pin.radius * here.velocity;
                 assert_relative_eq!(libm::hypot(across, pin.sliding), 1.0, max_relative = 1e-10);
+            }
+        }
+    }
+
+    #[test]
+    fn the_crank_is_found_again_from_the_wheel() {
+        for wheel in wheels() {
+            for share in [-1.0, -0.9, -0.2, 0.0, 0.4, 0.97, 1.0] {
+                let crank = share * wheel.engagement_half_angle();
+                let angle = wheel.engaged(crank).unwrap().angle;
+                let found = wheel.crank_at(angle.clamp(-wheel.half_pitch_angle(), wheel.half_pitch_angle())).unwrap();
+                assert_abs_diff_eq!(found, crank, epsilon = if share.abs() < 0.99 { 1e-12 } else { 1e-6 });
+                assert!(wheel.engaged(found).is_ok());
+            }
+            for angle in [1.001 * wheel.half_pitch_angle(), -2.0, f64::NAN, f64::INFINITY] {
+                assert!(matches!(wheel.crank_at(angle), Err(KinematicsError::WheelAngle { .. })), "{angle}");
             }
         }
     }

@@ -9,7 +9,7 @@
 //! driver's turn. That is more than half a turn, and the driver has one pin.
 
 use crate::error::KinematicsError;
-use crate::indexing::{Indexing, JerkPeak, PinInSlot};
+use crate::indexing::{Indexing, JerkPeak, PinInSlot, within_half_pitch};
 use crate::wheel::{AccelerationPeak, Motion, Phase, STATIONS};
 use crate::{Field, Turn};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -180,6 +180,13 @@ impl Indexing for InternalWheel {
             sliding,
             coriolis: 0.0 - 2.0 * (self.sine * above / square) * sliding,
         })
+    }
+
+    /// By the law of sines, sin(θ − φ) = sin φ / sin α.
+    fn crank_at(&self, wheel_angle: f64) -> Result<f64, KinematicsError> {
+        let (angle, most) = (within_half_pitch(self, wheel_angle)?, self.engagement_half_angle());
+        let sine = (libm::sin(angle) / self.sine).clamp(-1.0, 1.0);
+        Ok((libm::asin(sine) + angle).clamp(-most, most))
     }
 
     /// sin α / (1 + sin α).

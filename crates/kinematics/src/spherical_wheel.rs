@@ -9,7 +9,7 @@
 //! φ = atan(τ sin θ), and the pin is in a slot for half of the driver's turn, whatever N is. Two pins leave no dwell.
 
 use crate::error::KinematicsError;
-use crate::indexing::{Indexing, JerkPeak, PinInSlot};
+use crate::indexing::{Indexing, JerkPeak, PinInSlot, within_half_pitch};
 use crate::wheel::{AccelerationPeak, Motion, Phase, STATIONS};
 use crate::{Field, Turn};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -167,6 +167,12 @@ impl Indexing for SphericalWheel {
             sliding: sine / (self.cosine * root),
             coriolis: 2.0 * velocity_ratio(&tangent, &place) * rate,
         })
+    }
+
+    /// sin θ = tan φ / tan α.
+    fn crank_at(&self, wheel_angle: f64) -> Result<f64, KinematicsError> {
+        let angle = within_half_pitch(self, wheel_angle)?;
+        Ok(libm::asin((libm::tan(angle) / self.tangent()).clamp(-1.0, 1.0)))
     }
 
     /// tan α.

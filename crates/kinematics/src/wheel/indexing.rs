@@ -1,7 +1,7 @@
 //! The external wheel as one of the three kinds, and the pin in its slot.
 
 use super::Wheel;
-use crate::indexing::{Indexing, JerkPeak, PinInSlot};
+use crate::indexing::{Indexing, JerkPeak, PinInSlot, within_half_pitch};
 use crate::wheel::{AccelerationPeak, Motion};
 use crate::{KinematicsError, Turn, pin_slot};
 
@@ -43,6 +43,13 @@ impl Indexing for Wheel {
         let radius = (rest * rest + 4.0 * sine * half * half).sqrt() / sine;
         let rate = pin_slot::sliding_product(&Wheel::centre_distance_ratio(self), &turn) / radius;
         Ok(PinInSlot { radius, radius_rate: rate, sliding: rate, coriolis: 2.0 * velocity * rate })
+    }
+
+    /// By the law of sines, sin(θ + φ) = sin φ / sin α.
+    fn crank_at(&self, wheel_angle: f64) -> Result<f64, KinematicsError> {
+        let (angle, most) = (within_half_pitch(self, wheel_angle)?, Wheel::engagement_half_angle(self));
+        let sine = (libm::sin(angle) / self.constants.sine.hi).clamp(-1.0, 1.0);
+        Ok((libm::asin(sine) - angle).clamp(-most, most))
     }
 
     fn peak_velocity(&self) -> f64 {
