@@ -23,7 +23,7 @@ const PLATE: f64 = 1.35;
 /// Angular radius of the plate over that of the pin's circle.
 const PLATE_RADIUS: f64 = 1.12;
 /// From the centre to the end of the wheel's axis, and from the plate to that of the driver's, in radii of the sphere.
-const AXIS: f64 = 1.25;
+const AXIS: f64 = 1.3;
 const BEYOND_PLATE: f64 = 0.35;
 /// Degrees between points of a curve.
 const STEP: f64 = 6.0;
