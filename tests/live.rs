@@ -7,8 +7,13 @@ use geneva_press::figures;
 use serde_json::{Value, json};
 
 /// The pages that show the figures.
-const PAGES: [(&str, &str); 4] =
-    [("polygon", "quick-return"), ("wheel", "jazar"), ("escapement", "terminal-speed"), ("mistake", "mistake")];
+const PAGES: [(&str, &str); 5] = [
+    ("wheel", "jazar"),
+    ("design", "making"),
+    ("polygon", "quick-return"),
+    ("mistake", "mistake"),
+    ("escapement", "terminal-speed"),
+];
 
 fn page_text(page: &str) -> String {
     std::fs::read_to_string(crate::book_pages::book().join(format!("{page}.html"))).expect("a page")
@@ -45,7 +50,7 @@ fn every_figure_that_moves_is_on_its_page_and_stands_still_as_at_first() {
     let Some(mut browser) = Browser::start() else { return };
     for (name, page) in PAGES {
         open(&mut browser, page, "");
-        let figure = figures::by_name(&format!("live-{name}")).expect("a figure");
+        let figure = figures::by_name(geneva_live::by_name(name).expect("a figure").figure).expect("a figure");
         // Both as the browser reads them.
         let still = format!(
             "f.querySelector('.drawing').innerHTML.trim() === (() => {{ const d = document.createElement('div'); \

@@ -53,7 +53,8 @@
         let pending = false, playing = false, seen = true, last = 0;
 
         const settings = () => inputs.map(input => `${input.name}=${input.value}`).join('&');
-        const ask = answer => answer(`${figure.dataset.live}?${figure.dataset.given}&${settings()}`);
+        const ask = (answer, ending = '') =>
+            answer(`${figure.dataset.live}${ending}?${figure.dataset.given}&${settings()}`);
         const say = (text, wrong) => {
             message.textContent = text;
             message.classList.toggle('wrong', Boolean(wrong));
@@ -86,6 +87,17 @@
                 pending = false;
                 show(ask(answer));
             }), error => say(`The figure cannot be moved here: ${error.message ?? 'its module does not load'}.`, true));
+        };
+
+        const save = (ending, text) => {
+            if (text.startsWith('error\t')) {
+                return say(text.slice(6), true);
+            }
+            const link = document.createElement('a');
+            link.href = URL.createObjectURL(new Blob([text]));
+            link.download = `${figure.dataset.live}.${ending}`;
+            link.click();
+            URL.revokeObjectURL(link.href);
         };
 
         const put = (input, value) => {
@@ -169,7 +181,7 @@
             moved();
         });
         form.addEventListener('click', event => {
-            const { do: what, set: values } = event.target.dataset;
+            const { do: what, set: values, file } = event.target.dataset;
             if (what && what !== 'link') {
                 if (what !== 'play') {
                     stop();
@@ -177,6 +189,8 @@
                 actions[what]();
             } else if (values) {
                 set(values);
+            } else if (file) {
+                load().then(answer => save(file, ask(answer, `.${file}`)));
             }
         });
         form.addEventListener('submit', event => event.preventDefault());

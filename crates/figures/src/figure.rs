@@ -23,6 +23,26 @@ pub struct Figure {
     pub source: &'static str,
 }
 
+impl Figure {
+    /// The drawing as a file of its own, with fixed colours: each custom property, which only a page can set and only a
+    /// browser understands, gives way to what stands behind it.
+    pub fn standalone(&self) -> String {
+        with_fixed_colours(&self.svg) + "\n"
+    }
+}
+
+fn with_fixed_colours(svg: &str) -> String {
+    let mut parts = svg.split("var(--");
+    let mut fixed = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        match part.split_once(')').and_then(|(property, rest)| Some((property.split_once(", ")?.1, rest))) {
+            Some((colour, rest)) => fixed.extend([colour, rest]),
+            None => fixed.extend(["var(--", part]),
+        }
+    }
+    fixed
+}
+
 /// The words of a figure, before it is drawn.
 pub(crate) struct Words {
     id: String,
@@ -51,5 +71,17 @@ impl Words {
         let svg = canvas.finish(kind, &self.id, &self.title, &self.description);
         let Self { id, title, description, caption, source } = self;
         Figure { id, title, description, caption, svg, series, source }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colours_of_the_page_give_way_to_their_fallbacks() {
+        let svg = "<g fill=\"var(--a, #111)\" stroke=\"var(--b)\"><path stroke=\"var(--c, #222)\"/></g>";
+        assert_eq!(with_fixed_colours(svg), "<g fill=\"#111\" stroke=\"var(--b)\"><path stroke=\"#222\"/></g>");
+        assert_eq!(with_fixed_colours("<g/>"), "<g/>");
     }
 }

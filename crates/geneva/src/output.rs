@@ -129,20 +129,6 @@ pub fn count(number: usize, thing: &str) -> String {
     format!("{number} {thing}{}", if number == 1 { "" } else { "s" })
 }
 
-/// A drawing as a file of its own, with fixed colours: each custom property, which only a page can set and only a browser
-/// understands, gives way to what stands behind it.
-pub fn standalone(svg: &str) -> String {
-    let mut parts = svg.split("var(--");
-    let mut fixed = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
-        match part.split_once(')').and_then(|(property, rest)| Some((property.split_once(", ")?.1, rest))) {
-            Some((colour, rest)) => fixed.extend([colour, rest]),
-            None => fixed.extend(["var(--", part]),
-        }
-    }
-    fixed + "\n"
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -167,12 +153,5 @@ mod tests {
         assert_eq!(cut("β = 42°", 7), "β = 42°");
         assert_eq!(cut("β = 42°", 5), "β = …");
         assert_eq!(cut("β", 3), "β  ");
-    }
-
-    #[test]
-    fn colours_of_the_page_give_way_to_their_fallbacks() {
-        let svg = "<g fill=\"var(--a, #111)\" stroke=\"var(--b)\"><path stroke=\"var(--c, #222)\"/></g>";
-        assert_eq!(standalone(svg), "<g fill=\"#111\" stroke=\"var(--b)\"><path stroke=\"#222\"/></g>\n");
-        assert_eq!(standalone("<g/>"), "<g/>\n");
     }
 }

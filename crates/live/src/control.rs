@@ -8,6 +8,8 @@ use crate::arguments::{Arguments, number};
 pub struct Live {
     /// Its one name, in lower-case letters.
     pub name: &'static str,
+    /// The name of the drawing with which it stands still.
+    pub figure: &'static str,
     /// What to try, and what to see.
     pub hint: &'static str,
     /// What may be moved.
@@ -20,6 +22,8 @@ pub struct Live {
     pub quantities: &'static [Quantity],
     /// What the pointer moves in the drawing.
     pub drag: Option<Drag>,
+    /// What can be taken away.
+    pub files: &'static [File],
     /// Draws it.
     pub draw: fn(&Settings) -> Result<Answer, String>,
 }
@@ -85,6 +89,17 @@ pub struct Drag {
     pub sense: f64,
 }
 
+/// A file that is made of a setting.
+#[derive(Debug)]
+pub struct File {
+    /// Its ending.
+    pub name: &'static str,
+    /// What it is.
+    pub label: &'static str,
+    /// Makes it.
+    pub make: fn(&Settings) -> Result<String, String>,
+}
+
 /// The arguments of a figure, each known to it.
 #[derive(Clone, Debug)]
 pub struct Settings<'a> {
@@ -99,11 +114,26 @@ impl Live {
     ///
     /// What is wrong with the arguments, and what to give.
     pub fn answer(&self, arguments: &Arguments) -> Result<Answer, String> {
+        (self.draw)(&self.settings(arguments)?)
+    }
+
+    /// The file with this ending, of the same arguments.
+    ///
+    /// # Errors
+    ///
+    /// As for [`answer`](Self::answer), and for an ending of none of its files.
+    pub fn file(&self, ending: &str, arguments: &Arguments) -> Result<String, String> {
+        let file = self.files.iter().find(|file| file.name == ending);
+        let file = file.ok_or_else(|| format!("no file `{ending}` of `{}`", self.name))?;
+        (file.make)(&self.settings(arguments)?)
+    }
+
+    fn settings<'a>(&'a self, arguments: &'a Arguments) -> Result<Settings<'a>, String> {
         let names = || self.controls.iter().map(|control| control.name).chain(self.given.iter().copied());
         if let Some(unknown) = arguments.names().find(|name| names().all(|known| known != *name)) {
             return Err(format!("no argument `{unknown}`: there are {}", names().collect::<Vec<_>>().join(", ")));
         }
-        (self.draw)(&Settings { live: self, arguments })
+        Ok(Settings { live: self, arguments })
     }
 }
 

@@ -16,6 +16,7 @@ const REACHED: f64 = 0.01;
 
 pub const LIVE: Live = Live {
     name: "escapement",
+    figure: "live-escapement",
     hint: "Take the friction away bit by bit: the start takes longer and longer, and without any there is no steady speed. Add \
            friction until it jams. Twice the torque makes it faster by the root of two, and nothing else.",
     controls: &[
@@ -86,6 +87,7 @@ pub const LIVE: Live = Live {
         Quantity { name: "critical", label: "may jam from μ =" },
     ],
     drag: None,
+    files: &[],
     draw,
 };
 

@@ -11,6 +11,7 @@
 mod answer;
 mod arguments;
 mod control;
+mod design;
 mod escapement;
 #[cfg(target_family = "wasm")]
 mod exports;
@@ -20,30 +21,31 @@ mod wheel;
 
 pub use answer::{Answer, Number, Progress};
 pub use arguments::Arguments;
-pub use control::{Control, Drag, Kind, Live, Preset, Quantity};
+pub use control::{Control, Drag, File, Kind, Live, Preset, Quantity};
 
 /// All figures that a reader moves, in the order of the book.
-pub const LIVE: [&Live; 4] = [&polygon::LIVE, &wheel::LIVE, &escapement::LIVE, &mistake::LIVE];
+pub const LIVE: [&Live; 5] = [&wheel::LIVE, &design::LIVE, &polygon::LIVE, &mistake::LIVE, &escapement::LIVE];
 
 /// The figure of this name.
 pub fn by_name(name: &str) -> Option<&'static Live> {
     LIVE.into_iter().find(|live| live.name == name)
 }
 
-/// What stands for a question, `name?arguments`, as text: see [`Answer::to_text`]. A question that cannot be answered gets
-/// one line, `error` and what to do, with a tab between them.
+/// What stands for a question, `name?arguments`, as text: see [`Answer::to_text`]; of `name.dxf?arguments`, the file with that
+/// ending. A question that cannot be answered gets one line, `error` and what to do, with a tab between them.
 pub fn answer(question: &str) -> String {
     let (name, arguments) = question.split_once('?').unwrap_or((question, ""));
-    let answer = by_name(name)
-        .ok_or_else(|| {
-            let names: Vec<_> = LIVE.iter().map(|live| live.name).collect();
-            format!("no figure `{name}`: there are {}", names.join(", "))
-        })
-        .and_then(|live| live.answer(&Arguments::parse(arguments)));
-    match answer {
-        Ok(answer) => answer.to_text(),
-        Err(message) => format!("error\t{message}\n"),
-    }
+    let arguments = Arguments::parse(arguments);
+    let (name, ending) = name.split_once('.').map_or((name, None), |(name, ending)| (name, Some(ending)));
+    let live = by_name(name).ok_or_else(|| {
+        let names: Vec<_> = LIVE.iter().map(|live| live.name).collect();
+        format!("no figure `{name}`: there are {}", names.join(", "))
+    });
+    let text = live.and_then(|live| match ending {
+        Some(ending) => live.file(ending, &arguments),
+        None => live.answer(&arguments).map(|answer| answer.to_text()),
+    });
+    text.unwrap_or_else(|message| format!("error\t{message}\n"))
 }
 
 #[cfg(test)]
@@ -52,7 +54,7 @@ mod tests {
 
     #[test]
     fn an_unknown_figure_or_argument_is_named_with_those_there_are() {
-        assert!(answer("weel?stations=4").starts_with("error\tno figure `weel`: there are polygon, wheel"));
+        assert!(answer("weel?stations=4").starts_with("error\tno figure `weel`: there are wheel, design"));
         let text = answer("wheel?stashuns=4");
         assert!(text.starts_with("error\tno argument `stashuns`: there are stations"), "{text}");
     }
@@ -85,6 +87,7 @@ mod tests {
                 for value in
                     ["", "x", "nan", "inf", "-inf", "1e300", "-1e300", "1e-300", "0", "-1", "2.5", "99999999999"]
                 {
+                    eprintln!("{}?{}={value}", live.name, control.name);
                     let text = answer(&format!("{}?{}={value}", live.name, control.name));
                     assert!(text.starts_with("error\t") || text.contains("<svg"), "{text}");
                 }

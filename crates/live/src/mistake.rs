@@ -19,6 +19,7 @@ const AT_ONCE: usize = 2;
 
 pub const LIVE: Live = Live {
     name: "mistake",
+    figure: "live-mistake",
     hint: "Move the reset angle away from 90°: the dots leave the line, three pins to one side, six to the other. Four pins stay \
            where they are at 90° alone. Then let the program choose the sign of friction late, as it did.",
     controls: &[
@@ -98,6 +99,7 @@ pub const LIVE: Live = Live {
         Quantity { name: "exponential", label: "ln L, exponential errors" },
     ],
     drag: None,
+    files: &[],
     draw,
 };
 

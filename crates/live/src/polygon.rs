@@ -7,6 +7,7 @@ use geneva_kinematics::quick_return::{Drive, Motion, QuickReturn};
 
 pub const LIVE: Live = Live {
     name: "polygon",
+    figure: "live-polygon",
     hint: "Count the Coriolis acceleration once, or three times: the polygon stays open at every angle. It closes with two.",
     controls: &[
         Control {
@@ -45,6 +46,7 @@ pub const LIVE: Live = Live {
         Quantity { name: "coriolis", label: "Coriolis acceleration 2 ω₄ v_rel" },
     ],
     drag: Some(Drag { control: "crank", at_right: 0.0, sense: 1.0 }),
+    files: &[],
     draw,
 };
 

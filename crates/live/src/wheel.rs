@@ -7,6 +7,7 @@ use geneva_kinematics::wheel::{Misplaced, Wheel};
 
 pub const LIVE: Live = Live {
     name: "wheel",
+    figure: "live-wheel",
     hint: "Move the axes apart by one per cent: the velocity no longer begins at zero, and the pin enters with a blow. At the \
            right distance the blow is gone.",
     controls: &[
@@ -67,6 +68,7 @@ pub const LIVE: Live = Live {
         Quantity { name: "index", label: "turn of the wheel for a pin" },
     ],
     drag: Some(Drag { control: "crank", at_right: 180.0, sense: -1.0 }),
+    files: &[],
     draw,
 };
 

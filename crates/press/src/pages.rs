@@ -89,6 +89,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
         page("preface", "Geneva, verified", Place::Before),
         chapter(WHEEL, "pin", "The pin in the slot: a problem solved"),
         chapter(WHEEL, "jazar", "The wheel of N stations: sizes and times"),
+        chapter(WHEEL, "making", "Make a wheel"),
         chapter(LEVER, "quick-return", "The quick-return mechanism: a problem solved"),
         chapter(CASE, "escapement", "The Geneva escapement"),
         chapter(CASE, "program", "The program of 1973"),

@@ -115,7 +115,7 @@ pub fn shown(chapter: &str, page: Page<'_>) -> Vec<Shown> {
         let name = match placeholder.key {
             "compare" => format!("{}-printed-{count}", page.name),
             "wheels" => "wheels".to_owned(),
-            "live" => format!("live-{argument}"),
+            "live" => geneva_live::by_name(argument).map_or(argument, |live| live.figure).to_owned(),
             _ => argument.to_owned(),
         };
         let number = format!("{}{count}", page.number);

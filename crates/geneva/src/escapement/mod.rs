@@ -4,13 +4,14 @@ mod run;
 
 use crate::arguments::{Format, Output, formats, name_of};
 use crate::fields::{self, Field, Report, angle, number};
-use crate::output::{count, standalone};
+use crate::output::count;
 use crate::typed::{self, as_typed};
 use anyhow::{anyhow, bail, ensure};
 use clap::{Args, ValueEnum};
 use geneva_dynamics::existence::{critical_friction, least_margin};
 use geneva_dynamics::steady::{Engagement, MOST_CYCLES, SteadyState, TOLERANCE};
 use geneva_dynamics::{Error, Inertias, Parameters};
+use geneva_figures::Figure;
 use geneva_figures::escapement::{mechanism, normal_force};
 use geneva_figures::runs::speeds;
 use geneva_kinematics::Mechanism;
@@ -121,7 +122,7 @@ pub fn page(wanted: &EscapementArguments) -> anyhow::Result<String> {
     let engagement = engagement(&parameters, reset_deg).map_err(|error| unsteady(wanted, error))?;
     match wanted.format {
         Format::Csv => run::csv(&engagement, wanted.duration, wanted.interval),
-        Format::Svg => Ok(standalone(&drawing(wanted, &parameters, &engagement)?)),
+        Format::Svg => Ok(drawing(wanted, &parameters, &engagement)?.standalone()),
         _ => {
             let report = report(&parameters, reset_deg, &engagement, wanted.units);
             let report = report.map_err(|error| unsteady(wanted, error))?;
@@ -344,13 +345,13 @@ pub fn rise(engagement: &Engagement, steady: &SteadyState) -> Result<Option<(usi
     }
 }
 
-/// The drawing that is wanted, as it is in a page.
-fn drawing(wanted: &EscapementArguments, parameters: &Parameters, engagement: &Engagement) -> anyhow::Result<String> {
+/// The drawing that is wanted.
+fn drawing(wanted: &EscapementArguments, parameters: &Parameters, engagement: &Engagement) -> anyhow::Result<Figure> {
     let steady = || engagement.steady_state().map_err(|error| unsteady(wanted, error));
     Ok(match wanted.figure.unwrap_or_default() {
         FigureName::Mechanism => {
             let escapement = parameters.mechanism();
-            mechanism(&escapement, -escapement.engagement_half_angle() / 3.0)?.svg
+            mechanism(&escapement, -escapement.engagement_half_angle() / 3.0)?
         }
         FigureName::NormalForce => {
             if let Some(reset_angle) = wanted.reset_deg {
@@ -360,11 +361,11 @@ fn drawing(wanted: &EscapementArguments, parameters: &Parameters, engagement: &E
                     as_typed(reset_angle)
                 );
             }
-            normal_force(parameters, steady()?.entry_speed)?.svg
+            normal_force(parameters, steady()?.entry_speed)?
         }
         FigureName::Run => {
             steady()?;
-            speeds(engagement, "")?.svg
+            speeds(engagement, "")?
         }
     })
 }

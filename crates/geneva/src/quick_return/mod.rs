@@ -6,7 +6,6 @@ mod vector;
 
 use crate::arguments::{Format, Output, formats, name_of};
 use crate::fields;
-use crate::output::standalone;
 use crate::typed::{self, as_typed};
 use anyhow::{anyhow, ensure};
 use clap::{Args, ValueEnum};
@@ -105,7 +104,7 @@ pub fn page(wanted: &QuickReturnArguments) -> anyhow::Result<String> {
                 FigureName::Velocity => velocity_diagram,
                 FigureName::Acceleration => acceleration_diagram,
             };
-            Ok(standalone(&draw(&linkage, &position, &drive, "m").svg))
+            Ok(draw(&linkage, &position, &drive, "m").standalone())
         }
         _ => Ok(report.sheet()),
     }

@@ -12,7 +12,6 @@ mod workshop;
 
 use crate::arguments::{Format, Output, formats};
 use crate::fields;
-use crate::output::standalone;
 use crate::typed;
 use anyhow::ensure;
 use clap::Args;
@@ -104,7 +103,7 @@ pub fn page(wanted: &WheelArguments) -> anyhow::Result<String> {
     let made = Made::new(wanted)?;
     idle::refused(wanted)?;
     match wanted.format {
-        Format::Svg => Ok(standalone(&made.drawing().svg)),
+        Format::Svg => Ok(made.drawing().standalone()),
         Format::Csv => cycle::csv(&made, &wanted.at),
         Format::Dxf | Format::Scad | Format::Stl => workshop::file(&made, wanted.thickness, wanted.format),
         format => {

@@ -21,6 +21,7 @@ type Draw = fn() -> anyhow::Result<Figure>;
 pub const FIGURES: &[(&str, Draw)] = &[
     ("wheel-turning", || Ok(stations::turning(&four_stations()?))),
     ("live-wheel", || live::figure("wheel")),
+    ("wheel-dimensions", || live::figure("design")),
     ("pin-position", || of_pin(|at| pin::position_triangle(&at.mechanism, &at.crank))),
     ("pin-velocity", || of_pin(|at| pin::velocity_triangle(&at.mechanism, &at.crank, at.driver_speed, "mm/s"))),
     ("pin-engagement", || of_pin(|at| pin::over_the_engagement(&at.mechanism, &at.crank, at.driver_speed, "mm"))),

@@ -24,6 +24,7 @@ struct Told {
 
 const TOLD: &[Told] = &[
     Told { name: "wheel", given: || Ok(String::new()), claims: &[] },
+    Told { name: "design", given: || Ok(String::new()), claims: &[] },
     Told { name: "polygon", given: lever, claims: &[] },
     Told { name: "escapement", given: example, claims: &[] },
     Told { name: "mistake", given: runs, claims: &[] },
@@ -47,6 +48,10 @@ pub fn html(name: &str) -> anyhow::Result<String> {
     let presets = live.presets.iter().map(|preset| {
         format!("<button type=\"button\" data-set=\"{}\">{}</button>", escape(preset.arguments), escape(preset.name))
     });
+    let files = live
+        .files
+        .iter()
+        .map(|file| format!(" <button type=\"button\" data-file=\"{}\">{}</button>", file.name, escape(file.label)));
     let numbers: Vec<String> = live
         .quantities
         .iter()
@@ -68,12 +73,14 @@ pub fn html(name: &str) -> anyhow::Result<String> {
          class=\"moved\">{}</div>\n<p class=\"buttons\"><button type=\"button\" data-do=\"play\">Play</button><button type=\"button\" \
          data-do=\"back\" aria-label=\"One step back\">◂</button><button type=\"button\" data-do=\"forth\" aria-label=\"One step \
          forward\">▸</button><button type=\"button\" data-do=\"reset\">Reset</button>{} <a data-do=\"link\" \
-         href=\"#fig-live-{name}\">Link to this setting</a></p>\n<dl aria-live=\"polite\">{}</dl>\n<p class=\"message\" \
+         href=\"#fig-{}\">Link to this setting</a>{}</p>\n<dl aria-live=\"polite\">{}</dl>\n<p class=\"message\" \
          role=\"status\"></p>\n</form>",
         answer.figure.svg.trim_end(),
         escape(live.hint),
         rows.concat(),
         presets.collect::<String>(),
+        live.figure,
+        files.collect::<String>(),
         numbers.concat(),
     ))
 }

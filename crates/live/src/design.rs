@@ -1,0 +1,136 @@
+//! A wheel of the reader's own: sizes, times, loads, clearance, and the files to make it.
+
+use crate::answer::{Answer, Number};
+use crate::control::{Control, File, Kind, Live, Preset, Quantity, Settings};
+use geneva_dynamics::wheel_loads::WheelLoads;
+use geneva_figures::stations;
+use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
+use geneva_workshop::{Layout, dxf};
+use std::f64::consts::TAU;
+
+pub const LIVE: Live = Live {
+    name: "design",
+    figure: "wheel-dimensions",
+    hint: "Choose your stations and your size, then make the pin thicker until it no longer fits. Twice the speed is four times \
+           the force. Move the axes a little apart and see how hard the pin knocks.",
+    controls: &[
+        slider("stations", "stations N", "", [3.0, 24.0], 1.0, 6.0),
+        slider("pins", "pins", "", [1.0, 4.0], 1.0, 1.0),
+        slider("radius", "crank radius", "mm", [5.0, 100.0], 0.5, 25.0),
+        slider("pin", "diameter of a pin", "mm", [1.0, 40.0], 0.1, 7.5),
+        slider("play", "play", "mm", [0.0, 0.5], 0.01, 0.05),
+        Control { kind: Kind::Player(60.0), ..slider("speed", "speed of the driver", "rpm", [1.0, 600.0], 1.0, 60.0) },
+        slider("inertia", "inertia of wheel and table", "kg cm²", [0.0, 500.0], 0.5, 20.0),
+        slider("friction", "friction torque on the wheel", "N m", [0.0, 5.0], 0.05, 0.1),
+        slider("error", "axes too far apart by", "mm", [-1.0, 1.0], 0.01, 0.0),
+    ],
+    presets: &[
+        Preset { name: "six stations", arguments: "stations=6&pins=1&radius=25&pin=7.5&play=0.05&error=0" },
+        Preset { name: "eight stations, two pins", arguments: "stations=8&pins=2&radius=20&pin=6&play=0.05&error=0" },
+        Preset { name: "a pin too thick", arguments: "stations=6&radius=25&pin=20" },
+    ],
+    given: &[],
+    quantities: &[
+        Quantity { name: "centres", label: "centre distance" },
+        Quantity { name: "wheel", label: "wheel radius, to the pin at entry" },
+        Quantity { name: "slot", label: "slot, width × depth" },
+        Quantity { name: "disc", label: "radius of the locking disc" },
+        Quantity { name: "clearance", label: "least clearance" },
+        Quantity { name: "index", label: "indexing time" },
+        Quantity { name: "dwell", label: "dwell time" },
+        Quantity { name: "torque", label: "greatest torque on the wheel" },
+        Quantity { name: "force", label: "greatest force of the pin" },
+        Quantity { name: "crank", label: "greatest torque at the crank" },
+        Quantity { name: "backlash", label: "the wheel at rest turns loosely by" },
+        Quantity { name: "blow", label: "the pin knocks with" },
+    ],
+    drag: None,
+    files: &[
+        File {
+            name: "dxf",
+            label: "Drawing for the machine (DXF)",
+            make: |settings| Ok(dxf(&sizes(settings)?, Layout::Apart)),
+        },
+        File {
+            name: "svg",
+            label: "Drawing with sizes (SVG)",
+            make: |settings| Ok(stations::dimensions(&sizes(settings)?).standalone()),
+        },
+    ],
+    draw,
+};
+
+const fn slider(
+    name: &'static str,
+    label: &'static str,
+    unit: &'static str,
+    [least, most]: [f64; 2],
+    step: f64,
+    preset: f64,
+) -> Control {
+    Control { name, label, unit, least, most, step, preset, kind: Kind::Slider }
+}
+
+fn sizes(settings: &Settings) -> Result<Sizes, String> {
+    let wheel =
+        Wheel::with_pins(settings.count("stations")?, settings.count("pins")?).map_err(|error| error.to_string())?;
+    let choices = Choices {
+        pin_diameter: Some(settings.value("pin")?),
+        play: Some(Play::all(settings.value("play")?)),
+        ..Choices::default()
+    };
+    Sizes::new(wheel, Scale::CrankRadius(settings.value("radius")?), &choices).map_err(|error| error.to_string())
+}
+
+fn draw(settings: &Settings) -> Result<Answer, String> {
+    let sizes = sizes(settings)?;
+    let speed = settings.value("speed")? * TAU / 60.0;
+    // From kg cm² to kg m².
+    let inertia = 1e-4 * settings.value("inertia")?;
+    let loads = WheelLoads::new(&sizes.wheel, inertia, settings.value("friction")?, speed)
+        .map_err(|error| error.to_string())?;
+    let error = settings.value("error")?;
+    let clearance = sizes.clearance_at(sizes.centre_distance + error).map_err(|error| error.to_string())?.least();
+    let time = |time: Result<f64, geneva_kinematics::KinematicsError>| time.map_err(|error| error.to_string());
+    let (index, dwell) = (time(sizes.wheel.indexing_time(speed))?, time(sizes.wheel.dwell_time(speed))?);
+    let millimetres = |name, value| Number::new(name, value, 3, "mm");
+    let mut numbers = vec![
+        millimetres("centres", sizes.centre_distance),
+        millimetres("wheel", sizes.wheel_radius),
+        Number {
+            text: format!("{:.3} × {:.3} mm", sizes.slot_width, sizes.slot_depth),
+            ..millimetres("slot", sizes.slot_width)
+        },
+    ];
+    if let Some(disc) = sizes.locking_disc {
+        numbers.push(millimetres("disc", disc.radius));
+    }
+    let least = millimetres("clearance", clearance.distance);
+    numbers
+        .push(Number { text: format!("{} at {:.1}°", least.text, clearance.crank_angle.to_degrees().abs()), ..least });
+    numbers.push(Number::significant("index", index, 4, "s"));
+    numbers.push(Number::significant("dwell", dwell, 4, "s"));
+    // A moment at the crank radius, which is in millimetres.
+    let force = 1000.0 * loads.pin_moment().driving.value / sizes.crank_radius;
+    for (name, value, unit) in [
+        ("torque", loads.wheel_torque().driving.value, "N m"),
+        ("force", force, "N"),
+        ("crank", loads.crank_torque().driving.value, "N m"),
+    ] {
+        numbers.push(Number::significant(name, value, 4, unit));
+    }
+    if let Some(backlash) = sizes.dwell_backlash() {
+        numbers.push(Number::new("backlash", backlash.to_degrees(), 3, "°"));
+    }
+    let message = match sizes.entry(error) {
+        Some(entry) => {
+            let knock = entry.closing_speed * speed * sizes.crank_radius;
+            numbers.push(Number::significant("blow", knock, 3, "mm/s"));
+            None
+        }
+        None => Some("With this distance of the axes the pin does not meet the slot.".to_owned()),
+    };
+    let bites = "With these axes driver and wheel are in each other: a clearance below zero is how deep.";
+    let message = if clearance.distance < 0.0 { Some(bites.to_owned()) } else { message };
+    Ok(Answer { message, ..Answer::new(stations::dimensions(&sizes), numbers) })
+}
