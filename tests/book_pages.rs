@@ -243,7 +243,8 @@ fn a_page_is_not_too_heavy() {
 #[test]
 fn what_moves_figures_is_not_too_heavy() {
     let files = contents(book());
-    let weight: usize = files.iter().filter(|(name, _)| name.starts_with("data/live")).map(|(_, file)| file.len()).sum();
+    let weight: usize =
+        files.iter().filter(|(name, _)| name.starts_with("data/live")).map(|(_, file)| file.len()).sum();
     assert!((100_000..HEAVIEST_MOVER).contains(&weight), "{weight} bytes; {HEAVIEST_MOVER} are allowed");
 }
 
