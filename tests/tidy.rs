@@ -12,8 +12,9 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("mimic", &[]),
     ("ledger", &["kinematics", "dynamics", "mimic"]),
     ("figures", &["kinematics", "dynamics", "mimic"]),
-    ("live", &["kinematics", "dynamics", "mimic", "figures"]),
-    ("workshop", &["kinematics"]),
+    ("live", &["kinematics", "dynamics", "mimic", "figures", "workshop"]),
+    ("press", &["kinematics", "dynamics", "mimic", "ledger", "figures", "live"]),
+    ("geneva", &["kinematics", "dynamics", "mimic", "ledger", "figures", "workshop", "live", "press"]),
     ("press", &["kinematics", "dynamics", "mimic", "ledger", "figures", "live"]),
     ("geneva", &["kinematics", "dynamics", "mimic", "ledger", "figures", "live", "press", "workshop"]),
 ];

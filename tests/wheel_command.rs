@@ -1,20 +1,65 @@
 //! Does `geneva wheel` say what the kinematics say, and does it refuse what they refuse?
 
+mod cycle;
+mod idle;
+mod loads;
+mod parts;
+mod times;
+mod workshop;
+
 use crate::{assert_is_drawn, assert_is_plain, geneva, number, object, on_sheet, pin, refusal, right, stdout};
-use geneva_figures::stations::mechanism;
+use geneva_figures::stations::{internal_mechanism, mechanism, spherical_mechanism};
+use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::internal_wheel::InternalWheel;
+use geneva_kinematics::spherical_wheel::SphericalWheel;
 use geneva_kinematics::wheel::{STATIONS, Wheel};
 
 /// What needs the speed of the driver.
-const OF_SPEED: [&str; 6] = [
+const OF_SPEED: [&str; 7] = [
     "rpm",
     "indexing_time_s",
     "dwell_time_s",
     "peak_speed_rad_s",
     "entry_acceleration_rad_s2",
     "peak_acceleration_rad_s2",
+    "peak_jerk_rad_s3",
 ];
-/// What needs the crank radius.
-const OF_SIZE: [&str; 4] = ["crank_radius_mm", "centre_distance_mm", "wheel_radius_mm", "slot_length_mm"];
+/// What needs a size.
+const OF_SIZE: [&str; 16] = [
+    "crank_radius_mm",
+    "centre_distance_mm",
+    "wheel_radius_mm",
+    "slot_length_mm",
+    "pin_diameter_mm",
+    "play_mm",
+    "slot_width_mm",
+    "slot_depth_mm",
+    "rim_radius_mm",
+    "horn_thickness_mm",
+    "locking_radius_mm",
+    "wheel_shaft_limit_mm",
+    "driver_shaft_limit_mm",
+    "least_clearance_mm",
+    "least_clearance_at_deg",
+    "dwell_backlash_deg",
+];
+/// What needs speed and inertia.
+const OF_LOAD: [&str; 14] = [
+    "inertia_kgm2",
+    "peak_wheel_torque_nm",
+    "peak_wheel_torque_at_deg",
+    "peak_crank_torque_nm",
+    "peak_crank_torque_at_deg",
+    "peak_power_w",
+    "rms_crank_torque_nm",
+    "mean_crank_torque_nm",
+    "braking_wheel_torque_nm",
+    "braking_crank_torque_nm",
+    "braking_from_deg",
+    "braking_until_deg",
+    "peak_pin_force_n",
+    "peak_pin_force_at_deg",
+];
 const SIX_AT_360: [&str; 5] = ["wheel", "--stations", "6", "--rpm", "360"];
 
 fn in_format(arguments: &[&'static str], format: &'static str) -> Vec<&'static str> {
@@ -24,10 +69,9 @@ fn in_format(arguments: &[&'static str], format: &'static str) -> Vec<&'static s
 #[test]
 fn a_wheel_is_written_in_each_format() {
     pin("wheel-of-six", &SIX_AT_360);
-    pin("wheel-of-six-with-lengths", &[&SIX_AT_360[..], &["--crank-radius", "0.05"]].concat());
+    pin("wheel-of-six-with-lengths", &[&SIX_AT_360[..], &["--crank-radius", "50"]].concat());
     pin("wheel-of-six-json", &in_format(&SIX_AT_360, "json"));
-    pin("wheel-is-no-series", &in_format(&SIX_AT_360, "csv"));
-    pin("wheel-of-six-svg", &in_format(&SIX_AT_360, "svg"));
+    pin("wheel-of-six-svg", &in_format(&["wheel", "--stations", "6"], "svg"));
     pin("wheel-without-dwell", &["wheel", "--stations", "4", "--pins", "4"]);
 }
 
@@ -47,8 +91,8 @@ fn numbers_are_those_that_the_ledger_finds_right_in_the_handout() {
         let (said, right) = (number(&found, key), right(claim));
         assert!((said / right - 1.0).abs() < 1e-12, "{key}: {said}, {claim}: {right}");
     }
-    // The four slots of the textbook, with a crank of as many metres.
-    let radius = right("pin.crank-radius") / 1000.0;
+    // The four slots of the textbook, with a crank of as many millimetres.
+    let radius = right("pin.crank-radius");
     let found = object(&["wheel", "--stations", "4", "--crank-radius", &radius.to_string()]);
     assert_eq!(number(&found, "crank_radius_mm"), right("pin.crank-radius"));
     assert!((number(&found, "wheel_radius_mm") / right("pin.crank-radius") - 1.0).abs() < 1e-15);
@@ -57,7 +101,7 @@ fn numbers_are_those_that_the_ledger_finds_right_in_the_handout() {
 #[test]
 fn the_sheet_says_what_the_object_says() {
     for stations in ["3", "6", "1000"] {
-        let wheel = ["wheel", "--stations", stations, "--rpm", "7", "--crank-radius", "0.05"];
+        let wheel = ["wheel", "--stations", stations, "--rpm", "7", "--crank-radius", "50"];
         let (sheet, found) = (stdout(&wheel, 0), object(&wheel));
         assert_is_plain(&sheet);
         let mut lines = sheet.lines();
@@ -85,20 +129,66 @@ fn the_sheet_says_what_the_object_says() {
 
 #[test]
 fn keys_are_always_there_and_null_without_what_they_need() {
-    let all = object(&["wheel", "--stations", "6", "--rpm", "360", "--crank-radius", "0.05"]);
+    let all = object(&["wheel", "--stations", "6", "--rpm", "360", "--crank-radius", "50", "--inertia", "1"]);
+    let loads = OF_LOAD.iter().copied().chain(["braking_pin_force_n", "friction_torque_nm"]);
+    let loads: Vec<_> = loads.collect();
+    let forces = ["peak_pin_force_n", "peak_pin_force_at_deg", "braking_pin_force_n"];
     for (options, missing) in [
-        (&[][..], [&OF_SPEED[..], &OF_SIZE].concat()),
-        (&["--rpm", "360"], OF_SIZE.to_vec()),
-        (&["--crank-radius", "0.05"], OF_SPEED.to_vec()),
-        (&["--rpm", "360", "--crank-radius", "0.05"], Vec::new()),
+        (&[][..], [&OF_SPEED[..], &OF_SIZE, &loads].concat()),
+        (&["--rpm", "360"], [&OF_SIZE[..], &loads].concat()),
+        (&["--crank-radius", "50"], [&OF_SPEED[..], &loads].concat()),
+        (&["--rpm", "360", "--crank-radius", "50"], loads.clone()),
+        (&["--rpm", "360", "--inertia", "0.1"], [&OF_SIZE[..], &forces, &["friction_torque_nm"]].concat()),
+        (&["--rpm", "360", "--inertia", "0.1", "--friction-torque", "2", "--crank-radius", "50"], vec![]),
     ] {
         let found = object(&[&["wheel", "--stations", "6"], options].concat());
         assert!(found.keys().eq(all.keys()), "{options:?}");
         for (key, value) in found {
             assert_eq!(value.is_null(), missing.contains(&&*key), "{key} with {options:?}");
-            assert!(value.is_null() || value.is_number(), "{key} with {options:?}: {value}");
+            let kind = ["type", "at"].contains(&&*key);
+            assert!(kind || value.is_null() || value.is_number(), "{key} with {options:?}: {value}");
         }
     }
+}
+
+/// Every kind of wheel, and what makes it.
+fn kinds(stations: u32) -> [(&'static str, Box<dyn Indexing>); 3] {
+    [
+        ("external", Box::new(Wheel::new(stations).expect("possible"))),
+        ("internal", Box::new(InternalWheel::new(stations).expect("possible"))),
+        ("spherical", Box::new(SphericalWheel::new(stations).expect("possible"))),
+    ]
+}
+
+#[test]
+fn every_kind_of_wheel_says_what_its_kinematics_say() {
+    for stations in [3, 5, 8, 40] {
+        for (kind, wheel) in kinds(stations) {
+            let typed = stations.to_string();
+            let found = object(&["wheel", "--stations", &typed, "--type", kind, "--rpm", "30"]);
+            assert_eq!(found["type"], kind);
+            let speed = std::f64::consts::PI;
+            for (key, right) in [
+                ("motion_fraction", wheel.motion_fraction()),
+                ("dwell_fraction", wheel.dwell_fraction()),
+                ("engagement_half_angle_deg", wheel.engagement_half_angle().to_degrees()),
+                ("indexing_time_s", wheel.indexing_time(speed).expect("positive")),
+                ("dwell_time_s", wheel.dwell_time(speed).expect("positive")),
+                ("peak_velocity_ratio", wheel.peak_velocity()),
+                ("peak_speed_rad_s", wheel.peak_velocity() * speed),
+                ("entry_acceleration_ratio", wheel.entry_acceleration()),
+                ("peak_acceleration_ratio", wheel.acceleration_peak().ratio),
+                ("peak_acceleration_angle_deg", wheel.acceleration_peak().angle.to_degrees()),
+                ("peak_jerk_ratio", wheel.jerk_peak().ratio),
+                ("peak_jerk_rad_s3", wheel.jerk_peak().ratio * speed * speed * speed),
+            ] {
+                let said = number(&found, key);
+                assert!((said - right).abs() <= 1e-14 * right.abs(), "{kind} {stations} {key}: {said}, {right}");
+            }
+        }
+    }
+    pin("wheel-internal", &["wheel", "--stations", "6", "--type", "internal", "--centre-distance", "100"]);
+    pin("wheel-spherical", &["wheel", "--stations", "6", "--type", "spherical", "--rpm", "60", "--wheel-radius", "80"]);
 }
 
 #[test]
@@ -107,6 +197,10 @@ fn the_drawing_is_that_of_the_figures_and_stands_alone() {
         let wheel = Wheel::with_pins(stations.parse().expect("whole"), pins.parse().expect("whole")).expect("possible");
         assert_is_drawn(&["wheel", "--stations", stations, "--pins", pins], &mechanism(&wheel));
     }
+    let internal = internal_mechanism(&InternalWheel::new(5).expect("possible"));
+    assert_is_drawn(&["wheel", "--stations", "5", "--type", "internal"], &internal);
+    let spherical = spherical_mechanism(&SphericalWheel::with_pins(7, 2).expect("possible"));
+    assert_is_drawn(&["wheel", "--stations", "7", "--type", "spherical", "--pins", "2"], &spherical);
 }
 
 #[test]
@@ -131,10 +225,22 @@ fn what_cannot_be_is_refused_with_what_can() {
         (&["--stations", "6", "--crank-radius", "0"], "'0' for '--crank-radius", "above zero"),
         (&["--stations", "6", "--crank-radius", "-50"], "'-50' for '--crank-radius", "above zero"),
         (&["--stations", "6", "--crank-radius", "1e308"], "'1e308' for '--crank-radius", "can have"),
-        (&["--stations", "6", "--crank-radius", "long"], "'long'", "above zero"),
+        (&["--stations", "6", "--crank-radius", "long"], "'long'", "millimetres above zero"),
+        (&["--stations", "6", "--centre-distance", "0"], "'0' for '--centre-distance", "above zero"),
+        (&["--stations", "6", "--wheel-radius", "nan"], "'nan' for '--wheel-radius", "above zero"),
+        (&["--stations", "6", "--pin-diameter", "-1"], "'-1' for '--pin-diameter", "above zero"),
+        (&["--stations", "6", "--play", "-0.1"], "'-0.1' for '--play", "zero or more"),
+        (&["--stations", "6", "--inertia", "-2"], "'-2' for '--inertia", "zero or more"),
+        (&["--stations", "6", "--friction-torque", "inf"], "'inf' for '--friction-torque", "zero or more"),
+        (&["--stations", "6", "--density", "0"], "'0' for '--density", "above zero"),
+        (&["--stations", "6", "--at", "inf"], "'inf' for '--at", "between"),
+        (&["--stations", "6", "--at", "north"], "'north'", "degrees"),
+        (&["--stations", "6", "--type", "internal", "--pins", "2"], "2 pins", "carries 1,"),
+        (&["--stations", "6", "--type", "spherical", "--pins", "3"], "3 pins", "1 to 2"),
+        (&["--index-time", "0", "--dwell-time", "1"], "'0' for '--index-time", "above zero"),
     ] {
-        // The drawing needs neither speed nor size, but a wrong one is a mistake there too.
-        for format in ["text", "json", "svg"] {
+        // The drawing needs neither speed nor load, but a wrong one is a mistake there too.
+        for format in ["text", "json", "csv", "svg"] {
             let said = refusal(geneva(&[&["wheel", "--format", format], options].concat()));
             assert!(said.starts_with("error: ") && said.contains("give "), "{options:?}: {said}");
             assert!(said.contains(value) && said.contains(allowed), "{options:?}: {said}");

@@ -1,7 +1,7 @@
 //! Does every public number of the formulas and of the solver say its unit?
 
 /// What tells a unit, as whole words.
-const UNITS: [&str; 16] = [
+const UNITS: [&str; 20] = [
     "dimensionless",
     "rad",
     "radians",
@@ -10,8 +10,12 @@ const UNITS: [&str; 16] = [
     "degrees",
     "seconds",
     "crank radii",
+    "in metres",
     "millimetres",
+    "in N",
+    "in N m",
     "kg m²",
+    "in Pa",
     // Where any consistent units will do.
     "unit of",
     "units of",

@@ -7,7 +7,8 @@
 //! `R` distance of the pin from the follower's pivot, μ friction between pin and slot, `K` torque on the driver, `I_D`
 //! and `I_f` moments of inertia of driver and follower. θ and φ grow in opposite senses of rotation.
 //!
-//! [`joints`] is the same escapement with a pin of finite radius and friction in the bearings.
+//! [`joints`] is the same escapement with a pin of finite radius and friction in the bearings. [`wheel_loads`] and
+//! [`line_contact`] are of wheels whose driver has a constant speed: torques and forces, and the pressure on the pin.
 //!
 //! This crate holds no number that a source prints, does no input or output, and knows nothing of claims or books.
 
@@ -22,6 +23,7 @@ pub mod existence_proofs;
 pub mod forces;
 pub mod joints;
 pub mod likelihood;
+pub mod line_contact;
 mod parameters;
 pub mod pose;
 pub mod program;
@@ -32,6 +34,7 @@ pub mod similarity;
 pub mod singularity;
 pub mod steady;
 pub mod timer;
+pub mod wheel_loads;
 
 pub use equation::{Acceleration, Coefficients};
 pub use error::Error;

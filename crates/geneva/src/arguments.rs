@@ -70,12 +70,21 @@ Examples:
 With --against, exit code 1 says that a line of the copy has other numbers than the ledger. With --record, claims and \
 exceptions stay where the numbers of a line have not changed; the rest is to be filled in by hand.")]
     Coverage(CoverageArguments),
-    /// Compute or draw a wheel: its sizes, its times, its greatest speed and acceleration
+    /// Compute or draw a wheel: its sizes, its times, its motion and its loads
     #[command(after_help = "\
 Examples:
-  geneva wheel --stations 6 --rpm 360 --crank-radius 0.05
+  geneva wheel --stations 6 --rpm 360 --crank-radius 50
+  geneva wheel --stations 6 --rpm 360 --crank-radius 50 --inertia 0.002 --friction-torque 0.3
+  geneva wheel --stations 8 --centre-distance 100 --pin-diameter 8 --play 0.05
+  geneva wheel --stations 5 --type internal --rpm 60 --at -90 --at 30
   geneva wheel --stations 4 --pins 2 --format json
-  geneva wheel --stations 6 --format svg --output wheel.svg")]
+  geneva wheel --stations 6 --rpm 60 --format csv --output cycle.csv
+  geneva wheel --stations 6 --format svg --output wheel.svg
+  geneva wheel --stations 6 --crank-radius 50 --format dxf --output wheel.dxf
+  geneva wheel --stations 6 --crank-radius 50 --thickness 8 --format stl --output wheel.stl
+  geneva wheel --index-time 0.4 --dwell-time 1
+
+An option that would change nothing is refused, with what to add.")]
     Wheel(WheelArguments),
     /// Compute or draw a quick-return mechanism: velocities and accelerations at an instant
     #[command(after_help = "\
@@ -289,6 +298,12 @@ pub enum Format {
     Csv,
     /// A drawing, a file of its own.
     Svg,
+    /// A drawing for machines that cut.
+    Dxf,
+    /// A model for OpenSCAD.
+    Scad,
+    /// A mesh for printing.
+    Stl,
     /// For pages.
     Markdown,
 }
@@ -301,6 +316,9 @@ impl Format {
             Self::Json => "json",
             Self::Csv => "csv",
             Self::Svg => "svg",
+            Self::Dxf => "dxf",
+            Self::Scad => "scad",
+            Self::Stl => "stl",
             Self::Markdown => "markdown",
         }
     }

@@ -12,6 +12,9 @@ use std::str::FromStr;
 /// Numbers whose quotients and products have full precision, far outside of any machine.
 const COMPUTABLE: RangeInclusive<f64> = 1e-30..=1e30;
 
+/// Degrees beyond which fractions of one are lost.
+const MOST_DEGREES: f64 = 1e9;
+
 /// Most threads that may be asked for.
 const MOST_THREADS: usize = 1024;
 
@@ -20,9 +23,14 @@ pub fn positive(text: &str) -> Result<f64, String> {
     above_zero(number(text).ok_or("not a number; give one above zero, with a point before its decimals")?)
 }
 
-/// A length in metres, above zero: the unit of all lengths that are typed.
+/// A length in metres, above zero: the unit of all lengths of a quick-return mechanism.
 pub fn metres(text: &str) -> Result<f64, String> {
     above_zero(number(text).ok_or("not a length; give metres above zero, with a point before the decimals")?)
+}
+
+/// A length in millimetres, above zero: the unit of all lengths of a wheel.
+pub fn millimetres(text: &str) -> Result<f64, String> {
+    above_zero(number(text).ok_or("not a length; give millimetres above zero, with a point before the decimals")?)
 }
 
 /// A number that is zero or more.
@@ -51,6 +59,19 @@ pub fn turns_a_minute(text: &str) -> Result<f64, String> {
 /// An angle in degrees. Which are possible, the mechanism says.
 pub fn degrees(text: &str) -> Result<f64, &'static str> {
     number(text).ok_or("not an angle; give degrees, with a point before the decimals")
+}
+
+/// An angle in degrees, of which every finite one is possible.
+pub fn finite_degrees(text: &str) -> Result<f64, String> {
+    let value = degrees(text)?;
+    if value.abs() <= MOST_DEGREES {
+        Ok(value)
+    } else {
+        Err(format!(
+            "{} is no angle to compute with; give degrees between −{MOST_DEGREES:e} and {MOST_DEGREES:e}",
+            as_typed(value)
+        ))
+    }
 }
 
 /// A number of a follower's slots. Which are possible, the library says.

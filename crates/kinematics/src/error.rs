@@ -38,8 +38,10 @@ pub enum KinematicsError {
     Stations(u32),
     /// So many pins do not fit: one would enter before the one before it has left, or there is none at all.
     #[error(
-        "{asked} pins: a driver for {stations} stations carries 1 to {most}, or a pin would enter before the one before \
-         it has left; give a number between them"
+        "{asked} pins: a driver for {stations} stations carries {}, or a pin would enter before the one before \
+         it has left; give {}",
+        if *most == 1 { "1".to_owned() } else { format!("1 to {most}") },
+        if *most == 1 { "1" } else { "a number between them" }
     )]
     Pins {
         /// How many were asked for.
@@ -75,6 +77,17 @@ pub enum KinematicsError {
         /// The angle asked for, in radians.
         asked: f64,
         /// The greatest angle allowed to either side, in radians.
+        most: f64,
+    },
+    /// A wheel angle that no pin in a slot gives, or that is not finite.
+    #[error(
+        "wheel angle {asked} rad: during an index it goes from {} to {most} rad; give an angle between them",
+        -most
+    )]
+    WheelAngle {
+        /// The angle asked for, in radians.
+        asked: f64,
+        /// The greatest to either side of the middle, in radians.
         most: f64,
     },
     /// Lengths of a quick-return mechanism so different that their ratio is not a number a machine can hold.

@@ -14,13 +14,19 @@ mod proofs;
 mod scalars;
 
 pub mod escapement;
+pub mod indexing;
+pub mod internal_wheel;
+pub mod internal_wheel_proofs;
 pub mod pin_proofs;
 pub mod pin_slot;
 pub mod pin_triangle;
 pub mod pin_vectors;
 pub mod quick_return;
 pub mod relative_motion;
+pub mod spherical_wheel;
+pub mod spherical_wheel_proofs;
 pub mod wheel;
+pub mod wheel_jerk_proofs;
 pub mod wheel_peak_proofs;
 pub mod wheel_proofs;
 

@@ -23,6 +23,11 @@ impl Arguments {
         self.0.keys().map(String::as_str)
     }
 
+    /// All of them again, by name.
+    pub fn to_text(&self) -> String {
+        self.0.iter().map(|(name, value)| format!("{name}={value}&")).collect()
+    }
+
     /// The text of a name.
     pub fn text(&self, name: &str) -> Option<&str> {
         self.0.get(name).map(String::as_str)
@@ -53,6 +58,7 @@ mod tests {
     #[test]
     fn the_later_of_two_counts_and_a_minus_is_a_minus() {
         let arguments = Arguments::parse("a=1&b=x&a=−2.5&c&");
+        assert_eq!(arguments.to_text(), "a=−2.5&b=x&c=&");
         assert_eq!(arguments.given_number("a"), Ok(-2.5));
         assert_eq!((arguments.text("b"), arguments.text("c"), arguments.text("d")), (Some("x"), Some(""), None));
         assert!(arguments.given_number("b").is_err_and(|why| why.contains("`x`: not a number")));

@@ -120,7 +120,7 @@ struct Setting {
 fn draw(settings: &Settings) -> Result<Answer, String> {
     let (rows, units) = rows(settings)?;
     let setting = setting(settings)?;
-    let key = format!("{settings:?}");
+    let key = settings.arguments().to_text();
     let (computed, done) = match setting.late {
         None => (rows.iter().map(|row| exactly(row, &setting)).collect(), rows.len()),
         Some(late) => by_program(&key, &rows, &setting, late),

@@ -20,7 +20,7 @@ mod extremes;
 mod largest_printed;
 mod passage;
 pub mod proofs;
-mod quadrature;
+pub(crate) mod quadrature;
 mod rise;
 mod run;
 mod steady_state;

@@ -3,14 +3,14 @@
 use std::sync::LazyLock;
 
 /// Nodes of one subinterval of the motion.
-pub(super) const NODES: usize = 16;
+pub(crate) const NODES: usize = 16;
 
 /// Nodal values: one number for each node.
-pub(super) type NodalValues = [f64; NODES];
+pub(crate) type NodalValues = [f64; NODES];
 
 /// The rule for the interval from −1 to 1.
 #[derive(Debug)]
-pub(super) struct GaussLegendre {
+pub(crate) struct GaussLegendre {
     /// Where, rising: the roots of Legendre's polynomial.
     pub nodes: NodalValues,
     /// What a value counts in the integral over the whole interval.
@@ -30,7 +30,7 @@ const HALF: usize = NODES / 2;
 static RULE: LazyLock<GaussLegendre> = LazyLock::new(GaussLegendre::new);
 
 /// The one rule, made at the first call.
-pub(super) fn rule() -> &'static GaussLegendre {
+pub(crate) fn rule() -> &'static GaussLegendre {
     &RULE
 }
 

@@ -1,9 +1,9 @@
-//! The mechanism beside its two vector diagrams, in one scale for the whole turn.
+//! The mechanism beside its two vector diagrams.
 
 use super::instant::{Instant, a, cleared, coriolis, v, written};
 use super::linkage::{Layout, bodies};
 use crate::number::{degrees, trimmed};
-use crate::parts::arrow;
+use crate::parts::{arrow, scale_bar};
 use crate::svg::{Canvas, DASHED, Kind, Label, Pixels, Placing, Shape, View, around, beside_line};
 use crate::theme::{CORIOLIS, DRIVER, FOLLOWER, INK, RELATIVE, Shade};
 use crate::{Figure, Series, Words};
@@ -13,12 +13,12 @@ use nalgebra::Vector2;
 /// Size of the page in pixels, where the mechanism ends, and the room of a diagram about its middle.
 const PAGE: Pixels = Vector2::new(840.0, 560.0);
 const DIVIDE: f64 = 450.0;
-const ROOM: Pixels = Vector2::new(290.0, 186.0);
+const ROOM: Pixels = Vector2::new(280.0, 176.0);
 const MARGIN: f64 = 8.0;
-/// From the top of a diagram's half of the page to its title.
-const TITLE: f64 = 16.0;
-/// Positions of a turn of which the scales are made.
-const POSITIONS: u32 = 72;
+/// Room for a scale bar at the top of a diagram's half of the page.
+const BAR: f64 = 36.0;
+/// Scales that a diagram may have between one and its double.
+const PER_OCTAVE: f64 = 2.0;
 /// A vector of fewer pixels is not drawn.
 const SHORTEST: f64 = 1.0;
 /// How far labels may stand from their vectors, in pixels.
@@ -37,18 +37,11 @@ struct Arrow {
 /// `factor` times ω₄ × v_rel.
 ///
 /// The lever's and the sliding acceleration are those of the motion. So the polygon closes with a factor of 2 alone; with
-/// another its gap is drawn. Scales are those of the whole turn, so that positions can be compared. Series, a row for each
+/// another its gap is drawn. Series, a row for each
 /// vector in the order that the first column's name gives: components along O4 → O2 and across it, and magnitude.
 pub fn polygons(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>, factor: f64, unit: &str) -> Figure {
     let here = diagrams(&Instant::new(linkage, position, drive), factor);
     let instant = Instant::new(linkage, position, drive);
-    let mut all = [Vec::new(), Vec::new()];
-    for k in 0..POSITIONS {
-        let Ok(at) = linkage.at_crank_degrees(360.0 * f64::from(k) / f64::from(POSITIONS)) else { continue };
-        for (ends, arrows) in all.iter_mut().zip(diagrams(&Instant::new(linkage, &at, drive), factor)) {
-            ends.extend(arrows.iter().flat_map(|arrow| [arrow.tail, arrow.tail + arrow.vector]));
-        }
-    }
     let mut canvas = Canvas::new(PAGE.x, PAGE.y);
     let layout = Layout::of_the_turn(linkage, &instant, PAGE.y);
     let mut placing = Placing::within(Vector2::zeros(), Vector2::new(DIVIDE, PAGE.y));
@@ -57,18 +50,11 @@ pub fn polygons(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>, 
     placing.put(&mut canvas, &pin, around(&layout.pin, 1.0, &[12.0, 18.0, 26.0, 36.0]));
 
     let half = PAGE.y / 2.0;
-    let titles = [format!("velocities, {unit}/s"), format!("accelerations, {unit}/s²")];
-    for (k, ((arrows, ends), title)) in here.iter().zip(&all).zip(titles).enumerate() {
+    for (k, (arrows, unit)) in here.iter().zip([format!("{unit}/s"), format!("{unit}/s²")]).enumerate() {
         let top = half * k as f64;
-        let middle = Vector2::new((DIVIDE + PAGE.x) / 2.0, top + half / 2.0 + TITLE / 2.0);
-        let view = View::fitting(ends.iter().copied(), ROOM, middle);
-        let corners = [Vector2::new(DIVIDE, top), Vector2::new(PAGE.x - MARGIN, top + half)];
-        canvas.label(
-            &Vector2::new(DIVIDE + MARGIN, top + TITLE),
-            &Vector2::new(1.0, 0.0),
-            0.0,
-            &Label::words(&title).bare(),
-        );
+        let view = fitting(arrows, Vector2::new((DIVIDE + PAGE.x) / 2.0, top + BAR + (half - BAR) / 2.0));
+        let corners = [Vector2::new(DIVIDE, top + BAR), Vector2::new(PAGE.x - MARGIN, top + half)];
+        scale_bar(&mut canvas, &Vector2::new(DIVIDE + MARGIN, top + BAR / 2.0), view.scale, false, &unit);
         draw(&mut canvas, corners, &view, arrows);
     }
 
@@ -104,6 +90,15 @@ pub fn polygons(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>, 
     words.figure(canvas, Kind::Diagram, Series::new(columns, rows))
 }
 
+/// The vectors as large as there is room about a place of the page, in one of a few scales, so that it seldom changes from
+/// instant to instant.
+fn fitting(arrows: &[Arrow], middle: Pixels) -> View {
+    let ends: Vec<_> = arrows.iter().flat_map(|arrow| [arrow.tail, arrow.tail + arrow.vector]).collect();
+    let fitted = View::fitting(ends.iter().copied(), ROOM, Pixels::zeros());
+    let scale = libm::exp2(libm::floor(PER_OCTAVE * libm::log2(fitted.scale)) / PER_OCTAVE);
+    View { origin: middle + fitted.origin * (scale / fitted.scale), scale }
+}
+
 /// The vectors of both diagrams from the pole; the last one is the gap of the accelerations.
 fn diagrams(instant: &Instant, factor: f64) -> [Vec<Arrow>; 2] {
     let arrow = |name, symbol, shade, tail, vector| Arrow { name, symbol, shade, tail, vector };
@@ -136,7 +131,7 @@ fn diagrams(instant: &Instant, factor: f64) -> [Vec<Arrow>; 2] {
 
 /// One diagram between two corners of the page.
 fn draw(canvas: &mut Canvas, corners: [Pixels; 2], at: &View, arrows: &[Arrow]) {
-    let mut placing = Placing::within(corners[0] + Vector2::new(0.0, 2.0 * TITLE), corners[1]);
+    let mut placing = Placing::within(corners[0], corners[1]);
     let pole = at.place(&Vector2::zeros());
     let long: Vec<&Arrow> = arrows.iter().filter(|arrow| arrow.vector.norm() * at.scale >= SHORTEST).collect();
     let ends = |arrow: &Arrow| [at.place(&arrow.tail), at.place(&(arrow.tail + arrow.vector))];

@@ -1,4 +1,5 @@
-//! The Geneva wheel of any number of stations and pins: the mechanism, its angles, its motion.
+//! The Geneva wheel of any number of stations and pins: the mechanism, its angles, its motion; the internal and the
+//! spherical wheel.
 //!
 //! Frame and angles: the wheel's axis O lies at the left, the driver's axis B to its right. The crank angle θ is
 //! measured clockwise from B → O, the wheel's angle φ counter-clockwise from O → B: both are zero where a pin is on
@@ -14,17 +15,21 @@ mod drawn;
 mod driver;
 mod extremes;
 mod indexing;
+mod internal;
 mod mechanism;
 mod model;
 mod motion;
 mod pose;
 mod running;
+mod spherical;
 
 pub use critical::critical_geometry;
 pub use dimensions::dimensions;
 pub use extremes::extremes;
 pub use indexing::indexing;
+pub use internal::internal_mechanism;
 pub use mechanism::mechanism;
 pub use model::model;
 pub use motion::{motion, turning};
 pub use running::running;
+pub use spherical::spherical_mechanism;

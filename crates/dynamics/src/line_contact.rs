@@ -1,0 +1,143 @@
+//! Pressure between a pin and the flat wall of its slot: two elastic bodies that touch along a line (Hertz).
+//!
+//! A cylinder of radius R is pressed on a plane with the force F′ per unit of length. With
+//! 1/E* = (1 − ν₁²)/E₁ + (1 − ν₂²)/E₂ the greatest pressure is √(F′ E* / (π R)), and the contact is as wide as
+//! 4 F′ / (π times that pressure).
+//!
+//! What the formula leaves out: the ends of the pin, where the pressure of a real edge is higher; friction; oil; blows; a
+//! pin that stands askew; and yielding, which begins below the surface when the pressure is about 1.8 times the yield
+//! stress in uniaxial tension. It is a first look, not a proof of strength.
+
+use crate::error::{Error, not_negative, positive};
+use std::f64::consts::PI;
+
+/// An elastic material.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    /// What it is called.
+    pub name: &'static str,
+    /// Modulus of elasticity, in Pa.
+    pub modulus: f64,
+    /// Poisson's ratio, dimensionless.
+    pub poisson: f64,
+}
+
+/// Some materials of pins and wheels, with values as textbooks print them.
+///
+/// Metals: R. G. Budynas and J. K. Nisbett, *Shigley's Mechanical Engineering Design*, table A-5, physical constants of
+/// materials. Acetal: DuPont, *Delrin Design Guide, Module III*, homopolymer at room temperature and low strain; it creeps,
+/// and with time and heat its modulus falls.
+pub const MATERIALS: [Material; 5] = [
+    Material { name: "steel", modulus: 207e9, poisson: 0.292 },
+    Material { name: "stainless steel", modulus: 190e9, poisson: 0.305 },
+    Material { name: "cast iron", modulus: 100e9, poisson: 0.211 },
+    Material { name: "phosphor bronze", modulus: 111e9, poisson: 0.349 },
+    Material { name: "acetal", modulus: 3.1e9, poisson: 0.35 },
+];
+
+/// A pin on a flat wall.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LineContact {
+    pin_radius: f64,
+    length: f64,
+    modulus: f64,
+}
+
+/// 1/E* solved for E*, in Pa: the modulus of the contact of two materials.
+pub fn contact_modulus(pin: &Material, wall: &Material) -> f64 {
+    let compliance = |of: &Material| (1.0 - of.poisson * of.poisson) / of.modulus;
+    (compliance(pin) + compliance(wall)).recip()
+}
+
+impl LineContact {
+    /// A pin of this radius that touches a wall over this length, both in metres and above zero.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NotPositive`] for other lengths, and for materials whose modulus is not positive.
+    pub fn new(pin_radius: f64, length: f64, pin: &Material, wall: &Material) -> Result<Self, Error> {
+        Ok(Self {
+            pin_radius: positive("pin radius", pin_radius)?,
+            length: positive("length of contact", length)?,
+            modulus: positive("modulus of the contact", contact_modulus(pin, wall))?,
+        })
+    }
+
+    /// Greatest pressure in Pa under this force in N, zero or more.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Negative`] for another force.
+    pub fn pressure(&self, force: f64) -> Result<f64, Error> {
+        let by_length = not_negative("force", force)? / self.length;
+        Ok((by_length * self.modulus / (PI * self.pin_radius)).sqrt())
+    }
+
+    /// Width of the contact in metres under this force in N, zero or more: small against the pin, or the formula does not
+    /// hold. Twice √(4 F′ R / (π E*)).
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Negative`] for another force.
+    pub fn width(&self, force: f64) -> Result<f64, Error> {
+        let by_length = not_negative("force", force)? / self.length;
+        Ok(4.0 * (by_length * self.pin_radius / (PI * self.modulus)).sqrt())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    const STEEL: Material = MATERIALS[0];
+
+    #[test]
+    fn the_pressure_over_the_contact_carries_the_force() {
+        for wall in &MATERIALS {
+            let (length, force) = (8e-3, 250.0);
+            let contact = LineContact::new(4e-3, length, &STEEL, wall).expect("possible");
+            let (peak, width) = (contact.pressure(force).expect("pressed"), contact.width(force).expect("pressed"));
+            // The pressure is half an ellipse over the width: π/4 of peak times width.
+            assert_relative_eq!(PI / 4.0 * peak * width * length, force, max_relative = 1e-14);
+            assert!(width < 0.4 * 4e-3, "{}: {width}", wall.name);
+        }
+    }
+
+    /// The surface takes the shape of the pin: within the contact its curvature is 1/R. The half ellipse of pressure bends
+    /// a half plane to the curvature 2 p / (E* a), with a half the width (K. L. Johnson, *Contact Mechanics*, section 4.2).
+    #[test]
+    fn the_surfaces_fit() {
+        let contact = LineContact::new(3e-3, 5e-3, &STEEL, &MATERIALS[4]).expect("possible");
+        let (peak, width) = (contact.pressure(90.0).expect("pressed"), contact.width(90.0).expect("pressed"));
+        let curvature = 2.0 * peak / (contact_modulus(&STEEL, &MATERIALS[4]) * (width / 2.0));
+        assert_relative_eq!(curvature, 1.0 / 3e-3, max_relative = 1e-14);
+    }
+
+    #[test]
+    fn a_softer_wall_is_pressed_less_and_a_thinner_pin_presses_more() {
+        let pressure = |radius: f64, wall: &Material| {
+            LineContact::new(radius, 5e-3, &STEEL, wall).expect("possible").pressure(100.0).expect("pressed")
+        };
+        assert!(pressure(3e-3, &MATERIALS[4]) < 0.2 * pressure(3e-3, &STEEL));
+        assert_relative_eq!(pressure(1e-3, &STEEL), 2.0 * pressure(4e-3, &STEEL), max_relative = 1e-14);
+        // A rigid body leaves the other's compliance alone.
+        let rigid = Material { name: "rigid", modulus: f64::INFINITY, poisson: 0.0 };
+        assert_relative_eq!(
+            2.0 * contact_modulus(&STEEL, &STEEL),
+            contact_modulus(&STEEL, &rigid),
+            max_relative = 1e-14
+        );
+    }
+
+    #[test]
+    fn what_is_no_contact_is_refused() {
+        assert!(LineContact::new(0.0, 1.0, &STEEL, &STEEL).is_err());
+        assert!(LineContact::new(1.0, f64::NAN, &STEEL, &STEEL).is_err());
+        let none = Material { name: "none", modulus: 0.0, poisson: 0.0 };
+        assert!(LineContact::new(1.0, 1.0, &STEEL, &none).is_err());
+        let contact = LineContact::new(1.0, 1.0, &STEEL, &STEEL).expect("possible");
+        assert!(contact.pressure(-1.0).is_err() && contact.width(f64::NAN).is_err());
+        assert_eq!(contact.pressure(0.0), Ok(0.0));
+    }
+}

@@ -1,0 +1,127 @@
+//! The wheel at crank angles: one after another over a turn of the driver, or those that were asked for.
+
+use super::made::Made;
+use crate::fields::{self, Field, Row, Value, number};
+use anyhow::ensure;
+use geneva_dynamics::wheel_loads::Load;
+use geneva_kinematics::indexing::PinInSlot;
+use geneva_kinematics::wheel::{Motion, Phase};
+
+/// Degrees of half a turn.
+const HALF_TURN: i32 = 180;
+
+/// The wheel at one crank angle.
+pub struct Instant {
+    /// Crank angle in degrees.
+    degrees: f64,
+    motion: Motion,
+    /// None in the dwell, as of the load.
+    pin: Option<PinInSlot>,
+    load: Option<Load>,
+}
+
+impl Instant {
+    /// At this crank angle in degrees, from the middle of the first index on: of any turn, or one before it.
+    pub fn new(made: &Made, degrees: f64) -> anyhow::Result<Self> {
+        let wheel = made.wheel.indexing();
+        let turns = libm::round(degrees / 360.0);
+        let crank = (degrees - 360.0 * turns).to_radians();
+        let motion = wheel.at(turns as i64, crank)?;
+        let from_pin = wheel.nearest_pin(crank).1;
+        let is_engaged = motion.phase == Phase::Advance;
+        let loads = made.loads()?.filter(|_| is_engaged);
+        Ok(Self {
+            degrees,
+            motion,
+            pin: is_engaged.then(|| wheel.pin_in_slot(within(wheel.engagement_half_angle(), from_pin))).transpose()?,
+            load: loads.map(|loads| loads.at(within(wheel.engagement_half_angle(), from_pin))).transpose()?,
+        })
+    }
+
+    /// Wheel angle in degrees from the middle of the first index.
+    fn wheel_angle(&self, made: &Made) -> f64 {
+        let step = 360.0 / f64::from(made.wheel.indexing().stations());
+        self.motion.stations as f64 * step + self.motion.angle.to_degrees()
+    }
+
+    /// All that is told of it.
+    pub fn row(&self, made: &Made) -> Row {
+        let (motion, pin, load) = (&self.motion, self.pin, self.load);
+        let speed = made.speed();
+        let phase = if motion.phase == Phase::Advance { "index" } else { "dwell" };
+        let rated = |ratio: f64, power: i32| speed.map(|speed| (0..power).fold(ratio, |rate, _| rate * speed));
+        Row(vec![
+            ("crank_angle_deg", self.degrees.into()),
+            ("phase", phase.into()),
+            ("wheel_angle_deg", self.wheel_angle(made).into()),
+            ("pin_radius_ratio", pin.map(|pin| pin.radius).into()),
+            ("velocity_ratio", motion.velocity.into()),
+            ("acceleration_ratio", motion.acceleration.into()),
+            ("jerk_ratio", motion.jerk.into()),
+            ("sliding_ratio", pin.map(|pin| pin.sliding).into()),
+            ("coriolis_ratio", pin.map(|pin| pin.coriolis).into()),
+            ("time_s", speed.map(|speed| self.degrees.to_radians() / speed).into()),
+            ("wheel_speed_rad_s", rated(motion.velocity, 1).into()),
+            ("wheel_acceleration_rad_s2", rated(motion.acceleration, 2).into()),
+            ("wheel_jerk_rad_s3", rated(motion.jerk, 3).into()),
+            ("wheel_torque_nm", load.map(|load| load.wheel_torque).into()),
+            ("pin_force_n", load.and_then(|load| made.force(load.pin_moment)).into()),
+            ("crank_torque_nm", load.map(|load| load.crank_torque).into()),
+            ("power_w", load.map(|load| load.power).into()),
+        ])
+    }
+
+    /// Its lines on a sheet.
+    pub fn lines(&self, made: &Made) -> Vec<Field> {
+        let phase = if self.pin.is_some() { "a pin is in a slot" } else { "dwell: the wheel is locked" };
+        let told = [
+            ("crank_angle_deg", "crank angle", "°", phase),
+            ("wheel_angle_deg", "wheel angle", "°", "from the middle of the index at crank angle zero"),
+            ("pin_radius_ratio", "pin", "× crank radius", "from the wheel's axis"),
+            ("velocity_ratio", "velocity", "× driver speed", ""),
+            ("wheel_speed_rad_s", "", "rad/s", ""),
+            ("acceleration_ratio", "acceleration", "× driver speed²", ""),
+            ("wheel_acceleration_rad_s2", "", "rad/s²", ""),
+            ("jerk_ratio", "jerk", "× driver speed³", ""),
+            ("wheel_jerk_rad_s3", "", "rad/s³", ""),
+            ("sliding_ratio", "sliding", "× pin speed", "along the slot; negative while the pin goes in"),
+            ("coriolis_ratio", "Coriolis", "× pin's own", "acceleration of the pin, over that on the crank circle"),
+            ("wheel_torque_nm", "wheel torque", "N m", "positive while the pin drives the wheel"),
+            ("pin_force_n", "pin force", "N", "at right angles to the slot"),
+            ("crank_torque_nm", "crank torque", "N m", ""),
+            ("power_w", "power", "W", ""),
+        ];
+        let Row(row) = self.row(made);
+        let value =
+            |key: &str| row.iter().find(|(known, _)| *known == key).map_or(Value::Missing, |(_, value)| value.clone());
+        // Of a wheel at rest there is only its angle to tell.
+        let told = told.into_iter().take(if self.pin.is_some() { usize::MAX } else { 2 });
+        told.map(|(key, name, unit, of)| Field::in_unit(key, value(key), unit).line(name, of)).collect()
+    }
+}
+
+/// An angle that rounding may have taken a little beyond the ends, within them.
+fn within(most: f64, angle: f64) -> f64 {
+    angle.clamp(-most, most)
+}
+
+/// A row for each degree of a turn of the driver, both ends included, or for each angle that was asked for.
+pub fn csv(made: &Made, asked: &[f64]) -> anyhow::Result<String> {
+    let every: Vec<f64> = (-HALF_TURN..=HALF_TURN).map(f64::from).collect();
+    let degrees = if asked.is_empty() { &every[..] } else { asked };
+    let rows = rows(made, degrees)?;
+    fields::csv(rows.first(), rows.iter().cloned())
+}
+
+/// A row for each of these crank angles in degrees.
+pub fn rows(made: &Made, degrees: &[f64]) -> anyhow::Result<Vec<Row>> {
+    let rows = degrees.iter().map(|at| Ok(Instant::new(made, *at)?.row(made))).collect::<anyhow::Result<Vec<_>>>()?;
+    let finite = rows.iter().flat_map(|row| &row.0).all(|(_, value)| value.is_finite());
+    ensure!(finite, "the wheel is beyond what can be computed; give other sizes, speeds or inertias");
+    Ok(rows)
+}
+
+/// A number of degrees as it is told in words.
+pub fn degrees_told(radians: f64) -> String {
+    number(radians.abs().to_degrees())
+}

@@ -1,0 +1,146 @@
+//! The three kinds of wheel, as they are asked for.
+
+use clap::ValueEnum;
+use geneva_figures::{Figure, stations};
+use geneva_kinematics::KinematicsError;
+use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::internal_wheel::InternalWheel;
+use geneva_kinematics::spherical_wheel::SphericalWheel;
+use geneva_kinematics::wheel::Wheel;
+
+/// How wheel and driver lie to each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Kind {
+    /// Side by side: the wheel turns against the driver
+    External,
+    /// The driver within the wheel: both turn in one sense, the wheel for more than half of each turn
+    Internal,
+    /// Axes that cross at right angles: half of each turn motion, half dwell
+    Spherical,
+}
+
+impl Kind {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::External, Self::Internal, Self::Spherical];
+
+    /// Its name at the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::External => "external",
+            Self::Internal => "internal",
+            Self::Spherical => "spherical",
+        }
+    }
+
+    /// What is measured from where.
+    pub fn introduction(self) -> &'static str {
+        match self {
+            Self::External => {
+                "Crank angles are measured at the driver's axis from the line of centres, which joins the two axes. The \
+                 driver turns at constant speed. While a pin is in a slot the wheel turns against the driver; it slows \
+                 down past the line of centres as it sped up before it."
+            }
+            Self::Internal => {
+                "The driver is within the wheel, whose slots open inwards. Crank angles are measured from mid-index, where \
+                 the pin is deepest in its slot: on the line of centres, on the far side of the driver's axis. The driver \
+                 turns at constant speed, and the wheel in the same sense; it slows down past mid-index as it sped up \
+                 before it."
+            }
+            Self::Spherical => {
+                "The axes cross at right angles, the slots lie along meridians of a sphere about the crossing, and the pin \
+                 points to it. Crank angles are measured from mid-index, where the pin is deepest in its slot. The driver \
+                 turns at constant speed; the wheel slows down past mid-index as it sped up before it."
+            }
+        }
+    }
+
+    /// Where crank angles are measured from.
+    pub fn middle(self) -> &'static str {
+        match self {
+            Self::External => "the line of centres",
+            Self::Internal | Self::Spherical => "mid-index",
+        }
+    }
+
+    /// Where a crank angle in degrees lies, in words; its size as it is written.
+    pub fn place(self, degrees: f64, written: &str) -> String {
+        let (with, on) = if self == Self::External { ("with a pin ", "on ") } else { ("", "at ") };
+        let middle = self.middle();
+        if degrees.abs() < 1e-9 {
+            return format!("{with}{on}{middle}");
+        }
+        let side = if degrees < 0.0 { "before" } else { "past" };
+        format!("{with}{written}° {side} {middle}")
+    }
+}
+
+/// A wheel of any kind; lengths are in crank radii.
+#[derive(Clone, Copy, Debug)]
+pub enum AnyWheel {
+    External(Wheel),
+    Internal(InternalWheel),
+    Spherical(SphericalWheel),
+}
+
+impl AnyWheel {
+    pub fn new(kind: Kind, stations: u32, pins: u32) -> Result<Self, KinematicsError> {
+        Ok(match kind {
+            Kind::External => Self::External(Wheel::with_pins(stations, pins)?),
+            Kind::Internal => Self::Internal(InternalWheel::with_pins(stations, pins)?),
+            Kind::Spherical => Self::Spherical(SphericalWheel::with_pins(stations, pins)?),
+        })
+    }
+
+    pub fn kind(&self) -> Kind {
+        match self {
+            Self::External(_) => Kind::External,
+            Self::Internal(_) => Kind::Internal,
+            Self::Spherical(_) => Kind::Spherical,
+        }
+    }
+
+    /// What all kinds do.
+    pub fn indexing(&self) -> &dyn Indexing {
+        match self {
+            Self::External(wheel) => wheel,
+            Self::Internal(wheel) => wheel,
+            Self::Spherical(wheel) => wheel,
+        }
+    }
+
+    /// Distance between the axes; none where they cross.
+    pub fn centre_distance_ratio(&self) -> Option<f64> {
+        match self {
+            Self::External(wheel) => Some(wheel.centre_distance_ratio()),
+            Self::Internal(wheel) => Some(wheel.centre_distance_ratio()),
+            Self::Spherical(_) => None,
+        }
+    }
+
+    /// Distance of a pin's centre from the wheel's axis as it enters.
+    pub fn wheel_radius_ratio(&self) -> f64 {
+        match self {
+            Self::External(wheel) => wheel.wheel_radius_ratio(),
+            Self::Internal(wheel) => wheel.wheel_radius_ratio(),
+            Self::Spherical(wheel) => wheel.sphere_radius_ratio(),
+        }
+    }
+
+    /// From where a pin's centre enters to where it is deepest, along the slot.
+    pub fn slot_length_ratio(&self) -> f64 {
+        match self {
+            Self::External(wheel) => wheel.slot_length_ratio(),
+            Self::Internal(wheel) => wheel.slot_length_ratio(),
+            Self::Spherical(wheel) => wheel.slot_length_ratio(),
+        }
+    }
+
+    /// A drawing to no scale.
+    pub fn drawing(&self) -> Figure {
+        match self {
+            Self::External(wheel) => stations::mechanism(wheel),
+            Self::Internal(wheel) => stations::internal_mechanism(wheel),
+            Self::Spherical(wheel) => stations::spherical_mechanism(wheel),
+        }
+    }
+}

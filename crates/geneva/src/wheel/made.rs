@@ -1,0 +1,98 @@
+//! A wheel made of what was asked for: its kind and numbers, its size, its speed, what it carries.
+
+use super::WheelArguments;
+use super::kind::{AnyWheel, Kind};
+use anyhow::bail;
+use geneva_dynamics::wheel_loads::WheelLoads;
+use geneva_figures::Figure;
+use geneva_figures::stations::dimensions;
+use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes};
+use std::f64::consts::PI;
+
+/// A wheel, and what was given of it.
+pub struct Made {
+    pub wheel: AnyWheel,
+    pub rpm: Option<f64>,
+    /// Crank radius in millimetres.
+    pub crank_radius: Option<f64>,
+    /// Sizes of the parts, of an external wheel.
+    pub sizes: Option<Sizes>,
+    /// Moment of inertia of the wheel and what turns with it, in kg m².
+    pub inertia: Option<f64>,
+    /// In N m.
+    pub friction_torque: Option<f64>,
+}
+
+impl Made {
+    pub fn new(wanted: &WheelArguments) -> anyhow::Result<Self> {
+        let Some(stations) = wanted.stations else { bail!("no number of stations; give --stations N") };
+        let kind = wanted.kind.unwrap_or(Kind::External);
+        let wheel = AnyWheel::new(kind, stations, wanted.pins.unwrap_or(1))?;
+        let scale = scale(wanted);
+        let sizes = match (&wheel, scale) {
+            (AnyWheel::External(wheel), Some(scale)) => {
+                let play = wanted.play.map(Play::all);
+                let choices = Choices { pin_diameter: wanted.pin_diameter, play, ..Choices::default() };
+                Some(Sizes::new(*wheel, scale, &choices)?)
+            }
+            _ => None,
+        };
+        let crank_radius = match (sizes, scale) {
+            (Some(sizes), _) => Some(sizes.crank_radius),
+            (None, Some(scale)) => Some(crank_radius(&wheel, scale)?),
+            (None, None) => None,
+        };
+        let inertia = match (sizes, wanted.thickness, wanted.density) {
+            (Some(sizes), Some(thickness), Some(density)) => {
+                Some(sizes.outline().wheel.moment_of_inertia(thickness, density)?)
+            }
+            _ => wanted.inertia,
+        };
+        Ok(Self { wheel, rpm: wanted.rpm, crank_radius, sizes, inertia, friction_torque: wanted.friction_torque })
+    }
+
+    /// The drawing: in true size with dimensions, where there are sizes of the parts; else to no scale.
+    pub fn drawing(&self) -> Figure {
+        self.sizes.as_ref().map_or_else(|| self.wheel.drawing(), dimensions)
+    }
+
+    /// Speed of the driver in rad/s.
+    pub fn speed(&self) -> Option<f64> {
+        self.rpm.map(|rpm| rpm * PI / 30.0)
+    }
+
+    /// Torques and forces, if speed and inertia are given.
+    pub fn loads(&self) -> anyhow::Result<Option<WheelLoads<'_, dyn Indexing + '_>>> {
+        let (Some(speed), Some(inertia)) = (self.speed(), self.inertia) else { return Ok(None) };
+        let friction = self.friction_torque.unwrap_or(0.0);
+        Ok(Some(WheelLoads::new(self.wheel.indexing(), inertia, friction, speed)?))
+    }
+
+    /// The force in N of a moment over the crank radius, if that is given.
+    pub fn force(&self, moment: f64) -> Option<f64> {
+        self.crank_radius.map(|radius| moment / (radius / 1000.0))
+    }
+}
+
+/// The one length that was given.
+fn scale(wanted: &WheelArguments) -> Option<Scale> {
+    let crank = wanted.crank_radius.map(Scale::CrankRadius);
+    let centres = wanted.centre_distance.map(Scale::CentreDistance);
+    crank.or(centres).or(wanted.wheel_radius.map(Scale::WheelRadius))
+}
+
+/// The crank radius in millimetres of a wheel of this scale.
+fn crank_radius(wheel: &AnyWheel, scale: Scale) -> anyhow::Result<f64> {
+    Ok(match scale {
+        Scale::CrankRadius(radius) => radius,
+        Scale::WheelRadius(radius) => radius / wheel.wheel_radius_ratio(),
+        Scale::CentreDistance(distance) => match wheel.centre_distance_ratio() {
+            Some(ratio) => distance / ratio,
+            None => bail!(
+                "--centre-distance {distance}: the axes of a spherical wheel cross, and have no distance; give \
+                 --crank-radius or --wheel-radius"
+            ),
+        },
+    })
+}

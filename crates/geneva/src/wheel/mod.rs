@@ -1,0 +1,119 @@
+//! One wheel: its sizes, its times, its motion and loads, or its drawing; or which wheel has wanted times.
+
+mod cycle;
+mod idle;
+mod kind;
+mod loads;
+mod made;
+mod report;
+mod sizes;
+mod times;
+mod workshop;
+
+use crate::arguments::{Format, Output, formats};
+use crate::fields;
+use crate::output::standalone;
+use crate::typed;
+use anyhow::ensure;
+use clap::Args;
+use kind::Kind;
+use made::Made;
+
+/// Which wheel, and how.
+#[derive(Args, Debug)]
+pub struct WheelArguments {
+    /// Number of slots, 3 to 1000: stops in one turn of the wheel
+    #[arg(long, value_name = "N", required_unless_present_any = ["index_time", "dwell_time"],
+        value_parser = typed::stations, allow_negative_numbers = true)]
+    pub stations: Option<u32>,
+    /// Number of evenly spaced pins on the driver. External: at most 2N/(N − 2), or two would be in slots at once;
+    /// internal: 1; spherical: 1 or 2 [default: 1]
+    #[arg(long, value_name = "P", value_parser = typed::pins, allow_negative_numbers = true)]
+    pub pins: Option<u32>,
+    /// How wheel and driver lie to each other [default: external]
+    #[arg(long = "type", value_name = "TYPE", value_enum)]
+    pub kind: Option<Kind>,
+    /// Distance of a pin's centre from the driver's axis in millimetres; this, or one of the next two, gives sizes in mm
+    #[arg(long, value_name = "MM", value_parser = typed::millimetres, allow_hyphen_values = true,
+        conflicts_with_all = ["centre_distance", "wheel_radius"])]
+    pub crank_radius: Option<f64>,
+    /// Distance between the two axes in millimetres
+    #[arg(long, value_name = "MM", value_parser = typed::millimetres, allow_hyphen_values = true,
+        conflicts_with = "wheel_radius")]
+    pub centre_distance: Option<f64>,
+    /// Distance of a pin's centre from the wheel's axis as it enters, in millimetres
+    #[arg(long, value_name = "MM", value_parser = typed::millimetres, allow_hyphen_values = true)]
+    pub wheel_radius: Option<f64>,
+    /// Diameter of the pins in millimetres [default: one that fits]
+    #[arg(long, value_name = "MM", value_parser = typed::millimetres, allow_hyphen_values = true)]
+    pub pin_diameter: Option<f64>,
+    /// How much wider slot, locking arc and bores are than what runs in them, in millimetres, zero or more
+    /// [default: a thousandth of the centre distance, or less where parts are small]
+    #[arg(long, value_name = "MM", value_parser = typed::zero_or_more, allow_hyphen_values = true)]
+    pub play: Option<f64>,
+    /// Speed of the driver in turns a minute, above zero; gives times, rad/s, rad/s² and rad/s³
+    #[arg(long, value_name = "R", value_parser = typed::positive, allow_hyphen_values = true)]
+    pub rpm: Option<f64>,
+    /// Moment of inertia of the wheel and all that turns with it in kg m², zero or more; with --rpm it gives torques and,
+    /// with a size, the pin's force
+    #[arg(long, value_name = "KGM2", value_parser = typed::zero_or_more, allow_hyphen_values = true,
+        conflicts_with_all = ["thickness", "density"])]
+    pub inertia: Option<f64>,
+    /// Thickness of the wheel in millimetres: with --density instead of --inertia, for a wheel that carries nothing; and of
+    /// the parts in OpenSCAD and STL files
+    #[arg(long, value_name = "MM", value_parser = typed::millimetres, allow_hyphen_values = true)]
+    pub thickness: Option<f64>,
+    /// Density of the wheel in kg/m³
+    #[arg(long, value_name = "KGM3", value_parser = typed::positive, allow_hyphen_values = true)]
+    pub density: Option<f64>,
+    /// Torque in N m with which friction brakes the wheel, zero or more
+    #[arg(long, value_name = "NM", value_parser = typed::zero_or_more, allow_hyphen_values = true)]
+    pub friction_torque: Option<f64>,
+    /// A crank angle in degrees at which the motion is told; may be given again
+    #[arg(long, value_name = "DEG", value_parser = typed::finite_degrees, allow_hyphen_values = true)]
+    pub at: Vec<f64>,
+    /// Wanted time of one index in seconds: with --dwell-time, and instead of --stations and --rpm, the wheels that come
+    /// nearest
+    #[arg(long, value_name = "S", value_parser = typed::positive, allow_hyphen_values = true, requires = "dwell_time")]
+    pub index_time: Option<f64>,
+    /// Wanted time of one dwell in seconds
+    #[arg(long, value_name = "S", value_parser = typed::positive, allow_hyphen_values = true, requires = "index_time")]
+    pub dwell_time: Option<f64>,
+    /// How to write it
+    #[arg(long, default_value = "text", value_parser = formats(&[
+        (Format::Text, "A sheet for reading, which says what is measured from where"),
+        (Format::Json, "An object with all digits; null where an option that it needs is missing"),
+        (Format::Csv, "The cycle: a row for each degree of a turn of the driver, or for each --at"),
+        (Format::Svg, "A drawing, a file of its own; with a size in mm, with dimensions"),
+        (Format::Dxf, "The outlines of all parts side by side, in mm, with true arcs; needs a size"),
+        (Format::Scad, "A model for OpenSCAD in mm, which moves; needs a size and --thickness"),
+        (Format::Stl, "Meshes of the parts side by side, in mm; needs a size and --thickness"),
+    ]))]
+    pub format: Format,
+    /// Where to write it.
+    #[command(flatten)]
+    pub to: Output,
+}
+
+/// The wheel that is wanted, as it is wanted.
+pub fn page(wanted: &WheelArguments) -> anyhow::Result<String> {
+    if let (Some(index), Some(dwell)) = (wanted.index_time, wanted.dwell_time) {
+        idle::beside_times(wanted)?;
+        return times::page(index, dwell, wanted.kind, wanted.format);
+    }
+    let made = Made::new(wanted)?;
+    idle::refused(wanted)?;
+    match wanted.format {
+        Format::Svg => Ok(standalone(&made.drawing().svg)),
+        Format::Csv => cycle::csv(&made, &wanted.at),
+        Format::Dxf | Format::Scad | Format::Stl => workshop::file(&made, wanted.thickness, wanted.format),
+        format => {
+            let report = report::report(&made, &wanted.at, format == Format::Text)?;
+            ensure!(
+                report.is_finite(),
+                "the wheel is beyond what can be computed; give other sizes, speeds or inertias"
+            );
+            if format == Format::Json { fields::json(&report) } else { Ok(report.sheet()) }
+        }
+    }
+}

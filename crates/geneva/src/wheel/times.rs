@@ -1,0 +1,144 @@
+//! Which wheel has a wanted time of index and of dwell?
+//!
+//! The ratio of the two times is fixed by the kind of wheel and the numbers of stations and pins, and only the driver's
+//! speed is free: so the nearest ratios are looked for, and the driver's speed is such that index and dwell together last
+//! as long as is wanted.
+
+use super::kind::{AnyWheel, Kind};
+use crate::arguments::Format;
+use crate::fields::{self, Field, Report, Row, Value, number};
+use crate::output::count;
+use crate::typed::as_typed;
+
+/// How many are proposed, by what heads them.
+const PROPOSED: [&str; 5] = ["Nearest", "Second", "Third", "Fourth", "Fifth"];
+/// Stations that are proposed: with more, a wheel's times hardly change, and its parts are small.
+const STATIONS: std::ops::RangeInclusive<u32> = 3..=60;
+/// A part of the cycle that is as wanted but for rounding.
+const SAME: f64 = 1e-9;
+
+/// A kind, its numbers and the part of the cycle in which its wheel moves.
+#[derive(Clone, Copy)]
+struct Candidate {
+    kind: Kind,
+    /// None if any number will do.
+    stations: Option<u32>,
+    pins: u32,
+    /// Index over index and dwell.
+    motion: f64,
+}
+
+/// All that have a dwell; of spherical wheels one stands for all numbers of stations, which have one ratio.
+fn candidates(kind: Kind) -> Vec<Candidate> {
+    let stations = if kind == Kind::Spherical { 3..=3 } else { STATIONS };
+    let of = |stations: u32, pins: u32| {
+        let wheel = AnyWheel::new(kind, stations, pins).ok()?;
+        let motion = wheel.indexing().motion_fraction();
+        let stations = (kind != Kind::Spherical).then_some(stations);
+        (wheel.indexing().dwell_fraction() > SAME).then_some(Candidate { kind, stations, pins, motion })
+    };
+    stations.flat_map(|stations| (1..=6).filter_map(move |pins| of(stations, pins))).collect()
+}
+
+/// The nearest to a wanted part of the cycle, the nearest first; of equals the one with fewer stations.
+fn nearest(wanted: f64, kind: Option<Kind>) -> Vec<Candidate> {
+    let kinds = Kind::ALL.into_iter().filter(|of| kind.is_none_or(|kind| kind == *of));
+    let mut all: Vec<_> = kinds.flat_map(candidates).collect();
+    all.sort_by(|a, b| {
+        (a.motion - wanted).abs().total_cmp(&(b.motion - wanted).abs()).then(a.stations.cmp(&b.stations))
+    });
+    all.truncate(PROPOSED.len());
+    all
+}
+
+/// The times and the speed of a candidate whose cycle lasts so many seconds.
+fn row(of: &Candidate, cycle: f64) -> Row {
+    Row(vec![
+        ("type", of.kind.name().into()),
+        ("stations", of.stations.into()),
+        ("pins", of.pins.into()),
+        ("rpm", (60.0 / (cycle * f64::from(of.pins))).into()),
+        ("index_time_s", (of.motion * cycle).into()),
+        ("dwell_time_s", ((1.0 - of.motion) * cycle).into()),
+        ("dwell_over_index", ((1.0 - of.motion) / of.motion).into()),
+    ])
+}
+
+/// The proposals, as they are wanted.
+pub fn page(index: f64, dwell: f64, kind: Option<Kind>, format: Format) -> anyhow::Result<String> {
+    let (cycle, wanted) = (index + dwell, index / (index + dwell));
+    let found = nearest(wanted, kind);
+    let rows: Vec<Row> = found.iter().map(|of| row(of, cycle)).collect();
+    match format {
+        Format::Csv => fields::csv(rows.first(), rows.iter().cloned()),
+        Format::Json => fields::json(&Row(vec![
+            ("index_time_s", index.into()),
+            ("dwell_time_s", dwell.into()),
+            ("dwell_over_index", (dwell / index).into()),
+            ("proposals", Value::List(rows.into_iter().map(Value::Object).collect())),
+        ])),
+        _ => Ok(sheet(index, dwell, &found, kind).sheet()),
+    }
+}
+
+const INTRODUCTION: &str = "\
+The ratio of dwell to index follows from the kind of wheel and its numbers of stations and pins alone; the driver's speed \
+makes it faster or slower as a whole. These wheels come nearest, each at the speed at which index and dwell together last \
+as long as is wanted.";
+
+fn sheet(index: f64, dwell: f64, found: &[Candidate], kind: Option<Kind>) -> Report {
+    let wanted = index / (index + dwell);
+    let sections = PROPOSED.into_iter().zip(found).map(|(title, of)| (title, lines(of, index + dwell, wanted)));
+    let exact = found.first().is_some_and(|of| (of.motion - wanted).abs() <= SAME);
+    let note = if exact { String::new() } else { bounds(wanted, kind) };
+    Report {
+        title: format!("Index in {} s, dwell of {} s: wheels that come nearest", as_typed(index), as_typed(dwell)),
+        introduction: INTRODUCTION,
+        sections: std::iter::once(("Wanted", vec![ratio(dwell / index)])).chain(sections).collect(),
+        note,
+    }
+}
+
+fn ratio(dwell_over_index: f64) -> Field {
+    Field::in_unit("dwell_over_index", dwell_over_index, "× index").line("dwell", "the wanted ratio")
+}
+
+fn lines(of: &Candidate, cycle: f64, wanted: f64) -> Vec<Field> {
+    let numbers = match of.stations {
+        Some(stations) => count(stations as usize, "station"),
+        None => "any number of stations".to_owned(),
+    };
+    let name = format!("{}, {numbers}, {}", of.kind.name(), count(of.pins as usize, "pin"));
+    let change = 100.0 * (of.motion / wanted - 1.0);
+    let index = match change {
+        _ if (of.motion - wanted).abs() <= SAME => "index, as wanted".to_owned(),
+        more if more > 0.0 => format!("index, {} % longer than wanted", number(more)),
+        less => format!("index, {} % shorter than wanted", number(-less)),
+    };
+    vec![
+        Field::in_unit("rpm", 60.0 / (cycle * f64::from(of.pins)), "rpm").line("driver", name),
+        Field::in_unit("index_time_s", of.motion * cycle, "s").line("", index),
+        Field::in_unit("dwell_time_s", (1.0 - of.motion) * cycle, "s").line("", "dwell"),
+        Field::in_unit("dwell_over_index", (1.0 - of.motion) / of.motion, "× index").line("", "dwell"),
+    ]
+}
+
+/// What no wheel of these kinds does, if that is why none is near.
+fn bounds(wanted: f64, kind: Option<Kind>) -> String {
+    let kinds = Kind::ALL.into_iter().filter(|of| kind.is_none_or(|kind| kind == *of));
+    let all: Vec<f64> = kinds.flat_map(candidates).map(|of| of.motion).collect();
+    let least = all.iter().copied().fold(f64::INFINITY, f64::min);
+    let most = all.iter().copied().fold(0.0, f64::max);
+    let longest = (1.0 - least) / least;
+    if wanted < least {
+        format!(
+            "No such wheel dwells longer than {} times its index: for more, stop the driver in the dwell, or have the \
+             driver turned by another wheel.",
+            number(longest)
+        )
+    } else if wanted > most {
+        format!("No such wheel dwells less than {} times its index.", number((1.0 - most) / most))
+    } else {
+        "No ratio between those of two neighbouring wheels can be had, but by a driver whose speed changes.".to_owned()
+    }
+}

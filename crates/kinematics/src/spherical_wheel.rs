@@ -1,0 +1,321 @@
+//! The spherical Geneva wheel with axes at right angles: a part of a sphere with slots along meridians, and a driver
+//! whose pin points to the centre of the sphere, where the two axes meet.
+//!
+//! Notation: `N` stations, α = π/N half the angle between slots, τ = tan α, θ crank angle from where the pin is deepest
+//! in its slot, φ wheel angle from the middle of the index, s = sin θ.
+//!
+//! With the wheel's axis as z and the driver's as x, the pin is in the direction (cos α, sin α sin θ, sin α cos θ): it
+//! stands at the angle α to the driver's axis, so that it enters and leaves along a meridian. The wheel's angle is
+//! φ = atan(τ sin θ), and the pin is in a slot for half of the driver's turn, whatever N is. Two pins leave no dwell.
+
+use crate::error::KinematicsError;
+use crate::indexing::{Indexing, JerkPeak, PinInSlot, within_half_pitch};
+use crate::wheel::{AccelerationPeak, Motion, Phase, STATIONS};
+use crate::{Field, Turn};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// The most pins that a driver can have: each is in a slot for half a turn.
+const MOST_PINS: u32 = 2;
+
+/// A spherical Geneva wheel with its driver; lengths are in crank radii, the distance of a pin from the driver's axis.
+///
+/// Its motion tends to that of a Scotch yoke as N grows: the velocity ratio over tan α to cos θ. What the methods return
+/// is right to about ten units in the last place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SphericalWheel {
+    stations: u32,
+    pins: u32,
+    sine: f64,
+    cosine: f64,
+}
+
+/// Angular velocity of the wheel over that of the driver, dimensionless: τ cos θ / (1 + τ² s²).
+///
+/// `tangent` is τ = tan α. Zero at entry and exit, a quarter of a turn from the middle.
+pub fn velocity_ratio<S: Field>(tangent: &S, crank: &Turn<S>) -> S {
+    tangent.clone() * crank.cos.clone() / (S::one() + slope_squared(tangent, crank))
+}
+
+/// Angular acceleration of the wheel over the square of the driver's constant angular velocity, dimensionless:
+/// −τ s (1 + 2 τ² − τ² s²) / (1 + τ² s²)².
+pub fn acceleration_ratio<S: Field>(tangent: &S, crank: &Turn<S>) -> S {
+    let w = slope_squared(tangent, crank);
+    let square = S::one() + w.clone();
+    -(tangent.clone() * crank.sin.clone() * (twice_and_one(tangent) - w)) / (square.clone() * square)
+}
+
+/// Rate of change of the wheel's angular acceleration over the cube of the driver's constant angular velocity,
+/// dimensionless, with w = τ² s²: −τ cos θ (1 + 2 τ² − 6 (1 + τ²) w + w²) / (1 + w)³.
+///
+/// At the ends of the engagement the acceleration jumps, and the jerk has no finite value.
+pub fn jerk_ratio<S: Field>(tangent: &S, crank: &Turn<S>) -> S {
+    let w = slope_squared(tangent, crank);
+    let square = S::one() + w.clone();
+    let sum = S::one() + tangent.clone() * tangent.clone();
+    let braces = twice_and_one(tangent) - S::integer(6) * sum * w.clone() + w.clone() * w;
+    -(tangent.clone() * crank.cos.clone() * braces) / (square.clone() * square.clone() * square)
+}
+
+/// τ² s².
+fn slope_squared<S: Field>(tangent: &S, crank: &Turn<S>) -> S {
+    let slope = tangent.clone() * crank.sin.clone();
+    slope.clone() * slope
+}
+
+/// 1 + 2 τ².
+fn twice_and_one<S: Field>(tangent: &S) -> S {
+    S::one() + S::integer(2) * tangent.clone() * tangent.clone()
+}
+
+impl SphericalWheel {
+    /// A wheel of so many stations, and one pin.
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::Stations`] outside [`STATIONS`]. With two the pin would pass over the wheel's axis.
+    pub fn new(stations: u32) -> Result<Self, KinematicsError> {
+        Self::with_pins(stations, 1)
+    }
+
+    /// A wheel of so many stations, and one pin or two opposite ones.
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::Stations`] outside [`STATIONS`], [`KinematicsError::Pins`] for none or more than two.
+    pub fn with_pins(stations: u32, pins: u32) -> Result<Self, KinematicsError> {
+        if !STATIONS.contains(&stations) {
+            return Err(KinematicsError::Stations(stations));
+        }
+        if !(1..=MOST_PINS).contains(&pins) {
+            return Err(KinematicsError::Pins { asked: pins, most: MOST_PINS, stations });
+        }
+        let half_pitch = PI / f64::from(stations);
+        Ok(Self { stations, pins, sine: libm::sin(half_pitch), cosine: libm::cos(half_pitch) })
+    }
+
+    /// τ = tan α.
+    fn tangent(&self) -> f64 {
+        self.sine / self.cosine
+    }
+
+    /// Distance of a pin's centre from the point where the axes meet, in crank radii: 1 / sin α.
+    ///
+    /// As the pin enters it is also the distance from the wheel's axis: the wheel's radius.
+    pub fn sphere_radius_ratio(&self) -> f64 {
+        self.sine.recip()
+    }
+
+    /// Least length of a slot along its meridian, from where the pin's centre enters to where it is deepest, in crank
+    /// radii: α / sin α.
+    pub fn slot_length_ratio(&self) -> f64 {
+        self.half_pitch_angle() / self.sine
+    }
+
+    /// |θ| as sine and cosine, if it is within the engagement. The cosine is zero at its ends.
+    fn place(&self, crank: f64) -> Result<Turn<f64>, KinematicsError> {
+        let (size, most) = (crank.abs(), FRAC_PI_2);
+        if !(0.0..=most).contains(&size) {
+            return Err(KinematicsError::OutsideEngagement { asked: crank, most });
+        }
+        Ok(Turn { cos: libm::sin(most - size), sin: libm::sin(size) })
+    }
+}
+
+impl Indexing for SphericalWheel {
+    fn stations(&self) -> u32 {
+        self.stations
+    }
+
+    fn pins(&self) -> u32 {
+        self.pins
+    }
+
+    /// π/2, whatever N is.
+    fn engagement_half_angle(&self) -> f64 {
+        FRAC_PI_2
+    }
+
+    fn motion_fraction(&self) -> f64 {
+        0.5 * f64::from(self.pins)
+    }
+
+    fn engaged(&self, crank: f64) -> Result<Motion, KinematicsError> {
+        let (tangent, place) = (self.tangent(), self.place(crank)?);
+        let (before, angle) = (crank < 0.0, libm::atan(tangent * place.sin));
+        // Of the deceleration, at the positive angle. No negative zero in the middle.
+        let acceleration = acceleration_ratio(&tangent, &place);
+        Ok(Motion {
+            phase: Phase::Advance,
+            stations: 0,
+            angle: if before { -angle } else { angle },
+            velocity: velocity_ratio(&tangent, &place),
+            acceleration: if before { -acceleration } else { 0.0 + acceleration },
+            jerk: jerk_ratio(&tangent, &place),
+        })
+    }
+
+    /// The distance from the wheel's axis is √(1 + τ² s²) / τ; along the meridian the pin moves at
+    /// sin θ / (cos α √(1 + τ² s²)) of its speed.
+    fn pin_in_slot(&self, crank: f64) -> Result<PinInSlot, KinematicsError> {
+        let (tangent, place) = (self.tangent(), self.place(crank)?);
+        let root = (1.0 + slope_squared(&tangent, &place)).sqrt();
+        let sine = if crank < 0.0 { -place.sin } else { place.sin };
+        let rate = tangent * sine * place.cos / root;
+        Ok(PinInSlot {
+            radius: root / tangent,
+            radius_rate: rate,
+            sliding: sine / (self.cosine * root),
+            coriolis: 2.0 * velocity_ratio(&tangent, &place) * rate,
+        })
+    }
+
+    /// sin θ = tan φ / tan α.
+    fn crank_at(&self, wheel_angle: f64) -> Result<f64, KinematicsError> {
+        let angle = within_half_pitch(self, wheel_angle)?;
+        Ok(libm::asin((libm::tan(angle) / self.tangent()).clamp(-1.0, 1.0)))
+    }
+
+    /// tan α.
+    fn peak_velocity(&self) -> f64 {
+        self.tangent()
+    }
+
+    /// sin α cos α.
+    fn entry_acceleration(&self) -> f64 {
+        self.sine * self.cosine
+    }
+
+    /// Where τ² s² = (1 + 2 τ²) / (3 (1 + τ²) + √(9 (1 + τ²)² − 1 − 2 τ²)), with up to seven stations; with more, at the
+    /// ends of the engagement.
+    fn acceleration_peak(&self) -> AccelerationPeak {
+        let square = self.tangent() * self.tangent();
+        let (sum, product) = (3.0 * (1.0 + square), 1.0 + 2.0 * square);
+        let w = product / (sum + (sum * sum - product).sqrt());
+        let angle = if w < square { libm::asin((w / square).sqrt()) } else { FRAC_PI_2 };
+        let ratio = self.engaged(angle).map_or(0.0, |motion| motion.acceleration.abs());
+        AccelerationPeak { angle, ratio }
+    }
+
+    /// In the middle, tan α (1 + 2 tan² α).
+    ///
+    /// It is the greatest of the engagement for every N: [`JerkBound`](crate::spherical_wheel_proofs::JerkBound).
+    fn jerk_peak(&self) -> JerkPeak {
+        JerkPeak { angle: 0.0, ratio: self.tangent() * twice_and_one(&self.tangent()) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Vector3;
+    use num_dual::{DualNum, third_derivative};
+
+    #[test]
+    fn what_cannot_be_built_is_said_with_what_can() {
+        assert_eq!(SphericalWheel::new(2), Err(KinematicsError::Stations(2)));
+        assert!(SphericalWheel::new(1001).is_err() && SphericalWheel::with_pins(6, 0).is_err());
+        let message = SphericalWheel::with_pins(6, 3).unwrap_err().to_string();
+        assert!(message.contains("3 pins") && message.contains("1 to 2"), "{message}");
+        assert_eq!(SphericalWheel::with_pins(6, 2).unwrap().dwell_fraction(), 0.0);
+    }
+
+    #[test]
+    fn a_library_of_dual_numbers_agrees() {
+        for stations in [3, 4, 6, 7, 8, 60, 1000] {
+            let wheel = SphericalWheel::new(stations).unwrap();
+            let tangent = libm::tan(PI / f64::from(stations));
+            for share in [-1.0, -0.97, -0.4, 0.0, 0.3, 0.8, 1.0] {
+                let crank = share * FRAC_PI_2;
+                let motion = wheel.engaged(crank).unwrap();
+                let (angle, first, second, third) = third_derivative(|t| (t.sin() * tangent).atan(), crank);
+                for (ours, theirs, scale) in [
+                    (motion.angle, angle, wheel.half_pitch_angle()),
+                    (motion.velocity, first, wheel.peak_velocity()),
+                    (motion.acceleration, second, wheel.acceleration_peak().ratio),
+                    (motion.jerk, third, wheel.jerk_peak().ratio),
+                ] {
+                    approx::assert_abs_diff_eq!(ours, theirs, epsilon = 1e-12 * scale);
+                }
+            }
+        }
+    }
+
+    /// A pin on a turning driver in space, and a slot whose plane holds the wheel's axis: velocities across the slot are
+    /// equal, and so are accelerations with that of Coriolis.
+    #[test]
+    fn vectors_in_space_agree() {
+        for stations in [3, 4, 6, 8, 60] {
+            let wheel = SphericalWheel::new(stations).unwrap();
+            let (sphere, alpha) = (wheel.sphere_radius_ratio(), PI / f64::from(stations));
+            for crank in [-FRAC_PI_2, -1.2, -0.3, 0.5, 1.5] {
+                let place = sphere
+                    * Vector3::new(
+                        libm::cos(alpha),
+                        libm::sin(alpha) * libm::sin(crank),
+                        libm::sin(alpha) * libm::cos(crank),
+                    );
+                // The driver turns about x, from z to y.
+                let driver = -Vector3::x();
+                let velocity = driver.cross(&place);
+                let acceleration = driver.cross(&velocity);
+                let axis = Vector3::z();
+                let from_axis = place - axis * place.z;
+                let radius = from_axis.norm();
+                let (outwards, across) = (from_axis / radius, axis.cross(&from_axis) / radius);
+                let speed = velocity.dot(&across) / radius;
+                let sliding = velocity - axis.cross(&place) * speed;
+                let coriolis = 2.0 * (axis * speed).cross(&sliding).dot(&across);
+                let turning = (acceleration.dot(&across) - coriolis) / radius;
+
+                let (motion, pin) = (wheel.engaged(crank).unwrap(), wheel.pin_in_slot(crank).unwrap());
+                // Into the slot the pin moves towards the wheel's axis along z.
+                let out = -sliding.z.signum() * sliding.norm();
+                for (ours, theirs) in [
+                    (motion.angle, libm::atan2(place.y, place.x)),
+                    (motion.velocity, speed),
+                    (motion.acceleration, turning),
+                    (pin.radius, radius),
+                    (pin.radius_rate, sliding.dot(&outwards)),
+                    (pin.sliding, out),
+                    (pin.coriolis, coriolis),
+                ] {
+                    approx::assert_abs_diff_eq!(ours, theirs, epsilon = 1e-12 * (1.0 + ours.abs()));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn where_the_acceleration_is_greatest_depends_on_the_number_of_stations() {
+        for stations in 3..=1000 {
+            let wheel = SphericalWheel::new(stations).unwrap();
+            let peak = wheel.acceleration_peak();
+            assert_eq!(peak.angle == FRAC_PI_2, stations >= 8, "{stations}");
+            let at_entry = 0.5 * libm::sin(2.0 * PI / f64::from(stations));
+            assert!(peak.ratio >= at_entry * (1.0 - 1e-14), "{stations}");
+            approx::assert_relative_eq!(wheel.entry_acceleration(), at_entry, max_relative = 1e-13);
+        }
+    }
+
+    #[test]
+    fn with_many_stations_it_is_a_scotch_yoke() {
+        let wheel = SphericalWheel::new(1000).unwrap();
+        for crank in [-1.5, -0.7, 0.0, 1.0] {
+            let ratio = wheel.engaged(crank).unwrap().velocity / wheel.tangent();
+            approx::assert_abs_diff_eq!(ratio, libm::cos(crank), epsilon = 2e-5);
+        }
+    }
+
+    #[test]
+    fn the_slot_reaches_as_far_as_the_pin() {
+        for stations in [3, 4, 7, 60, 1000] {
+            let wheel = SphericalWheel::new(stations).unwrap();
+            // The meridian from the equator to the pin's greatest height, one crank radius.
+            let height = libm::asin(1.0 / wheel.sphere_radius_ratio());
+            let length = wheel.sphere_radius_ratio() * height;
+            approx::assert_relative_eq!(wheel.slot_length_ratio(), length, max_relative = 1e-12);
+            let deepest = wheel.pin_in_slot(0.0).unwrap().radius;
+            approx::assert_relative_eq!(libm::hypot(deepest, 1.0), wheel.sphere_radius_ratio(), max_relative = 1e-13);
+        }
+    }
+}

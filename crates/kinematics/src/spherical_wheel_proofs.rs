@@ -1,0 +1,141 @@
+//! The motion of the spherical wheel and where it is greatest, as identities.
+//!
+//! Notation as in [`spherical_wheel`](crate::spherical_wheel): τ = tan α, s = sin θ, w = τ² s². The left sides come from
+//! power series of the pin's place seen along the wheel's axis, the right sides are the formulas.
+
+use crate::spherical_wheel::{acceleration_ratio, jerk_ratio, velocity_ratio};
+use crate::{Expression, Identity, Jet, Turn, angular_velocity};
+use nalgebra::Vector2;
+
+/// Angular velocity of the wheel as a series, for a driver of speed one: that of the direction (cos α, sin α sin θ), in
+/// which the pin is seen along the wheel's axis.
+fn series(alpha: &Turn<Expression>, crank: &Turn<Expression>) -> Jet<Expression, 4> {
+    let moving = crank.moving::<4>(Expression::ONE);
+    let seen = Vector2::new(Jet::constant(alpha.cos), Jet::constant(alpha.sin) * moving.sin);
+    angular_velocity(&seen).expect("the pin is off the wheel's axis")
+}
+
+/// Which derivative of the wheel's angle an identity is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rate {
+    /// φ̇ / θ̇.
+    Velocity,
+    /// φ̈ / θ̇².
+    Acceleration,
+    /// Its derivative over θ̇³.
+    Jerk,
+}
+
+/// A formula of [`spherical_wheel`](crate::spherical_wheel) against the power series of the pin's place.
+///
+/// Variables: tangents of α/2 and θ/2.
+pub struct Implemented(
+    /// The rate.
+    pub Rate,
+);
+
+impl Identity<2> for Implemented {
+    fn difference(&self, [half_alpha, half_theta]: [Expression; 2]) -> Expression {
+        let (alpha, crank) = (Turn::from_half_tangent(&half_alpha), Turn::from_half_tangent(&half_theta));
+        let (tangent, series) = (alpha.sin / alpha.cos, series(&alpha, &crank));
+        match self.0 {
+            Rate::Velocity => series.value() - velocity_ratio(&tangent, &crank),
+            Rate::Acceleration => series.rate() - acceleration_ratio(&tangent, &crank),
+            Rate::Jerk => series.coefficient(2) * 2 - jerk_ratio(&tangent, &crank),
+        }
+    }
+}
+
+/// At entry, s = −1, the acceleration ratio is sin α cos α. Variable: the tangent of α/2.
+pub struct EntryAcceleration;
+
+impl Identity<1> for EntryAcceleration {
+    fn difference(&self, [half]: [Expression; 1]) -> Expression {
+        let alpha = Turn::from_half_tangent(&half);
+        let entry = Turn { cos: Expression::ZERO, sin: -Expression::ONE };
+        acceleration_ratio(&(alpha.sin / alpha.cos), &entry) - alpha.sin * alpha.cos
+    }
+}
+
+/// The braces of the jerk, 1 + 2 τ² − 6 (1 + τ²) w + w², at entry, w = τ²: (1 − 5 τ²)(1 + τ²).
+///
+/// With τ² above 1/5 they change their sign inside the engagement, and the acceleration is greatest there; with less they
+/// do not, and it is greatest as the pin enters. Variable: τ.
+pub struct BracesAtEntry;
+
+impl Identity<1> for BracesAtEntry {
+    fn difference(&self, [tangent]: [Expression; 1]) -> Expression {
+        let square = tangent * tangent;
+        braces(square, square) - (1 - 5 * square) * (1 + square)
+    }
+}
+
+/// 3 (1 + τ²) − r is a root of the braces: their value there is r² − 9 (1 + τ²)² + 1 + 2 τ². Variables: τ and r.
+pub struct BracesRoot;
+
+impl Identity<2> for BracesRoot {
+    fn difference(&self, [tangent, root]: [Expression; 2]) -> Expression {
+        let square = tangent * tangent;
+        let sum = 3 * (1 + square);
+        braces(square, sum - root) - (root * root - sum * sum + 1 + 2 * square)
+    }
+}
+
+/// The jerk never exceeds that in the middle, τ (1 + 2 τ²): its braces rise to 1 + 2 τ² at w = 0 and below them
+/// (1 + 2 τ²)(1 + w)³ + braces = ((4 w − 3)² + 7)/8 + 2 w² + w³ + 2 τ² (2 + 3 w² + w³), a sum without a negative term.
+///
+/// Variables: τ and w.
+pub struct JerkBound;
+
+impl Identity<2> for JerkBound {
+    fn difference(&self, [tangent, w]: [Expression; 2]) -> Expression {
+        let square = tangent * tangent;
+        let cube = w * w * w;
+        let below = (1 + 2 * square) * (1 + w) * (1 + w) * (1 + w) + braces(square, w);
+        let first = ((4 * w - 3).squared() + 7) / 8 + 2 * w * w + cube;
+        below - first - 2 * square * (2 + 3 * w * w + cube)
+    }
+}
+
+/// 1 + 2 τ² − 6 (1 + τ²) w + w².
+fn braces(square: Expression, w: Expression) -> Expression {
+    1 + 2 * square - 6 * (1 + square) * w + w * w
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::prove;
+
+    #[test]
+    fn every_step_to_the_ratios_and_their_peaks_is_proven() {
+        let proofs = [
+            prove(&Implemented(Rate::Velocity)),
+            prove(&Implemented(Rate::Acceleration)),
+            prove(&Implemented(Rate::Jerk)),
+            prove(&EntryAcceleration),
+            prove(&BracesAtEntry),
+            prove(&BracesRoot),
+            prove(&JerkBound),
+        ];
+        for proof in proofs {
+            println!("{}", proof.expect("an identity"));
+        }
+    }
+
+    /// The planar wheel's acceleration at entry, tan α, a false neighbour, is refuted.
+    struct PlanarEntry;
+
+    impl Identity<1> for PlanarEntry {
+        fn difference(&self, [half]: [Expression; 1]) -> Expression {
+            let alpha = Turn::from_half_tangent(&half);
+            let entry = Turn { cos: Expression::ZERO, sin: -Expression::ONE };
+            acceleration_ratio(&(alpha.sin / alpha.cos), &entry) - alpha.sin / alpha.cos
+        }
+    }
+
+    #[test]
+    fn entry_is_softer_than_that_of_a_planar_wheel() {
+        assert!(prove(&PlanarEntry).is_err());
+    }
+}

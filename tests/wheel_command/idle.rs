@@ -1,0 +1,80 @@
+//! Is every option that would change nothing refused, with what would make it count?
+
+use crate::{geneva, refusal, stdout};
+
+const SIZE: [&str; 2] = ["--crank-radius", "50"];
+
+#[test]
+fn no_option_is_passed_over_in_silence() {
+    let loads = ["--rpm", "60", "--inertia", "0.1"];
+    for (options, option, add) in [
+        (&["--pin-diameter", "8"][..], "--pin-diameter 8", "--crank-radius MM"),
+        (&["--play", "0.1"], "--play 0.1", "--crank-radius MM"),
+        (&["--thickness", "5", "--density", "7850"], "--thickness 5", "--crank-radius MM"),
+        (&["--crank-radius", "50", "--thickness", "5"], "--thickness 5", "--density KGM3"),
+        (&["--crank-radius", "50", "--density", "7850"], "--density 7850", "--thickness MM"),
+        (&["--inertia", "0.1"], "--inertia 0.1", "--rpm R"),
+        (&["--friction-torque", "2", "--inertia", "0.1"], "--rpm R", "no load"),
+        (&["--friction-torque", "2", "--rpm", "60"], "--friction-torque 2", "--inertia KGM2"),
+        (&["--type", "internal", "--pin-diameter", "8", "--crank-radius", "50"], "--pin-diameter 8", "--type external"),
+        (&["--type", "spherical", "--play", "8", "--crank-radius", "50"], "--play 8", "--type external"),
+        (&["--type", "internal", "--crank-radius", "50", "--format", "svg"], "--crank-radius 50", "no scale"),
+        (&["--type", "spherical", "--centre-distance", "50"], "--centre-distance 50", "--wheel-radius"),
+        (&["--format", "svg", "--rpm", "60"], "--rpm 60", "--format text"),
+        (&["--format", "svg", "--at", "60"], "--at 60", "--format text"),
+        (&[&["--format", "svg"][..], &loads].concat(), "--rpm 60", "--format text"),
+    ] {
+        let said = refusal(geneva(&[&["wheel", "--stations", "6"], options].concat()));
+        assert!(said.starts_with("error: ") && said.contains(option) && said.contains(add), "{options:?}: {said}");
+    }
+}
+
+#[test]
+fn of_two_that_contradict_each_other_both_are_named() {
+    for (options, other) in [
+        (&["--crank-radius", "50", "--centre-distance", "90"][..], "--centre-distance"),
+        (&["--wheel-radius", "50", "--centre-distance", "90"], "--wheel-radius"),
+        (&["--inertia", "1", "--thickness", "4", "--density", "1000", "--rpm", "4"], "--thickness"),
+        (&["--index-time", "1"], "--dwell-time"),
+    ] {
+        let said = refusal(geneva(&[&["wheel", "--stations", "6"], options].concat()));
+        assert!(said.contains(options[0]) || said.contains(other), "{options:?}: {said}");
+    }
+}
+
+#[test]
+fn beside_wanted_times_only_the_kind_and_the_format_count() {
+    let times = ["wheel", "--index-time", "1", "--dwell-time", "2"];
+    for (option, value) in [
+        ("--stations", "6"),
+        ("--pins", "1"),
+        ("--rpm", "60"),
+        ("--crank-radius", "50"),
+        ("--play", "0.1"),
+        ("--inertia", "1"),
+        ("--friction-torque", "1"),
+        ("--density", "1000"),
+        ("--at", "10"),
+        ("--format", "svg"),
+    ] {
+        let said = refusal(geneva(&[&times[..], &[option, value]].concat()));
+        assert!(said.contains(&format!("{option} {value}")) && said.contains("propose"), "{option}: {said}");
+    }
+}
+
+/// The other side of it: what is taken changes what is said.
+#[test]
+fn every_option_that_is_taken_changes_the_answer() {
+    let sized = [&["--stations", "6", "--rpm", "60", "--inertia", "0.1"][..], &SIZE].concat();
+    let plain = stdout(&[&["wheel", "--format", "json"], &sized[..]].concat(), 0);
+    for option in
+        [["--pin-diameter", "8"], ["--play", "0.2"], ["--friction-torque", "1"], ["--at", "10"], ["--pins", "2"]]
+    {
+        let other = stdout(&[&["wheel", "--format", "json"], &sized[..], &option].concat(), 0);
+        assert_ne!(plain, other, "{option:?}");
+    }
+    let one = ["wheel", "--stations", "6", "--format", "json", "--crank-radius", "50"];
+    let plate = stdout(&[&one[..], &["--thickness", "5", "--density", "7850"]].concat(), 0);
+    let thick = stdout(&[&one[..], &["--thickness", "10", "--density", "7850"]].concat(), 0);
+    assert_ne!(plate, thick);
+}

@@ -1,0 +1,64 @@
+//! Are the files that `geneva wheel` writes those of the workshop, and does it say what they need?
+
+use crate::{assert_is_drawn, geneva, refusal, stdout};
+use geneva_figures::stations::dimensions;
+use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
+use geneva_workshop::{Layout, Solid, dxf, scad, stl};
+
+const WHEEL: [&str; 9] =
+    ["wheel", "--stations", "5", "--centre-distance", "80", "--pin-diameter", "6", "--play", "0.1"];
+
+fn sizes() -> Sizes {
+    let choices = Choices { pin_diameter: Some(6.0), play: Some(Play::all(0.1)), ..Choices::default() };
+    Sizes::new(Wheel::new(5).expect("possible"), Scale::CentreDistance(80.0), &choices).expect("it fits")
+}
+
+#[test]
+fn the_files_are_those_of_the_workshop() {
+    let file = |options: &[&str]| stdout(&[&WHEEL[..], options].concat(), 0);
+    assert_eq!(file(&["--format", "dxf"]), dxf(&sizes(), Layout::Apart));
+    // A tenth of the play is what a chord may leave its arc by.
+    let solid = Solid { thickness: 4.0, tolerance: 0.1 * 0.1 };
+    assert_eq!(file(&["--format", "scad", "--thickness", "4"]), scad(&sizes(), solid).expect("solid"));
+    assert_eq!(file(&["--format", "stl", "--thickness", "4"]), stl(&sizes(), solid).expect("solid"));
+    let tight = [&WHEEL[..7], &["--play", "0", "--format", "stl", "--thickness", "4"]].concat();
+    assert!(stdout(&tight, 0).len() > 1000);
+}
+
+#[test]
+fn a_sized_wheel_is_drawn_in_true_size_with_dimensions() {
+    assert_is_drawn(&WHEEL, &dimensions(&sizes()));
+    let svg = stdout(&[&WHEEL[..], &["--format", "svg"]].concat(), 0);
+    let drawn = roxmltree::Document::parse(&svg).expect("XML");
+    assert!(drawn.root_element().attribute("width").is_some_and(|width| width.ends_with("mm")), "{drawn:?}");
+}
+
+#[test]
+fn a_file_goes_where_it_is_asked_for() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("wheel.dxf");
+    let asked = path.to_str().expect("UTF-8");
+    assert_eq!(stdout(&[&WHEEL[..], &["--format", "dxf", "--output", asked]].concat(), 0), "");
+    assert_eq!(std::fs::read_to_string(path).expect("written"), dxf(&sizes(), Layout::Apart));
+}
+
+#[test]
+fn what_a_file_needs_is_said() {
+    let sized = ["--crank-radius", "50"];
+    for (options, said) in [
+        (&["--format", "dxf"][..], "--crank-radius MM"),
+        (&["--format", "stl", "--thickness", "5"], "--crank-radius MM"),
+        (&[&["--format", "stl"][..], &sized].concat(), "--thickness MM"),
+        (&[&["--format", "scad"][..], &sized].concat(), "--thickness MM"),
+        (&[&["--format", "dxf", "--thickness", "5"][..], &sized].concat(), "scad or stl"),
+        (&[&["--format", "svg", "--thickness", "5"][..], &sized].concat(), "scad or stl"),
+        (&[&["--format", "stl", "--thickness", "5", "--density", "1000"][..], &sized].concat(), "--density 1000"),
+        (&[&["--format", "dxf", "--rpm", "60"][..], &sized].concat(), "--rpm 60"),
+        (&["--format", "dxf", "--type", "internal"], "internal wheels"),
+        (&["--format", "scad", "--type", "spherical"], "spherical wheels"),
+        (&[&["--format", "stl", "--type", "internal"][..], &sized].concat(), "--crank-radius 50"),
+    ] {
+        let refused = refusal(geneva(&[&["wheel", "--stations", "6"], options].concat()));
+        assert!(refused.starts_with("error: ") && refused.contains(said), "{options:?}: {refused}");
+    }
+}
