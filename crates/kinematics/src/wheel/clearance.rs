@@ -3,11 +3,12 @@
 //! At one instant distances are exact: of a point from a part by [`regions`](super::regions), of two parts by the points
 //! where arcs and lines can come nearest, which are their ends and the points on the lines of centres of two arcs.
 //!
-//! Over the turn nothing is sampled away. As the crank turns by dθ, in the plane of either part no point of the other
-//! moves farther than (|p − B| + |φ'| |p − O|) dθ, with B the driver's axis and O the wheel's; so within an interval of
-//! crank angles the distance is at least that at its middle less half the interval times a bound of that speed. The ratio
-//! |φ'| falls from the line of centres to the ends of the engagement, so its bound is its value at the nearer end.
-//! Intervals are halved until each is either above the least distance found, less the tolerance, or shorter than that.
+//! Over the turn nothing is sampled away. A distance changes no faster than its two ends move: as the crank turns by dθ,
+//! a point x of the driver by |x − B| dθ and a point y of the wheel by |φ'| |y − O| dθ, with B the driver's axis and O the
+//! wheel's. So within an interval of crank angles the distance is at least that at its middle less half the interval times
+//! the greatest of these speeds, of the outermost points. The ratio |φ'| falls from the line of centres to the ends of the
+//! engagement, so its bound is its value at the nearer end. Intervals are halved until none can hold a distance below the
+//! least that was found, less the tolerance.
 //!
 //! Two long stretches of constant distance need no search: the pin in its slot stays in the slot's middle, so only its
 //! distance from the slot's end changes; and while the wheel stands, the locking disc turns in itself.
@@ -39,7 +40,8 @@ pub enum Contact {
 /// A least distance, and where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nearest {
-    /// The distance in millimetres; below zero how deep the parts are in each other.
+    /// The distance in millimetres. Below zero it is how deep the parts are in each other, by the deepest of their corners
+    /// and of the points of arcs on lines of centres; where they overlap by more than a corner, they may be deeper still.
     pub distance: f64,
     /// Crank angle from the line of centres at which it is reached, in radians. The same holds at its negative, and
     /// for each pin.
@@ -219,18 +221,14 @@ impl<'a> Assembly<'a> {
             let (s, c) = if from >= self.engaged { libm::sincos(self.half_pitch) } else { self.wheel_turn(theta) };
             self.wheel.distance(&Point::new(x * c + y * s, y * c - x * s)) - rho
         };
-        let speed =
-            |from: f64, to: f64, least: f64| a + self.speed_ratio(from, to) * (self.wheel.rim + rho + least.max(0.0));
+        let speed = |from: f64, to: f64| a + self.speed_ratio(from, to) * self.wheel.rim;
         self.search(Contact::PinOutside, from, to, known, distance, speed)
     }
 
     /// The least distance of the locking disc from the wheel during the engagement.
     fn crescent(&self, disc: &DiscRegion) -> Nearest {
         let distance = |theta: f64| self.disc_distance(disc, theta);
-        let speed = |from: f64, to: f64, least: f64| {
-            let least = least.max(0.0);
-            disc.radius + least + self.speed_ratio(from, to) * (self.wheel.rim + least)
-        };
+        let speed = |from: f64, to: f64| disc.radius + self.speed_ratio(from, to) * self.wheel.rim;
         self.search(Contact::Crescent, 0.0, self.engaged, None, distance, speed)
     }
 
@@ -283,8 +281,7 @@ impl<'a> Assembly<'a> {
         least
     }
 
-    /// The least value of a function of the crank angle that changes no faster than `speed` says between two angles for
-    /// distances up to a given one.
+    /// The least value of a function of the crank angle that changes no faster than `speed` says between two angles.
     fn search(
         &self,
         contact: Contact,
@@ -292,7 +289,7 @@ impl<'a> Assembly<'a> {
         to: f64,
         known: Option<Nearest>,
         distance: impl Fn(f64) -> f64,
-        speed: impl Fn(f64, f64, f64) -> f64,
+        speed: impl Fn(f64, f64) -> f64,
     ) -> Nearest {
         let at = |crank_angle: f64| Nearest { distance: distance(crank_angle), crank_angle, contact };
         let mut least = known.map_or(at(from), |known| known.or(at(from))).or(at(to));
@@ -303,7 +300,7 @@ impl<'a> Assembly<'a> {
             let middle = (from + to) / 2.0;
             let here = at(middle);
             least = least.or(here);
-            let bound = here.distance - speed(from, to, least.distance) * (to - from) / 2.0;
+            let bound = here.distance - speed(from, to) * (to - from) / 2.0;
             if bound < least.distance - self.tolerance && from < middle && middle < to {
                 intervals.extend([(middle, to), (from, middle)]);
             }
@@ -363,8 +360,7 @@ mod tests {
                 let width = assembly.engaged / 400.0;
                 let (from, to) = (width * f64::from(step), width * f64::from(step + 1));
                 let (one, other) = (assembly.disc_distance(disc, from), assembly.disc_distance(disc, to));
-                let reach = one.max(other).max(0.0);
-                let most = disc.radius + reach + assembly.speed_ratio(from, to) * (assembly.wheel.rim + reach);
+                let most = disc.radius + assembly.speed_ratio(from, to) * assembly.wheel.rim;
                 assert!((one - other).abs() <= most * width, "{from}: {one} {other}");
             }
         }
@@ -393,7 +389,7 @@ mod tests {
         for k in 0..500 {
             let (place, depth) = (f64::from(k) * 0.002 + 0.000_3, 0.01);
             let distance = |theta: f64| 1.0 - (depth - speed * f64::abs(theta - place)).max(0.0);
-            let found = assembly.search(Contact::Crescent, 0.0, 1.0, None, distance, |_, _, _| speed);
+            let found = assembly.search(Contact::Crescent, 0.0, 1.0, None, distance, |_, _| speed);
             assert!(found.distance <= 1.0 - depth + assembly.tolerance, "{place}: {found:?}");
         }
     }
