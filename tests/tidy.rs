@@ -12,11 +12,10 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("mimic", &[]),
     ("ledger", &["kinematics", "dynamics", "mimic"]),
     ("figures", &["kinematics", "dynamics", "mimic"]),
+    ("workshop", &["kinematics"]),
     ("live", &["kinematics", "dynamics", "mimic", "figures", "workshop"]),
     ("press", &["kinematics", "dynamics", "mimic", "ledger", "figures", "live"]),
     ("geneva", &["kinematics", "dynamics", "mimic", "ledger", "figures", "workshop", "live", "press"]),
-    ("press", &["kinematics", "dynamics", "mimic", "ledger", "figures", "live"]),
-    ("geneva", &["kinematics", "dynamics", "mimic", "ledger", "figures", "live", "press", "workshop"]),
 ];
 
 /// Each crate, what it depends on, and whether the version is the workspace's.
