@@ -130,16 +130,20 @@ fn the_sheet_says_what_the_object_says() {
 #[test]
 fn keys_are_always_there_and_null_without_what_they_need() {
     let all = object(&["wheel", "--stations", "6", "--rpm", "360", "--crank-radius", "50", "--inertia", "1"]);
-    let loads = OF_LOAD.iter().copied().chain(["braking_pin_force_n", "friction_torque_nm"]);
+    let others = ["braking_pin_force_n", "friction_torque_nm", "peak_contact_pressure_mpa"];
+    let loads = OF_LOAD.iter().copied().chain(others);
     let loads: Vec<_> = loads.collect();
-    let forces = ["peak_pin_force_n", "peak_pin_force_at_deg", "braking_pin_force_n"];
+    let forces = ["peak_pin_force_n", "peak_pin_force_at_deg", "braking_pin_force_n", "peak_contact_pressure_mpa"];
     for (options, missing) in [
         (&[][..], [&OF_SPEED[..], &OF_SIZE, &loads].concat()),
         (&["--rpm", "360"], [&OF_SIZE[..], &loads].concat()),
         (&["--crank-radius", "50"], [&OF_SPEED[..], &loads].concat()),
         (&["--rpm", "360", "--crank-radius", "50"], loads.clone()),
         (&["--rpm", "360", "--inertia", "0.1"], [&OF_SIZE[..], &forces, &["friction_torque_nm"]].concat()),
-        (&["--rpm", "360", "--inertia", "0.1", "--friction-torque", "2", "--crank-radius", "50"], vec![]),
+        (
+            &["--rpm", "360", "--inertia", "0.1", "--friction-torque", "2", "--crank-radius", "50"],
+            vec!["peak_contact_pressure_mpa"],
+        ),
     ] {
         let found = object(&[&["wheel", "--stations", "6"], options].concat());
         assert!(found.keys().eq(all.keys()), "{options:?}");

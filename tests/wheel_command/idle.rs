@@ -7,6 +7,7 @@ const SIZE: [&str; 2] = ["--crank-radius", "50"];
 #[test]
 fn no_option_is_passed_over_in_silence() {
     let loads = ["--rpm", "60", "--inertia", "0.1"];
+    let materials = ["--pin-material", "steel", "--wheel-material", "acetal"];
     for (options, option, add) in [
         (&["--pin-diameter", "8"][..], "--pin-diameter 8", "--crank-radius MM"),
         (&["--play", "0.1"], "--play 0.1", "--crank-radius MM"),
@@ -23,6 +24,12 @@ fn no_option_is_passed_over_in_silence() {
         (&["--format", "svg", "--rpm", "60"], "--rpm 60", "--format text"),
         (&["--format", "svg", "--at", "60"], "--at 60", "--format text"),
         (&[&["--format", "svg"][..], &loads].concat(), "--rpm 60", "--format text"),
+        (&[&materials[..], &["--rpm", "60"]].concat(), "--pin-material steel", "--inertia KGM2"),
+        (&[&materials[..], &loads].concat(), "--pin-material steel", "--crank-radius MM"),
+        (&[&materials[..], &loads, &SIZE].concat(), "--pin-material steel", "--thickness MM"),
+        (&[&materials[..], &loads, &SIZE, &["--thickness", "5", "--format", "csv"]].concat(), "steel", "--format text"),
+        (&[&materials[..], &["--type", "internal"]].concat(), "--pin-material steel", "--type external"),
+        (&[&materials[..], &SIZE, &["--format", "dxf"]].concat(), "--pin-material steel", "--format text"),
     ] {
         let said = refusal(geneva(&[&["wheel", "--stations", "6"], options].concat()));
         assert!(said.starts_with("error: ") && said.contains(option) && said.contains(add), "{options:?}: {said}");
@@ -34,8 +41,9 @@ fn of_two_that_contradict_each_other_both_are_named() {
     for (options, other) in [
         (&["--crank-radius", "50", "--centre-distance", "90"][..], "--centre-distance"),
         (&["--wheel-radius", "50", "--centre-distance", "90"], "--wheel-radius"),
-        (&["--inertia", "1", "--thickness", "4", "--density", "1000", "--rpm", "4"], "--thickness"),
+        (&["--inertia", "1", "--thickness", "4", "--density", "1000", "--rpm", "4"], "--density"),
         (&["--index-time", "1"], "--dwell-time"),
+        (&["--pin-material", "steel"], "--wheel-material"),
     ] {
         let said = refusal(geneva(&[&["wheel", "--stations", "6"], options].concat()));
         assert!(said.contains(options[0]) || said.contains(other), "{options:?}: {said}");
@@ -60,6 +68,22 @@ fn beside_wanted_times_only_the_kind_and_the_format_count() {
         let said = refusal(geneva(&[&times[..], &[option, value]].concat()));
         assert!(said.contains(&format!("{option} {value}")) && said.contains("propose"), "{option}: {said}");
     }
+}
+
+#[test]
+fn beside_wanted_times_nothing_is_pressed() {
+    let said = refusal(geneva(&[
+        "wheel",
+        "--index-time",
+        "1",
+        "--dwell-time",
+        "2",
+        "--pin-material",
+        "steel",
+        "--wheel-material",
+        "steel",
+    ]));
+    assert!(said.contains("--pin-material steel") && said.contains("propose"), "{said}");
 }
 
 /// The other side of it: what is taken changes what is said.

@@ -2,6 +2,7 @@
 
 use super::kinds;
 use crate::{assert_is_plain, number, object, on_sheet, pin, stdout};
+use geneva_dynamics::line_contact::{LineContact, MATERIALS};
 use geneva_dynamics::wheel_loads::WheelLoads;
 use std::f64::consts::PI;
 
@@ -98,6 +99,24 @@ fn a_plate_has_the_inertia_of_its_drawing() {
         number(&by_hand, "peak_crank_torque_nm"),
         max_relative = 1e-12
     );
+}
+
+#[test]
+fn the_pressure_is_that_of_the_line_contact() {
+    let wheel = ["wheel", "--stations", "6", "--rpm", "300", "--inertia", "0.02", "--crank-radius", "50"];
+    let pressed = |thickness: &str, wall: &str| {
+        let with =
+            ["--pin-diameter", "8", "--thickness", thickness, "--pin-material", "steel", "--wheel-material", wall];
+        let found = object(&[&wheel[..], &with].concat());
+        (number(&found, "peak_pin_force_n"), number(&found, "peak_contact_pressure_mpa"))
+    };
+    for wall in &MATERIALS {
+        let (force, pressure) = pressed("6", wall.name);
+        let contact = LineContact::new(0.004, 0.006, &MATERIALS[0], wall).expect("possible");
+        assert_eq!(pressure, contact.pressure(force).expect("pressed") / 1e6, "{}", wall.name);
+    }
+    let ((_, thick), (_, thin)) = (pressed("8", "acetal"), pressed("2", "acetal"));
+    approx::assert_relative_eq!(thin, 2.0 * thick, max_relative = 1e-14);
 }
 
 #[test]

@@ -14,7 +14,7 @@ use std::f64::consts::PI;
 /// An elastic material.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
-    /// What it is called.
+    /// What it is called, in one word as it is typed.
     pub name: &'static str,
     /// Modulus of elasticity, in Pa.
     pub modulus: f64,
@@ -29,9 +29,9 @@ pub struct Material {
 /// and with time and heat its modulus falls.
 pub const MATERIALS: [Material; 5] = [
     Material { name: "steel", modulus: 207e9, poisson: 0.292 },
-    Material { name: "stainless steel", modulus: 190e9, poisson: 0.305 },
-    Material { name: "cast iron", modulus: 100e9, poisson: 0.211 },
-    Material { name: "phosphor bronze", modulus: 111e9, poisson: 0.349 },
+    Material { name: "stainless-steel", modulus: 190e9, poisson: 0.305 },
+    Material { name: "cast-iron", modulus: 100e9, poisson: 0.211 },
+    Material { name: "phosphor-bronze", modulus: 111e9, poisson: 0.349 },
     Material { name: "acetal", modulus: 3.1e9, poisson: 0.35 },
 ];
 

@@ -17,7 +17,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// An internal Geneva wheel with its driver of one pin; lengths are in crank radii.
 ///
 /// Its motion tends to that of a Scotch yoke as N grows: the velocity ratio over sin α to cos θ. What the methods return
-/// is right to about ten units in the last place.
+/// is right to 4 · 10⁻¹⁵ of the greatest of its kind over the engagement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InternalWheel {
     stations: u32,
@@ -250,7 +250,7 @@ mod tests {
                     (motion.acceleration, second, wheel.entry_acceleration()),
                     (motion.jerk, third, wheel.jerk_peak().ratio),
                 ] {
-                    approx::assert_abs_diff_eq!(ours, theirs, epsilon = 1e-12 * scale);
+                    approx::assert_abs_diff_eq!(ours, theirs, epsilon = 4e-15 * scale);
                 }
             }
         }

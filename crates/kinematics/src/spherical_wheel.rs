@@ -20,7 +20,7 @@ const MOST_PINS: u32 = 2;
 /// A spherical Geneva wheel with its driver; lengths are in crank radii, the distance of a pin from the driver's axis.
 ///
 /// Its motion tends to that of a Scotch yoke as N grows: the velocity ratio over tan α to cos θ. What the methods return
-/// is right to about ten units in the last place.
+/// is right to 4 · 10⁻¹⁵ of the greatest of its kind over the engagement.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SphericalWheel {
     stations: u32,
@@ -234,7 +234,7 @@ mod tests {
                     (motion.acceleration, second, wheel.acceleration_peak().ratio),
                     (motion.jerk, third, wheel.jerk_peak().ratio),
                 ] {
-                    approx::assert_abs_diff_eq!(ours, theirs, epsilon = 1e-12 * scale);
+                    approx::assert_abs_diff_eq!(ours, theirs, epsilon = 4e-15 * scale);
                 }
             }
         }

@@ -44,7 +44,13 @@ pub fn beside_times(wanted: &WheelArguments) -> anyhow::Result<()> {
         "--index-time and --dwell-time propose wheels and their speeds; leave it out, and give it with the --stations and \
          --rpm of one of them",
     )?;
-    if !matches!(wanted.format, Format::Text | Format::Json | Format::Csv) {
+    if let Some(material) = wanted.pin_material {
+        bail!(
+            "--pin-material {} changes nothing: --index-time and --dwell-time propose wheels, and load none; leave it out",
+            material.name
+        );
+    }
+    if !is_told(wanted.format) {
         bail!(
             "--format {}: --index-time and --dwell-time propose several wheels; give the --stations of one of them to \
              have it drawn",
@@ -70,15 +76,18 @@ pub fn refused(wanted: &WheelArguments) -> anyhow::Result<()> {
             none_of(wanted, &SIZES, "this drawing has no scale; leave it out, or give --format text, json or csv")?;
         }
     }
-    if !numbers(wanted).iter().any(|(name, _)| SIZES.contains(name)) {
+    let is_sized = numbers(wanted).iter().any(|(name, _)| SIZES.contains(name));
+    if !is_sized {
         let why = "without a size no part has mm; add --crank-radius MM, --centre-distance MM or --wheel-radius MM";
         none_of(wanted, &PARTS, why)?;
     }
     if wanted.thickness.is_none() {
         none_of(wanted, &["--density"], "without a thickness there is no mass; add --thickness MM")?;
     }
-    if is_told(wanted.format) && wanted.density.is_none() {
-        none_of(wanted, &["--thickness"], "without a density there is no mass; add --density KGM3")?;
+    if is_told(wanted.format) && wanted.density.is_none() && wanted.pin_material.is_none() {
+        let why = "without a density there is no mass, and without materials no pressure; add --density KGM3, or \
+                   --pin-material and --wheel-material";
+        none_of(wanted, &["--thickness"], why)?;
     }
     if matches!(wanted.format, Format::Svg | Format::Dxf) {
         none_of(wanted, &["--thickness"], "this drawing is flat; leave it out, or give --format scad or stl")?;
@@ -90,7 +99,22 @@ pub fn refused(wanted: &WheelArguments) -> anyhow::Result<()> {
         let why = "without the wheel's inertia no load is known; add --inertia KGM2, 0 if it is negligible";
         none_of(wanted, &["--friction-torque"], why)?;
     }
-    Ok(())
+    let Some(material) = wanted.pin_material else { return Ok(()) };
+    let has_load = wanted.rpm.is_some() && (wanted.inertia.is_some() || wanted.density.is_some());
+    let why = if !is_external {
+        "only an external wheel has parts in mm; leave it out, or give --type external"
+    } else if !is_told(wanted.format) {
+        "a file of shapes has no load; leave it out, or give --format text or json"
+    } else if wanted.format == Format::Csv {
+        "the cycle has no pressures; leave it out, or give --format text or json"
+    } else if !has_load || !is_sized {
+        "without a load there is no pressure; add --crank-radius MM, --rpm R and --inertia KGM2"
+    } else if wanted.thickness.is_none() {
+        "without the length of the contact there is no pressure; add --thickness MM"
+    } else {
+        return Ok(());
+    };
+    bail!("--pin-material {} changes nothing: {why}", material.name)
 }
 
 /// The three that give a size.

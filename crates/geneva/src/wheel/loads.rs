@@ -29,6 +29,7 @@ pub fn fields(made: &Made) -> anyhow::Result<Vec<Field>> {
         }
         None => "nowhere: friction alone slows the wheel down enough".to_owned(),
     };
+    let pressure = driving(moment).and_then(force).map(|force| made.pressure(force)).transpose()?.flatten();
     let from = Field::new("braking_from_deg", reversal.map(|(from, _)| from.to_degrees()));
     let from = if loads.is_some() { from.words("braking", holds) } else { from };
     let fields = vec![
@@ -41,6 +42,8 @@ pub fn fields(made: &Made) -> anyhow::Result<Vec<Field>> {
         Field::in_unit("peak_pin_force_n", driving(moment).and_then(force), "N")
             .line("peak pin force", place(driving(moment))),
         Field::new("peak_pin_force_at_deg", at(driving(moment).filter(|_| made.crank_radius.is_some()))),
+        Field::in_unit("peak_contact_pressure_mpa", pressure, "MPa")
+            .line("peak contact pressure", "between pin and slot under that force, along their whole length (Hertz)"),
         Field::in_unit("peak_crank_torque_nm", driving(crank).map(|peak| peak.value), "N m")
             .line("peak crank torque", place(driving(crank))),
         Field::new("peak_crank_torque_at_deg", at(driving(crank))),

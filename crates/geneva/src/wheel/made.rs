@@ -3,6 +3,7 @@
 use super::WheelArguments;
 use super::kind::{AnyWheel, Kind};
 use anyhow::bail;
+use geneva_dynamics::line_contact::LineContact;
 use geneva_dynamics::wheel_loads::WheelLoads;
 use geneva_figures::Figure;
 use geneva_figures::stations::dimensions;
@@ -22,6 +23,8 @@ pub struct Made {
     pub inertia: Option<f64>,
     /// In N m.
     pub friction_torque: Option<f64>,
+    /// The pin on the wall of its slot, if thickness and materials are given.
+    contact: Option<LineContact>,
 }
 
 impl Made {
@@ -49,7 +52,14 @@ impl Made {
             }
             _ => wanted.inertia,
         };
-        Ok(Self { wheel, rpm: wanted.rpm, crank_radius, sizes, inertia, friction_torque: wanted.friction_torque })
+        let contact = match (sizes, wanted.thickness, wanted.pin_material, wanted.wheel_material) {
+            (Some(sizes), Some(thickness), Some(pin), Some(wall)) => {
+                Some(LineContact::new(sizes.pin_radius() / 1000.0, thickness / 1000.0, &pin, &wall)?)
+            }
+            _ => None,
+        };
+        let friction_torque = wanted.friction_torque;
+        Ok(Self { wheel, rpm: wanted.rpm, crank_radius, sizes, inertia, friction_torque, contact })
     }
 
     /// The drawing: in true size with dimensions, where there are sizes of the parts; else to no scale.
@@ -73,7 +83,15 @@ impl Made {
     pub fn force(&self, moment: f64) -> Option<f64> {
         self.crank_radius.map(|radius| moment / (radius / 1000.0))
     }
+
+    /// The pressure in MPa between pin and slot under a force in N, if thickness and materials are given.
+    pub fn pressure(&self, force: f64) -> anyhow::Result<Option<f64>> {
+        Ok(self.contact.map(|contact| contact.pressure(force)).transpose()?.map(|pressure| pressure / MEGA))
+    }
 }
+
+/// Pascals of a megapascal.
+const MEGA: f64 = 1e6;
 
 /// The one length that was given.
 fn scale(wanted: &WheelArguments) -> Option<Scale> {

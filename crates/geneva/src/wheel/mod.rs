@@ -15,6 +15,8 @@ use crate::fields;
 use crate::typed;
 use anyhow::ensure;
 use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use geneva_dynamics::line_contact::{MATERIALS, Material};
 use kind::Kind;
 use made::Made;
 
@@ -56,10 +58,10 @@ pub struct WheelArguments {
     /// Moment of inertia of the wheel and all that turns with it in kg m², zero or more; with --rpm it gives torques and,
     /// with a size, the pin's force
     #[arg(long, value_name = "KGM2", value_parser = typed::zero_or_more, allow_hyphen_values = true,
-        conflicts_with_all = ["thickness", "density"])]
+        conflicts_with = "density")]
     pub inertia: Option<f64>,
-    /// Thickness of the wheel in millimetres: with --density instead of --inertia, for a wheel that carries nothing; and of
-    /// the parts in OpenSCAD and STL files
+    /// Thickness of the wheel in millimetres: with --density instead of --inertia, for a wheel that carries nothing; for the
+    /// pressure between pin and slot; and of the parts in OpenSCAD and STL files
     #[arg(long, value_name = "MM", value_parser = typed::millimetres, allow_hyphen_values = true)]
     pub thickness: Option<f64>,
     /// Density of the wheel in kg/m³
@@ -68,6 +70,13 @@ pub struct WheelArguments {
     /// Torque in N m with which friction brakes the wheel, zero or more
     #[arg(long, value_name = "NM", value_parser = typed::zero_or_more, allow_hyphen_values = true)]
     pub friction_torque: Option<f64>,
+    /// Material of the pins: with that of the wheel, --thickness and what gives the pin's force, the pressure between pin and
+    /// slot
+    #[arg(long, value_name = "MATERIAL", value_parser = materials(), requires = "wheel_material")]
+    pub pin_material: Option<Material>,
+    /// Material of the wheel
+    #[arg(long, value_name = "MATERIAL", value_parser = materials(), requires = "pin_material")]
+    pub wheel_material: Option<Material>,
     /// A crank angle in degrees at which the motion is told; may be given again
     #[arg(long, value_name = "DEG", value_parser = typed::finite_degrees, allow_hyphen_values = true)]
     pub at: Vec<f64>,
@@ -92,6 +101,12 @@ pub struct WheelArguments {
     /// Where to write it.
     #[command(flatten)]
     pub to: Output,
+}
+
+/// One of the materials whose moduli are known, by its name.
+fn materials() -> impl TypedValueParser<Value = Material> {
+    PossibleValuesParser::new(MATERIALS.map(|material| material.name))
+        .try_map(|name| MATERIALS.into_iter().find(|material| material.name == name).ok_or("not a known material"))
 }
 
 /// The wheel that is wanted, as it is wanted.
