@@ -51,6 +51,14 @@ pub enum KinematicsError {
         /// The number of stations.
         stations: u32,
     },
+    /// The axes of a wheel are so far apart that nothing of one part is near the other.
+    #[error("centre distance {asked} mm: nothing is near anything there; give {most} mm at most")]
+    TooFarApart {
+        /// The distance that was asked for, in millimetres.
+        asked: f64,
+        /// The greatest that is looked at, in millimetres.
+        most: f64,
+    },
     /// The axes of a wheel stand where its pin never passes the rim.
     #[error(
         "a centre distance wrong by {asked}, as a part of it: the pin enters if it is wrong by more than {least:.4} and less \

@@ -82,6 +82,8 @@ impl Nearest {
 
 /// The tolerance over the centre distance, dimensionless.
 pub const TOLERANCE: f64 = 2e-6;
+/// The greatest distance of the axes that is looked at, over the right one.
+const FARTHEST: f64 = 10.0;
 /// Intervals of the engagement to begin with.
 const INTERVALS: u32 = 16;
 
@@ -96,10 +98,15 @@ impl Sizes {
     ///
     /// # Errors
     ///
-    /// [`KinematicsError::CentreDistance`] for a distance that is not finite and greater than the crank radius.
+    /// [`KinematicsError::CentreDistance`] for a distance that is not finite and greater than the crank radius,
+    /// [`KinematicsError::TooFarApart`] for more than ten times the right one.
     pub fn clearance_at(&self, centre_distance: f64) -> Result<Clearance, KinematicsError> {
         if !(centre_distance > self.crank_radius && centre_distance.is_finite()) {
             return Err(KinematicsError::CentreDistance { asked: centre_distance, crank_radius: self.crank_radius });
+        }
+        let most = FARTHEST * self.centre_distance;
+        if centre_distance > most {
+            return Err(KinematicsError::TooFarApart { asked: centre_distance, most });
         }
         Ok(Assembly::new(self, centre_distance).clearance())
     }
