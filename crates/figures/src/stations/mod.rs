@@ -7,6 +7,7 @@
 
 #[cfg(test)]
 mod clearance;
+mod crescent;
 mod critical;
 mod cycle;
 mod dimensions;
@@ -16,6 +17,7 @@ mod driver;
 mod extremes;
 mod indexing;
 mod internal;
+mod kinds;
 mod mechanism;
 mod model;
 mod motion;
@@ -23,11 +25,13 @@ mod pose;
 mod running;
 mod spherical;
 
+pub use crescent::crescent;
 pub use critical::critical_geometry;
 pub use dimensions::dimensions;
 pub use extremes::extremes;
 pub use indexing::indexing;
 pub use internal::internal_mechanism;
+pub use kinds::kinds;
 pub use mechanism::mechanism;
 pub use model::model;
 pub use motion::{motion, turning};

@@ -12,6 +12,8 @@
 
 use super::fit::SizesError;
 use super::sizes::Sizes;
+use crate::KinematicsError;
+use nalgebra::Vector2;
 
 /// An arc that is cut out of the locking disc; its centre lies on the line from the driver's axis through the pin.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,6 +74,34 @@ impl Crescent {
     }
 }
 
+/// The tip of the horn behind the slot from the driver's axis, in millimetres: along the line of centres away from the
+/// wheel, and across it. The crank angle is in radians; the lengths are crank radius, centre distance and rim.
+fn tip(theta: f64, [a, c, rim]: [f64; 3], tip_angle: f64) -> [f64; 2] {
+    let (sin, cos) = libm::sincos(theta);
+    let (px, py) = (c - a * cos, a * sin);
+    let r = (px * px + py * py).sqrt();
+    let (tip_sin, tip_cos) = libm::sincos(tip_angle);
+    // Behind the slot, turned with the slot to the pin.
+    let at = [rim * (px * tip_cos + py * tip_sin) / r, rim * (py * tip_cos - px * tip_sin) / r];
+    [at[0] - c, at[1]]
+}
+
+impl Sizes {
+    /// Where the tip of the horn behind the slot is as seen from the driver, in millimetres from the driver's axis: along
+    /// the pin's line, and across it. The crank angle is in radians.
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::OutsideEngagement`] for an angle at which no pin is in a slot.
+    pub fn horn_tip(&self, crank_angle: f64) -> Result<Vector2<f64>, KinematicsError> {
+        self.wheel.engaged(crank_angle)?;
+        let lengths = [self.crank_radius, self.centre_distance, self.tip_radius];
+        let [x, y] = tip(crank_angle, lengths, self.tip_angle());
+        let (sin, cos) = libm::sincos(crank_angle);
+        Ok(Vector2::new(y * sin - x * cos, y * cos + x * sin))
+    }
+}
+
 /// The tip of a horn as it passes the locking disc, in millimetres and radians.
 struct Passing {
     a: f64,
@@ -117,12 +147,7 @@ impl Passing {
     /// place along that line and its distance; g the gap: √(q² − 2 q u + s²) + g = √(q² − 2 q x + z²).
     fn centre_at(&self, theta: f64) -> f64 {
         let (sin, cos) = libm::sincos(theta);
-        let (px, py) = (self.c - self.a * cos, self.a * sin);
-        let r = (px * px + py * py).sqrt();
-        let (tip_sin, tip_cos) = libm::sincos(self.tip_angle);
-        // The tip behind the slot, turned with the slot to the pin.
-        let at = [self.rim * (px * tip_cos + py * tip_sin) / r, self.rim * (py * tip_cos - px * tip_sin) / r];
-        let (x, y) = (at[0] - self.c, at[1]);
+        let [x, y] = tip(theta, [self.a, self.c, self.rim], self.tip_angle);
         let (u, s) = (y * sin - x * cos, x * x + y * y);
         let (g, z) = (self.gap, self.disc);
         let (left, behind) = (z * z - s - g * g, 2.0 * (self.edge - u));

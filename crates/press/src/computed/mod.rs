@@ -4,6 +4,7 @@ mod escapement;
 mod front;
 mod jazar;
 mod joints;
+pub mod making;
 mod never_printed;
 mod pin;
 mod program;
@@ -24,6 +25,7 @@ const ALL: &[&[(&str, Number)]] = &[
     front::NUMBERS,
     jazar::NUMBERS,
     joints::NUMBERS,
+    making::NUMBERS,
     never_printed::NUMBERS,
     pin::NUMBERS,
     program::NUMBERS,

@@ -2,13 +2,16 @@
 
 mod runs;
 
+use crate::computed::making;
 use crate::rows::{example, parameters};
 use crate::{live, lookup, rows};
 use anyhow::Context;
 use geneva_dynamics::Parameters;
 use geneva_figures::{Figure, escapement, pin, quick_return, stations};
 use geneva_kinematics::Mechanism;
+use geneva_kinematics::internal_wheel::InternalWheel;
 use geneva_kinematics::quick_return::{Drive, Position, QuickReturn};
+use geneva_kinematics::spherical_wheel::SphericalWheel;
 use geneva_kinematics::wheel::Wheel;
 use geneva_ledger::meyer::runs::Hypothesis;
 use geneva_ledger::meyer::runs::choice::{least_braked, weakest};
@@ -22,6 +25,10 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("wheel-turning", || Ok(stations::turning(&four_stations()?))),
     ("live-wheel", || live::figure("wheel")),
     ("wheel-dimensions", || live::figure("design")),
+    ("wheel-crescent", || Ok(stations::crescent(&making::sizes()?)?)),
+    ("wheel-kinds", || Ok(stations::kinds(3..=18)?)),
+    ("internal-mechanism", || Ok(stations::internal_mechanism(&InternalWheel::new(KIND_SLOTS)?))),
+    ("spherical-mechanism", || Ok(stations::spherical_mechanism(&SphericalWheel::new(KIND_SLOTS)?))),
     ("pin-position", || of_pin(|at| pin::position_triangle(&at.mechanism, &at.crank))),
     ("pin-velocity", || of_pin(|at| pin::velocity_triangle(&at.mechanism, &at.crank, at.driver_speed, "mm/s"))),
     ("pin-engagement", || of_pin(|at| pin::over_the_engagement(&at.mechanism, &at.crank, at.driver_speed, "mm"))),
@@ -109,6 +116,9 @@ fn four_stations() -> anyhow::Result<Wheel> {
 
 /// Crank angle at which the model of a wheel is drawn: wide enough apart from the line of centres to see the angles.
 const MODEL_ANGLE: f64 = 0.5;
+
+/// Slots of the drawings of an internal and of a spherical wheel.
+const KIND_SLOTS: u32 = 6;
 
 /// Driver angle of the drawings of a general position, as a part of the half angle of the engagement.
 const GENERAL: f64 = -0.5;

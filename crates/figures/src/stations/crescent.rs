@@ -1,0 +1,87 @@
+//! Why the customary crescent bites: how far a horn's tip stays from it, and from the one that is cut instead.
+
+use crate::chart::{Axis, Chart, Entry, Panel, Stroke};
+use crate::svg::Label;
+use crate::theme::{DRIVER, INK, RELATIVE};
+use crate::{Figure, FigureError, Series, Words};
+use geneva_kinematics::wheel::Sizes;
+
+/// Crank angles at which the tip is looked at, on either side of the middle.
+const PLACES: i32 = 120;
+const HEIGHT: f64 = 330.0;
+/// The x axis has marks in so many parts of half the engagement.
+const PARTS: i32 = 3;
+
+/// Gaps in millimetres between a horn's tip and two crescents, while the tip is within the locking disc: the customary
+/// one, an arc of the rim's radius and the gap of the locking arcs about the wheel's axis in mid-index, and the one of
+/// these sizes. Below zero the tip is in the disc.
+///
+/// Series: crank angle, both gaps.
+///
+/// # Errors
+///
+/// [`FigureError::Wheel`] if the tip's place is asked for beyond the engagement, which does not happen.
+pub fn crescent(sizes: &Sizes) -> Result<Figure, FigureError> {
+    let mut rows = Vec::new();
+    let end = sizes.wheel.engagement_half_angle();
+    if let Some(disc) = sizes.locking_disc {
+        let customary = sizes.tip_radius + sizes.play.locking / 2.0;
+        for k in -PLACES..=PLACES {
+            let crank = (end * f64::from(k) / f64::from(PLACES)).clamp(-end, end);
+            let tip = sizes.horn_tip(crank)?;
+            if tip.norm() < disc.radius {
+                let gap = |centre: f64, radius: f64| radius - libm::hypot(tip.x - centre, tip.y);
+                let cut = disc.crescent;
+                rows.push([crank.to_degrees(), gap(sizes.centre_distance, customary), gap(cut.centre, cut.radius)]);
+            }
+        }
+    }
+    let gaps = || rows.iter().flat_map(|row| [row[1], row[2]]);
+    let (least, most) = (gaps().fold(0.0, f64::min), gaps().fold(0.0, f64::max));
+    let x =
+        Axis::of_engagement(end.to_degrees(), PARTS).titled(Label::words("crank angle ").and_symbol("θ").and(", °"));
+    let y = Axis::from_zero(least, most, 4.0).titled(Label::words("gap at the horn’s tip, mm"));
+    let points = |column: usize| rows.iter().map(move |row| (row[0], row[column]));
+    let (bites, passes) = (Stroke::new(DRIVER).wide(2.0).dashed("8 6"), Stroke::new(RELATIVE).wide(2.0));
+    let panel =
+        Panel::new(HEIGHT, &x, &y).curve(points(1), bites).curve(points(2), passes).horizontal(0.0, Stroke::new(INK));
+    let key = [
+        Entry::curve(bites, Label::words("customary arc, about the wheel’s axis")),
+        Entry::curve(passes, Label::words("the crescent of the drawing")),
+    ];
+    let words = Words::new(
+        "wheel-crescent",
+        format!("Gap between a horn's tip and the crescent, {} stations", sizes.wheel.stations()),
+        "Two curves over the crank angle while the tip of a horn is within the locking disc. For the customary arc the gap \
+         falls below zero over a part of the engagement: the disc bites into the horn. For the other crescent it stays above \
+         zero.",
+        "The horn behind the slot as it passes the driver. Below zero the disc bites into it: the customary arc, of the \
+         rim's radius about the wheel's axis in mid-index, does. The horn before the slot passes as the mirror image. \
+         Rigid parts, pin in the middle of its slot.",
+    );
+    let columns = [("theta", "deg"), ("customary gap", "mm"), ("gap", "mm")];
+    Ok(Chart::new([panel]).key(key).figure(words, Series::new(columns, rows)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::drawn;
+    use geneva_kinematics::wheel::{Choices, Scale, Wheel};
+
+    #[test]
+    fn the_customary_arc_bites_and_the_other_keeps_the_clearance() {
+        for stations in 3..=18 {
+            let wheel = Wheel::new(stations).expect("possible");
+            let sizes = Sizes::new(wheel, Scale::CrankRadius(25.0), &Choices::default()).expect("fits");
+            let figure = crescent(&sizes).expect("drawn");
+            drawn(&figure);
+            let least = |column: usize| figure.series.rows.iter().map(|row| row[column]).fold(f64::INFINITY, f64::min);
+            assert!(least(1) < 0.0, "{stations}: {}", least(1));
+            // The clearance is of the whole outlines, by another way.
+            let clearance = sizes.clearance();
+            let proven = clearance.crescent.expect("a disc").distance - clearance.tolerance;
+            assert!(least(2) >= proven && least(2) > 0.0, "{stations}: {} {proven}", least(2));
+        }
+    }
+}

@@ -1,0 +1,134 @@
+//! External, internal and spherical wheels of the same number of stations compared.
+
+use crate::chart::{Axis, Chart, Entry, Mark, Marker, Panel};
+use crate::svg::Label;
+use crate::theme::{CORIOLIS, DRIVER, FOLLOWER, Shade};
+use crate::{Figure, FigureError, Series, Words};
+use geneva_dynamics::wheel_loads::WheelLoads;
+use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::internal_wheel::InternalWheel;
+use geneva_kinematics::spherical_wheel::SphericalWheel;
+use geneva_kinematics::wheel::Wheel;
+use std::ops::RangeInclusive;
+
+/// The kinds with their colours and marks.
+const KINDS: [(&str, Shade, Mark); 3] =
+    [("external", DRIVER, Mark::Disc), ("internal", FOLLOWER, Mark::Ring), ("spherical", CORIOLIS, Mark::Diamond)];
+/// Height of a frame in pixels.
+const HEIGHT: f64 = 250.0;
+/// Marks of the x axis stand so many stations apart.
+const EACH: u32 = 3;
+
+/// What is compared of one wheel: dwell, peak acceleration, peak jerk, force of the pin.
+type Compared = [f64; 4];
+
+/// Dwell, peak acceleration, peak jerk and the pin's greatest force over the number of stations, for each kind of wheel
+/// with one pin.
+///
+/// The force is that of the inertia alone, without friction, for wheels of one radius: times the wheel's radius, over
+/// the moment of inertia and the square of the driver's speed. Series, a row for each N: the four of the external wheel,
+/// of the internal one, of the spherical one.
+///
+/// # Errors
+///
+/// [`FigureError::Wheel`] for a number of stations that no wheel has.
+pub fn kinds(stations: RangeInclusive<u32>) -> Result<Figure, FigureError> {
+    let (first, last) = (*stations.start(), *stations.end());
+    let rows = stations.map(row).collect::<Result<Vec<_>, FigureError>>()?;
+    let symbol = |words: &str, primes: &str, power: &str| {
+        Label::words(words).and_symbol("φ").and(primes).and_symbol("θ").and(power)
+    };
+    let panels = [
+        Label::words("dwell, of a turn"),
+        symbol("peak ", "″ / ", "\u{200a}′²"),
+        symbol("peak ", "‴ / ", "\u{200a}′³"),
+        Label::words("greatest force of the pin"),
+    ];
+    let panels = panels.into_iter().enumerate().map(|(quantity, title)| {
+        let marks = (first..=last).filter(|n| n.is_multiple_of(EACH)).map(f64::from);
+        let x = Axis::whole(f64::from(first) - 0.7..f64::from(last) + 0.7, marks)
+            .titled(Label::words("number of stations ").and_symbol("N"));
+        let values = || rows.iter().flat_map(move |(_, kinds)| kinds.iter().map(move |of| of[quantity]));
+        let [least, most] = [values().fold(f64::INFINITY, f64::min), values().fold(0.0, f64::max)];
+        let y = if quantity == 0 { Axis::from_zero(0.0, most, 4.0) } else { Axis::logarithmic_about(least..most) };
+        KINDS.iter().enumerate().fold(Panel::new(HEIGHT, &x, &y.titled(title)), |panel, (kind, (_, shade, mark))| {
+            let points = rows.iter().map(move |(n, kinds)| (*n, kinds[kind][quantity]));
+            panel.marks(points, Marker::new(*shade, *mark).class("point"))
+        })
+    });
+    let key = KINDS.map(|(name, shade, mark)| Entry::marks([Marker::new(shade, mark)], Label::words(name)));
+    let columns = KINDS.iter().flat_map(|(name, ..)| {
+        ["dwell", "peak phi''/theta'^2", "peak phi'''/theta'^3", "F R/(J theta'^2)"]
+            .map(|quantity| (format!("{name} {quantity}"), "1"))
+    });
+    let columns = std::iter::once(("N".to_owned(), "1")).chain(columns);
+    let series = rows.iter().map(|(n, kinds)| std::iter::once(*n).chain(kinds.iter().flatten().copied()).collect());
+    let words = Words::new(
+        "wheel-kinds",
+        format!("External, internal and spherical wheels of {first} to {last} stations compared"),
+        "Four charts against the number of stations. Dwell: the external wheel has the longest, which falls to half a \
+         turn, the spherical one always half a turn, the internal one the shortest, which rises to half a turn. Peak \
+         acceleration, peak jerk and force of the pin fall with the number of stations; with few stations they are \
+         greatest for the external wheel and least for the internal one, and with many all three are alike.",
+        "Three kinds of wheel, one pin, driver of constant speed: dwell, peak acceleration, peak jerk (without the jumps at \
+         the ends), and the pin's greatest force times the wheel's radius, over moment of inertia and square of the driver's \
+         speed. Rigid parts, no play, no friction.",
+    );
+    Ok(Chart::new(panels).in_columns(2).key(key).figure(words, Series::of_columns(columns, series.collect())))
+}
+
+/// The number of stations, and what is compared of the three kinds.
+fn row(stations: u32) -> Result<(f64, [Compared; 3]), FigureError> {
+    let (external, internal) = (Wheel::new(stations)?, InternalWheel::new(stations)?);
+    let spherical = SphericalWheel::new(stations)?;
+    let compared = [
+        compared(&external, external.wheel_radius_ratio())?,
+        compared(&internal, internal.wheel_radius_ratio())?,
+        compared(&spherical, spherical.sphere_radius_ratio())?,
+    ];
+    Ok((f64::from(stations), compared))
+}
+
+fn compared(wheel: &dyn Indexing, radius_ratio: f64) -> Result<Compared, FigureError> {
+    let force = WheelLoads::new(wheel, 1.0, 0.0, 1.0)?.pin_moment().driving.value * radius_ratio;
+    Ok([wheel.dwell_fraction(), wheel.acceleration_peak().ratio, wheel.jerk_peak().ratio, force])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::drawn;
+
+    #[test]
+    fn the_chart_is_drawn_and_its_forces_are_torques_over_arms() {
+        let figure = kinds(3..=18).expect("possible");
+        drawn(&figure);
+        assert!(kinds(2..=5).is_err());
+        for row in &figure.series.rows {
+            let alpha = std::f64::consts::PI / row[0];
+            let (sin, cos) = libm::sincos(alpha);
+            // The greatest torque over the arm, looked for at many angles, from the angle of the wheel alone.
+            let force = |radius: f64, end: f64, place: &dyn Fn(f64) -> [f64; 2]| {
+                let angle = |crank: f64| {
+                    let [x, y] = place(crank);
+                    libm::atan2(y, x)
+                };
+                let h = 1e-4;
+                let at = |k: u32| {
+                    let crank = -end + h + (end - h) * f64::from(k) / 4000.0;
+                    let torque = (angle(crank - h) - 2.0 * angle(crank) + angle(crank + h)) / (h * h);
+                    let [x, y] = place(crank);
+                    radius * torque / libm::hypot(x, y)
+                };
+                (0..=4000).map(at).fold(0.0, f64::max)
+            };
+            let quarter = std::f64::consts::FRAC_PI_2;
+            let external = force(cos / sin, quarter - alpha, &|t| [1.0 / sin - libm::cos(t), libm::sin(t)]);
+            let internal = force(cos / sin, quarter + alpha, &|t| [1.0 / sin + libm::cos(t), libm::sin(t)]);
+            let spherical = force(1.0 / sin, quarter, &|t| [cos / sin, libm::sin(t)]);
+            for (column, expected) in [(4, external), (8, internal), (12, spherical)] {
+                approx::assert_relative_eq!(row[column], expected, max_relative = 1e-3);
+            }
+        }
+    }
+}

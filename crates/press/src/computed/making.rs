@@ -1,0 +1,239 @@
+//! Of the chapter on making a wheel: the worked design, from its need to its drawing, and the exercises.
+
+use super::{Number, degrees, with_unit};
+use crate::numbers::fixed;
+use anyhow::Context;
+use geneva_dynamics::line_contact::{LineContact, MATERIALS, Material};
+use geneva_dynamics::wheel_loads::{Peak, WheelLoads};
+use geneva_figures::stations;
+use geneva_kinematics::indexing::Indexing;
+use geneva_kinematics::internal_wheel::InternalWheel;
+use geneva_kinematics::wheel::{Choices, Entry, LockingDisc, Motion, Scale, Sizes, Wheel, entry_acceleration};
+use std::f64::consts::PI;
+
+/// The worked design: stations, crank radius in mm, driver's turns a minute, inertia in kg m², friction in N m.
+const STATIONS: u32 = 6;
+const CRANK_RADIUS: f64 = 25.0;
+const RPM: f64 = 60.0;
+const INERTIA: f64 = 0.002;
+const FRICTION: f64 = 0.1;
+/// Thickness of the wheel in mm, materials of pin and wheel, and an error of the centre distance in mm.
+const THICKNESS: f64 = 10.0;
+const PIN: &str = "steel";
+const WALL: &str = "phosphor-bronze";
+const CENTRE_ERROR: f64 = 0.1;
+
+/// The exercise of an instant: crank angle in degrees, turns a minute; six stations.
+const INSTANT: f64 = -20.0;
+const INSTANT_RPM: f64 = 200.0;
+/// The exercise of sizes: stations, centre distance in mm, turns a minute.
+const SIZED: u32 = 8;
+const SIZED_CENTRES: f64 = 120.0;
+const SIZED_RPM: f64 = 30.0;
+/// The exercise of loads: stations, centre distance in mm, inertia in kg m², turns a minute.
+const LOADED: u32 = 4;
+const LOADED_CENTRES: f64 = 150.0;
+const LOADED_INERTIA: f64 = 0.01;
+const LOADED_RPM: f64 = 120.0;
+
+/// The numbers of this chapter.
+pub const NUMBERS: &[(&str, Number)] = &[
+    ("making.inertia", || Ok(with_unit(INERTIA, 1, "kg&nbsp;m²"))),
+    ("making.friction", || Ok(with_unit(FRICTION, 1, "N&nbsp;m"))),
+    ("making.index", || Ok(with_unit(sizes()?.wheel.indexing_time(speed(RPM))?, 3, "s"))),
+    ("making.dwell", || Ok(with_unit(sizes()?.wheel.dwell_time(speed(RPM))?, 3, "s"))),
+    ("making.wheel-radius", || millimetres(|of| of.wheel_radius)),
+    ("making.tip-radius", || millimetres(|of| of.tip_radius)),
+    ("making.pin", || millimetres(|of| of.pin_diameter)),
+    ("making.play", || millimetres(|of| of.play.slot)),
+    ("making.slot-width", || millimetres(|of| of.slot_width)),
+    ("making.slot-depth", || millimetres(|of| of.slot_depth)),
+    ("making.slot-end", || millimetres(|of| of.slot_end)),
+    ("making.web", || millimetres(|of| of.web)),
+    ("making.horn", || millimetres(|of| of.horn_thickness)),
+    ("making.arc", || millimetres(|of| of.locking_arc_radius)),
+    ("making.plate", || millimetres(|of| of.plate_radius)),
+    ("making.wheel-shaft", || millimetres(|of| of.wheel_shaft_limit)),
+    ("making.wheel-bore", || millimetres(|of| of.wheel_shaft + of.play.bore)),
+    ("making.driver-shaft", || millimetres(|of| of.driver_shaft_limit)),
+    ("making.driver-bore", || millimetres(|of| of.driver_shaft + of.play.bore)),
+    ("making.disc", || disc(|of| of.radius)),
+    ("making.crescent", || disc(|of| of.crescent.radius)),
+    ("making.crescent-centre", || disc(|of| of.crescent.centre)),
+    ("making.bite", || Ok(with_unit(-least_gap(1)?, 2, "mm"))),
+    ("making.passes", || Ok(with_unit(least_gap(2)?, 2, "mm"))),
+    ("making.peak-acceleration", || {
+        Ok(with_unit(sizes()?.wheel.acceleration_peak().ratio * speed(RPM) * speed(RPM), 3, "rad/s²"))
+    }),
+    ("making.torque", || loaded(|loads| with_unit(loads.wheel_torque().driving.value, 3, "N&nbsp;m"))),
+    ("making.torque-at", || loaded(|loads| before(loads.wheel_torque().driving))),
+    ("making.force", || Ok(with_unit(force()?, 2, "N"))),
+    ("making.force-at", || loaded(|loads| before(loads.pin_moment().driving))),
+    ("making.crank", || loaded(|loads| with_unit(loads.crank_torque().driving.value, 3, "N&nbsp;m"))),
+    ("making.rms", || loaded(|loads| with_unit(loads.rms_crank_torque(), 2, "N&nbsp;m"))),
+    ("making.mean", || loaded(|loads| with_unit(loads.mean_crank_torque(), 2, "N&nbsp;m"))),
+    ("making.power", || loaded(|loads| with_unit(loads.crank_torque().driving.value * speed(RPM), 2, "W"))),
+    ("making.braking-from", || Ok(degrees(braking()?.0))),
+    ("making.braking-until", || Ok(degrees(braking()?.1))),
+    ("making.modulus", || {
+        let contact = geneva_dynamics::line_contact::contact_modulus(&material(PIN)?, &material(WALL)?);
+        Ok(with_unit(contact / 1e9, 3, "GPa"))
+    }),
+    ("making.pressure", || Ok(with_unit(contact()?.pressure(force()?)? / 1e6, 2, "MPa"))),
+    ("making.contact-width", || Ok(with_unit(contact()?.width(force()?)? * 1e6, 2, "µm"))),
+    ("making.clearance", || millimetres(|of| of.clearance().least().distance)),
+    ("making.tolerance", || Ok(with_unit(sizes()?.clearance().tolerance, 1, "mm"))),
+    ("making.backlash-at-rest", || {
+        Ok(fixed(sizes()?.dwell_backlash().context("a locking disc")?.to_degrees(), 3) + "°")
+    }),
+    ("making.backlash", || Ok(fixed(sizes()?.index_backlash(0.0)?.to_degrees(), 3) + "°")),
+    ("making.late", || {
+        let sizes = sizes()?;
+        Ok(degrees(entry(&sizes, 0.0)?.crank_angle + sizes.wheel.engagement_half_angle()))
+    }),
+    ("making.pin-speed", || Ok(with_unit(CRANK_RADIUS * speed(RPM), 3, "mm/s"))),
+    ("making.blow", || Ok(with_unit(blow(0.0)?, 2, "mm/s"))),
+    ("making.centre-error", || Ok(with_unit(CENTRE_ERROR, 1, "mm"))),
+    ("making.blow-apart", || Ok(with_unit(blow(CENTRE_ERROR)?, 2, "mm/s"))),
+    ("making.blow-near", || Ok(with_unit(blow(-CENTRE_ERROR)?, 2, "mm/s"))),
+    ("making.instant.angle", || Ok(degrees(instant()?.angle.abs()))),
+    ("making.instant.velocity", || Ok(fixed(instant()?.velocity, 3))),
+    ("making.instant.acceleration", || Ok(fixed(instant()?.acceleration, 3))),
+    ("making.instant.driver", || Ok(with_unit(speed(INSTANT_RPM), 4, "rad/s"))),
+    ("making.instant.speed", || Ok(with_unit(instant()?.velocity * speed(INSTANT_RPM), 3, "rad/s"))),
+    ("making.instant.rate", || {
+        Ok(with_unit(instant()?.acceleration * speed(INSTANT_RPM) * speed(INSTANT_RPM), 3, "rad/s²"))
+    }),
+    ("making.sized.crank", || sized(|of| of.crank_radius)),
+    ("making.sized.wheel", || sized(|of| of.wheel_radius)),
+    ("making.sized.slot", || sized(|of| of.wheel_radius - of.slot_end)),
+    ("making.sized.pin", || sized(|of| of.pin_diameter)),
+    ("making.sized.turn", || Ok(with_unit(60.0 / SIZED_RPM, 1, "s"))),
+    ("making.sized.index", || Ok(with_unit(Wheel::new(SIZED)?.indexing_time(speed(SIZED_RPM))?, 2, "s"))),
+    ("making.sized.dwell", || Ok(with_unit(Wheel::new(SIZED)?.dwell_time(speed(SIZED_RPM))?, 3, "s"))),
+    ("making.loaded.inertia", || Ok(with_unit(LOADED_INERTIA, 1, "kg&nbsp;m²"))),
+    ("making.loaded.speed", || Ok(with_unit(speed(LOADED_RPM), 4, "rad/s"))),
+    ("making.loaded.ratio", || Ok(fixed(Wheel::new(LOADED)?.acceleration_peak().ratio, 3))),
+    ("making.loaded.entry", || {
+        let square = speed(LOADED_RPM) * speed(LOADED_RPM);
+        Ok(with_unit(entry_acceleration(&Wheel::new(LOADED)?) * square * LOADED_INERTIA, 3, "N&nbsp;m"))
+    }),
+    ("making.loaded.torque", || four(|loads| with_unit(loads.wheel_torque().driving.value, 3, "N&nbsp;m"))),
+    ("making.loaded.crank-radius", || {
+        Ok(with_unit(LOADED_CENTRES / Wheel::new(LOADED)?.centre_distance_ratio(), 4, "mm"))
+    }),
+    ("making.loaded.force", || {
+        let radius = LOADED_CENTRES / Wheel::new(LOADED)?.centre_distance_ratio() / 1000.0;
+        four(|loads| with_unit(loads.pin_moment().driving.value / radius, 3, "N"))
+    }),
+    ("making.loaded.force-at", || four(|loads| before(loads.pin_moment().driving))),
+    ("making.internal.acceleration", || Ok(fixed(InternalWheel::new(STATIONS)?.acceleration_peak().ratio, 3))),
+    ("making.external.acceleration", || Ok(fixed(Wheel::new(STATIONS)?.acceleration_peak().ratio, 3))),
+];
+
+/// The sizes of the worked design: all that is not given has its default.
+pub fn sizes() -> anyhow::Result<Sizes> {
+    Ok(Sizes::new(Wheel::new(STATIONS)?, Scale::CrankRadius(CRANK_RADIUS), &Choices::default())?)
+}
+
+/// A driver's speed in rad/s.
+fn speed(rpm: f64) -> f64 {
+    rpm * PI / 30.0
+}
+
+/// A length with as many decimals as a drawing has, without zeros at the end.
+fn told(length: f64) -> String {
+    let text = fixed(length, 3);
+    format!("{}&nbsp;mm", text.trim_end_matches('0').trim_end_matches('.'))
+}
+
+fn millimetres(of: fn(&Sizes) -> f64) -> anyhow::Result<String> {
+    Ok(told(of(&sizes()?)))
+}
+
+fn disc(of: fn(&LockingDisc) -> f64) -> anyhow::Result<String> {
+    Ok(told(of(&sizes()?.locking_disc.context("a wheel with one pin has a locking disc")?)))
+}
+
+/// The least number in a column of the figure of the crescent, in mm.
+fn least_gap(column: usize) -> anyhow::Result<f64> {
+    let figure = stations::crescent(&sizes()?)?;
+    let gaps: Vec<f64> = figure.series.rows.iter().map(|row| row[column]).collect();
+    Ok(super::least(&gaps))
+}
+
+fn loaded<T>(of: impl Fn(&WheelLoads<'_, Wheel>) -> T) -> anyhow::Result<T> {
+    Ok(of(&WheelLoads::new(&Wheel::new(STATIONS)?, INERTIA, FRICTION, speed(RPM))?))
+}
+
+fn four<T>(of: impl Fn(&WheelLoads<'_, Wheel>) -> T) -> anyhow::Result<T> {
+    Ok(of(&WheelLoads::new(&Wheel::new(LOADED)?, LOADED_INERTIA, 0.0, speed(LOADED_RPM))?))
+}
+
+/// How far before the line of centres something is greatest.
+fn before(peak: Peak) -> String {
+    degrees(-peak.angle)
+}
+
+/// The pin's greatest force in N.
+fn force() -> anyhow::Result<f64> {
+    loaded(|loads| loads.pin_moment().driving.value / (CRANK_RADIUS / 1000.0))
+}
+
+fn braking() -> anyhow::Result<(f64, f64)> {
+    loaded(|loads| loads.reversal())?.context("the pin holds the wheel back")
+}
+
+fn material(name: &str) -> anyhow::Result<Material> {
+    MATERIALS.into_iter().find(|material| material.name == name).with_context(|| format!("no material `{name}`"))
+}
+
+fn contact() -> anyhow::Result<LineContact> {
+    let radius = sizes()?.pin_radius() / 1000.0;
+    Ok(LineContact::new(radius, THICKNESS / 1000.0, &material(PIN)?, &material(WALL)?)?)
+}
+
+fn entry(sizes: &Sizes, centre_error: f64) -> anyhow::Result<Entry> {
+    sizes.entry(centre_error).context("the pin meets the slot")
+}
+
+/// Speed in mm/s with which the pin meets the wheel.
+fn blow(centre_error: f64) -> anyhow::Result<f64> {
+    Ok(entry(&sizes()?, centre_error)?.closing_speed * CRANK_RADIUS * speed(RPM))
+}
+
+fn instant() -> anyhow::Result<Motion> {
+    Ok(Wheel::new(STATIONS)?.engaged(INSTANT.to_radians())?)
+}
+
+fn sized(of: fn(&Sizes) -> f64) -> anyhow::Result<String> {
+    let sizes = Sizes::new(Wheel::new(SIZED)?, Scale::CentreDistance(SIZED_CENTRES), &Choices::default())?;
+    Ok(with_unit(of(&sizes), 4, "mm"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use geneva_live::Arguments;
+
+    #[test]
+    fn the_worked_design_is_the_figure_as_it_stands_at_first() {
+        let live = geneva_live::by_name("design").expect("a figure");
+        let answer = live.answer(&Arguments::parse("")).expect("an answer");
+        assert_eq!(answer.figure.svg, stations::dimensions(&sizes().expect("fits")).svg);
+        let shown = |name: &str| answer.numbers.iter().find(|number| number.name == name).expect("shown").value;
+        let near = |value: f64, shown: f64| assert!((value / shown - 1.0).abs() < 1e-12, "{value} {shown}");
+        near(force().expect("loaded"), shown("force"));
+        near(loaded(|loads| loads.crank_torque().driving.value).expect("loaded"), shown("crank"));
+        near(blow(0.0).expect("met"), shown("blow"));
+    }
+
+    #[test]
+    fn the_blow_is_that_of_the_chapters_formula() {
+        let sizes = sizes().expect("fits");
+        let sine = (2.0 * sizes.slot_gap() / CRANK_RADIUS).sqrt();
+        let blow = entry(&sizes, 0.0).expect("met").closing_speed;
+        // sin τ = √(2g/a − (g/a)²).
+        assert!((blow / sine - 1.0).abs() < 1e-3, "{blow} {sine}");
+    }
+}
