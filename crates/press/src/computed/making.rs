@@ -127,6 +127,11 @@ pub const NUMBERS: &[(&str, Number)] = &[
         four(|loads| with_unit(loads.pin_moment().driving.value / radius, 3, "N"))
     }),
     ("making.loaded.force-at", || four(|loads| before(loads.pin_moment().driving))),
+    ("making.twice.force", || {
+        let wheel = Wheel::new(STATIONS)?;
+        let force = WheelLoads::new(&wheel, INERTIA, FRICTION, 2.0 * speed(RPM))?.pin_moment().driving.value;
+        Ok(with_unit(force / (CRANK_RADIUS / 1000.0), 2, "N"))
+    }),
     ("making.internal.acceleration", || Ok(fixed(InternalWheel::new(STATIONS)?.acceleration_peak().ratio, 3))),
     ("making.external.acceleration", || Ok(fixed(Wheel::new(STATIONS)?.acceleration_peak().ratio, 3))),
 ];
