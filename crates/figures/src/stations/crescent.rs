@@ -6,13 +6,13 @@ use crate::theme::{DRIVER, INK, RELATIVE};
 use crate::{Figure, FigureError, Series, Words};
 use geneva_kinematics::wheel::Sizes;
 
-/// Crank angles at which the tip is looked at, on either side of the middle.
-const PLACES: i32 = 120;
+/// Steps of the crank from the middle of the engagement to its end.
+const PLACES: u32 = 120;
 const HEIGHT: f64 = 330.0;
-/// The x axis has marks in so many parts of half the engagement.
-const PARTS: i32 = 3;
+/// The x axis has at least so many steps.
+const STEPS: f64 = 4.0;
 
-/// Gaps in millimetres between a horn's tip and two crescents, while the tip is within the locking disc: the customary
+/// Gaps in millimetres between a horn's tip and two crescents, while the tip is within the locking disc's circle: the customary
 /// one, an arc of the rim's radius and the gap of the locking arcs about the wheel's axis in mid-index, and the one of
 /// these sizes. Below zero the tip is in the disc.
 ///
@@ -26,11 +26,13 @@ pub fn crescent(sizes: &Sizes) -> Result<Figure, FigureError> {
     let end = sizes.wheel.engagement_half_angle();
     if let Some(disc) = sizes.locking_disc {
         let customary = sizes.tip_radius + sizes.play.locking / 2.0;
-        for k in -PLACES..=PLACES {
-            let crank = (end * f64::from(k) / f64::from(PLACES)).clamp(-end, end);
+        for k in 0..=PLACES {
+            let crank = (end * f64::from(k) / f64::from(PLACES)).min(end);
             let tip = sizes.horn_tip(crank)?;
-            if tip.norm() < disc.radius {
-                let gap = |centre: f64, radius: f64| radius - libm::hypot(tip.x - centre, tip.y);
+            let depth = tip.norm() - disc.radius;
+            if depth < 0.0 {
+                // In the cut, or out of the disc by the shorter way.
+                let gap = |centre: f64, radius: f64| depth.max(radius - libm::hypot(tip.x - centre, tip.y));
                 let cut = disc.crescent;
                 rows.push([crank.to_degrees(), gap(sizes.centre_distance, customary), gap(cut.centre, cut.radius)]);
             }
@@ -39,7 +41,7 @@ pub fn crescent(sizes: &Sizes) -> Result<Figure, FigureError> {
     let gaps = || rows.iter().flat_map(|row| [row[1], row[2]]);
     let (least, most) = (gaps().fold(0.0, f64::min), gaps().fold(0.0, f64::max));
     let x =
-        Axis::of_engagement(end.to_degrees(), PARTS).titled(Label::words("crank angle ").and_symbol("θ").and(", °"));
+        Axis::of_angles(0.0, end.to_degrees(), STEPS).titled(Label::words("crank angle ").and_symbol("θ").and(", °"));
     let y = Axis::from_zero(least, most, 4.0).titled(Label::words("gap at the horn’s tip, mm"));
     let points = |column: usize| rows.iter().map(move |row| (row[0], row[column]));
     let (bites, passes) = (Stroke::new(DRIVER).wide(2.0).dashed("8 6"), Stroke::new(RELATIVE).wide(2.0));
@@ -55,9 +57,9 @@ pub fn crescent(sizes: &Sizes) -> Result<Figure, FigureError> {
         "Two curves over the crank angle while the tip of a horn is within the locking disc. For the customary arc the gap \
          falls below zero over a part of the engagement: the disc bites into the horn. For the other crescent it stays above \
          zero.",
-        "The horn behind the slot as it passes the driver. Below zero the disc bites into it: the customary arc, of the \
-         rim's radius about the wheel's axis in mid-index, does. The horn before the slot passes as the mirror image. \
-         Rigid parts, pin in the middle of its slot.",
+        "The horn behind the slot as it passes through the locking disc's circle, past the line of centres. Below zero the disc \
+         bites into it: the customary arc, of the rim's radius about the wheel's axis in mid-index, does. The horn before \
+         the slot passes as the mirror image, before the line of centres. Rigid parts, pin in the middle of its slot.",
     );
     let columns = [("theta", "deg"), ("customary gap", "mm"), ("gap", "mm")];
     Ok(Chart::new([panel]).key(key).figure(words, Series::new(columns, rows)))

@@ -42,7 +42,7 @@ pub fn kinds(stations: RangeInclusive<u32>) -> Result<Figure, FigureError> {
         Label::words("dwell, of a turn"),
         symbol("peak ", "″ / ", "\u{200a}′²"),
         symbol("peak ", "‴ / ", "\u{200a}′³"),
-        Label::words("greatest force of the pin"),
+        Label::words("pin force × radius / ").and_symbol("J").and("\u{200a}").and_symbol("θ").and("\u{200a}′²"),
     ];
     let panels = panels.into_iter().enumerate().map(|(quantity, title)| {
         let marks = (first..=last).filter(|n| n.is_multiple_of(EACH)).map(f64::from);
@@ -66,10 +66,10 @@ pub fn kinds(stations: RangeInclusive<u32>) -> Result<Figure, FigureError> {
     let words = Words::new(
         "wheel-kinds",
         format!("External, internal and spherical wheels of {first} to {last} stations compared"),
-        "Four charts against the number of stations. Dwell: the external wheel has the longest, which falls to half a \
-         turn, the spherical one always half a turn, the internal one the shortest, which rises to half a turn. Peak \
-         acceleration, peak jerk and force of the pin fall with the number of stations; with few stations they are \
-         greatest for the external wheel and least for the internal one, and with many all three are alike.",
+        "Four charts against the number of stations. Dwell: the external wheel has the longest, which falls towards half a \
+         turn, the spherical one always half a turn, the internal one the shortest, which rises towards half a turn. Peak \
+         acceleration, peak jerk and force of the pin fall with the number of stations; with few stations those of the \
+         external wheel are by far the greatest, and those of the other two near each other.",
         "Three kinds of wheel, one pin, driver of constant speed: dwell, peak acceleration, peak jerk (without the jumps at \
          the ends), and the pin's greatest force times the wheel's radius, over moment of inertia and square of the driver's \
          speed. Rigid parts, no play, no friction.",

@@ -70,6 +70,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("making.force", || Ok(with_unit(force()?, 2, "N"))),
     ("making.force-at", || loaded(|loads| before(loads.pin_moment().driving))),
     ("making.crank", || loaded(|loads| with_unit(loads.crank_torque().driving.value, 3, "N&nbsp;m"))),
+    ("making.crank-at", || loaded(|loads| before(loads.crank_torque().driving))),
     ("making.rms", || loaded(|loads| with_unit(loads.rms_crank_torque(), 2, "N&nbsp;m"))),
     ("making.mean", || loaded(|loads| with_unit(loads.mean_crank_torque(), 2, "N&nbsp;m"))),
     ("making.power", || loaded(|loads| with_unit(loads.crank_torque().driving.value * speed(RPM), 2, "W"))),
