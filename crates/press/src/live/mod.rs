@@ -126,7 +126,7 @@ fn row(live: &Live, control: &Control, given: &str) -> String {
 
 fn named(name: &str) -> anyhow::Result<&'static Live> {
     let all: Vec<(&str, &'static Live)> = LIVE.into_iter().map(|live| (live.name, live)).collect();
-    Ok(lookup::named("figure that a reader moves", name, &all)?)
+    lookup::named("figure that a reader moves", name, &all)
 }
 
 fn told(name: &str) -> anyhow::Result<&'static Told> {
