@@ -36,5 +36,6 @@ chapters! {
     about = "src/about.md",
     glossary = "src/glossary.md",
     solver = "src/solver.md",
+    mimic = "src/mimic.md",
     architecture = "src/architecture.md",
 }
