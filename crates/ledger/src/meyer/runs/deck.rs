@@ -4,7 +4,7 @@
 //! reset angle. Two of its names can be set to what the thesis's program has: see [`AS_LISTED`].
 
 use super::*;
-use geneva_dynamics::program::{Line, Printout};
+use geneva_dynamics::program::{Line, Printout, Readings};
 use geneva_mimic::language::{Choices, DataSet, Deck, Layout, Program, deck_named};
 
 /// The names of the deck that the program of the thesis has otherwise, and the claims that have its numbers: the reset
@@ -35,7 +35,7 @@ pub fn run(program: &Program, row: &Row, reset: f64, choices: &Choices) -> Optio
         Some(Line { time, turned, angle: f64::NAN, speed, acceleration, follower_speed })
     };
     let lines = printed.rows.iter().map(line).collect::<Option<_>>()?;
-    Run::read_off(&Printout { lines, work: printed.work }, reset)
+    Some(Readings::of(&Printout { lines, work: printed.work }, reset)?.into())
 }
 
 /// All rows by the deck, with what the program of the thesis has otherwise.
