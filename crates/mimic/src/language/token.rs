@@ -133,7 +133,7 @@ mod tests {
     #[test]
     fn names_may_begin_with_a_digit_and_numbers_may_end_with_a_point() {
         let name = |text: &str| Token::Name(text.to_owned());
-        assert_eq!(read("2DX 1dx old2DX"), [name("2DX"), name("1DX"), name("OLD2DX")]);
+        assert_eq!(read("2DX 1dx older"), [name("2DX"), name("1DX"), name("OLDER")]);
         let numbers = [1.0, 0.0005, 5e3, 2.5e-3, 7.0, 4e2].map(Token::Number);
         assert_eq!(read("1. .0005 5E3 2.5E-3 7 4.e+2"), numbers);
         assert_eq!(read("1./G"), [Token::Number(1.0), Token::Sign('/'), name("G")]);

@@ -96,7 +96,7 @@ fn fortran_s_order_of_signs_holds() {
 
 #[test]
 fn names_of_six_signs_may_begin_with_a_digit() {
-    assert_eq!(last(" 1DX 2.\n 2DX 3.*1DX\n OLD2DX 2DX-1DX\n OUT(OLD2DX)\n FIN(T,.1)\n END\n"), [4.0]);
+    assert_eq!(last(" 1DX 2.\n 2DX 3.*1DX\n OLDER 2DX-1DX\n OUT(OLDER)\n FIN(T,.1)\n END\n"), [4.0]);
 }
 
 #[test]
