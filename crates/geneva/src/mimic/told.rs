@@ -1,6 +1,6 @@
 //! What is told of a deck and its runs.
 
-use crate::output::{count, heading, standalone, wrapped};
+use crate::output::{count, heading, wrapped};
 use geneva_mimic::language::{Deck, Program, Run, When, print_out};
 use serde::ser::{Serialize, Serializer};
 
@@ -110,5 +110,5 @@ pub fn svg(name: &str, runs: &[Run]) -> anyhow::Result<String> {
     };
     let parameters: Vec<_> = run.parameters.iter().map(|(name, value)| format!("{name} = {value}")).collect();
     let title = if parameters.is_empty() { name.to_owned() } else { format!("{name}: {}", parameters.join(", ")) };
-    Ok(standalone(&geneva_figures::printed::plot(&title, names, points)?.svg))
+    Ok(geneva_figures::printed::plot(&title, names, points)?.standalone())
 }
