@@ -10,6 +10,7 @@ chapters! {
     preface = "src/preface.md",
     pin = "src/pin.md",
     jazar = "src/jazar.md",
+    making = "src/making.md",
     quick_return = "src/quick-return.md",
     escapement = "src/escapement.md",
     program = "src/program.md",
@@ -36,5 +37,6 @@ chapters! {
     about = "src/about.md",
     glossary = "src/glossary.md",
     solver = "src/solver.md",
+    mimic = "src/mimic.md",
     architecture = "src/architecture.md",
 }

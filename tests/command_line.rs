@@ -4,6 +4,7 @@
 //! `snapshots/command-line`; what must hold whatever it looks like is asserted.
 
 mod escapement_command;
+mod mimic_command;
 mod quick_return_command;
 mod sweep_command;
 mod wheel_command;

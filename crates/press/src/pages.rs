@@ -146,6 +146,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
         chapter(RECORDS, "about", "Sources, data, how to cite"),
         below("glossary", "Words"),
         below("solver", "The solver"),
+        below("mimic", "The language MIMIC"),
         below("architecture", "Architecture"),
     ]
 });

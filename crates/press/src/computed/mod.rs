@@ -4,6 +4,7 @@ mod escapement;
 mod front;
 mod jazar;
 mod joints;
+mod mimic;
 mod never_printed;
 mod pin;
 mod program;
@@ -24,6 +25,7 @@ const ALL: &[&[(&str, Number)]] = &[
     front::NUMBERS,
     jazar::NUMBERS,
     joints::NUMBERS,
+    mimic::NUMBERS,
     never_printed::NUMBERS,
     pin::NUMBERS,
     program::NUMBERS,
