@@ -24,7 +24,7 @@ mod running;
 mod spherical;
 
 pub use critical::critical_geometry;
-pub use dimensions::dimensions;
+pub use dimensions::{dimensions, dimensions_on_a_page};
 pub use extremes::extremes;
 pub use indexing::indexing;
 pub use internal::internal_mechanism;

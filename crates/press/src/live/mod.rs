@@ -49,9 +49,7 @@ const TOLD: &[Told] = &[
         given: lever,
         claims: &[
             ("gap", "quick-return.acceleration-equation"),
-            ("lever-speed", "quick-return.lever-speed-equation"),
             ("lever-acceleration", "quick-return.lever-acceleration-equation"),
-            ("sliding", "quick-return.sliding-speed-equation"),
             ("coriolis", "quick-return.coriolis-equation"),
         ],
     },
