@@ -53,7 +53,7 @@ const fn slip(reason: &'static str, witness: &'static str, changes: &'static str
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Truth, verdicts_of};
+    use crate::{Truth, slips, verdicts_of};
     use std::collections::BTreeSet;
 
     #[test]
@@ -73,5 +73,36 @@ mod tests {
             of_truth.filter_map(|judged| Some(read(judged.claim.locator)?.0)).collect()
         };
         assert!(addresses(Truth::Right).len() >= 12 && addresses(Truth::Wrong).len() >= 8);
+    }
+
+    #[test]
+    fn what_a_slip_is_said_to_do_is_computed() {
+        let times = |number: f64, places: usize| format!("{number:.places$}");
+        let [four, six, eight] = [4, 6, 8].map(Fit::by_vectors);
+        let (planned, takes) = (|fit: &Fit| fit.step, |fit: &Fit| fit.moving);
+        let root = |slots: f64| (2.0 + 2.0 * libm::cos(PI / slots)).sqrt();
+        let on_the_line = libm::hypot(six.centres, six.crank) / six.crank;
+        let said = [
+            ("firgelli-time.dwell", "twice", times(takes(&six) / planned(&six), 0), "2"),
+            ("firgelli-time.dwell", "three times", times(takes(&eight) / planned(&eight), 0), "3"),
+            ("firgelli-time.centres", "1.7", times(six.rim / libm::sin(PI / 6.0) / six.centres, 1), "1.7"),
+            ("firgelli-indexing.centres", "1.41", times(four.centres / four.crank, 2), "1.41"),
+            ("firgelli-indexing.centres", "1.85", times(root(4.0), 2), "1.85"),
+            ("firgelli-form.speed", "1.4", times(four.centres / four.crank, 1), "1.4"),
+            ("firgelli-form.speed", "twice", times(six.centres / six.crank, 0), "2"),
+            ("oxiphysics.speed", "less than one half", times(libm::ceil(20.0 / on_the_line) / 20.0, 2), "0.45"),
+            ("oxiphysics.speed", "it is one", times(six.crank / (six.centres - six.crank), 0), "1"),
+        ];
+        for (id, words, computed, expected) in said {
+            let changes =
+                slips().iter().find(|places| places.slip.id == format!("wild.{id}")).map(|of| of.slip.changes);
+            assert!(changes.is_some_and(|changes| changes.contains(words)), "{id}: {changes:?}");
+            assert_eq!(computed, expected, "{id}: {words}");
+        }
+        // Too far apart up to five slots, too close from six on.
+        for slots in fit::ANY {
+            let wheel = Fit::by_vectors(slots);
+            assert_eq!(root(wheel.slots) > wheel.centres / wheel.crank, slots < 6, "{slots} slots");
+        }
     }
 }

@@ -71,13 +71,13 @@ impl Drawn {
         let [a, c, r] = [self.crank, self.centres, self.rim];
         let along = (c * c + r * r - a * a) / (2.0 * c);
         let aside = (r * r - along * along).sqrt();
-        if !(aside > 0.0) {
-            return None;
-        }
-        let (pin, arm) = (Vector2::new(along, aside), Vector2::new(along - c, aside));
-        let velocity = Vector2::new(arm.y, -arm.x);
-        let across = Vector2::new(-pin.y, pin.x) / r;
-        Some([libm::acos(along / r) * f64::from(self.slots) / PI, velocity.dot(&across) / r])
+        // Circles that only touch let the pin not into the wheel.
+        (aside > 0.0).then(|| {
+            let (pin, arm) = (Vector2::new(along, aside), Vector2::new(along - c, aside));
+            let velocity = Vector2::new(arm.y, -arm.x);
+            let across = Vector2::new(-pin.y, pin.x) / r;
+            [libm::acos(along / r) * f64::from(self.slots) / PI, velocity.dot(&across) / r]
+        })
     }
 
     /// Whether the pin comes to the rim at the slot, with the wheel at rest.

@@ -188,7 +188,7 @@ fn statements() -> Vec<Claim> {
                 "discontinuity in the acceleration",
                 "the wheel's acceleration jumps as the pin enters and leaves",
             )
-            .by(ClosedForm, |stated| jumps(stated, |wheel| entry_acceleration(wheel)))
+            .by(ClosedForm, |stated| jumps(stated, entry_acceleration))
             .by(Series, |stated| jumps(stated, |wheel| acceleration(wheel, -wheel.engagement_half_angle())))
             .but_not("it begins and ends at zero"),
         SOURCEBOOK
