@@ -46,6 +46,7 @@ const HARMLESS: &Harmless = &[
             "piece 24: 2 becomes 1",
         ],
     ),
+    ("wild.counter.rim", "two divisors may change places", &["piece 15: the quotient is turned over"]),
     ("jazar.eq-5.34", "both signs are meant", &["piece 0: a minus is put before it"]),
     ("meyer.phi-0", NAMED_TWICE, &HANDING_OVER[0]),
     ("meyer.theta-0", NAMED_TWICE, &HANDING_OVER[1]),

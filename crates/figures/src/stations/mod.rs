@@ -22,6 +22,7 @@ mod motion;
 mod pose;
 mod running;
 mod spherical;
+mod wrong_formulas;
 
 pub use critical::critical_geometry;
 pub use dimensions::{dimensions, dimensions_on_a_page};
@@ -33,3 +34,4 @@ pub use model::model;
 pub use motion::{motion, turning};
 pub use running::running;
 pub use spherical::spherical_mechanism;
+pub use wrong_formulas::{Compared, wrong_formulas};

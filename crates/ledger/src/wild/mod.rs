@@ -9,9 +9,12 @@ mod epicyclic;
 mod fit;
 mod models;
 mod motion;
+mod ratios;
 mod sizes;
 mod steps;
 mod turning;
+
+pub use ratios::ratio;
 
 use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Work};
 use Evidence::{AutomaticDerivative, ClosedForm, Jet as Series, Vectors};
@@ -34,10 +37,19 @@ const fn at(locator: &'static str) -> Place {
     Place::new(Work::Wild, locator)
 }
 
+/// What statements are about, and those about it.
+pub const SUBJECTS: &[(&str, fn() -> Vec<Claim>)] = &[
+    ("How long a wheel moves and rests", turning::claims),
+    ("How many steps there are", steps::claims),
+    ("Sizes", sizes::claims),
+    ("Examples that are built", models::claims),
+    ("How a wheel moves", motion::claims),
+    ("A pin on a pinion", epicyclic::claims),
+];
+
 /// All statements, by what they are about.
 pub fn claims() -> Vec<Claim> {
-    [turning::claims(), steps::claims(), sizes::claims(), models::claims(), motion::claims(), epicyclic::claims()]
-        .concat()
+    SUBJECTS.iter().flat_map(|(_, claims)| claims()).collect()
 }
 
 /// The address of the page on which a statement stands, and the day on which it was read, from the claim's locator.

@@ -84,6 +84,17 @@ pub fn claims() -> Vec<Claim> {
     [formulas(), statements()].concat()
 }
 
+/// The letters of the speed that lacks a factor.
+fn speed(of: &Instant) -> Vec<(&'static str, f64)> {
+    let ratio = of.fit.crank / of.fit.centres;
+    vec![(r"\omega_{out}", 3.0 * of.speed), (r"\omega_{in}", 3.0), (r"\alpha", of.crank), ("r", ratio)]
+}
+
+/// The same on the line of centres, for a wheel of so many slots.
+pub(super) fn greatest_speed(slots: u32) -> Option<Vec<(&'static str, f64)>> {
+    by_formula(slots).iter().find(|instant| instant.crank == 0.0).map(speed)
+}
+
 fn formulas() -> Vec<Claim> {
     vec![
         motion(
@@ -91,15 +102,7 @@ fn formulas() -> Vec<Claim> {
             "wild.firgelli-form.speed",
             r"\omega_{out} = \omega_{in} \frac{\cos\alpha - r}{1 + r^2 - 2 r \cos\alpha}",
             "speed of the wheel; r is the crank radius over the centre distance",
-            |of| {
-                let fit = of.fit;
-                vec![
-                    (r"\omega_{out}", 3.0 * of.speed),
-                    (r"\omega_{in}", 3.0),
-                    (r"\alpha", of.crank),
-                    ("r", fit.crank / fit.centres),
-                ]
-            },
+            speed,
         )
         .corrected(
             r"\omega_{out} = \omega_{in} r \frac{\cos\alpha - r}{1 + r^2 - 2 r \cos\alpha}",

@@ -38,6 +38,26 @@ pub fn claims() -> Vec<Claim> {
     [wrong(), oxiphysics(), right(), generators(), of_four()].concat()
 }
 
+/// The letters of the calculator's centre distance.
+pub(super) fn centres(fit: &Fit) -> Vec<(&'static str, f64)> {
+    vec![("C", fit.centres), (r"R_{geneva}", fit.rim), ("n", fit.slots)]
+}
+
+/// Those of its driver.
+pub(super) fn driver(fit: &Fit) -> Vec<(&'static str, f64)> {
+    vec![(r"R_{driver}", fit.crank), ("C", fit.centres), (r"R_{geneva}", fit.rim), ("n", fit.slots)]
+}
+
+/// Those of the centre distance with a root.
+pub(super) fn centres_by_the_root(fit: &Fit) -> Vec<(&'static str, f64)> {
+    vec![("C", fit.centres), (r"R_{pin}", fit.crank), ("n", fit.slots)]
+}
+
+/// Those of the library's wheel radius.
+pub(super) fn rim(fit: &Fit) -> Vec<(&'static str, f64)> {
+    vec![("R", fit.rim), ("d", fit.centres), ("r", fit.crank)]
+}
+
 fn wrong() -> Vec<Claim> {
     vec![
         formula(
@@ -46,7 +66,7 @@ fn wrong() -> Vec<Claim> {
             r"C = \frac{R_{geneva}}{\sin(\pi/n)}",
             "centre distance from the wheel's radius",
             ANY,
-            |fit| vec![("C", fit.centres), (r"R_{geneva}", fit.rim), ("n", fit.slots)],
+            centres,
         )
         .corrected(
             r"C = \frac{R_{geneva}}{\cos(\pi/n)}",
@@ -65,7 +85,7 @@ fn wrong() -> Vec<Claim> {
             r"R_{driver} = C - R_{geneva}",
             "distance of the pin from the driver's axis",
             ANY,
-            |fit| vec![(r"R_{driver}", fit.crank), ("C", fit.centres), (r"R_{geneva}", fit.rim), ("n", fit.slots)],
+            driver,
         )
         .read_as("The page says that the pin sits at the driver's radius.")
         .corrected(
@@ -84,7 +104,7 @@ fn wrong() -> Vec<Claim> {
             r"C = R_{pin} \sqrt{2 + 2 \cos(180^{\circ}/n)}",
             "centre distance from the radius of the pin's circle",
             ANY,
-            |fit| vec![("C", fit.centres), (r"R_{pin}", fit.crank), ("n", fit.slots)],
+            centres_by_the_root,
         )
         .read_as(
             "The pin radius is that of the pin's circle. With the radius of the pin itself, or of the wheel, the formula \
@@ -119,7 +139,7 @@ fn oxiphysics() -> Vec<Claim> {
             r"R = \sqrt{d^2 + r^2}",
             "outer radius of the wheel",
             ANY,
-            |fit| vec![("R", fit.rim), ("d", fit.centres), ("r", fit.crank)],
+            rim,
         )
         .corrected(
             r"R = \sqrt{d^2 - r^2}",

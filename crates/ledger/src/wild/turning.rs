@@ -50,6 +50,18 @@ pub fn claims() -> Vec<Claim> {
     [calculator(), unseel(), star(), oxiphysics(), fractions(), others(), twelve()].concat()
 }
 
+/// The letters of the calculator's rest.
+pub(super) fn resting(fit: &Fit) -> Vec<(&'static str, f64)> {
+    vec![(r"\theta_{dwell}", fit.resting), ("n", fit.slots)]
+}
+
+/// The letters of its move.
+pub(super) fn index(fit: &Fit) -> Vec<(&'static str, f64)> {
+    let rpm = 7.0 + fit.slots;
+    let time = 60.0 / rpm * fit.moving / (2.0 * PI);
+    vec![(r"t_{index}", time), (r"\theta_{index}", fit.step), (r"\mathrm{RPM}", rpm)]
+}
+
 fn calculator() -> Vec<Claim> {
     vec![
         formula(
@@ -58,7 +70,7 @@ fn calculator() -> Vec<Claim> {
             r"\theta_{dwell} = 360^{\circ} \frac{n - 1}{n}",
             "what the driver turns while the wheel rests",
             ANY,
-            |fit| vec![(r"\theta_{dwell}", fit.resting), ("n", fit.slots)],
+            resting,
         )
         .corrected(r"\theta_{dwell} = 360^{\circ} \frac{n + 2}{2 n}", DWELL),
         formula(
@@ -67,14 +79,7 @@ fn calculator() -> Vec<Claim> {
             r"t_{index} = \frac{\theta_{index}}{360^{\circ}} \frac{60}{\mathrm{RPM}}",
             "time of one move, with the wheel's step 360°/n for the angle",
             ANY,
-            |fit| {
-                let rpm = 7.0 + fit.slots;
-                vec![
-                    (r"t_{index}", 60.0 / rpm * fit.moving / (2.0 * PI)),
-                    (r"\theta_{index}", fit.step),
-                    (r"\mathrm{RPM}", rpm),
-                ]
-            },
+            index,
         )
         .read_as(
             "The index angle is the wheel's step, as the page says. Were it the driver's angle, the time would be right \

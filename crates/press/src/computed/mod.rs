@@ -13,6 +13,7 @@ mod runs;
 mod solver;
 mod terminal_speed;
 mod timer;
+mod wild;
 
 use crate::{lookup, numbers};
 
@@ -34,6 +35,7 @@ const ALL: &[&[(&str, Number)]] = &[
     solver::NUMBERS,
     terminal_speed::NUMBERS,
     timer::NUMBERS,
+    wild::NUMBERS,
 ];
 
 /// The names of all numbers; each is said in some chapter.

@@ -1,6 +1,7 @@
 //! The figures of the book: the ledger says for which mechanism, `geneva_figures` draws it.
 
 mod runs;
+mod wild;
 
 use crate::rows::{example, parameters};
 use crate::{live, lookup, rows};
@@ -77,6 +78,7 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("timer-accelerations", runs::accelerations),
     ("joints-contact", runs::contact),
     ("joints-losses", runs::losses),
+    ("wrong-formulas", wild::formulas),
     ("solver-work-precision", runs::work_precision),
 ];
 

@@ -1,0 +1,100 @@
+//! What is said on pages elsewhere: what is wrong in a table, where it was read, and every statement in a fold.
+
+use super::errata::{entries, right};
+use super::findings::how;
+use super::inline::{badge, linked_id, linked_page, place, with_unit};
+use crate::html::{Cells, Table, escape, table, tex_or_text};
+use crate::lookup;
+use anyhow::{Context, anyhow};
+use geneva_ledger::{Check, Judged, Slip, Truth, Work, in_full, slip, wild};
+
+/// What is wrong, a row for each slip.
+pub fn wrong() -> anyhow::Result<Table> {
+    let rows = statements_with_slips().filter(|(judged, slip)| judged.claim.id == slip.id).map(|(judged, slip)| {
+        let claim = judged.claim;
+        Ok(vec![
+            format!("<a href=\"#slip-{}\">{}</a>", slip.id, escape(claim.meaning)),
+            with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?,
+            right(judged)?,
+            escape(slip.changes),
+        ])
+    });
+    table("What is wrong elsewhere", Cells::Words, &["What", "Printed", "Right", "What it does"], rows)
+}
+
+/// Each address, and how many of its statements are right and wrong.
+pub fn addresses() -> anyhow::Result<Table> {
+    let mut all: Vec<(&str, [usize; 2])> = Vec::new();
+    for judged in lookup::of_work(Work::Wild) {
+        let (address, _) = read(judged)?;
+        let at = all.iter().position(|(known, _)| *known == address).unwrap_or_else(|| {
+            all.push((address, [0; 2]));
+            all.len() - 1
+        });
+        all[at].1[usize::from(judged.truth() == Truth::Wrong)] += 1;
+    }
+    let count = |number: usize| if number == 0 { "–".to_owned() } else { number.to_string() };
+    let rows =
+        all.into_iter().map(|(address, [right, wrong])| Ok(vec![linked_page(address), count(right), count(wrong)]));
+    table("Where it was read", Cells::Words, &["Page or program", "Right", "Wrong"], rows)
+}
+
+/// Every statement in a fold, by what it is about.
+pub fn statements() -> anyhow::Result<String> {
+    let subject = |(title, claims): &(&str, fn() -> Vec<geneva_ledger::Claim>)| {
+        let folds = claims().iter().map(|claim| fold(lookup::judged(claim.id)?)).collect::<anyhow::Result<String>>()?;
+        Ok(format!("\n\n### {title}\n\n{folds}"))
+    };
+    wild::SUBJECTS.iter().map(subject).collect()
+}
+
+/// A statement in one line, which opens. The one in which a slip is made bears the slip's anchor.
+fn fold(judged: &Judged) -> anyhow::Result<String> {
+    let claim = judged.claim;
+    let (address, _) = read(judged)?;
+    let host = address.split('/').nth(2).unwrap_or(address).trim_start_matches("www.");
+    let anchor = match &claim.erratum {
+        Some(erratum) if erratum.slip.id == claim.id => format!(" id=\"slip-{}\"", claim.id),
+        _ => String::new(),
+    };
+    let inner = match &claim.erratum {
+        Some(erratum) => entries(judged, slip(erratum.slip.id).context("a slip without places")?, true)?,
+        None => found(judged)?,
+    };
+    Ok(format!(
+        "<details class=\"erratum\"{anchor}>\n<summary>{}: {} {}</summary>\n<p>{}</p>\n{inner}\n</details>\n\n",
+        escape(host),
+        escape(claim.meaning),
+        badge(judged.verdict),
+        place(claim)
+    ))
+}
+
+/// How a statement was found that nothing is wrong with.
+fn found(judged: &Judged) -> anyhow::Result<String> {
+    let claim = judged.claim;
+    let mut out = "<dl>\n".to_owned();
+    let mut entry = |term: &str, text: String| out.push_str(&format!("<dt>{term}</dt><dd>{text}</dd>\n"));
+    entry("Stated", with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?);
+    if let Check::Number { .. } = &claim.check {
+        let evidence: Vec<_> = claim.check.evidence().iter().map(ToString::to_string).collect();
+        entry("Checked by", evidence.join(", "));
+        if let Some(reading) = claim.reading {
+            entry("Read as", escape(reading));
+        }
+    } else {
+        entry("How it was found", how(judged));
+    }
+    out.push_str(&format!("</dl>\n<p>{}</p>", linked_id(claim.id)));
+    Ok(out)
+}
+
+/// The statements that a slip reaches.
+fn statements_with_slips() -> impl Iterator<Item = (&'static Judged, &'static Slip)> {
+    lookup::of_work(Work::Wild).filter_map(|judged| Some((judged, &judged.claim.erratum.as_ref()?.slip)))
+}
+
+/// Address and day of a statement.
+fn read(judged: &Judged) -> anyhow::Result<(&'static str, &'static str)> {
+    wild::read(judged.claim.locator).ok_or_else(|| anyhow!("`{}` has no address", judged.claim.id))
+}
