@@ -177,7 +177,8 @@ fn claims_of_pin<'a>(verdict: &'a str, format: &'a str) -> [&'a str; 7] {
 
 #[test]
 fn a_line_of_claims_is_at_most_100_characters_long() {
-    for line in stdout(&["claims"], 0).lines() {
+    // An address stays in one piece.
+    for line in stdout(&["claims"], 0).lines().filter(|line| !line.starts_with("wild, http")) {
         assert!(line.chars().count() <= 100, "{line}");
     }
 }

@@ -202,7 +202,7 @@ pub struct ClaimsArguments {
 /// Which slips, and how.
 #[derive(Args, Debug)]
 pub struct ErrataArguments {
-    /// Only those of this source
+    /// Only those of this source; without it, those of the documents
     #[arg(long, value_parser = sources())]
     pub source: Option<Work>,
     /// Only those with this consequence
@@ -228,7 +228,7 @@ pub struct ErrataArguments {
 #[derive(Args, Debug)]
 pub struct CoverageArguments {
     /// Only this source
-    #[arg(long, value_parser = sources())]
+    #[arg(long, value_parser = documents())]
     pub source: Option<Work>,
     /// Compare the numbers in each line with those in your own copy of the source's text
     #[arg(long, value_name = "FILE", requires = "source")]
@@ -371,6 +371,11 @@ pub fn name_of(value: impl ValueEnum) -> Option<String> {
 
 fn sources() -> impl TypedValueParser<Value = Work> {
     named(Work::ALL, Work::slug, Work::citation)
+}
+
+/// The sources that are read line by line.
+fn documents() -> impl TypedValueParser<Value = Work> {
+    named(Work::DOCUMENTS, Work::slug, Work::citation)
 }
 
 fn consequences() -> impl TypedValueParser<Value = Consequence> {

@@ -98,3 +98,47 @@ fn statements_with_slips() -> impl Iterator<Item = (&'static Judged, &'static Sl
 fn read(judged: &Judged) -> anyhow::Result<(&'static str, &'static str)> {
     wild::read(judged.claim.locator).ok_or_else(|| anyhow!("`{}` has no address", judged.claim.id))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_statement_has_a_fold_and_every_slip_an_anchor() {
+        let page = statements().expect("folds");
+        let all: Vec<_> = lookup::of_work(Work::Wild).collect();
+        assert_eq!(page.matches("<details").count(), all.len());
+        for judged in &all {
+            let name = format!("<p>{}", linked_id(judged.claim.id));
+            assert_eq!(page.matches(&name).count(), 1, "{}", judged.claim.id);
+        }
+        let slips: Vec<_> = all.iter().filter_map(|judged| Some(judged.claim.erratum.as_ref()?.slip.id)).collect();
+        let wrong = wrong().expect("a table");
+        for id in &slips {
+            assert_eq!(page.matches(&format!(" id=\"slip-{id}\"")).count(), 1, "{id}");
+            assert!(wrong.holds(&format!("\"#slip-{id}\"")), "{id}");
+        }
+        assert!(slips.len() < all.len());
+    }
+
+    #[test]
+    fn every_address_has_a_row_that_counts_its_statements() {
+        let csv = addresses().expect("a table").csv().expect("data");
+        let rows = || csv.lines().skip(1).map(|row| row.rsplit(',').take(2));
+        let counted: usize = rows().flatten().filter_map(|cell| cell.parse::<usize>().ok()).sum();
+        assert_eq!(counted, lookup::of_work(Work::Wild).count());
+    }
+
+    #[test]
+    fn an_address_is_named_by_its_owner_and_its_last_part() {
+        for (address, name) in [
+            ("https://www.a.org", "a.org"),
+            ("https://a.org/b.html", "a.org/b.html"),
+            ("http://a.org/b/c/d/", "a.org/…/d"),
+            ("https://github.com/a/b/blob/HEAD/c/d.py", "a/b/…/d.py"),
+            ("https://github.com/a/b/pull/7", "a/b, request 7"),
+        ] {
+            assert_eq!(crate::html::plain(&linked_page(address)).replace(' ', ""), name.replace(' ', ""), "{address}");
+        }
+    }
+}

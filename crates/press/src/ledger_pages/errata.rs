@@ -130,10 +130,11 @@ fn found(judged: &Judged, places: &Places, entry: &mut impl FnMut(&str, String))
             entry(term, format!("{} ({kind})", with_unit(&rounded(judged, number), claim.unit)?));
         }
     }
-    if let Some(reading) = claim.reading {
+    if let Some(reading) = claim.reading.filter(|_| judged.findings.is_empty()) {
         entry("Read as", escape(reading));
     }
     if !judged.findings.is_empty() {
+        // With the reading.
         entry("How it was found", how(judged));
     }
     if places.claims.len() > 1 {

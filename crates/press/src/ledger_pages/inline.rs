@@ -113,7 +113,7 @@ pub fn linked_page(address: &str) -> String {
     let name = start.trim_start_matches("github.com/").to_owned() + &last;
     // Long names may be broken behind what parts them.
     let name = escape(&name).replace('/', "/<wbr>").replace('-', "-<wbr>").replace("&#95;", "&#95;<wbr>");
-    format!("<a href=\"{}\" rel=\"external nofollow\">{name}</a>", escape(address))
+    format!("<a href=\"{}\">{name}</a>", escape(address))
 }
 
 /// What the source is.
