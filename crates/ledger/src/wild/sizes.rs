@@ -87,7 +87,10 @@ fn wrong() -> Vec<Claim> {
             ANY,
             driver,
         )
-        .read_as("The page says that the pin sits at the driver's radius.")
+        .read_as(
+            "The page says that the pin sits at the driver's radius. The centre distance is the right one; with that of the \
+             same page the pin fits it for six slots alone, and the rim does not.",
+        )
         .corrected(
             r"R_{driver} = C \sin(\pi/n)",
             slip(
