@@ -39,9 +39,10 @@ pub fn wrong_formulas(formulas: &[Compared]) -> Figure {
     let ratios = || formulas.iter().flat_map(|formula| &formula.ratios).map(|(_, ratio)| *ratio);
     let y = Axis::logarithmic_about(ratios().fold(1.0, f64::min)..ratios().fold(1.0, f64::max));
     let panel = |somewhere: bool| {
-        let words = if somewhere { "given over right: right for some number" } else { "given over right: never right" };
+        let at = if somewhere { right_at(formulas) } else { "no number of".to_owned() };
+        let words = format!("given over right; right at {at} slots");
         let x = if somewhere { x.clone() } else { x.clone().titled(Label::words("number of slots ").and_symbol("N")) };
-        let mut panel = Panel::new(300.0, &x, &y.clone().titled(Label::words(words)));
+        let mut panel = Panel::new(300.0, &x, &y.clone().titled(Label::words(&words)));
         panel = panel.horizontal(1.0, Stroke::thin("right"));
         for (number, formula) in formulas.iter().enumerate().filter(|(_, of)| of.is_right_somewhere() == somewhere) {
             let (stroke, marker) = kind(number);
@@ -54,6 +55,15 @@ pub fn wrong_formulas(formulas: &[Compared]) -> Figure {
         Entry::both((look.0.wide(1.6), look.1), Label::words(&formula.name).shade(look.1.shade))
     });
     Chart::new([panel(true), panel(false)]).key(key).figure(words(formulas, [first, last]), series(formulas))
+}
+
+/// For which numbers of slots a formula is right.
+fn right_at(formulas: &[Compared]) -> String {
+    let right = formulas.iter().flat_map(|formula| &formula.ratios);
+    let mut right: Vec<u32> = right.filter(|(_, ratio)| (ratio - 1.0).abs() < RIGHT).map(|(slots, _)| *slots).collect();
+    right.sort_unstable();
+    right.dedup();
+    right.iter().map(u32::to_string).collect::<Vec<_>>().join(", ")
 }
 
 fn series(formulas: &[Compared]) -> Series {
@@ -78,11 +88,7 @@ fn words(formulas: &[Compared], [first, last]: [f64; 2]) -> Words {
         });
         each.collect::<Vec<_>>().join("; ")
     };
-    let right = formulas.iter().flat_map(|formula| &formula.ratios);
-    let mut right: Vec<u32> = right.filter(|(_, ratio)| (ratio - 1.0).abs() < RIGHT).map(|(slots, _)| *slots).collect();
-    right.sort_unstable();
-    right.dedup();
-    let right = right.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
+    let right = right_at(formulas);
     Words::new(
         "wrong-formulas",
         format!("What wrong formulas give over what is right, {} to {} slots", trimmed(first, 0), trimmed(last, 0)),

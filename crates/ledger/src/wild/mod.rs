@@ -5,6 +5,7 @@
 //! in the way in which it is right, if there is one. The files go by what is stated: how long the driver turns, the
 //! sizes, the motion, wheels that are shipped as examples.
 
+mod discs;
 mod epicyclic;
 mod fit;
 mod models;
@@ -43,6 +44,7 @@ pub const SUBJECTS: &[(&str, fn() -> Vec<Claim>)] = &[
     ("How many steps there are", steps::claims),
     ("Sizes", sizes::claims),
     ("Examples that are built", models::claims),
+    ("The cut in the locking disc", discs::claims),
     ("How a wheel moves", motion::claims),
     ("A pin on a pinion", epicyclic::claims),
 ];
@@ -65,7 +67,7 @@ const fn slip(reason: &'static str, witness: &'static str, changes: &'static str
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Truth, slips, verdicts_of};
+    use crate::{Truth, verdicts_of};
     use std::collections::BTreeSet;
 
     #[test]
@@ -105,12 +107,15 @@ mod tests {
             ("oxiphysics.speed", "less than one half", times(libm::ceil(20.0 / on_the_line) / 20.0, 2), "0.45"),
             ("oxiphysics.speed", "it is one", times(six.crank / (six.centres - six.crank), 0), "1"),
         ];
+        let changes = |id: &str| crate::slip(id).map_or("", |places| places.slip.changes);
         for (id, words, computed, expected) in said {
-            let changes =
-                slips().iter().find(|places| places.slip.id == format!("wild.{id}")).map(|of| of.slip.changes);
-            assert!(changes.is_some_and(|changes| changes.contains(words)), "{id}: {changes:?}");
+            let id = format!("wild.{id}");
+            assert!(changes(&id).contains(words), "{id}: {}", changes(&id));
             assert_eq!(computed, expected, "{id}: {words}");
         }
+        let cut = crate::verdict("wild.freecad.cut").expect("a claim");
+        assert!(cut.findings.iter().any(|(_, found)| found.how.contains("by 0.26 mm")), "{:?}", cut.findings);
+        assert!(changes("wild.freecad.cut").contains("by 0.26 mm"));
         // Too far apart up to five slots, too close from six on.
         for slots in fit::ANY {
             let wheel = Fit::by_vectors(slots);

@@ -79,6 +79,7 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("joints-contact", runs::contact),
     ("joints-losses", runs::losses),
     ("wrong-formulas", wild::formulas),
+    ("locking-cuts", wild::locking_cuts),
     ("solver-work-precision", runs::work_precision),
 ];
 

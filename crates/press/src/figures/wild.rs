@@ -2,7 +2,7 @@
 
 use anyhow::Context;
 use geneva_figures::Figure;
-use geneva_figures::stations::{Compared, wrong_formulas};
+use geneva_figures::stations::{self, Compared, wrong_formulas};
 use geneva_ledger::wild::ratio;
 
 /// Wrong formulas, and what each is for.
@@ -15,6 +15,14 @@ const FORMULAS: [(&str, &str); 7] = [
     ("wild.oxiphysics.rim", "rim, with a sum"),
     ("wild.firgelli-form.speed", "speed, less a factor"),
 ];
+
+/// Radius of the locking disc in crank radii: about that of the programs, which leave three pin radii beside it.
+const DISC: f64 = 0.7;
+
+/// How near the horns come to the locking disc, for wheels that are built.
+pub fn locking_cuts() -> anyhow::Result<Figure> {
+    Ok(stations::locking_cuts(3..=12, DISC))
+}
 
 /// What the wrong formulas give over what is right, for wheels that are built.
 pub fn formulas() -> anyhow::Result<Figure> {
