@@ -2,7 +2,7 @@
 
 use super::errata::{entries, right};
 use super::findings::how;
-use super::inline::{badge, linked_id, linked_page, place, with_unit};
+use super::inline::{badge, linked_id, linked_page, with_unit};
 use crate::html::{Cells, Table, escape, table, tex_or_text};
 use crate::lookup;
 use anyhow::{Context, anyhow};
@@ -51,8 +51,7 @@ pub fn statements() -> anyhow::Result<String> {
 /// A statement in one line, which opens. The one in which a slip is made bears the slip's anchor.
 fn fold(judged: &Judged) -> anyhow::Result<String> {
     let claim = judged.claim;
-    let (address, _) = read(judged)?;
-    let host = address.split('/').nth(2).unwrap_or(address).trim_start_matches("www.");
+    let (address, day) = read(judged)?;
     let anchor = match &claim.erratum {
         Some(erratum) if erratum.slip.id == claim.id => format!(" id=\"slip-{}\"", claim.id),
         _ => String::new(),
@@ -62,12 +61,21 @@ fn fold(judged: &Judged) -> anyhow::Result<String> {
         None => found(judged)?,
     };
     Ok(format!(
-        "<details class=\"erratum\"{anchor}>\n<summary>{}: {} {}</summary>\n<p>{}</p>\n{inner}\n</details>\n\n",
-        escape(host),
+        "<details class=\"erratum\"{anchor}>\n<summary>{}: {} {}</summary>\n<p><a href=\"{}\">Address</a>, as read on \
+         {day}</p>\n{inner}\n</details>\n\n",
+        escape(whose(address)),
         escape(claim.meaning),
         badge(judged.verdict),
-        place(claim)
+        escape(address)
     ))
+}
+
+/// Host of a page, owner and name of a repository.
+fn whose(address: &str) -> &str {
+    let path = address.split_once("://").map_or(address, |(_, path)| path).trim_start_matches("www.");
+    let (path, parts) = path.strip_prefix("github.com/").map_or((path, 1), |path| (path, 2));
+    let end = path.match_indices('/').nth(parts - 1).map_or(path.len(), |(at, _)| at);
+    &path[..end]
 }
 
 /// How a statement was found that nothing is wrong with.
@@ -76,9 +84,11 @@ fn found(judged: &Judged) -> anyhow::Result<String> {
     let mut out = "<dl>\n".to_owned();
     let mut entry = |term: &str, text: String| out.push_str(&format!("<dt>{term}</dt><dd>{text}</dd>\n"));
     entry("Stated", with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?);
-    if let Check::Number { .. } = &claim.check {
+    if let Check::Number { .. } | Check::Equation { .. } = &claim.check {
+        // Of an equation the ledger has more.
         let evidence: Vec<_> = claim.check.evidence().iter().map(ToString::to_string).collect();
-        entry("Checked by", evidence.join(", "));
+        let found = judged.findings.first().map_or_else(String::new, |(_, found)| format!(": {}", escape(&found.how)));
+        entry("Checked by", evidence.join(", ") + &found);
         if let Some(reading) = claim.reading {
             entry("Read as", escape(reading));
         }
@@ -138,7 +148,14 @@ mod tests {
             ("https://github.com/a/b/blob/HEAD/c/d.py", "a/b/…/d.py"),
             ("https://github.com/a/b/pull/7", "a/b, request 7"),
         ] {
-            assert_eq!(crate::html::plain(&linked_page(address)).replace(' ', ""), name.replace(' ', ""), "{address}");
+            assert_eq!(crate::html::plain(&linked_page(address)), name);
+        }
+        for (address, name) in [
+            ("https://www.a.org", "a.org"),
+            ("http://a.org/b/", "a.org"),
+            ("https://github.com/a/b/blob/HEAD/c/d.py", "a/b"),
+        ] {
+            assert_eq!(whose(address), name);
         }
     }
 }

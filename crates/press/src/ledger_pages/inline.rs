@@ -112,7 +112,7 @@ pub fn linked_page(address: &str) -> String {
     let start = start.join("/");
     let name = start.trim_start_matches("github.com/").to_owned() + &last;
     // Long names may be broken behind what parts them.
-    let name = escape(&name).replace('/', "/<wbr>").replace('-', "-<wbr>").replace("&#95;", "&#95;<wbr>");
+    let name = escape(&name).replace('/', "/<wbr>").replace("&#95;", "&#95;<wbr>");
     format!("<a href=\"{}\">{name}</a>", escape(address))
 }
 
