@@ -146,7 +146,7 @@ fn pin_diameter() -> Claim {
     /// p and the tolerance t, as shipped.
     const SHIPPED: [f64; 2] = [4.0, 0.01];
     MACRO
-        .statement("wild.freecad.pin", "p = Drive Pin Diameter", "what the length p is")
+        .statement("wild.freecad.pin", r"p = \text{Drive Pin Diameter}", "what the length p is")
         .by(Vectors, |stated| {
             // The drawn pin is a cylinder of radius p: two opposite points of it.
             let [p, _] = SHIPPED;
@@ -167,7 +167,7 @@ fn pin_diameter() -> Claim {
             )
         })
         .corrected(
-            "p = Drive Pin Radius",
+            r"p = \text{Drive Pin Radius}",
             Slip {
                 consequence: Consequence::Wording,
                 origin: Origin::Misprint,
@@ -186,7 +186,7 @@ fn drift() -> Claim {
         "sizes of the Geneva mechanism of a simulation, in the radius that is called the driver's",
         [right, drawn],
         (
-            r"6 slots: pin 0.75, centres 1.5, wheel 0.75 \sqrt{3}",
+            "6 slots: pin 0.75, centres 1.5, wheel 0.75 √3",
             slip(
                 "The radii of pin's circle and wheel add up to the centre distance: the two circles touch in one point.",
                 TWICE,
@@ -205,7 +205,7 @@ fn model3d() -> Claim {
         "rim of the driven wheel; the pin's circle has the centre distance over the root of two, which is right",
         [drawn.with_fitting_rim(), drawn],
         (
-            r"4 slots: driven radius 0.9 \sqrt{2}, centres 1.8",
+            "4 slots: driven radius 0.9 √2, centres 1.8",
             slip(
                 "The rim is cut short: when the pin comes to it, it has passed the place where it would slide in along the \
                  slot.",
@@ -224,11 +224,11 @@ fn cadbuildr() -> Claim {
     example(
         CADBUILDR,
         "wild.cadbuildr.example",
-        r"4 slots: cross 0.8 (2 \cdot 50/\sqrt{2} + 4), centres 50",
+        "4 slots: cross 0.8 (2 · 50/√2 + 4), centres 50",
         "diameter of the driven cross; the pin's circle is right",
         [drawn.with_fitting_rim(), drawn],
         (
-            r"4 slots: cross 2 \cdot 50/\sqrt{2}, centres 50",
+            "4 slots: cross 2 · 50/√2, centres 50",
             slip(
                 "The rim is cut short: when the pin comes to it, it has passed the place where it would slide in along the \
                  slot.",
@@ -251,7 +251,7 @@ fn sdfx() -> Claim {
         "first example of the program, which puts the pin where it meets the mouth of the slot",
         [Drawn { crank: pin(right.centres, right.rim), ..right }, drawn],
         (
-            r"6 slots: centres 50.0, driven radius 25 \sqrt{3}",
+            "6 slots: centres 50.0, driven radius 25 √3",
             slip(
                 "With any other radius the pin meets the mouth of the slot, but not along the slot.",
                 TWICE,
@@ -269,11 +269,11 @@ fn counter() -> Claim {
     example(
         COUNTER,
         "wild.counter.example",
-        r"5 slots: R = r/\tan(180/5) - 5 - 0.35",
+        "5 slots: r/tan(180/5) - 5 - 0.35",
         "rim of the wheel that is drawn: less the pin's radius and a clearance",
         [whole, drawn],
         (
-            r"5 slots: R = r/\tan(180/5)",
+            "5 slots: r/tan(180/5)",
             slip(
                 "The pin's centre comes to the rim late, when it is no longer where the slot points.",
                 TWICE,
@@ -295,7 +295,7 @@ fn pitter_arcs() -> Claim {
     PITTER
         .figure(
             "wild.cherry-pitter.arcs",
-            r"ang = i * 60 \text{ for slots and arcs}",
+            "i * 60 for slots and arcs",
             "the wheel's locking arcs have the directions of its slots",
         )
         .by(ClosedForm, |stated| {
@@ -313,7 +313,7 @@ fn pitter_arcs() -> Claim {
             found_a_slot(slots, libm::atan2(leaves.y, leaves.x))
         })
         .corrected(
-            r"ang = i * 60 \text{ for slots, } i * 60 + 30 \text{ for arcs}",
+            "i * 60 for slots, i * 60 + 30 for arcs",
             slip(
                 "While the wheel rests, one of its arcs lies on the driver's disc, on the line of centres. The slots that \
                  the pin leaves and enters are half a pitch to either side of it.",

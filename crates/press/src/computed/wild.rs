@@ -12,9 +12,9 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("wild.addresses-wrong", || Ok(addresses(|judged| judged.truth() == Truth::Wrong).to_string())),
     ("wild.right", || Ok(count(Truth::Right))),
     ("wild.wrong", || Ok(count(Truth::Wrong))),
-    ("wild.move.six", || times("wild.firgelli-time.index", 6)),
-    ("wild.move.eight", || times("wild.firgelli-time.index", 8)),
-    ("wild.centres.six", || times("wild.firgelli-time.centres", 6)),
+    ("wild.move.six", || times("wild.firgelli-time.index", 6, 0)),
+    ("wild.move.eight", || times("wild.firgelli-time.index", 8, 0)),
+    ("wild.centres.six", || times("wild.firgelli-time.centres", 6, 1)),
 ];
 
 fn statements() -> impl Iterator<Item = &'static Judged> {
@@ -32,7 +32,7 @@ fn count(truth: Truth) -> String {
 }
 
 /// What a wrong formula gives over what is right; the other way round if that is less than one.
-fn times(id: &str, slots: u32) -> anyhow::Result<String> {
+fn times(id: &str, slots: u32, places: usize) -> anyhow::Result<String> {
     let ratio = wild::ratio(id, slots).with_context(|| format!("`{id}` gives no ratio"))?;
-    Ok(numbers::fixed(ratio.max(1.0 / ratio), 1))
+    Ok(numbers::fixed(ratio.max(1.0 / ratio), places))
 }

@@ -12,14 +12,13 @@ use geneva_ledger::{Check, Judged, Slip, Truth, Work, in_full, slip, wild};
 pub fn wrong() -> anyhow::Result<Table> {
     let rows = statements_with_slips().filter(|(judged, slip)| judged.claim.id == slip.id).map(|(judged, slip)| {
         let claim = judged.claim;
+        let printed = with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?;
         Ok(vec![
-            format!("<a href=\"#slip-{}\">{}</a>", slip.id, escape(claim.meaning)),
-            with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?,
-            right(judged)?,
-            escape(slip.changes),
+            format!("<a href=\"#slip-{}\">{}</a><div class=\"form\">{printed}</div>", slip.id, escape(claim.meaning)),
+            format!("{} <div>{}</div>", right(judged)?, escape(slip.changes)),
         ])
     });
-    table("What is wrong elsewhere", Cells::Words, &["What", "Printed", "Right", "What it does"], rows)
+    table("What is wrong elsewhere", Cells::Words, &["As printed", "Right, and what the printed one does"], rows)
 }
 
 /// Each address, and how many of its statements are right and wrong.
