@@ -38,8 +38,11 @@ const fn at(locator: &'static str) -> Place {
     Place::new(Work::Wild, locator)
 }
 
+/// A heading, and the statements under it.
+pub type Subject = (&'static str, fn() -> Vec<Claim>);
+
 /// What statements are about, and those about it.
-pub const SUBJECTS: &[(&str, fn() -> Vec<Claim>)] = &[
+pub const SUBJECTS: &[Subject] = &[
     ("How long a wheel moves and rests", turning::claims),
     ("How many steps there are", steps::claims),
     ("Sizes", sizes::claims),

@@ -26,7 +26,7 @@ pub fn ratio(id: &str, slots: u32) -> Option<f64> {
     let claim = crate::claim(id)?;
     let moment = Moment::default().with(letters);
     let given = |formula: &str| Some(tex::value(formula.split_once('=')?.1, moment.letters()));
-    let ratio = given(claim.printed)? / given(&claim.erratum.as_ref()?.corrected)?;
+    let ratio = given(claim.printed)? / given(claim.erratum.as_ref()?.corrected)?;
     ratio.is_finite().then_some(ratio)
 }
 

@@ -40,7 +40,7 @@ pub fn addresses() -> anyhow::Result<Table> {
 
 /// Every statement in a fold, by what it is about.
 pub fn statements() -> anyhow::Result<String> {
-    let subject = |(title, claims): &(&str, fn() -> Vec<geneva_ledger::Claim>)| {
+    let subject = |(title, claims): &wild::Subject| {
         let folds = claims().iter().map(|claim| fold(lookup::judged(claim.id)?)).collect::<anyhow::Result<String>>()?;
         Ok(format!("\n\n### {title}\n\n{folds}"))
     };
