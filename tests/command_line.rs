@@ -4,6 +4,7 @@
 //! `snapshots/command-line`; what must hold whatever it looks like is asserted.
 
 mod escapement_command;
+mod mimic_command;
 mod quick_return_command;
 mod sweep_command;
 mod wheel_command;
@@ -176,7 +177,8 @@ fn claims_of_pin<'a>(verdict: &'a str, format: &'a str) -> [&'a str; 7] {
 
 #[test]
 fn a_line_of_claims_is_at_most_100_characters_long() {
-    for line in stdout(&["claims"], 0).lines() {
+    // An address stays in one piece.
+    for line in stdout(&["claims"], 0).lines().filter(|line| !line.starts_with("wild, http")) {
         assert!(line.chars().count() <= 100, "{line}");
     }
 }

@@ -10,6 +10,7 @@ mod browser;
 mod coverage;
 mod displays;
 mod live;
+mod mimic_decks;
 mod pin_over_the_engagement;
 mod snapshots;
 mod tidy;

@@ -23,6 +23,7 @@ mod theme;
 
 pub mod escapement;
 pub mod pin;
+pub mod printed;
 pub mod quick_return;
 pub mod runs;
 pub mod stations;

@@ -1,6 +1,7 @@
 //! What can be said to the program.
 
 use crate::escapement::EscapementArguments;
+use crate::mimic::MimicArguments;
 use crate::quick_return::QuickReturnArguments;
 use crate::sweep::SweepArguments;
 use crate::wheel::WheelArguments;
@@ -31,6 +32,7 @@ Examples:
                                                a Geneva escapement of your own: how fast it runs
   geneva sweep --slots 4 --friction 0.1:0.4:7 --inertia-ratio 0.1:1:10 --output sweep.csv
                                                many escapements, a row for each
+  geneva mimic run predators                   a deck of cards in the language of 1973
   geneva book --open                           build the book and open it
   geneva completions bash                      completions for a shell
 
@@ -131,6 +133,19 @@ many engagements to be followed. What there is no number for is empty.
 Interrupted, it leaves FILE as it was, or not there. An end by force in the moment when complete rows are put in place \
 may leave FILE.unfinished- with some letters behind it, which can be deleted.")]
     Sweep(SweepArguments),
+    /// Check, sort or run a deck in MIMIC, the simulation language of the 1973 computations
+    #[command(
+        disable_help_subcommand = true,
+        after_help = "\
+Examples:
+  geneva mimic decks
+  geneva mimic run predators
+  geneva mimic run my.deck --data my.cards --format csv --output run.csv
+  geneva mimic run escapement --set MU=0.2 --format svg --output run.svg
+  geneva mimic sort escapement
+  geneva mimic run --listing-in my-copy-of-the-thesis.txt --runs appendix-e --format json"
+    )]
+    Mimic(MimicArguments),
     /// Build the book, or test its chapters
     #[command(
         args_conflicts_with_subcommands = true,
@@ -187,7 +202,7 @@ pub struct ClaimsArguments {
 /// Which slips, and how.
 #[derive(Args, Debug)]
 pub struct ErrataArguments {
-    /// Only those of this source
+    /// Only those of this source; without it, those of the documents
     #[arg(long, value_parser = sources())]
     pub source: Option<Work>,
     /// Only those with this consequence
@@ -213,7 +228,7 @@ pub struct ErrataArguments {
 #[derive(Args, Debug)]
 pub struct CoverageArguments {
     /// Only this source
-    #[arg(long, value_parser = sources())]
+    #[arg(long, value_parser = documents())]
     pub source: Option<Work>,
     /// Compare the numbers in each line with those in your own copy of the source's text
     #[arg(long, value_name = "FILE", requires = "source")]
@@ -292,6 +307,8 @@ pub struct Output {
 pub enum Format {
     /// For reading.
     Text,
+    /// For reading, as a line printer wrote it.
+    Print,
     /// With all that is known and all digits.
     Json,
     /// A series: a row for each claim, slip or time.
@@ -313,6 +330,7 @@ impl Format {
     pub fn name(self) -> &'static str {
         match self {
             Self::Text => "text",
+            Self::Print => "print",
             Self::Json => "json",
             Self::Csv => "csv",
             Self::Svg => "svg",
@@ -353,6 +371,11 @@ pub fn name_of(value: impl ValueEnum) -> Option<String> {
 
 fn sources() -> impl TypedValueParser<Value = Work> {
     named(Work::ALL, Work::slug, Work::citation)
+}
+
+/// The sources that are read line by line.
+fn documents() -> impl TypedValueParser<Value = Work> {
+    named(Work::DOCUMENTS, Work::slug, Work::citation)
 }
 
 fn consequences() -> impl TypedValueParser<Value = Consequence> {

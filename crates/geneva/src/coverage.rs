@@ -18,7 +18,7 @@ pub fn page(wanted: &CoverageArguments) -> anyhow::Result<(String, Outcome)> {
         return Ok((source.inventory_for(&copy(source, "--record", file)?), Outcome::AsRecorded));
     }
     let (mut pages, mut complete) = (Vec::new(), true);
-    for work in Work::ALL.iter().filter(|work| wanted.source.is_none_or(|source| source == **work)) {
+    for work in Work::DOCUMENTS.iter().filter(|work| wanted.source.is_none_or(|source| source == **work)) {
         let lines = work.inventory()?;
         pages.push(inventory(*work, lines));
         complete &= lines.iter().all(Line::is_accounted_for);

@@ -6,10 +6,12 @@ use crate::fields;
 use crate::output::{count, field, heading, wrapped};
 use geneva_ledger::{Consequence, Judged, Places, Work, in_full, slips};
 use geneva_press::records;
+use std::slice;
 
 /// The slips that are wanted, as they are wanted.
 pub fn page(wanted: &ErrataArguments) -> anyhow::Result<String> {
-    let of_source = |places: &Places| wanted.source.is_none_or(|source| places.main().claim.work == source);
+    let of_source =
+        |places: &Places| wanted.source.map_or(places.is_of_a_document(), |source| places.main().claim.work == source);
     // What the copy at hand has lost is no slip of a source: it is shown when it is asked for.
     let of_consequence = |places: &Places| match wanted.consequence {
         Some(consequence) => places.slip.consequence == consequence,
@@ -22,7 +24,7 @@ pub fn page(wanted: &ErrataArguments) -> anyhow::Result<String> {
         Format::Csv => {
             fields::csv(geneva_ledger::slips().first().map(records::slip).as_ref(), slips.iter().map(records::slip))
         }
-        Format::Markdown => Ok(markdown(&slips)),
+        Format::Markdown => Ok(markdown(&slips, wanted.source.as_ref().map_or(Work::DOCUMENTS, slice::from_ref))),
         _ => Ok(text(&slips)),
     }
 }
@@ -107,9 +109,9 @@ fn others(places: &Places) -> String {
     shown.join(", ") + &more
 }
 
-fn markdown(slips: &[Places]) -> String {
+fn markdown(slips: &[Places], works: &[Work]) -> String {
     let mut page = "# Errata\n".to_owned();
-    for work in Work::ALL {
+    for work in works {
         page += &format!("\n## {work}\n\n{}\n", work.citation());
         let of_work: Vec<_> = slips.iter().filter(|places| places.main().claim.work == *work).cloned().collect();
         if of_work.is_empty() {
@@ -174,10 +176,11 @@ mod tests {
         let expected = |wanted: &dyn Fn(&Places) -> bool| -> Vec<_> {
             slips().iter().filter(|places| wanted(places)).map(|places| places.slip.id.to_owned()).collect()
         };
-        assert_eq!(listed(&["--all"]), expected(&|_| true));
-        assert_eq!(listed(&[]), expected(&|places| places.slip.consequence != Consequence::Copy));
+        assert_eq!(listed(&["--all"]), expected(&Places::is_of_a_document));
+        let no_copy = |places: &Places| places.is_of_a_document() && places.slip.consequence != Consequence::Copy;
+        assert_eq!(listed(&[]), expected(&no_copy));
         for consequence in Consequence::ALL {
-            let own = expected(&|places| places.slip.consequence == *consequence);
+            let own = expected(&|places| places.is_of_a_document() && places.slip.consequence == *consequence);
             assert_eq!(listed(&["--consequence", consequence.slug()]), own, "{consequence}");
         }
         for source in Work::ALL {

@@ -1,7 +1,8 @@
 //! The command line `geneva`: argument parsing and printing, nothing else.
 //!
 //! Every command turns its arguments into text. What the text says comes from the ledger, of a wheel or a quick-return
-//! mechanism from the kinematics and the figures, of an escapement from the dynamics, and the book from the press. Exit
+//! mechanism from the kinematics and the figures, of an escapement from the dynamics, of a deck from the language, and
+//! the book from the press. Exit
 //! codes: 0 all is as recorded, 1 something differs, 2 bad usage, bad input or no access.
 
 mod arguments;
@@ -13,6 +14,7 @@ mod destination;
 mod errata;
 mod escapement;
 mod fields;
+mod mimic;
 mod output;
 mod preprocess;
 mod progress;
@@ -59,6 +61,9 @@ fn run(arguments: Arguments) -> anyhow::Result<Outcome> {
         Some(Command::Sweep(wanted)) => {
             sweep::run(&wanted)?;
             Ok(Outcome::AsRecorded)
+        }
+        Some(Command::Mimic(wanted)) => {
+            answer(&mimic::page(&wanted.action)?, mimic::destination(&wanted.action), Outcome::AsRecorded)
         }
         Some(Command::Book(wanted)) => book::run(wanted),
         Some(Command::Completions { shell }) => {

@@ -4,15 +4,28 @@ use crate::claims::with_unit;
 use crate::output::{count, field, heading, style, wrapped};
 use geneva_ledger::{Consequence, Judged, Truth, Verdict, Work, in_full, slips_of};
 
-/// Verdicts by source, and each claim that does not stand as recorded.
+/// Verdicts of the documents by source, and each claim that does not stand as recorded, also of those elsewhere.
 pub fn page(verdicts: &[Judged]) -> String {
     table(verdicts) + "\n" + &differences(verdicts)
+}
+
+/// How many statements on pages elsewhere are right and wrong, if all stand as recorded.
+fn elsewhere(verdicts: &[Judged]) -> String {
+    let said: Vec<_> = verdicts.iter().filter(|judged| !judged.claim.work.is_document()).collect();
+    if said.is_empty() {
+        return String::new();
+    }
+    let of = |truth| said.iter().filter(|judged| judged.truth() == truth).count();
+    let parts = Truth::ALL.iter().filter(|truth| of(**truth) > 0).map(|truth| format!("{} {truth}", of(*truth)));
+    let parts = parts.collect::<Vec<_>>().join(", ");
+    let said = count(said.len(), "statement");
+    wrapped("", &format!("{said} elsewhere ({parts}): each stands as recorded. geneva claims --source wild"))
 }
 
 fn table(verdicts: &[Judged]) -> String {
     let label = Verdict::ALL.iter().map(|verdict| verdict.slug().len()).max().unwrap_or(0);
     let columns: Vec<(&str, Option<Work>)> =
-        Work::ALL.iter().map(|work| (work.slug(), Some(*work))).chain([("all", None)]).collect();
+        Work::DOCUMENTS.iter().map(|work| (work.slug(), Some(*work))).chain([("all", None)]).collect();
     let line = |name: &str, cell: &dyn Fn(&str, Option<Work>) -> String| -> String {
         let cells =
             columns.iter().map(|(title, work)| format!("  {:>width$}", cell(title, *work), width = title.len().max(5)));
@@ -21,7 +34,9 @@ fn table(verdicts: &[Judged]) -> String {
     let tally = |wanted: &dyn Fn(&Judged) -> bool, work: Option<Work>| {
         let number = verdicts
             .iter()
-            .filter(|judged| work.is_none_or(|work| judged.claim.work == work) && wanted(judged))
+            .filter(|judged| {
+                work.map_or(judged.claim.work.is_document(), |work| judged.claim.work == work) && wanted(judged)
+            })
             .count();
         if number == 0 { "–".to_owned() } else { number.to_string() }
     };
@@ -44,8 +59,9 @@ fn table(verdicts: &[Judged]) -> String {
 fn differences(verdicts: &[Judged]) -> String {
     let differing: Vec<_> = verdicts.iter().filter(|judged| !judged.holds()).collect();
     if differing.is_empty() {
-        let stands = format!("{}: each stands as recorded.\n", count(verdicts.len(), "claim"));
-        return stands + &wrapped("", &wrong());
+        let documents = verdicts.iter().filter(|judged| judged.claim.work.is_document()).count();
+        let stands = format!("{}: each stands as recorded.\n", count(documents, "claim"));
+        return stands + &wrapped("", &wrong()) + &elsewhere(verdicts);
     }
     let bold = heading();
     let mut page = format!("{} of {} not as recorded:\n", differing.len(), count(verdicts.len(), "claim"));
@@ -85,7 +101,11 @@ mod tests {
 
     /// A claim that no source makes, with these digits for seven thirds.
     fn judged(printed: &'static str) -> Judged {
-        let place = Place::new(Work::Pin, "Nowhere, line 1");
+        judged_in(Work::Pin, printed)
+    }
+
+    fn judged_in(work: Work, printed: &'static str) -> Judged {
+        let place = Place::new(work, "Nowhere, line 1");
         let claim = place
             .value("pin.made-up", printed, "mm", "seven thirds")
             .by(Evidence::ClosedForm, || 7.0 / 3.0)
@@ -109,5 +129,15 @@ mod tests {
         let page = page(&[judged("2.33")]);
         assert!(page.contains("\n1 claim: each stands as recorded.\n"), "{page}");
         assert!(page.ends_with(": geneva errata\n"), "{page}");
+    }
+
+    #[test]
+    fn what_is_said_elsewhere_has_a_line_of_its_own_and_no_column() {
+        let page = page(&[judged("2.33"), judged_in(Work::Wild, "2.33"), judged_in(Work::Wild, "2.33")]);
+        assert!(page.contains("\n1 claim: each stands as recorded.\n"), "{page}");
+        assert!(page.contains("\n2 statements elsewhere (2 right): each stands"), "{page}");
+        let total = page.lines().find(|line| line.starts_with("all claims")).expect("a total");
+        let numbers: Vec<_> = total.split_whitespace().filter(|word| *word != "–").collect();
+        assert_eq!(numbers, ["all", "claims", "1", "1"], "{page}");
     }
 }

@@ -185,9 +185,18 @@ impl Unchecked<Test> {
 
     /// The same by what proves or refutes characters in the place of the printed ones.
     pub fn decided(self, decide: impl Fn(&str) -> Finding + Send + Sync + 'static) -> Unwitnessed<Test> {
+        self.evaluated(Evidence::ExactIdentity, decide)
+    }
+
+    /// The same by what evaluates the characters.
+    pub fn evaluated(
+        self,
+        evidence: Evidence,
+        decide: impl Fn(&str) -> Finding + Send + Sync + 'static,
+    ) -> Unwitnessed<Test> {
         let (printed, decide) = (self.claim.printed, Arc::new(decide));
         let first = Arc::clone(&decide);
-        Unwitnessed { decide: Some(decide), ..self.by(Evidence::ExactIdentity, move || first(printed)) }
+        Unwitnessed { decide: Some(decide), ..self.by(evidence, move || first(printed)) }
     }
 }
 

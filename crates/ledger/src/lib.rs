@@ -28,6 +28,7 @@ pub mod meyer;
 pub mod pin;
 pub mod quick_return;
 pub mod tex;
+pub mod wild;
 
 pub use check::{Check, Choice, Decision, Evidence, Finding, Number, Reader, Reading, Route, Stated, Test};
 pub use claim::{Claim, Kind, Place};

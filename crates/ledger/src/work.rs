@@ -1,6 +1,6 @@
 //! The sources, as values that every claim must carry.
 
-use crate::{Claim, Line, Malformed, Symbol, inventory_file, jazar, meyer, pin, quick_return};
+use crate::{Claim, Line, Malformed, Symbol, inventory_file, jazar, meyer, pin, quick_return, wild};
 use std::fmt;
 use std::sync::OnceLock;
 
@@ -15,11 +15,21 @@ pub enum Work {
     Jazar2003,
     /// A master's project of 1973: the Geneva mechanism as a timing device.
     Meyer1973,
+    /// Statements on public pages and in public programs, each with its address.
+    Wild,
 }
 
 impl Work {
     /// All sources, in the order of the book.
-    pub const ALL: &[Self] = &[Self::Pin, Self::QuickReturn, Self::Jazar2003, Self::Meyer1973];
+    pub const ALL: &[Self] = &[Self::Pin, Self::QuickReturn, Self::Jazar2003, Self::Meyer1973, Self::Wild];
+
+    /// The documents that the book mirrors line by line. Their totals are counted without the statements elsewhere.
+    pub const DOCUMENTS: &[Self] = &[Self::Pin, Self::QuickReturn, Self::Jazar2003, Self::Meyer1973];
+
+    /// Whether it is one of the documents.
+    pub fn is_document(self) -> bool {
+        Self::DOCUMENTS.contains(&self)
+    }
 
     /// Short name, as it starts the ids of its claims.
     pub fn slug(self) -> &'static str {
@@ -28,6 +38,7 @@ impl Work {
             Self::QuickReturn => "quick-return",
             Self::Jazar2003 => "jazar",
             Self::Meyer1973 => "meyer",
+            Self::Wild => "wild",
         }
     }
 
@@ -50,6 +61,10 @@ impl Work {
                 "H. W. Meyer Jr., An Analysis of the Geneva Mechanism as a Timing Device, master's project, Newark College \
                  of Engineering, May 1973. Equations (1-1) to (1-19), program and tables; figures 1 to 15 as captions only."
             }
+            Self::Wild => {
+                "Statements on public pages and in public programs, each with its address and the day on which a stored \
+                 copy of it was read."
+            }
         }
     }
 
@@ -60,11 +75,12 @@ impl Work {
             Self::QuickReturn => quick_return::claims(),
             Self::Jazar2003 => jazar::claims(),
             Self::Meyer1973 => meyer::claims(),
+            Self::Wild => wild::claims(),
         }
     }
 
-    /// The source line by line: which claim or exception each printed number belongs to. An error if its inventory
-    /// file cannot be read, which a test excludes.
+    /// The source line by line: which claim or exception each printed number belongs to; empty for statements that are
+    /// in no document. An error if its inventory file cannot be read, which a test excludes.
     pub fn inventory(self) -> Result<&'static [Line], &'static Malformed> {
         static READ: [OnceLock<Result<Vec<Line>, Malformed>>; Work::ALL.len()] =
             [const { OnceLock::new() }; Work::ALL.len()];
@@ -85,6 +101,7 @@ impl Work {
             Self::QuickReturn => include_str!("../sources/quick-return.inventory"),
             Self::Jazar2003 => include_str!("../sources/jazar.inventory"),
             Self::Meyer1973 => include_str!("../sources/meyer.inventory"),
+            Self::Wild => "",
         }
     }
 
@@ -95,6 +112,8 @@ impl Work {
             Self::QuickReturn => quick_return::SYMBOLS,
             Self::Jazar2003 => jazar::SYMBOLS,
             Self::Meyer1973 => meyer::SYMBOLS,
+            // Each page has letters of its own; what they stand for is told with each statement.
+            Self::Wild => &[],
         }
     }
 }

@@ -132,5 +132,5 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     };
     let bites = "With these axes driver and wheel are in each other: a clearance below zero is how deep.";
     let message = if clearance.distance < 0.0 { Some(bites.to_owned()) } else { message };
-    Ok(Answer { message, ..Answer::new(stations::dimensions(&sizes), numbers) })
+    Ok(Answer { message, ..Answer::new(stations::dimensions_on_a_page(&sizes), numbers) })
 }

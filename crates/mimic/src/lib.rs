@@ -22,18 +22,18 @@
 //! # Ok::<(), geneva_mimic::IntegrationError<2, std::convert::Infallible>>(())
 //! ```
 //!
-//! The library is built on `core` alone: with states of fixed size, results handed to a closure and a delay line that
-//! is an array, there is nothing it could allocate with, and no function of the platform's mathematics to call. Its
-//! results are the same bits everywhere, as long as the right-hand side's are.
+//! The integrator allocates nothing: states have a fixed size, results are handed to a closure, and a delay line is an
+//! array. No function of the platform's mathematics is called: results are the same bits everywhere, as long as the
+//! right-hand side's are. The [`language`] itself, from the text of a deck to its runs, is built on it.
 //!
 //! This crate knows nothing of mechanisms, claims or books.
 
-#![cfg_attr(not(test), no_std)]
 #![warn(clippy::missing_errors_doc)]
 
 mod delay;
 mod error;
 mod grid;
+pub mod language;
 mod parameters;
 mod run;
 mod step;

@@ -59,12 +59,21 @@ impl<const D: usize> Attempt<D> {
     ///
     /// Allowed is the tolerance times the component's size by two half steps, or times the floor if that is larger.
     pub(crate) fn excess(&self, relative_tolerance: f64, absolute_floor: f64) -> f64 {
-        let excess = |(halves, full): (&f64, &f64)| {
+        self.excesses(relative_tolerance, absolute_floor).fold(0.0, f64::max)
+    }
+
+    /// The component whose difference is the largest over what is allowed.
+    pub(crate) fn worst(&self, relative_tolerance: f64, absolute_floor: f64) -> usize {
+        let excesses = self.excesses(relative_tolerance, absolute_floor).enumerate();
+        excesses.max_by(|one, other| one.1.total_cmp(&other.1)).map_or(0, |(component, _)| component)
+    }
+
+    fn excesses(&self, relative_tolerance: f64, absolute_floor: f64) -> impl Iterator<Item = f64> {
+        self.halves.iter().zip(self.full.iter()).map(move |(halves, full)| {
             let difference = (halves - full).abs();
             // Nothing over nothing is no excess.
             if difference > 0.0 { difference / (relative_tolerance * halves.abs().max(absolute_floor)) } else { 0.0 }
-        };
-        self.halves.iter().zip(self.full.iter()).map(excess).fold(0.0, f64::max)
+        })
     }
 
     /// The state that the run goes on with.

@@ -95,12 +95,29 @@ pub fn changed(tex: &str, other: &str) -> anyhow::Result<String> {
     let widened = (0..=WIDEST).flat_map(|by| (0..=by).map(move |left| (left, by - left)));
     for (left, right) in widened.filter(|(left, right)| *left <= from && to + right <= ours.len()) {
         let (before, inside, behind) = (&ours[..from - left], &ours[from - left..to + right], &ours[to + right..]);
+        if !is_closed(inside) {
+            continue;
+        }
         let marked = format!("{}{{{MARK}{}}}{}", before.concat(), inside.concat(), behind.concat());
         if let Ok(marked) = formula(&marked, false) {
             return Ok(marked.replace(MARKED, "class=\"changed\""));
         }
     }
     Ok(plain)
+}
+
+/// Whether each brace that opens in it closes in it.
+fn is_closed(tokens: &[&str]) -> bool {
+    let depths = tokens.iter().scan(0, |depth, token| {
+        *depth += match *token {
+            "{" => 1,
+            "}" => -1,
+            _ => 0,
+        };
+        Some(*depth)
+    });
+    let depths: Vec<i32> = depths.collect();
+    depths.iter().all(|depth| *depth >= 0) && depths.last().is_none_or(|depth| *depth == 0)
 }
 
 /// By how many tokens a change is widened at most.
@@ -188,6 +205,8 @@ mod tests {
         // A change from the top of a fraction to its foot takes in the fraction.
         let wide = changed(r"a+\frac{b}{c}", r"a+\frac{d}{e}").unwrap();
         assert!(wide.contains("<mrow class=\"changed\"><mfrac>"), "{wide}");
+        let same_end = changed(r"2 \frac{a - 1}{n}", r"2 \frac{a + 1}{2n}").unwrap();
+        assert!(same_end.ends_with("<mi>n</mi></mfrac></mrow></math>"), "{same_end}");
         assert_eq!(changed("lost words", "found words").unwrap(), "lost words");
     }
 

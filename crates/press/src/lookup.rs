@@ -1,7 +1,7 @@
 //! Finding things by name; the error tells the nearest name or all there are.
 
 use anyhow::anyhow;
-use geneva_ledger::{Consequence, Judged, Work, claims, verdict, verdicts_of};
+use geneva_ledger::{Consequence, Judged, Work, claims, verdict, verdicts, verdicts_of};
 
 /// What bears this name in a list.
 pub fn named<T: Copy>(what: &str, name: &str, list: &[(&str, T)]) -> anyhow::Result<T> {
@@ -32,6 +32,11 @@ pub fn consequence(slug: &str) -> anyhow::Result<Consequence> {
 /// The judged claims of a source.
 pub fn of_work(work: Work) -> impl Iterator<Item = &'static Judged> {
     verdicts_of(work).into_iter()
+}
+
+/// The judged claims of the documents: without what is said elsewhere.
+pub fn of_documents() -> impl Iterator<Item = &'static Judged> {
+    verdicts().iter().filter(|judged| judged.claim.work.is_document())
 }
 
 /// That nothing of this kind bears the name, with the nearest that something bears.

@@ -5,7 +5,7 @@
 //! would be too heavy for a phone, so each page lists some sections of the sources.
 
 use crate::readme;
-use geneva_ledger::{Consequence, Work, claims};
+use geneva_ledger::{Claim, Consequence, Slip, Work, claim, claims};
 use std::collections::HashMap;
 use std::ops::RangeInclusive;
 use std::sync::LazyLock;
@@ -61,7 +61,11 @@ pub struct Section {
 const WHEEL: &str = "The wheel";
 const LEVER: &str = "The lever";
 const CASE: &str = "The case of 1973";
+const WILD: &str = "Elsewhere";
 const RECORDS: &str = "Records";
+
+/// The page of what is said elsewhere.
+const ELSEWHERE: &str = "wild";
 
 /// All pages, in the order of the book.
 pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
@@ -99,6 +103,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
         chapter(CASE, "terminal-speed", "Why it reaches a steady speed"),
         chapter(CASE, "timer", "Is it a clock? Seven recommendations"),
         chapter(CASE, "joints", "A pin of finite radius, and friction in the bearings"),
+        chapter(WILD, ELSEWHERE, "In the wild"),
         Page {
             records: Records::Slips(&[Consequence::Result, Consequence::Conclusion]),
             ..chapter(RECORDS, "errata", "Errata")
@@ -132,6 +137,14 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
         thesis("ledger-meyer-study", "chapter II and appendix A", 426..=592, "chapter II, appendix A"),
         thesis("ledger-meyer-program", "appendices B to D", 593..=775, "appendices B, C and D"),
         thesis("ledger-meyer-runs", "appendix E", 776..=u32::MAX, "appendix E"),
+        listing(
+            "ledger-wild",
+            "Elsewhere: single statements",
+            "The ledger of what is said elsewhere",
+            "Single statements of public pages and programs, with what was found of each. [In the wild](wild.md) tells of \
+             them.\n\n## Where they were read\n\n{{elsewhere-addresses}}",
+            Records::Claims(vec![whole(Work::Wild, "statements elsewhere")]),
+        ),
         Page {
             records: Records::Lines(&[Work::Pin, Work::QuickReturn, Work::Jazar2003]),
             ..below("coverage", "Coverage")
@@ -146,6 +159,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
         chapter(RECORDS, "about", "Sources, data, how to cite"),
         below("glossary", "Words"),
         below("solver", "The solver"),
+        below("mimic", "The language MIMIC"),
         below("architecture", "Architecture"),
     ]
 });
@@ -159,9 +173,13 @@ pub fn page_of_claim(id: &str) -> &'static str {
     PAGE.get(id).copied().unwrap_or("ledger")
 }
 
-/// The page that tells the slips of a consequence. The first of the errata if none does, which a test excludes.
-pub fn page_of_slips(consequence: Consequence) -> &'static str {
-    let tells = |page: &&Page| matches!(page.records, Records::Slips(told) if told.contains(&consequence));
+/// The page that tells a slip: of a document by its consequence, of another page with its statements. The first of the
+/// errata if none does, which a test excludes.
+pub fn page_of_slip(slip: &Slip) -> &'static str {
+    if claim(slip.id).is_some_and(|claim| !claim.work.is_document()) {
+        return ELSEWHERE;
+    }
+    let tells = |page: &&Page| matches!(page.records, Records::Slips(told) if told.contains(&slip.consequence));
     PAGES.iter().find(tells).map_or("errata", |page| page.name)
 }
 
@@ -173,11 +191,14 @@ impl Page {
 }
 
 impl Section {
-    /// The ids of the claims made in these lines, in the order of the ledger.
+    /// The ids of the claims made in these lines, in the order of the ledger; all of what is no document.
     pub fn ids(&self) -> impl Iterator<Item = &'static str> {
+        let work = self.work;
         let lines = self.work.inventory().unwrap_or_default().iter().filter(|line| self.lines.contains(&line.number));
         let made: Vec<_> = lines.flat_map(|line| &line.entries).filter_map(|entry| entry.claimed()).collect();
-        claims().iter().map(|claim| claim.id).filter(move |id| made.contains(id))
+        let stands =
+            move |claim: &&Claim| if work.is_document() { made.contains(&claim.id) } else { claim.work == work };
+        claims().iter().filter(stands).map(|claim| claim.id)
     }
 }
 
@@ -239,7 +260,7 @@ mod tests {
             let tells = |page: &&Page| matches!(page.records, Records::Slips(told) if told.contains(consequence));
             assert_eq!(PAGES.iter().filter(tells).count(), 1, "{consequence}");
         }
-        for work in Work::ALL {
+        for work in Work::DOCUMENTS {
             let lists = |page: &&Page| matches!(page.records, Records::Lines(works) if works.contains(work));
             assert_eq!(PAGES.iter().filter(lists).count(), 1, "{work}");
         }

@@ -5,7 +5,7 @@
 
 use crate::data::File;
 use crate::html::{Table, escape};
-use crate::ledger_pages::{compare, errata, inline, lists, records};
+use crate::ledger_pages::{compare, elsewhere, errata, inline, lists, records};
 use crate::{computed, figures, live, maths, measurements, tables};
 use anyhow::{Context, bail, ensure};
 use std::collections::BTreeSet;
@@ -42,8 +42,11 @@ const KEYS: &[(&str, &str, Put)] = &[
     ),
     ("computed", "a number of ours, by name", Of(computed::by_name)),
     ("consequences", "how many slips there are, by what they do", Alone(|| Ok(errata::summary()?.html()))),
-    ("count", "a number of claims: of a source, or of all", Of(inline::count)),
+    ("count", "a number of claims: of a source, or of all documents", Of(inline::count)),
     ("erratum", "one erratum", Of(errata::one)),
+    ("elsewhere", "every statement made elsewhere, in a fold", Alone(elsewhere::statements)),
+    ("elsewhere-addresses", "where statements were read, and how many", Alone(|| Ok(elsewhere::addresses()?.html()))),
+    ("elsewhere-wrong", "what is wrong elsewhere, in a table", Alone(|| Ok(elsewhere::wrong()?.html()))),
     ("evidence", "the kinds of evidence and how many claims use each", Alone(|| Ok(lists::evidence()?.html()))),
     ("figure", "a numbered figure", Put::Figure),
     ("grave-errata", "what changes a result or a conclusion, in a table", Alone(|| Ok(errata::grave()?.html()))),

@@ -11,6 +11,8 @@ use geneva_kinematics::wheel::{Edge, Face, Loop, Sizes};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
+/// Width of the two bodies on a page, in pixels.
+const ON_A_PAGE: f64 = 560.0;
 /// Free space at the edges, and from the bodies to the first line of dimensions, in pixels.
 const MARGIN: f64 = 30.0;
 const TO_FIRST: f64 = 40.0;
@@ -22,7 +24,7 @@ const DECIMALS: usize = 3;
 /// Digits after the point of a dimension in millimetres.
 const DIGITS: usize = 3;
 /// Width of a column of the list, in pixels.
-const COLUMN: f64 = 430.0;
+const COLUMN: f64 = 300.0;
 /// Free space beside a dimension's name, and how much two that share an end may overlap, in pixels.
 const AIR: f64 = 4.0;
 const TOUCHING: f64 = 1e-6;
@@ -32,7 +34,19 @@ const TOUCHING: f64 = 1e-6;
 /// Dimensions along the line of centres stand above and below; what has no room there is listed. Series: the same
 /// numbers, in millimetres.
 pub fn dimensions(sizes: &Sizes) -> Figure {
-    let scale = PIXELS_PER_MILLIMETRE;
+    drawn(sizes, PIXELS_PER_MILLIMETRE, Kind::TrueSize)
+}
+
+/// The same as large as a page has room for.
+///
+/// Series: as of [`dimensions`].
+pub fn dimensions_on_a_page(sizes: &Sizes) -> Figure {
+    let length = sizes.tip_radius + sizes.centre_distance + sizes.plate_radius;
+    drawn(sizes, ON_A_PAGE / length, Kind::TallMechanism)
+}
+
+fn drawn(sizes: &Sizes, scale: f64, kind: Kind) -> Figure {
+    let is_true = matches!(kind, Kind::TrueSize);
     let (c, reach) = (sizes.centre_distance, sizes.plate_radius);
     let (above, below) = along(sizes);
     let (above, below) = (Rows::of(above, scale), Rows::of(below, scale));
@@ -50,8 +64,8 @@ pub fn dimensions(sizes: &Sizes) -> Figure {
     bodies(&mut canvas, sizes, &view);
     above.draw(&mut canvas, &view, -half, -1.0);
     below.draw(&mut canvas, &view, half, 1.0);
-    let in_true_size = Label::words("scale 1 : 1, lengths in mm");
-    canvas.label(&Pixels::new(MARGIN, words - 0.5 * LINE), &Pixels::new(1.0, 0.0), 0.0, &in_true_size);
+    let unit = Label::words(if is_true { "scale 1 : 1, lengths in mm" } else { "lengths in mm" });
+    canvas.label(&Pixels::new(MARGIN, words - 0.5 * LINE), &Pixels::new(1.0, 0.0), 0.0, &unit);
     for (k, (name, value)) in listed.iter().enumerate() {
         let (column, line) = (k / lines, k % lines);
         let at = Pixels::new(MARGIN + COLUMN * column as f64, words + LINE * (line as f64 + 0.5));
@@ -61,23 +75,27 @@ pub fn dimensions(sizes: &Sizes) -> Figure {
     let (stations, pins) = (sizes.wheel.stations(), counted(sizes.wheel.pins(), "pin"));
     let words = Words::new(
         "wheel-dimensions",
-        format!("Geneva wheel with {stations} stations and {pins}, in true size"),
+        format!("Geneva wheel with {stations} stations and {pins}{}", if is_true { ", in true size" } else { "" }),
         with_minus_sign(&format!(
-            "At the left the wheel, at the right the driver with a pin deepest in its slot, to be printed in true size. \
-             Centre distance {} mm, crank radius {} mm, wheel radius {} mm; slots {} mm wide, pins {} mm in diameter.",
+            "At the left the wheel, at the right the driver with a pin deepest in its slot{}. Centre distance {} mm, crank radius {} mm, wheel radius {} mm; slots {} mm wide, pins {} mm in diameter.",
+            if is_true { ", to be printed in true size" } else { "" },
             trimmed(c, DIGITS),
             trimmed(sizes.crank_radius, DIGITS),
             trimmed(sizes.wheel_radius, DIGITS),
             trimmed(sizes.slot_width, DIGITS),
             trimmed(sizes.pin_diameter, DIGITS)
         )),
-        "Wheel and driver in true size; lengths in millimetres. The plate turns behind the wheel.",
+        if is_true {
+            "Wheel and driver in true size; lengths in millimetres. The plate turns behind the wheel."
+        } else {
+            "Wheel and driver to scale; lengths in millimetres. The plate turns behind the wheel."
+        },
     );
     let drawn = above.dimensions.iter().chain(&below.dimensions).map(|(_, of)| (of.name, of.to - of.from));
     let numbers: Vec<(&str, f64)> = drawn.chain(listed.iter().copied()).collect();
-    let columns = numbers.iter().map(|(name, _)| (name.replace(' ', "-"), unit(name)));
+    let columns = numbers.iter().map(|(name, _)| (name.replace(' ', "-"), unit_of(name)));
     let series = Series::of_columns(columns, vec![numbers.iter().map(|(_, value)| *value).collect()]);
-    words.figure(canvas, Kind::TrueSize, series)
+    words.figure(canvas, kind, series)
 }
 
 /// A length along the line of centres, from and to places from the wheel's axis, in millimetres.
@@ -162,7 +180,7 @@ impl Rows {
     }
 }
 
-fn unit(name: &str) -> &'static str {
+fn unit_of(name: &str) -> &'static str {
     if ["stations", "pins"].contains(&name) { "1" } else { "mm" }
 }
 

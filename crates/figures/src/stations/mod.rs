@@ -17,23 +17,33 @@ mod driver;
 mod extremes;
 mod indexing;
 mod internal;
+<<<<<<< HEAD
 mod kinds;
+=======
+mod locking_cuts;
+>>>>>>> main
 mod mechanism;
 mod model;
 mod motion;
 mod pose;
 mod running;
 mod spherical;
+mod wrong_formulas;
 
 pub use crescent::crescent;
 pub use critical::critical_geometry;
-pub use dimensions::dimensions;
+pub use dimensions::{dimensions, dimensions_on_a_page};
 pub use extremes::extremes;
 pub use indexing::indexing;
 pub use internal::internal_mechanism;
+<<<<<<< HEAD
 pub use kinds::kinds;
+=======
+pub use locking_cuts::locking_cuts;
+>>>>>>> main
 pub use mechanism::mechanism;
 pub use model::model;
 pub use motion::{motion, turning};
 pub use running::running;
 pub use spherical::spherical_mechanism;
+pub use wrong_formulas::{Compared, wrong_formulas};

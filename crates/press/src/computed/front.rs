@@ -1,9 +1,10 @@
 //! Of the first page: how many claims are right, how many rows describe no mechanism, how many cells come out.
 
 use super::Number;
+use crate::lookup::of_documents;
 use crate::rows::score;
 use geneva_ledger::meyer::runs::{Hypothesis, Row, rows};
-use geneva_ledger::{Consequence, Decimal, Judged, Truth, Verdict, claim, slips_of, verdicts};
+use geneva_ledger::{Consequence, Decimal, Judged, Truth, Verdict, claim, slips_of};
 
 /// What changes a result or a conclusion.
 const GRAVE: [Consequence; 2] = [Consequence::Result, Consequence::Conclusion];
@@ -34,9 +35,9 @@ fn is_reset_rightly(row: &Row) -> bool {
 /// How many claims are right, wrong or open, and reached by such a slip or by none.
 fn claims(truth: Truth, by: fn(Option<Consequence>) -> bool) -> String {
     let slip = |judged: &Judged| judged.claim.erratum.as_ref().map(|erratum| erratum.slip.consequence);
-    verdicts().iter().filter(|judged| judged.truth() == truth && by(slip(judged))).count().to_string()
+    of_documents().filter(|judged| judged.truth() == truth && by(slip(judged))).count().to_string()
 }
 
 fn found(verdict: Verdict) -> String {
-    verdicts().iter().filter(|judged| judged.verdict == verdict).count().to_string()
+    of_documents().filter(|judged| judged.verdict == verdict).count().to_string()
 }

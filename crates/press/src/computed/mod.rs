@@ -5,6 +5,7 @@ mod front;
 mod jazar;
 mod joints;
 pub mod making;
+mod mimic;
 mod never_printed;
 mod pin;
 mod program;
@@ -13,6 +14,7 @@ mod runs;
 mod solver;
 mod terminal_speed;
 mod timer;
+mod wild;
 
 use crate::{lookup, numbers};
 
@@ -26,6 +28,7 @@ const ALL: &[&[(&str, Number)]] = &[
     jazar::NUMBERS,
     joints::NUMBERS,
     making::NUMBERS,
+    mimic::NUMBERS,
     never_printed::NUMBERS,
     pin::NUMBERS,
     program::NUMBERS,
@@ -34,6 +37,7 @@ const ALL: &[&[(&str, Number)]] = &[
     solver::NUMBERS,
     terminal_speed::NUMBERS,
     timer::NUMBERS,
+    wild::NUMBERS,
 ];
 
 /// The names of all numbers; each is said in some chapter.

@@ -1,6 +1,7 @@
 //! The figures of the book: the ledger says for which mechanism, `geneva_figures` draws it.
 
 mod runs;
+mod wild;
 
 use crate::computed::making;
 use crate::rows::{example, parameters};
@@ -84,6 +85,8 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("timer-accelerations", runs::accelerations),
     ("joints-contact", runs::contact),
     ("joints-losses", runs::losses),
+    ("wrong-formulas", wild::formulas),
+    ("locking-cuts", wild::locking_cuts),
     ("solver-work-precision", runs::work_precision),
 ];
 

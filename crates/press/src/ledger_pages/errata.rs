@@ -5,9 +5,9 @@ use super::inline::{badge, linked_id, rounded, with_unit};
 use crate::formula::changed;
 use crate::html::{Cells, Table, escape, table, tex_or_text};
 use crate::lookup;
-use crate::pages::page_of_slips;
+use crate::pages::page_of_slip;
 use anyhow::anyhow;
-use geneva_ledger::{Consequence, Judged, Places, in_full, slip, slips, slips_of};
+use geneva_ledger::{Consequence, Judged, Places, in_full, slip, slips_of};
 
 /// The erratum of a claim: one line, which opens.
 pub fn one(id: &str) -> anyhow::Result<String> {
@@ -37,7 +37,7 @@ fn in_a_line(judged: &Judged) -> anyhow::Result<String> {
     Ok(line)
 }
 
-/// All slips with a consequence, under a heading that says what they do.
+/// All slips of the documents with a consequence, under a heading that says what they do.
 pub fn all(consequence: &Consequence) -> anyhow::Result<String> {
     let slip = |places: &Places| Ok(format!("\n{}\n", boxed(places)?));
     let slips = slips_of(*consequence).map(slip).collect::<anyhow::Result<String>>()?;
@@ -61,7 +61,7 @@ pub fn grave() -> anyhow::Result<Table> {
     table("What changes a result or a conclusion", Cells::Words, &head, rows)
 }
 
-/// How many slips there are of each consequence, and how many without those of the copy.
+/// How many slips of the documents there are of each consequence, and how many without those of the copy.
 pub fn summary() -> anyhow::Result<Table> {
     let rows = Consequence::ALL.iter().filter(|of| **of != Consequence::Copy).map(|consequence| {
         let (slips, places) =
@@ -71,10 +71,13 @@ pub fn summary() -> anyhow::Result<Table> {
     table("Slips by what they do", Cells::Words, &["Consequence", "What it means", "Slips", "Claims reached"], rows)
 }
 
-/// How many slips there are of a consequence, or of all but those of the copy.
+/// How many slips of the documents there are of a consequence, or of all but those of the copy.
 pub fn count(of_what: &str) -> anyhow::Result<String> {
     let number = match of_what {
-        "all" => slips().iter().filter(|places| places.slip.consequence != Consequence::Copy).count(),
+        "all" => {
+            let told = Consequence::ALL.iter().filter(|of| **of != Consequence::Copy);
+            told.map(|of| slips_of(*of).count()).sum()
+        }
         slug => slips_of(lookup::consequence(slug)?).count(),
     };
     Ok(number.to_string())
@@ -95,7 +98,7 @@ fn boxed(places: &Places) -> anyhow::Result<String> {
 }
 
 /// What an erratum says; in full also how it was found, and where else the slip shows.
-fn entries(judged: &Judged, places: &Places, in_full_detail: bool) -> anyhow::Result<String> {
+pub fn entries(judged: &Judged, places: &Places, in_full_detail: bool) -> anyhow::Result<String> {
     let (claim, slip) = (judged.claim, &places.slip);
     let mut out = "<dl>\n".to_owned();
     let mut entry = |term: &str, text: String| out.push_str(&format!("<dt>{term}</dt><dd>{text}</dd>\n"));
@@ -110,7 +113,7 @@ fn entries(judged: &Judged, places: &Places, in_full_detail: bool) -> anyhow::Re
     if in_full_detail {
         found(judged, places, &mut entry)?;
     }
-    let more = format!(", <a href=\"{}.html#slip-{}\">how it was found</a>", page_of_slips(slip.consequence), slip.id);
+    let more = format!(", <a href=\"{}.html#slip-{}\">how it was found</a>", page_of_slip(slip), slip.id);
     let more = if in_full_detail { String::new() } else { more };
     out.push_str(&format!("</dl>\n<p>{}{more}</p>", linked_id(claim.id)));
     Ok(out)
@@ -127,10 +130,11 @@ fn found(judged: &Judged, places: &Places, entry: &mut impl FnMut(&str, String))
             entry(term, format!("{} ({kind})", with_unit(&rounded(judged, number), claim.unit)?));
         }
     }
-    if let Some(reading) = claim.reading {
+    if let Some(reading) = claim.reading.filter(|_| judged.findings.is_empty()) {
         entry("Read as", escape(reading));
     }
     if !judged.findings.is_empty() {
+        // With the reading.
         entry("How it was found", how(judged));
     }
     if places.claims.len() > 1 {
@@ -140,7 +144,7 @@ fn found(judged: &Judged, places: &Places, entry: &mut impl FnMut(&str, String))
 }
 
 /// What should stand in the place of the printed characters.
-fn right(judged: &Judged) -> anyhow::Result<String> {
+pub fn right(judged: &Judged) -> anyhow::Result<String> {
     with_unit(&tex_or_text(&judged.corrected().unwrap_or_default())?, judged.claim.unit)
 }
 

@@ -4,7 +4,7 @@ use crate::html::{escape, tex_or_text};
 use crate::pages::page_of_claim;
 use crate::{lookup, maths, numbers};
 use anyhow::anyhow;
-use geneva_ledger::{Decimal, Judged, Verdict, claims, in_full};
+use geneva_ledger::{Claim, Decimal, Judged, Verdict, in_full, wild};
 
 /// The printed characters with their unit.
 pub fn printed(id: &str) -> anyhow::Result<String> {
@@ -60,7 +60,7 @@ pub fn note(id: &str) -> anyhow::Result<String> {
     let mut out = format!(
         "<div popover class=\"note\" id=\"note-{id}\">\n<p>{}, {}: {}. {}</p>\n<dl>\n",
         escape(&claim.work.to_string()),
-        escape(claim.locator),
+        place(claim),
         escape(claim.meaning),
         badge(judged.verdict)
     );
@@ -80,12 +80,40 @@ pub fn note(id: &str) -> anyhow::Result<String> {
     Ok(out)
 }
 
-/// The number of claims of a source, or of `all`.
+/// The number of claims of a source, or of `all` documents.
 pub fn count(of: &str) -> anyhow::Result<String> {
     match of {
-        "all" => Ok(claims().len().to_string()),
+        "all" => Ok(lookup::of_documents().count().to_string()),
         slug => Ok(lookup::of_work(lookup::work(slug)?).count().to_string()),
     }
+}
+
+/// Where a claim stands in its source; of one that stands on a page elsewhere a link to it, and when it was read.
+pub fn place(claim: &Claim) -> String {
+    match wild::read(claim.locator) {
+        Some((address, day)) => format!("{}, as read on {day}", linked_page(address)),
+        None => escape(claim.locator),
+    }
+}
+
+/// A link to a page elsewhere: its host, its owner if it is a repository, and its last part.
+pub fn linked_page(address: &str) -> String {
+    let path = address.split_once("://").map_or(address, |(_, path)| path).trim_end_matches('/');
+    let parts: Vec<&str> = path.trim_start_matches("www.").split('/').collect();
+    // What is left out is between the owner's name and the last part.
+    let first = if parts[0] == "github.com" { parts.len().min(3) } else { 1 };
+    let (start, rest) = parts.split_at(first);
+    let last = match rest {
+        [] => String::new(),
+        [only] => format!("/{only}"),
+        [.., "pull", number] => format!(", request {number}"),
+        [.., last] => format!("/…/{last}"),
+    };
+    let start = start.join("/");
+    let name = start.trim_start_matches("github.com/").to_owned() + &last;
+    // Long names may be broken behind what parts them.
+    let name = escape(&name).replace('/', "/<wbr>").replace("&#95;", "&#95;<wbr>");
+    format!("<a href=\"{}\">{name}</a>", escape(address))
 }
 
 /// What the source is.

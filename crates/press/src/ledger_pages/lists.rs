@@ -3,21 +3,22 @@
 use super::inline::badge;
 use crate::html::{Cells, Table, escape, table, tex_or_text};
 use crate::{lookup, maths};
-use geneva_ledger::{Evidence, TOLERANCES, Verdict, verdicts as judged};
+use geneva_ledger::{Evidence, Judged, TOLERANCES, Verdict};
 
-/// The classes of verdict with their meaning and how many claims have each.
+/// The classes of verdict with their meaning and how many claims of the documents have each.
 pub fn verdicts() -> anyhow::Result<Table> {
     let rows = Verdict::ALL.iter().map(|verdict| {
-        let count = judged().iter().filter(|judged| judged.verdict == *verdict).count();
+        let count = lookup::of_documents().filter(|judged| judged.verdict == *verdict).count();
         Ok(vec![badge(*verdict), escape(verdict.meaning()), verdict.truth().to_string(), count.to_string()])
     });
     table("Classes of verdict", Cells::Words, &["Verdict", "What it means", "Is it right?", "Claims"], rows)
 }
 
-/// The kinds of evidence and how many claims use each.
+/// The kinds of evidence and how many claims of the documents use each.
 pub fn evidence() -> anyhow::Result<Table> {
     let rows = Evidence::ALL.iter().map(|kind| {
-        let count = judged().iter().filter(|judged| judged.claim.check.evidence().contains(kind)).count();
+        let uses = |judged: &&Judged| judged.claim.check.evidence().contains(kind);
+        let count = lookup::of_documents().filter(uses).count();
         Ok(vec![kind.to_string(), escape(kind.meaning()), count.to_string()])
     });
     table("Kinds of evidence", Cells::Words, &["Evidence", "What it is", "Claims"], rows)

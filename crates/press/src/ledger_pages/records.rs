@@ -2,10 +2,10 @@
 
 use super::errata;
 use super::findings::how;
-use super::inline::{badge, computed, rounded, with_unit};
+use super::inline::{badge, computed, place, rounded, with_unit};
 use crate::html::{Cells, escape, table, tex_or_text};
 use crate::lookup;
-use crate::pages::{PAGES, Records, Section, page_of_claim, page_of_slips};
+use crate::pages::{PAGES, Records, Section, page_of_claim, page_of_slip};
 use anyhow::{Context, bail};
 use geneva_ledger::{Entry, Judged, Work, in_full};
 
@@ -37,12 +37,8 @@ fn claim(judged: &Judged) -> anyhow::Result<Vec<String>> {
         (None, true) => how(judged),
         (None, false) => format!("<details><summary>{evidence}</summary>{}</details>", how(judged)),
     };
-    let name = format!(
-        "<code id=\"{0}\">{0}</code> <small>{1}: {2}</small>",
-        claim.id,
-        escape(claim.locator),
-        escape(claim.meaning)
-    );
+    let name =
+        format!("<code id=\"{0}\">{0}</code> <small>{1}: {2}</small>", claim.id, place(claim), escape(claim.meaning));
     let printed = with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?;
     // A form needs more room than a column of numbers has.
     let (name, numbers) = match computed(judged) {
@@ -61,7 +57,7 @@ fn right(judged: &Judged) -> String {
 /// The slip that reaches a claim, as a link to where it is told.
 fn slip(judged: &Judged) -> String {
     let Some(erratum) = &judged.claim.erratum else { return String::new() };
-    let page = page_of_slips(erratum.slip.consequence);
+    let page = page_of_slip(&erratum.slip);
     format!("<br><a href=\"{page}.html#slip-{}\">{}</a>", erratum.slip.id, erratum.slip.consequence)
 }
 

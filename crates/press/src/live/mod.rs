@@ -23,11 +23,47 @@ struct Told {
 }
 
 const TOLD: &[Told] = &[
-    Told { name: "wheel", given: || Ok(String::new()), claims: &[] },
-    Told { name: "design", given: || Ok(String::new()), claims: &[] },
-    Told { name: "polygon", given: lever, claims: &[] },
-    Told { name: "escapement", given: example, claims: &[] },
-    Told { name: "mistake", given: runs, claims: &[] },
+    Told {
+        name: "wheel",
+        given: || Ok(String::new()),
+        claims: &[
+            ("blow", "jazar.tangent-entry"),
+            ("velocity", "jazar.eq-5.31"),
+            ("acceleration", "jazar.eq-5.32"),
+            ("jerk", "jazar.infinite-jerk"),
+            ("angle", "jazar.eq-5.30"),
+            ("index", "jazar.ex-b.formula"),
+        ],
+    },
+    Told {
+        name: "design",
+        given: || Ok(String::new()),
+        claims: &[
+            ("centres", "jazar.centre-distance-ratio"),
+            ("wheel", "jazar.wheel-radius-ratio"),
+            ("index", "jazar.duration"),
+        ],
+    },
+    Told {
+        name: "polygon",
+        given: lever,
+        claims: &[
+            ("gap", "quick-return.acceleration-equation"),
+            ("lever-acceleration", "quick-return.lever-acceleration-equation"),
+            ("coriolis", "quick-return.coriolis-equation"),
+        ],
+    },
+    Told { name: "mistake", given: runs, claims: &[("agree", "meyer.listing.quarter-turn")] },
+    Told {
+        name: "escapement",
+        given: example,
+        claims: &[
+            ("rate", "meyer.conclusion.timing"),
+            ("entry", "meyer.abstract.terminal"),
+            ("engagements", "meyer.no-friction"),
+            ("critical", "meyer.singularity.conclusion"),
+        ],
+    },
 ];
 
 /// The figure of this name as it stands at first: what its still form shows.

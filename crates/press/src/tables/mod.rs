@@ -1,6 +1,7 @@
 //! Tables of computed numbers, beside those of the ledger: by name, or for a range of wheels.
 
 mod joints;
+mod mimic;
 mod quick_return;
 mod rise_times;
 mod runs;
@@ -32,6 +33,8 @@ const TABLES: &[(&str, Draw)] = &[
     ("runs-three-pin", runs::three_pin),
     ("joints", joints::speeds),
     ("joints-multiplier", joints::multipliers),
+    ("mimic-cards", mimic::cards),
+    ("mimic-functions", mimic::functions),
     ("solver-speeds", solver::speeds),
     ("solver-maps", solver::maps),
     ("timer-settling", timer::settling),

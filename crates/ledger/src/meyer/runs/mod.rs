@@ -10,10 +10,12 @@
 //! - `steps`, `lagged`: the second routes, to the motion of the mechanism and to the runs with the lagged sign.
 //! - `choice`: which rows stand for the others where not all are shown.
 //! - `words`: a hypothesis in words.
+//! - `deck`: the runs by a deck in the language of the thesis.
 //! - `headings`: the inertias above the tables.
 
 mod cells;
 pub mod choice;
+pub mod deck;
 mod headings;
 mod hypotheses;
 pub mod integrator;

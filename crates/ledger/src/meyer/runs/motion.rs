@@ -72,6 +72,12 @@ pub struct Run {
     pub first_minimum: f64,
 }
 
+impl From<Readings> for Run {
+    fn from(Readings { peak, minimum, period, first_minimum }: Readings) -> Self {
+        Self { peak, minimum, period, first_minimum }
+    }
+}
+
 impl Run {
     /// The number of a column; not a number for one that a run does not give.
     pub fn number(&self, column: Column) -> f64 {
@@ -146,12 +152,18 @@ impl Hypothesis {
         Some(Run { peak, minimum: steady.minimum.speed, period: steady.period, first_minimum })
     }
 
+    /// The numbers of a row's run in the order of the program's parameters: slots, crank angle at the start in radians,
+    /// friction, torque in in lb, and the inertias of follower and driver in in lb s².
+    pub fn data_card(&self, row: &Row) -> [f64; 6] {
+        let [driver, follower] = self.inertias(row.mechanism);
+        let start = -row.mechanism.engagement_half_angle();
+        [f64::from(row.mechanism.slots()), start, row.friction(), row.torque(), follower, driver]
+    }
+
     /// The same, read off the lines that the program prints; the true peak is not among them.
     pub fn by_program(&self, row: &Row, integrator: &geneva_mimic::Parameters) -> Option<Run> {
         let program = self.program(row)?;
-        let Readings { peak, minimum, period, first_minimum } =
-            Readings::of(&program.run(integrator).ok()?, program.reset)?;
-        Some(Run { peak, minimum, period, first_minimum })
+        Some(Readings::of(&program.run(integrator).ok()?, program.reset)?.into())
     }
 
     /// The start of a row's run from rest.

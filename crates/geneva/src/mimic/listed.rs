@@ -1,0 +1,31 @@
+//! What there is: decks, functions, control cards.
+
+use crate::output::{heading, wrapped};
+use geneva_mimic::language::{CARDS, DECKS, FUNCTIONS};
+
+/// The decks of this project, with what their first lines say.
+pub fn decks() -> String {
+    let said = |text: &str| {
+        let lines = text.lines().take_while(|line| line.len() > 1 && line.starts_with('*'));
+        lines.map(|line| line.trim_start_matches('*').trim()).collect::<Vec<_>>().join(" ")
+    };
+    DECKS.iter().map(|(name, text)| wrapped(&format!("{name:<12}"), &said(text))).collect()
+}
+
+/// The functions and the control cards, with where they are known from.
+pub fn functions() -> String {
+    let bold = heading();
+    let mut page = format!("{bold}Functions{bold:#}\n");
+    for function in &FUNCTIONS {
+        let called = format!("{}({})", function.name, function.arguments);
+        page += &wrapped(&format!("  {called:<20}"), &format!("{} [{}]", function.meaning, function.evidence.words()));
+    }
+    page += &format!("\n{bold}Cards, and names that are known without a card{bold:#}\n");
+    for card in &CARDS {
+        let written = format!("{}{}", card.name, card.arguments);
+        let written =
+            if card.arguments.starts_with('(') { written } else { format!("{} {}", card.name, card.arguments) };
+        page += &wrapped(&format!("  {written:<20}"), &format!("{} [{}]", card.meaning, card.evidence.words()));
+    }
+    page
+}

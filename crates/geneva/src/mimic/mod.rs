@@ -1,0 +1,336 @@
+//! Decks in the simulation language MIMIC: checked, sorted, run.
+
+mod listed;
+mod told;
+
+use crate::arguments::{Format, Output, formats};
+use crate::output::count;
+use crate::typed;
+use anyhow::{Context, anyhow, bail, ensure};
+use clap::{Args, Subcommand, ValueEnum};
+use geneva_ledger::meyer::runs::{Hypothesis, rows};
+use geneva_mimic::language::{
+    Choices, DECKS, DataSet, Deck, Layout, Program, RememberedPoints, Run, deck_named, listing_in,
+};
+use geneva_mimic::{AtSmallestStep, Interpolation, Kept};
+use rayon::prelude::*;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+
+/// What to do with a deck.
+#[derive(Args, Debug)]
+pub struct MimicArguments {
+    /// What to do
+    #[command(subcommand)]
+    pub action: Action,
+}
+
+/// What can be done.
+#[derive(Debug, Subcommand)]
+pub enum Action {
+    /// Say what is wrong with a deck: the card, the column, what is allowed there
+    Check {
+        /// Which deck.
+        #[command(flatten)]
+        deck: DeckArguments,
+        /// Where to write it.
+        #[command(flatten)]
+        to: Output,
+    },
+    /// List a deck's statements in the order in which they are computed
+    Sort {
+        /// Which deck.
+        #[command(flatten)]
+        deck: DeckArguments,
+        /// Where to write it.
+        #[command(flatten)]
+        to: Output,
+    },
+    /// Run a deck, once for each set of data
+    Run(RunArguments),
+    /// List the decks of this project, or print one
+    Decks {
+        /// The deck to print
+        #[arg(value_name = "NAME")]
+        name: Option<String>,
+        /// Where to write it.
+        #[command(flatten)]
+        to: Output,
+    },
+    /// List the functions and the control cards, and where each is known from
+    Functions {
+        /// Where to write it.
+        #[command(flatten)]
+        to: Output,
+    },
+}
+
+/// Which deck.
+#[derive(Args, Debug)]
+pub struct DeckArguments {
+    /// A file, - for standard input, or the name of a deck of this project (geneva mimic decks)
+    #[arg(value_name = "DECK", required_unless_present = "listing_in")]
+    pub deck: Option<String>,
+    /// Take the deck out of a longer text, such as your own copy of the thesis: from the first PAR or CON card to END
+    #[arg(long, value_name = "FILE", conflicts_with = "deck")]
+    pub listing_in: Option<PathBuf>,
+    /// Where the fields of a card stand [default: columns, if every card keeps to them]
+    #[arg(long, value_enum)]
+    pub layout: Option<LayoutName>,
+    /// Give a name another number: one of a CON or PAR card, in every set, or one that a single card defines
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting, allow_hyphen_values = true)]
+    pub set: Vec<(String, f64)>,
+}
+
+/// Where the fields of a card stand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum LayoutName {
+    /// Control before column 10, result from 10 on, expression from 19 on
+    Columns,
+    /// With blanks between them
+    Free,
+}
+
+/// Which deck is run, with which data, and how.
+#[derive(Args, Debug)]
+pub struct RunArguments {
+    /// Which deck.
+    #[command(flatten)]
+    pub deck: DeckArguments,
+    /// Data cards, in place of those behind the deck's END
+    #[arg(long, value_name = "FILE")]
+    pub data: Option<PathBuf>,
+    /// Data of the thesis, in place of data cards: for a PAR card with slots, angle at the start, friction, torque, and
+    /// the inertias of follower and driver
+    #[arg(long, value_enum, conflicts_with = "data")]
+    pub runs: Option<RunsName>,
+    /// Largest relative error of a step, by the whole step against two halves
+    #[arg(long, value_name = "T", value_parser = typed::positive, default_value = "5e-6", allow_hyphen_values = true)]
+    pub tolerance: f64,
+    /// Which value of a step is kept; nobody says which MIMIC kept
+    #[arg(long, value_enum, default_value_t = KeptName::HalfSteps)]
+    pub kept: KeptName,
+    /// What happens where a step would have to be shorter than DTMIN
+    #[arg(long, value_enum, default_value_t = AtDtmin::Keep)]
+    pub at_dtmin: AtDtmin,
+    /// How a TDL reads between the values that it keeps
+    #[arg(long, value_enum, default_value_t = Between::Linear)]
+    pub delay_between: Between,
+    /// How many values a TDL keeps
+    #[arg(long, value_enum, default_value_t = DelayKeeps::All)]
+    pub delay_keeps: DelayKeeps,
+    /// How to write it
+    #[arg(long, default_value = "print", value_parser = formats(&[
+        (Format::Print, "As the line printer wrote it: tables, and plots in characters"),
+        (Format::Json, "An array with an object for each run: parameters, columns, rows"),
+        (Format::Csv, "A row for each printed point, with the number of its run"),
+        (Format::Svg, "The first plot of the first run as a drawing; of all OUT columns against the first without PLO"),
+    ]))]
+    pub format: Format,
+    /// Where to write it.
+    #[command(flatten)]
+    pub to: Output,
+}
+
+/// Sets of data that the ledger knows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum RunsName {
+    /// The runs of Appendix E, with the inertias of Fig. 11 for six pins
+    AppendixE,
+}
+
+/// Which value of a step is kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum KeptName {
+    /// That of the whole step
+    FullStep,
+    /// That of the two half steps
+    HalfSteps,
+    /// Both, extrapolated
+    Extrapolated,
+}
+
+/// What happens where a step would have to be shorter than DTMIN.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum AtDtmin {
+    /// The step is kept, and counted
+    Keep,
+    /// The run stops
+    Stop,
+}
+
+/// How a delay reads between its values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Between {
+    /// The straight line
+    Linear,
+    /// The earlier of the two
+    Hold,
+}
+
+/// How many values a delay keeps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum DelayKeeps {
+    /// Those of all steps
+    All,
+    /// As many as its third argument says
+    AsAsked,
+}
+
+/// NAME=VALUE.
+fn setting(text: &str) -> Result<(String, f64), String> {
+    let (name, value) = text.split_once('=').ok_or("no =; give a name, = and a number")?;
+    let value = value.trim().parse().ok().filter(|value: &f64| value.is_finite());
+    Ok((
+        name.trim().to_ascii_uppercase(),
+        value.ok_or("no number behind =; give one, with a point before its decimals")?,
+    ))
+}
+
+/// What is wanted.
+pub fn page(action: &Action) -> anyhow::Result<String> {
+    match action {
+        Action::Check { deck, .. } => {
+            let (name, deck) = read(deck)?;
+            let program = program(&name, &deck)?;
+            Ok(told::checked(&name, &deck, &program))
+        }
+        Action::Sort { deck, .. } => {
+            let (name, deck) = read(deck)?;
+            Ok(told::sorted(&deck, &program(&name, &deck)?))
+        }
+        Action::Run(wanted) => run(wanted),
+        Action::Decks { name: None, .. } => Ok(listed::decks()),
+        Action::Decks { name: Some(name), .. } => deck_named(name).map(str::to_owned).ok_or_else(|| {
+            let known: Vec<_> = DECKS.iter().map(|(name, _)| *name).collect();
+            anyhow!("{name}: no deck of this project; give one of {}", known.join(", "))
+        }),
+        Action::Functions { .. } => Ok(listed::functions()),
+    }
+}
+
+/// Where it is to be written.
+pub fn destination(action: &Action) -> &Output {
+    match action {
+        Action::Check { to, .. } | Action::Sort { to, .. } | Action::Decks { to, .. } | Action::Functions { to } => to,
+        Action::Run(wanted) => &wanted.to,
+    }
+}
+
+fn text_of(path: &Path) -> anyhow::Result<String> {
+    let bytes = std::fs::read(path).with_context(|| format!("{}: cannot be read", path.display()))?;
+    String::from_utf8(bytes).map_err(|_| anyhow!("{}: no text; give a file of cards in UTF-8", path.display()))
+}
+
+/// The deck that is wanted, and what it is called.
+fn read(wanted: &DeckArguments) -> anyhow::Result<(String, Deck)> {
+    let (name, text) = match (&wanted.deck, &wanted.listing_in) {
+        (_, Some(path)) => {
+            let text = text_of(path)?;
+            let listing = listing_in(&text).map(str::to_owned).ok_or_else(|| {
+                anyhow!(
+                    "{}: no program in it; one begins with a card PAR(…) or CON(…) and ends with END",
+                    path.display()
+                )
+            })?;
+            (path.display().to_string(), listing)
+        }
+        (Some(deck), None) if deck == "-" => {
+            let mut text = String::new();
+            std::io::stdin().read_to_string(&mut text).context("standard input: no text")?;
+            ("standard input".to_owned(), text)
+        }
+        (Some(deck), None) => {
+            let own = deck_named(deck).filter(|_| !Path::new(deck).exists());
+            (deck.clone(), own.map_or_else(|| text_of(Path::new(deck)), |text| Ok(text.to_owned()))?)
+        }
+        (None, None) => bail!("no deck; give a file, or --listing-in FILE"),
+    };
+    let layout = match wanted.layout {
+        Some(LayoutName::Columns) => Layout::Columns,
+        Some(LayoutName::Free) => Layout::Free,
+        None => Layout::of(&text),
+    };
+    let mut deck = Deck::read(&text, layout).map_err(|faults| anyhow!("{name}\n{faults}"))?;
+    for (set, value) in &wanted.set {
+        let is_parameter = deck.parameters().contains(&set.as_str());
+        ensure!(
+            is_parameter || deck.set(set, *value),
+            "--set {set}={value}: {name} has no single card without a control variable that defines {set}, and no CON or \
+             PAR card that names it; give another name"
+        );
+    }
+    Ok((name, deck))
+}
+
+fn program(name: &str, deck: &Deck) -> anyhow::Result<Program> {
+    Program::new(deck).map_err(|faults| anyhow!("{name}\n{faults}"))
+}
+
+fn run(wanted: &RunArguments) -> anyhow::Result<String> {
+    let (name, mut deck) = read(&wanted.deck)?;
+    if let Some(path) = &wanted.data {
+        deck = deck.with_data(&text_of(path)?);
+    }
+    let program = program(&name, &deck)?;
+    let sets = data_sets(wanted, &name, &deck)?;
+    let choices = choices(wanted);
+    let runs: Vec<_> = sets.par_iter().map(|set| program.run(set, &choices)).collect();
+    let mut all: Vec<Run> = Vec::new();
+    for (at, run) in runs.into_iter().enumerate() {
+        let of = if sets.len() > 1 { format!(", run {} of {}", at + 1, sets.len()) } else { String::new() };
+        all.push(run.map_err(|trouble| anyhow!("{name}{of}: {trouble}"))?);
+    }
+    match wanted.format {
+        Format::Json => told::json(&all),
+        Format::Csv => told::csv(&all),
+        Format::Svg => told::svg(&name, &all),
+        _ => Ok(told::print_outs(&name, &all)),
+    }
+}
+
+/// The sets of data: those of the ledger, or those of the data cards; what --set gives counts more.
+fn data_sets(wanted: &RunArguments, name: &str, deck: &Deck) -> anyhow::Result<Vec<DataSet>> {
+    let names: Vec<String> = deck.parameters().into_iter().map(str::to_owned).collect();
+    let given: Vec<_> = wanted.deck.set.iter().filter(|(name, _)| names.contains(name)).cloned().collect();
+    let sets = if wanted.runs.is_some() {
+        let columns = Hypothesis::as_run().data_card(&rows()[0]).len();
+        ensure!(
+            names.len() == columns,
+            "--runs appendix-e: {name} has {}; its runs have {columns}: slots, angle at the start, friction, torque, \
+             inertias of follower and driver",
+            count(names.len(), "parameter")
+        );
+        let card = |row| names.iter().cloned().zip(Hypothesis::as_run().data_card(row)).collect();
+        rows().iter().map(|row| DataSet(card(row))).collect()
+    } else if !deck.has_data() && names.iter().all(|name| given.iter().any(|(of, _)| of == name)) {
+        vec![DataSet::default()]
+    } else {
+        deck.data_sets().map_err(|faults| anyhow!("{name}\n{faults}"))?
+    };
+    Ok(sets.into_iter().map(|set| DataSet(set.0.into_iter().chain(given.iter().cloned()).collect())).collect())
+}
+
+fn choices(wanted: &RunArguments) -> Choices {
+    let usual = Choices::default();
+    let kept = match wanted.kept {
+        KeptName::FullStep => Kept::FullStep,
+        KeptName::HalfSteps => Kept::TwoHalfSteps,
+        KeptName::Extrapolated => Kept::Extrapolated,
+    };
+    let at_smallest_step = match wanted.at_dtmin {
+        AtDtmin::Keep => AtSmallestStep::Continue,
+        AtDtmin::Stop => AtSmallestStep::Stop,
+    };
+    let interpolation = match wanted.delay_between {
+        Between::Linear => Interpolation::Linear,
+        Between::Hold => Interpolation::Hold,
+    };
+    let remembered = match wanted.delay_keeps {
+        DelayKeeps::All => RememberedPoints::All,
+        DelayKeeps::AsAsked => RememberedPoints::AsAsked,
+    };
+    let integrator =
+        geneva_mimic::Parameters { relative_tolerance: wanted.tolerance, kept, at_smallest_step, ..usual.integrator };
+    Choices { integrator, interpolation, remembered, ..usual }
+}

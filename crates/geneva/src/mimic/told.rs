@@ -1,0 +1,114 @@
+//! What is told of a deck and its runs.
+
+use crate::output::{count, heading, wrapped};
+use geneva_mimic::language::{Deck, Program, Run, When, print_out};
+use serde::ser::{Serialize, Serializer};
+
+/// That nothing is wrong, and what the deck has.
+pub fn checked(name: &str, deck: &Deck, program: &Program) -> String {
+    let (integrals, instructions) = program.size();
+    let dead = program.sorted().iter().filter(|of| of.is_dead).count();
+    let mut page = wrapped(
+        "",
+        &format!(
+            "{name}: nothing is wrong. {}, {}, {} for each evaluation; {} without an effect on what is printed.",
+            count(program.sorted().len(), "statement"),
+            count(integrals, "integral"),
+            count(instructions, "instruction"),
+            count(dead, "statement")
+        ),
+    );
+    for note in deck.notes() {
+        page += &wrapped("note: ", note);
+    }
+    page
+}
+
+/// The statements in their order.
+pub fn sorted(deck: &Deck, program: &Program) -> String {
+    let bold = heading();
+    let (control, result) = (width(program, |of| of.control.as_deref().unwrap_or("")), width(program, |of| &of.result));
+    let mut page = String::new();
+    for (when, title) in [(When::Once, "Once in a run"), (When::Always, "At every evaluation of the integrands")] {
+        page += &format!("{bold}{title}{bold:#}\n");
+        for of in program.sorted().iter().filter(|of| of.when == when) {
+            let dead = if of.is_dead { "  (nothing that is printed needs it)" } else { "" };
+            let line = format!(
+                "  card {:>4}  {:<control$}  {:<result$}  {}{dead}",
+                of.card,
+                of.control.as_deref().unwrap_or(""),
+                of.result,
+                deck.expression_of(of)
+            );
+            page += &format!("{}\n", line.trim_end());
+        }
+    }
+    page
+}
+
+fn width<'a>(program: &'a Program, part: fn(&'a geneva_mimic::language::Sorted) -> &'a str) -> usize {
+    program.sorted().iter().map(|of| part(of).len()).max().unwrap_or(0)
+}
+
+/// The print-outs of all runs.
+pub fn print_outs(name: &str, runs: &[Run]) -> String {
+    let title =
+        |at: usize| if runs.len() > 1 { format!("{name}, run {} of {}", at + 1, runs.len()) } else { name.to_owned() };
+    let pages: Vec<_> = runs.iter().enumerate().map(|(at, run)| print_out(run, &title(at))).collect();
+    pages.join("\n\n")
+}
+
+/// A list of names and numbers as a JSON object.
+struct Named<'a>(&'a [(String, f64)]);
+
+impl Serialize for Named<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(name, value)| (name, value)))
+    }
+}
+
+/// An array of objects, with a row to a line.
+pub fn json(runs: &[Run]) -> anyhow::Result<String> {
+    let mut objects = Vec::new();
+    for run in runs {
+        let rows: Result<Vec<_>, _> = run.rows.iter().map(serde_json::to_string).collect();
+        objects.push(format!(
+            "  {{\n    \"parameters\": {},\n    \"columns\": {},\n    \"steps\": {},\n    \"forced_steps\": {},\n    \
+             \"rows\": [\n      {}\n    ]\n  }}",
+            serde_json::to_string(&Named(&run.parameters))?,
+            serde_json::to_string(&run.columns)?,
+            run.work.accepted,
+            run.work.forced,
+            rows?.join(",\n      ")
+        ));
+    }
+    Ok(format!("[\n{}\n]\n", objects.join(",\n")))
+}
+
+/// A row for each printed point: the run's number and parameters, and the columns.
+pub fn csv(runs: &[Run]) -> anyhow::Result<String> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let Some(first) = runs.first() else { return Ok(String::new()) };
+    let parameters = first.parameters.iter().map(|(name, _)| name.as_str());
+    writer.write_record(["run"].into_iter().chain(parameters).chain(first.columns.iter().map(String::as_str)))?;
+    for (at, run) in runs.iter().enumerate() {
+        for row in &run.rows {
+            let numbers = run.parameters.iter().map(|(_, value)| value).chain(row);
+            let cells: Result<Vec<_>, _> = numbers.map(serde_json::to_string).collect();
+            writer.write_record([(at + 1).to_string()].into_iter().chain(cells?))?;
+        }
+    }
+    Ok(String::from_utf8(writer.into_inner()?)?)
+}
+
+/// The first plot of the first run; the columns against the first if nothing is plotted.
+pub fn svg(name: &str, runs: &[Run]) -> anyhow::Result<String> {
+    let Some(run) = runs.first() else { anyhow::bail!("{name}: no run") };
+    let (names, points) = match run.plots.first() {
+        Some((plot, points)) => (&plot.names, points),
+        None => (&run.columns, &run.rows),
+    };
+    let parameters: Vec<_> = run.parameters.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+    let title = if parameters.is_empty() { name.to_owned() } else { format!("{name}: {}", parameters.join(", ")) };
+    Ok(geneva_figures::printed::plot(&title, names, points)?.standalone())
+}

@@ -1,0 +1,46 @@
+//! The runs by a deck in the language of the thesis: the escapement's deck of `geneva-mimic`, with a row's data card.
+//!
+//! The deck has the mechanics of the thesis in other variables and in words of this project, and the mechanism's own
+//! reset angle. Two of its names can be set to what the thesis's program has: see [`AS_LISTED`].
+
+use super::*;
+use geneva_dynamics::program::{Line, Printout, Readings};
+use geneva_mimic::language::{Choices, DataSet, Deck, Layout, Program, deck_named};
+
+/// The names of the deck that the program of the thesis has otherwise, and the claims that have its numbers: the reset
+/// angle and π.
+pub const AS_LISTED: [(&str, &str); 2] = [("RESET", "meyer.listing.quarter-turn"), ("PI", "meyer.listing.pi")];
+
+/// The escapement's deck, with some names set to other numbers than its cards have. None if there is no such name, or if
+/// something is wrong with the deck.
+pub fn deck(set: &[(&str, f64)]) -> Option<Deck> {
+    let text = deck_named("escapement")?;
+    let mut deck = Deck::read(text, Layout::of(text)).ok()?;
+    set.iter().all(|(name, value)| deck.set(name, *value)).then_some(deck)
+}
+
+/// What the program of the thesis has otherwise, with its numbers.
+pub fn as_listed() -> [(&'static str, f64); 2] {
+    AS_LISTED.map(|(name, id)| (name, printed(id)))
+}
+
+/// What a run of a program with a row's data card gives, read off its printed columns: time, angle through which the
+/// driver has turned, its speed and acceleration, and the follower's speed. The angle is reset after `reset` radians.
+pub fn run(program: &Program, row: &Row, reset: f64, choices: &Choices) -> Option<Run> {
+    let names = program.parameters().into_iter().map(str::to_owned);
+    let set = DataSet(names.zip(Hypothesis::as_run().data_card(row)).collect());
+    let printed = program.run(&set, choices).ok()?;
+    let line = |row: &Vec<f64>| {
+        let [time, turned, speed, acceleration, follower_speed] = row[..] else { return None };
+        Some(Line { time, turned, angle: f64::NAN, speed, acceleration, follower_speed })
+    };
+    let lines = printed.rows.iter().map(line).collect::<Option<_>>()?;
+    Some(Readings::of(&Printout { lines, work: printed.work }, reset)?.into())
+}
+
+/// All rows by the deck, with what the program of the thesis has otherwise.
+pub fn runs() -> Option<Vec<Run>> {
+    let program = Program::new(&deck(&as_listed())?).ok()?;
+    let [(_, reset), _] = as_listed();
+    rows().iter().map(|row| run(&program, row, reset, &Choices::default())).collect()
+}

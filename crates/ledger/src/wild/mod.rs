@@ -1,0 +1,128 @@
+//! What public pages, calculators and programs say about Geneva wheels.
+//!
+//! No document that is mirrored, but single statements: of each its address and the day on which a stored copy of it
+//! was read. Formulas are set as they say, in the letters of the page. Where a page can be read in two ways it is read
+//! in the way in which it is right, if there is one. The files go by what is stated: how long the driver turns, the
+//! sizes, the motion, wheels that are shipped as examples.
+
+mod discs;
+mod epicyclic;
+mod fit;
+mod models;
+mod motion;
+mod ratios;
+mod sizes;
+mod steps;
+mod turning;
+
+pub use ratios::ratio;
+
+use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Work};
+use Evidence::{AutomaticDerivative, ClosedForm, Jet as Series, Vectors};
+use fit::{Fit, formula, number};
+use std::f64::consts::PI;
+
+/// What stands between an address and the day in a locator.
+const AS_READ: &str = ", as read on ";
+
+/// The locator of a page: its address, and when a stored copy of it was read.
+macro_rules! page {
+    ($address:literal) => {
+        concat!($address, ", as read on 2026-11-22")
+    };
+}
+use page;
+
+/// A page.
+const fn at(locator: &'static str) -> Place {
+    Place::new(Work::Wild, locator)
+}
+
+/// A heading, and the statements under it.
+pub type Subject = (&'static str, fn() -> Vec<Claim>);
+
+/// What statements are about, and those about it.
+pub const SUBJECTS: &[Subject] = &[
+    ("How long a wheel moves and rests", turning::claims),
+    ("How many steps there are", steps::claims),
+    ("Sizes", sizes::claims),
+    ("Examples that are built", models::claims),
+    ("The cut in the locking disc", discs::claims),
+    ("How a wheel moves", motion::claims),
+    ("A pin on a pinion", epicyclic::claims),
+];
+
+/// All statements, by what they are about.
+pub fn claims() -> Vec<Claim> {
+    SUBJECTS.iter().flat_map(|(_, claims)| claims()).collect()
+}
+
+/// The address of the page on which a statement stands, and the day on which it was read, from the claim's locator.
+pub fn read(locator: &str) -> Option<(&str, &str)> {
+    locator.split_once(AS_READ)
+}
+
+/// The slip of a claim that is found in the page's own formula or number.
+const fn slip(reason: &'static str, witness: &'static str, changes: &'static str) -> Slip {
+    Slip { id: "", reason, witness, origin: Origin::Concept, consequence: Consequence::Result, changes }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Truth, verdicts_of};
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn every_statement_has_an_address_and_a_day() {
+        for claim in claims() {
+            let (address, day) = read(claim.locator).unwrap_or_else(|| panic!("{}: {}", claim.id, claim.locator));
+            assert!(address.starts_with("https://") || address.starts_with("http://"), "{}: {address}", claim.id);
+            let digits = day.split('-').map(str::len).collect::<Vec<_>>();
+            assert!(digits == [4, 2, 2] && day.starts_with("20"), "{}: {day}", claim.id);
+        }
+    }
+
+    #[test]
+    fn right_statements_are_listed_as_well_as_wrong_ones() {
+        let addresses = |truth| -> BTreeSet<&str> {
+            let of_truth = verdicts_of(Work::Wild).into_iter().filter(|judged| judged.truth() == truth);
+            of_truth.filter_map(|judged| Some(read(judged.claim.locator)?.0)).collect()
+        };
+        assert!(addresses(Truth::Right).len() >= 12 && addresses(Truth::Wrong).len() >= 8);
+    }
+
+    #[test]
+    fn what_a_slip_is_said_to_do_is_computed() {
+        let times = |number: f64, places: usize| format!("{number:.places$}");
+        let [four, six, eight] = [4, 6, 8].map(Fit::by_vectors);
+        let (planned, takes) = (|fit: &Fit| fit.step, |fit: &Fit| fit.moving);
+        let root = |slots: f64| (2.0 + 2.0 * libm::cos(PI / slots)).sqrt();
+        let on_the_line = libm::hypot(six.centres, six.crank) / six.crank;
+        let said = [
+            ("firgelli-time.dwell", "twice", times(takes(&six) / planned(&six), 0), "2"),
+            ("firgelli-time.dwell", "three times", times(takes(&eight) / planned(&eight), 0), "3"),
+            ("firgelli-time.centres", "1.7", times(six.rim / libm::sin(PI / 6.0) / six.centres, 1), "1.7"),
+            ("firgelli-indexing.centres", "1.41", times(four.centres / four.crank, 2), "1.41"),
+            ("firgelli-indexing.centres", "1.85", times(root(4.0), 2), "1.85"),
+            ("firgelli-form.speed", "1.4", times(four.centres / four.crank, 1), "1.4"),
+            ("firgelli-form.speed", "twice", times(six.centres / six.crank, 0), "2"),
+            ("oxiphysics.speed", "less than one half", times(libm::ceil(20.0 / on_the_line) / 20.0, 2), "0.45"),
+            ("oxiphysics.speed", "it is one", times(six.crank / (six.centres - six.crank), 0), "1"),
+        ];
+        let changes = |id: &str| crate::slip(id).map_or("", |places| places.slip.changes);
+        for (id, words, computed, expected) in said {
+            let id = format!("wild.{id}");
+            assert!(changes(&id).contains(words), "{id}: {}", changes(&id));
+            assert_eq!(computed, expected, "{id}: {words}");
+        }
+        let cut = crate::verdict("wild.freecad.cut").expect("a claim");
+        assert!(cut.findings.iter().any(|(_, found)| found.how.contains("by 0.26 mm")), "{:?}", cut.findings);
+        assert!(changes("wild.freecad.cut").contains("by 0.26 mm"));
+        // Too far apart up to five slots, too close from six on.
+        for slots in fit::ANY {
+            let wheel = Fit::by_vectors(slots);
+            assert_eq!(root(wheel.slots) > wheel.centres / wheel.crank, slots < 6, "{slots} slots");
+        }
+    }
+}

@@ -1,0 +1,337 @@
+//! Wheels that are shipped as examples, with sizes that can be measured.
+//!
+//! Nobody says of an example that it is right. But it is built, and what it then does can be told. A wheel fits its
+//! driver if the pin's centre comes to the rim where the slot is, half a pitch from the line of centres, and the wheel
+//! is at rest then.
+
+use super::*;
+use crate::agreement::vanishes;
+use geneva_kinematics::Turn;
+use geneva_kinematics::pin_slot::{pin_from_pivot, velocity_ratio};
+use nalgebra::Vector2;
+
+const MACRO: Place = at(page!("https://github.com/FreeCAD/FreeCAD-documentation/blob/HEAD/wiki/Macro_Geneva_Wheel.md"));
+const DRIFT: Place = at(page!(
+    "https://github.com/D-sorganization/UpstreamDrift/blob/HEAD/src/engines/physics_engines/mujoco/python/\
+     mujoco_humanoid_golf/linkage_mechanisms/special_mechanisms.py"
+));
+const MODEL3D: Place = at(page!("https://github.com/unixpickle/model3d/tree/HEAD/examples/experiments/geneva_drive"));
+const CADBUILDR: Place = at(page!("https://github.com/cadbuildr/geneva-drive/blob/HEAD/src/geneva_drive/main.py"));
+const SDFX: Place = at(page!("https://github.com/deadsy/sdfx/blob/HEAD/examples/geneva/main.go"));
+const COUNTER: Place = at(page!("https://github.com/FidelioScorpio/SCAD_auto_counter/blob/HEAD/geneva.scad"));
+const PITTER: Place = at(page!("https://github.com/edtechd/cherry-pitter/blob/HEAD/part_geneva_wheel.py"));
+
+const TWICE: &str = "The pin's velocity against the slot's direction, by coordinates.";
+const EXAMPLE: &str = "The sizes are an example, taken to be of a wheel whose pin enters along the slot. The page does not \
+     say that it is.";
+
+/// A wheel as it is drawn, lengths in one unit.
+#[derive(Clone, Copy)]
+struct Drawn {
+    slots: u32,
+    crank: f64,
+    centres: f64,
+    rim: f64,
+}
+
+pub fn claims() -> Vec<Claim> {
+    vec![freecad(), pin_diameter(), drift(), model3d(), cadbuildr(), sdfx(), counter(), pitter(), pitter_arcs()]
+}
+
+impl Drawn {
+    /// The same driver with the wheel that fits it.
+    fn fitting(self) -> Self {
+        let centres = self.crank / libm::sin(PI / f64::from(self.slots));
+        Self { centres, rim: (centres * centres - self.crank * self.crank).sqrt(), ..self }
+    }
+
+    /// The same axes and rim, with the wheel's radius that fits.
+    fn with_fitting_rim(self) -> Self {
+        Self { rim: self.centres * libm::cos(PI / f64::from(self.slots)), ..self }
+    }
+
+    /// The crank's angle at which the pin's centre comes to the rim, if it does.
+    fn at_the_rim(&self) -> Option<f64> {
+        let (a, c, r) = (self.crank, self.centres, self.rim);
+        let cosine = (a * a + c * c - r * r) / (2.0 * a * c);
+        (cosine.abs() < 1.0).then(|| libm::acos(cosine))
+    }
+
+    /// By the formula crate: where the pin comes to the rim, in half pitches from the line of centres, and how fast the
+    /// wheel must turn then, for a driver of speed one.
+    fn entry(&self) -> Option<[f64; 2]> {
+        let (ratio, turn) = (self.centres / self.crank, Turn::from_radians(self.at_the_rim()?));
+        let pin = pin_from_pivot(&ratio, &turn);
+        Some([libm::atan2(pin.y, pin.x) * f64::from(self.slots) / PI, velocity_ratio(&ratio, &turn)])
+    }
+
+    /// The same by coordinates: the pin from the driver's axis, and what of its velocity is across the slot.
+    fn entry_by_coordinates(&self) -> Option<[f64; 2]> {
+        // Where the circles of the pin and of the rim meet, by the distances of that place from the line of centres.
+        let [a, c, r] = [self.crank, self.centres, self.rim];
+        let along = (c * c + r * r - a * a) / (2.0 * c);
+        let aside = (r * r - along * along).sqrt();
+        // Circles that only touch let the pin not into the wheel.
+        (aside > 0.0).then(|| {
+            let (pin, arm) = (Vector2::new(along, aside), Vector2::new(along - c, aside));
+            let velocity = Vector2::new(arm.y, -arm.x);
+            let across = Vector2::new(-pin.y, pin.x) / r;
+            [libm::acos(along / r) * f64::from(self.slots) / PI, velocity.dot(&across) / r]
+        })
+    }
+
+    /// Whether the pin comes to the rim at the slot, with the wheel at rest.
+    fn fits(&self, entry: Option<[f64; 2]>) -> Finding {
+        let Some([place, speed]) = entry else {
+            return Finding::new(false, "the pin's centre never comes inside the rim");
+        };
+        let how = if vanishes(place - 1.0) && vanishes(speed) {
+            "the pin comes to the rim at the slot, and the wheel starts from rest".to_owned()
+        } else {
+            format!(
+                "the pin comes to the rim at {place:.3} half pitches from the line of centres, and the wheel starts with \
+                 {speed:.3} of the driver's speed"
+            )
+        };
+        Finding::new(vanishes(place - 1.0) && vanishes(speed), how)
+    }
+}
+
+/// An example that is drawn so, and how it would fit.
+fn example(
+    place: Place,
+    id: &'static str,
+    printed: &'static str,
+    meaning: &'static str,
+    [right, drawn]: [Drawn; 2],
+    (corrected, slip): (&'static str, Slip),
+) -> Claim {
+    place
+        .figure(id, printed, meaning)
+        .by(ClosedForm, move |stated| {
+            let wheel = stated.pick(right, drawn);
+            wheel.fits(wheel.entry())
+        })
+        .by(Vectors, move |stated| {
+            let wheel = stated.pick(right, drawn);
+            wheel.fits(wheel.entry_by_coordinates())
+        })
+        .read_as(EXAMPLE)
+        .corrected(corrected, slip)
+}
+
+fn freecad() -> Claim {
+    let drawn = Drawn { slots: 6, crank: 25.0, centres: libm::hypot(25.0, 60.0), rim: 60.0 };
+    example(
+        MACRO,
+        "wild.freecad.example",
+        "a = 25.0, b = 60.0, n = 6",
+        "crank radius, wheel radius and slots of the macro as it is shipped, version 1.0",
+        [drawn.fitting(), drawn],
+        (
+            r"a = 25.0, b = 25 \sqrt{3}, n = 6",
+            slip(
+                "The program makes the triangle of the two axes and the pin right-angled for any two radii. Then the angle \
+                 at the wheel's axis is half a pitch for one number of slots at most. A comment of the program gives the \
+                 formulas that leave one radius free.",
+                TWICE,
+                "The pin's circle stays clear of the line on which the slot waits, by more than the pin's radius. The pin \
+                 strikes a horn beside it, and the example cannot turn.",
+            ),
+        ),
+    )
+}
+
+fn pin_diameter() -> Claim {
+    /// p and the tolerance t, as shipped.
+    const SHIPPED: [f64; 2] = [4.0, 0.01];
+    MACRO
+        .statement("wild.freecad.pin", r"p = \text{Drive Pin Diameter}", "what the length p is")
+        .by(Vectors, |stated| {
+            // The drawn pin is a cylinder of radius p: two opposite points of it.
+            let [p, _] = SHIPPED;
+            let [one, other] = [0.0, PI].map(|angle| Vector2::new(libm::cos(angle), libm::sin(angle)) * p);
+            let (width, said) = ((one - other).norm(), stated.pick(2.0, 1.0) * p);
+            Finding::new(
+                crate::agreement::agrees(width, said),
+                format!("the pin is {width:.1} across, said to be {said:.1}"),
+            )
+        })
+        .by(Evidence::OtherPlaceInSource, |stated| {
+            // The drawn slot reaches p + t to either side: the tolerance should be what is left beside the pin.
+            let [p, t] = SHIPPED;
+            let left = p + t - stated.pick(1.0, 0.5) * p;
+            Finding::new(
+                vanishes(left - t),
+                format!("{left:.2} are left on either side of the pin, the tolerance is {t:.2}"),
+            )
+        })
+        .corrected(
+            r"p = \text{Drive Pin Radius}",
+            Slip {
+                consequence: Consequence::Wording,
+                origin: Origin::Misprint,
+                ..slip("The program makes a cylinder with p for its radius.", "A later version says radius.", "")
+            },
+        )
+}
+
+fn drift() -> Claim {
+    let drawn = Drawn { slots: 6, crank: 0.5, centres: 1.5, rim: 1.0 };
+    let right = Drawn { crank: 0.75, ..drawn }.with_fitting_rim();
+    example(
+        DRIFT,
+        "wild.drift.example",
+        "6 slots: pin 0.5, centres 1.5, wheel 1.0",
+        "sizes of the Geneva mechanism of a simulation, in the radius that is called the driver's",
+        [right, drawn],
+        (
+            "6 slots: pin 0.75, centres 1.5, wheel 0.75 √3",
+            slip(
+                "The radii of pin's circle and wheel add up to the centre distance: the two circles touch in one point.",
+                TWICE,
+                "The pin never comes into the wheel, which stands still. The page calls its slots simplified markers.",
+            ),
+        ),
+    )
+}
+
+fn model3d() -> Claim {
+    let drawn = Drawn { slots: 4, crank: 1.8 / 2f64.sqrt(), centres: 1.8, rim: 1.0 };
+    example(
+        MODEL3D,
+        "wild.model3d.example",
+        "4 slots: driven radius 1.0, centres 1.8",
+        "rim of the driven wheel; the pin's circle has the centre distance over the root of two, which is right",
+        [drawn.with_fitting_rim(), drawn],
+        (
+            "4 slots: driven radius 0.9 √2, centres 1.8",
+            slip(
+                "The rim is cut short: when the pin comes to it, it has passed the place where it would slide in along the \
+                 slot.",
+                TWICE,
+                "The pin strikes the edge of the slot, and the wheel starts with a jump of speed. Turned slowly it works: \
+                 the page says that a printed one does.",
+            ),
+        ),
+    )
+}
+
+fn cadbuildr() -> Claim {
+    // The disc is as wide as the pin's circle and a pin, the cross eight tenths of it.
+    let crank = 50.0 / 2f64.sqrt();
+    let drawn = Drawn { slots: 4, crank, centres: 50.0, rim: 0.8 * (2.0 * crank + 4.0) / 2.0 };
+    example(
+        CADBUILDR,
+        "wild.cadbuildr.example",
+        "4 slots: cross 0.8 (2 · 50/√2 + 4), centres 50",
+        "diameter of the driven cross; the pin's circle is right",
+        [drawn.with_fitting_rim(), drawn],
+        (
+            "4 slots: cross 2 · 50/√2, centres 50",
+            slip(
+                "The rim is cut short: when the pin comes to it, it has passed the place where it would slide in along the \
+                 slot.",
+                TWICE,
+                "The pin strikes the edge of the slot, and the wheel starts with a jump of speed.",
+            ),
+        ),
+    )
+}
+
+fn sdfx() -> Claim {
+    let pin =
+        |centres: f64, rim: f64| (centres * centres + rim * rim - 2.0 * centres * rim * libm::cos(PI / 6.0)).sqrt();
+    let drawn = Drawn { slots: 6, crank: pin(50.0, 40.0), centres: 50.0, rim: 40.0 };
+    let right = drawn.with_fitting_rim();
+    example(
+        SDFX,
+        "wild.sdfx.example",
+        "6 slots: centres 50.0, driven radius 40.0",
+        "first example of the program, which puts the pin where it meets the mouth of the slot",
+        [Drawn { crank: pin(right.centres, right.rim), ..right }, drawn],
+        (
+            "6 slots: centres 50.0, driven radius 25 √3",
+            slip(
+                "With any other radius the pin meets the mouth of the slot, but not along the slot.",
+                TWICE,
+                "The wheel starts with a jump of speed. The second example of the program, with ten slots, is pushed \
+                 back first.",
+            ),
+        ),
+    )
+}
+
+fn counter() -> Claim {
+    let crank = 25.0;
+    let whole = Drawn { slots: 5, crank, centres: crank, rim: crank }.fitting();
+    let drawn = Drawn { rim: whole.rim - 5.0 - 0.35, ..whole };
+    example(
+        COUNTER,
+        "wild.counter.example",
+        "5 slots: r/tan(180/5) - 5 - 0.35",
+        "rim of the wheel that is drawn: less the pin's radius and a clearance",
+        [whole, drawn],
+        (
+            "5 slots: r/tan(180/5)",
+            slip(
+                "The pin's centre comes to the rim late, when it is no longer where the slot points.",
+                TWICE,
+                "The pin strikes the edge of the slot, and the wheel starts with a jump of speed.",
+            ),
+        ),
+    )
+}
+
+fn pitter() -> Claim {
+    let drawn = Drawn { slots: 6, crank: 30.0, centres: 60.0, rim: 52.0 };
+    PITTER
+        .value("wild.cherry-pitter.rim", "52", "mm", "radius of a wheel of six slots, for a centre distance of 60 mm")
+        .by(ClosedForm, move || drawn.with_fitting_rim().rim)
+        .by(Vectors, move || drawn.fitting().rim)
+}
+
+fn pitter_arcs() -> Claim {
+    PITTER
+        .figure(
+            "wild.cherry-pitter.arcs",
+            "i * 60 for slots and arcs",
+            "the wheel's locking arcs have the directions of its slots",
+        )
+        .by(ClosedForm, |stated| {
+            // At rest an arc points to the driver. The pin must then find a slot where it leaves the wheel.
+            let (arc, fit) = (stated.pick(0.5, 0.0), Fit::by_wheel(6));
+            let slots = (0..6).map(|slot| (f64::from(slot) - arc) * fit.step);
+            found_a_slot(slots, libm::asin(fit.crank / fit.centres))
+        })
+        .by(Vectors, |stated| {
+            let fit = Fit::by_vectors(6);
+            let leaves = Vector2::new(fit.centres - fit.crank * libm::cos(fit.moving / 2.0), {
+                fit.crank * libm::sin(fit.moving / 2.0)
+            });
+            let slots = (0..6).map(|slot| (f64::from(slot) - stated.pick(0.5, 0.0)) * fit.step);
+            found_a_slot(slots, libm::atan2(leaves.y, leaves.x))
+        })
+        .corrected(
+            "i * 60 for slots, i * 60 + 30 for arcs",
+            slip(
+                "While the wheel rests, one of its arcs lies on the driver's disc, on the line of centres. The slots that \
+                 the pin leaves and enters are half a pitch to either side of it.",
+                "The place where the pin leaves, by coordinates.",
+                "The arcs cut the mouths of the slots away, and at rest no slot is where the pin comes.",
+            ),
+        )
+}
+
+/// Whether one of the slots has the direction in which the pin leaves the wheel.
+fn found_a_slot(slots: impl Iterator<Item = f64>, leaves: f64) -> Finding {
+    let nearest = slots.map(|slot| (slot - leaves).abs()).fold(f64::INFINITY, f64::min);
+    Finding::new(
+        vanishes(nearest),
+        format!(
+            "the pin leaves at {:.0} degrees, the nearest slot is {:.0} degrees away",
+            leaves.to_degrees(),
+            nearest.to_degrees()
+        ),
+    )
+}

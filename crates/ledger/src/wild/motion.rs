@@ -1,0 +1,271 @@
+//! How the wheel moves.
+
+use super::fit::{ANY, tried};
+use super::*;
+use crate::agreement::vanishes;
+use crate::duals::{Crank, Time};
+use crate::tex::Moment;
+use geneva_kinematics::pin_slot::{pin_from_pivot, velocity_ratio};
+use geneva_kinematics::wheel::{Wheel, entry_acceleration};
+use geneva_kinematics::{Jet, Turn, angular_velocity};
+
+const MISCELLANEOUS: Place = at(page!("https://www.firgelliauto.com/en-pt/blogs/mechanisms/miscellaneous-form"));
+const RIGID: Place =
+    at(page!("https://github.com/cool-japan/oxiphysics/blob/HEAD/crates/oxiphysics-rigid/src/mechanism_rigid.rs"));
+const CONSTRAINTS: Place = at(page!(
+    "https://github.com/cool-japan/oxiphysics/blob/HEAD/crates/oxiphysics-constraints/src/mechanism/types.rs"
+));
+const COSMO: Place = at(page!("https://github.com/ascii-dresden/ascii-cosmo/blob/HEAD/openscad/geneva_drive.scad"));
+const STYLE_SHEET: Place = at(page!("https://github.com/SAPTARSHI-coder/EaseMotion-css/pull/49683"));
+const KMODDL: Place = at(page!("http://kmoddl.library.cornell.edu/tutorials/06/"));
+const SPECTRA: Place = at(page!("http://spectraquest.com/simulators/details/kad-gm/"));
+const WIKISUM: Place = at(page!("https://wikisum.wiki/wiki/Geneva_drive"));
+const SOURCEBOOK: Place =
+    at(page!("https://fliphtml5.com/zroi/ibdn/Mechanisms_And_Mechanical_Devices_Sourcebook_-_3rd_ed/484"));
+
+const TWICE: &str =
+    "Dual numbers differentiate the direction of the pin and give the corrected form for 3 to 60 slots.";
+
+/// A moment of the engagement: angles in radians, the rates for a driver of speed one.
+#[derive(Clone, Copy)]
+struct Instant {
+    fit: Fit,
+    /// Crank angle from the line of centres.
+    crank: f64,
+    /// Wheel angle from there, in the opposite sense.
+    wheel: f64,
+    /// Angular velocity of the wheel.
+    speed: f64,
+}
+
+/// Parts of the way from the line of centres to the end of the engagement.
+const PARTS: [f64; 5] = [-0.9, -0.4, 0.0, 0.3, 0.8];
+
+/// Moments by the formula crate.
+fn by_formula(slots: u32) -> Vec<Instant> {
+    let fit = Fit::by_wheel(slots);
+    let ratio = fit.centres / fit.crank;
+    let at = |crank: f64| {
+        let turn = Turn::from_radians(crank);
+        let pin = pin_from_pivot(&ratio, &turn);
+        Instant { fit, crank, wheel: libm::atan2(pin.y, pin.x), speed: velocity_ratio(&ratio, &turn) }
+    };
+    PARTS.map(|part| at(part * fit.moving / 2.0)).into()
+}
+
+/// Moments by coordinates and dual numbers.
+fn by_duals(slots: u32) -> Vec<Instant> {
+    let fit = Fit::by_vectors(slots);
+    let at = |crank: f64| {
+        // The pivot is the wheel's axis: the crank turns back while its angle from the line of centres grows.
+        let dual = Crank { ground: fit.centres, radius: fit.crank, angle: PI - crank, speed: -1.0, acceleration: 0.0 };
+        let [_, [_, speed, _]] = dual.polar();
+        Instant { fit, crank, wheel: dual.slot(Time::from(0.0)).re, speed }
+    };
+    PARTS.map(|part| at(part * fit.moving / 2.0)).into()
+}
+
+/// A formula for the motion, for any number of slots, all over the engagement.
+fn motion(
+    place: Place,
+    id: &'static str,
+    printed: &'static str,
+    meaning: &'static str,
+    letters: fn(&Instant) -> Vec<(&'static str, f64)>,
+) -> Claim {
+    let moments = |instants: fn(u32) -> Vec<Instant>| {
+        move |slots| instants(slots).iter().map(|instant| Moment::default().with(letters(instant))).collect()
+    };
+    let (first, second) = ((ClosedForm, moments(by_formula)), (AutomaticDerivative, moments(by_duals)));
+    tried(place, id, printed, meaning, ANY, first, second)
+}
+
+pub fn claims() -> Vec<Claim> {
+    [formulas(), statements()].concat()
+}
+
+/// The letters of the speed that lacks a factor.
+fn speed(of: &Instant) -> Vec<(&'static str, f64)> {
+    let ratio = of.fit.crank / of.fit.centres;
+    vec![(r"\omega_{out}", 3.0 * of.speed), (r"\omega_{in}", 3.0), (r"\alpha", of.crank), ("r", ratio)]
+}
+
+/// The same on the line of centres, for a wheel of so many slots.
+pub(super) fn greatest_speed(slots: u32) -> Option<Vec<(&'static str, f64)>> {
+    by_formula(slots).iter().find(|instant| instant.crank == 0.0).map(speed)
+}
+
+fn formulas() -> Vec<Claim> {
+    vec![
+        motion(
+            MISCELLANEOUS,
+            "wild.firgelli-form.speed",
+            r"\omega_{out} = \omega_{in} \frac{\cos\alpha - r}{1 + r^2 - 2 r \cos\alpha}",
+            "speed of the wheel; r is the crank radius over the centre distance",
+            speed,
+        )
+        .corrected(
+            r"\omega_{out} = \omega_{in} r \frac{\cos\alpha - r}{1 + r^2 - 2 r \cos\alpha}",
+            slip(
+                "A factor r is lost before the bracket. It is there in any derivation from the wheel's angle.",
+                TWICE,
+                "The speed comes out too high by the centre distance over the crank radius: 1.4 times at four slots, twice at \
+                 six. Loads that go with its square come out up to four times too high at six.",
+            ),
+        ),
+        motion(
+            RIGID,
+            "wild.oxiphysics.speed",
+            r"\omega_g/\omega_d = \frac{r \cos\phi}{\sqrt{d^2 + r^2 - 2 d r \sin\phi}}",
+            "speed of the wheel over that of the driver, with the driver's angle from the line of centres",
+            |of| {
+                let fit = of.fit;
+                let speeds = [(r"\omega_g", 3.0 * of.speed), (r"\omega_d", 3.0)];
+                [&speeds[..], &[("r", fit.crank), ("d", fit.centres), (r"\phi", of.crank)]].concat()
+            },
+        )
+        .corrected(
+            r"\omega_g/\omega_d = \frac{r (d \cos\phi - r)}{d^2 + r^2 - 2 d r \cos\phi}",
+            slip(
+                "The wheel's speed is the pin's speed across the slot over the pin's distance from the wheel's axis. Both go \
+                 with the cosine of the angle from the line of centres. The printed ratio is another quantity: it has no \
+                 zero where the pin enters.",
+                TWICE,
+                "On the line of centres the ratio is too small: less than one half at six slots, where it is one. At entry \
+                 it is not zero, as if the wheel were struck. Another module of the same library has it right.",
+            ),
+        ),
+        motion(
+            CONSTRAINTS,
+            "wild.oxiphysics.right-speed",
+            r"\omega_w = \omega \frac{r (a \cos\phi - r)}{a^2 + r^2 - 2 a r \cos\phi}",
+            "speed of the wheel, in another module of the library",
+            |of| {
+                let fit = of.fit;
+                let speeds = [(r"\omega_w", 3.0 * of.speed), (r"\omega", 3.0)];
+                [&speeds[..], &[("r", fit.crank), ("a", fit.centres), (r"\phi", of.crank)]].concat()
+            },
+        ),
+        motion(
+            STYLE_SHEET,
+            "wild.style-sheet.angle",
+            r"\beta = \tan^{-1} \frac{r \sin\alpha}{C - r \cos\alpha}",
+            "angle of the wheel while the pin is in a slot",
+            |of| vec![(r"\beta", of.wheel), ("r", of.fit.crank), ("C", of.fit.centres), (r"\alpha", of.crank)],
+        ),
+        motion(
+            COSMO,
+            "wild.cosmo.angle",
+            r"\beta = \sin^{-1} \frac{b \sin\gamma}{\sqrt{a^2 + b^2 - 2 a b \cos\gamma}}",
+            "angle of the wheel while the pin is in a slot, by the law of sines",
+            |of| vec![(r"\beta", of.wheel), ("b", of.fit.crank), ("a", of.fit.centres), (r"\gamma", of.crank)],
+        ),
+    ]
+}
+
+fn statements() -> Vec<Claim> {
+    vec![
+        KMODDL
+            .statement(
+                "wild.kmoddl.smooth",
+                "right angle",
+                "with a right angle at the pin it slides into the slot smoothly",
+            )
+            .by(ClosedForm, |stated| starts(stated, |ratio, crank| velocity_ratio(&ratio, &Turn::from_radians(crank))))
+            .by(AutomaticDerivative, |stated| starts(stated, rate_by_duals))
+            .read_as("The wheel starts from rest.")
+            .but_not("it does so with an angle of 80° at the pin"),
+        SPECTRA
+            .statement(
+                "wild.spectraquest.tangent",
+                "tangent to the circle",
+                "for a finite acceleration the slot must touch the circle of the pin's centre",
+            )
+            .by(ClosedForm, |stated| starts(stated, |ratio, crank| velocity_ratio(&ratio, &Turn::from_radians(crank))))
+            .by(AutomaticDerivative, |stated| starts(stated, rate_by_duals))
+            .read_as("A slot that does not touch the circle sets the wheel in motion with a jump of its speed.")
+            .but_not("a slot that crosses it at 10° will do"),
+        WIKISUM
+            .statement(
+                "wild.wikisum.jump",
+                "discontinuity in the acceleration",
+                "the wheel's acceleration jumps as the pin enters and leaves",
+            )
+            .by(ClosedForm, |stated| jumps(stated, entry_acceleration))
+            .by(Series, |stated| jumps(stated, |wheel| acceleration(wheel, -wheel.engagement_half_angle())))
+            .but_not("it begins and ends at zero"),
+        SOURCEBOOK
+            .statement(
+                "wild.sourcebook.maxima",
+                "only in the region",
+                "the acceleration has its extremes on the part of the turn that belongs to the external wheel",
+            )
+            .by(Series, |stated| extremes(stated, acceleration))
+            .by(AutomaticDerivative, |stated| extremes(stated, acceleration_by_duals))
+            .read_as("Where the curve is level, over a whole turn of the crank in a slot that goes on.")
+            .but_not("it has them on the part that belongs to the internal wheel"),
+    ]
+}
+
+/// Speed of the wheel by dual numbers, for a driver of speed one and a ratio of centre distance to crank radius.
+fn rate_by_duals(ratio: f64, crank: f64) -> f64 {
+    Crank { ground: ratio, radius: 1.0, angle: PI - crank, speed: -1.0, acceleration: 0.0 }.polar()[1][1]
+}
+
+/// Whether the wheel is at rest as the pin comes to the slot: with a right angle between slot and crank, or with 80°.
+fn starts(stated: Stated, speed: impl Fn(f64, f64) -> f64) -> Finding {
+    let worst = ANY.map(|slots| {
+        // The law of sines in the triangle of the axes and the pin.
+        let (at_wheel, at_pin) = (PI / f64::from(slots), stated.pick(PI / 2.0, 4.0 * PI / 9.0));
+        let ratio = libm::sin(at_pin) / libm::sin(at_wheel);
+        speed(ratio, PI - at_wheel - at_pin).abs()
+    });
+    let worst = worst.fold(0.0, f64::max);
+    let how = if vanishes(worst) { "at rest".to_owned() } else { format!("up to {worst:.3} of the driver's speed") };
+    Finding::new(vanishes(worst), format!("{how} as the pin enters, 3 to 60 slots"))
+}
+
+/// Whether the acceleration at entry is that of a wheel that has just been at rest, or has jumped; the right one that it
+/// has jumped by more than a hundredth of the driver's speed squared, for all wheels.
+fn jumps(stated: Stated, at_entry: impl Fn(&Wheel) -> f64) -> Finding {
+    let least = ANY.filter_map(|slots| Wheel::new(slots).ok()).map(|wheel| at_entry(&wheel).abs());
+    let least = least.fold(f64::INFINITY, f64::min);
+    let holds = stated.pick(!vanishes(least), vanishes(least));
+    Finding::new(holds, format!("at entry it is at least {least:.4} of the driver's speed squared, 3 to 60 slots"))
+}
+
+/// The wheel's acceleration at a crank angle, by power series, for a driver of speed one.
+fn acceleration(wheel: &Wheel, crank: f64) -> f64 {
+    let turn = Turn::from_radians(crank).moving::<4>(1.0);
+    let pin = pin_from_pivot(&Jet::constant(wheel.centre_distance_ratio()), &turn);
+    angular_velocity(&pin).and_then(|speed| speed.derivative(1)).unwrap_or(f64::NAN)
+}
+
+/// The same by dual numbers.
+fn acceleration_by_duals(wheel: &Wheel, crank: f64) -> f64 {
+    let ratio = 1.0 / libm::sin(PI / f64::from(wheel.stations()));
+    Crank { ground: ratio, radius: 1.0, angle: PI - crank, speed: -1.0, acceleration: 0.0 }.polar()[1][2]
+}
+
+/// Whether the slope of the acceleration changes its sign on the external part of the turn and not on the other; or the
+/// other way round.
+fn extremes(stated: Stated, acceleration: impl Fn(&Wheel, f64) -> f64) -> Finding {
+    // The internal part is where an internal wheel is driven: the rest of the turn.
+    let turning_points = |wheel: &Wheel, from: f64, to: f64| {
+        let at = |step: u32| acceleration(wheel, from + (to - from) * f64::from(step) / 720.0);
+        let rises = |step: u32| at(step + 1) > at(step);
+        (1..720).filter(|step| rises(*step) != rises(step - 1)).count()
+    };
+    let all = ANY.filter_map(|slots| Wheel::new(slots).ok()).map(|wheel| {
+        let end = wheel.engagement_half_angle();
+        [turning_points(&wheel, -end, end), turning_points(&wheel, end, 2.0 * PI - end)]
+    });
+    let all: Vec<_> = all.collect();
+    let [with, without] = stated.pick([0, 1], [1, 0]);
+    let holds = all.iter().all(|points| points[with] == 2 && points[without] == 0);
+    let [external, internal] = [0, 1].map(|part| all.iter().map(|points| points[part]).sum::<usize>());
+    Finding::new(
+        holds,
+        format!("{external} extremes on the external part, {internal} on the internal one, 3 to 60 slots"),
+    )
+}

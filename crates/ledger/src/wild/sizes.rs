@@ -1,0 +1,327 @@
+//! Formulas for the sizes.
+
+use super::fit::ANY;
+use super::*;
+
+const CALCULATOR: Place = at(page!(
+    "https://www.firgelliauto.com/blogs/engineering-calculators/geneva-mechanism-calculator-indexing-time-and-geometry"
+));
+const INDEXING: Place =
+    at(page!("https://www.firgelliauto.com/en-nz/blogs/engineering-calculators/geneva-mechanism-calculator-indexing"));
+const DRIVE: Place = at(page!("https://www.firgelliauto.com/blogs/mechanisms/geneva-drive"));
+const RIGID: Place =
+    at(page!("https://github.com/cool-japan/oxiphysics/blob/HEAD/crates/oxiphysics-rigid/src/mechanism_rigid.rs"));
+const CONSTRAINTS: Place = at(page!(
+    "https://github.com/cool-japan/oxiphysics/blob/HEAD/crates/oxiphysics-constraints/src/mechanism/types.rs"
+));
+const EDGE: Place =
+    at(page!("https://www.engineersedge.com/mechanics_machines/geneva_mechanism_design_equations__14919.htm"));
+const SIMULATOR: Place = at(page!("https://mechsimulator.com/tools/geneva-mechanism"));
+const MACRO: Place = at(page!("https://github.com/FreeCAD/FreeCAD-documentation/blob/HEAD/wiki/Macro_Geneva_Wheel.md"));
+const OPENSCAD: Place = at(page!("https://github.com/tllilleh/openscad-geneva-drive/blob/HEAD/geneva-drive.scad"));
+const WORKBENCH: Place = at(page!("https://github.com/iplayfast/GearWorkBench/blob/HEAD/genevaWheel.py"));
+const GENERATOR: Place =
+    at(page!("https://github.com/SindiSekkas/geneva-drive-generator/blob/HEAD/src/geneva/params.ts"));
+const GENEVA_GEN: Place = at(page!("https://github.com/benbrandt22/genevaGen/blob/HEAD/genevaController.js"));
+const COSMO: Place = at(page!("https://github.com/ascii-dresden/ascii-cosmo/blob/HEAD/openscad/geneva_drive.scad"));
+const COUNTER: Place = at(page!("https://github.com/FidelioScorpio/SCAD_auto_counter/blob/HEAD/geneva.scad"));
+const ANVILATE: Place = at(page!("https://github.com/clay-good/anvilate/blob/HEAD/src/anvilate/analysis/geneva.py"));
+const STYLE_SHEET: Place = at(page!("https://github.com/SAPTARSHI-coder/EaseMotion-css/pull/49683"));
+const TINKERCAD: Place = at(page!("https://github.com/champierre/geneva-drive-en/blob/HEAD/slides.md"));
+const SDFX: Place = at(page!("https://github.com/deadsy/sdfx/blob/HEAD/obj/geneva.go"));
+const COMPASS: Place = at(page!("http://mingyu.co.uk/blog/compass-and-straightedge-geneva-drive/"));
+
+const TWICE: &str =
+    "The foot of the driver's axis on the slot's line, by coordinates, gives the corrected form for 3 to 60 slots.";
+
+pub fn claims() -> Vec<Claim> {
+    [wrong(), oxiphysics(), right(), generators(), of_four()].concat()
+}
+
+/// The letters of the calculator's centre distance.
+pub(super) fn centres(fit: &Fit) -> Vec<(&'static str, f64)> {
+    vec![("C", fit.centres), (r"R_{geneva}", fit.rim), ("n", fit.slots)]
+}
+
+/// Those of its driver.
+pub(super) fn driver(fit: &Fit) -> Vec<(&'static str, f64)> {
+    vec![(r"R_{driver}", fit.crank), ("C", fit.centres), (r"R_{geneva}", fit.rim), ("n", fit.slots)]
+}
+
+/// Those of the centre distance with a root.
+pub(super) fn centres_by_the_root(fit: &Fit) -> Vec<(&'static str, f64)> {
+    vec![("C", fit.centres), (r"R_{pin}", fit.crank), ("n", fit.slots)]
+}
+
+/// Those of the library's wheel radius.
+pub(super) fn rim(fit: &Fit) -> Vec<(&'static str, f64)> {
+    vec![("R", fit.rim), ("d", fit.centres), ("r", fit.crank)]
+}
+
+fn wrong() -> Vec<Claim> {
+    vec![
+        formula(
+            CALCULATOR,
+            "wild.firgelli-time.centres",
+            r"C = \frac{R_{geneva}}{\sin(\pi/n)}",
+            "centre distance from the wheel's radius",
+            ANY,
+            centres,
+        )
+        .corrected(
+            r"C = \frac{R_{geneva}}{\cos(\pi/n)}",
+            slip(
+                "In the right-angled triangle of the two axes and the pin at entry, π/n is the angle at the wheel's axis. \
+                 The side next to it is the wheel's radius, the side opposite is the crank. So the sine gives the crank. \
+                 For four slots both are the same.",
+                TWICE,
+                "The axes come too far apart for more than four slots, too close for three. At six slots the distance is \
+                 1.7 times what it should be.",
+            ),
+        ),
+        formula(
+            CALCULATOR,
+            "wild.firgelli-time.driver",
+            r"R_{driver} = C - R_{geneva}",
+            "distance of the pin from the driver's axis",
+            ANY,
+            driver,
+        )
+        .read_as(
+            "The page says that the pin sits at the driver's radius. The centre distance is the right one; with that of the \
+             same page the pin fits it for six slots alone, and the rim does not.",
+        )
+        .corrected(
+            r"R_{driver} = C \sin(\pi/n)",
+            slip(
+                "Two circles whose radii add up to the distance of their centres touch in one point, on the line of \
+                 centres. The pin must be inside the wheel there, in a slot; its circle cuts the wheel's.",
+                TWICE,
+                "The pin's circle touches the wheel's rim from outside. The pin never enters a slot, and the wheel is \
+                 not moved.",
+            ),
+        ),
+        formula(
+            INDEXING,
+            "wild.firgelli-indexing.centres",
+            r"C = R_{pin} \sqrt{2 + 2 \cos(180^{\circ}/n)}",
+            "centre distance from the radius of the pin's circle",
+            ANY,
+            centres_by_the_root,
+        )
+        .read_as(
+            "The pin radius is that of the pin's circle. With the radius of the pin itself, or of the wheel, the formula \
+             holds for no whole number of slots either.",
+        )
+        .corrected(
+            r"C = \frac{R_{pin}}{\sin(180^{\circ}/n)}",
+            slip(
+                "The root is the length of the sum of two arms of one radius, 180°/n apart. In a Geneva mechanism the two \
+                 arms, crank and wheel radius, are at right angles, and they are equal for four slots only.",
+                TWICE,
+                "The axes come too far apart for three, four and five slots and too close for more. Four slots want 1.41 \
+                 crank radii and get 1.85: the pin does not reach the slot.",
+            ),
+        ),
+    ]
+}
+
+fn oxiphysics() -> Vec<Claim> {
+    vec![
+        formula(
+            RIGID,
+            "wild.oxiphysics.crank",
+            r"r = d \sin(\pi/n)",
+            "radius of the pin's circle",
+            ANY,
+            |fit| vec![("r", fit.crank), ("d", fit.centres), ("n", fit.slots)],
+        ),
+        formula(
+            RIGID,
+            "wild.oxiphysics.rim",
+            r"R = \sqrt{d^2 + r^2}",
+            "outer radius of the wheel",
+            ANY,
+            rim,
+        )
+        .corrected(
+            r"R = \sqrt{d^2 - r^2}",
+            slip(
+                "The right angle of the triangle is at the pin, not at the driver's axis: the centre distance is its \
+                 longest side.",
+                TWICE,
+                "The wheel's radius comes out longer than the centre distance: the wheel would cover the driver's axis. \
+                 The slot's depth of the same module comes out too long with it.",
+            ),
+        ),
+        formula(
+            CONSTRAINTS,
+            "wild.oxiphysics.centres",
+            r"a = \frac{r}{\sin(\pi/n)}",
+            "centre distance, in another module of the library",
+            ANY,
+            |fit| vec![("a", fit.centres), ("r", fit.crank), ("n", fit.slots)],
+        ),
+    ]
+}
+
+fn right() -> Vec<Claim> {
+    vec![
+        formula(ANVILATE, "wild.anvilate.crank", r"r_{crank} = c \sin(\pi/n)", "crank radius", ANY, |fit| {
+            vec![(r"r_{crank}", fit.crank), ("c", fit.centres), ("n", fit.slots)]
+        }),
+        formula(
+            ANVILATE,
+            "wild.anvilate.rim",
+            r"r_{driven} = c \cos(\pi/n)",
+            "radius at which the pin enters the slot",
+            ANY,
+            |fit| vec![(r"r_{driven}", fit.rim), ("c", fit.centres), ("n", fit.slots)],
+        ),
+        formula(
+            EDGE,
+            "wild.engineers-edge.ratio",
+            r"m = \frac{1}{\sin(180^{\circ}/n)}",
+            "centre distance over crank radius",
+            ANY,
+            |fit| vec![("m", fit.centres / fit.crank), ("n", fit.slots)],
+        ),
+        formula(
+            SIMULATOR,
+            "wild.mechsimulator.rim",
+            r"R = \frac{a}{\tan(\pi/n)}",
+            "wheel radius from the crank radius",
+            ANY,
+            |fit| vec![("R", fit.rim), ("a", fit.crank), ("n", fit.slots)],
+        ),
+        formula(
+            STYLE_SHEET,
+            "wild.style-sheet.crank",
+            r"r = C \sin(\pi/n)",
+            "crank radius at which the pin enters along the slot",
+            ANY,
+            |fit| vec![("r", fit.crank), ("C", fit.centres), ("n", fit.slots)],
+        ),
+        formula(
+            SDFX,
+            "wild.sdfx.pin",
+            r"p = \sqrt{d^2 + r^2 - 2 d r \cos\theta}",
+            "distance of the pin from the driver's axis, for a wheel of any radius",
+            ANY,
+            |fit| vec![("p", fit.crank), ("d", fit.centres), ("r", fit.rim), (r"\theta", fit.step / 2.0)],
+        )
+        .read_as("The radius is the one that fits the centre distance. Of other radii see the example."),
+    ]
+}
+
+/// Programs that draw the parts.
+fn generators() -> Vec<Claim> {
+    vec![
+        formula(
+            MACRO,
+            "wild.freecad.keep-crank",
+            r"c = a/\sin(\pi/n)",
+            "centre distance from the crank radius, in a comment of the program",
+            ANY,
+            |fit| vec![("c", fit.centres), ("a", fit.crank), ("n", fit.slots)],
+        ),
+        formula(
+            MACRO,
+            "wild.freecad.keep-rim",
+            r"c = b/\cos(\pi/n)",
+            "centre distance from the wheel's radius, in a comment of the program",
+            ANY,
+            |fit| vec![("c", fit.centres), ("b", fit.rim), ("n", fit.slots)],
+        ),
+        formula(
+            OPENSCAD,
+            "wild.openscad.centres",
+            r"c = b/\cos(180^{\circ}/n)",
+            "centre distance from the wheel's radius",
+            ANY,
+            |fit| vec![("c", fit.centres), ("b", fit.rim), ("n", fit.slots)],
+        ),
+        formula(OPENSCAD, "wild.openscad.crank", r"a = \sqrt{c^2 - b^2}", "crank radius", ANY, |fit| {
+            vec![("a", fit.crank), ("c", fit.centres), ("b", fit.rim)]
+        }),
+        formula(WORKBENCH, "wild.gear-workbench.rim", r"b = \sqrt{c^2 - a^2}", "wheel radius", ANY, |fit| {
+            vec![("b", fit.rim), ("c", fit.centres), ("a", fit.crank)]
+        }),
+        formula(
+            GENERATOR,
+            "wild.generator.slot",
+            r"s = a + b - c",
+            "length of a slot, from the wheel's rim to the deepest place of the pin's centre",
+            ANY,
+            |fit| vec![("s", fit.rim - fit.deepest), ("a", fit.crank), ("b", fit.rim), ("c", fit.centres)],
+        ),
+        formula(
+            GENEVA_GEN,
+            "wild.geneva-gen.rim",
+            r"b^2 = c^2 - a^2",
+            "wheel radius, if the crank radius is given: in the newest version that is stored; in an older one both were \
+             given",
+            ANY,
+            |fit| vec![("b", fit.rim), ("c", fit.centres), ("a", fit.crank)],
+        ),
+        formula(
+            COSMO,
+            "wild.cosmo.crank",
+            r"a = c \sin(180^{\circ}/n)",
+            "crank radius from the centre distance",
+            ANY,
+            |fit| vec![("a", fit.crank), ("c", fit.centres), ("n", fit.slots)],
+        ),
+        formula(
+            COUNTER,
+            "wild.counter.rim",
+            r"R = \frac{r}{\tan(360^{\circ}/n/2)}",
+            "wheel radius from that of the pin's circle",
+            ANY,
+            |fit| vec![("R", fit.rim), ("r", fit.crank), ("n", fit.slots)],
+        ),
+    ]
+}
+
+/// What is said of four slots only.
+fn of_four() -> Vec<Claim> {
+    vec![
+        formula(
+            DRIVE,
+            "wild.firgelli-drive.centres",
+            r"C = R \sqrt{2}",
+            "centre distance of a wheel of four slots",
+            4..=4,
+            |fit| vec![("C", fit.centres), ("R", fit.crank)],
+        ),
+        formula(
+            TINKERCAD,
+            "wild.tinkercad.crank",
+            r"r = c/\sqrt{2}",
+            "radius at which the pin sits, four slots",
+            4..=4,
+            |fit| vec![("r", fit.crank), ("c", fit.centres)],
+        ),
+        formula(TINKERCAD, "wild.tinkercad.rim", r"R = c/\sqrt{2}", "wheel radius, four slots", 4..=4, |fit| {
+            vec![("R", fit.rim), ("c", fit.centres)]
+        }),
+        COMPASS
+            .statement(
+                "wild.compass.bottom",
+                "tangent to circle",
+                "the slots of a wheel of four end on the circle about its axis that touches the pin's circle",
+            )
+            .by(ClosedForm, |stated| bottom(&Fit::by_wheel(4), stated))
+            .by(Vectors, |stated| bottom(&Fit::by_vectors(4), stated))
+            .but_not("they end on the circle through the middle of the line of centres")
+            .read_as("The end of a slot's centre line: the deepest place of the pin's centre."),
+    ]
+}
+
+/// Whether the pin's deepest place is on the circle about the wheel's axis that touches the pin's circle; or on that
+/// through the middle of the line of centres.
+fn bottom(fit: &Fit, stated: Stated) -> Finding {
+    let circle = stated.pick(fit.centres - fit.crank, fit.centres / 2.0);
+    let how = format!("{:.4} against {:.4} crank radii", circle / fit.crank, fit.deepest / fit.crank);
+    Finding::new(crate::agreement::agrees(circle, fit.deepest), how)
+}

@@ -1,0 +1,314 @@
+//! How long the driver turns while the wheel turns, and while it rests.
+
+use super::fit::ANY;
+use super::*;
+
+const CALCULATOR: Place = at(page!(
+    "https://www.firgelliauto.com/blogs/engineering-calculators/geneva-mechanism-calculator-indexing-time-and-geometry"
+));
+const MISCELLANEOUS: Place = at(page!("https://www.firgelliauto.com/en-pt/blogs/mechanisms/miscellaneous-form"));
+const EXTERNAL: Place = at(page!("https://www.firgelliauto.com/es/blogs/mechanisms/geneva-drive-external"));
+const DRIVE: Place = at(page!("https://www.firgelliauto.com/blogs/mechanisms/geneva-drive"));
+const UNSEEL: Place = at(page!("https://unseel.com/engineering/geneva-drive"));
+const STAR: Place = at(page!("https://everything2.com/title/Geneva+star"));
+const MECHANICS: Place = at(page!(
+    "https://github.com/DannyHsuC10/Mechanics/blob/HEAD/Mechanical_Principle/Other_components/\
+     Periodic_motion_mechanism/Periodic_motion_mechanism.md"
+));
+const ANVILATE: Place = at(page!("https://github.com/clay-good/anvilate/blob/HEAD/src/anvilate/analysis/geneva.py"));
+const ARTOBOLEVSKY: Place = at(page!("https://www.dmg-lib.org/dmglib/main/portal.jsp?id=19274023"));
+const RIGID: Place =
+    at(page!("https://github.com/cool-japan/oxiphysics/blob/HEAD/crates/oxiphysics-rigid/src/mechanism_rigid.rs"));
+const LINKAGE: Place = at(page!("https://github.com/MHSGhali/Linkage-Design/blob/HEAD/src/joints.c"));
+const STYLE_SHEET: Place = at(page!("https://github.com/SAPTARSHI-coder/EaseMotion-css/pull/48586"));
+const PITTER: Place = at(page!("https://github.com/edtechd/cherry-pitter/blob/HEAD/part_geneva_driver.py"));
+
+const TWICE: &str = "The pin's place at entry, by coordinates, gives the corrected form for 3 to 60 slots.";
+
+/// The wheel's turn is taken for the driver's.
+const TURNED: &str = "While the wheel turns by one slot, 360°/n, the driver turns by 180° − 360°/n: at the start and at \
+     the end its crank is at right angles to the slot. The two are the same for four slots only.";
+
+/// How long a wheel moves, of the calculator.
+const DWELL: Slip = Slip {
+    id: "wild.firgelli-time.dwell",
+    ..slip(
+        TURNED,
+        TWICE,
+        "A machine is planned with too long a rest and too short a move for more than four slots, the other way round \
+         for three. At six slots the move takes twice as long as planned, at eight three times.",
+    )
+};
+
+/// The same on another page.
+const MORE_SLOTS: Slip = Slip {
+    id: "wild.unseel.six",
+    ..slip(TURNED, TWICE, "Who wants a longer rest and takes more slots for it gets a shorter one.")
+};
+
+pub fn claims() -> Vec<Claim> {
+    [calculator(), unseel(), star(), oxiphysics(), fractions(), others(), twelve()].concat()
+}
+
+/// The letters of the calculator's rest.
+pub(super) fn resting(fit: &Fit) -> Vec<(&'static str, f64)> {
+    vec![(r"\theta_{dwell}", fit.resting), ("n", fit.slots)]
+}
+
+/// The letters of its move.
+pub(super) fn index(fit: &Fit) -> Vec<(&'static str, f64)> {
+    let rpm = 7.0 + fit.slots;
+    let time = 60.0 / rpm * fit.moving / (2.0 * PI);
+    vec![(r"t_{index}", time), (r"\theta_{index}", fit.step), (r"\mathrm{RPM}", rpm)]
+}
+
+fn calculator() -> Vec<Claim> {
+    vec![
+        formula(
+            CALCULATOR,
+            "wild.firgelli-time.dwell",
+            r"\theta_{dwell} = 360^{\circ} \frac{n - 1}{n}",
+            "what the driver turns while the wheel rests",
+            ANY,
+            resting,
+        )
+        .corrected(r"\theta_{dwell} = 360^{\circ} \frac{n + 2}{2 n}", DWELL),
+        formula(
+            CALCULATOR,
+            "wild.firgelli-time.index",
+            r"t_{index} = \frac{\theta_{index}}{360^{\circ}} \frac{60}{\mathrm{RPM}}",
+            "time of one move, with the wheel's step 360°/n for the angle",
+            ANY,
+            index,
+        )
+        .read_as(
+            "The index angle is the wheel's step, as the page says. Were it the driver's angle, the time would be right \
+             and the dwell angle of the same page would not fit it.",
+        )
+        .corrected(r"t_{index} = \frac{180^{\circ} - \theta_{index}}{360^{\circ}} \frac{60}{\mathrm{RPM}}", DWELL),
+    ]
+}
+
+fn unseel() -> Vec<Claim> {
+    let dwell = |id, printed, slots: u32, meaning| {
+        number(UNSEEL, id, printed, "%", meaning, slots, |fit| 100.0 * fit.resting / (2.0 * PI))
+    };
+    let wrong = |id, printed, slots: u32, meaning| {
+        let taken = |fit: &Fit| libm::floor(100.0 * (1.0 - fit.step / (2.0 * PI)) + 1e-9);
+        let right = |fit: &Fit| 100.0 * fit.resting / (2.0 * PI);
+        number(UNSEEL, id, printed, "%", meaning, slots, taken)
+            .right(ClosedForm, move || right(&Fit::by_wheel(slots)), Vectors, move || right(&Fit::by_vectors(slots)))
+            .read_as("Whole per cents, the rest cut off.")
+            .in_error(MORE_SLOTS)
+    };
+    vec![
+        dwell("wild.unseel.four", "75", 4, "rest of a wheel of four slots, as a part of the cycle"),
+        wrong("wild.unseel.six", "83", 6, "rest of a wheel of six slots, as a part of the cycle"),
+        wrong("wild.unseel.eight", "87", 8, "rest of a wheel of eight slots, as a part of the cycle"),
+        UNSEEL
+            .statement("wild.unseel.grows", "75, 83, 87", "the rest grows with the number of slots, from four to eight")
+            .by(ClosedForm, |stated| rest(Fit::by_wheel, stated))
+            .by(Vectors, |stated| rest(Fit::by_vectors, stated))
+            .read_as("The three numbers of the page, taken together.")
+            .corrected("it falls", MORE_SLOTS),
+    ]
+}
+
+/// Whether the rest falls with each slot more; or grows.
+fn rest(by: fn(u32) -> Fit, stated: Stated) -> Finding {
+    let changes = |slots: u32| by(slots + 1).resting - by(slots).resting;
+    let holds = (4..8).all(|slots| changes(slots) * stated.pick(-1.0, 1.0) > 0.0);
+    let parts: Vec<_> = [4, 6, 8].map(|slots| format!("{:.1} %", 100.0 * by(slots).resting / (2.0 * PI))).into();
+    Finding::new(holds, format!("{} for 4, 6 and 8 slots", parts.join(", ")))
+}
+
+fn star() -> Vec<Claim> {
+    let resting = |fit: &Fit| fit.resting / (2.0 * PI);
+    vec![
+        number(
+            STAR,
+            "wild.geneva-star.turns",
+            "270",
+            "°",
+            "what the driver turns while a wheel of four rests",
+            4,
+            |fit| fit.resting.to_degrees(),
+        ),
+        number(
+            STAR,
+            "wild.geneva-star.four",
+            "3/4",
+            "",
+            "part of the time that a wheel of four slots rests",
+            4,
+            resting,
+        ),
+        number(
+            STAR,
+            "wild.geneva-star.three",
+            "2/3",
+            "",
+            "part of the time that a wheel with slots at 120° rests",
+            3,
+            |fit| 1.0 - fit.step / (2.0 * PI),
+        )
+        .right(ClosedForm, move || resting(&Fit::by_wheel(3)), Vectors, move || resting(&Fit::by_vectors(3)))
+        .in_error(slip(
+            TURNED,
+            TWICE,
+            "The rest is longer than said, and the move takes half of the time said: a wheel of three slots is quick \
+             and rough.",
+        )),
+    ]
+}
+
+fn oxiphysics() -> Vec<Claim> {
+    vec![
+        formula(
+            RIGID,
+            "wild.oxiphysics.half-angle",
+            r"\alpha = \sin^{-1} \frac{r}{d}",
+            "what the driver turns from the entry of the pin to the line of centres",
+            ANY,
+            |fit| vec![(r"\alpha", fit.moving / 2.0), ("r", fit.crank), ("d", fit.centres)],
+        )
+        .corrected(
+            r"\alpha = \cos^{-1} \frac{r}{d}",
+            slip(
+                "The angle whose sine is the crank radius over the centre distance is the wheel's, at the other end of \
+                 the line of centres. In the right-angled triangle of the two axes and the pin the driver's is the rest \
+                 of a right angle.",
+                TWICE,
+                "The part of the cycle in which the wheel moves comes out as 1/n of it, right for four slots only. Another \
+                 module of the same library has it right.",
+            ),
+        ),
+        formula(
+            at(page!(
+                "https://github.com/cool-japan/oxiphysics/blob/HEAD/crates/oxiphysics-constraints/src/mechanism/types.rs"
+            )),
+            "wild.oxiphysics.right-half-angle",
+            r"\alpha = \pi/2 - \pi/n",
+            "what the driver turns from the entry of the pin to the line of centres, in another module of the library",
+            ANY,
+            |fit| vec![(r"\alpha", fit.moving / 2.0), ("n", fit.slots)],
+        ),
+    ]
+}
+
+fn fractions() -> Vec<Claim> {
+    vec![
+        formula(
+            ANVILATE,
+            "wild.anvilate.advance",
+            r"f = (n - 2)/(2 n)",
+            "part of the cycle in which the wheel moves",
+            ANY,
+            |fit| vec![("f", fit.moving / (2.0 * PI)), ("n", fit.slots)],
+        ),
+        formula(
+            ANVILATE,
+            "wild.anvilate.dwell",
+            r"f = (n + 2)/(2 n)",
+            "part of the cycle in which the wheel rests",
+            ANY,
+            |fit| vec![("f", fit.resting / (2.0 * PI)), ("n", fit.slots)],
+        ),
+        number(ANVILATE, "wild.anvilate.six", "66.7", "%", "rest of a wheel of six slots", 6, |fit| {
+            100.0 * fit.resting / (2.0 * PI)
+        }),
+        number(ANVILATE, "wild.anvilate.eight", "62.5", "%", "rest of a wheel of eight slots", 8, |fit| {
+            100.0 * fit.resting / (2.0 * PI)
+        }),
+        formula(
+            MECHANICS,
+            "wild.mechanics.on",
+            r"\theta_{on} = \pi (1 - \frac{2}{N})",
+            "what the driver turns while the wheel turns",
+            ANY,
+            |fit| vec![(r"\theta_{on}", fit.moving), ("N", fit.slots)],
+        ),
+        formula(
+            MECHANICS,
+            "wild.mechanics.off-time",
+            r"t_{off} = \frac{t}{2} + \frac{t}{N}",
+            "time for which the wheel rests, of the time of a turn of the driver",
+            ANY,
+            |fit| vec![(r"t_{off}", fit.resting / 3.0), ("t", 2.0 * PI / 3.0), ("N", fit.slots)],
+        ),
+    ]
+}
+
+fn others() -> Vec<Claim> {
+    vec![
+        formula(
+            MISCELLANEOUS,
+            "wild.firgelli-form.dwell",
+            r"\theta_{dwell} = 360^{\circ} - (180^{\circ} - 360^{\circ}/N)",
+            "what the driver turns while the wheel rests",
+            ANY,
+            |fit| vec![(r"\theta_{dwell}", fit.resting), ("N", fit.slots)],
+        ),
+        formula(
+            EXTERNAL,
+            "wild.firgelli-external.sweep",
+            r"\theta_{sweep} = 180^{\circ} - 360^{\circ}/n",
+            "what the driver turns while the wheel turns",
+            ANY,
+            |fit| vec![(r"\theta_{sweep}", fit.moving), ("n", fit.slots)],
+        ),
+        formula(
+            EXTERNAL,
+            "wild.firgelli-external.ratio",
+            r"x = \frac{180 + 360/n}{180 - 360/n}",
+            "time of a rest over the time of a move",
+            ANY,
+            |fit| vec![("x", fit.resting / fit.moving), ("n", fit.slots)],
+        ),
+        number(DRIVE, "wild.firgelli-drive.ratio", "3", "", "rest over move of a wheel of four slots", 4, |fit| {
+            fit.resting / fit.moving
+        }),
+        formula(
+            LINKAGE,
+            "wild.linkage.half-angle",
+            r"\alpha = \pi/2 - \pi/n",
+            "what the driver turns from the entry of the pin to the line of centres",
+            ANY,
+            |fit| vec![(r"\alpha", fit.moving / 2.0), ("n", fit.slots)],
+        ),
+        number(
+            STYLE_SHEET,
+            "wild.style-sheet.moving",
+            "24.9",
+            "%",
+            "part of the cycle in which a wheel of four slots moves, measured on its animation at 800 instants",
+            4,
+            |fit| 100.0 * fit.moving / (2.0 * PI),
+        )
+        .read_to(|| 100.0 / 800.0)
+        .read_as("One instant of 800 more or less.")
+        .expecting(crate::Verdict::ReadOff),
+        number(PITTER, "wild.cherry-pitter.dwell", "240", "°", "arc that locks a wheel of six slots", 6, |fit| {
+            fit.resting.to_degrees()
+        }),
+    ]
+}
+
+fn twelve() -> Vec<Claim> {
+    let of = |id, printed, unit, meaning, quantity| number(ARTOBOLEVSKY, id, printed, unit, meaning, 12, quantity);
+    vec![
+        of("wild.dmg-lib.idle", "210", "°", "what the driver turns while a wheel of twelve slots rests", |fit| {
+            fit.resting.to_degrees()
+        }),
+        of("wild.dmg-lib.moving", "150", "°", "what it turns while the wheel turns", |fit| fit.moving.to_degrees()),
+        of("wild.dmg-lib.part", "0.4167", "", "part of the time in which the wheel moves", |fit| {
+            fit.moving / (2.0 * PI)
+        }),
+        of("wild.dmg-lib.idle-part", "0.5833", "", "part of the time in which it rests", |fit| {
+            fit.resting / (2.0 * PI)
+        }),
+        of("wild.dmg-lib.coefficient", "0.71", "", "time of a move over that of a rest", |fit| {
+            fit.moving / fit.resting
+        }),
+    ]
+}

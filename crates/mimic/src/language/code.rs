@@ -1,0 +1,240 @@
+//! Flat code: a list of instructions over a list of registers, run from the first to the last.
+
+/// What an instruction does. A truth is 1, its opposite 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Operation {
+    Copy,
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Power,
+    Negate,
+    Absolute,
+    Sine,
+    Cosine,
+    Tangent,
+    ArcTangent,
+    SquareRoot,
+    Exponential,
+    Logarithm,
+    Remainder,
+    Greatest,
+    Least,
+    Limit,
+    DeadSpace,
+    FunctionSwitch,
+    LogicalSwitch,
+    Not,
+    And,
+    Or,
+    Exclusive,
+    /// The difference quotient of the first two since the values in the third and fourth; the result's own register
+    /// keeps its value while the second rests.
+    Slope,
+    /// Passes over so many instructions, which stand in place of the result, unless the first is true.
+    Unless,
+    /// Goes back over so many instructions, until the result and the first are equal. The second counts.
+    Repeat,
+}
+
+/// An instruction: where the result goes, and what it is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Instruction {
+    pub(super) operation: Operation,
+    pub(super) to: u32,
+    pub(super) from: [u32; 4],
+}
+
+/// How often a loop around `IMP` is repeated at most, and how near the two sides must come, relative to their size.
+const REPEATED: f64 = 200.0;
+const NEAR: f64 = 1e-12;
+
+/// Runs the code.
+pub(super) fn execute(code: &[Instruction], registers: &mut [f64]) {
+    let mut at = 0;
+    while let Some(Instruction { operation, to, from }) = code.get(at) {
+        at += 1;
+        let to = *to as usize;
+        let [a, b, c, d] = from.map(|register| registers[register as usize]);
+        let value = match operation {
+            Operation::Copy => a,
+            Operation::Add => a + b,
+            Operation::Subtract => a - b,
+            Operation::Multiply => a * b,
+            Operation::Divide => a / b,
+            Operation::Power => libm::pow(a, b),
+            Operation::Negate => -a,
+            Operation::Absolute => a.abs(),
+            Operation::Sine => libm::sin(a),
+            Operation::Cosine => libm::cos(a),
+            Operation::Tangent => libm::tan(a),
+            Operation::ArcTangent => libm::atan2(a, b),
+            Operation::SquareRoot => a.sqrt(),
+            Operation::Exponential => libm::exp(a),
+            Operation::Logarithm => libm::log(a),
+            Operation::Remainder => libm::fmod(a, b),
+            Operation::Greatest => greatest(a, b),
+            Operation::Least => -greatest(-a, -b),
+            Operation::Limit => -greatest(-greatest(a, b), -c),
+            Operation::DeadSpace => dead_space(a, b, c),
+            Operation::FunctionSwitch => switch(a, [b, c, d]),
+            Operation::LogicalSwitch => choose(a, b, c),
+            Operation::Not => 1.0 - a,
+            Operation::And => a * b,
+            Operation::Or => a + b - a * b,
+            Operation::Exclusive => (a - b).abs(),
+            Operation::Slope => slope(registers[to], [a, b], [c, d]),
+            Operation::Unless => {
+                if a != 1.0 {
+                    at += to;
+                }
+                continue;
+            }
+            Operation::Repeat => {
+                let [new, counter] = [from[0] as usize, from[1] as usize];
+                let (old, near) =
+                    (registers[to], (registers[to] - registers[new]).abs() <= NEAR * registers[new].abs());
+                registers[counter] += 1.0;
+                if !near && old.is_finite() && registers[counter] < REPEATED {
+                    registers[to] = registers[new];
+                    at -= c as usize;
+                    continue;
+                }
+                if near { registers[new] } else { f64::NAN }
+            }
+        };
+        registers[to] = value;
+    }
+}
+
+/// What is no number hides behind nothing.
+fn greatest(a: f64, b: f64) -> f64 {
+    if a > b || a.is_nan() { a } else { b }
+}
+
+fn dead_space(value: f64, low: f64, high: f64) -> f64 {
+    if value < low {
+        value - low
+    } else if value > high {
+        value - high
+    } else {
+        0.0 * value
+    }
+}
+
+fn switch(value: f64, [below, at, above]: [f64; 3]) -> f64 {
+    if value < 0.0 {
+        below
+    } else if value > 0.0 {
+        above
+    } else if value == 0.0 {
+        at
+    } else {
+        value
+    }
+}
+
+fn choose(truth: f64, yes: f64, no: f64) -> f64 {
+    if truth == 1.0 { yes } else { no }
+}
+
+fn slope(last: f64, [a, b]: [f64; 2], [old_a, old_b]: [f64; 2]) -> f64 {
+    if b == old_b { last } else { (a - old_a) / (b - old_b) }
+}
+
+impl Instruction {
+    /// The registers that decide the value: of a switch, only those of the branch that is taken.
+    pub(super) fn used(&self, registers: &[f64]) -> Vec<u32> {
+        let [a, b, c, d] = self.from;
+        let value = registers[a as usize];
+        match self.operation {
+            Operation::FunctionSwitch if value < 0.0 => vec![a, b],
+            Operation::FunctionSwitch if value > 0.0 => vec![a, d],
+            Operation::FunctionSwitch => vec![a, c],
+            Operation::LogicalSwitch if value == 1.0 => vec![a, b],
+            Operation::LogicalSwitch => vec![a, c],
+            Operation::Limit | Operation::DeadSpace => vec![a, b, c],
+            Operation::Slope => vec![a, b],
+            Operation::Add
+            | Operation::Subtract
+            | Operation::Multiply
+            | Operation::Divide
+            | Operation::Power
+            | Operation::ArcTangent
+            | Operation::Remainder
+            | Operation::Greatest
+            | Operation::Least
+            | Operation::And
+            | Operation::Or
+            | Operation::Exclusive => vec![a, b],
+            Operation::Repeat => vec![a],
+            Operation::Unless => Vec::new(),
+            _ => vec![a],
+        }
+    }
+
+    /// What made a number that is none out of numbers, in words.
+    pub(super) fn reason(&self, registers: &[f64]) -> String {
+        let [a, b, ..] = self.from.map(|register| registers[register as usize]);
+        match self.operation {
+            Operation::Divide if b == 0.0 => format!("{a:?} divided by zero"),
+            Operation::Divide => format!("{a:?} divided by {b:?} is too large"),
+            Operation::Remainder => format!("MOD of {a:?} and {b:?}"),
+            Operation::SquareRoot => format!("the square root of {a:?}"),
+            Operation::Logarithm => format!("the logarithm of {a:?}"),
+            Operation::Exponential => format!("e to the power {a:?} is too large"),
+            Operation::Power => format!("{a:?} to the power {b:?}"),
+            Operation::Multiply => format!("{a:?} times {b:?} is too large"),
+            Operation::Repeat => "IMP finds no value that its loop gives back".to_owned(),
+            Operation::Slope => "a difference quotient".to_owned(),
+            _ => format!("a value from {a:?} and {b:?} is too large"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn value(operation: Operation, from: [f64; 4]) -> f64 {
+        let mut registers = [from[0], from[1], from[2], from[3], 0.0];
+        execute(&[Instruction { operation, to: 4, from: [0, 1, 2, 3] }], &mut registers);
+        registers[4]
+    }
+
+    #[test]
+    fn switches_and_limits_choose_and_hide_nothing() {
+        let pick = |number| value(Operation::FunctionSwitch, [number, 1.0, 2.0, 3.0]);
+        assert_eq!([-1.0, 0.0, -0.0, 1e-300].map(pick), [1.0, 2.0, 2.0, 3.0]);
+        assert!(pick(f64::NAN).is_nan());
+        assert_eq!([1.0, 0.0].map(|truth| value(Operation::LogicalSwitch, [truth, 5.0, 6.0, 0.0])), [5.0, 6.0]);
+        let limit = |number| value(Operation::Limit, [number, -1.0, 2.0, 0.0]);
+        assert_eq!([-3.0, 0.5, 7.0].map(limit), [-1.0, 0.5, 2.0]);
+        assert!(limit(f64::NAN).is_nan());
+        let dead = |number| value(Operation::DeadSpace, [number, -1.0, 2.0, 0.0]);
+        assert_eq!([-3.0, 0.5, 7.0].map(dead), [-2.0, 0.0, 5.0]);
+        for operation in [Operation::Greatest, Operation::Least] {
+            assert!(value(operation, [f64::NAN, 1.0, 0.0, 0.0]).is_nan());
+            assert!(value(operation, [1.0, f64::NAN, 0.0, 0.0]).is_nan());
+        }
+        assert_eq!(value(Operation::Least, [1.0, 2.0, 0.0, 0.0]), 1.0);
+    }
+
+    #[test]
+    fn truths_are_one_and_zero() {
+        for (a, b) in [(0.0, 0.0), (0.0, 1.0), (1.0, 0.0), (1.0, 1.0)] {
+            let [x, y] = [a == 1.0, b == 1.0];
+            let all =
+                [Operation::And, Operation::Or, Operation::Exclusive].map(|of| value(of, [a, b, 0.0, 0.0]) == 1.0);
+            assert_eq!(all, [x & y, x | y, x ^ y]);
+            assert_eq!(value(Operation::Not, [a, 0.0, 0.0, 0.0]) == 1.0, !x);
+        }
+    }
+
+    #[test]
+    fn a_remainder_has_the_sign_of_the_first() {
+        assert_eq!(value(Operation::Remainder, [7.5, 2.0, 0.0, 0.0]), 1.5);
+        assert_eq!(value(Operation::Remainder, [-7.5, 2.0, 0.0, 0.0]), -1.5);
+    }
+}

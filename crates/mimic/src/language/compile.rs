@@ -1,0 +1,461 @@
+//! From a sorted deck to flat code.
+
+use super::code::{Instruction, Operation};
+use super::control::STEPS;
+use super::deck::Listed;
+use super::expression::{Expression, Node};
+use super::function::{FUNCTIONS, Kind};
+use super::graph::{Graph, Region};
+use super::program::{
+    Code, Delay, FALSE, FIRST_STEP, FREE, Finish, More, PlotCode, Program, Sample, Slope, State, TIME, TRUE,
+};
+use super::sorting::{Sorted, When};
+use std::collections::HashMap;
+
+/// The program of a deck in which nothing is wrong.
+pub(super) fn compiled(graph: &Graph<'_>) -> Program {
+    Compiler::new(graph).program()
+}
+
+struct Compiler<'a> {
+    graph: &'a Graph<'a>,
+    registers: Vec<f64>,
+    constants: HashMap<u64, u32>,
+    /// The register of each name.
+    of_name: HashMap<&'a str, u32>,
+    /// The register of each block's value.
+    of_block: Vec<u32>,
+    /// Of each statement: its code, and the registers of its nodes.
+    now: Vec<Code>,
+    nodes: Vec<Vec<u32>>,
+    /// Of each block: what it begins with.
+    start: Vec<Code>,
+    feed: Code,
+    samples: Vec<Sample>,
+    slopes: Vec<Slope>,
+    /// Of each block that is a difference quotient, the register of its first value.
+    slope_starts: HashMap<u32, u32>,
+}
+
+impl<'a> Compiler<'a> {
+    fn new(graph: &'a Graph<'a>) -> Self {
+        let mut compiler = Self {
+            graph,
+            registers: vec![0.0; FREE as usize],
+            constants: HashMap::new(),
+            of_name: HashMap::from([("T", TIME), ("FALSE", FALSE), ("TRUE", TRUE)]),
+            of_block: Vec::new(),
+            now: vec![Code::default(); graph.deck.statements.len()],
+            nodes: graph.deck.statements.iter().map(|of| vec![0; of.expression.nodes.len()]).collect(),
+            start: vec![Code::default(); graph.blocks.len()],
+            feed: Code::default(),
+            samples: Vec::new(),
+            slopes: Vec::new(),
+            slope_starts: HashMap::new(),
+        };
+        compiler.registers[TRUE as usize] = 1.0;
+        compiler.constants.extend([(0.0_f64.to_bits(), FALSE), (1.0_f64.to_bits(), TRUE)]);
+        for (at, name) in STEPS.iter().enumerate() {
+            if !graph.definitions.contains_key(name) {
+                compiler.of_name.insert(name, FIRST_STEP + at as u32);
+            }
+        }
+        for name in &graph.parameters {
+            let register = compiler.register();
+            compiler.of_name.insert(name, register);
+        }
+        compiler.of_block = graph.blocks.iter().map(|_| compiler.register()).collect();
+        compiler
+    }
+
+    fn register(&mut self) -> u32 {
+        self.registers.push(0.0);
+        (self.registers.len() - 1) as u32
+    }
+
+    fn constant(&mut self, value: f64) -> u32 {
+        if let Some(register) = self.constants.get(&value.to_bits()) {
+            return *register;
+        }
+        let register = self.register();
+        self.registers[register as usize] = value;
+        self.constants.insert(value.to_bits(), register);
+        register
+    }
+
+    fn program(mut self) -> Program {
+        let graph = self.graph;
+        for group in &graph.order {
+            // Inside a loop around an IMP all know the IMP's name before it is computed.
+            if self.implicit(group).is_some() {
+                for number in group {
+                    let register = self.register();
+                    self.of_name.insert(&graph.deck.statements[*number].result.name, register);
+                }
+            }
+            for number in group {
+                self.statement(*number);
+            }
+        }
+        for number in graph.order.iter().flatten() {
+            self.feeds(*number);
+        }
+        for block in 0..graph.blocks.len() {
+            self.starts(block);
+        }
+        let mut initial = Code::default();
+        for group in &graph.starting {
+            self.begin_loop(group, &mut initial);
+            for member in group {
+                match member.checked_sub(graph.deck.statements.len()) {
+                    Some(block) => initial.extend(&self.start[block]),
+                    None => initial.extend(&self.now[*member]),
+                }
+            }
+            self.end_loop(group, &mut initial);
+        }
+        // A difference quotient has its first value by itself.
+        for instruction in &mut initial.instructions {
+            if instruction.operation == Operation::Slope
+                && let Some(start) = self.slope_starts.get(&instruction.to)
+            {
+                *instruction = Instruction { operation: Operation::Copy, to: instruction.to, from: [*start, 0, 0, 0] };
+            }
+        }
+        let mut each = Code::default();
+        for group in graph.order.iter().filter(|group| !graph.is_constant[group[0]]) {
+            self.begin_loop(group, &mut each);
+            group.iter().for_each(|number| each.extend(&self.now[*number]));
+            self.end_loop(group, &mut each);
+        }
+        each.extend(&self.feed);
+        self.assemble(initial, each)
+    }
+
+    /// Code in front of and behind the code of a loop around an IMP.
+    fn begin_loop(&mut self, group: &[usize], code: &mut Code) {
+        let Some(number) = self.implicit(group) else { return };
+        let (card, guess, own, counter) = self.loop_registers(number);
+        let copy = |to, from| Instruction { operation: Operation::Copy, to, from: [from, 0, 0, 0] };
+        code.push(card, copy(own, guess));
+        code.push(card, copy(counter, FALSE));
+    }
+
+    fn end_loop(&mut self, group: &[usize], code: &mut Code) {
+        let Some(number) = self.implicit(group) else { return };
+        let (card, _, own, counter) = self.loop_registers(number);
+        let length: usize = group.iter().map(|of| self.now[*of].instructions.len()).sum();
+        let back = self.constant((length + 1) as f64);
+        let expression = &self.graph.deck.statements[number].expression;
+        let new = expression.whole_call().map_or(0, |(_, arguments)| self.nodes[number][arguments[1]]);
+        code.push(card, Instruction { operation: Operation::Repeat, to: own, from: [new, counter, back, 0] });
+    }
+
+    fn implicit(&self, group: &[usize]) -> Option<usize> {
+        let number = *group.last()?;
+        let call = self.graph.deck.statements.get(number)?.expression.whole_call()?;
+        (FUNCTIONS[call.0].kind == Kind::Implicit).then_some(number)
+    }
+
+    /// The card of an IMP, the register that it begins with, its own and its counter, which is that of its node.
+    fn loop_registers(&self, number: usize) -> (usize, u32, u32, u32) {
+        let statement = &self.graph.deck.statements[number];
+        let guess = statement.expression.whole_call().map_or(0, |(_, arguments)| self.nodes[number][arguments[0]]);
+        let own = self.of_name.get(statement.result.name.as_str()).copied().unwrap_or(0);
+        (statement.card, guess, own, self.nodes[number][statement.expression.root()])
+    }
+
+    /// The code of a statement: what it computes now.
+    fn statement(&mut self, number: usize) {
+        let statement = &self.graph.deck.statements[number];
+        let mut code = Code::default();
+        self.nodes_of(number, |region| region == Region::Now, &mut code);
+        let root = self.nodes[number][statement.expression.root()];
+        let name = statement.result.name.as_str();
+        let is_only = self.graph.definitions.get(name).is_some_and(|all| all.len() == 1);
+        if self.implicit(&[number]).is_some() {
+            // Its value comes from the end of its loop.
+        } else if is_only && statement.control.is_none() && !self.of_name.contains_key(name) {
+            self.of_name.insert(name, root);
+        } else {
+            let to = match self.of_name.get(name) {
+                Some(register) => *register,
+                None => self.register(),
+            };
+            self.of_name.insert(name, to);
+            match code.instructions.last_mut().filter(|last| last.to == root && last.operation != Operation::Slope) {
+                // The last instruction can write where the name is.
+                Some(last) => {
+                    last.to = to;
+                    let root_node = statement.expression.root();
+                    self.nodes[number][root_node] = to;
+                }
+                None => {
+                    let copy = Instruction { operation: Operation::Copy, to, from: [root, 0, 0, 0] };
+                    code.push(statement.card, copy);
+                }
+            }
+        }
+        if let Some(control) = &statement.control {
+            let control = self.of_name.get(control.name.as_str()).copied().unwrap_or(FALSE);
+            let over = code.instructions.len() as u32;
+            let unless = Instruction { operation: Operation::Unless, to: over, from: [control, 0, 0, 0] };
+            let mut guarded = Code::default();
+            guarded.push(statement.card, unless);
+            guarded.extend(&code);
+            code = guarded;
+        }
+        self.now[number] = code;
+    }
+
+    /// Code for the nodes of some regions of a statement.
+    fn nodes_of(&mut self, number: usize, wanted: impl Fn(Region) -> bool, code: &mut Code) {
+        let statement = &self.graph.deck.statements[number];
+        for at in 0..statement.expression.nodes.len() {
+            if wanted(self.graph.regions[number][at]) {
+                let block = self.graph.block_at(number, at);
+                let parts = core::mem::take(&mut self.nodes[number]);
+                let register = self.node(&statement.expression, at, statement.card, block, &parts, code);
+                self.nodes[number] = parts;
+                self.nodes[number][at] = register;
+            }
+        }
+    }
+
+    /// The register of a node whose parts have theirs.
+    fn node(
+        &mut self,
+        expression: &Expression,
+        at: usize,
+        card: usize,
+        block: Option<usize>,
+        parts: &[u32],
+        code: &mut Code,
+    ) -> u32 {
+        let node = &expression.nodes[at].0;
+        let mut from = [0; 4];
+        let operation = match node {
+            Node::Number(number) => return self.constant(*number),
+            Node::Name(name) => return self.of_name.get(name.as_str()).copied().unwrap_or(TIME),
+            Node::Negative(_) => Operation::Negate,
+            Node::Binary(operation, _) => *operation,
+            Node::Call(function, arguments) => match FUNCTIONS[*function].kind {
+                Kind::Plain(operation) => {
+                    if operation == Operation::ArcTangent {
+                        from[1] = TRUE;
+                    }
+                    operation
+                }
+                Kind::Folded(operation) => return self.folded(operation, arguments, card, parts, code),
+                Kind::Sample => return self.sample(block, arguments, card, parts, code),
+                Kind::Slope => return self.slope(block, arguments, card, parts, code),
+                Kind::Implicit => return self.register(),
+                _ => return block.map_or(TIME, |block| self.of_block[block]),
+            },
+        };
+        for (place, part) in from.iter_mut().zip(node.parts()) {
+            *place = parts[*part];
+        }
+        let mut operation = operation;
+        // A square is a product, as FORTRAN makes of it.
+        if let Node::Binary(Operation::Power, [base, exponent]) = node
+            && expression.nodes[*exponent].0 == Node::Number(2.0)
+        {
+            operation = Operation::Multiply;
+            from = [parts[*base], parts[*base], 0, 0];
+        }
+        let to = self.register();
+        code.push(card, Instruction { operation, to, from });
+        to
+    }
+
+    fn folded(
+        &mut self,
+        operation: Operation,
+        arguments: &[usize],
+        card: usize,
+        parts: &[u32],
+        code: &mut Code,
+    ) -> u32 {
+        let mut so_far = parts[arguments[0]];
+        for argument in &arguments[1..] {
+            let to = self.register();
+            code.push(card, Instruction { operation, to, from: [so_far, parts[*argument], 0, 0] });
+            so_far = to;
+        }
+        so_far
+    }
+
+    /// A hold is a switch between what it holds and what it takes.
+    fn sample(
+        &mut self,
+        block: Option<usize>,
+        arguments: &[usize],
+        card: usize,
+        parts: &[u32],
+        code: &mut Code,
+    ) -> u32 {
+        let feed = parts[arguments[0]];
+        let [next, late, to] = [self.register(), self.register(), self.register()];
+        let held = block.map_or(to, |block| self.of_block[block]);
+        code.push(card, Instruction { operation: Operation::Subtract, to: late, from: [TIME, next, 0, 0] });
+        let switch = Operation::FunctionSwitch;
+        code.push(card, Instruction { operation: switch, to, from: [late, held, feed, feed] });
+        self.samples.push(Sample { card, held, next, feed, interval: block.map_or(0, |block| block as u32) });
+        to
+    }
+
+    fn slope(&mut self, block: Option<usize>, arguments: &[usize], card: usize, parts: &[u32], code: &mut Code) -> u32 {
+        let now = [parts[arguments[0]], parts[arguments[1]]];
+        let before = [self.register(), self.register()];
+        let to = block.map_or(TIME, |block| self.of_block[block]);
+        code.push(card, Instruction { operation: Operation::Slope, to, from: [now[0], now[1], before[0], before[1]] });
+        self.slopes.push(Slope { now, before });
+        to
+    }
+
+    /// What the memories of a statement take in.
+    fn feeds(&mut self, number: usize) {
+        let mut code = Code::default();
+        self.nodes_of(number, |region| region == Region::Feed, &mut code);
+        self.feed.extend(&code);
+    }
+
+    /// What a block begins with: a code whose last instruction sets its value.
+    fn starts(&mut self, block: usize) {
+        let of = self.graph.blocks[block];
+        let card = self.graph.deck.statements[of.statement].card;
+        let mut code = Code::default();
+        self.nodes_of(of.statement, |region| region == Region::Start(of.node), &mut code);
+        let first = self.argument(block, if of.kind == Kind::Integral || of.kind == Kind::Limited { 1 } else { 2 });
+        let to = self.of_block[block];
+        let from = match of.kind {
+            Kind::Integral | Kind::Limited | Kind::Lag => first.unwrap_or(FALSE),
+            Kind::Slope => {
+                self.slope_starts.insert(to, first.unwrap_or(FALSE));
+                first.unwrap_or(FALSE)
+            }
+            _ => FALSE,
+        };
+        code.push(card, Instruction { operation: Operation::Copy, to, from: [from, 0, 0, 0] });
+        self.start[block] = code;
+    }
+
+    /// The register of an argument of a block.
+    fn argument(&self, block: usize, argument: usize) -> Option<u32> {
+        let of = self.graph.blocks[block];
+        let node = &self.graph.deck.statements[of.statement].expression.nodes[of.node].0;
+        Some(self.nodes[of.statement][*node.parts().get(argument)?])
+    }
+
+    fn named(&self, name: &str) -> (String, u32) {
+        (name.to_owned(), self.of_name.get(name).copied().unwrap_or(TIME))
+    }
+
+    /// Code for expressions that are no statements, and the register of each.
+    fn listed(&mut self, listed: &Listed, code: &mut Code) -> Vec<u32> {
+        let mut roots = Vec::new();
+        for expression in &listed.expressions {
+            let mut parts = vec![0; expression.nodes.len()];
+            for at in 0..parts.len() {
+                parts[at] = self.node(expression, at, listed.card, None, &parts, code);
+            }
+            roots.push(parts[expression.root()]);
+        }
+        roots
+    }
+
+    fn assemble(mut self, mut initial: Code, mut each: Code) -> Program {
+        let graph = self.graph;
+        let deck = graph.deck;
+        let mut finishes = Vec::new();
+        for listed in &deck.finishes {
+            let mut code = Code::default();
+            let registers = self.listed(listed, &mut code);
+            initial.extend(&code);
+            each.extend(&code);
+            let is_time = registers[0] == TIME;
+            let names = listed.expressions[1].nodes.iter().filter_map(|(node, _)| match node {
+                Node::Name(name) => Some(name.as_str()),
+                _ => None,
+            });
+            let is_run_length = is_time && names.into_iter().all(|name| graph.is_known_before(name));
+            finishes.push(Finish { card: listed.card, value: registers[0], limit: registers[1], is_run_length });
+        }
+        let mut plots = Vec::new();
+        for plot in &deck.plots {
+            let names = plot.names.iter().map(|word| self.named(&word.name)).collect();
+            let scale = plot.scale.as_ref().map(|listed| self.listed(listed, &mut initial));
+            let zero = plot.zero.as_ref().map(|listed| self.listed(listed, &mut initial));
+            plots.push(PlotCode { names, scale, zero });
+        }
+        let mut states = Vec::new();
+        let mut delays = Vec::new();
+        for (number, block) in graph.blocks.iter().enumerate() {
+            let statement = &deck.statements[block.statement];
+            let register = self.of_block[number];
+            let feed = self.argument(number, 0).unwrap_or(FALSE);
+            let of = |argument| self.argument(number, argument).unwrap_or(FALSE);
+            let more = match block.kind {
+                Kind::Integral => More::Nothing,
+                Kind::Limited => More::Limits([of(2), of(3)]),
+                Kind::Lag => More::TimeConstant(of(1)),
+                Kind::Delay => {
+                    let points = self.argument(number, 2);
+                    delays.push(Delay { card: statement.card, register, feed, delay: of(1), points });
+                    continue;
+                }
+                _ => continue,
+            };
+            let control = statement.control.as_ref().map(|word| self.named(&word.name).1);
+            let name = statement.result.name.clone();
+            states.push(State { card: statement.card, name, register, feed, more, control });
+        }
+        let mut samples = core::mem::take(&mut self.samples);
+        for sample in &mut samples {
+            sample.interval = self.argument(sample.interval as usize, 1).unwrap_or(TRUE);
+        }
+        let changing = |name: &&&str| graph.definitions[**name].iter().any(|of| deck.statements[*of].control.is_some());
+        let mut held: Vec<u32> = graph.definitions.keys().filter(changing).map(|name| self.named(name).1).collect();
+        held.extend(
+            graph.blocks.iter().zip(&self.of_block).filter(|(of, _)| of.kind == Kind::Slope).map(|(_, of)| *of),
+        );
+        held.sort_unstable();
+        held.dedup();
+        let mut names: Vec<(String, u32)> = self.of_name.iter().map(|(name, of)| ((*name).to_owned(), *of)).collect();
+        names.sort_unstable();
+        let live = graph.live();
+        let sorted = graph.order.iter().flatten().map(|number| {
+            let statement = &deck.statements[*number];
+            Sorted {
+                card: statement.card,
+                result: statement.result.name.clone(),
+                control: statement.control.as_ref().map(|word| word.name.clone()),
+                when: if graph.is_constant[*number] { When::Once } else { When::Always },
+                is_dead: !live[*number],
+            }
+        });
+        let steps = STEPS.map(|name| (self.named(name).1, graph.definitions.contains_key(name)));
+        let outputs = deck.outputs.iter().map(|of| of.iter().map(|word| self.named(&word.name)).collect()).collect();
+        let parameters = graph.parameters.iter().map(|name| self.named(name)).collect();
+        Program {
+            text: deck.cards.clone(),
+            parameters,
+            names,
+            states,
+            delays,
+            samples,
+            slopes: self.slopes,
+            held,
+            steps,
+            finishes,
+            headings: deck.headings.clone(),
+            outputs,
+            plots,
+            sorted: sorted.collect(),
+            initial,
+            each,
+            registers: self.registers,
+        }
+    }
+}

@@ -1,0 +1,82 @@
+//! The cards that are no statements, and the names that mean something to the program: one table.
+
+use super::function::Evidence;
+
+/// A control card, or a name with a meaning of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Card {
+    /// Its name.
+    pub name: &'static str,
+    /// What is written behind it.
+    pub arguments: &'static str,
+    /// What it does.
+    pub meaning: &'static str,
+    /// Where it is known from.
+    pub evidence: Evidence,
+}
+
+const fn card(name: &'static str, arguments: &'static str, evidence: Evidence, meaning: &'static str) -> Card {
+    Card { name, arguments, meaning, evidence }
+}
+
+use Evidence::{Assumed, Both, Encyclopedia, Thesis};
+
+/// All control cards, and the names that are known without a card.
+pub static CARDS: [Card; 17] = [
+    card("C * /", "text", Both, "in column 1: a comment. C only before a blank, where columns do not count"),
+    card(
+        "CON",
+        "(names)",
+        Encyclopedia,
+        "constants: read from the first data cards, once. A card of names begins a new data card",
+    ),
+    card(
+        "PAR",
+        "(names)",
+        Thesis,
+        "parameters: read from the data cards that follow; the program runs once for each set",
+    ),
+    card("DT", "number", Thesis, "time from printed point to printed point; 0.1 without such a card, which is assumed"),
+    card("DTMIN", "number", Assumed, "smallest step"),
+    card("DTMAX", "number", Assumed, "largest step; DT without such a card"),
+    card("FIN", "(A, B)", Both, "the run ends when A has reached B, from below; of several cards, the first that does"),
+    card("HDR", "(words)", Both, "heads the columns of the OUT card of the same number"),
+    card("OUT", "(names)", Both, "prints the values of the names at each printed point"),
+    card("PLO", "(X, Y, ...)", Both, "plots Y and what follows against X, one line of print for each step of X"),
+    card(
+        "SCA",
+        "(A, B, ...)",
+        Thesis,
+        "behind PLO: A of X to a line, B of Y to a column, and so on; chosen to fit without",
+    ),
+    card("ZER", "(A, B, ...)", Thesis, "behind PLO: the value of X on the first line, that of Y in the first column"),
+    card("END", "", Both, "ends the deck; data cards may follow"),
+    card("T", "", Both, "time, from 0"),
+    card("TRUE", "", Thesis, "the truth; it prints as 1"),
+    card("FALSE", "", Thesis, "the opposite; it prints as 0"),
+    card("EOR, EOF", "", Encyclopedia, "in angle brackets: between deck and data, and behind them; not needed"),
+];
+
+/// The control cards that have parentheses, and END.
+pub(super) const WORDS: [&str; 9] = ["CON", "PAR", "FIN", "HDR", "OUT", "PLO", "SCA", "ZER", "END"];
+
+/// Names that are known without a card, and that no card may define.
+pub(super) const GIVEN: [&str; 3] = ["T", "TRUE", "FALSE"];
+
+/// Names whose cards set the steps, and which may be used in expressions.
+pub(super) const STEPS: [&str; 3] = ["DT", "DTMIN", "DTMAX"];
+
+/// What a reserved name is, if it is one.
+pub(super) fn reserved(name: &str) -> Option<&'static str> {
+    if name == "T" {
+        Some("time")
+    } else if GIVEN.contains(&name) {
+        Some("a truth")
+    } else if WORDS.contains(&name) {
+        Some("a control card")
+    } else if super::function::function_named(name).is_some() {
+        Some("a function")
+    } else {
+        None
+    }
+}

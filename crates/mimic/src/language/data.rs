@@ -1,0 +1,152 @@
+//! Data cards: the numbers of the constants and parameters.
+
+use super::card::Word;
+use super::deck::{Deck, Group};
+use super::fault::{Faults, Problem};
+use core::ops::Range;
+
+/// Most runs of one deck.
+const MOST_SETS: usize = 100_000;
+
+/// The numbers of one data card, with their columns.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct DataCard {
+    card: usize,
+    numbers: Vec<(Option<f64>, Range<usize>)>,
+}
+
+impl DataCard {
+    /// Reads a card; none if it is empty, a comment or one that parts deck and data.
+    pub(super) fn read(card: usize, line: &str) -> Option<Self> {
+        let text = line.trim();
+        let mark = text.trim_matches(['<', '>', '*']).to_ascii_uppercase();
+        if text.is_empty() || line.starts_with(['*', '/']) || ["EOR", "EOF", "EOI"].contains(&mark.as_str()) {
+            return None;
+        }
+        let signs: Vec<char> = line.chars().collect();
+        let mut numbers = Vec::new();
+        let mut at = 0;
+        while at < signs.len() {
+            let parts = |sign: char| sign.is_whitespace() || sign == ',';
+            let start = at;
+            while at < signs.len() && !parts(signs[at]) {
+                at += 1;
+            }
+            if at > start {
+                let word: String = signs[start..at].iter().collect();
+                let plain = word.chars().all(|sign| sign.is_ascii_digit() || "+-.eE".contains(sign));
+                let number = word.parse().ok().filter(|number: &f64| plain && number.is_finite());
+                numbers.push((number, start..at));
+            } else {
+                at += 1;
+            }
+        }
+        Some(Self { card, numbers })
+    }
+}
+
+/// The numbers of one run, each under its name: those of the CON cards, then those of the PAR cards.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DataSet(pub Vec<(String, f64)>);
+
+impl Deck {
+    /// Takes the data cards of another text in place of those behind the deck.
+    pub fn with_data(mut self, text: &str) -> Self {
+        let number_of_first = self.cards.len() + 1;
+        self.data =
+            text.lines().enumerate().filter_map(|(at, line)| DataCard::read(number_of_first + at, line)).collect();
+        self.cards.extend(text.lines().map(str::to_owned));
+        self
+    }
+
+    /// Whether there is a data card.
+    pub fn has_data(&self) -> bool {
+        !self.data.is_empty()
+    }
+
+    /// The runs that the data cards ask for. A deck without CON and PAR runs once.
+    ///
+    /// # Errors
+    ///
+    /// A number that is none, too few or too many of them.
+    pub fn data_sets(&self) -> Result<Vec<DataSet>, Faults> {
+        let (constants, parameters): (Vec<_>, Vec<_>) = self.groups.iter().partition(|group| !group.each_run);
+        let mut reader = Reader { deck: self, next: 0 };
+        let constants = reader.read(&constants)?;
+        let mut sets = Vec::new();
+        while sets.is_empty() || (!parameters.is_empty() && reader.next < self.data.len()) {
+            let own = reader.read(&parameters)?;
+            sets.push(DataSet(constants.iter().cloned().chain(own).collect()));
+            if sets.len() > MOST_SETS {
+                return Err(reader.refuse(reader.next, 0..1, format!("more than {MOST_SETS} sets; part the data")));
+            }
+        }
+        if reader.next < self.data.len() {
+            let words = "no card asks for these numbers; a PAR card reads a set for each run".to_owned();
+            return Err(reader.refuse(reader.next, 0..1, words));
+        }
+        Ok(sets)
+    }
+}
+
+/// Data cards as they are read, one behind another.
+struct Reader<'a> {
+    deck: &'a Deck,
+    next: usize,
+}
+
+impl Reader<'_> {
+    /// The numbers of some groups of names.
+    fn read(&mut self, groups: &[&Group]) -> Result<Vec<(String, f64)>, Faults> {
+        let mut found = Vec::new();
+        for group in groups {
+            let mut names = group.names.iter();
+            while names.len() > 0 {
+                self.card(group, &mut names, &mut found)?;
+            }
+        }
+        Ok(found)
+    }
+
+    /// The numbers of the next card, each for the next name.
+    fn card(
+        &mut self,
+        group: &Group,
+        names: &mut core::slice::Iter<'_, Word>,
+        found: &mut Vec<(String, f64)>,
+    ) -> Result<(), Faults> {
+        let Some(card) = self.deck.data.get(self.next) else {
+            let name = names.as_slice().first().map_or("", |word| word.name.as_str());
+            let words = format!(
+                "no number is left for {name}: the card has {} names, and as many numbers must stand behind END",
+                group.names.len()
+            );
+            return Err(self.fault(group.card, 0..1, words));
+        };
+        for (number, columns) in &card.numbers {
+            let Some(number) = number else {
+                let words = "no number; write it as 2., .05 or 5.E-6, with blanks or commas between".to_owned();
+                return Err(self.refuse(self.next, columns.clone(), words));
+            };
+            let Some(word) = names.next() else {
+                let words = format!(
+                    "one number more than card {} has names; the numbers for another card begin a new data card",
+                    group.card
+                );
+                return Err(self.refuse(self.next, columns.clone(), words));
+            };
+            found.push((word.name.clone(), *number));
+        }
+        self.next += 1;
+        Ok(())
+    }
+
+    /// A fault on the data card of this number.
+    fn refuse(&self, number: usize, columns: Range<usize>, words: String) -> Faults {
+        self.fault(self.deck.data.get(number).map_or(0, |card| card.card), columns, words)
+    }
+
+    fn fault(&self, card: usize, columns: Range<usize>, words: String) -> Faults {
+        Faults(vec![self.deck.fault(card, columns, Problem::Data(words))])
+    }
+}

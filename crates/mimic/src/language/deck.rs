@@ -1,0 +1,399 @@
+//! A deck: statements, parameters, the end of the run, and what is printed and plotted.
+
+use super::card::{Fields, Layout, Word, fields, is_comment};
+use super::control::{STEPS, reserved};
+use super::data::DataCard;
+use super::expression::{Expression, Node, Problems, expected, expression, list};
+use super::fault::{Fault, Faults, Problem};
+use super::graph::Graph;
+use super::sorting::Sorted;
+use super::token::Placed;
+use core::ops::Range;
+
+/// A statement: a result and its expression, perhaps under a control variable.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Statement {
+    pub(super) card: usize,
+    pub(super) control: Option<Word>,
+    pub(super) result: Word,
+    pub(super) expression: Expression,
+}
+
+/// The names of one CON or PAR card.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Group {
+    pub(super) card: usize,
+    /// Whether they are read for each run.
+    pub(super) each_run: bool,
+    pub(super) names: Vec<Word>,
+}
+
+/// A card with expressions.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Listed {
+    pub(super) card: usize,
+    pub(super) expressions: Vec<Expression>,
+}
+
+/// A PLO card, and the SCA and ZER cards behind it.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct PlotCards {
+    pub(super) card: usize,
+    pub(super) names: Vec<Word>,
+    pub(super) scale: Option<Listed>,
+    pub(super) zero: Option<Listed>,
+}
+
+/// What a plot shows, of one run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Plot {
+    /// What is plotted against what: X, then the others.
+    pub names: Vec<String>,
+    /// Of each, the change from line to line or from column to column, in its own unit; none to choose it.
+    pub scale: Option<Vec<f64>>,
+    /// Of each, the value on the first line or in the first column, in its own unit; none to choose it.
+    pub zero: Option<Vec<f64>>,
+}
+
+/// A deck as it was read: every card is understood by itself, and nothing is known yet of how they fit together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Deck {
+    pub(super) cards: Vec<String>,
+    pub(super) statements: Vec<Statement>,
+    pub(super) groups: Vec<Group>,
+    pub(super) finishes: Vec<Listed>,
+    pub(super) headings: Vec<Vec<String>>,
+    pub(super) outputs: Vec<Vec<Word>>,
+    pub(super) output_cards: Vec<usize>,
+    pub(super) plots: Vec<PlotCards>,
+    pub(super) data: Vec<DataCard>,
+    notes: Vec<String>,
+}
+
+impl Deck {
+    /// Reads a deck and the data cards behind it.
+    ///
+    /// # Errors
+    ///
+    /// All that is wrong with its cards, each looked at by itself; then also names that no card defines, and names that
+    /// are defined twice. Whatever else is wrong with cards that fit together badly, [`Program::new`](super::Program::new)
+    /// tells.
+    pub fn read(text: &str, layout: Layout) -> Result<Self, Faults> {
+        let mut reading = Reading { deck: Self::empty(text), faults: Vec::new(), lost: Vec::new() };
+        let mut ended = false;
+        for (number, line) in text.lines().enumerate() {
+            let card: Vec<char> = line.trim_end().chars().collect();
+            if ended {
+                reading.deck.data.extend(DataCard::read(number + 1, line));
+            } else if is_comment(&card, layout) {
+                reading.note_a_hidden_statement(number + 1, &card, layout);
+            } else if !card.iter().all(|sign| sign.is_whitespace()) {
+                ended = reading.card(number + 1, &card, layout);
+            }
+        }
+        reading.whole(ended);
+        if !reading.faults.is_empty() {
+            reading.add_what_else_is_wrong();
+        }
+        Faults::among(reading.faults)?;
+        Ok(reading.deck)
+    }
+
+    fn empty(text: &str) -> Self {
+        Self {
+            cards: text.lines().map(str::to_owned).collect(),
+            statements: Vec::new(),
+            groups: Vec::new(),
+            finishes: Vec::new(),
+            headings: Vec::new(),
+            outputs: Vec::new(),
+            output_cards: Vec::new(),
+            plots: Vec::new(),
+            data: Vec::new(),
+            notes: Vec::new(),
+        }
+    }
+
+    /// What is worth a look, though nothing is wrong: comments that could be statements, headings without a column.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
+    /// The names of the CON cards, then those of the PAR cards, in the order of their data.
+    pub fn parameters(&self) -> Vec<&str> {
+        let of = |each_run: bool| self.groups.iter().filter(move |group| group.each_run == each_run);
+        of(false).chain(of(true)).flat_map(|group| group.names.iter().map(|word| word.name.as_str())).collect()
+    }
+
+    /// The expression of a statement as its card has it; the number alone if it has been [`set`](Self::set).
+    pub fn expression_of(&self, sorted: &Sorted) -> String {
+        let own = self.statements.iter().find(|of| of.card == sorted.card && of.result.name == sorted.result);
+        let Some(own) = own else { return String::new() };
+        if let [(Node::Number(number), _)] = own.expression.nodes[..] {
+            return number.to_string();
+        }
+        let text = own.card.checked_sub(1).and_then(|at| self.cards.get(at)).map_or("", String::as_str);
+        // From the first sign behind the fields on: parentheses are no part of the nodes.
+        let start = [Some(&own.result), own.control.as_ref()].into_iter().flatten().map(|word| word.at.end).max();
+        let text: String = text.chars().skip(start.unwrap_or(0)).collect();
+        text.trim_start_matches([' ', '\t', '=']).trim_end().to_owned()
+    }
+
+    /// Defines a name as a number, in place of its card: the only one that defines it, and under no control variable.
+    ///
+    /// False if there is no such card; nothing is changed then.
+    pub fn set(&mut self, name: &str, value: f64) -> bool {
+        let mut own = self.statements.iter_mut().filter(|statement| statement.result.name == name);
+        let (Some(statement), None) = (own.next(), own.next()) else {
+            return self.set_step(name, value);
+        };
+        if statement.control.is_some() {
+            return false;
+        }
+        statement.expression = Expression::number(value, statement.expression.columns());
+        true
+    }
+
+    /// DT, DTMIN and DTMAX have a value without a card.
+    fn set_step(&mut self, name: &str, value: f64) -> bool {
+        let free = STEPS.contains(&name) && !self.statements.iter().any(|statement| statement.result.name == name);
+        if free {
+            let result = Word { name: name.to_owned(), at: 0..0 };
+            let expression = Expression::number(value, 0..0);
+            self.statements.push(Statement { card: 0, control: None, result, expression });
+        }
+        free
+    }
+
+    /// A fault at some columns of a card.
+    pub(super) fn fault(&self, card: usize, columns: Range<usize>, problem: Problem) -> Fault {
+        let text = card.checked_sub(1).and_then(|at| self.cards.get(at)).cloned().unwrap_or_default();
+        Fault { card, columns, text, problem }
+    }
+}
+
+/// A deck while it is read.
+struct Reading {
+    deck: Deck,
+    faults: Vec<Fault>,
+    /// Names on cards that could not be read: they may have been defined there.
+    lost: Vec<String>,
+}
+
+impl Reading {
+    fn all(&mut self, card: usize, problems: Problems) {
+        for (columns, problem) in problems {
+            let fault = self.deck.fault(card, columns, problem);
+            self.faults.push(fault);
+        }
+    }
+
+    /// Reads a card; whether it was END.
+    fn card(&mut self, number: usize, card: &[char], layout: Layout) -> bool {
+        match fields(card, layout) {
+            Err(problems) => {
+                let (tokens, _) = super::token::tokens(card, 0..card.len());
+                self.lost.extend(tokens.iter().filter_map(Placed::name).map(str::to_owned));
+                self.all(number, problems);
+            }
+            Ok(Fields::Statement { control, result, expression: tokens }) => {
+                if let Some(what) = reserved(&result.name) {
+                    let problem = Problem::Reserved { name: result.name.clone(), what };
+                    self.all(number, vec![(result.at.clone(), problem)]);
+                }
+                match expression(&tokens, card.len()) {
+                    Ok(expression) => {
+                        self.deck.statements.push(Statement { card: number, control, result, expression });
+                    }
+                    Err(problems) => {
+                        // The name is defined all the same: those who use it are not to blame.
+                        let expression = Expression::number(1.0, 0..0);
+                        self.deck.statements.push(Statement { card: number, control, result, expression });
+                        self.all(number, problems);
+                    }
+                }
+            }
+            Ok(Fields::Control { word, rest }) => return self.control(number, &word, &rest, card),
+        }
+        false
+    }
+
+    fn control(&mut self, card: usize, word: &Word, rest: &[Placed], text: &[char]) -> bool {
+        match word.name.as_str() {
+            "END" => return true,
+            "CON" | "PAR" => {
+                if let Some(names) = self.names(card, word, rest, text, 1) {
+                    for name in &names {
+                        if let Some(what) = reserved(&name.name) {
+                            let problem = Problem::Reserved { name: name.name.clone(), what };
+                            self.all(card, vec![(name.at.clone(), problem)]);
+                        }
+                    }
+                    self.deck.groups.push(Group { card, each_run: word.name == "PAR", names });
+                }
+            }
+            "OUT" => {
+                if let Some(names) = self.names(card, word, rest, text, 1) {
+                    self.deck.outputs.push(names);
+                    self.deck.output_cards.push(card);
+                }
+            }
+            "PLO" => {
+                if let Some(names) = self.names(card, word, rest, text, 2) {
+                    self.deck.plots.push(PlotCards { card, names, scale: None, zero: None });
+                }
+            }
+            "HDR" => self.heading(card, word, text),
+            _ => match list(rest, text.len()) {
+                Ok(expressions) => self.listed(card, word, expressions),
+                Err(problems) => self.all(card, problems),
+            },
+        }
+        false
+    }
+
+    /// The names between parentheses.
+    fn names(&mut self, card: usize, word: &Word, rest: &[Placed], text: &[char], least: usize) -> Option<Vec<Word>> {
+        let read = list(rest, text.len());
+        let expressions = read
+            .map_err(|problems| {
+                self.lost.extend(rest.iter().filter_map(Placed::name).map(str::to_owned));
+                self.all(card, problems);
+            })
+            .ok()?;
+        let mut names = Vec::new();
+        for expression in &expressions {
+            match &expression.nodes[..] {
+                [(Node::Name(name), at)] => names.push(Word { name: name.clone(), at: at.clone() }),
+                _ => {
+                    let found = "an expression".to_owned();
+                    let problem = Problem::Expected { expected: "a name", found };
+                    self.all(card, vec![(expression.columns(), problem)]);
+                    return None;
+                }
+            }
+        }
+        if names.len() < least {
+            let allowed = "two names or more: X, and what is plotted against it".to_owned();
+            self.count(card, word, names.len(), allowed);
+            return None;
+        }
+        Some(names)
+    }
+
+    fn count(&mut self, card: usize, word: &Word, given: usize, allowed: String) {
+        let problem = Problem::Arguments { name: word.name.clone(), given: given.to_string(), allowed };
+        self.all(card, vec![(word.at.clone(), problem)]);
+    }
+
+    /// The words of a heading: whatever stands between the parentheses and the commas.
+    fn heading(&mut self, card: usize, word: &Word, text: &[char]) {
+        let text: String = text[word.at.end..].iter().collect();
+        let text = text.trim();
+        match text.strip_prefix('(').and_then(|text| text.strip_suffix(')')) {
+            Some(inside) => self.deck.headings.push(inside.split(',').map(|word| word.trim().to_owned()).collect()),
+            None => {
+                let end = word.at.end + text.chars().count();
+                self.all(card, vec![(end..end + 1, expected("a closing parenthesis", None))]);
+            }
+        }
+    }
+
+    /// FIN, SCA and ZER.
+    fn listed(&mut self, card: usize, word: &Word, expressions: Vec<Expression>) {
+        let given = expressions.len();
+        let listed = Listed { card, expressions };
+        if word.name == "FIN" {
+            if given != 2 {
+                return self.count(
+                    card,
+                    word,
+                    given,
+                    "two: the run ends when the first has reached the second".to_owned(),
+                );
+            }
+            return self.deck.finishes.push(listed);
+        }
+        let Some(plot) = self.deck.plots.last_mut() else {
+            let card_name = if word.name == "SCA" { "SCA" } else { "ZER" };
+            return self.all(card, vec![(word.at.clone(), Problem::WithoutPlot { card: card_name })]);
+        };
+        let wanted = plot.names.len();
+        let place = if word.name == "SCA" { &mut plot.scale } else { &mut plot.zero };
+        if place.is_some() {
+            let card_name = if word.name == "SCA" { "SCA" } else { "ZER" };
+            return self.all(card, vec![(word.at.clone(), Problem::WithoutPlot { card: card_name })]);
+        }
+        *place = Some(listed);
+        if given != wanted {
+            self.count(card, word, given, format!("{wanted}, one for each name of its PLO card"));
+        }
+    }
+
+    /// A comment that reads as a statement is told: a C in column 1 may be meant for a name.
+    fn note_a_hidden_statement(&mut self, number: usize, card: &[char], layout: Layout) {
+        if !matches!(card.first(), Some('C' | 'c')) || layout == Layout::Columns {
+            return;
+        }
+        let (tokens, problems) = super::token::tokens(card, 1..card.len());
+        if problems.is_empty() && !tokens.is_empty() && expression(&tokens, card.len()).is_ok() {
+            let note = format!(
+                "card {number} is a comment, because it has a C in column 1; if it is to define C, begin it in column 2"
+            );
+            self.deck.notes.push(note);
+        }
+    }
+
+    /// Faults that are no consequence of those that were found: so that all can be mended at once.
+    fn add_what_else_is_wrong(&mut self) {
+        let graph = Graph::new(&self.deck);
+        let is_another = |fault: &Fault| match &fault.problem {
+            Problem::UnknownName { name, .. } => !self.lost.contains(name),
+            Problem::DefinedTwice { .. } => true,
+            _ => false,
+        };
+        self.faults.extend(graph.faults.into_iter().filter(is_another));
+    }
+
+    /// What a deck must have.
+    fn whole(&mut self, ended: bool) {
+        let mut missing = |card, why| {
+            let problem = Problem::Missing { card, why };
+            self.faults.push(Fault { card: 0, columns: 0..0, text: String::new(), problem });
+        };
+        if !ended {
+            missing("END", "put one behind the last card, and data cards behind it");
+        }
+        if self.deck.finishes.is_empty() {
+            missing("FIN", "say when a run ends, such as FIN(T,10.)");
+        }
+        if self.deck.outputs.is_empty() && self.deck.plots.is_empty() {
+            missing("OUT", "say what to print, such as OUT(T,X)");
+        }
+        for (number, heading) in self.deck.headings.iter().enumerate() {
+            let columns = self.deck.outputs.get(number).map_or(0, Vec::len);
+            if columns != heading.len() {
+                let given = heading.len();
+                self.deck.notes.push(format!(
+                    "HDR card {} has {given} words for {columns} columns of the OUT card of that number",
+                    number + 1
+                ));
+            }
+        }
+    }
+}
+
+/// The deck in a text that has it among other things: from its first CON or PAR card to its END card.
+pub fn listing_in(text: &str) -> Option<&str> {
+    let lines = || {
+        text.split_inclusive('\n').scan(0, |end, line| {
+            let start = *end;
+            *end += line.len();
+            Some((start, *end, line.trim()))
+        })
+    };
+    let opens = |line: &str| ["CON(", "PAR("].iter().any(|word| line.starts_with(word));
+    let (start, ..) = lines().find(|(_, _, line)| opens(line))?;
+    let (_, end, _) = lines().find(|(at, _, line)| *at > start && *line == "END")?;
+    Some(&text[start..end])
+}

@@ -1,0 +1,232 @@
+//! What is wrong with a deck: the card, the columns, what is allowed there, and the nearest name that is known.
+
+use core::fmt;
+use core::ops::Range;
+use thiserror::Error;
+
+/// What is wrong at a place of a card.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum Problem {
+    /// A sign that means nothing here.
+    #[error("the sign {0:?} means nothing on a card; use letters, digits, and . + - * / ( ) , =")]
+    Sign(char),
+    /// Digits that are no number.
+    #[error("{0} is no number; write it as 2., .05, 57.3 or 5.E-6")]
+    Number(String),
+    /// A card of more characters than can be read.
+    #[error("the card has {length} characters; at most {most} are read: divide it by a further name")]
+    TooLong {
+        /// Its characters.
+        length: usize,
+        /// The most.
+        most: usize,
+    },
+    /// Parentheses in parentheses without end.
+    #[error("parentheses stand more than {0} deep; divide the expression by a further name")]
+    TooDeep(usize),
+    /// Something else was due.
+    #[error("expected {expected}, and {found} stands here")]
+    Expected {
+        /// What was due.
+        expected: &'static str,
+        /// What stands there.
+        found: String,
+    },
+    /// Two arithmetic signs in a row.
+    #[error("two signs in a row; put the second with its number in parentheses")]
+    TwoSigns,
+    /// A control field and a result, or a result and a difference.
+    #[error(
+        "{first} {second} {sign} … may be a result under {first}, or the result {first}; write = behind the result, or \
+         no blank before the sign"
+    )]
+    Ambiguous {
+        /// The first name.
+        first: String,
+        /// The second name.
+        second: String,
+        /// The sign behind them.
+        sign: char,
+    },
+    /// A function that nobody knows.
+    #[error("{name} is no function{}; geneva mimic functions lists them", but_near(.nearest))]
+    UnknownFunction {
+        /// Its name.
+        name: String,
+        /// The nearest that is known.
+        nearest: Option<String>,
+    },
+    /// A control card that nobody knows.
+    #[error("{name} is no control card{}; they are CON, PAR, FIN, HDR, OUT, PLO, SCA, ZER and END", but_near(.nearest))]
+    UnknownCard {
+        /// Its name.
+        name: String,
+        /// The nearest that is known.
+        nearest: Option<String>,
+    },
+    /// A wrong number of arguments.
+    #[error("{name} has {given}, but takes {allowed}")]
+    Arguments {
+        /// The function or card.
+        name: String,
+        /// How many are given.
+        given: String,
+        /// How many it takes.
+        allowed: String,
+    },
+    /// A name that no card defines.
+    #[error("no card defines {name}{}", but_near(.nearest))]
+    UnknownName {
+        /// The name.
+        name: String,
+        /// The nearest that is known.
+        nearest: Option<String>,
+    },
+    /// A name that is already something else.
+    #[error("{name} is {what}; give the result another name")]
+    Reserved {
+        /// The name.
+        name: String,
+        /// What it is.
+        what: &'static str,
+    },
+    /// A second definition.
+    #[error(
+        "{name} is already defined on card {first}; two definitions of one name need two different logical control \
+         variables"
+    )]
+    DefinedTwice {
+        /// The name.
+        name: String,
+        /// The card of the first definition.
+        first: usize,
+    },
+    /// A number where a truth is due, or the other way round.
+    #[error("{what} must be a {expected}, and this is a {found}")]
+    Type {
+        /// What it is for.
+        what: String,
+        /// What it must be.
+        expected: &'static str,
+        /// What it is.
+        found: &'static str,
+    },
+    /// Statements that wait for each other.
+    #[error(
+        "an algebraic loop: {}; each needs the next at the same time. An INT or a TDL in it would break it",
+        circle(.names)
+    )]
+    Loop {
+        /// The names, each of which needs the next, and the last the first.
+        names: Vec<String>,
+    },
+    /// Initial values that wait for each other.
+    #[error("an initial value that waits for itself: {}; begin one of them with a number", circle(.names))]
+    InitialLoop {
+        /// The names, each of which needs the next.
+        names: Vec<String>,
+    },
+    /// A function where it cannot be.
+    #[error("{0}")]
+    Misplaced(&'static str),
+    /// Something that changes, where it must be known before the run.
+    #[error("{what} must be known before the run, but {name} changes with it; use numbers, CON and PAR names")]
+    NotConstant {
+        /// What must be known.
+        what: String,
+        /// What changes.
+        name: String,
+    },
+    /// A card that a deck must have.
+    #[error("the deck has no {card} card; {why}")]
+    Missing {
+        /// The card.
+        card: &'static str,
+        /// What for.
+        why: &'static str,
+    },
+    /// A card that follows nothing.
+    #[error("{card} belongs behind a PLO card; put it there, once")]
+    WithoutPlot {
+        /// The card.
+        card: &'static str,
+    },
+    /// Text where the columns of a card part.
+    #[error("in a deck with columns, {0}")]
+    Column(&'static str),
+    /// Data that are not as the cards ask.
+    #[error("{0}")]
+    Data(String),
+}
+
+fn but_near(name: &Option<String>) -> String {
+    name.as_ref().map_or_else(String::new, |name| format!("; the nearest is {name}"))
+}
+
+fn circle(names: &[String]) -> String {
+    let first = names.first().map_or("", String::as_str);
+    format!("{} → {first}", names.join(" → "))
+}
+
+/// A problem, and where it is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fault {
+    /// Number of the card in its file, counted from 1; 0 if it is about the whole deck.
+    pub card: usize,
+    /// The characters that it is about, counted from 0.
+    pub columns: Range<usize>,
+    /// The card.
+    pub text: String,
+    /// What is wrong.
+    pub problem: Problem,
+}
+
+impl fmt::Display for Fault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.card == 0 {
+            return write!(f, "{}", self.problem);
+        }
+        let start = self.columns.start;
+        writeln!(f, "card {}, column {}: {}", self.card, start + 1, self.problem)?;
+        // A card as wide as a page shows the part in question.
+        let cut = start.saturating_sub(60);
+        let shown: String =
+            self.text.chars().skip(cut).take(110).map(|sign| if sign == '\t' { ' ' } else { sign }).collect();
+        let length = self.columns.len().clamp(1, 110 - (start - cut));
+        write!(f, "    {}\n    {}{}", shown.trim_end(), " ".repeat(start - cut), "^".repeat(length))
+    }
+}
+
+/// All that is wrong with a deck, in the order of its cards.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub struct Faults(pub Vec<Fault>);
+
+impl fmt::Display for Faults {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (number, fault) in self.0.iter().enumerate() {
+            if number > 0 {
+                writeln!(f)?;
+            }
+            write!(f, "{fault}")?;
+        }
+        Ok(())
+    }
+}
+
+impl Faults {
+    /// These in the order of the cards, if there are any.
+    pub(super) fn among(mut faults: Vec<Fault>) -> Result<(), Self> {
+        faults.sort_by_key(|fault| (fault.card, fault.columns.start));
+        faults.dedup();
+        if faults.is_empty() { Ok(()) } else { Err(Self(faults)) }
+    }
+}
+
+/// The known name that is nearest to a word, if one is near.
+pub(super) fn nearest_to<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
+    let most = if word.chars().count() < 3 { 1 } else { 2 };
+    let near = known.into_iter().filter(|name| *name != word).map(|name| (strsim::osa_distance(word, name), name));
+    near.filter(|(distance, name)| *distance <= most && *distance < name.len().max(word.len()))
+        .min()
+        .map(|(_, name)| name.to_owned())
+}

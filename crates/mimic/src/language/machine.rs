@@ -1,0 +1,212 @@
+//! A program as the integrator sees it: its derivatives, what it remembers of kept points, and what stopped it.
+
+use super::code::execute;
+use super::origin::Origin;
+use super::program::{More, Program, State, TIME};
+use super::trouble::Trouble;
+use crate::step::Attempt;
+use crate::{Cause, DelayError, DelayLine, Parameters, System};
+use core::cell::Cell;
+use nalgebra::SVector;
+
+/// Kept points that a delay line holds.
+const KEPT: usize = 16_384;
+
+/// A delay line, how far apart its entries are at least, and when the last was made.
+pub(super) struct Line {
+    pub(super) line: Box<DelayLine<KEPT>>,
+    pub(super) apart: f64,
+    pub(super) last: f64,
+}
+
+/// A program that runs.
+pub(super) struct Machine<'a> {
+    pub(super) program: &'a Program,
+    pub(super) registers: Vec<f64>,
+    pub(super) lines: Vec<Line>,
+    /// What the held registers had at the last point that was kept.
+    pub(super) held: Vec<f64>,
+    /// What is printed and plotted, and what it was at the last point that was kept.
+    pub(super) watched: Vec<u32>,
+    pub(super) latest: &'a [Cell<f64>],
+    pub(super) latest_time: &'a Cell<f64>,
+    /// Whether a FIN card knows the end before the run: the integrator then ends there.
+    pub(super) has_end: bool,
+    /// Where a derivative was no number last.
+    pub(super) odd: Option<(f64, Vec<f64>)>,
+}
+
+/// What stops a run from inside.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Stop {
+    Finished,
+    Delay(usize, DelayError),
+    Value(u32),
+}
+
+impl core::fmt::Display for Stop {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str("the run was stopped by the program")
+    }
+}
+
+impl<const D: usize> System<D> for Machine<'_> {
+    type Fault = Stop;
+
+    fn derivative(&mut self, time: f64, state: &SVector<f64, D>) -> Result<SVector<f64, D>, Stop> {
+        let program = self.program;
+        let registers = &mut self.registers;
+        registers[TIME as usize] = time;
+        for (value, of) in state.iter().zip(&program.states) {
+            registers[of.register as usize] = *value;
+        }
+        for (line, of) in self.lines.iter().zip(&program.delays) {
+            registers[of.register as usize] = line.line.value(time).map_err(|error| Stop::Delay(of.card, error))?;
+        }
+        for (register, value) in program.held.iter().zip(&self.held) {
+            registers[*register as usize] = *value;
+        }
+        execute(&program.each.instructions, registers);
+        let mut rate = SVector::<f64, D>::zeros();
+        for (rate, of) in rate.iter_mut().zip(&program.states) {
+            *rate = of.rate(registers);
+        }
+        if rate.iter().any(|rate: &f64| !rate.is_finite()) {
+            self.odd = Some((time, state.iter().copied().collect()));
+        }
+        Ok(rate)
+    }
+
+    fn accepted(&mut self, time: f64, _: &SVector<f64, D>, _: &SVector<f64, D>) -> Result<(), Stop> {
+        let program = self.program;
+        let registers = &mut self.registers;
+        for (line, of) in self.lines.iter_mut().zip(&program.delays) {
+            if time - line.last >= line.apart * (1.0 - 1e-9) {
+                line.line.record(time, registers[of.feed as usize]).map_err(|error| Stop::Delay(of.card, error))?;
+                line.last = time;
+            }
+        }
+        for sample in &program.samples {
+            if time >= registers[sample.next as usize] {
+                registers[sample.held as usize] = registers[sample.feed as usize];
+                let interval = registers[sample.interval as usize];
+                // An interval that is none samples at every point.
+                let next = (libm::floor(time / interval * (1.0 + 1e-12)) + 1.0) * interval;
+                registers[sample.next as usize] = if next > time { next } else { time };
+            }
+        }
+        for slope in &program.slopes {
+            for (before, now) in slope.before.iter().zip(slope.now) {
+                registers[*before as usize] = registers[now as usize];
+            }
+        }
+        for (register, held) in program.held.iter().zip(&mut self.held) {
+            *held = registers[*register as usize];
+        }
+        for (register, latest) in self.watched.iter().zip(self.latest) {
+            let value = registers[*register as usize];
+            if !value.is_finite() {
+                return Err(Stop::Value(*register));
+            }
+            latest.set(value);
+        }
+        self.latest_time.set(time);
+        let ended = program.finishes.iter().filter(|finish| !(self.has_end && finish.is_run_length));
+        let mut ended = ended.map(|finish| registers[finish.value as usize] >= registers[finish.limit as usize]);
+        if ended.any(|ended| ended) { Err(Stop::Finished) } else { Ok(()) }
+    }
+}
+
+impl State {
+    /// What is integrated, in the unit of the integral over that of T.
+    fn rate(&self, registers: &[f64]) -> f64 {
+        let of = |register: u32| registers[register as usize];
+        if self.control.is_some_and(|control| of(control) != 1.0) {
+            return 0.0;
+        }
+        let (feed, own) = (of(self.feed), of(self.register));
+        match self.more {
+            More::Nothing => feed,
+            More::TimeConstant(constant) => (feed - own) / of(constant),
+            More::Limits([low, high]) if (own <= of(low) && feed < 0.0) || (own >= of(high) && feed > 0.0) => 0.0,
+            More::Limits(_) => feed,
+        }
+    }
+}
+
+impl Machine<'_> {
+    /// What stopped the run, by the card and the time.
+    pub(super) fn trouble<const D: usize>(
+        &mut self,
+        time: f64,
+        state: &SVector<f64, D>,
+        cause: Cause<Stop>,
+        parameters: &Parameters,
+    ) -> Trouble {
+        let program = self.program;
+        match cause {
+            Cause::TooManySteps { most_steps } => Trouble::TooManySteps { time, steps: most_steps },
+            Cause::System(Stop::Delay(card, error)) => {
+                Trouble::Delay { time, card, text: program.card_text(card), error }
+            }
+            Cause::System(Stop::Value(register)) => {
+                let time = self.registers[TIME as usize];
+                Trouble::NonFinite { time, origin: program.origin(&self.registers, register) }
+            }
+            Cause::StepUnderflow { step, excess, .. } if excess.is_finite() => {
+                self.too_small(time, state, step, excess, parameters)
+            }
+            // Finished is no trouble; what is left is a number that is none.
+            _ => self.not_finite(time),
+        }
+    }
+
+    /// The integral with the largest error in a step that was refused.
+    fn too_small<const D: usize>(
+        &mut self,
+        time: f64,
+        state: &SVector<f64, D>,
+        step: f64,
+        excess: f64,
+        parameters: &Parameters,
+    ) -> Trouble {
+        let first = self.derivative(time, state).unwrap_or_else(|_| SVector::zeros());
+        let attempt = Attempt::new(|time, state| self.derivative(time, state), time, time + step, state, &first);
+        let worst =
+            attempt.map_or(0, |attempt| attempt.worst(parameters.relative_tolerance, parameters.absolute_floor));
+        let (card, name) = self.program.states.get(worst).map_or((0, String::new()), |of| (of.card, of.name.clone()));
+        Trouble::StepTooSmall { time, card, text: self.program.card_text(card), name, step, excess }
+    }
+
+    /// Where a derivative or a state that is no number came from.
+    fn not_finite(&mut self, time: f64) -> Trouble {
+        let program = self.program;
+        let Some((odd_time, state)) = self.odd.take() else {
+            let reason = "an integral has grown without bound".to_owned();
+            return Trouble::NonFinite { time, origin: Origin { card: 0, text: String::new(), reason } };
+        };
+        let registers = &mut self.registers;
+        registers[TIME as usize] = odd_time;
+        for (value, of) in state.iter().zip(&program.states) {
+            registers[of.register as usize] = *value;
+        }
+        for (register, value) in program.held.iter().zip(&self.held) {
+            registers[*register as usize] = *value;
+        }
+        execute(&program.each.instructions, registers);
+        let odd = program.states.iter().find(|of| !of.rate(registers).is_finite());
+        let register = odd.map_or(TIME, |of| match of.more {
+            More::TimeConstant(constant) if registers[of.feed as usize].is_finite() => constant,
+            _ => of.feed,
+        });
+        let origin = match odd {
+            Some(of) if registers[register as usize].is_finite() => Origin {
+                card: of.card,
+                text: program.card_text(of.card),
+                reason: format!("the rate of {} is no number", of.name),
+            },
+            _ => program.origin(registers, register),
+        };
+        Trouble::NonFinite { time: odd_time, origin }
+    }
+}

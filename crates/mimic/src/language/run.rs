@@ -1,0 +1,279 @@
+//! Running a program, once for each set of data.
+
+use super::code::execute;
+use super::data::DataSet;
+use super::deck::Plot;
+use super::machine::{Line, Machine, Stop};
+use super::program::{Delay, FIRST_STEP, PlotCode, Program};
+use super::trouble::{RunError, Trouble};
+use crate::{Cause, DelayLine, Extrapolation, IntegrationError, Interpolation, Parameters, Work};
+use core::cell::Cell;
+use nalgebra::SVector;
+
+/// Most printed rows of a run.
+const MOST_ROWS: f64 = 1e6;
+/// Most integrals of a program, and most delays, each of which takes a quarter of a megabyte.
+const MOST_STATES: usize = 1024;
+const MOST_DELAYS: usize = 256;
+
+/// Which values a delay keeps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum RememberedPoints {
+    /// Those of all kept points, whatever the third argument of `TDL` says.
+    All,
+    /// As many, equally far apart in the delay, as the third argument says.
+    AsAsked,
+}
+
+/// What the two decks and their texts leave open.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Choices {
+    /// How steps are made. Its print interval is DT where no DT card is; its run length and its least, greatest and
+    /// first step are not used, for FIN, DTMIN and DTMAX say them.
+    ///
+    /// Default: that of [`Parameters`], but a step that cannot be made smaller is kept, and counted: a deck may have
+    /// switches, and to pass one within the tolerance may take a step shorter than any.
+    pub integrator: Parameters,
+    /// How a delay reads between the values that it keeps. Default: linearly.
+    pub interpolation: Interpolation,
+    /// How a delay reads behind its latest value, where a step is longer than the delay. Default: it holds the latest.
+    pub extrapolation: Extrapolation,
+    /// Which values a delay keeps. Default: all.
+    pub remembered: RememberedPoints,
+}
+
+impl Default for Choices {
+    fn default() -> Self {
+        let at_smallest_step = crate::AtSmallestStep::Continue;
+        Self {
+            integrator: Parameters { at_smallest_step, ..Parameters::new(0.1, 0.1) },
+            interpolation: Interpolation::Linear,
+            extrapolation: Extrapolation::Hold,
+            remembered: RememberedPoints::All,
+        }
+    }
+}
+
+/// What a run prints.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// The names of CON and PAR with their numbers, each in its own unit.
+    pub parameters: Vec<(String, f64)>,
+    /// The words of each HDR card.
+    pub headings: Vec<Vec<String>>,
+    /// How many columns each OUT card has.
+    pub widths: Vec<usize>,
+    /// The names of all OUT cards.
+    pub columns: Vec<String>,
+    /// Their values, a row for each printed point, each in its own unit.
+    pub rows: Vec<Vec<f64>>,
+    /// The plots, and the values of their names at each printed point, each in its own unit.
+    pub plots: Vec<(Plot, Vec<Vec<f64>>)>,
+    /// Steps and evaluations.
+    pub work: Work,
+}
+
+impl Program {
+    /// Runs the program once for each set.
+    ///
+    /// # Errors
+    ///
+    /// The first [`Trouble`], with the number of its set.
+    pub fn runs(&self, sets: &[DataSet], choices: &Choices) -> Result<Vec<Run>, RunError> {
+        let run = |(at, set)| self.run(set, choices).map_err(|trouble| RunError { number: at + 1, trouble });
+        sets.iter().enumerate().map(run).collect()
+    }
+
+    /// Runs the program with one set of numbers.
+    ///
+    /// # Errors
+    ///
+    /// [`Trouble`] for numbers that are missing or out of their range, and for whatever stops the run.
+    pub fn run(&self, set: &DataSet, choices: &Choices) -> Result<Run, Trouble> {
+        if self.delays.len() > MOST_DELAYS {
+            return Err(Trouble::TooMany { what: "delays", asked: self.delays.len(), most: MOST_DELAYS });
+        }
+        // The states are filled up with zeros that stand still, to one of a few sizes: they change no number.
+        match self.states.len() {
+            0 | 1 => self.run_in::<1>(set, choices),
+            2 => self.run_in::<2>(set, choices),
+            3 | 4 => self.run_in::<4>(set, choices),
+            5..=8 => self.run_in::<8>(set, choices),
+            9..=16 => self.run_in::<16>(set, choices),
+            17..=64 => self.run_in::<64>(set, choices),
+            65..=256 => self.run_in::<256>(set, choices),
+            257..=MOST_STATES => self.run_in::<MOST_STATES>(set, choices),
+            asked => Err(Trouble::TooMany { what: "integrals", asked, most: MOST_STATES }),
+        }
+    }
+
+    fn run_in<const D: usize>(&self, set: &DataSet, choices: &Choices) -> Result<Run, Trouble> {
+        let mut registers = self.begun(set, choices)?;
+        let (parameters, has_end) = self.integrator(&registers, choices)?;
+        let watched: Vec<u32> = self
+            .outputs
+            .iter()
+            .flatten()
+            .chain(self.plots.iter().flat_map(|plot| &plot.names))
+            .map(|(_, register)| *register)
+            .collect();
+        let latest: Vec<Cell<f64>> = watched.iter().map(|_| Cell::new(0.0)).collect();
+        let latest_time = Cell::new(0.0);
+        let start: SVector<f64, D> =
+            SVector::from_fn(|at, _| self.states.get(at).map_or(0.0, |state| registers[state.register as usize]));
+        for slope in &self.slopes {
+            for (before, now) in slope.before.iter().zip(slope.now) {
+                registers[*before as usize] = registers[now as usize];
+            }
+        }
+        let held = self.held.iter().map(|register| registers[*register as usize]).collect();
+        let mut machine = Machine {
+            program: self,
+            lines: self.lines(&registers, choices)?,
+            registers,
+            held,
+            watched,
+            latest: &latest,
+            latest_time: &latest_time,
+            has_end,
+            odd: None,
+        };
+        let values = || -> Vec<f64> { latest.iter().map(Cell::get).collect() };
+        let (mut rows, mut last_time) = (Vec::new(), 0.0);
+        let outcome = crate::integrate(&mut machine, start, &parameters, |point| {
+            rows.push(values());
+            last_time = point.time;
+        });
+        let work = match outcome {
+            Ok(_) if has_end => Ok(outcome.map_or(Work::default(), |outcome| outcome.work)),
+            Ok(outcome) => Err(Trouble::TooManyRows { time: outcome.last.time }),
+            Err(IntegrationError::Parameter(error)) => Err(Trouble::Integrator(error)),
+            Err(IntegrationError::Stopped(stopped)) => match stopped.cause {
+                Cause::System(Stop::Finished) => {
+                    // The end is printed, though it is no multiple of DT.
+                    if latest_time.get() > last_time {
+                        rows.push(values());
+                    }
+                    Ok(stopped.work)
+                }
+                cause => Err(machine.trouble(stopped.time, &stopped.state, cause, &parameters)),
+            },
+        }?;
+        Ok(self.result(rows, &machine.registers, work))
+    }
+
+    /// The registers at the beginning of a run: data, what is known before, and what the integrals begin with.
+    fn begun(&self, set: &DataSet, choices: &Choices) -> Result<Vec<f64>, Trouble> {
+        let mut registers = self.registers.clone();
+        for (name, register) in &self.parameters {
+            let value = set.0.iter().rev().find(|(of, _)| of == name).map(|(_, value)| *value);
+            registers[*register as usize] = value.ok_or_else(|| Trouble::Missing(name.clone()))?;
+        }
+        if let Some((name, _)) = set.0.iter().find(|(name, _)| !self.parameters.iter().any(|(known, _)| known == name))
+        {
+            return Err(Trouble::Unknown(name.clone()));
+        }
+        registers[FIRST_STEP as usize] = choices.integrator.print_interval;
+        // Twice, for DTMIN and DTMAX go by DT where no card defines them, and may be computed with.
+        for _ in 0..2 {
+            let interval = registers[self.steps[0].0 as usize];
+            for (register, by_default) in [(self.steps[1], interval / 1_073_741_824.0), (self.steps[2], interval)] {
+                if !register.1 {
+                    registers[register.0 as usize] = by_default;
+                }
+            }
+            execute(&self.initial.instructions, &mut registers);
+        }
+        if let Some(state) = self.states.iter().find(|state| !registers[state.register as usize].is_finite()) {
+            return Err(Trouble::NonFinite { time: 0.0, origin: self.origin(&registers, state.register) });
+        }
+        Ok(registers)
+    }
+
+    /// How the integrator is to go, and whether the end of the run is known before it.
+    fn integrator(&self, registers: &[f64], choices: &Choices) -> Result<(Parameters, bool), Trouble> {
+        let [interval, smallest, largest] = self.steps.map(|(register, _)| registers[register as usize]);
+        let positive = "it must be above zero and finite";
+        for (name, value) in [("DT", interval), ("DTMIN", smallest), ("DTMAX", largest)] {
+            if !(value > 0.0 && value.is_finite()) {
+                return Err(Trouble::Step { name, value, allowed: positive });
+            }
+        }
+        if smallest > largest {
+            return Err(Trouble::Step { name: "DTMIN", value: smallest, allowed: "it must not be above DTMAX" });
+        }
+        let mut end: Option<f64> = None;
+        for finish in self.finishes.iter().filter(|finish| finish.is_run_length) {
+            let value = registers[finish.limit as usize];
+            if !(value > 0.0 && value / interval <= MOST_ROWS) {
+                let (card, text) = (finish.card, self.card_text(finish.card));
+                return Err(Trouble::RunLength { card, text, value });
+            }
+            end = Some(end.map_or(value, |end| end.min(value)));
+        }
+        // A run whose end is not known before goes on until a value stops it, or rows without end do.
+        let most = (choices.integrator.most_steps as f64).min(MOST_ROWS);
+        let run_length = end.unwrap_or(interval * most);
+        let parameters = Parameters {
+            print_interval: interval,
+            run_length,
+            smallest_step: smallest,
+            largest_step: largest,
+            initial_step: largest,
+            ..choices.integrator
+        };
+        Ok((parameters, end.is_some()))
+    }
+
+    fn lines(&self, registers: &[f64], choices: &Choices) -> Result<Vec<Line>, Trouble> {
+        let line = |delay: &Delay| {
+            let length = registers[delay.delay as usize];
+            let line = DelayLine::new(length, 0.0, choices.interpolation, choices.extrapolation);
+            let (card, text) = (delay.card, self.card_text(delay.card));
+            let line = line.map_err(|error| Trouble::Delay { time: 0.0, card, text, error })?;
+            let points = delay.points.map_or(f64::INFINITY, |points| registers[points as usize]);
+            let apart = match choices.remembered {
+                RememberedPoints::AsAsked if points >= 1.0 => length / points,
+                _ => 0.0,
+            };
+            Ok(Line { line: Box::new(line), apart, last: f64::NEG_INFINITY })
+        };
+        self.delays.iter().map(line).collect()
+    }
+
+    fn result(&self, rows: Vec<Vec<f64>>, registers: &[f64], work: Work) -> Run {
+        let columns = self.columns();
+        let mut from = columns.len();
+        let plots = self.plots.iter().map(|plot| {
+            let place = from..from + plot.names.len();
+            from = place.end;
+            (plot_of(plot, registers), rows.iter().map(|row| row[place.clone()].to_vec()).collect())
+        });
+        let plots = plots.collect();
+        let parameters = self.parameters.iter().map(|(name, register)| (name.clone(), registers[*register as usize]));
+        Run {
+            parameters: parameters.collect(),
+            headings: self.headings.clone(),
+            widths: self.outputs.iter().map(Vec::len).collect(),
+            rows: rows
+                .into_iter()
+                .map(|mut row| {
+                    row.truncate(columns.len());
+                    row
+                })
+                .collect(),
+            columns,
+            plots,
+            work,
+        }
+    }
+}
+
+fn plot_of(plot: &PlotCode, registers: &[f64]) -> Plot {
+    let values = |of: &Option<Vec<u32>>| of.as_ref().map(|of| of.iter().map(|at| registers[*at as usize]).collect());
+    Plot {
+        names: plot.names.iter().map(|(name, _)| name.clone()).collect(),
+        scale: values(&plot.scale),
+        zero: values(&plot.zero),
+    }
+}

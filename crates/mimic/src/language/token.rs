@@ -1,0 +1,159 @@
+//! What stands on a card: names, numbers and signs, each with its columns.
+
+use super::fault::Problem;
+use core::ops::Range;
+
+/// A name, a number or a sign.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Token {
+    /// A name, in capitals.
+    Name(String),
+    /// A number.
+    Number(f64),
+    /// One of + − * / ( ) , =, and `^` for `**`.
+    Sign(char),
+}
+
+/// A token and its columns, counted from 0.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Placed {
+    pub(super) token: Token,
+    pub(super) at: Range<usize>,
+}
+
+impl Placed {
+    /// Its name, if it is one.
+    pub(super) fn name(&self) -> Option<&str> {
+        if let Token::Name(name) = &self.token { Some(name) } else { None }
+    }
+
+    /// Whether it is this sign.
+    pub(super) fn is(&self, sign: char) -> bool {
+        self.token == Token::Sign(sign)
+    }
+
+    /// Whether it is one of these signs.
+    pub(super) fn is_one_of(&self, signs: &[char]) -> bool {
+        signs.iter().any(|sign| self.is(*sign))
+    }
+
+    /// As it is told in messages.
+    pub(super) fn words(&self) -> String {
+        match &self.token {
+            Token::Name(name) => format!("the name {name}"),
+            Token::Number(number) => format!("the number {number}"),
+            Token::Sign('^') => "**".to_owned(),
+            Token::Sign(sign) => sign.to_string(),
+        }
+    }
+}
+
+/// The tokens of some columns of a card, and what cannot be read of them.
+pub(super) fn tokens(card: &[char], columns: Range<usize>) -> (Vec<Placed>, Vec<(Range<usize>, Problem)>) {
+    let (mut found, mut problems) = (Vec::new(), Vec::new());
+    let mut at = columns.start;
+    let end = columns.end.min(card.len());
+    while at < end {
+        let sign = card[at];
+        if sign.is_whitespace() {
+            at += 1;
+            continue;
+        }
+        let start = at;
+        let token = if sign.is_ascii_alphanumeric() || sign == '.' {
+            at = word_end(card, start, end);
+            let text: String = card[start..at].iter().collect::<String>().to_ascii_uppercase();
+            let is_name =
+                !text.contains('.') && text.chars().any(|sign| sign.is_ascii_alphabetic()) && !is_exponent(&text);
+            if is_name {
+                Token::Name(text)
+            } else if let Some(number) = text.parse().ok().filter(|number: &f64| number.is_finite()) {
+                Token::Number(number)
+            } else {
+                problems.push((start..at, Problem::Number(text)));
+                Token::Number(1.0)
+            }
+        } else if sign == '*' && card.get(start + 1) == Some(&'*') && start + 1 < end {
+            at = start + 2;
+            Token::Sign('^')
+        } else {
+            at = start + 1;
+            if !"+-*/(),=".contains(sign) {
+                problems.push((start..at, Problem::Sign(sign)));
+                continue;
+            }
+            Token::Sign(sign)
+        };
+        found.push(Placed { token, at: start..at });
+    }
+    (found, problems)
+}
+
+/// Where the name or number that begins here ends. A sign behind an exponent's E belongs to it.
+fn word_end(card: &[char], start: usize, end: usize) -> usize {
+    let mut at = start;
+    while at < end {
+        let sign = card[at];
+        let so_far = &card[start..at];
+        let is_exponent_sign = (sign == '+' || sign == '-')
+            && so_far.last().is_some_and(|last| last.eq_ignore_ascii_case(&'E'))
+            && is_mantissa(&so_far[..so_far.len() - 1])
+            && card.get(at + 1).filter(|_| at + 1 < end).is_some_and(char::is_ascii_digit);
+        if !(sign.is_ascii_alphanumeric() || sign == '.' || is_exponent_sign) {
+            break;
+        }
+        at += 1;
+    }
+    at
+}
+
+fn is_mantissa(text: &[char]) -> bool {
+    text.iter().any(char::is_ascii_digit) && text.iter().all(|sign| sign.is_ascii_digit() || *sign == '.')
+}
+
+/// Whether it is a whole number with an exponent, such as 5E3: no name is meant.
+fn is_exponent(text: &str) -> bool {
+    text.split_once('E').is_some_and(|(mantissa, exponent)| {
+        let digits = |text: &str| !text.is_empty() && text.chars().all(|sign| sign.is_ascii_digit());
+        digits(mantissa) && digits(exponent.trim_start_matches(['+', '-']))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Vec<Token> {
+        let card: Vec<char> = text.chars().collect();
+        let (found, problems) = tokens(&card, 0..card.len());
+        assert!(problems.is_empty(), "{text}: {problems:?}");
+        found.into_iter().map(|placed| placed.token).collect()
+    }
+
+    #[test]
+    fn names_may_begin_with_a_digit_and_numbers_may_end_with_a_point() {
+        let name = |text: &str| Token::Name(text.to_owned());
+        assert_eq!(read("2DX 1dx older"), [name("2DX"), name("1DX"), name("OLDER")]);
+        let numbers = [1.0, 0.0005, 5e3, 2.5e-3, 7.0, 4e2].map(Token::Number);
+        assert_eq!(read("1. .0005 5E3 2.5E-3 7 4.e+2"), numbers);
+        assert_eq!(read("1./G"), [Token::Number(1.0), Token::Sign('/'), name("G")]);
+        assert_eq!(
+            read("2.*E-3"),
+            [Token::Number(2.0), Token::Sign('*'), name("E"), Token::Sign('-'), Token::Number(3.0)]
+        );
+        assert_eq!(read("A**2"), [name("A"), Token::Sign('^'), Token::Number(2.0)]);
+        assert_eq!(read("2E"), [name("2E")]);
+    }
+
+    #[test]
+    fn what_cannot_be_read_is_told_with_its_columns() {
+        let card: Vec<char> = "A+1.2.3 $ 1E999".chars().collect();
+        let (_, problems) = tokens(&card, 0..card.len());
+        let expected = [
+            (2..7, Problem::Number("1.2.3".to_owned())),
+            (8..9, Problem::Sign('$')),
+            (10..15, Problem::Number("1E999".to_owned())),
+        ];
+        assert_eq!(problems, expected);
+    }
+}

@@ -1,0 +1,114 @@
+//! What can stop a run, in words: the card and the time.
+
+use super::origin::Origin;
+use crate::DelayError;
+use thiserror::Error;
+
+/// Why a run was not begun, or not ended.
+#[derive(Clone, Debug, PartialEq, Error)]
+pub enum Trouble {
+    /// A parameter without a number.
+    #[error("no number for {0}; every name of a CON or PAR card needs one")]
+    Missing(String),
+    /// A number for a name that is no parameter.
+    #[error("{0} is no name of a CON or PAR card")]
+    Unknown(String),
+    /// Too many integrals or delays.
+    #[error("the program has {asked} {what}; at most {most} can be run together")]
+    TooMany {
+        /// Of what.
+        what: &'static str,
+        /// How many it has.
+        asked: usize,
+        /// The most.
+        most: usize,
+    },
+    /// DT, DTMIN or DTMAX out of their ranges.
+    #[error("{name} is {value}: {allowed}")]
+    Step {
+        /// Which.
+        name: &'static str,
+        /// What it is, in the unit of T.
+        value: f64,
+        /// What it can be.
+        allowed: &'static str,
+    },
+    /// A run that ends before it begins, or too late.
+    #[error(
+        "card {card} ({text}): the run would end at T = {value}; it must be above zero, and at most a million DT away"
+    )]
+    RunLength {
+        /// The FIN card.
+        card: usize,
+        /// Its text.
+        text: String,
+        /// The end, in the unit of T.
+        value: f64,
+    },
+    /// A value that is no number.
+    #[error("at T = {time}: {origin}")]
+    NonFinite {
+        /// When, in the unit of T.
+        time: f64,
+        /// Where it came from.
+        origin: Origin,
+    },
+    /// A step that would have to be smaller than DTMIN.
+    #[error(
+        "at T = {time}: card {card} ({text}) changes too quickly: with a step of {step} the error of {name} is {excess:.1} \
+         times what is allowed; give a smaller DTMIN or a larger tolerance, or let such steps be kept"
+    )]
+    StepTooSmall {
+        /// When, in the unit of T.
+        time: f64,
+        /// The card of the integral.
+        card: usize,
+        /// Its text.
+        text: String,
+        /// Its name.
+        name: String,
+        /// The step, in the unit of T.
+        step: f64,
+        /// Its error over what is allowed, dimensionless.
+        excess: f64,
+    },
+    /// Too many steps.
+    #[error("at T = {time}: {steps} steps are made and FIN is not reached; give a larger tolerance or an earlier FIN")]
+    TooManySteps {
+        /// When, in the unit of T.
+        time: f64,
+        /// The bound.
+        steps: u64,
+    },
+    /// The limit of printed rows is reached.
+    #[error("at T = {time}: a million rows are printed and FIN is not reached; give a longer DT or an earlier FIN")]
+    TooManyRows {
+        /// When, in the unit of T.
+        time: f64,
+    },
+    /// A delay that does not work.
+    #[error("at T = {time}: card {card} ({text}): {error}")]
+    Delay {
+        /// When, in the unit of T.
+        time: f64,
+        /// The card.
+        card: usize,
+        /// Its text.
+        text: String,
+        /// What is wrong.
+        error: DelayError,
+    },
+    /// A parameter of the integrator out of its range.
+    #[error("{0}")]
+    Integrator(crate::ParameterError),
+}
+
+/// What went wrong in which run.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[error("data set {number}: {trouble}")]
+pub struct RunError {
+    /// Number of the data set, counted from 1.
+    pub number: usize,
+    /// What went wrong.
+    pub trouble: Trouble,
+}

@@ -1,0 +1,82 @@
+//! Numbers and truths: which of the two a name is, and whether it is used as that.
+
+use super::expression::{Expression, Node};
+use super::fault::Problem;
+use super::function::{FUNCTIONS, Takes};
+use core::ops::Range;
+
+/// What a value is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Type {
+    Number,
+    Truth,
+}
+
+impl Type {
+    pub(super) fn words(self) -> &'static str {
+        match self {
+            Self::Number => "number",
+            Self::Truth => "truth (TRUE or FALSE)",
+        }
+    }
+
+    /// A problem unless it is the type that is wanted.
+    pub(super) fn must_be(self, wanted: Self, what: impl FnOnce() -> String) -> Result<(), Problem> {
+        if self == wanted {
+            return Ok(());
+        }
+        Err(Problem::Type { what: what(), expected: wanted.words(), found: self.words() })
+    }
+}
+
+/// The type of each node, and what does not fit. A name whose type is not known yet is taken for a number: it is one
+/// that an INT or a TDL of a later card gives.
+pub(super) fn types(
+    expression: &Expression,
+    of_name: impl Fn(&str) -> Option<Type>,
+) -> (Type, Vec<(Range<usize>, Problem)>) {
+    let mut problems = Vec::new();
+    let mut found: Vec<Type> = Vec::with_capacity(expression.nodes.len());
+    for (node, _) in &expression.nodes {
+        let mut check = |part: usize, wanted: Type, what: &dyn Fn() -> String| {
+            if let Err(problem) = found[part].must_be(wanted, what) {
+                problems.push((expression.nodes[part].1.clone(), problem));
+            }
+        };
+        let kind = match node {
+            Node::Number(_) => Type::Number,
+            Node::Name(name) => of_name(name).unwrap_or(Type::Number),
+            Node::Negative(part) => {
+                check(*part, Type::Number, &|| "what a sign stands before".to_owned());
+                Type::Number
+            }
+            Node::Binary(_, parts) => {
+                for part in parts {
+                    check(*part, Type::Number, &|| "what is computed with".to_owned());
+                }
+                Type::Number
+            }
+            Node::Call(function, arguments) => {
+                let function = &FUNCTIONS[*function];
+                let first_own = match function.takes {
+                    Takes::Numbers => Type::Number,
+                    Takes::Truths => Type::Truth,
+                    Takes::NumberThenAlike | Takes::TruthThenAlike => found[arguments[1]],
+                };
+                let letters = ["A", "B", "C", "D"];
+                for (at, argument) in arguments.iter().enumerate() {
+                    let wanted = match (function.takes, at) {
+                        (Takes::NumberThenAlike, 0) => Type::Number,
+                        (Takes::TruthThenAlike, 0) => Type::Truth,
+                        _ => first_own,
+                    };
+                    let letter = letters.get(at).copied().unwrap_or("every argument");
+                    check(*argument, wanted, &|| format!("{letter} of {}({})", function.name, function.arguments));
+                }
+                first_own
+            }
+        };
+        found.push(kind);
+    }
+    (found.last().copied().unwrap_or(Type::Number), problems)
+}

@@ -1,0 +1,145 @@
+//! Whatever is on the cards, reading and running end, and nothing panics.
+
+use geneva_mimic::Parameters;
+use geneva_mimic::language::{Choices, DECKS, DataSet, Deck, FUNCTIONS, Layout, Program, print_out};
+
+/// Numbers that look random and are the same everywhere.
+struct Dice(u64);
+
+impl Dice {
+    fn below(&mut self, most: usize) -> usize {
+        // Marsaglia's xorshift.
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 % most as u64) as usize
+    }
+
+    fn pick<'a>(&mut self, all: &[&'a str]) -> &'a str {
+        all[self.below(all.len())]
+    }
+}
+
+/// A run that cannot take long.
+fn short() -> Choices {
+    let usual = Choices::default();
+    Choices { integrator: Parameters { most_steps: 2000, ..usual.integrator }, ..usual }
+}
+
+/// Reads, compiles and runs a text in both layouts; how far it came.
+fn go(text: &str) -> usize {
+    let mut far = 0;
+    for layout in [Layout::Columns, Layout::Free, Layout::of(text)] {
+        let deck = match Deck::read(text, layout) {
+            Ok(deck) => deck,
+            Err(faults) => {
+                assert!(!faults.to_string().is_empty() && !faults.0.is_empty());
+                continue;
+            }
+        };
+        far = far.max(1);
+        let sets = deck.data_sets();
+        let program = match Program::new(&deck) {
+            Ok(program) => program,
+            Err(faults) => {
+                assert!(!faults.to_string().is_empty() && !faults.0.is_empty());
+                continue;
+            }
+        };
+        far = far.max(2);
+        let set = sets.ok().and_then(|sets| sets.into_iter().next());
+        let set =
+            set.unwrap_or_else(|| DataSet(deck.parameters().iter().map(|name| ((*name).to_owned(), 1.0)).collect()));
+        match program.run(&set, &short()) {
+            Ok(run) => {
+                far = 3;
+                assert!(run.rows.iter().flatten().all(|value| value.is_finite()));
+                assert!(!print_out(&run, "").is_empty());
+            }
+            Err(trouble) => assert!(!trouble.to_string().is_empty()),
+        }
+    }
+    far
+}
+
+#[test]
+fn decks_with_changed_signs_are_read_or_refused() {
+    let mut dice = Dice(0x5eed);
+    let signs: Vec<char> = "ABCX019.+-*/(),= \n\t$°E".chars().collect();
+    let mut far = [0; 4];
+    for round in 0..3000 {
+        let (_, text) = DECKS[round % DECKS.len()];
+        let mut text: Vec<char> = text.chars().filter(|_| true).collect();
+        for _ in 0..=dice.below(4) {
+            let (at, sign) = (dice.below(text.len()), signs[dice.below(signs.len())]);
+            match dice.below(3) {
+                0 => text[at] = sign,
+                1 => text.insert(at, sign),
+                _ => drop(text.remove(at)),
+            }
+        }
+        far[go(&text.into_iter().collect::<String>())] += 1;
+    }
+    assert!(far.iter().all(|count| *count > 20), "all ends are reached: {far:?}");
+}
+
+#[test]
+fn random_cards_are_read_or_refused() {
+    let mut dice = Dice(0xcafe);
+    let names = ["A", "B", "C", "1DX", "T", "DT", "TRUE", "FALSE", "2.", ".5", "1.E-3", "0."];
+    let mut far = [0; 4];
+    for _ in 0..3000 {
+        let mut text = String::from(" L FSW(T-.3,TRUE,FALSE,FALSE)\n");
+        for name in ["A", "B", "C", "1DX"] {
+            let control = if dice.below(6) == 0 { " L" } else { "" };
+            text += &format!("{control} {name} = {}\n", expression(&mut dice, &names, 3));
+        }
+        text += " OUT(T,A,B,C)\n PLO(A,B,C)\n FIN(T,.5)\n END\n";
+        far[go(&text)] += 1;
+    }
+    assert!(far[1] > 200 && far[2] > 20 && far[3] > 50, "{far:?}");
+}
+
+/// An expression of some depth, mostly well formed.
+fn expression(dice: &mut Dice, names: &[&str], depth: usize) -> String {
+    if depth == 0 || dice.below(4) == 0 {
+        return dice.pick(names).to_owned();
+    }
+    let mut part = || expression(dice, names, depth - 1);
+    let (first, second, third, fourth) = (part(), part(), part(), part());
+    match dice.below(8) {
+        0..=2 => {
+            let sign = dice.pick(&["+", "-", "*", "/", "**"]);
+            format!("({first}{sign}{second})")
+        }
+        3 => format!("-({first})"),
+        4 => format!("INT({first},{second})"),
+        5 => format!("TDL({first},.1)"),
+        _ => {
+            let function = FUNCTIONS[dice.below(FUNCTIONS.len())];
+            let arguments = [first, second, third, fourth];
+            let count = function.arguments.split(", ").filter(|letter| *letter != "...").count().min(4);
+            format!("{}({})", function.name, arguments[..count].join(","))
+        }
+    }
+}
+
+#[test]
+fn long_and_deep_texts_end() {
+    let many = |card: &str| format!("{} OUT(T)\n FIN(T,1.)\n END\n", format!("{card}\n").repeat(20_000));
+    for text in [
+        many(" A B"),
+        many("C"),
+        many(" A ((((((((((((((("),
+        many(" OUT(T)"),
+        " A 1.\n".repeat(3),
+        format!(" A {}\n END", "(".repeat(900)),
+        format!(" A {}1.\n END", "-".repeat(900)),
+        format!(" A {}1.\n END", "2.**".repeat(240)),
+        "\u{feff}*".to_owned(),
+        "\0\0\0".to_owned(),
+        " PAR(A)\n OUT(A)\n FIN(T,.1)\n END\n".to_owned() + &"1.\n".repeat(200_000),
+    ] {
+        go(&text);
+    }
+}

@@ -1,0 +1,133 @@
+//! What is wrong with a deck is told all at once: the card, the column, what is allowed, the nearest known name.
+
+use super::{deck, told as faults_of};
+use geneva_mimic::language::{Deck, Layout, Problem, Program};
+
+/// A deck around some cards.
+fn around(cards: &str) -> String {
+    format!(" X INT(-X,1.)\n{cards} OUT(T,X)\n FIN(T,1.)\n END\n")
+}
+
+/// That some cards have one fault, on the second card, at this column, with these words.
+#[track_caller]
+fn fault(cards: &str, column: usize, words: &str) {
+    let told = faults_of(&around(cards));
+    let place = format!("card 2, column {column}: ");
+    assert!(told.contains(&place) && told.contains(words), "{cards}\n{told}");
+    assert_eq!(told.matches("column").count(), 1, "more than one fault\n{told}");
+    let caret = told.lines().last().expect("a line").find('^').expect("a mark");
+    assert_eq!(caret, 4 + column - 1, "{told}");
+}
+
+#[test]
+fn each_fault_has_its_card_its_column_and_a_way_out() {
+    for (cards, column, words) in [
+        (" Y COSS(X)\n", 4, "the nearest is COS"),
+        (" Y COS(XX)\n", 8, "no card defines XX; the nearest is X"),
+        (" Y SIN(X,X)\n", 4, "SIN has 2 arguments, but takes 1 argument: SIN(A)"),
+        (" Y MAX(X)\n", 4, "takes 2 or more arguments: MAX(A, B, ...)"),
+        (" Y 2.*(X+1.\n", 12, "expected a closing parenthesis"),
+        (" Y 2.*\n", 7, "expected a name, a number or a parenthesis"),
+        (" Y X*-2.\n", 6, "two signs in a row"),
+        (" Y X $ 2.\n", 6, "the sign '$' means nothing"),
+        (" Y 1.2.3\n", 4, "1.2.3 is no number"),
+        (" Y X 2.\n", 4, ""),
+        (" COS(X)\n", 2, "expected the name of a result before the function"),
+        (" PRA(X)\n", 2, "the nearest is PAR"),
+        (" OUT X\n", 6, "expected an opening parenthesis"),
+        (" FIN(T)\n", 2, "takes two"),
+        (" SCA(1.,2.)\n", 2, "SCA belongs behind a PLO card"),
+        (" PLO(T)\n", 2, "takes two names or more"),
+        (" OUT(2.*X)\n", 6, "expected a name"),
+        (" T 2.\n", 2, "T is time"),
+        (" SIN 2.\n", 2, "SIN is a function"),
+        (" PAR(X0,TRUE)\n", 9, "TRUE is a truth"),
+        (" X 2.\n", 2, "X is already defined on card 1"),
+        (" Y NOT(X)\n", 8, "A of NOT(A) must be a truth"),
+        (" Y FSW(X,TRUE,TRUE,2.)\n", 20, "D of FSW(A, B, C, D) must be a truth"),
+        (" Y 2.*TRUE\n", 7, "what is computed with must be a number"),
+        (" X Y 2.\n", 4, ""),
+        (" Y TDL(X,X,100.)\n", 4, "the delay of a TDL must be known before the run, but X changes with it"),
+        (" DT X/10.\n", 5, "DT must be known before the run, but X changes with it"),
+        (" Y 2.*IMP(1.,X)\n", 7, "IMP stands alone"),
+        (" A B -2.\n", 6, "may be a result under A, or the result A"),
+        (" Y\n", 3, "expected an expression"),
+        (" 2. X\n", 2, "expected the name of a result"),
+    ] {
+        if words.is_empty() {
+            // A blank makes another field, or a control variable of what is none.
+            assert!(!faults_of(&around(cards)).is_empty(), "{cards}");
+        } else {
+            fault(cards, column, words);
+        }
+    }
+}
+
+#[test]
+fn all_faults_are_told_at_once_in_the_order_of_the_cards() {
+    let told = faults_of(" Y COSS(Z)\n Y = 2.\n OUT(Q)\n B C\n C B\n");
+    let told: Vec<&str> =
+        told.lines().filter(|line| line.starts_with("card ") || line.starts_with("the deck")).collect();
+    assert_eq!(told.len(), 5, "no END, no FIN, COSS, Y twice, Q, and nothing of the loop yet: {told:#?}");
+    let told = faults_of(" Y COS(Z)\n Y = 2.\n OUT(Q)\n B C\n C B\n FIN(T,W)\n END\n");
+    let cards: Vec<&str> = told.lines().filter_map(|line| line.strip_prefix("card ")).map(|line| &line[..1]).collect();
+    assert_eq!(cards, ["1", "2", "3", "4", "6"], "{told}");
+}
+
+#[test]
+fn loops_are_told_by_the_names_around_them() {
+    let told = faults_of(" A B+1.\n B 2.*C\n C A-D\n D 1.\n E E+1.\n OUT(A,E)\n FIN(T,1.)\n END\n");
+    assert!(told.contains("A → B → C → A;"), "{told}");
+    assert!(told.contains("E → E;"), "{told}");
+    assert!(!told.contains("D →"), "{told}");
+    let told = faults_of(" X INT(Y,X0)\n Y 2.\n X0 X+1.\n OUT(X)\n FIN(T,1.)\n END\n");
+    assert!(told.contains("an initial value that waits for itself: X → X0 → X"), "{told}");
+    // What a memory gives closes no loop.
+    for memory in ["INT(A,0.)", "TDL(A,.1)", "FTR(A,.1)", "LIN(A,0.,0.,1.)"] {
+        let text = format!(" A B+1.\n B {memory}\n OUT(A)\n FIN(T,1.)\n END\n");
+        assert!(Program::new(&deck(&text)).is_ok(), "{memory}");
+    }
+    // What a hold and a difference quotient give does.
+    for none in ["ZOH(A,.1)", "DER(A,T,0.)"] {
+        assert!(faults_of(&format!(" A B+1.\n B {none}\n OUT(A)\n FIN(T,1.)\n END\n")).contains("A → B → A"));
+    }
+}
+
+#[test]
+fn two_definitions_need_two_control_variables() {
+    let text = |first: &str, second: &str| {
+        format!(" L FSW(T-1.,TRUE,TRUE,FALSE)\n M NOT(L)\n {first} X 1.\n {second} X 2.\n OUT(X)\n FIN(T,2.)\n END\n")
+    };
+    assert!(Program::new(&deck(&text("L", "M"))).is_ok());
+    for (first, second) in [("L", "L"), ("", "L"), ("L", ""), ("", "")] {
+        assert!(faults_of(&text(first, second)).contains("X is already defined on card 3"), "{first} {second}");
+    }
+}
+
+#[test]
+fn a_deck_without_an_end_is_told_what_is_missing() {
+    let missing = |text: &str| match Deck::read(text, Layout::Free) {
+        Ok(_) => Vec::new(),
+        Err(faults) => faults
+            .0
+            .into_iter()
+            .filter_map(|fault| match fault.problem {
+                Problem::Missing { card, .. } => Some(card),
+                _ => None,
+            })
+            .collect(),
+    };
+    assert_eq!(missing(""), ["END", "FIN", "OUT"]);
+    assert_eq!(missing(" X 2.\n OUT(X)\n FIN(T,1.)\n"), ["END"]);
+    assert!(missing(" X 2.\n PLO(T,X)\n FIN(T,1.)\n END\n").is_empty());
+}
+
+#[test]
+fn a_comment_that_could_define_c_is_noted() {
+    let text = "C      (A+1.)*2.\n A 2.\n OUT(A)\n FIN(T,1.)\n END\n";
+    assert!(deck(text).notes()[0].contains("card 1 is a comment"), "{:?}", deck(text).notes());
+    let text = text.replace("(A+1.)*2.", "A = NUMBER OF PINS");
+    assert!(deck(&text).notes().is_empty());
+    let short = deck(" A 2.\n HDR(ONE,TWO)\n OUT(A)\n FIN(T,1.)\n END\n");
+    assert!(short.notes()[0].contains("2 words for 1 columns"), "{:?}", short.notes());
+}

@@ -1,0 +1,182 @@
+//! Running: when a run ends, what is printed, how steps are set, and what stops it.
+
+use super::{deck, own, program, runs};
+use geneva_mimic::language::{Choices, DataSet, Program, Run, Trouble, print_out};
+use geneva_mimic::{AtSmallestStep, Kept, Parameters};
+
+#[track_caller]
+fn trouble(text: &str) -> String {
+    let deck = deck(text);
+    let sets = deck.data_sets().unwrap_or_else(|faults| panic!("{faults}"));
+    let choices = Choices::default();
+    Program::new(&deck)
+        .unwrap_or_else(|faults| panic!("{faults}"))
+        .run(&sets[0], &choices)
+        .expect_err("trouble")
+        .to_string()
+}
+
+fn times(run: &Run) -> Vec<f64> {
+    run.rows.iter().map(|row| row[0]).collect()
+}
+
+#[test]
+fn a_run_ends_at_the_first_fin_and_prints_every_dt() {
+    let run = &runs(" DT .25\n OUT(T)\n FIN(T,9.)\n FIN(T,1.1)\n END\n")[0];
+    assert_eq!(times(run), [0.0, 0.25, 0.5, 0.75, 1.0, 1.1]);
+    let run = &runs(" OUT(T)\n FIN(T,.3)\n END\n")[0];
+    assert_eq!(times(run), [0.0, 0.1, 0.2, 0.300_000_000_000_000_04]);
+}
+
+#[test]
+fn a_value_can_end_a_run_between_two_printed_points() {
+    // A stone falls for √2 units of time.
+    let text = " V INT(-1.,0.)\n FALLEN 1.-X\n X INT(V,1.)\n DT .5\n DTMAX .001\n OUT(T,X)\n FIN(FALLEN,1.)\n FIN(T,50.)\n END\n";
+    let run = &runs(text)[0];
+    assert_eq!(times(run)[..3], [0.0, 0.5, 1.0]);
+    assert!(run.rows.len() == 4 && (run.rows[3][0] - 2_f64.sqrt()).abs() <= 1e-3, "{:?}", run.rows);
+    // A limit that moves, and no time: T reaches half of what grows as fast.
+    let text = " LIMIT INT(.5,1.)\n OUT(T,LIMIT)\n FIN(T,LIMIT)\n END\n";
+    let last = runs(text)[0].rows.last().expect("a row").clone();
+    assert!((last[0] - 2.0).abs() < 0.11 && last[0] >= last[1], "{last:?}");
+}
+
+#[test]
+fn steps_are_no_longer_than_dtmax_and_no_shorter_than_dtmin() {
+    let steps = |cards: &str| {
+        let text = format!(" X INT(-X,1.)\n{cards} OUT(T,X)\n FIN(T,1.)\n END\n");
+        runs(&text)[0].work
+    };
+    assert_eq!(steps(" DT .5\n").accepted, steps(" DT .5\n DTMAX DT\n").accepted);
+    assert_eq!(steps(" DT .5\n DTMAX DT/50.\n").accepted, 100);
+    let forced = steps(" DT .5\n DTMIN .25\n");
+    assert!(forced.forced > 0 && forced.accepted <= 5, "{forced:?}");
+}
+
+#[test]
+fn a_tolerance_costs_steps_and_gives_accuracy() {
+    let (program, set) = own("oscillator", &[1.0, 0.0, 1.0, 0.0, 1.0]);
+    let usual = Choices::default();
+    let error = |relative_tolerance: f64, kept: Kept| {
+        let integrator = Parameters { relative_tolerance, kept, ..usual.integrator };
+        let run = program.run(&set, &Choices { integrator, ..usual }).unwrap_or_else(|trouble| panic!("{trouble}"));
+        let error = run.rows.iter().map(|row| (row[1] - libm::cos(row[0])).abs()).fold(0.0, f64::max);
+        (error, run.work.accepted)
+    };
+    let [rough, fine] = [1e-5, 1e-9].map(|tolerance| error(tolerance, Kept::TwoHalfSteps));
+    assert!(rough.0 > 10.0 * fine.0 && rough.1 < fine.1, "{rough:?} {fine:?}");
+    assert!(error(1e-5, Kept::Extrapolated).0 < rough.0 && error(1e-5, Kept::FullStep).0 > rough.0);
+}
+
+#[test]
+fn what_stops_a_run_is_told_with_card_and_time() {
+    for (text, words) in [
+        // From the start on, at a point, on the way, in a chain of cards, and only where it is taken.
+        (
+            " A 0.\n X INT(1./A,0.)\n OUT(X)\n FIN(T,1.)\n END\n",
+            "at T = 0: card 2 (X INT(1./A,0.)): 1.0 divided by zero",
+        ),
+        (" Y SIN(T)/T\n OUT(Y)\n FIN(T,1.)\n END\n", "at T = 0: card 1 (Y SIN(T)/T): 0.0 divided by zero"),
+        (" Y 1./(T-.5)\n Z Y+1.\n OUT(Z)\n FIN(T,1.)\n END\n", "at T = 0.5: card 1 (Y 1./(T-.5)): 1.0 divided by zero"),
+        (" Y SQR(.55-T)\n OUT(T,Y)\n FIN(T,1.)\n END\n", "card 1 (Y SQR(.55-T)): the square root of -0.0"),
+        (" Y LOG(-1.-T)\n OUT(Y)\n FIN(T,1.)\n END\n", "the logarithm of -1.0"),
+        (" Y FSW(T-1.,0.,0.,1.)/T\n OUT(Y)\n FIN(T,1.)\n END\n", "at T = 0: card 1"),
+        (" X INT(X**2,1.)\n OUT(X)\n FIN(T,2.)\n END\n", "card 1 (X INT(X**2,1.))"),
+        (
+            " X INT(1.,1./B)\n B 0.\n OUT(X)\n FIN(T,1.)\n END\n",
+            "at T = 0: card 1 (X INT(1.,1./B)): 1.0 divided by zero",
+        ),
+        (" X FTR(1.,B)\n B 0.\n OUT(X)\n FIN(T,1.)\n END\n", "card 1 (X FTR(1.,B))"),
+    ] {
+        let told = trouble(text);
+        assert!(told.contains(words), "{text}\n{told}");
+    }
+    // Of two definitions it is the one that counts at the time.
+    let text = " L FSW(T-.3,TRUE,TRUE,FALSE)\n M NOT(L)\n L Y 1./(T-.2)\n M Y 2.\n OUT(Y)\n FIN(T,1.)\n END\n";
+    assert!(trouble(text).contains("at T = 0.2: card 3 (L Y 1./(T-.2)): 1.0 divided by zero"), "{}", trouble(text));
+    // A branch that is not taken may be what it likes.
+    let text = " Y FSW(T,0.,0.,SIN(T)/T)\n OUT(Y)\n FIN(T,1.)\n END\n";
+    assert!(runs(text)[0].rows.iter().all(|row| row[0].is_finite()));
+}
+
+#[test]
+fn a_step_below_dtmin_stops_a_run_that_is_to_be_stopped() {
+    let text = " SIGN FSW(T-.512345,-1.,1.,1.)\n SLOW INT(1.,0.)\n X INT(1000.*SIGN,0.)\n OUT(T,X)\n FIN(T,1.)\n END\n";
+    let program = program(text);
+    let usual = Choices::default();
+    let kept = program.run(&DataSet::default(), &usual).unwrap_or_else(|trouble| panic!("{trouble}"));
+    assert_eq!(kept.work.forced, 0, "it can be passed");
+    let text = text.replace(" OUT", " DTMIN .01\n OUT");
+    let program = super::program(&text);
+    let kept = program.run(&DataSet::default(), &usual).unwrap_or_else(|trouble| panic!("{trouble}"));
+    assert!(kept.work.forced > 0 && print_out(&kept, "").contains("missed the tolerance"));
+    let integrator = Parameters { at_smallest_step: AtSmallestStep::Stop, ..usual.integrator };
+    let told = program.run(&DataSet::default(), &Choices { integrator, ..usual }).expect_err("it stops");
+    let Trouble::StepTooSmall { time, card, name, .. } = &told else { panic!("{told}") };
+    assert!((0.5..0.512_345).contains(time) && *card == 3 && name == "X", "{told}");
+}
+
+#[test]
+fn what_cannot_be_run_is_refused() {
+    for (text, words) in [
+        (" DT -1.\n OUT(T)\n FIN(T,1.)\n END\n", "DT is -1: it must be above zero"),
+        (" DTMIN 1.\n DTMAX .5\n OUT(T)\n FIN(T,1.)\n END\n", "DTMIN is 1: it must not be above DTMAX"),
+        (" OUT(T)\n FIN(T,0.)\n END\n", "card 2 (FIN(T,0.)): the run would end at T = 0"),
+        (" OUT(T)\n FIN(T,1.E9)\n END\n", "at most a million DT away"),
+        (" X TDL(T,-1.)\n OUT(X)\n FIN(T,1.)\n END\n", "card 1 (X TDL(T,-1.)): delay -1.0"),
+        (" X INT(1.,0.)\n OUT(X)\n FIN(-X,1.)\n END\n", "a million rows are printed and FIN is not reached"),
+    ] {
+        let told = trouble(text);
+        assert!(told.contains(words), "{text}\n{told}");
+    }
+    let program = program(" PAR(A)\n OUT(A)\n FIN(T,1.)\n END\n");
+    let run = |set: &[(&str, f64)]| {
+        let set = DataSet(set.iter().map(|(name, value)| ((*name).to_owned(), *value)).collect());
+        program.run(&set, &Choices::default()).map(|run| run.rows[0][0])
+    };
+    assert_eq!(run(&[("A", 2.0)]), Ok(2.0));
+    // The later number counts.
+    assert_eq!(run(&[("A", 2.0), ("A", 3.0)]), Ok(3.0));
+    assert_eq!(run(&[]), Err(Trouble::Missing("A".to_owned())));
+    assert_eq!(run(&[("A", 2.0), ("B", 3.0)]), Err(Trouble::Unknown("B".to_owned())));
+}
+
+#[test]
+fn the_print_out_has_headings_numbers_and_plots() {
+    let text = " PAR(A)\n X INT(A,0.)\n Y -X\n DT 1.\n HDR(TIME,PLACE)\n OUT(T,X)\n OUT(Y)\n PLO(T,X,Y)\n SCA(1.,.1,.1)\n \
+                ZER(0.,-5.,-5.)\n FIN(T,3.)\n END\n 2.\n";
+    let run = &runs(text)[0];
+    let page = print_out(run, "a title");
+    let lines: Vec<&str> = page.lines().collect();
+    assert_eq!(lines[..2], ["a title", "  A = 2"]);
+    assert_eq!(lines[3].split_whitespace().collect::<Vec<_>>(), ["TIME", "PLACE"]);
+    assert_eq!(lines[8].split_whitespace().collect::<Vec<_>>(), ["3.00000E+00", "6.00000E+00"]);
+    assert_eq!(lines[10].trim(), "Y");
+    // One line for each step of T; X and Y cross in the middle of −5 to 5, and X leaves the paper at its edge.
+    let plot: Vec<&str> = lines.iter().copied().filter(|line| line.ends_with('|') && !line.contains("--")).collect();
+    assert_eq!(plot.len(), 4);
+    let inside = |line: &str| line.split('|').nth(1).expect("a frame").to_owned();
+    assert_eq!(inside(plot[0]).find('+'), Some(50));
+    assert_eq!((inside(plot[1]).find('*'), inside(plot[1]).find('+')), (Some(70), Some(30)));
+    assert_eq!((inside(plot[3]).find('*'), inside(plot[3]).find('+')), (Some(100), Some(0)));
+    // Without scales the curve fills the paper.
+    let text = text.replace(" SCA(1.,.1,.1)\n", "").replace(" ZER(0.,-5.,-5.)\n", "");
+    let page = print_out(&runs(&text)[0], "");
+    let plot: Vec<&str> = page.lines().filter(|line| line.ends_with('|') && !line.contains("--")).collect();
+    assert_eq!((plot.len(), inside(plot[50]).find('*'), inside(plot[50]).find('+')), (51, Some(100), Some(0)));
+}
+
+#[test]
+fn equal_decks_give_equal_bits_and_runs_do_not_touch_each_other() {
+    let (program, _) = own("escapement", &[4.0, -0.75, 0.25, 0.125, 6e-5, 2e-5]);
+    let names = ["SLOTS", "START", "MU", "TORQUE", "IFOL", "IDRV"];
+    let set = |mu: f64| {
+        DataSet(names.iter().map(|name| (*name).to_owned()).zip([4.0, -0.75, mu, 0.125, 6e-5, 2e-5]).collect())
+    };
+    let together = program.runs(&[set(0.25), set(0.125), set(0.25)], &Choices::default()).expect("three runs");
+    assert_eq!(together[0], together[2]);
+    assert_ne!(together[0].rows, together[1].rows);
+    assert_eq!(Ok(&together[1]), program.run(&set(0.125), &Choices::default()).as_ref());
+    let error = program.runs(&[set(0.25), set(f64::NAN)], &Choices::default()).expect_err("no number");
+    assert!(error.to_string().starts_with("data set 2: at T = 0: "), "{error}");
+}

@@ -1,0 +1,100 @@
+//! The order of the statements, whatever the order of the cards, and how long it takes to find.
+
+use super::{last, program, runs};
+use geneva_mimic::language::{Choices, DataSet, When};
+use std::time::Instant;
+
+#[test]
+fn the_order_of_the_cards_does_not_matter() {
+    let cards = [" A B+C", " B 2.*C", " C T+1.", " X INT(A,B)", " OUT(T,A,B,C,X)", " FIN(T,1.)"];
+    let run = |order: &[usize]| {
+        let cards: String = order.iter().map(|at| format!("{}\n", cards[*at])).collect();
+        runs(&format!("{cards} END\n"))[0].rows.clone()
+    };
+    let usual = run(&[0, 1, 2, 3, 4, 5]);
+    for order in [[5, 4, 3, 2, 1, 0], [2, 0, 4, 1, 5, 3], [3, 1, 0, 5, 2, 4]] {
+        assert_eq!(run(&order), usual);
+    }
+    assert_eq!(usual[0], [0.0, 3.0, 2.0, 1.0, 2.0]);
+}
+
+#[test]
+fn what_is_known_before_a_run_is_computed_once() {
+    let program = program(" PAR(P)\n A 2.*P\n B A+T\n C SIN(A)\n X INT(A,0.)\n OUT(B,C)\n FIN(T,1.)\n END\n");
+    let when: Vec<_> = program.sorted().iter().map(|of| (of.result.as_str(), of.when, of.is_dead)).collect();
+    let expected =
+        [("A", When::Once, false), ("B", When::Always, false), ("C", When::Once, false), ("X", When::Always, true)];
+    assert_eq!(when, expected);
+    assert_eq!(program.size(), (1, 1));
+}
+
+#[test]
+fn a_statement_whose_control_is_false_keeps_its_last_value() {
+    let text = " EARLY FSW(T-.45,TRUE,FALSE,FALSE)\n LATE NOT(EARLY)\n EARLY X T\n LATE Y T\n Z X+Y\n OUT(T,X,Y,Z)\n \
+                FIN(T,1.)\n END\n";
+    for row in &runs(text)[0].rows {
+        let early = row[0] < 0.45;
+        // Kept is what was at the last point that was kept, not what was tried.
+        let expected = if early { [row[0], 0.0] } else { [0.4, row[0]] };
+        assert_eq!(row[1..3], expected, "{row:?}");
+        assert_eq!(row[3], row[1] + row[2]);
+    }
+}
+
+#[test]
+fn refused_steps_leave_no_trace_in_what_is_kept() {
+    // The integrand jumps: steps over the jump are refused, and some of them reach beyond it.
+    let text = " LATE FSW(T-.55,FALSE,TRUE,TRUE)\n EARLY NOT(LATE)\n LATE SEEN 1.\n EARLY V 1.\n LATE V 100.\n \
+                X INT(V,0.)\n OUT(T,X,SEEN)\n FIN(T,1.)\n END\n";
+    let run = &runs(text)[0];
+    assert!(run.work.rejected > 0);
+    assert_eq!(run.rows[5][2], 0.0);
+    assert_eq!(run.rows[6][2], 1.0);
+    assert!((run.rows[10][1] - (0.55 + 45.0)).abs() < 1e-3, "{:?}", run.rows[10]);
+}
+
+/// A chain of statements, last first, with an integral at its end.
+fn chain(statements: usize) -> String {
+    let mut text = String::new();
+    for number in (1..statements).rev() {
+        text += &format!(" S{number} S{}*.999+SIN(S{})\n", number - 1, number - 1);
+    }
+    text + " S0 INT(1.,0.)\n OUT(T,S1)\n DT 1.\n FIN(T,2.)\n END\n"
+}
+
+#[test]
+fn many_statements_take_no_more_than_their_share() {
+    // Some seconds if each is looked at a few times; an hour if each is compared with each.
+    let (text, many) = (chain(100_000), 100_000);
+    let start = Instant::now();
+    let program = program(&text);
+    assert!(program.sorted().len() == many + 1 && start.elapsed().as_secs() < 60, "{:?}", start.elapsed());
+    assert_eq!(last(&chain(2000)).len(), 2);
+}
+
+#[test]
+fn there_are_bounds_to_integrals_and_delays() {
+    let run = |card: &str, many: usize| {
+        let cards: String = (0..many).map(|k| format!(" X{k} {card}\n")).collect();
+        let program = program(&format!("{cards} OUT(T,X0)\n FIN(T,.2)\n END\n"));
+        program.run(&DataSet::default(), &Choices::default()).map(|run| run.rows[2][1])
+    };
+    for (card, most) in [("INT(1.,0.)", 1024), ("TDL(T,.1)", 256)] {
+        assert!((run(card, most).expect("as many as there may be") - 0.2).abs() < 0.11, "{card}");
+        let told = run(card, most + 1).expect_err("one more").to_string();
+        assert!(told.contains(&format!("at most {most} can be run together")), "{told}");
+    }
+}
+
+#[test]
+fn many_integrals_run_together() {
+    // Heat in a rod of 200 pieces, warm at one end.
+    let mut text = " C 50.\n Q0 1.\n".to_owned();
+    for k in 1..=200 {
+        let next = if k == 200 { "0.".to_owned() } else { format!("Q{}", k + 1) };
+        text += &format!(" Q{k} INT(C*(Q{}-2.*Q{k}+{next}),0.)\n", k - 1);
+    }
+    let run = &runs(&format!("{text} OUT(T,Q1,Q100)\n DT 1.\n DTMAX .005\n FIN(T,3.)\n END\n"))[0];
+    let [warm, cool] = [run.rows[3][1], run.rows[3][2]];
+    assert!((0.9..1.0).contains(&warm) && (0.0..0.01).contains(&cool), "{warm} {cool}");
+}

@@ -1,0 +1,161 @@
+//! What is said on pages elsewhere: what is wrong in a table, where it was read, and every statement in a fold.
+
+use super::errata::{entries, right};
+use super::findings::how;
+use super::inline::{badge, linked_id, linked_page, with_unit};
+use crate::html::{Cells, Table, escape, table, tex_or_text};
+use crate::lookup;
+use anyhow::{Context, anyhow};
+use geneva_ledger::{Check, Judged, Slip, Truth, Work, in_full, slip, wild};
+
+/// What is wrong, a row for each slip.
+pub fn wrong() -> anyhow::Result<Table> {
+    let rows = statements_with_slips().filter(|(judged, slip)| judged.claim.id == slip.id).map(|(judged, slip)| {
+        let claim = judged.claim;
+        let printed = with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?;
+        Ok(vec![
+            format!("<a href=\"#slip-{}\">{}</a><div class=\"form\">{printed}</div>", slip.id, escape(claim.meaning)),
+            format!("{} <div>{}</div>", right(judged)?, escape(slip.changes)),
+        ])
+    });
+    table("What is wrong elsewhere", Cells::Words, &["As printed", "Right, and what the printed one does"], rows)
+}
+
+/// Each address, and how many of its statements are right and wrong.
+pub fn addresses() -> anyhow::Result<Table> {
+    let mut all: Vec<(&str, [usize; 2])> = Vec::new();
+    for judged in lookup::of_work(Work::Wild) {
+        let (address, _) = read(judged)?;
+        let at = all.iter().position(|(known, _)| *known == address).unwrap_or_else(|| {
+            all.push((address, [0; 2]));
+            all.len() - 1
+        });
+        all[at].1[usize::from(judged.truth() == Truth::Wrong)] += 1;
+    }
+    let count = |number: usize| if number == 0 { "–".to_owned() } else { number.to_string() };
+    let rows =
+        all.into_iter().map(|(address, [right, wrong])| Ok(vec![linked_page(address), count(right), count(wrong)]));
+    table("Where it was read", Cells::Words, &["Page or program", "Right", "Wrong"], rows)
+}
+
+/// Every statement in a fold, by what it is about.
+pub fn statements() -> anyhow::Result<String> {
+    let subject = |(title, claims): &wild::Subject| {
+        let folds = claims().iter().map(|claim| fold(lookup::judged(claim.id)?)).collect::<anyhow::Result<String>>()?;
+        Ok(format!("\n\n### {title}\n\n{folds}"))
+    };
+    wild::SUBJECTS.iter().map(subject).collect()
+}
+
+/// A statement in one line, which opens. The one in which a slip is made bears the slip's anchor.
+fn fold(judged: &Judged) -> anyhow::Result<String> {
+    let claim = judged.claim;
+    let (address, day) = read(judged)?;
+    let anchor = match &claim.erratum {
+        Some(erratum) if erratum.slip.id == claim.id => format!(" id=\"slip-{}\"", claim.id),
+        _ => String::new(),
+    };
+    let right = if claim.erratum.is_some() { "" } else { " right" };
+    let inner = match &claim.erratum {
+        Some(erratum) => entries(judged, slip(erratum.slip.id).context("a slip without places")?, true)?,
+        None => found(judged)?,
+    };
+    Ok(format!(
+        "<details class=\"erratum{right}\"{anchor}>\n<summary>{}: {} {}</summary>\n<p><a href=\"{}\">Address</a>, as read on \
+         {day}</p>\n{inner}\n</details>\n\n",
+        escape(whose(address)),
+        escape(claim.meaning),
+        badge(judged.verdict),
+        escape(address)
+    ))
+}
+
+/// Host of a page, owner and name of a repository.
+fn whose(address: &str) -> &str {
+    let path = address.split_once("://").map_or(address, |(_, path)| path).trim_start_matches("www.");
+    let (path, parts) = path.strip_prefix("github.com/").map_or((path, 1), |path| (path, 2));
+    let end = path.match_indices('/').nth(parts - 1).map_or(path.len(), |(at, _)| at);
+    &path[..end]
+}
+
+/// How a statement was found that nothing is wrong with.
+fn found(judged: &Judged) -> anyhow::Result<String> {
+    let claim = judged.claim;
+    let mut out = "<dl>\n".to_owned();
+    let mut entry = |term: &str, text: String| out.push_str(&format!("<dt>{term}</dt><dd>{text}</dd>\n"));
+    entry("Stated", with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?);
+    if let Check::Number { .. } | Check::Equation { .. } = &claim.check {
+        // Of an equation the ledger has more.
+        let evidence: Vec<_> = claim.check.evidence().iter().map(ToString::to_string).collect();
+        let found = judged.findings.first().map_or_else(String::new, |(_, found)| format!(": {}", escape(&found.how)));
+        entry("Checked by", evidence.join(", ") + &found);
+        if let Some(reading) = claim.reading {
+            entry("Read as", escape(reading));
+        }
+    } else {
+        entry("How it was found", how(judged));
+    }
+    out.push_str(&format!("</dl>\n<p>{}</p>", linked_id(claim.id)));
+    Ok(out)
+}
+
+/// The statements that a slip reaches.
+fn statements_with_slips() -> impl Iterator<Item = (&'static Judged, &'static Slip)> {
+    lookup::of_work(Work::Wild).filter_map(|judged| Some((judged, &judged.claim.erratum.as_ref()?.slip)))
+}
+
+/// Address and day of a statement.
+fn read(judged: &Judged) -> anyhow::Result<(&'static str, &'static str)> {
+    wild::read(judged.claim.locator).ok_or_else(|| anyhow!("`{}` has no address", judged.claim.id))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_statement_has_a_fold_and_every_slip_an_anchor() {
+        let page = statements().expect("folds");
+        let all: Vec<_> = lookup::of_work(Work::Wild).collect();
+        assert_eq!(page.matches("<details").count(), all.len());
+        for judged in &all {
+            let name = format!("<p>{}", linked_id(judged.claim.id));
+            assert_eq!(page.matches(&name).count(), 1, "{}", judged.claim.id);
+        }
+        let slips: Vec<_> = all.iter().filter_map(|judged| Some(judged.claim.erratum.as_ref()?.slip.id)).collect();
+        let wrong = wrong().expect("a table");
+        for id in &slips {
+            assert_eq!(page.matches(&format!(" id=\"slip-{id}\"")).count(), 1, "{id}");
+            assert!(wrong.holds(&format!("\"#slip-{id}\"")), "{id}");
+        }
+        assert!(slips.len() < all.len());
+    }
+
+    #[test]
+    fn every_address_has_a_row_that_counts_its_statements() {
+        let csv = addresses().expect("a table").csv().expect("data");
+        let rows = || csv.lines().skip(1).map(|row| row.rsplit(',').take(2));
+        let counted: usize = rows().flatten().filter_map(|cell| cell.parse::<usize>().ok()).sum();
+        assert_eq!(counted, lookup::of_work(Work::Wild).count());
+    }
+
+    #[test]
+    fn an_address_is_named_by_its_owner_and_its_last_part() {
+        for (address, name) in [
+            ("https://www.a.org", "a.org"),
+            ("https://a.org/b.html", "a.org/b.html"),
+            ("http://a.org/b/c/d/", "a.org/…/d"),
+            ("https://github.com/a/b/blob/HEAD/c/d.py", "a/b/…/d.py"),
+            ("https://github.com/a/b/pull/7", "a/b, request 7"),
+        ] {
+            assert_eq!(crate::html::plain(&linked_page(address)), name);
+        }
+        for (address, name) in [
+            ("https://www.a.org", "a.org"),
+            ("http://a.org/b/", "a.org"),
+            ("https://github.com/a/b/blob/HEAD/c/d.py", "a/b"),
+        ] {
+            assert_eq!(whose(address), name);
+        }
+    }
+}

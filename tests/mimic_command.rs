@@ -1,0 +1,173 @@
+//! Does `geneva mimic` check, sort and run decks, and does it say what is wrong with them?
+
+use crate::{geneva, json, pin, refusal, stdout};
+use geneva_ledger::meyer::runs::{Hypothesis, rows};
+use serde_json::Value;
+use std::fs;
+use std::io::Write;
+use std::process::{Command, Stdio};
+use tempfile::TempDir;
+
+const DECK: &str = "\
+* a weight falls in a fluid
+ CON(G)
+ PAR(DRAG)
+ DT .5
+ V INT(G-DRAG*V,0.)
+ WAY INT(V,0.)
+ HDR(TIME,SPEED,WAY)
+ OUT(T,V,WAY)
+ PLO(T,V)
+ FIN(T,1.5)
+ END
+ 10.
+ 0.
+ 2.
+";
+
+/// A folder with a file in it.
+fn folder(name: &str, text: &str) -> (TempDir, String) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join(name);
+    fs::write(&path, text).expect("written");
+    (folder, path.to_str().expect("UTF-8").to_owned())
+}
+
+/// The program with a deck on its standard input.
+fn fed(arguments: &[&str], deck: &str) -> (String, String, Option<i32>) {
+    let mut command: Command = geneva(arguments);
+    let pipes = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = pipes.spawn().expect("it starts");
+    child.stdin.take().expect("a pipe").write_all(deck.as_bytes()).expect("written");
+    let output = child.wait_with_output().expect("it ends");
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("UTF-8");
+    (text(output.stdout), text(output.stderr), output.status.code())
+}
+
+#[test]
+fn what_is_known_of_the_language_is_listed() {
+    pin("mimic-functions", &["mimic", "functions"]);
+    pin("mimic-decks", &["mimic", "decks"]);
+    pin("mimic-sort", &["mimic", "sort", "escapement"]);
+    let deck = stdout(&["mimic", "decks", "oscillator"], 0);
+    assert!(deck.contains("INT(ACCEL,V0)"), "{deck}");
+}
+
+#[test]
+fn a_deck_of_the_project_is_printed_as_a_line_printer_would() {
+    pin("mimic-run", &["mimic", "run", "decay"]);
+    let (_folder, path) = folder("fall.deck", DECK);
+    let page = stdout(&["mimic", "run", &path], 0);
+    assert!(page.contains("run 2 of 2") && page.contains("DRAG = 2") && page.contains("* V against T"), "{page}");
+}
+
+#[test]
+fn json_and_csv_say_the_same_and_all_of_it() {
+    let (_folder, path) = folder("fall.deck", DECK);
+    let found = json(&["mimic", "run", &path, "--format", "json"]);
+    assert_eq!(found.len(), 2);
+    assert_eq!(found[0]["parameters"], serde_json::json!({"G": 10.0, "DRAG": 0.0}));
+    assert_eq!(found[0]["columns"], serde_json::json!(["T", "V", "WAY"]));
+    let row = |run: usize, row: usize| -> Vec<f64> {
+        let cells = found[run]["rows"][row].as_array().expect("a row");
+        cells.iter().map(|cell| cell.as_f64().expect("a number")).collect()
+    };
+    assert!((row(0, 3)[2] - 10.0 * 1.5 * 1.5 / 2.0).abs() < 1e-9, "{:?}", row(0, 3));
+    assert!((row(1, 3)[1] - 5.0 * (1.0 - libm::exp(-3.0))).abs() < 1e-4, "{:?}", row(1, 3));
+    let csv = stdout(&["mimic", "run", &path, "--format", "csv"], 0);
+    let mut lines = csv.lines();
+    assert_eq!(lines.next(), Some("run,G,DRAG,T,V,WAY"));
+    for (at, line) in lines.enumerate() {
+        let cells: Vec<f64> = line.split(',').map(|cell| cell.parse().expect("a number")).collect();
+        assert_eq!(cells[0], if at < 4 { 1.0 } else { 2.0 });
+        assert_eq!(cells[3..], row(at / 4, at % 4)[..]);
+    }
+}
+
+#[test]
+fn a_plot_is_drawn() {
+    for deck in ["predators", "decay", "escapement"] {
+        let svg = stdout(&["mimic", "run", deck, "--format", "svg"], 0);
+        let document = roxmltree::Document::parse(&svg).expect("well-formed");
+        let curves = document.descendants().filter(|node| node.attribute("class") == Some("curve")).count();
+        assert_eq!(curves, if deck == "predators" { 1 } else { 2 }, "{deck}");
+        assert!(!svg.contains("var(--"));
+    }
+}
+
+#[test]
+fn numbers_come_from_data_cards_from_another_file_and_from_the_command_line() {
+    let (folder, path) = folder("fall.deck", DECK);
+    let data = folder.path().join("more.cards");
+    fs::write(&data, "5.\n1.\n").expect("written");
+    let way = |more: &[&str]| {
+        let found = json(&[&["mimic", "run", &path, "--format", "json"], more].concat());
+        let last = |run: &Value| run["rows"].as_array().and_then(|rows| rows.last()?[1].as_f64()).expect("a number");
+        found.iter().map(last).collect::<Vec<_>>()
+    };
+    assert_eq!(way(&[]).len(), 2);
+    assert_eq!(way(&["--data", data.to_str().expect("UTF-8")]).len(), 1);
+    assert_eq!(way(&["--set", "DRAG=0", "--set", "G=1"]), [1.5, 1.5]);
+    assert_eq!(way(&["--set", "drag=0", "--set", "DT=.25"])[0], 15.0);
+    let none = DECK.split(" 10.\n").next().expect("a deck");
+    let (text, told, code) = fed(&["mimic", "run", "-", "--set", "G=2", "--set", "DRAG=0", "--format", "csv"], none);
+    assert!(code == Some(0) && text.ends_with("1,2.0,0.0,1.5,3.0,2.25\n"), "{text}{told}");
+}
+
+#[test]
+fn the_runs_of_appendix_e_come_from_the_ledger() {
+    let found = json(&["mimic", "run", "escapement", "--runs", "appendix-e", "--format", "json"]);
+    assert_eq!(found.len(), rows().len());
+    for (run, row) in found.iter().zip(rows()) {
+        let numbers: Vec<_> = ["SLOTS", "START", "MU", "TORQUE", "IFOL", "IDRV"]
+            .iter()
+            .map(|name| run["parameters"][name].as_f64().expect("a number"))
+            .collect();
+        assert_eq!(numbers, Hypothesis::as_run().data_card(row));
+        assert_eq!(run["rows"].as_array().map(Vec::len), Some(401));
+    }
+    let told = refusal(geneva(&["mimic", "run", "decay", "--runs", "appendix-e"]));
+    assert!(told.contains("decay has 2 parameters; its runs have 6"), "{told}");
+}
+
+#[test]
+fn a_listing_is_run_out_of_a_longer_text() {
+    let text = format!("A thesis.\n\n```\n{DECK}```\n\nIts end.\n");
+    let (_folder, path) = folder("thesis.txt", &text);
+    let page =
+        stdout(&["mimic", "run", "--listing-in", &path, "--set", "DRAG=0", "--set", "G=2", "--format", "csv"], 0);
+    assert!(page.ends_with("1,2.0,0.0,1.5,3.0,2.25\n"), "{page}");
+    let (_folder, path) = folder("none.txt", "no program here\n");
+    let told = refusal(geneva(&["mimic", "run", "--listing-in", &path]));
+    assert!(told.contains("no program in it"), "{told}");
+}
+
+#[test]
+fn what_is_wrong_is_told_all_at_once_and_nothing_is_run() {
+    let wrong = " X COSS(T)\n Y XX+1.\n OUT(X,Y)\n FIN(T,1.)\n END\n";
+    for action in ["check", "sort", "run"] {
+        let (text, told, code) = fed(&["mimic", action, "-"], wrong);
+        assert!(code == Some(2) && text.is_empty(), "{text}");
+        assert!(told.contains("card 1, column 4: COSS is no function; the nearest is COS"), "{told}");
+    }
+    let (_, told, _) = fed(&["mimic", "check", "-"], &wrong.replace("COSS", "COS"));
+    assert!(told.contains("card 2, column 4: no card defines XX; the nearest is X\n     Y XX+1.\n       ^^"), "{told}");
+    let (text, _, code) = fed(&["mimic", "check", "-"], DECK);
+    assert!(code == Some(0) && text.contains("nothing is wrong. 3 statements, 2 integrals"), "{text}");
+}
+
+#[test]
+fn refusals_name_what_was_asked_and_a_way_out() {
+    for (arguments, words) in [
+        (&["mimic", "run", "no-such-deck"][..], "no-such-deck: cannot be read"),
+        (&["mimic", "decks", "none"], "none: no deck of this project; give one of escapement"),
+        (&["mimic", "run", "decay", "--set", "LEFT"], "no =; give a name, = and a number"),
+        (&["mimic", "run", "decay", "--set", "NONE=2"], "--set NONE=2: decay has no single card"),
+        (&["mimic", "run", "decay", "--set", "HALF=0"], "decay: card 8 (FIN(T,5.*HALF)): the run would end at T = 0"),
+        (&["mimic", "run", "decay", "--tolerance", "2"], "relative_tolerance 2.0"),
+        (&["mimic", "run", "vanderpol", "--set", "MU=1e300"], "vanderpol, run 1 of 2: at T = "),
+    ] {
+        let told = refusal(geneva(arguments));
+        assert!(told.contains(words), "{arguments:?}\n{told}");
+    }
+}
