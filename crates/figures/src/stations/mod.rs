@@ -17,11 +17,8 @@ mod driver;
 mod extremes;
 mod indexing;
 mod internal;
-<<<<<<< HEAD
 mod kinds;
-=======
 mod locking_cuts;
->>>>>>> main
 mod mechanism;
 mod model;
 mod motion;
@@ -36,11 +33,8 @@ pub use dimensions::{dimensions, dimensions_on_a_page};
 pub use extremes::extremes;
 pub use indexing::indexing;
 pub use internal::internal_mechanism;
-<<<<<<< HEAD
 pub use kinds::kinds;
-=======
 pub use locking_cuts::locking_cuts;
->>>>>>> main
 pub use mechanism::mechanism;
 pub use model::model;
 pub use motion::{motion, turning};
