@@ -1,6 +1,6 @@
 //! The displays of the chapters hold, and misprints in them would not.
 
-use super::mechanisms::{When, pin, quick_return, step, wheel};
+use super::mechanisms::{When, making, pin, quick_return, step, wheel};
 use super::{Harmless, Misprints, escapement, joints};
 use geneva_ledger::tex::{Display, Moment};
 
@@ -76,6 +76,7 @@ fn displays() -> Vec<Printed> {
                 (None, "pin") => many(|number| pin(number, None, None)),
                 (None, "quick-return") => many(|number| quick_return(number, 0.0)),
                 (None, "jazar") => many(|number| wheel(number, None, When::Steady)),
+                (None, "making") => many(making),
                 (None, "program") => many(step),
                 (None, "escapement") => escapement::states(),
                 (None, "terminal-speed") => escapement::over_the_angle(),

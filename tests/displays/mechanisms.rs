@@ -1,8 +1,12 @@
 //! The other mechanisms in many states of motion: what the letters of their chapters stand for.
 
 use super::spread;
+use geneva_dynamics::line_contact::{LineContact, MATERIALS, contact_modulus};
+use geneva_dynamics::wheel_loads::WheelLoads;
+use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::quick_return::series::polar_rates;
 use geneva_kinematics::quick_return::{Branch, Drive, Motion, QuickReturn};
+use geneva_kinematics::wheel::{Choices, Scale, Sizes};
 use geneva_kinematics::wheel::{
     Wheel, acceleration_peak, acceleration_ratio, gamma, jerk_ratio, unsteady_acceleration,
 };
@@ -140,6 +144,36 @@ pub fn wheel(number: usize, stations: Option<u32>, when: When) -> Moment {
         .with([(r"\text{arcs}", wheel.locking_centres_ratio() * radius)])
         .with([(r"\dot\varphi_{\max}", wheel.peaks(speed).expect("a speed").0)])
         .with_instant("entry", [(r"\ddot\varphi", entry), (r"\dot\theta", speed)])
+}
+
+/// A wheel with what it carries, its pin on the wall of its slot, and the blow with which that comes in.
+pub fn making(number: usize) -> Moment {
+    // Before the line of centres, where the pin drives the wheel.
+    let wheel = Wheel::with_pins(3 + number as u32 % 16, 1 + number as u32 % 2).expect("a wheel");
+    let radius = between(number, 1, 20.0, 60.0);
+    let sizes = Sizes::new(wheel, Scale::CrankRadius(radius), &Choices::default()).expect("fits");
+    let half = wheel.engagement_half_angle();
+    let (crank, speed) = (half * between(number, 0, -0.98, -0.02), between(number, 2, 0.5, 3.0));
+    let (inertia, friction) = (between(number, 3, 0.1, 2.0), between(number, 4, 0.1, 2.0));
+    let loads = WheelLoads::new(&wheel, inertia, friction, speed).expect("loads");
+    let load = loads.at(crank).expect("in the slot");
+    let motion = wheel.engaged(crank).expect("in the slot");
+    let arm = wheel.pin_in_slot(crank).expect("in the slot").radius * radius;
+    let force = load.pin_moment / radius;
+    let (pin, wall) = (MATERIALS[number % 5], MATERIALS[(number / 5) % 5]);
+    let thickness = between(number, 5, 3.0, 20.0);
+    let contact = LineContact::new(sizes.pin_radius(), thickness, &pin, &wall).expect("a contact");
+    let entry = sizes.entry(0.0).expect("meets the slot");
+    let ratio = wheel.dwell_time(speed).expect("a speed") / wheel.indexing_time(speed).expect("a speed");
+    Moment::default()
+        .with([("N", f64::from(wheel.stations())), ("P", f64::from(wheel.pins())), ("q", ratio)])
+        .with([("T", load.wheel_torque), ("J", inertia), ("M", friction), ("F", force), ("r", arm)])
+        .with([(r"\text{crank torque}", load.crank_torque), (r"\dot\theta", speed)])
+        .with([(r"\dot\varphi", motion.velocity * speed), (r"\ddot\varphi", motion.acceleration * speed * speed)])
+        .with([("E", contact_modulus(&pin, &wall)), (r"\rho", sizes.pin_radius()), ("w", thickness)])
+        .with([("E_1", pin.modulus), (r"\nu_1", pin.poisson), ("E_2", wall.modulus), (r"\nu_2", wall.poisson)])
+        .with([(r"p_{\max}", contact.pressure(force).expect("presses"))])
+        .with([(r"\tau", entry.crank_angle + half), ("g", sizes.slot_gap()), ("R", radius)])
 }
 
 /// A point in a frame that turns, by power series in time of where it is.

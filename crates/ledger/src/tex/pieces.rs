@@ -68,8 +68,8 @@ fn is_bare_argument(pieces: &[Piece]) -> bool {
 
 /// The commands that stand for letters.
 pub const GREEK: &[&str] = &[
-    r"\alpha", r"\beta", r"\gamma", r"\delta", r"\theta", r"\lambda", r"\mu", r"\rho", r"\tau", r"\phi", r"\varphi",
-    r"\psi", r"\omega", r"\ldots", r"\sigma", r"\kappa",
+    r"\alpha", r"\beta", r"\gamma", r"\delta", r"\theta", r"\lambda", r"\mu", r"\nu", r"\rho", r"\tau", r"\phi",
+    r"\varphi", r"\psi", r"\omega", r"\ldots", r"\sigma", r"\kappa",
 ];
 
 impl Piece {
