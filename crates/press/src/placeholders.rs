@@ -158,13 +158,8 @@ impl Shown {
 pub fn put_in(chapter: &str, page: Page<'_>, all: &[Shown]) -> anyhow::Result<(String, Vec<File>)> {
     let (mut edits, mut errors, mut files, mut marked) = (Vec::new(), Vec::new(), Vec::new(), BTreeSet::new());
     for placeholder in &placeholders(chapter) {
-        match (placeholder.put, placeholder.argument) {
-            (Marked(_), Some(id)) => {
-                marked.insert(id);
-            }
-            // An unknown figure is told of below.
-            (Put::Live, Some(name)) => marked.extend(live::claims(name).into_iter().flatten()),
-            _ => {}
+        if let (Marked(_), Some(id)) = (placeholder.put, placeholder.argument) {
+            marked.insert(id);
         }
         match text(placeholder, page, all, &mut files) {
             Ok(text) => edits.push((placeholder.range.clone(), text)),

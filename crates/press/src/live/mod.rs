@@ -5,8 +5,8 @@ mod module;
 pub use module::{on_a_page, scripts};
 
 use crate::html::escape;
-use crate::ledger_pages::inline;
 use crate::lookup;
+use crate::pages::page_of_claim;
 use anyhow::{Context, anyhow};
 use geneva_figures::Figure;
 use geneva_kinematics::Mechanism;
@@ -14,7 +14,8 @@ use geneva_ledger::meyer::runs::{Column, Hypothesis, SixPin, delay, duration, in
 use geneva_ledger::quick_return::Instant as Lever;
 use geneva_live::{Answer, Arguments, Control, Kind, LIVE, Live};
 
-/// What stands in the book beside a figure's own: the data of a source that it is asked with, and the claims of its numbers.
+/// What stands in the book beside a figure's own: the data of a source that it is asked with, and the claims to which its
+/// numbers lead.
 struct Told {
     name: &'static str,
     given: fn() -> anyhow::Result<String>,
@@ -49,6 +50,8 @@ const TOLD: &[Told] = &[
         given: lever,
         claims: &[
             ("gap", "quick-return.acceleration-equation"),
+            ("lever-speed", "quick-return.lever-speed-equation"),
+            ("sliding", "quick-return.sliding-speed-equation"),
             ("lever-acceleration", "quick-return.lever-acceleration-equation"),
             ("coriolis", "quick-return.coriolis-equation"),
         ],
@@ -71,11 +74,6 @@ pub fn figure(name: &str) -> anyhow::Result<Figure> {
     Ok(at_first(named(name)?)?.figure)
 }
 
-/// The claims whose marks stand among the numbers of a figure.
-pub fn claims(name: &str) -> anyhow::Result<Vec<&'static str>> {
-    Ok(told(name)?.claims.iter().map(|(_, id)| *id).collect())
-}
-
 /// The figure with its controls; `framed` puts caption and number to it.
 pub fn html(name: &str) -> anyhow::Result<String> {
     let (live, answer) = (named(name)?, at_first(named(name)?)?);
@@ -93,12 +91,17 @@ pub fn html(name: &str) -> anyhow::Result<String> {
         .iter()
         .map(|quantity| {
             let claim = told(name)?.claims.iter().find(|(of, _)| *of == quantity.name);
-            let mark = claim.map(|(_, id)| inline::mark(id)).transpose()?.unwrap_or_default();
+            let label = escape(quantity.label);
+            let label = match claim {
+                Some((_, id)) => {
+                    format!("<a href=\"{}.html#{id}\">{label}</a>", page_of_claim(lookup::judged(id)?.claim.id))
+                }
+                None => label,
+            };
             let text = answer.numbers.iter().find(|number| number.name == quantity.name);
             let text = text.map_or("–", |number| number.text.as_str());
             Ok(format!(
-                "<div><dt>{}{mark}</dt><dd><output name=\"{}\">{}</output></dd></div>",
-                escape(quantity.label),
+                "<div><dt>{label}</dt><dd><output name=\"{}\">{}</output></dd></div>",
                 quantity.name,
                 escape(text)
             ))
