@@ -55,13 +55,13 @@ fn fold(judged: &Judged) -> anyhow::Result<String> {
         Some(erratum) if erratum.slip.id == claim.id => format!(" id=\"slip-{}\"", claim.id),
         _ => String::new(),
     };
-    let right = if claim.erratum.is_some() { "" } else { " right" };
+    let stands = if claim.erratum.is_some() { "" } else { " stands" };
     let inner = match &claim.erratum {
         Some(erratum) => entries(judged, slip(erratum.slip.id).context("a slip without places")?, true)?,
         None => found(judged)?,
     };
     Ok(format!(
-        "<details class=\"erratum{right}\"{anchor}>\n<summary>{}: {} {}</summary>\n<p><a href=\"{}\">Address</a>, as read on \
+        "<details class=\"erratum{stands}\"{anchor}>\n<summary>{}: {} {}</summary>\n<p><a href=\"{}\">Address</a>, as read on \
          {day}</p>\n{inner}\n</details>\n\n",
         escape(whose(address)),
         escape(claim.meaning),
