@@ -1,4 +1,4 @@
-// Colours for Rust and TOML, in place of highlight.js: the two calls that mdBook makes, for the two
+// Colours for Rust, TOML and MIMIC, in place of highlight.js: the two calls that mdBook makes, for the three
 // languages of this book. Text is wrapped where it stands, so lines that mdBook hides stay hidden.
 const hljs = (() => {
     const word = words => new RegExp(`\\b(?:${words})\\b`, 'y');
@@ -24,7 +24,17 @@ const hljs = (() => {
         ['number', /[+-]?\d[\d._]*/y],
         [null, /\w+/y],
     ];
-    const languages = { 'language-rust': rust, 'language-toml': toml };
+    // A card's comment begins in column 1; a name may begin with a digit.
+    const mimic = [
+        ['comment', /(?<=^|\n)(?:[*/]|C(?=\s))[^\n]*/y],
+        ['meta', /<EO[RF]>/y],
+        ['number', /(?:\d+\.?\d*|\.\d+)(?:E[+-]?\d+)?(?!\w)/y],
+        ['keyword', /(?:CON|PAR|FIN|HDR|OUT|PLO|SCA|ZER)(?=\()|(?:DT|DTMIN|DTMAX|END)(?=\s*(?:=|\n|$))/y],
+        ['literal', word('TRUE|FALSE')],
+        ['built_in', /[A-Z]{3}(?=\()/y],
+        [null, /\w+/y],
+    ];
+    const languages = { 'language-rust': rust, 'language-toml': toml, 'language-mimic': mimic };
 
     function tokens(text, rules) {
         const found = [];
