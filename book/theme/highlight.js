@@ -24,17 +24,14 @@ const hljs = (() => {
         ['number', /[+-]?\d[\d._]*/y],
         [null, /\w+/y],
     ];
-    // A card's comment begins in column 1; a name may begin with a digit.
     const mimic = [
-        ['comment', /(?<=^|\n)(?:[*/]|C(?=\s))[^\n]*/y],
-        ['meta', /<EO[RF]>/y],
+        ['comment', /(?<=^|\n)(?:[*/]|C\s)[^\n]*/y],
         ['number', /(?:\d+\.?\d*|\.\d+)(?:E[+-]?\d+)?(?!\w)/y],
-        ['keyword', /(?:CON|PAR|FIN|HDR|OUT|PLO|SCA|ZER)(?=\()|(?:DT|DTMIN|DTMAX|END)(?=\s*(?:=|\n|$))/y],
-        ['literal', word('TRUE|FALSE')],
+        ['keyword', /(?:CON|PAR|FIN|HDR|OUT|PLO|SCA|ZER)(?=\()|DT(?:MIN|MAX)?(?=\s+=?\s*[.\d])|END(?=\s*(?:\n|$))/y],
         ['built_in', /[A-Z]{3}(?=\()/y],
         [null, /\w+/y],
     ];
-    const languages = { 'language-rust': rust, 'language-toml': toml, 'language-mimic': mimic };
+    const languages = { rust, toml, mimic };
 
     function tokens(text, rules) {
         const found = [];
@@ -77,7 +74,7 @@ const hljs = (() => {
     }
 
     function highlightBlock(block) {
-        const language = Object.keys(languages).find(name => block.classList.contains(name));
+        const language = Object.keys(languages).find(name => block.classList.contains(`language-${name}`));
         if (!language) {
             return;
         }

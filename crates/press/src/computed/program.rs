@@ -7,16 +7,20 @@ use geneva_dynamics::Pose;
 use geneva_kinematics::{Mechanism, Turn};
 use geneva_ledger::meyer::runs::{Column, Constants, Hypothesis, Row, Run, deck, rows};
 use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named};
-use std::sync::OnceLock;
 
 /// The numbers of the chapter on the program.
 pub const NUMBERS: &[(&str, Number)] = &[
     ("program.statements", || Ok(own()?.sorted().len().to_string())),
     ("program.needless", || Ok(own()?.sorted().iter().filter(|statement| statement.is_dead).count().to_string())),
     ("program.loop", || loop_without_delay(OLD_ACCELERATION)),
-    ("program.own-reset.minima", || of_own_reset(Column::Minimum)),
-    ("program.own-reset.periods", || of_own_reset(Column::Period)),
-    ("program.own-reset.peaks", || of_own_reset(Column::Peak)),
+    ("program.four-pin.runs", || Ok(rows_with(true).count().to_string())),
+    ("program.four-pin.minima", || of_own_reset(true, Column::Minimum)),
+    ("program.four-pin.periods", || of_own_reset(true, Column::Period)),
+    ("program.four-pin.peaks", || of_own_reset(true, Column::Peak)),
+    ("program.other-pins.runs", || Ok(rows_with(false).count().to_string())),
+    ("program.other-pins.minima", || of_own_reset(false, Column::Minimum)),
+    ("program.other-pins.periods", || of_own_reset(false, Column::Period)),
+    ("program.other-pins.peaks", || of_own_reset(false, Column::Peak)),
     ("program.no-delay.minima", || without_delay(Column::Minimum)),
     ("program.no-delay.periods", || without_delay(Column::Period)),
     ("program.no-delay.peaks", || without_delay(Column::Peak)),
@@ -43,33 +47,31 @@ fn loop_without_delay(delay: &str) -> anyhow::Result<String> {
     Ok(names.replace(' ', "&nbsp;").replace("&nbsp;→", " →"))
 }
 
-/// In how many of the printed rows a column comes within one unit of the last place.
-fn within_one(column: Column, runs: &[Option<Run>]) -> String {
-    let near = rows().iter().zip(runs).filter(|(row, run)| {
-        run.as_ref().is_some_and(|run| column.is_within_one(row.number(column), run.number(column)))
-    });
-    near.count().to_string()
+/// The printed rows of four pins, which the thesis's reset suits, or those of the others.
+fn rows_with(four_pins: bool) -> impl Iterator<Item = &'static Row> {
+    rows().iter().filter(move |row| (row.mechanism == Mechanism::FOUR_PIN) == four_pins)
+}
+
+/// In how many rows a column comes within one unit of the last printed place.
+fn within_one<'a>(column: Column, runs: impl Iterator<Item = (&'a Row, Option<Run>)>) -> String {
+    let is_near = |row: &Row, run: &Run| column.is_within_one(row.number(column), run.number(column));
+    runs.filter(|(row, run)| run.as_ref().is_some_and(|run| is_near(row, run))).count().to_string()
 }
 
 /// By the deck as it stands: each mechanism's own angle from pin to pin.
-fn of_own_reset(column: Column) -> anyhow::Result<String> {
-    static RUNS: OnceLock<Vec<Option<Run>>> = OnceLock::new();
+fn of_own_reset(four_pins: bool, column: Column) -> anyhow::Result<String> {
     let program = own()?;
-    let runs = RUNS.get_or_init(|| {
-        let run = |row: &Row| {
-            let reset = 2.0 * row.mechanism.engagement_half_angle();
-            deck::run(&program, row, reset, &Choices::default())
-        };
-        rows().iter().map(run).collect()
-    });
-    Ok(within_one(column, runs))
+    let run = |row: &'static Row| {
+        let reset = 2.0 * row.mechanism.engagement_half_angle();
+        (row, deck::run(&program, row, reset, &Choices::default()))
+    };
+    Ok(within_one(column, rows_with(four_pins).map(run)))
 }
 
 /// By the program translated by hand, with the sign of the acceleration itself.
 fn without_delay(column: Column) -> anyhow::Result<String> {
-    static RUNS: OnceLock<Vec<Option<Run>>> = OnceLock::new();
     let hypothesis = Hypothesis { constants: Constants::AsListed, ..Hypothesis::WITHOUT_LAG };
-    Ok(within_one(column, RUNS.get_or_init(|| rows().iter().map(|row| hypothesis.run(row)).collect())))
+    Ok(within_one(column, rows().iter().map(|row| (row, hypothesis.run(row)))))
 }
 
 /// How far the driver has turned, in radians, in the first printed line of the first run in which the follower runs
