@@ -50,6 +50,25 @@ fn the_cycle_has_a_row_for_each_degree_and_is_that_of_the_library() {
 }
 
 #[test]
+fn an_instant_may_be_given_by_the_angle_of_the_wheel() {
+    for kind in ["external", "internal", "spherical"] {
+        let told =
+            object(&["wheel", "--stations", "8", "--type", kind, "--at-wheel", "-9", "--at-wheel", "0", "--at", "7"]);
+        let of = |row: usize, key: &str| told["at"][row][key].as_f64().expect("a number");
+        approx::assert_relative_eq!(of(1, "wheel_angle_deg"), -9.0, max_relative = 1e-12);
+        approx::assert_abs_diff_eq!(of(2, "crank_angle_deg"), 0.0, epsilon = 1e-12);
+        // Asked the other way round, the wheel is where it was wanted.
+        let crank = of(1, "crank_angle_deg").to_string();
+        let back = object(&["wheel", "--stations", "8", "--type", kind, "--at", &crank]);
+        approx::assert_relative_eq!(
+            back["at"][0]["wheel_angle_deg"].as_f64().expect("a number"),
+            -9.0,
+            max_relative = 1e-12
+        );
+    }
+}
+
+#[test]
 fn what_is_told_at_an_angle_is_the_same_in_every_format() {
     let wheel = ["wheel", "--stations", "6", "--rpm", "90", "--crank-radius", "40", "--inertia", "0.01"];
     let at = [&wheel[..], &["--at", "-12.5", "--at", "100", "--at", "725"]].concat();

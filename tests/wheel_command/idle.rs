@@ -23,6 +23,8 @@ fn no_option_is_passed_over_in_silence() {
         (&["--type", "spherical", "--centre-distance", "50"], "--centre-distance 50", "--wheel-radius"),
         (&["--format", "svg", "--rpm", "60"], "--rpm 60", "--format text"),
         (&["--format", "svg", "--at", "60"], "--at 60", "--format text"),
+        (&["--format", "svg", "--at-wheel", "6"], "--at-wheel 6", "--format text"),
+        (&["--at-wheel", "31"], "--at-wheel 31", "from −30° to 30°"),
         (&[&["--format", "svg"][..], &loads].concat(), "--rpm 60", "--format text"),
         (&[&materials[..], &["--rpm", "60"]].concat(), "--pin-material steel", "--inertia KGM2"),
         (&[&materials[..], &loads].concat(), "--pin-material steel", "--crank-radius MM"),

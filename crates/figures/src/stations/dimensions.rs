@@ -24,7 +24,7 @@ const DECIMALS: usize = 3;
 /// Digits after the point of a dimension in millimetres.
 const DIGITS: usize = 3;
 /// Width of a column of the list, in pixels.
-const COLUMN: f64 = 300.0;
+const COLUMN: f64 = 285.0;
 /// Free space beside a dimension's name, and how much two that share an end may overlap, in pixels.
 const AIR: f64 = 4.0;
 const TOUCHING: f64 = 1e-6;

@@ -22,6 +22,7 @@ fn numbers(wanted: &WheelArguments) -> Vec<(&'static str, f64)> {
         ("--density", wanted.density),
         ("--friction-torque", wanted.friction_torque),
         ("--at", wanted.at.first().copied()),
+        ("--at-wheel", wanted.at_wheel.first().copied()),
     ];
     options.into_iter().filter_map(|(name, value)| Some((name, value?))).collect()
 }
@@ -122,7 +123,7 @@ const SIZES: [&str; 3] = ["--crank-radius", "--centre-distance", "--wheel-radius
 /// Those of the parts in millimetres.
 const PARTS: [&str; 4] = ["--pin-diameter", "--play", "--thickness", "--density"];
 /// Those of motion and loads.
-const MOTION: [&str; 5] = ["--rpm", "--inertia", "--density", "--friction-torque", "--at"];
+const MOTION: [&str; 6] = ["--rpm", "--inertia", "--density", "--friction-torque", "--at", "--at-wheel"];
 
 /// Whether a format tells numbers, and does not show shapes.
 fn is_told(format: Format) -> bool {

@@ -12,7 +12,7 @@ mod workshop;
 
 use crate::arguments::{Format, Output, formats};
 use crate::fields;
-use crate::typed;
+use crate::typed::{self, as_typed};
 use anyhow::ensure;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -80,6 +80,9 @@ pub struct WheelArguments {
     /// A crank angle in degrees at which the motion is told; may be given again
     #[arg(long, value_name = "DEG", value_parser = typed::finite_degrees, allow_hyphen_values = true)]
     pub at: Vec<f64>,
+    /// A wheel angle in degrees from the middle of an index, at which the motion is told; may be given again
+    #[arg(long, value_name = "DEG", value_parser = typed::finite_degrees, allow_hyphen_values = true)]
+    pub at_wheel: Vec<f64>,
     /// Wanted time of one index in seconds: with --dwell-time, and instead of --stations and --rpm, the wheels that come
     /// nearest
     #[arg(long, value_name = "S", value_parser = typed::positive, allow_hyphen_values = true, requires = "dwell_time")]
@@ -103,6 +106,21 @@ pub struct WheelArguments {
     pub to: Output,
 }
 
+/// The crank angles in degrees at which the motion is to be told.
+fn instants(wanted: &WheelArguments, made: &Made) -> anyhow::Result<Vec<f64>> {
+    let wheel = made.wheel.indexing();
+    let most = 180.0 / f64::from(wheel.stations());
+    let of_the_wheel = wanted.at_wheel.iter().map(|degrees| {
+        ensure!(
+            degrees.abs() <= most,
+            "--at-wheel {}: during an index the wheel's angle goes from −{most}° to {most}°; give one between them",
+            as_typed(*degrees)
+        );
+        Ok(wheel.crank_at(degrees.to_radians())?.to_degrees())
+    });
+    wanted.at.iter().map(|degrees| Ok(*degrees)).chain(of_the_wheel).collect()
+}
+
 /// One of the materials whose moduli are known, by its name.
 fn materials() -> impl TypedValueParser<Value = Material> {
     PossibleValuesParser::new(MATERIALS.map(|material| material.name))
@@ -119,10 +137,10 @@ pub fn page(wanted: &WheelArguments) -> anyhow::Result<String> {
     idle::refused(wanted)?;
     match wanted.format {
         Format::Svg => Ok(made.drawing().standalone()),
-        Format::Csv => cycle::csv(&made, &wanted.at),
+        Format::Csv => cycle::csv(&made, &instants(wanted, &made)?),
         Format::Dxf | Format::Scad | Format::Stl => workshop::file(&made, wanted.thickness, wanted.format),
         format => {
-            let report = report::report(&made, &wanted.at, format == Format::Text)?;
+            let report = report::report(&made, &instants(wanted, &made)?, format == Format::Text)?;
             ensure!(
                 report.is_finite(),
                 "the wheel is beyond what can be computed; give other sizes, speeds or inertias"
