@@ -1,4 +1,4 @@
-// Colours for Rust and TOML, in place of highlight.js: the two calls that mdBook makes, for the two
+// Colours for Rust, TOML and MIMIC, in place of highlight.js: the two calls that mdBook makes, for the three
 // languages of this book. Text is wrapped where it stands, so lines that mdBook hides stay hidden.
 const hljs = (() => {
     const word = words => new RegExp(`\\b(?:${words})\\b`, 'y');
@@ -24,7 +24,14 @@ const hljs = (() => {
         ['number', /[+-]?\d[\d._]*/y],
         [null, /\w+/y],
     ];
-    const languages = { 'language-rust': rust, 'language-toml': toml };
+    const mimic = [
+        ['comment', /(?<=^|\n)(?:[*/]|C\s)[^\n]*/y],
+        ['number', /(?:\d+\.?\d*|\.\d+)(?:E[+-]?\d+)?(?!\w)/y],
+        ['keyword', /(?:CON|PAR|FIN|HDR|OUT|PLO|SCA|ZER)(?=\()|DT(?:MIN|MAX)?(?=\s+=?\s*[.\d])|END(?=\s*(?:\n|$))/y],
+        ['built_in', /[A-Z]{3}(?=\()/y],
+        [null, /\w+/y],
+    ];
+    const languages = { rust, toml, mimic };
 
     function tokens(text, rules) {
         const found = [];
@@ -67,7 +74,7 @@ const hljs = (() => {
     }
 
     function highlightBlock(block) {
-        const language = Object.keys(languages).find(name => block.classList.contains(name));
+        const language = Object.keys(languages).find(name => block.classList.contains(`language-${name}`));
         if (!language) {
             return;
         }

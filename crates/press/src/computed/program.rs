@@ -1,15 +1,88 @@
-//! Of the program: what the reset after a quarter of a turn does to six and to three pins.
+//! Of the program: what it gives of the thesis's tables, and what its reset after a quarter of a turn does to six and to
+//! three pins.
 
 use super::Number;
+use anyhow::Context;
 use geneva_dynamics::Pose;
 use geneva_kinematics::{Mechanism, Turn};
-use geneva_ledger::meyer::runs::Hypothesis;
+use geneva_ledger::meyer::runs::{Column, Constants, Hypothesis, Row, Run, deck, rows};
+use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named};
 
 /// The numbers of the chapter on the program.
 pub const NUMBERS: &[(&str, Number)] = &[
+    ("program.statements", || Ok(own()?.sorted().len().to_string())),
+    ("program.needless", || Ok(own()?.sorted().iter().filter(|statement| statement.is_dead).count().to_string())),
+    ("program.loop", || loop_without_delay(OLD_ACCELERATION)),
+    ("program.four-pin.runs", || Ok(rows_with(true).count().to_string())),
+    ("program.four-pin.minima", || of_own_reset(true, Column::Minimum)),
+    ("program.four-pin.periods", || of_own_reset(true, Column::Period)),
+    ("program.four-pin.peaks", || of_own_reset(true, Column::Peak)),
+    ("program.other-pins.runs", || Ok(rows_with(false).count().to_string())),
+    ("program.other-pins.minima", || of_own_reset(false, Column::Minimum)),
+    ("program.other-pins.periods", || of_own_reset(false, Column::Period)),
+    ("program.other-pins.peaks", || of_own_reset(false, Column::Peak)),
+    ("program.no-delay.minima", || without_delay(Column::Minimum)),
+    ("program.no-delay.periods", || without_delay(Column::Period)),
+    ("program.no-delay.peaks", || without_delay(Column::Peak)),
+    ("program.backwards-after", || Ok(super::degrees(turned_when_backwards(&deck::as_listed())?))),
     ("program.three-at-the-reset", || Ok(format!("{:.2}", ratio_at_the_reset(Mechanism::THREE_PIN)))),
     ("program.six-at-the-reset", || Ok(format!("{:.2}", -ratio_at_the_reset(Mechanism::SIX_PIN)))),
 ];
+
+/// The old acceleration in the escapement's deck.
+const OLD_ACCELERATION: &str = "TDL(ACCEL,DT/10.,100.)";
+
+/// The escapement's deck as it stands.
+fn own() -> anyhow::Result<Program> {
+    Ok(Program::new(&deck::deck(&[]).context("there is no such deck")?)?)
+}
+
+/// The names in the circle that the deck has without its delay.
+fn loop_without_delay(delay: &str) -> anyhow::Result<String> {
+    let cards = deck_named("escapement").context("there is no such deck")?.replace(delay, "ACCEL");
+    let faults = Program::new(&Deck::read(&cards, Layout::of(&cards))?).err().context("the deck can be sorted")?;
+    let told = faults.to_string();
+    let (_, from) = told.split_once("loop: ").context("the fault is no loop")?;
+    let (names, _) = from.split_once(';').context("the fault tells no names")?;
+    Ok(names.replace(' ', "&nbsp;").replace("&nbsp;→", " →"))
+}
+
+/// The printed rows of four pins, which the thesis's reset suits, or those of the others.
+fn rows_with(four_pins: bool) -> impl Iterator<Item = &'static Row> {
+    rows().iter().filter(move |row| (row.mechanism == Mechanism::FOUR_PIN) == four_pins)
+}
+
+/// In how many rows a column comes within one unit of the last printed place.
+fn within_one<'a>(column: Column, runs: impl Iterator<Item = (&'a Row, Option<Run>)>) -> String {
+    let is_near = |row: &Row, run: &Run| column.is_within_one(row.number(column), run.number(column));
+    runs.filter(|(row, run)| run.as_ref().is_some_and(|run| is_near(row, run))).count().to_string()
+}
+
+/// By the deck as it stands: each mechanism's own angle from pin to pin.
+fn of_own_reset(four_pins: bool, column: Column) -> anyhow::Result<String> {
+    let program = own()?;
+    let run = |row: &'static Row| {
+        let reset = 2.0 * row.mechanism.engagement_half_angle();
+        (row, deck::run(&program, row, reset, &Choices::default()))
+    };
+    Ok(within_one(column, rows_with(four_pins).map(run)))
+}
+
+/// By the program translated by hand, with the sign of the acceleration itself.
+fn without_delay(column: Column) -> anyhow::Result<String> {
+    let hypothesis = Hypothesis { constants: Constants::AsListed, ..Hypothesis::WITHOUT_LAG };
+    Ok(within_one(column, rows().iter().map(|row| (row, hypothesis.run(row)))))
+}
+
+/// How far the driver has turned, in radians, in the first printed line of the first run in which the follower runs
+/// backwards.
+fn turned_when_backwards(set: &[(&str, f64)]) -> anyhow::Result<f64> {
+    let program = Program::new(&deck::deck(set).context("the deck has no such name")?)?;
+    let row = rows().first().context("there is no run")?;
+    let printed = program.run(&deck::data(&program, row), &Choices::default())?.rows;
+    let backwards = printed.iter().find(|line| line.last().is_some_and(|speed| *speed < 0.0));
+    Ok(*backwards.and_then(|line| line.get(1)).context("the follower never runs backwards")?)
+}
 
 /// The follower's speed over the driver's where the program resets the angle, in the sense in which a pin drives it.
 fn ratio_at_the_reset(mechanism: Mechanism) -> f64 {
@@ -27,5 +100,19 @@ mod tests {
         assert!(ratio_at_the_reset(Mechanism::SIX_PIN) < -0.1);
         // To the five digits of the reset angle.
         assert!(ratio_at_the_reset(Mechanism::FOUR_PIN).abs() < 1e-5);
+    }
+
+    #[test]
+    fn the_follower_of_six_pins_runs_backwards_only_with_the_reset_as_listed_and_only_past_60_degrees() {
+        let turned = turned_when_backwards(&deck::as_listed()).expect("it runs backwards").to_degrees();
+        assert!((60.0..63.0).contains(&turned), "{turned}");
+        assert!(turned_when_backwards(&[]).is_err());
+    }
+
+    #[test]
+    fn the_delay_alone_keeps_the_deck_from_being_a_loop() {
+        let told = loop_without_delay(OLD_ACCELERATION).expect("a loop");
+        assert!(told.starts_with("BEFORE →") && told.ends_with("BEFORE") && told.contains("SIGN"), "{told}");
+        assert!(loop_without_delay("no such card").is_err());
     }
 }

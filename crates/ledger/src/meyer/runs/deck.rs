@@ -24,12 +24,16 @@ pub fn as_listed() -> [(&'static str, f64); 2] {
     AS_LISTED.map(|(name, id)| (name, printed(id)))
 }
 
+/// A row's data card for a program, with the inertias of Fig. 11 for six pins.
+pub fn data(program: &Program, row: &Row) -> DataSet {
+    let names = program.parameters().into_iter().map(str::to_owned);
+    DataSet(names.zip(Hypothesis::as_run().data_card(row)).collect())
+}
+
 /// What a run of a program with a row's data card gives, read off its printed columns: time, angle through which the
 /// driver has turned, its speed and acceleration, and the follower's speed. The angle is reset after `reset` radians.
 pub fn run(program: &Program, row: &Row, reset: f64, choices: &Choices) -> Option<Run> {
-    let names = program.parameters().into_iter().map(str::to_owned);
-    let set = DataSet(names.zip(Hypothesis::as_run().data_card(row)).collect());
-    let printed = program.run(&set, choices).ok()?;
+    let printed = program.run(&data(program, row), choices).ok()?;
     let line = |row: &Vec<f64>| {
         let [time, turned, speed, acceleration, follower_speed] = row[..] else { return None };
         Some(Line { time, turned, angle: f64::NAN, speed, acceleration, follower_speed })
