@@ -119,7 +119,8 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     ] {
         numbers.push(Number::significant(name, value, 4, unit));
     }
-    if let Some(backlash) = sizes.dwell_backlash() {
+    // With the axes apart the play is another.
+    if let Some(backlash) = sizes.dwell_backlash().filter(|_| error == 0.0) {
         numbers.push(Number::new("backlash", backlash.to_degrees(), 3, "°"));
     }
     let message = match sizes.entry(error) {

@@ -188,7 +188,7 @@ fn unit_of(name: &str) -> &'static str {
 fn list(sizes: &Sizes) -> Vec<(&'static str, f64)> {
     let cut = sizes.locking_disc.map(|disc| disc.crescent);
     let cut =
-        cut.into_iter().flat_map(|cut| [("crescent radius", cut.radius), ("crescent centre from axis", cut.centre)]);
+        cut.into_iter().flat_map(|cut| [("crescent radius", cut.radius), ("crescent centre from driver", cut.centre)]);
     let shaft = |name, shaft: f64| (shaft > 0.0).then_some((name, shaft + sizes.play.bore));
     [
         ("stations", f64::from(sizes.wheel.stations())),
@@ -204,8 +204,8 @@ fn list(sizes: &Sizes) -> Vec<(&'static str, f64)> {
     ]
     .into_iter()
     .chain(cut)
-    .chain(shaft("wheel bore", sizes.wheel_shaft))
-    .chain(shaft("driver bore", sizes.driver_shaft))
+    .chain(shaft("wheel bore diameter", sizes.wheel_shaft))
+    .chain(shaft("driver bore diameter", sizes.driver_shaft))
     .collect()
 }
 

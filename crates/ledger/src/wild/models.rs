@@ -190,7 +190,7 @@ fn drift() -> Claim {
             slip(
                 "The radii of pin's circle and wheel add up to the centre distance: the two circles touch in one point.",
                 TWICE,
-                "The pin never comes into the wheel, which stands still. The page calls its slots simplified markers.",
+                "A pin without thickness never comes into the wheel. The page calls its slots simplified markers.",
             ),
         ),
     )
@@ -210,8 +210,8 @@ fn model3d() -> Claim {
                 "The rim is cut short: when the pin comes to it, it has passed the place where it would slide in along the \
                  slot.",
                 TWICE,
-                "The pin strikes the edge of the slot, and the wheel starts with a jump of speed. Turned slowly it works: \
-                 the page says that a printed one does.",
+                "A pin without thickness and play starts the wheel with a jump of speed. The page says that a printed one \
+                 works.",
             ),
         ),
     )
@@ -233,7 +233,7 @@ fn cadbuildr() -> Claim {
                 "The rim is cut short: when the pin comes to it, it has passed the place where it would slide in along the \
                  slot.",
                 TWICE,
-                "The pin strikes the edge of the slot, and the wheel starts with a jump of speed.",
+                "A pin without thickness and play starts the wheel with a jump of speed.",
             ),
         ),
     )
@@ -255,7 +255,7 @@ fn sdfx() -> Claim {
             slip(
                 "With any other radius the pin meets the mouth of the slot, but not along the slot.",
                 TWICE,
-                "The wheel starts with a jump of speed. The second example of the program, with ten slots, is pushed \
+                "A pin without thickness and play starts the wheel with a jump of speed. The second example of the program, with ten slots, is pushed \
                  back first.",
             ),
         ),
@@ -277,7 +277,7 @@ fn counter() -> Claim {
             slip(
                 "The pin's centre comes to the rim late, when it is no longer where the slot points.",
                 TWICE,
-                "The pin strikes the edge of the slot, and the wheel starts with a jump of speed.",
+                "A pin without thickness and play starts the wheel with a jump of speed.",
             ),
         ),
     )

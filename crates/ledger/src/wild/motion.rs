@@ -110,7 +110,7 @@ fn formulas() -> Vec<Claim> {
                 "A factor r is lost before the bracket. It is there in any derivation from the wheel's angle.",
                 TWICE,
                 "The speed comes out too high by the centre distance over the crank radius: 1.4 times at four slots, twice at \
-                 six. Loads that go with its square come out up to four times too high at six.",
+                 six. Loads that go with its square come out four times too high at six.",
             ),
         ),
         motion(
