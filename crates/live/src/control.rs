@@ -49,6 +49,37 @@ pub struct Control {
     pub kind: Kind,
 }
 
+impl Control {
+    /// A slider from the least value to the greatest, and a box for the number.
+    pub const fn slider(
+        name: &'static str,
+        label: &'static str,
+        unit: &'static str,
+        [least, most]: [f64; 2],
+        step: f64,
+        preset: f64,
+    ) -> Self {
+        Self { name, label, unit, least, most, step, preset, kind: Kind::Slider }
+    }
+
+    /// The same, and it can run by itself: so much in a second, over and over.
+    pub const fn playing(self, rate: f64) -> Self {
+        Self { kind: Kind::Player(rate), ..self }
+    }
+
+    /// One of several, by its number from 0.
+    pub const fn choice(
+        name: &'static str,
+        label: &'static str,
+        choices: &'static [&'static str],
+        preset: usize,
+    ) -> Self {
+        let most = (choices.len() - 1) as f64;
+        let kind = Kind::Choice(choices);
+        Self { name, label, unit: "", least: 0.0, most, step: 1.0, preset: preset as f64, kind }
+    }
+}
+
 /// How a value is moved.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {

@@ -1,7 +1,7 @@
 //! A wheel of the reader's own: sizes, times, loads, clearance, and the files to make it.
 
 use crate::answer::{Answer, Number};
-use crate::control::{Control, File, Kind, Live, Preset, Quantity, Settings};
+use crate::control::{Control, File, Live, Preset, Quantity, Settings};
 use geneva_dynamics::wheel_loads::WheelLoads;
 use geneva_figures::stations;
 use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
@@ -14,15 +14,15 @@ pub const LIVE: Live = Live {
     hint: "Choose your stations and your size, then make the pin thicker until it no longer fits. Twice the speed is four times \
            the force. Move the axes a little apart and see how hard the pin knocks.",
     controls: &[
-        slider("stations", "stations N", "", [3.0, 24.0], 1.0, 6.0),
-        slider("pins", "pins", "", [1.0, 4.0], 1.0, 1.0),
-        slider("radius", "crank radius", "mm", [5.0, 100.0], 0.5, 25.0),
-        slider("pin", "diameter of a pin", "mm", [1.0, 40.0], 0.1, 7.5),
-        slider("play", "play", "mm", [0.0, 0.5], 0.01, 0.05),
-        Control { kind: Kind::Player(60.0), ..slider("speed", "speed of the driver", "rpm", [1.0, 600.0], 1.0, 60.0) },
-        slider("inertia", "inertia of wheel and table", "kg cm²", [0.0, 500.0], 0.5, 20.0),
-        slider("friction", "friction torque on the wheel", "N m", [0.0, 5.0], 0.05, 0.1),
-        slider("error", "axes too far apart by", "mm", [-1.0, 1.0], 0.01, 0.0),
+        Control::slider("stations", "stations N", "", [3.0, 24.0], 1.0, 6.0),
+        Control::slider("pins", "pins", "", [1.0, 4.0], 1.0, 1.0),
+        Control::slider("radius", "crank radius", "mm", [5.0, 100.0], 0.5, 25.0),
+        Control::slider("pin", "diameter of a pin", "mm", [1.0, 40.0], 0.1, 7.5),
+        Control::slider("play", "play", "mm", [0.0, 0.5], 0.01, 0.05),
+        Control::slider("speed", "speed of the driver", "rpm", [1.0, 600.0], 1.0, 60.0).playing(60.0),
+        Control::slider("inertia", "inertia of wheel and table", "kg cm²", [0.0, 500.0], 0.5, 20.0),
+        Control::slider("friction", "friction torque on the wheel", "N m", [0.0, 5.0], 0.05, 0.1),
+        Control::slider("error", "axes too far apart by", "mm", [-1.0, 1.0], 0.01, 0.0),
     ],
     presets: &[
         Preset { name: "six stations", arguments: "stations=6&pins=1&radius=25&pin=7.5&play=0.05&error=0" },
@@ -59,17 +59,6 @@ pub const LIVE: Live = Live {
     ],
     draw,
 };
-
-const fn slider(
-    name: &'static str,
-    label: &'static str,
-    unit: &'static str,
-    [least, most]: [f64; 2],
-    step: f64,
-    preset: f64,
-) -> Control {
-    Control { name, label, unit, least, most, step, preset, kind: Kind::Slider }
-}
 
 fn sizes(settings: &Settings) -> Result<Sizes, String> {
     let wheel =

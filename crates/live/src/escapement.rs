@@ -1,7 +1,7 @@
 //! The escapement from rest to its steady motion.
 
 use crate::answer::{Answer, Number};
-use crate::control::{Control, Kind, Live, Preset, Quantity, Settings};
+use crate::control::{Control, Live, Preset, Quantity, Settings};
 use geneva_dynamics::existence::critical_friction;
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::timer::Sensitivities;
@@ -20,56 +20,11 @@ pub const LIVE: Live = Live {
     hint: "Take the friction away bit by bit: the start takes longer and longer, and without any there is no steady speed. Add \
            friction until it jams. Twice the torque makes it faster by the root of two, and nothing else.",
     controls: &[
-        Control {
-            name: "share",
-            label: "time, of what is shown",
-            unit: "%",
-            least: 0.0,
-            most: 100.0,
-            step: 0.25,
-            preset: 40.0,
-            kind: Kind::Player(8.0),
-        },
-        Control {
-            name: "mechanism",
-            label: "mechanism",
-            unit: "",
-            least: 0.0,
-            most: 2.0,
-            step: 1.0,
-            preset: 1.0,
-            kind: Kind::Choice(&["6 pins, 3 slots", "4 pins, 4 slots", "3 pins, 6 slots"]),
-        },
-        Control {
-            name: "friction",
-            label: "friction μ",
-            unit: "",
-            least: 0.0,
-            most: 1.0,
-            step: 0.01,
-            preset: 0.2,
-            kind: Kind::Slider,
-        },
-        Control {
-            name: "ratio",
-            label: "inertia of the driver over the follower's",
-            unit: "",
-            least: 0.02,
-            most: 1.0,
-            step: 0.01,
-            preset: 0.1,
-            kind: Kind::Slider,
-        },
-        Control {
-            name: "torque",
-            label: "torque K",
-            unit: "in lb",
-            least: 0.05,
-            most: 1.0,
-            step: 0.01,
-            preset: 0.3,
-            kind: Kind::Slider,
-        },
+        Control::slider("share", "time, of what is shown", "%", [0.0, 100.0], 0.25, 40.0).playing(8.0),
+        Control::choice("mechanism", "mechanism", &["6 pins, 3 slots", "4 pins, 4 slots", "3 pins, 6 slots"], 1),
+        Control::slider("friction", "friction μ", "", [0.0, 1.0], 0.01, 0.2),
+        Control::slider("ratio", "inertia of the driver over the follower's", "", [0.02, 1.0], 0.01, 0.1),
+        Control::slider("torque", "torque K", "in lb", [0.05, 1.0], 0.01, 0.3),
     ],
     presets: &[
         Preset { name: "hardly any friction", arguments: "friction=0.02" },

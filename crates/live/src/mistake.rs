@@ -2,7 +2,7 @@
 
 use crate::answer::{Answer, Number, Progress};
 use crate::arguments::number;
-use crate::control::{Control, Kind, Live, Preset, Quantity, Settings};
+use crate::control::{Control, Live, Preset, Quantity, Settings};
 use geneva_dynamics::likelihood::Law;
 use geneva_dynamics::program::{Contact, Program, Readings};
 use geneva_dynamics::steady::Engagement;
@@ -23,66 +23,13 @@ pub const LIVE: Live = Live {
     hint: "Move the reset angle away from 90°: the dots leave the line, three pins to one side, six to the other. Four pins stay \
            where they are at 90° alone. Then let the program choose the sign of friction late, as it did.",
     controls: &[
-        Control {
-            name: "reset",
-            label: "angle after which the program starts again",
-            unit: "°",
-            least: 60.0,
-            most: 120.0,
-            step: 0.5,
-            preset: 90.0,
-            kind: Kind::Player(6.0),
-        },
-        Control {
-            name: "own",
-            label: "for",
-            unit: "",
-            least: 0.0,
-            most: 1.0,
-            step: 1.0,
-            preset: 0.0,
-            kind: Kind::Choice(&["all three mechanisms", "none: each its own angle"]),
-        },
-        Control {
-            name: "six",
-            label: "inertias with six pins",
-            unit: "",
-            least: 0.0,
-            most: 1.0,
-            step: 1.0,
-            preset: 1.0,
-            kind: Kind::Choice(&["as in the table", "as in Fig. 11"]),
-        },
-        Control {
-            name: "interval",
-            label: "print interval",
-            unit: "ms",
-            least: 0.1,
-            most: 3.0,
-            step: 0.1,
-            preset: 0.5,
-            kind: Kind::Slider,
-        },
-        Control {
-            name: "phase",
-            label: "first line after",
-            unit: "intervals",
-            least: 0.0,
-            most: 0.95,
-            step: 0.05,
-            preset: 0.0,
-            kind: Kind::Slider,
-        },
-        Control {
-            name: "late",
-            label: "sign of friction",
-            unit: "",
-            least: 0.0,
-            most: 1.0,
-            step: 1.0,
-            preset: 0.0,
-            kind: Kind::Choice(&["at once, as in the mechanism", "late, as in the program"]),
-        },
+        Control::slider("reset", "angle after which the program starts again", "°", [60.0, 120.0], 0.5, 90.0)
+            .playing(6.0),
+        Control::choice("own", "for", &["all three mechanisms", "none: each its own angle"], 0),
+        Control::choice("six", "inertias with six pins", &["as in the table", "as in Fig. 11"], 1),
+        Control::slider("interval", "print interval", "ms", [0.1, 3.0], 0.1, 0.5),
+        Control::slider("phase", "first line after", "intervals", [0.0, 0.95], 0.05, 0.0),
+        Control::choice("late", "sign of friction", &["at once, as in the mechanism", "late, as in the program"], 0),
     ],
     presets: &[
         Preset { name: "the mechanisms as they are", arguments: "own=1&late=0&phase=0" },

@@ -1,7 +1,7 @@
 //! The vector diagrams of the quick-return mechanism.
 
 use crate::answer::{Answer, Number};
-use crate::control::{Control, Drag, Kind, Live, Preset, Quantity, Settings};
+use crate::control::{Control, Drag, Live, Preset, Quantity, Settings};
 use geneva_figures::quick_return;
 use geneva_kinematics::quick_return::{Drive, Motion, QuickReturn};
 
@@ -10,26 +10,8 @@ pub const LIVE: Live = Live {
     figure: "live-polygon",
     hint: "Count the Coriolis acceleration once, or three times: the polygon stays open at every angle. It closes with two.",
     controls: &[
-        Control {
-            name: "crank",
-            label: "crank angle φ",
-            unit: "°",
-            least: 0.0,
-            most: 360.0,
-            step: 0.5,
-            preset: 60.0,
-            kind: Kind::Player(30.0),
-        },
-        Control {
-            name: "factor",
-            label: "times ω₄ v_rel",
-            unit: "",
-            least: 0.0,
-            most: 3.0,
-            step: 1.0,
-            preset: 2.0,
-            kind: Kind::Slider,
-        },
+        Control::slider("crank", "crank angle φ", "°", [0.0, 360.0], 0.5, 60.0).playing(30.0),
+        Control::slider("factor", "times ω₄ v_rel", "", [0.0, 3.0], 1.0, 2.0),
     ],
     presets: &[
         Preset { name: "forgotten: 0", arguments: "factor=0" },

@@ -1,7 +1,7 @@
 //! The wheel, at the right distance of its axes or another.
 
 use crate::answer::{Answer, Number};
-use crate::control::{Control, Drag, Kind, Live, Preset, Quantity, Settings};
+use crate::control::{Control, Drag, Live, Preset, Quantity, Settings};
 use geneva_figures::stations;
 use geneva_kinematics::wheel::{Misplaced, Wheel};
 
@@ -11,46 +11,10 @@ pub const LIVE: Live = Live {
     hint: "Move the axes apart by one per cent: the velocity no longer begins at zero, and the pin enters with a blow. At the \
            right distance the blow is gone.",
     controls: &[
-        Control {
-            name: "crank",
-            label: "crank angle θ",
-            unit: "°",
-            least: -180.0,
-            most: 180.0,
-            step: 0.5,
-            preset: -30.0,
-            kind: Kind::Player(45.0),
-        },
-        Control {
-            name: "stations",
-            label: "stations N",
-            unit: "",
-            least: 3.0,
-            most: 24.0,
-            step: 1.0,
-            preset: 4.0,
-            kind: Kind::Slider,
-        },
-        Control {
-            name: "pins",
-            label: "pins",
-            unit: "",
-            least: 1.0,
-            most: 6.0,
-            step: 1.0,
-            preset: 1.0,
-            kind: Kind::Slider,
-        },
-        Control {
-            name: "error",
-            label: "centre distance wrong by",
-            unit: "%",
-            least: -5.0,
-            most: 5.0,
-            step: 0.1,
-            preset: 0.0,
-            kind: Kind::Slider,
-        },
+        Control::slider("crank", "crank angle θ", "°", [-180.0, 180.0], 0.5, -30.0).playing(45.0),
+        Control::slider("stations", "stations N", "", [3.0, 24.0], 1.0, 4.0),
+        Control::slider("pins", "pins", "", [1.0, 6.0], 1.0, 1.0),
+        Control::slider("error", "centre distance wrong by", "%", [-5.0, 5.0], 0.1, 0.0),
     ],
     presets: &[
         Preset { name: "four slots", arguments: "stations=4&pins=1&error=0&crank=-30" },
