@@ -69,7 +69,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     };
     let engagement = Engagement::new(&parameters).map_err(words)?;
     let steady = engagement.steady_state().map_err(words)?;
-    let figure = escapement::running(&parameters, share).map_err(|error| error.to_string())?;
+    let figure = escapement::running(&engagement, share).map_err(|error| error.to_string())?;
     let engagements = engagement.engagements_to_settle(REACHED).map_err(words)?.0;
     // The same number of turns takes longer by as much as the mean speed falls.
     let slower = Sensitivities::new(&parameters).map_err(words)?.friction * 0.01 * DAY;

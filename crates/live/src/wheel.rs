@@ -41,7 +41,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         Wheel::with_pins(settings.count("stations")?, settings.count("pins")?).map_err(|error| error.to_string())?;
     let (error, crank) = (settings.value("error")? / 100.0, settings.value("crank")?.to_radians());
     let misplaced = Misplaced::new(&wheel, error).map_err(|error| error.to_string())?;
-    let figure = stations::running(&wheel, error, crank).map_err(|error| error.to_string())?;
+    let figure = stations::running(&misplaced, crank).map_err(|error| error.to_string())?;
     let motion = misplaced.at(crank).map_err(|error| error.to_string())?;
     let numbers = [
         Number::new("blow", misplaced.entry_velocity_ratio(), 4, ""),

@@ -139,17 +139,18 @@ impl Shown {
     }
 
     /// Caption and drawing or table, and what it was made of as a file.
-    fn framed(&self, caption: &str, inner: &str, source: &str, csv: String) -> (String, File) {
+    ///
+    /// `attributes` are those of the figure element, its class among them.
+    fn framed(&self, attributes: &str, caption: &str, inner: &str, source: &str, csv: String) -> (String, File) {
         let file = File::of(&self.file(), csv);
         let (kind, number, path) = (self.kind, &self.number, file.path());
-        let class = if kind == "Figure" { "fig" } else { "tab" };
         let caption = format!(
             "<figcaption><strong>{kind}&nbsp;{number}.</strong> <span class=\"says\">{caption}</span> <small class=\"source\"><a href=\"{path}\" \
              download>Data (CSV)</a>, made by <code>{}</code></small></figcaption>",
             escape(source),
         );
         let inner = if kind == "Figure" { format!("{inner}\n{caption}") } else { format!("{caption}\n{inner}") };
-        (format!("<figure class=\"{class}\" id=\"{}\">\n{inner}\n</figure>", self.anchor()), file)
+        (format!("<figure {attributes} id=\"{}\">\n{inner}\n</figure>", self.anchor()), file)
     }
 }
 
@@ -207,24 +208,23 @@ fn text(placeholder: &Placeholder, page: Page<'_>, all: &[Shown], files: &mut Ve
         (Put::Figure, Some(name)) => {
             let figure = figures::by_name(name)?;
             let svg = figure.svg.trim_end();
-            let (html, file) = here()?.framed(&escape(&figure.caption), svg, figure.source, figure.series.to_csv());
+            let (caption, csv) = (escape(&figure.caption), figure.series.to_csv());
+            let (html, file) = here()?.framed("class=\"fig\"", &caption, svg, figure.source, csv);
             files.push(file);
             Ok(html)
         }
         (Put::Live, Some(name)) => {
-            let (figure, inner) = (live::figure(name)?, live::html(name)?);
-            let (html, file) = here()?.framed(&escape(&figure.caption), &inner, figure.source, figure.series.to_csv());
+            let live::Moved { figure, html, attributes } = live::moved(name)?;
+            let (caption, csv) = (escape(&figure.caption), figure.series.to_csv());
+            let (html, file) =
+                here()?.framed(&format!("class=\"fig live\"{attributes}"), &caption, &html, figure.source, csv);
             files.push(file);
-            Ok(html.replacen(
-                "<figure class=\"fig\"",
-                &format!("<figure class=\"fig live\"{}", live::attributes(name)?),
-                1,
-            ))
+            Ok(html)
         }
         (Numbered(make), Some(argument)) => {
             let table = make(argument)?;
             let caption = format!("{}.", escape(table.caption()));
-            let (html, file) = here()?.framed(&caption, &table.html(), table.source(), table.csv()?);
+            let (html, file) = here()?.framed("class=\"tab\"", &caption, &table.html(), table.source(), table.csv()?);
             files.push(file);
             Ok(html)
         }

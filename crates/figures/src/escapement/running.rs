@@ -39,8 +39,8 @@ struct Instant {
 /// # Errors
 ///
 /// [`FigureError`] if there is no steady motion, or the share is not between 0 and 1.
-pub fn running(parameters: &Parameters, share: f64) -> Result<Figure, FigureError> {
-    let engagement = Engagement::new(parameters)?;
+pub fn running(engagement: &Engagement, share: f64) -> Result<Figure, FigureError> {
+    let parameters = engagement.parameters();
     let steady = engagement.steady_state()?;
     let (mut duration, mut entry, mut starts) = (0.0, 0.0, Vec::new());
     for _ in 0..SHOWN {

@@ -7,7 +7,7 @@ use crate::parts::pin_circle;
 use crate::svg::{Canvas, Label, Pixels};
 use crate::theme::{DRIVER, FOLLOWER, INK, RELATIVE, Shade};
 use crate::{Figure, FigureError, Series, Words};
-use geneva_kinematics::wheel::{Misplaced, Motion, Wheel};
+use geneva_kinematics::wheel::{Misplaced, Motion};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
@@ -36,20 +36,20 @@ const CURVES: [Curve; 3] = [
 /// The wheel with a pin at a crank angle (radians from the line of centres, −π to π), and the wheel's velocity,
 /// acceleration and jerk over the angle of the nearest pin: over the driver's speed, its square and its cube.
 ///
-/// The axes stand by a part `error` of the right distance too far apart. Series: crank angle, wheel angle, the three
+/// Series: crank angle, wheel angle, the three
 /// ratios, in equal steps; a jump is where two rows have the same crank angle.
 ///
 /// # Errors
 ///
-/// [`FigureError`] for an angle beyond half a turn, or a distance at which no pin enters.
-pub fn running(wheel: &Wheel, error: f64, crank: f64) -> Result<Figure, FigureError> {
-    let misplaced = Misplaced::new(wheel, error)?;
+/// [`FigureError`] for an angle beyond half a turn.
+pub fn running(misplaced: &Misplaced, crank: f64) -> Result<Figure, FigureError> {
+    let wheel = misplaced.wheel();
     let motion = misplaced.at(crank)?;
     let pitch = 2.0 * PI / f64::from(wheel.pins());
     let near = crank - libm::round(crank / pitch) * pitch;
     let half = misplaced.engagement_half_angle();
     let end = (half + DWELL.to_radians()).min(pitch / 2.0).max(half.min(pitch / 2.0));
-    let rows = rows(&misplaced, half.min(end), end)?;
+    let rows = rows(misplaced, half.min(end), end)?;
 
     let bodies = Bodies::new(wheel, COLUMN, MARGINS);
     let axis = bodies.view.place(&Vector2::new(misplaced.centre_distance_ratio(), 0.0));
@@ -57,7 +57,7 @@ pub fn running(wheel: &Wheel, error: f64, crank: f64) -> Result<Figure, FigureEr
     let height: f64 = titles.iter().map(Panel::room).sum();
     let placed = Bodies { axis, ..bodies }.moved(&Pixels::new(0.0, (height - bodies.height) / 2.0));
     let blow = misplaced.entry_velocity_ratio();
-    let words = words(&misplaced, error, crank, &motion, blow);
+    let words = words(misplaced, crank, &motion, blow);
     let columns =
         [("theta", "deg"), ("phi", "rad"), ("phi'/theta'", "1"), ("phi''/theta'^2", "1"), ("phi'''/theta'^3", "1")];
     let series = Series::new(columns, rows);
@@ -118,10 +118,10 @@ fn panels(rows: &[[f64; 5]], near: f64, motion: &Motion, end: f64) -> Vec<Panel>
     CURVES.iter().enumerate().map(panel).collect()
 }
 
-fn words(of: &Misplaced, error: f64, crank: f64, motion: &Motion, blow: f64) -> Words {
+fn words(of: &Misplaced, crank: f64, motion: &Motion, blow: f64) -> Words {
     let wheel = of.wheel();
     let (stations, pins) = (counted(wheel.stations(), "station"), counted(wheel.pins(), "pin"));
-    let distance = match error {
+    let distance = match of.error() {
         0.0 => "at the right distance of the axes".to_owned(),
         error => format!(
             "with the axes {} % too {}",

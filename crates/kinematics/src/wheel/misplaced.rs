@@ -12,6 +12,7 @@ use crate::pin_slot::{pin_from_pivot, velocity_ratio};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Misplaced {
     wheel: Wheel,
+    error: f64,
     ratio: f64,
     half: f64,
 }
@@ -26,7 +27,7 @@ impl Misplaced {
     pub fn new(wheel: &Wheel, error: f64) -> Result<Self, KinematicsError> {
         let (right, rim) = (wheel.centre_distance_ratio(), wheel.wheel_radius_ratio());
         if error == 0.0 {
-            return Ok(Self { wheel: *wheel, ratio: right, half: wheel.engagement_half_angle() });
+            return Ok(Self { wheel: *wheel, error, ratio: right, half: wheel.engagement_half_angle() });
         }
         let ratio = right * (1.0 + error);
         // The pin is at the rim: the law of cosines in the triangle of axes and pin.
@@ -35,12 +36,17 @@ impl Misplaced {
             let [least, most] = [(rim - 1.0).max(1.0), rim + 1.0].map(|end| end / right - 1.0);
             return Err(KinematicsError::Misplaced { asked: error, least, most });
         }
-        Ok(Self { wheel: *wheel, ratio, half: libm::acos(cosine) })
+        Ok(Self { wheel: *wheel, error, ratio, half: libm::acos(cosine) })
     }
 
     /// The wheel.
     pub fn wheel(&self) -> &Wheel {
         &self.wheel
+    }
+
+    /// By which part of the right distance the axes are too far apart, dimensionless; below zero too near.
+    pub fn error(&self) -> f64 {
+        self.error
     }
 
     /// Centre distance over crank radius as it is, dimensionless.
@@ -63,7 +69,7 @@ impl Misplaced {
     ///
     /// Zero at the right distance; negative where the wheel is first turned the wrong way.
     pub fn entry_velocity_ratio(&self) -> f64 {
-        if self.ratio == self.wheel.centre_distance_ratio() {
+        if self.error == 0.0 {
             return 0.0;
         }
         velocity_ratio(&self.ratio, &Turn::from_radians(self.half))
@@ -77,7 +83,7 @@ impl Misplaced {
     /// [`KinematicsError::Turn`] for a crank angle beyond half a turn, and for what is not finite.
     pub fn at(&self, crank: f64) -> Result<Motion, KinematicsError> {
         let right = self.wheel.at(0, crank)?;
-        if self.ratio == self.wheel.centre_distance_ratio() {
+        if self.error == 0.0 {
             return Ok(right);
         }
         let pitch = std::f64::consts::TAU / f64::from(self.wheel.pins());

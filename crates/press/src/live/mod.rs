@@ -74,10 +74,25 @@ pub fn figure(name: &str) -> anyhow::Result<Figure> {
     Ok(at_first(named(name)?)?.figure)
 }
 
-/// The figure with its controls; `framed` puts caption and number to it.
-pub fn html(name: &str) -> anyhow::Result<String> {
+/// A figure as it stands at first, and what makes it move.
+pub struct Moved {
+    /// The still figure.
+    pub figure: Figure,
+    /// Its drawing with the controls.
+    pub html: String,
+    /// The attributes of the figure element that its script reads.
+    pub attributes: String,
+}
+
+/// The figure of this name with its controls.
+pub fn moved(name: &str) -> anyhow::Result<Moved> {
     let (live, answer) = (named(name)?, at_first(named(name)?)?);
-    let given = given(name)?;
+    let html = html(live, &answer)?;
+    Ok(Moved { figure: answer.figure, html, attributes: attributes(live)? })
+}
+
+fn html(live: &Live, answer: &Answer) -> anyhow::Result<String> {
+    let given = given(live.name)?;
     let rows: Vec<String> = live.controls.iter().map(|control| row(live, control, &given)).collect();
     let presets = live.presets.iter().map(|preset| {
         format!("<button type=\"button\" data-set=\"{}\">{}</button>", escape(preset.arguments), escape(preset.name))
@@ -90,7 +105,7 @@ pub fn html(name: &str) -> anyhow::Result<String> {
         .quantities
         .iter()
         .map(|quantity| {
-            let claim = told(name)?.claims.iter().find(|(of, _)| *of == quantity.name);
+            let claim = told(live.name)?.claims.iter().find(|(of, _)| *of == quantity.name);
             let label = escape(quantity.label);
             let label = match claim {
                 Some((_, id)) => {
@@ -124,14 +139,14 @@ pub fn html(name: &str) -> anyhow::Result<String> {
     ))
 }
 
-/// The attributes of the figure element that its script reads.
-pub fn attributes(name: &str) -> anyhow::Result<String> {
-    let drag = named(name)?
+fn attributes(live: &Live) -> anyhow::Result<String> {
+    let drag = live
         .drag
         .map_or_else(String::new, |drag| format!(" data-drag=\"{} {} {}\"", drag.control, drag.at_right, drag.sense));
-    let (given, live) = (given(name)?, named(name)?);
-    let fixed: Vec<&str> = given.split('&').filter(|pair| live.given.iter().any(|of| pair.starts_with(of))).collect();
-    Ok(format!(" data-live=\"{name}\" data-given=\"{}\"{drag}", escape(&fixed.join("&"))))
+    let given = given(live.name)?;
+    let is_fixed = |pair: &&str| pair.split_once('=').is_some_and(|(name, _)| live.given.contains(&name));
+    let fixed: Vec<&str> = given.split('&').filter(is_fixed).collect();
+    Ok(format!(" data-live=\"{}\" data-given=\"{}\"{drag}", live.name, escape(&fixed.join("&"))))
 }
 
 /// One control with its label, its number and its unit.
