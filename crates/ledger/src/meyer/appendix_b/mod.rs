@@ -1,11 +1,13 @@
 //! Appendix B: how the equation of motion was solved on the computer, and the program.
 
 mod after;
+mod cards;
 mod contact;
 mod example;
 mod listing;
 mod listing_start;
 mod method;
+mod print_out;
 mod program;
 mod reset;
 mod stages;
@@ -24,6 +26,8 @@ pub fn claims() -> Vec<Claim> {
         listing::claims(),
         listing_start::claims(),
         after::claims(),
+        cards::claims(),
+        print_out::claims(),
     ]
     .concat()
 }

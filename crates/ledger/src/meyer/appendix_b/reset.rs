@@ -59,7 +59,7 @@ fn resets(modulus: impl Fn(&Mechanism) -> f64) -> Finding {
 
 /// Distance of the pin nearest to the follower's axis, of all pins by coordinates, when the driver has turned so far
 /// from the entry of one of them.
-fn nearest_pin(at: &Mechanism, turned: f64) -> f64 {
+pub fn nearest_pin(at: &Mechanism, turned: f64) -> f64 {
     let axis = Vector2::new(at.centre_distance_ratio(), 0.0);
     let place = |pin: u32| {
         Turn::from_radians(turned - at.engagement_half_angle() + at.driver_pitch_angle() * f64::from(pin)).direction()

@@ -31,7 +31,9 @@ pub use cells::claims;
 pub use headings::{of_figures, of_headings};
 pub use hypotheses::{EXPLAINED, Score, delays, scores};
 pub use lagged::Lagged;
-pub use motion::{Constants, Hypothesis, Reading, Reset, Run, SixPin, delay, duration, fitting_interval, interval};
+pub use motion::{
+    Constants, Hypothesis, Reading, Reset, Run, SixPin, delay, duration, fitting_interval, interval, usual,
+};
 pub use scores::Fit;
 pub use table::{Column, Row, rows, series, slug};
 
