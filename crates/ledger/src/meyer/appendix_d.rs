@@ -8,13 +8,79 @@ use super::slips::LOST_DOTS;
 use super::*;
 use geneva_dynamics::{Coefficients, Pose};
 use geneva_kinematics::Mechanism;
+use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named};
 use std::sync::OnceLock;
 
 const LETTERS: Place = at("Appendix D, line after the 1st equation");
 const SIGN: Place = at("Appendix D, lines after the 2nd equation");
 
 pub fn claims() -> Vec<Claim> {
-    [given(), equations()].concat()
+    [vec![needed()], given(), equations()].concat()
+}
+
+fn needed() -> Claim {
+    at("Appendix D, 1st paragraph")
+        .statement(
+            "meyer.app-d.needed",
+            "requires a value for the second derivative",
+            "to begin with, the program needs some value of the acceleration for that of the moment before",
+        )
+        .by(Evidence::Program, |stated| {
+            let begun = |old: &str| printed_from(old);
+            let usual = begun("0.").unwrap_or_default().concat();
+            let any = ["1.E6", "-1.E6"].iter().all(|old| {
+                let printed = begun(old).unwrap_or_default().concat();
+                let same = |(a, b): (&f64, &f64)| vanishes((a - b) / a.abs().max(1.0));
+                !usual.is_empty() && printed.len() == usual.len() && printed.iter().zip(&usual).all(same)
+            });
+            let none = begun("LOG(-1.)").is_none();
+            Finding::new(
+                none && any == stated.pick(true, false),
+                "the deck with only the line of the motion, begun with no number, with none too great and with two that are",
+            )
+        })
+        .by(ClosedForm, |stated| {
+            // F = C θ'² + D θ'' at the entry from rest, for a sign: not a number has none.
+            let sign = |at: &Mechanism, old: f64| {
+                let d = Coefficients::of_pose(&entry(*at), &0.5, &0.25, &1.0).d;
+                let between = d * old;
+                if between.is_nan() { None } else { Some(vanishes(d) || between < 0.0) }
+            };
+            let holds = Mechanism::ALL.iter().all(|at| {
+                let any = [-1e6, 0.0, 1e6].iter().all(|old| sign(at, *old) == Some(true));
+                sign(at, f64::NAN).is_none() && any == stated.pick(true, false)
+            });
+            Finding::new(holds, "at entry D is zero: the sign does not matter, but without a number there is none")
+        })
+        .but_not("it requires the value that is computed here")
+        .read_as(
+            "Some value, whichever: the line of the motion gives the same first acceleration with any, because a pin \
+             enters along its slot, where the friction has no arm.",
+        )
+}
+
+/// A mechanism as a pin enters.
+fn entry(at: Mechanism) -> Pose<f64> {
+    Pose::new(&at.centre_distance_ratio(), &Turn::from_radians(-at.engagement_half_angle()))
+}
+
+/// What the escapement's deck prints of its first set of data if the motion has one line from the start on, and the old
+/// acceleration is this at the start. None if the run stops.
+fn printed_from(old: &str) -> Option<Vec<Vec<f64>>> {
+    let lines = deck_named("escapement")?.lines().filter(|line| !line.starts_with(" REST    ACCEL"));
+    let text: Vec<String> = lines
+        .map(|line| {
+            if line.starts_with("         BEFORE") {
+                format!(" REST    BEFORE = {old}\n MOVING  BEFORE = TDL(ACCEL,DT/10.,100.)")
+            } else {
+                line.replace(" MOVING  ACCEL", "         ACCEL")
+            }
+        })
+        .collect();
+    let text = text.join("\n");
+    let deck = Deck::read(&text, Layout::of(&text)).ok()?;
+    let program = Program::new(&deck).ok()?;
+    Some(program.run(deck.data_sets().ok()?.first()?, &Choices::default()).ok()?.rows)
 }
 
 fn given() -> Vec<Claim> {

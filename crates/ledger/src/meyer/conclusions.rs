@@ -10,7 +10,7 @@ use geneva_dynamics::Parameters;
 use geneva_dynamics::steady::Engagement;
 use std::sync::OnceLock;
 
-/// One second in a day: the resolution that the source ascribes to a watch, over a day.
+/// One second in a day: this project's measure of keeping time. The source says of a watch that it resolves a second.
 pub const SECOND_A_DAY: f64 = 1.0 / 86_400.0;
 
 pub fn claims() -> Vec<Claim> {

@@ -22,7 +22,11 @@ pub fn along_the_slot() -> Claim {
         )
         .by(Series, entry_by_series)
         .by(Vectors, entry_by_places)
-        .corrected("along the centerline, seen from the follower", ENTRY_ALONG_THE_SLOT)
+        .but_not("so must its velocity seen from the frame")
+        .read_as(
+            "The velocity in the slot, seen from the follower. (Seen from the frame it is along the slot in the three \
+             mechanisms, whose followers are at rest then, but need not be: see the third conclusion.)",
+        )
 }
 
 /// The claims of the third conclusion.

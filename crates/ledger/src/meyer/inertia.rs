@@ -205,8 +205,7 @@ fn estimate() -> Vec<Claim> {
             })
             .but_not("without the factor ½ of the formula")
             .read_as(
-                "About as exact as the size that it is computed from: the diameter is said to be approximately half an \
-                 inch, and any diameter that rounds so to the printed place will do.",
+                "The sign says approximately, and so does the next sentence: to one unit of the one digit that is printed.",
             ),
     ]
 }
@@ -217,17 +216,17 @@ fn gravity_is(gravity: f64, stated: Stated, what: &str) -> Finding {
     Finding::new((said - gravity).abs() <= 0.5, format!("{what} is {gravity:.2}; said is {said}"))
 }
 
-/// Whether the printed moment of inertia is one of those of discs whose diameter rounds to the printed one, with the
-/// factor of the formula or with one.
+/// Whether the printed moment of inertia is that of the disc to one unit of its last place, with the factor of the formula
+/// or with one.
 fn estimate_covers(inertia: fn(f64, f64, f64) -> f64, stated: Stated) -> Finding {
     let Some(data) = data() else { return Finding::new(false, "no numbers") };
-    let of = |diameter: f64| inertia(diameter, data.thickness, stated.pick(0.5, 1.0));
-    let [least, middle, most] = [-0.05, 0.0, 0.05].map(|rounded| of(data.diameter + rounded));
+    let found = inertia(data.diameter, data.thickness, stated.pick(0.5, 1.0));
+    let tokens = numeric_tokens(characters("meyer.disc.inertia"));
+    let places = tokens.first().and_then(|number| Some(number.split_once('.')?.1.len())).unwrap_or_default();
     let said = printed_inertia();
-    Finding::new(
-        least < said && said < most,
-        format!("{middle:.3e} in lb sec², and {least:.2e} to {most:.2e} for diameters that round to the printed one"),
-    )
+    let unit = said / tokens.first().and_then(|number| number.parse::<f64>().ok()).unwrap_or(f64::NAN)
+        * libm::pow(10.0, -(places as f64));
+    Finding::new((found - said).abs() < unit, format!("{found:.3e} in lb sec²"))
 }
 
 /// Moment of inertia of a disc of the printed density and gravity, in in lb sec².

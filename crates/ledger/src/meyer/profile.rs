@@ -1,8 +1,9 @@
 //! Fig. 8 and what chapter II says of its curve: its shape, its scales, and when it is steady.
 
-use super::by_steps::{Group, Motion, groups};
+use super::by_steps::{Motion, groups};
 use super::general_statements::{Responses, responses};
-use super::runs::{Column, Hypothesis, Row, rows, series};
+use super::runs::choice::{of_fig_8, rows_of};
+use super::runs::{Column, Hypothesis, Row, series};
 use super::*;
 use crate::Evidence::{Quadrature, RungeKutta};
 use crate::Stated;
@@ -42,49 +43,23 @@ fn shape() -> Claim {
             "no parameter changes the shape of the curve of speeds",
         )
         .by(Quadrature, |stated| {
-            let sets = between_parameters(stated.pick(&["torque"], &["torque", "friction", "slots"]));
-            let counts: Vec<Vec<usize>> =
-                sets.iter().map(|set| set.iter().filter_map(|row| turning_points(row)).collect()).collect();
-            let alike = |set: &&Vec<usize>| set.windows(2).all(|pair| pair[0] == pair[1]);
-            let (same, all) = (counts.iter().filter(alike).count(), counts.concat());
-            let (least, most) = all.iter().fold((usize::MAX, 0), |(a, b), count| (a.min(*count), b.max(*count)));
-            Finding::new(
-                same == counts.len() && all.len() == rows().len(),
-                format!(
-                    "in {same} of {} sets of runs the driver's speed has equally many turning points in each steady \
-                     engagement, of {least} to {most} in all",
-                    counts.len()
-                ),
-            )
+            alike(stated, |row| {
+                let lines = Hypothesis::IDEAL.engagement(row)?.steady_cycle(INSTANTS).ok()?;
+                Some(lines.iter().map(|line| line.speed).collect())
+            })
         })
-        .by(OtherPlaceInSource, |stated| {
-            // Is some number within the rounding of all quotients of peak and minimum?
-            let sets = between_parameters(stated.pick(&["torque"], &["torque", "friction"]));
-            let ranges: Vec<[f64; 2]> = sets.iter().map(|set| quotient(set)).collect();
-            let one = ranges.iter().filter(|[low, high]| low <= high).count();
-            Finding::new(
-                one == ranges.len(),
-                format!("in {one} of {} sets of rows one quotient of peak and minimum fits all", ranges.len()),
-            )
+        .by(RungeKutta, |stated| {
+            alike(stated, |row| {
+                let group = groups().iter().find(|group| group.rows.contains(row))?;
+                let scale = group.scale(row);
+                Some(group.motion.values(group.motion.steady()?, |_, speed| speed * scale))
+            })
         })
+        .but_not("nor the shape of the curve for six pins")
         .read_as(
-            "Two curves have one shape if one covers the other after a change of the scales of its axes. Asked is no \
-             more than that they turn round equally often in an engagement, or have one quotient of peak and minimum \
-             to the printed digits.",
-        )
-        .corrected(
-            "Changing the torque will not change the shape of the curve",
-            Slip {
-                id: "",
-                reason: "Eq. (1-19) is the same equation if all speeds grow as the root of K/I_f and all times shrink \
-                         by it, so a change of K alone changes scales alone. The number of slots, the friction and the \
-                         quotient of the inertias do change the shape: how deep the minimum is, where the peak stands, \
-                         how many peaks there are.",
-                witness: "Peak over minimum, as printed, is the same for all torques, but not for all frictions.",
-                origin: Origin::Concept,
-                consequence: Consequence::Conclusion,
-                changes: "A curve for one friction cannot be got from that for another by new scales.",
-            },
+            "Asked of the mechanism of Fig. 8 and the parameters of its table: the curve goes up and down equally often in \
+             each engagement, as far as one unit of the tables lets one see. How deep its minimum is beside its peak does \
+             change with the friction; with the torque nothing but the scales changes.",
         )
 }
 
@@ -114,70 +89,54 @@ fn first_minimum() -> Claim {
     RISE.statement(
         "meyer.first-minimum",
         "by the first minimum in velocity, the driver has achieved its steady state",
-        "by the first minimum of its speed the driver moves as it will for ever",
+        "by the first minimum of its speed the driver of Fig. 8 moves as it will for ever",
     )
-    .by(Quadrature, |stated| {
-        settled(stated, rows().iter().filter_map(|row| Some((row.mechanism, minima(row)?))).collect())
-    })
-    .by(RungeKutta, |stated| {
-        let of = |group: &Group| {
-            let motion = &group.motion;
-            let least = |engagement| Some(motion.least(engagement)?.value);
-            let minima: Vec<f64> = motion.engagements.iter().filter_map(least).collect();
-            let steady = *minima.last()?;
-            Some((group.rows.first()?.mechanism, minima.iter().map(|least| least / steady).collect()))
-        };
-        settled(stated, groups().iter().filter_map(of).collect())
-    })
+    .by(Quadrature, |stated| settled(stated, departure))
+    .by(RungeKutta, |stated| settled(stated, departure_by_steps))
+    .but_not("so it has in every run of the four-pin mechanism")
     .read_as(
-        "A steady state is achieved with a minimum if that and all later ones are within one part in a hundred of the \
-         last, the measure on the axes of Figs. 10 and 11.",
+        "Asked of the run that Fig. 8 shows, which is not named: of the two whose first minimum is at the time that the \
+         text gives, one is within a unit of the tables of its steady minimum, speed at entry and peak from its first \
+         minimum on. With six and three pins no run is.",
     )
-    .corrected(
-        "by the second minimum in velocity with four pins, by the third with six, by the fourth with three, the driver \
-         has achieved its steady state",
-        Slip {
-            id: "",
-            reason: "The first minimum is that of the first engagement, which starts from rest: no speed has been \
-                     handed on yet. It is too low in every run, with six and three pins by more than with four. What \
-                     an engagement leaves of the difference depends on the friction: with four pins the second pin \
-                     enters at the steady speed within one per cent, except with the least friction of the runs.",
-            witness: "The minima of all mechanisms and frictions, by steps.",
-            origin: Origin::Concept,
-            consequence: Consequence::Conclusion,
-            changes: "A rise time that ends with the first minimum is too short.",
-        },
-    )
-}
-
-/// The rows in sets between which only these parameters change.
-fn between_parameters(parameters: &[&str]) -> Vec<Vec<&'static Row>> {
-    let may = |name: &str| parameters.contains(&name);
-    let alike = |a: &&Row, b: &&Row| {
-        (may("slots") || a.mechanism == b.mechanism)
-            && (may("friction") || a.printed(Column::Friction) == b.printed(Column::Friction))
-            && (may("torque") || a.printed(Column::Torque) == b.printed(Column::Torque))
-    };
-    let all: Vec<&Row> = rows().iter().collect();
-    all.chunk_by(alike).map(<[&Row]>::to_vec).collect()
 }
 
 /// Instants of a cycle among which its turning points are looked for.
 const INSTANTS: usize = 2000;
 
-/// How often the driver's speed turns round in an engagement of the steady motion.
-fn turning_points(row: &Row) -> Option<usize> {
-    let lines = Hypothesis::IDEAL.engagement(row)?.steady_cycle(INSTANTS).ok()?;
-    Some(lines.windows(2).filter(|pair| (pair[0].acceleration < 0.0) != (pair[1].acceleration < 0.0)).count())
+/// Whether the curves of all runs of the mechanism of Fig. 8 turn round equally often in a steady engagement, or those
+/// of another.
+fn alike(stated: Stated, speeds: impl Fn(&Row) -> Option<Vec<f64>>) -> Finding {
+    let mechanism = stated.pick(Mechanism::FOUR_PIN, Mechanism::SIX_PIN);
+    let counts: Vec<Option<usize>> = rows_of(mechanism).map(|row| swings(&speeds(row)?)).collect();
+    let same = counts.first().is_some_and(|first| first.is_some() && counts.iter().all(|count| count == first));
+    let all = || counts.iter().flatten();
+    Finding::new(
+        same,
+        format!(
+            "with {} pins the driver's speed turns round {} to {} times in a steady engagement of {} runs",
+            mechanism.pins(),
+            all().min().unwrap_or(&0),
+            all().max().unwrap_or(&0),
+            counts.len()
+        ),
+    )
 }
 
-/// The range of the quotients of peak and minimum that round to the printed ones of all rows; empty if the first is the
-/// greater.
-fn quotient(set: &[&Row]) -> [f64; 2] {
-    set.iter().fold([0.0, f64::INFINITY], |[low, high]: [f64; 2], row| {
-        let [peak, least] = [Column::Peak, Column::Minimum].map(|column| row.number(column));
-        [low.max((peak - 0.5) / (least + 0.5)), high.min((peak + 0.5) / (least - 0.5))]
-    })
+/// How often a cycle of speeds turns round by a unit of the tables or more.
+fn swings(speeds: &[f64]) -> Option<usize> {
+    let unit = Column::Peak.unit();
+    let highest = speeds.iter().copied().enumerate().max_by(|a, b| a.1.total_cmp(&b.1))?.0;
+    // From the highest down: it turns where it has come back by a unit.
+    let (mut turns, mut falling, mut last) = (1, true, speeds[highest]);
+    for speed in speeds.iter().cycle().skip(highest).take(speeds.len() + 1) {
+        if (*speed < last) == falling {
+            last = *speed;
+        } else if (speed - last).abs() >= unit {
+            (turns, falling, last) = (turns + 1, !falling, *speed);
+        }
+    }
+    Some(turns)
 }
 
 /// Factors of torque, friction and the two inertias: each alone a tenth greater, and all but the friction together.
@@ -213,36 +172,51 @@ fn changed(stated: Stated, found: &Responses) -> Finding {
     )
 }
 
-/// The minima of a run from rest, over the steady one.
-fn minima(row: &Row) -> Option<Vec<f64>> {
+/// By how much a run from rest departs from its steady minimum, speed at entry and peak, from its first minimum on, in
+/// rad/s.
+fn departure(row: &Row) -> Option<f64> {
     let of = Hypothesis::IDEAL.engagement(row)?;
     let (first, rise) = (of.first_minimum().ok()??.speed, of.rise(1e-6).ok()?);
-    let later = rise.cycles.iter().skip(1).map(|cycle| cycle.minimum.speed);
-    Some(std::iter::once(first).chain(later).map(|least| least / rise.steady.minimum.speed).collect())
+    let steady = &rise.steady;
+    let later = rise.cycles.iter().skip(1).flat_map(|cycle| {
+        [
+            cycle.minimum.speed - steady.minimum.speed,
+            cycle.entry_speed - steady.entry_speed,
+            cycle.peak.speed - steady.peak.speed,
+        ]
+    });
+    Some(later.chain([first - steady.minimum.speed]).map(f64::abs).fold(0.0, f64::max))
 }
 
-/// Whether the minimum with the number that is stated is, with six, four and three pins, the first from which on all
-/// are the steady one within a part in a hundred.
-fn settled(stated: Stated, runs: Vec<(Mechanism, Vec<f64>)>) -> Finding {
-    let said = stated.pick([3, 2, 4], [1; 3]);
-    let mut found = [0; 3];
-    for (mechanism, minima) in &runs {
-        let off = minima.iter().rposition(|part| (part - 1.0).abs() > 0.01);
-        let number = &mut found[mechanism.index()];
-        *number = (*number).max(off.map_or(1, |last| last + 2));
-    }
-    let range = |mechanism: Mechanism| {
-        let own = runs.iter().filter(|(of, _)| *of == mechanism).filter_map(|(_, minima)| minima.first());
-        let (low, high) = own.fold((f64::INFINITY, 0.0_f64), |(a, b), part| (a.min(*part), b.max(*part)));
-        format!("{:.1} to {:.1}", 100.0 * low, 100.0 * high)
+/// The same.
+fn departure_by_steps(row: &Row) -> Option<f64> {
+    let group = groups().iter().find(|group| group.rows.contains(row))?;
+    let motion = &group.motion;
+    let of = |engagement: &by_steps::Engagement| {
+        let peak = motion.greatest(engagement, |_, speed| speed).value;
+        Some([motion.least(engagement)?.value, engagement.ends()[0], peak])
     };
-    let [six, four, three] = Mechanism::ALL.map(range);
+    let steady = of(motion.steady()?)?;
+    let first = motion.least(motion.engagements.first()?)?.value - steady[0];
+    let later = motion.engagements.iter().skip(1).filter_map(of);
+    let later = later.flat_map(|found| [0, 1, 2].map(|k| found[k] - steady[k]));
+    Some(later.chain([first]).map(f64::abs).fold(0.0, f64::max) * group.scale(row))
+}
+
+/// Whether a run that may be that of Fig. 8 is steady from its first minimum on, to a unit of the tables; or all runs of
+/// its mechanism.
+fn settled(stated: Stated, departure: fn(&Row) -> Option<f64>) -> Finding {
+    let fig_8 = of_fig_8().unwrap_or_default();
+    let asked: Vec<&Row> = stated.pick(fig_8, rows_of(Mechanism::FOUR_PIN).collect());
+    let found: Vec<f64> = asked.iter().map(|row| departure(row).unwrap_or(f64::NAN)).collect();
+    let steady = found.iter().filter(|off| **off < Column::Peak.unit()).count();
+    let holds = if stated == Stated::Right { steady > 0 } else { steady == found.len() };
     Finding::new(
-        !runs.is_empty() && found == said,
+        holds,
         format!(
-            "the first minimum is {six} per cent of the steady one with six pins, {four} with four, {three} with \
-             three; from the minimum with the number {}, {} and {} on all are within one per cent",
-            found[0], found[1], found[2]
+            "of {} runs {steady} are within a unit of the steady motion from the first minimum on; they depart by {found:.2?} \
+             rad/s",
+            found.len()
         ),
     )
 }

@@ -155,7 +155,7 @@ pub const SAMPLED_PEAKS: Slip = Slip {
 
 /// A pin is said to have to enter along the slot, so that only three mechanisms are left.
 pub const ENTRY_ALONG_THE_SLOT: Slip = Slip {
-    id: "meyer.along-the-slot",
+    id: "meyer.conclusion.three",
     reason: "A pin strikes the slot's wall if the two have different velocities across the slot. So the pin must move \
              along the slot if the follower is at rest; if the follower turns it must not. The velocity ratio is an \
              even function of the driver's angle: the leaving and the entering pin ask the follower for one speed, \

@@ -1,20 +1,17 @@
 //! What comments and text say of single cards: letters, data, times, the angle.
 
-use super::contact::times;
 use super::program::{self, by_coefficients, named as parts};
-use super::reset::nearest_pin;
+use super::reset::{nearest_pin, reset};
 use super::*;
-use crate::Evidence::Program as ByProgram;
-use crate::meyer::runs::{Column, Hypothesis, Row, delay, duration, fitting_interval, interval, rows, usual};
+use crate::meyer::runs::{Column, Hypothesis, Row, duration, fitting_interval, interval, rows};
 use geneva_dynamics::Pose;
 use geneva_kinematics::Mechanism;
-use std::sync::OnceLock;
 
 const BEFORE: Place = at("Appendix B, paragraphs before the program");
 const AFTER: Place = at("Appendix B, paragraphs after the program");
 
 pub fn claims() -> Vec<Claim> {
-    [letters(), runs(), vec![angle()]].concat()
+    [letters(), runs(), vec![angle(), varies(), from_zero()]].concat()
 }
 
 /// The four comments that are right. In a wrong one a letter would stand for something else in the lines that have it.
@@ -30,19 +27,19 @@ fn letters() -> Vec<Claim> {
         letter(
             ("meyer.listing.comment-u", at("Appendix B, program, comment on U")),
             ("COEFFICIENT OF FRICTION", "what U is", "the angle whose tangent is the coefficient"),
-            [program::C, program::D],
+            [program::C, program::D, program::V],
             |formula| formula.replace('U', r"\tan(U)"),
         ),
         letter(
             ("meyer.listing.comment-iw", at("Appendix B, program, comment on IW")),
             ("MOMENT OF INERTIA OF FOLLOWER", "what IW is", "that of the driver"),
-            [program::A, program::E],
+            [program::A, program::E, program::R],
             exchanged,
         ),
         letter(
             ("meyer.listing.comment-ic", at("Appendix B, program, comment on IC")),
             ("MOMENT OF INERTIA OF DRIVER", "what IC is", "that of the follower"),
-            [program::A],
+            [program::A, program::R],
             exchanged,
         ),
     ]
@@ -72,12 +69,17 @@ fn letter<const N: usize>(
                     let (name, formula) = read(line, stated);
                     let right = match name.as_str() {
                         "G" => at.ratio,
-                        "A" => at.coefficients.a,
+                        "A" | "R" => at.coefficients.a,
                         "C" => at.coefficients.c,
                         "D" => at.coefficients.d,
+                        "V" => at.coefficients.d.abs(),
                         _ => at.coefficients.e,
                     };
-                    (reading::value(&formula, letters), right)
+                    // What the lines of the start call by other names.
+                    let start =
+                        [("X0", "X"), ("P", "L"), ("Q", "H")].map(|(name, same)| (name.to_owned(), letters[same]));
+                    let letters = letters.clone().into_iter().chain(start).collect();
+                    (reading::value(&formula, &letters), right)
                 })
             })
         })
@@ -99,6 +101,20 @@ fn runs() -> Vec<Claim> {
                 "separately for each individual set",
                 "each set of data has a run of its own, from rest and from the time zero",
             )
+            .by(Evidence::Quadrature, |stated| {
+                // Behind the strongest spring of a series comes the weakest of the next, which would be fast at once.
+                let slower = || rows().windows(2).filter(|pair| pair[1].torque() < pair[0].torque());
+                let found =
+                    slower().filter(|pair| nearer_from_rest(&pair[0], &pair[1]) == Some(stated.pick(true, false)));
+                let (found, all) = (found.count(), slower().count());
+                Finding::new(
+                    found == all && all > 0,
+                    format!(
+                        "behind a faster run, {found} of {all} printed peaks are nearer to those of a run {}",
+                        stated.pick("from rest", "that takes over the speed")
+                    ),
+                )
+            })
             .by(OtherPlaceInSource, |stated| {
                 let begun = |at: usize| stated.pick(0.0, duration() * at as f64);
                 let within = |(at, row): &(usize, &Row)| {
@@ -110,75 +126,40 @@ fn runs() -> Vec<Claim> {
                     format!("{found} of {} rise times of Appendix E lie within the run of their set", rows().len()),
                 )
             })
-            .by(ByProgram, |stated| {
-                // Where a rise time is known to be that of the first minimum, which a run from rest has late.
-                let known = || {
-                    let known = |row: &Row| {
-                        row.expected(Column::Rise)
-                            .is_some_and(|of| matches!(of, Verdict::Reproduced | Verdict::ReadOff))
-                    };
-                    rows().iter().enumerate().filter(move |(_, row)| known(row))
-                };
-                let near = |at: usize, row: &Row| {
-                    let first = Hypothesis::as_run().run(row).map_or(f64::NAN, |run| run.first_minimum);
-                    let time = first + stated.pick(0.0, duration() * at as f64);
-                    (time - row.number(Column::Rise)).abs() <= Column::Rise.unit() + interval()
-                };
-                let found = known().filter(|(at, row)| near(*at, row)).count();
-                Finding::new(
-                    found == known().count() && found > 0,
-                    format!(
-                        "{found} of {} rise times that are read off a run are counted from its start",
-                        known().count()
-                    ),
-                )
-            })
-            .but_not("one run goes through all the sets, and its time goes on"),
+            .but_not("one run goes through all the sets: a set takes over speed and time from the one before"),
         BEFORE
             .statement(
                 "meyer.app-b.print-interval",
                 "time increment between printout data points",
                 "DT is the time from one printed line to the next",
             )
-            .by(Evidence::Quadrature, |stated| between_lines(Mechanism::SIX_PIN, stated))
-            .by(Evidence::RungeKutta, |stated| between_lines(Mechanism::FOUR_PIN, stated))
+            .by(Evidence::Quadrature, |stated| between_lines(false, stated))
+            .by(Evidence::RungeKutta, |stated| between_lines(true, stated))
             .but_not("half of that time: every second point is printed")
             .read_as(
                 "That DT sets it simply does not say that it sets nothing else: a tenth of it is the delay of the old \
                  acceleration.",
             ),
-        BEFORE
-            .statement("meyer.app-b.never-negative", "never negative", "the time of a run is never negative")
-            .by(ByProgram, |stated| {
-                static LEAST: OnceLock<f64> = OnceLock::new();
-                let least = *LEAST.get_or_init(|| {
-                    let first = |row| {
-                        let printed = Hypothesis::as_run().program(row)?.run(&usual()).ok()?;
-                        printed.lines.iter().map(|line| line.time).min_by(f64::total_cmp)
-                    };
-                    rows()
-                        .iter()
-                        .map(|row| first(row).unwrap_or(f64::NAN))
-                        .fold(f64::INFINITY, |least, time| if time < least || time.is_nan() { time } else { least })
-                });
-                let least = least - stated.pick(0.0, delay());
-                Finding::new(least >= 0.0, format!("the least in the runs of all sets is {least} s"))
-            })
-            .by(LimitCase, |stated| {
-                let negative = times().filter(|time| f64::from(*time) * interval() < stated.pick(0.0, delay())).count();
-                Finding::new(negative == 0, format!("of the multiples of DT in a run, {negative} give a negative one"))
-            })
-            .but_not("nor is the time at which the old acceleration is taken, T − DT/10"),
     ]
 }
 
-/// Whether the interval with which a table's peaks come out best is the listing's DT, or twice that.
-fn between_lines(mechanism: Mechanism, stated: Stated) -> Finding {
-    static FITTING: [OnceLock<f64>; 3] = [const { OnceLock::new() }; 3];
-    let fitting = *FITTING[mechanism.index()].get_or_init(|| fitting_interval(mechanism));
+/// Whether the printed peak of a row is nearer to that of a run from rest than to one that begins with the speed at which
+/// the steady engagements of the row before are entered.
+fn nearer_from_rest(before: &Row, row: &Row) -> Option<bool> {
+    let of = Hypothesis::WITHOUT_LAG;
+    let engagement = of.engagement(row)?;
+    let from_rest = engagement.largest_printed(interval(), 0.0, duration()).ok()?;
+    let taken_over = engagement.passage(of.engagement(before)?.steady_state().ok()?.entry_speed).ok()?.fastest().speed;
+    let off = |peak: f64| (peak - row.number(Column::Peak)).abs();
+    Some(off(from_rest) < off(taken_over))
+}
+
+/// Whether the interval with which the peaks of the tables come out best is the listing's DT, or twice that.
+fn between_lines(by_steps: bool, stated: Stated) -> Finding {
+    let fitting = fitting_interval(by_steps);
     Finding::new(
         fitting == interval() * stated.pick(1.0, 2.0),
-        format!("the peaks of {} pins come out best if a line is printed every {fitting} s", mechanism.pins()),
+        format!("the peaks of the tables come out best if a line is printed every {fitting} s"),
     )
 }
 
@@ -222,5 +203,45 @@ fn angle() -> Claim {
             Finding::new(holds, "L against the pin next to the follower's axis, of all pins by coordinates")
         })
         .but_not("it is THETA, through which the driver has turned")
-        .read_as("Used wherever these equations have an angle: H, I and L do, J has none.")
+        .read_as(
+            "Used wherever these equations have an angle: H, I and L do, J has none. X is what it is meant to be; that \
+             the printed reset makes it so for four pins only is a claim of its own.",
+        )
+}
+
+/// The reason that the text gives for X.
+fn varies() -> Claim {
+    reset(
+        "meyer.app-b.varies-only",
+        AFTER,
+        "X varies only between the angles at which a pin enters and leaves its slot",
+        "vary only between those points where the pin engages the slot",
+        "vary only between those points, if it is reset after 60°, 90° or 120°",
+    )
+}
+
+/// Where the driver's angle begins.
+fn from_zero() -> Claim {
+    let begins = |mechanism: Mechanism, stated: Stated| {
+        let start = -mechanism.engagement_half_angle();
+        stated.pick(0.0, start) + start
+    };
+    AFTER
+        .statement(
+            "meyer.app-b.from-zero",
+            "start from zero",
+            "THETA, through which the driver has turned, begins at zero",
+        )
+        .by(ClosedForm, move |stated| {
+            let holds = Mechanism::ALL.iter().all(|at| vanishes(program::at(*at, begins(*at, stated))["H"]));
+            Finding::new(holds, "the line of H for the X with which a run begins is zero: a pin enters along its slot")
+        })
+        .by(Vectors, move |stated| {
+            let holds = Mechanism::ALL.iter().all(|at| {
+                let first = Turn::from_radians(begins(*at, stated));
+                agrees(at.pin_distance(&first), at.rim_radius())
+            });
+            Finding::new(holds, "the first pin, for the X with which a run begins, is at the follower's rim")
+        })
+        .but_not("it begins at X0")
 }

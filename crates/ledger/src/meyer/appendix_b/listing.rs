@@ -56,10 +56,10 @@ fn constants() -> Vec<Claim> {
                 ".0005",
                 "s",
                 "time between printed lines, a datum: of a half, once and twice as much it is the one whose largest \
-                 printed speeds are those of the tables",
+                 printed speeds are nearest to those of the three tables together",
             )
-            .by(Evidence::Quadrature, || runs::fitting_interval(Mechanism::SIX_PIN))
-            .by(Evidence::RungeKutta, || runs::fitting_interval(Mechanism::FOUR_PIN)),
+            .by(Evidence::Quadrature, || runs::fitting_interval(false))
+            .by(Evidence::RungeKutta, || runs::fitting_interval(true)),
         PROGRAM
             .statement(
                 "meyer.listing.delay",

@@ -3,55 +3,89 @@
 use super::*;
 use crate::Evidence::Program as ByProgram;
 use crate::meyer::runs::choice::weakest;
-use crate::meyer::runs::{Constants, Hypothesis, Row, deck, duration, interval, usual};
+use crate::meyer::runs::{Constants, Hypothesis, Row, deck, duration, interval, rows, usual};
 use geneva_dynamics::program::Line;
+use geneva_dynamics::steady::Printed;
 use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named, print_out};
 
 pub fn claims() -> Vec<Claim> {
-    vec![columns(), output()]
+    [columns(), vec![output()]].concat()
 }
 
-/// The five columns.
-fn columns() -> Claim {
-    at("Appendix B, program")
-        .statement(
+/// The five columns: what is printed, and what stands above it.
+fn columns() -> Vec<Claim> {
+    let of = |id: &'static str, printed: &'static str, meaning: &'static str| {
+        at("Appendix B, program")
+            .statement(id, printed, meaning)
+            .by(ByProgram, move |stated| {
+                in_all_runs(characters(id), stated, |row| {
+                    let lines = Hypothesis::as_run().program(row)?.run(&usual()).ok()?.lines;
+                    let of = |line: &Line| {
+                        ([line.time, line.turned, line.speed, line.acceleration, line.follower_speed], line.angle)
+                    };
+                    Some(lines.iter().map(of).collect())
+                })
+            })
+            .by(Evidence::Quadrature, move |stated| {
+                in_all_runs(characters(id), stated, |row| {
+                    let lines = Hypothesis::WITHOUT_LAG.engagement(row)?.run(interval(), duration()).ok()?;
+                    let of = |line: &Printed| {
+                        ([line.time, line.turned, line.speed, line.acceleration, line.follower_speed], line.angle)
+                    };
+                    Some(lines.iter().map(of).collect())
+                })
+            })
+            .but_not("the driver's velocity and acceleration the other way round")
+    };
+    vec![
+        of(
             "meyer.listing.heading",
             "TIME,DISPL,VEL,ACCEL,PHIDOT",
             "headings of the columns: time, the driver's displacement, velocity and acceleration, the follower's \
              velocity",
-        )
-        .by(ByProgram, |stated| {
-            rates(stated, |row| {
-                let lines = Hypothesis::as_run().program(row)?.run(&usual()).ok()?.lines;
-                Some(lines.iter().map(|line| [line.time, line.turned, line.speed, line.acceleration]).collect())
-            })
-        })
-        .by(Evidence::Quadrature, |stated| {
-            rates(stated, |row| {
-                let lines = Hypothesis::WITHOUT_LAG.engagement(row)?.run(interval(), duration()).ok()?;
-                Some(lines.iter().map(|line| [line.time, line.turned, line.speed, line.acceleration]).collect())
-            })
-        })
-        .but_not("velocity and acceleration the other way round")
+        ),
+        of(
+            "meyer.listing.printed",
+            "T,THETA,1DX,2DX,PHIDOT",
+            "what the columns are: time, the driver's angle with its two derivatives, the follower's speed",
+        ),
+    ]
 }
 
-/// Whether the third printed quantity is the rate of the second, and the fourth that of the third: the trapezoids between
-/// the lines of a run give the changes, but for a tenth of all change. Where an angle is reset, the acceleration jumps.
-fn rates(stated: Stated, run: impl Fn(&Row) -> Option<Vec<[f64; 4]>>) -> Finding {
-    let holds = |lines: Vec<[f64; 4]>| {
-        let [first, second, third] = stated.pick([1, 2, 3], [1, 3, 2]);
-        [[first, second], [second, third]].iter().all(|[of, rate]| {
-            let (mut changed, mut missed) = (0.0, 0.0);
-            for pair in lines.windows(2) {
-                let change = pair[1][*of] - pair[0][*of];
-                changed += change.abs();
-                missed += (change - (pair[1][0] - pair[0][0]) * (pair[0][*rate] + pair[1][*rate]) / 2.0).abs();
-            }
-            missed < changed / 10.0
-        })
+/// The words for the five printed quantities: in the heading, and in the program.
+const WORDS: [[&str; 2]; 5] =
+    [["TIME", "T"], ["DISPL", "THETA"], ["VEL", "1DX"], ["ACCEL", "2DX"], ["PHIDOT", "PHIDOT"]];
+
+/// Whether the columns are what words in this order call them, in all runs: one rises by the print interval, of the
+/// others one is the rate of another and the third that of the second, by the trapezoids between the lines but for a
+/// fifth of all change, and the last is the second by the transmission ratio of the mechanism by coordinates. Where an
+/// angle is reset, the acceleration jumps.
+fn in_all_runs(words: &str, stated: Stated, run: impl Fn(&Row) -> Option<Vec<([f64; 5], f64)>>) -> Finding {
+    let words: Vec<&str> = words.split(',').collect();
+    let place = |quantity: usize| words.iter().position(|word| WORDS[quantity].contains(word));
+    let named = |row: &Row, line: &([f64; 5], f64)| {
+        let [time, turned, speed, acceleration, follower] =
+            [0, 1, 2, 3, 4].map(|k| place(k).map_or(f64::NAN, |at| line.0[at]));
+        let [speed, acceleration] = stated.pick([speed, acceleration], [acceleration, speed]);
+        let ratio = PinKinematics::new(&row.mechanism, line.1).turning() / DRIVER.0;
+        ([time, turned, speed, acceleration], follower - ratio * speed)
     };
-    let (found, all) = (weakest().filter(|row| run(row).is_some_and(holds)).count(), weakest().count());
-    Finding::new(found == all, format!("each column is the rate of the one before in {found} of {all} runs"))
+    let holds = |row: &Row| {
+        let lines: Vec<_> = run(row)?.iter().map(|line| named(row, line)).collect();
+        let steps = |of: usize| lines.windows(2).map(move |pair| (pair[1].0[of] - pair[0].0[of], pair));
+        let is_rate = |of: usize| {
+            let (mut changed, mut missed) = (0.0, 0.0);
+            for (change, pair) in steps(of) {
+                changed += change.abs();
+                missed += (change - interval() * (pair[0].0[of + 1] + pair[1].0[of + 1]) / 2.0).abs();
+            }
+            missed < changed / 5.0
+        };
+        let even = steps(0).all(|(step, _)| agrees(step, interval()));
+        Some(even && is_rate(1) && is_rate(2) && lines.iter().all(|line| line.1.abs() < 1e-3 * (1.0 + line.0[2].abs())))
+    };
+    let (found, all) = (rows().iter().filter(|row| holds(row) == Some(true)).count(), rows().len());
+    Finding::new(found == all, format!("the columns are what they are called in {found} of {all} runs"))
 }
 
 /// The cards behind FIN.

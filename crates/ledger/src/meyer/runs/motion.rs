@@ -219,15 +219,13 @@ pub fn interval() -> f64 {
     printed("meyer.listing.print-interval")
 }
 
-/// Of half the printed interval, itself and twice as much, the one with which a table's peaks come out best.
-///
-/// For six pins the motion is solved over the angle, for the others the program takes its steps.
-pub fn fitting_interval(mechanism: Mechanism) -> f64 {
+/// Of half the printed interval, itself and twice as much, the one with which the peaks of all rows come out best: with
+/// the motion solved over the angle, or by the steps of the program.
+pub fn fitting_interval(by_steps: bool) -> f64 {
+    static FITTING: [OnceLock<f64>; 2] = [const { OnceLock::new() }; 2];
     let misfit = |interval: f64| {
         let of = |row: &Row| {
-            let largest = if mechanism == Mechanism::SIX_PIN {
-                Hypothesis::WITHOUT_LAG.engagement(row)?.largest_printed(interval, 0.0, duration()).ok()?
-            } else {
+            let largest = if by_steps {
                 let integrator = geneva_mimic::Parameters {
                     print_interval: interval,
                     largest_step: interval,
@@ -235,14 +233,16 @@ pub fn fitting_interval(mechanism: Mechanism) -> f64 {
                     ..usual()
                 };
                 Hypothesis::WITHOUT_LAG.program(row)?.run(&integrator).ok()?.largest()
+            } else {
+                Hypothesis::WITHOUT_LAG.engagement(row)?.largest_printed(interval, 0.0, duration()).ok()?
             };
             Some((largest / row.number(Column::Peak) - 1.0).abs())
         };
-        let own = rows().iter().filter(|row| row.mechanism == mechanism);
-        own.map(|row| of(row).unwrap_or(f64::INFINITY)).sum::<f64>()
+        rows().iter().map(|row| of(row).unwrap_or(f64::INFINITY)).sum::<f64>()
     };
     let candidates = [interval() / 2.0, interval(), 2.0 * interval()];
-    candidates.into_iter().min_by(|a, b| misfit(*a).total_cmp(&misfit(*b))).unwrap_or(f64::NAN)
+    let best = || candidates.into_iter().min_by(|a, b| misfit(*a).total_cmp(&misfit(*b))).unwrap_or(f64::NAN);
+    *FITTING[usize::from(by_steps)].get_or_init(best)
 }
 
 /// By how much the old acceleration is late, in s: a part of the print interval.
