@@ -211,7 +211,18 @@ fn freecad() -> Claim {
 
 fn freecad_arcs() -> Claim {
     MACRO
-        .figure("wild.freecad.arcs", "x = b/2 - y", "how far the centre of the wheel's arcs is from the driver's axis, at rest")
+        .figure(
+            "wild.freecad.arcs",
+            "x = y - b/2",
+            "place of the centre of the wheel's arcs at rest, from the driver's axis; the wheel's axis is at -c",
+        )
+        .by(ClosedForm, |stated| {
+            rests(freecad_wheels().map(|wheel| {
+                // What is left of the wheel on the line of centres, and what the disc leaves room for.
+                let left = wheel.centres() - stated.pick(0.0, wheel.arc[0]) - wheel.arc[1];
+                wheel.centres() - wheel.disc - left
+            }))
+        })
         .by(Vectors, |stated| {
             let gaps = freecad_wheels().map(|wheel| {
                 // Places of the arc all along it, from the driver's axis.
@@ -221,17 +232,10 @@ fn freecad_arcs() -> Claim {
                     Vector2::new(radius * libm::cos(angle) + from, radius * libm::sin(angle))
                 };
                 let inside = |place: &Vector2<f64>| (place - Vector2::new(wheel.centres(), 0.0)).norm() <= wheel.rim;
-                let gaps = (-100..=100).map(place).filter(inside).map(|place| place.norm() - wheel.disc);
+                let gaps = (-157..=157).map(place).filter(inside).map(|place| place.norm() - wheel.disc);
                 gaps.fold(f64::NEG_INFINITY, f64::max)
             });
             rests(gaps)
-        })
-        .by(ClosedForm, |stated| {
-            rests(freecad_wheels().map(|wheel| {
-                // What is left of the wheel on the line of centres, and what the disc leaves room for.
-                let left = wheel.centres() - stated.pick(0.0, wheel.arc[0]) - wheel.arc[1];
-                wheel.centres() - wheel.disc - left
-            }))
         })
         .read_as(MACRO_WHEELS)
         .corrected(

@@ -46,7 +46,7 @@ pub const SUBJECTS: &[Subject] = &[
     ("How long a wheel moves and rests", turning::claims),
     ("How many steps there are", steps::claims),
     ("Sizes", sizes::claims),
-    ("Examples that are built", models::claims),
+    ("Wheels that programs build", models::claims),
     ("The locking disc", discs::claims),
     ("How a wheel moves", motion::claims),
     ("A pin on a pinion", epicyclic::claims),
