@@ -121,6 +121,11 @@ mod tests {
             assert!(judged.findings.iter().any(|(_, found)| found.how.contains(words)), "{:?}", judged.findings);
             assert!(changes(id).contains(words), "{id}");
         }
+        // Rounded as their reading says.
+        for (id, right) in [("wild.unseel.six", "67"), ("wild.unseel.eight", "62")] {
+            let judged = crate::verdict(id).expect("a claim");
+            assert_eq!(judged.corrected().as_deref(), Some(right), "{id}");
+        }
         // Too far apart up to five slots, too close from six on.
         for slots in fit::ANY {
             let wheel = Fit::by_vectors(slots);
