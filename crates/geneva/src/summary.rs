@@ -2,24 +2,30 @@
 
 use crate::claims::with_unit;
 use crate::output::{count, field, heading, style, wrapped};
-use geneva_ledger::{Consequence, Judged, Truth, Verdict, Work, in_full, slips_of};
+use geneva_ledger::{Consequence, Judged, Kind, Truth, Verdict, Work, in_full, slips_of};
 
 /// Verdicts of the documents by source, and each claim that does not stand as recorded, also of those elsewhere.
 pub fn page(verdicts: &[Judged]) -> String {
     table(verdicts) + "\n" + &differences(verdicts)
 }
 
-/// How many statements on pages elsewhere are right and wrong, if all stand as recorded.
+/// How many statements and examples on pages elsewhere are right and wrong, if all stand as recorded.
 fn elsewhere(verdicts: &[Judged]) -> String {
-    let said: Vec<_> = verdicts.iter().filter(|judged| !judged.claim.work.is_document()).collect();
-    if said.is_empty() {
+    let said = |of: &dyn Fn(&Judged) -> bool| -> usize {
+        verdicts.iter().filter(|judged| !judged.claim.work.is_document() && of(judged)).count()
+    };
+    let is_example = |judged: &Judged| judged.claim.kind == Kind::Example;
+    let told = |name: &str, examples: bool| {
+        let all = said(&|judged| is_example(judged) == examples);
+        let of = |truth| said(&|judged| is_example(judged) == examples && judged.truth() == truth);
+        let parts = Truth::ALL.iter().filter(|truth| of(**truth) > 0).map(|truth| format!("{} {truth}", of(*truth)));
+        (all > 0).then(|| format!("{} ({})", count(all, name), parts.collect::<Vec<_>>().join(", ")))
+    };
+    let told: Vec<_> = [told("statement", false), told("example", true)].into_iter().flatten().collect();
+    if told.is_empty() {
         return String::new();
     }
-    let of = |truth| said.iter().filter(|judged| judged.truth() == truth).count();
-    let parts = Truth::ALL.iter().filter(|truth| of(**truth) > 0).map(|truth| format!("{} {truth}", of(*truth)));
-    let parts = parts.collect::<Vec<_>>().join(", ");
-    let said = count(said.len(), "statement");
-    wrapped("", &format!("{said} elsewhere ({parts}): each stands as recorded. geneva claims --source wild"))
+    wrapped("", &format!("Elsewhere {}: each stands as recorded. geneva claims --source wild", told.join(" and ")))
 }
 
 fn table(verdicts: &[Judged]) -> String {
@@ -104,6 +110,18 @@ mod tests {
         judged_in(Work::Pin, printed)
     }
 
+    /// An example that nobody builds, and that is right.
+    fn example() -> Judged {
+        let fits =
+            |stated: geneva_ledger::Stated| geneva_ledger::Finding::new(stated.pick(true, false), "seven thirds");
+        let claim = Place::new(Work::Wild, "Nowhere")
+            .example("wild.made-up", "7/3", "sizes")
+            .by(Evidence::ClosedForm, fits)
+            .by(Evidence::LimitCase, fits)
+            .but_not("8/3");
+        judge(Box::leak(Box::new(claim)))
+    }
+
     fn judged_in(work: Work, printed: &'static str) -> Judged {
         let place = Place::new(work, "Nowhere, line 1");
         let claim = place
@@ -133,9 +151,9 @@ mod tests {
 
     #[test]
     fn what_is_said_elsewhere_has_a_line_of_its_own_and_no_column() {
-        let page = page(&[judged("2.33"), judged_in(Work::Wild, "2.33"), judged_in(Work::Wild, "2.33")]);
+        let page = page(&[judged("2.33"), judged_in(Work::Wild, "2.33"), judged_in(Work::Wild, "2.33"), example()]);
         assert!(page.contains("\n1 claim: each stands as recorded.\n"), "{page}");
-        assert!(page.contains("\n2 statements elsewhere (2 right): each stands"), "{page}");
+        assert!(page.contains("\nElsewhere 2 statements (2 right) and 1 example (1 right): each stands"), "{page}");
         let total = page.lines().find(|line| line.starts_with("all claims")).expect("a total");
         let numbers: Vec<_> = total.split_whitespace().filter(|word| *word != "–").collect();
         assert_eq!(numbers, ["all", "claims", "1", "1"], "{page}");

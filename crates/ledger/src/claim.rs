@@ -48,6 +48,9 @@ pub enum Kind {
     Figure,
     /// A sentence that can be checked.
     Statement,
+    /// Sizes of a mechanism that is built as an example. Nobody says that they are right: they come from a formula or a
+    /// choice, and are counted apart from what is said.
+    Example,
 }
 
 /// A place in a source, at which its claims are made.
@@ -107,6 +110,11 @@ impl Place {
     /// A sentence that can be checked.
     pub fn statement(self, id: &'static str, printed: &'static str, meaning: &'static str) -> Unchecked<Choice> {
         self.claim(Kind::Statement, id, printed, meaning)
+    }
+
+    /// Sizes of a mechanism that is built as an example, of which the claim is that it works.
+    pub fn example(self, id: &'static str, printed: &'static str, meaning: &'static str) -> Unchecked<Choice> {
+        self.claim(Kind::Example, id, printed, meaning)
     }
 
     fn claim<R: ?Sized>(
@@ -370,4 +378,10 @@ impl Claim {
     }
 }
 
-slugs!(Kind { Value = "value", Equation = "equation", Figure = "figure", Statement = "statement" });
+slugs!(Kind {
+    Value = "value",
+    Equation = "equation",
+    Figure = "figure",
+    Statement = "statement",
+    Example = "example",
+});

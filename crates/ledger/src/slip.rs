@@ -186,7 +186,11 @@ impl Places {
         fault(copy != (slip.origin == Origin::Copy), "a slip of the copy is one by origin and by consequence");
         fault(!copy && !result && self.wrong_numbers().next().is_some(), "a printed number changes");
         // On a page that gives a formula to its readers, the formula is the answer.
-        let answers = |kind: &Kind| *kind == Kind::Figure || (*kind == Kind::Equation && !self.is_of_a_document());
+        let answers = |kind: &Kind| match kind {
+            Kind::Figure | Kind::Example => true,
+            Kind::Equation => !self.is_of_a_document(),
+            Kind::Value | Kind::Statement => false,
+        };
         fault(
             result && self.wrong_numbers().next().is_none() && !kinds.iter().any(answers),
             "no printed number and no figure changes",

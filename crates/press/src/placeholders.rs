@@ -46,6 +46,7 @@ const KEYS: &[(&str, &str, Put)] = &[
     ("erratum", "one erratum", Of(errata::one)),
     ("elsewhere", "every statement made elsewhere, in a fold", Alone(elsewhere::statements)),
     ("elsewhere-addresses", "where statements were read, and how many", Alone(|| Ok(elsewhere::addresses()?.html()))),
+    ("elsewhere-examples", "examples that do not fit, in a table", Alone(|| Ok(elsewhere::wrong_examples()?.html()))),
     ("elsewhere-wrong", "what is wrong elsewhere, in a table", Alone(|| Ok(elsewhere::wrong()?.html()))),
     ("evidence", "the kinds of evidence and how many claims use each", Alone(|| Ok(lists::evidence()?.html()))),
     ("figure", "a numbered figure", Put::Figure),

@@ -1,13 +1,16 @@
-//! The cut in the locking disc, through which the wheel's horns pass.
+//! The locking disc: the wheel's arcs in which it turns, and the cut through which the wheel's horns pass.
 
 use super::fit::{ANY, tried};
 use super::*;
+use crate::agreement::agrees;
 use crate::tex::Moment;
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::pin_from_pivot;
 use nalgebra::Vector2;
 
 const MACRO: Place = at(page!("https://github.com/FreeCAD/FreeCAD-documentation/blob/HEAD/wiki/Macro_Geneva_Wheel.md"));
+const WINDOW: Place =
+    at(page!("https://github.com/FreeCAD/FreeCAD-documentation/blob/HEAD/wiki/Macro_Geneva_Wheel_GUI.md"));
 const OPENSCAD: Place = at(page!("https://github.com/tllilleh/openscad-geneva-drive/blob/HEAD/geneva-drive.scad"));
 const WORKBENCH: Place = at(page!("https://github.com/iplayfast/GearWorkBench/blob/HEAD/genevaWheel.py"));
 const GENERATOR: Place =
@@ -22,8 +25,9 @@ struct Drawn {
     crank: f64,
     /// Radius of the wheel.
     rim: f64,
-    /// Radius of the wheel's arcs in which the disc turns while the wheel rests.
-    arc: f64,
+    /// The wheel's arc in which the disc turns while the wheel rests: how far its centre is from the driver's axis,
+    /// towards the wheel's, and its radius.
+    arc: [f64; 2],
     /// Radius of the locking disc.
     disc: f64,
     /// The circle that is cut out of the disc: how far its centre is from the driver's axis, towards the pin, and its
@@ -37,9 +41,12 @@ pub fn claims() -> Vec<Claim> {
         centre(OPENSCAD, "wild.openscad.arc-centre"),
         openscad(),
         arc(GENERATOR, "wild.generator.arc"),
+        arc(WINDOW, "wild.freecad-window.arc"),
+        centre(WINDOW, "wild.freecad-window.arc-centre"),
         centre(WORKBENCH, "wild.gear-workbench.arc-centre"),
-        cosmo(),
         freecad(),
+        freecad_arcs(),
+        cosmo(),
     ]
 }
 
@@ -99,17 +106,14 @@ impl Drawn {
         Self { cut: [self.centres(), self.crank / libm::tan(PI / f64::from(self.slots))], ..self }
     }
 
-    /// How deep a place is inside the disc that is left, below zero outside: from the place's distances to the driver's
-    /// axis and to the centre of the cut.
-    fn depth(&self, [axis, centre]: [f64; 2]) -> f64 {
-        (self.disc - axis).min(centre - self.cut[1])
-    }
-
-    /// The deepest that a tip of the wheel's horns comes into the disc, in the driver's plane: crank angles, the wheel's
-    /// angle by the formula crate.
+    /// The deepest that a tip of the wheel's horns comes into the disc that is left, below zero outside. In the driver's
+    /// plane, by coordinates: crank angles, the wheel's angle by the formula crate.
     fn by_crank(&self) -> f64 {
         let (c, pitch) = (self.centres(), PI / f64::from(self.slots));
-        let tip = libm::acos((self.rim * self.rim + c * c - self.arc * self.arc) / (2.0 * self.rim * c));
+        // A tip is where the rim meets the arc, half a pitch from the slot.
+        let [from, radius] = self.arc;
+        let along = (self.rim * self.rim + (c - from) * (c - from) - radius * radius) / (2.0 * (c - from));
+        let tip = libm::acos(along / self.rim);
         let end = PI / 2.0 - pitch;
         let at = |step: u32, side: f64| {
             let crank = end * (f64::from(step) / 720.0 - 1.0);
@@ -117,28 +121,33 @@ impl Drawn {
             let angle = libm::atan2(pin.y, pin.x) + side * (pitch - tip);
             let place = Vector2::new(self.rim * libm::cos(angle) - c, self.rim * libm::sin(angle));
             let towards_the_pin = Vector2::new(-libm::cos(crank), libm::sin(crank));
-            self.depth([place.norm(), (place - towards_the_pin * self.cut[0]).norm()])
+            let [centre, cut] = self.cut;
+            (self.disc - place.norm()).min((place - towards_the_pin * centre).norm() - cut)
         };
         let all = (0..=1440).flat_map(|step| [at(step, 1.0), at(step, -1.0)]);
         all.fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// The same in the plane of the wheel, with the pin's slot along the first axis: the driver's axis goes round.
-    fn by_slot(&self) -> f64 {
-        let (c, a) = (self.centres(), self.crank);
-        // A tip is where the rim meets the arc about the driver's axis at rest, half a pitch from the slot.
-        let rest = Vector2::new(libm::cos(PI / f64::from(self.slots)), libm::sin(PI / f64::from(self.slots)));
-        let along = (self.rim * self.rim + c * c - self.arc * self.arc) / (2.0 * c);
-        let aside = (self.rim * self.rim - along * along).sqrt();
-        let tip = rest * along + Vector2::new(rest.y, -rest.x) * aside;
-        let (deepest, mouth) = (c - a, (c * c - a * a).sqrt());
+    /// The same by triangles, from the pin's place in its slot: of the two axes and the pin, and of the tip and two of them.
+    fn by_triangles(&self) -> f64 {
+        let square = |x: f64| x * x;
+        let (c, a, r) = (self.centres(), self.crank, self.rim);
+        let beside = |near: f64, far: f64, across: f64| {
+            libm::acos((square(near) + square(far) - square(across)) / (2.0 * near * far))
+        };
+        // Of the tip from the slot, at the wheel's axis.
+        let tip = PI / f64::from(self.slots) - beside(r, c - self.arc[0], self.arc[1]);
+        let across = |far: f64, angle: f64| square(r) + square(far) - 2.0 * r * far * libm::cos(angle);
+        let (deepest, mouth) = (c - a, (square(c) - square(a)).sqrt());
         let at = |step: u32, side: f64| {
             // About as many steps to each crank angle.
-            let pin = deepest + (mouth - deepest) * libm::pow(f64::from(step) / 1440.0, 2.0);
-            let x = (c * c + pin * pin - a * a) / (2.0 * pin);
-            let axis = Vector2::new(x, side * (c * c - x * x).max(0.0).sqrt());
-            let centre = axis + (Vector2::new(pin, 0.0) - axis) * (self.cut[0] / a);
-            self.depth([(tip - axis).norm(), (tip - centre).norm()])
+            let pin = deepest + (mouth - deepest) * square(f64::from(step) / 1440.0);
+            let axis = if step == 0 { 0.0 } else { beside(c, pin, a) };
+            let [to_axis, to_pin] = [across(c, tip - side * axis), across(pin, tip)];
+            // The centre of the cut divides the crank, or lengthens it: Stewart's theorem.
+            let part = self.cut[0] / a;
+            let to_cut = (1.0 - part) * to_axis + part * to_pin - part * (1.0 - part) * square(a);
+            (self.disc - to_axis.sqrt()).min(to_cut.sqrt() - self.cut[1])
         };
         let all = (0..=1440).flat_map(|step| [at(step, 1.0), at(step, -1.0)]);
         all.fold(f64::NEG_INFINITY, f64::max)
@@ -154,56 +163,130 @@ impl Drawn {
     }
 }
 
+/// The wheels that the macro draws with the pin and the tolerance that it is shipped with, 4 and 0.01, and the sizes of its
+/// comment: one that keeps the crank of the example, one that keeps the wheel's radius. Nothing is cut out of the disc yet.
+fn freecad_wheels() -> [Drawn; 2] {
+    let (pin, tolerance) = (4.0, 0.01);
+    [(25.0, 25.0 * 3f64.sqrt()), (60.0 / 3f64.sqrt(), 60.0)].map(|(crank, rim)| {
+        let arc = crank - 1.5 * pin;
+        Drawn { slots: 6, crank, rim, arc: [rim / 2.0 - arc, arc], disc: arc - tolerance, cut: [0.0; 2] }
+    })
+}
+
+/// How the macro's wheels are read.
+const MACRO_WHEELS: &str = "The program's own lines, for both wheels that the sizes of its comment give with the example's pin \
+     and tolerance: that which keeps the example's crank, and that which keeps its wheel radius. With both as shipped the \
+     wheel cannot turn.";
+
 fn freecad() -> Claim {
-    // Crank 25, six slots, a pin of radius 4, a tolerance of 0.01; the wheel's radius is the one that fits.
-    let wheel = Drawn { slots: 6, crank: 25.0, rim: 25.0 * 3f64.sqrt(), arc: 19.0, disc: 18.99, cut: [0.0; 2] };
-    let [right, drawn] = [wheel.with_clear_cut(), wheel.with_wheel_for_cut()];
+    let clear = |stated: Stated, depth: fn(&Drawn) -> f64| {
+        let depths =
+            freecad_wheels().map(|wheel| depth(&stated.pick(wheel.with_clear_cut(), wheel.with_wheel_for_cut())));
+        let [crank, rim] = depths.map(Drawn::clears);
+        Finding::new(
+            crank.holds && rim.holds,
+            format!("{} with the crank kept; {} with the radius kept", crank.how, rim.how),
+        )
+    };
     MACRO
         .figure(
             "wild.freecad.cut",
             "m = c, R = b",
             "circle that is cut out of the locking disc: distance of its centre from the driver's axis, and radius",
         )
-        .by(ClosedForm, move |stated| Drawn::clears(stated.pick(right, drawn).by_crank()))
-        .by(Vectors, move |stated| Drawn::clears(stated.pick(right, drawn).by_slot()))
-        .read_as("The crank, pin and tolerance of the example, with the wheel radius that fits them.")
+        .by(Vectors, move |stated| clear(stated, Drawn::by_crank))
+        .by(ClosedForm, move |stated| clear(stated, Drawn::by_triangles))
+        .read_as(MACRO_WHEELS)
         .corrected(
             "m = c z/a, R = b z/a",
             slip(
                 "The circle of the wheel's radius about the wheel's axis is where the rim is in the middle of a move. The disc \
                  turns on, and the horns come inside it on both sides of the middle.",
-                "The same in the plane of the wheel, by coordinates.",
-                "The tips of the horns run into the disc by 0.26 mm, where the play is 0.01 mm. The program computes the radius \
-                 b z/a, which clears, and does not use it.",
+                "The triangles of the axes, the pin and the tip of a horn.",
+                "The tips of the horns run into the disc by 0.17 mm, where the play is 0.01 mm. The program computes the radius \
+                 b z/a, which clears, and does not use it. The version with a window uses it.",
             ),
         )
 }
 
+fn freecad_arcs() -> Claim {
+    MACRO
+        .figure(
+            "wild.freecad.arcs",
+            "x = y - b/2",
+            "place of the centre of the wheel's arcs at rest, from the driver's axis; the wheel's axis is at -c",
+        )
+        .by(ClosedForm, |stated| {
+            rests(freecad_wheels().map(|wheel| {
+                // What is left of the wheel on the line of centres, and what the disc leaves room for.
+                let left = wheel.centres() - stated.pick(0.0, wheel.arc[0]) - wheel.arc[1];
+                wheel.centres() - wheel.disc - left
+            }))
+        })
+        .by(Vectors, |stated| {
+            let gaps = freecad_wheels().map(|wheel| {
+                // Places of the arc all along it, from the driver's axis.
+                let [from, radius] = [stated.pick(0.0, wheel.arc[0]), wheel.arc[1]];
+                let place = |step: i32| {
+                    let angle = f64::from(step) / 100.0;
+                    Vector2::new(radius * libm::cos(angle) + from, radius * libm::sin(angle))
+                };
+                let inside = |place: &Vector2<f64>| (place - Vector2::new(wheel.centres(), 0.0)).norm() <= wheel.rim;
+                let gaps = (-157..=157).map(place).filter(inside).map(|place| place.norm() - wheel.disc);
+                gaps.fold(f64::NEG_INFINITY, f64::max)
+            });
+            rests(gaps)
+        })
+        .read_as(MACRO_WHEELS)
+        .corrected(
+            "x = 0",
+            slip(
+                "While the wheel rests, the disc turns in one of its arcs. So the arc's centre must be the driver's axis; the \
+                 program makes the disc's radius that of the arcs less the tolerance.",
+                "Places all along an arc, by coordinates.",
+                "Between disc and arc are up to 2.66 mm, where the tolerance is 0.01 mm: the wheel is loose while it should \
+                 rest. The version with a window puts the centre on the axis.",
+            ),
+        )
+}
+
+/// Whether what is between disc and arc is the tolerance.
+fn rests(gaps: [f64; 2]) -> Finding {
+    let [crank, rim] = gaps;
+    Finding::new(
+        gaps.iter().all(|gap| agrees(*gap, 0.01)),
+        format!(
+            "between disc and arc are up to {crank:.2} mm with the crank kept, {rim:.2} mm with the radius kept; the tolerance \
+             is 0.01 mm"
+        ),
+    )
+}
+
 fn cosmo() -> Claim {
     let fitting = 16.0 * 3f64.sqrt();
-    let wheel = Drawn { slots: 6, crank: 16.0, rim: fitting, arc: 11.225, disc: 11.125, cut: [0.0; 2] };
+    let wheel = Drawn { slots: 6, crank: 16.0, rim: fitting, arc: [0.0, 11.225], disc: 11.125, cut: [0.0; 2] };
     let without_play = wheel.with_wheel_for_cut();
     let drawn = Drawn { rim: fitting - 0.2 - 0.6, ..without_play };
     COSMO
-        .figure(
+        .example(
             "wild.cosmo.cut",
             "m = c, R = b, b - 0.2 - 0.6",
             "circle that is cut out of the locking disc, and the wheel's radius less two clearances",
         )
-        .by(ClosedForm, move |stated| Drawn::clears(stated.pick(drawn, without_play).by_crank()))
-        .by(Vectors, move |stated| Drawn::clears(stated.pick(drawn, without_play).by_slot()))
+        .by(Vectors, move |stated| Drawn::clears(stated.pick(drawn, without_play).by_crank()))
+        .by(ClosedForm, move |stated| Drawn::clears(stated.pick(drawn, without_play).by_triangles()))
         .read_as("The wheel clears the disc with its clearances, in millimetres.")
         .but_not("the wheel clears the disc without them")
 }
 
 fn openscad() -> Claim {
     let crank = 25.0 * libm::tan(PI / 5.0);
-    let wheel = Drawn { slots: 5, crank, rim: 25.0, arc: crank - 7.5, disc: crank - 7.75, cut: [0.0; 2] };
+    let wheel = Drawn { slots: 5, crank, rim: 25.0, arc: [0.0, crank - 7.5], disc: crank - 7.75, cut: [0.0; 2] };
     let [drawn, other] = [wheel.with_clear_cut(), wheel.with_wheel_for_cut()];
     OPENSCAD
-        .figure("wild.openscad.cut", "v = 25 z/a, 5 slots", "cut in the locking disc of the wheel that is shipped")
-        .by(ClosedForm, move |stated| Drawn::clears(stated.pick(drawn, other).by_crank()))
-        .by(Vectors, move |stated| Drawn::clears(stated.pick(drawn, other).by_slot()))
+        .example("wild.openscad.cut", "v = 25 z/a, 5 slots", "cut in the locking disc of the wheel that is shipped")
+        .by(Vectors, move |stated| Drawn::clears(stated.pick(drawn, other).by_crank()))
+        .by(ClosedForm, move |stated| Drawn::clears(stated.pick(drawn, other).by_triangles()))
         .read_as("The wheel clears the disc.")
         .but_not("it does so with a cut of the wheel's radius about the wheel's axis")
 }

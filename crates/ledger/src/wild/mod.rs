@@ -46,8 +46,8 @@ pub const SUBJECTS: &[Subject] = &[
     ("How long a wheel moves and rests", turning::claims),
     ("How many steps there are", steps::claims),
     ("Sizes", sizes::claims),
-    ("Examples that are built", models::claims),
-    ("The cut in the locking disc", discs::claims),
+    ("Wheels that programs build", models::claims),
+    ("The locking disc", discs::claims),
     ("How a wheel moves", motion::claims),
     ("A pin on a pinion", epicyclic::claims),
 ];
@@ -116,9 +116,16 @@ mod tests {
             assert!(changes(&id).contains(words), "{id}: {}", changes(&id));
             assert_eq!(computed, expected, "{id}: {words}");
         }
-        let cut = crate::verdict("wild.freecad.cut").expect("a claim");
-        assert!(cut.findings.iter().any(|(_, found)| found.how.contains("by 0.26 mm")), "{:?}", cut.findings);
-        assert!(changes("wild.freecad.cut").contains("by 0.26 mm"));
+        for (id, words) in [("wild.freecad.cut", "by 0.17 mm"), ("wild.freecad.arcs", "up to 2.66 mm")] {
+            let judged = crate::verdict(id).expect("a claim");
+            assert!(judged.findings.iter().any(|(_, found)| found.how.contains(words)), "{:?}", judged.findings);
+            assert!(changes(id).contains(words), "{id}");
+        }
+        // Rounded as their reading says.
+        for (id, right) in [("wild.unseel.six", "67"), ("wild.unseel.eight", "62")] {
+            let judged = crate::verdict(id).expect("a claim");
+            assert_eq!(judged.corrected().as_deref(), Some(right), "{id}");
+        }
         // Too far apart up to five slots, too close from six on.
         for slots in fit::ANY {
             let wheel = Fit::by_vectors(slots);

@@ -1,8 +1,8 @@
-//! Wheels that are shipped as examples, with sizes that can be measured.
+//! Wheels that are shipped as examples, with sizes that can be measured, and what their drawings say.
 //!
 //! Nobody says of an example that it is right. But it is built, and what it then does can be told. A wheel fits its
 //! driver if the pin's centre comes to the rim where the slot is, half a pitch from the line of centres, and the wheel
-//! is at rest then.
+//! is at rest then. Examples are counted apart from what is stated.
 
 use super::*;
 use crate::agreement::vanishes;
@@ -107,7 +107,7 @@ fn example(
     (corrected, slip): (&'static str, Slip),
 ) -> Claim {
     place
-        .figure(id, printed, meaning)
+        .example(id, printed, meaning)
         .by(ClosedForm, move |stated| {
             let wheel = stated.pick(right, drawn);
             wheel.fits(wheel.entry())
@@ -171,7 +171,11 @@ fn pin_diameter() -> Claim {
             Slip {
                 consequence: Consequence::Wording,
                 origin: Origin::Misprint,
-                ..slip("The program makes a cylinder with p for its radius.", "A later version says radius.", "")
+                ..slip(
+                    "The program makes a cylinder with p for its radius.",
+                    "The version with a window says radius.",
+                    "",
+                )
             },
         )
 }
@@ -193,6 +197,10 @@ fn drift() -> Claim {
                 "A pin without thickness never comes into the wheel. The page calls its slots simplified markers.",
             ),
         ),
+    )
+    .read_as(
+        "The sizes are an example, taken to be of a wheel whose pin enters along the slot. The number is that of a call that \
+         gives none. The program marks four slots whatever the number, and the same circles touch with four.",
     )
 }
 

@@ -18,6 +18,8 @@ const EDGE: Place =
     at(page!("https://www.engineersedge.com/mechanics_machines/geneva_mechanism_design_equations__14919.htm"));
 const SIMULATOR: Place = at(page!("https://mechsimulator.com/tools/geneva-mechanism"));
 const MACRO: Place = at(page!("https://github.com/FreeCAD/FreeCAD-documentation/blob/HEAD/wiki/Macro_Geneva_Wheel.md"));
+const WINDOW: Place =
+    at(page!("https://github.com/FreeCAD/FreeCAD-documentation/blob/HEAD/wiki/Macro_Geneva_Wheel_GUI.md"));
 const OPENSCAD: Place = at(page!("https://github.com/tllilleh/openscad-geneva-drive/blob/HEAD/geneva-drive.scad"));
 const WORKBENCH: Place = at(page!("https://github.com/iplayfast/GearWorkBench/blob/HEAD/genevaWheel.py"));
 const GENERATOR: Place =
@@ -232,6 +234,22 @@ fn generators() -> Vec<Claim> {
             "centre distance from the wheel's radius, in a comment of the program",
             ANY,
             |fit| vec![("c", fit.centres), ("b", fit.rim), ("n", fit.slots)],
+        ),
+        formula(
+            WINDOW,
+            "wild.freecad-window.centres",
+            r"c = a/\sin(\pi/n)",
+            "centre distance from the crank radius, in the version with a window",
+            ANY,
+            |fit| vec![("c", fit.centres), ("a", fit.crank), ("n", fit.slots)],
+        ),
+        formula(
+            WINDOW,
+            "wild.freecad-window.rim",
+            r"b = \sqrt{c^2 - a^2}",
+            "wheel radius, in the version with a window",
+            ANY,
+            |fit| vec![("b", fit.rim), ("c", fit.centres), ("a", fit.crank)],
         ),
         formula(
             OPENSCAD,

@@ -1,34 +1,47 @@
-//! Of what is said elsewhere: how many pages and programs, how many statements are right and wrong, and by how much.
+//! Of what is said elsewhere: how many pages and programs, how many statements are right and wrong, how many examples that
+//! are built, and by how much a formula is wrong.
 
 use super::Number;
 use crate::{lookup, numbers};
 use anyhow::Context;
-use geneva_ledger::{Judged, Truth, Work, wild};
+use geneva_ledger::{Judged, Kind, Truth, Work, wild};
 use std::collections::BTreeSet;
 
 /// The numbers of the chapter.
 pub const NUMBERS: &[(&str, Number)] = &[
     ("wild.addresses", || Ok(addresses(|_| true).to_string())),
-    ("wild.addresses-wrong", || Ok(addresses(|judged| judged.truth() == Truth::Wrong).to_string())),
-    ("wild.right", || Ok(count(Truth::Right))),
-    ("wild.wrong", || Ok(count(Truth::Wrong))),
+    ("wild.addresses-wrong", || Ok(addresses(|judged| is_statement(judged) && is_wrong(judged)).to_string())),
+    ("wild.statements", || Ok(count(is_statement))),
+    ("wild.right", || Ok(count(|judged| is_statement(judged) && judged.truth() == Truth::Right))),
+    ("wild.wrong", || Ok(count(|judged| is_statement(judged) && is_wrong(judged)))),
+    ("wild.examples", || Ok(count(|judged| !is_statement(judged)))),
+    ("wild.examples-wrong", || Ok(count(|judged| !is_statement(judged) && is_wrong(judged)))),
     ("wild.move.six", || times("wild.firgelli-time.index", 6, 0)),
     ("wild.move.eight", || times("wild.firgelli-time.index", 8, 0)),
     ("wild.centres.six", || times("wild.firgelli-time.centres", 6, 1)),
 ];
 
-fn statements() -> impl Iterator<Item = &'static Judged> {
+fn all() -> impl Iterator<Item = &'static Judged> {
     lookup::of_work(Work::Wild)
 }
 
-/// How many pages and programs make such a statement.
+/// Whether it is stated, and not only built as an example.
+fn is_statement(judged: &Judged) -> bool {
+    judged.claim.kind != Kind::Example
+}
+
+fn is_wrong(judged: &Judged) -> bool {
+    judged.truth() == Truth::Wrong
+}
+
+/// How many pages and programs have such a statement or example.
 fn addresses(such: impl Fn(&Judged) -> bool) -> usize {
-    let read = statements().filter(|judged| such(judged)).filter_map(|judged| wild::read(judged.claim.locator));
+    let read = all().filter(|judged| such(judged)).filter_map(|judged| wild::read(judged.claim.locator));
     read.map(|(address, _)| address).collect::<BTreeSet<_>>().len()
 }
 
-fn count(truth: Truth) -> String {
-    statements().filter(|judged| judged.truth() == truth).count().to_string()
+fn count(such: impl Fn(&Judged) -> bool) -> String {
+    all().filter(|judged| such(judged)).count().to_string()
 }
 
 /// What a wrong formula gives over what is right; the other way round if that is less than one.

@@ -6,11 +6,21 @@ use super::inline::{badge, linked_id, linked_page, with_unit};
 use crate::html::{Cells, Table, escape, table, tex_or_text};
 use crate::lookup;
 use anyhow::{Context, anyhow};
-use geneva_ledger::{Check, Judged, Slip, Truth, Work, in_full, slip, wild};
+use geneva_ledger::{Check, Judged, Kind, Slip, Truth, Work, in_full, slip, wild};
 
-/// What is wrong, a row for each slip.
+/// What is wrong that is stated, a row for each slip.
 pub fn wrong() -> anyhow::Result<Table> {
-    let rows = statements_with_slips().filter(|(judged, slip)| judged.claim.id == slip.id).map(|(judged, slip)| {
+    slips("What is wrong elsewhere", |judged| !is_example(judged))
+}
+
+/// What is wrong in examples that are built, a row for each slip.
+pub fn wrong_examples() -> anyhow::Result<Table> {
+    slips("Examples that do not fit", is_example)
+}
+
+fn slips(caption: &str, of: fn(&Judged) -> bool) -> anyhow::Result<Table> {
+    let main = |(judged, slip): &(&Judged, &Slip)| judged.claim.id == slip.id && of(judged);
+    let rows = statements_with_slips().filter(main).map(|(judged, slip)| {
         let claim = judged.claim;
         let printed = with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?;
         Ok(vec![
@@ -18,24 +28,30 @@ pub fn wrong() -> anyhow::Result<Table> {
             format!("{} <div>{}</div>", right(judged)?, escape(slip.changes)),
         ])
     });
-    table("What is wrong elsewhere", Cells::Words, &["As printed", "Right, and what the printed one does"], rows)
+    table(caption, Cells::Words, &["As printed", "Right, and what the printed one does"], rows)
 }
 
-/// Each address, and how many of its statements are right and wrong.
+/// Whether it is the sizes of an example, which nobody says are right.
+fn is_example(judged: &Judged) -> bool {
+    judged.claim.kind == Kind::Example
+}
+
+/// Each address, and how many of its statements and of its examples are right and wrong.
 pub fn addresses() -> anyhow::Result<Table> {
-    let mut all: Vec<(&str, [usize; 2])> = Vec::new();
+    let mut all: Vec<(&str, [usize; 4])> = Vec::new();
     for judged in lookup::of_work(Work::Wild) {
         let (address, _) = read(judged)?;
         let at = all.iter().position(|(known, _)| *known == address).unwrap_or_else(|| {
-            all.push((address, [0; 2]));
+            all.push((address, [0; 4]));
             all.len() - 1
         });
-        all[at].1[usize::from(judged.truth() == Truth::Wrong)] += 1;
+        all[at].1[2 * usize::from(is_example(judged)) + usize::from(judged.truth() == Truth::Wrong)] += 1;
     }
     let count = |number: usize| if number == 0 { "–".to_owned() } else { number.to_string() };
     let rows =
-        all.into_iter().map(|(address, [right, wrong])| Ok(vec![linked_page(address), count(right), count(wrong)]));
-    table("Where it was read", Cells::Words, &["Page or program", "Right", "Wrong"], rows)
+        all.into_iter().map(|(address, counts)| Ok([vec![linked_page(address)], counts.map(count).into()].concat()));
+    let head = ["Page or program", "Right", "Wrong", "Examples right", "Examples wrong"];
+    table("Where it was read", Cells::Words, &head, rows)
 }
 
 /// Every statement in a fold, by what it is about.
@@ -123,10 +139,11 @@ mod tests {
             assert_eq!(page.matches(&name).count(), 1, "{}", judged.claim.id);
         }
         let slips: Vec<_> = all.iter().filter_map(|judged| Some(judged.claim.erratum.as_ref()?.slip.id)).collect();
-        let wrong = wrong().expect("a table");
+        let tables = [wrong(), wrong_examples()].map(|table| table.expect("a table"));
         for id in &slips {
             assert_eq!(page.matches(&format!(" id=\"slip-{id}\"")).count(), 1, "{id}");
-            assert!(wrong.holds(&format!("\"#slip-{id}\"")), "{id}");
+            let rows = tables.iter().filter(|table| table.holds(&format!("\"#slip-{id}\""))).count();
+            assert_eq!(rows, 1, "{id}");
         }
         assert!(slips.len() < all.len());
     }
@@ -134,7 +151,7 @@ mod tests {
     #[test]
     fn every_address_has_a_row_that_counts_its_statements() {
         let csv = addresses().expect("a table").csv().expect("data");
-        let rows = || csv.lines().skip(1).map(|row| row.rsplit(',').take(2));
+        let rows = || csv.lines().skip(1).map(|row| row.rsplit(',').take(4));
         let counted: usize = rows().flatten().filter_map(|cell| cell.parse::<usize>().ok()).sum();
         assert_eq!(counted, lookup::of_work(Work::Wild).count());
     }
