@@ -10,6 +10,7 @@
 //! The customary arc, of the wheel's radius about the wheel's axis in mid-index, is not safe: it bites on both sides of
 //! mid-index.
 
+use super::fit::Remedy::{LessPlay, ThinnerHorn, ThinnerPin};
 use super::fit::SizesError;
 use super::sizes::Sizes;
 use crate::KinematicsError;
@@ -53,9 +54,8 @@ impl Crescent {
         let swing = sizes.slot_gap() * sizes.tip_radius / sizes.slot_end;
         let gap = sizes.play.locking / 2.0 + swing + LEFT_OPEN * sizes.centre_distance;
         let passing = Passing::new(sizes, disc, gap);
-        let thinner = |what, by| {
-            Err(SizesError::DoesNotFit { what, by, change: "take a thinner pin, a thinner horn or less play" })
-        };
+        let thinner =
+            |what, by| Err(SizesError::DoesNotFit { what, by, remedies: &[ThinnerPin, ThinnerHorn, LessPlay] });
         let room = passing.mouth() - sizes.play.locking / 2.0;
         if room <= 0.0 {
             return thinner("the edges of the locking disc run into the wheel's horns", -room);
