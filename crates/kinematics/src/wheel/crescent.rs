@@ -12,7 +12,7 @@
 
 use super::fit::Remedy::{LessPlay, ThinnerHorn, ThinnerPin};
 use super::fit::SizesError;
-use super::sizes::Sizes;
+use super::sizes::{LockingDisc, Sizes};
 use crate::KinematicsError;
 use nalgebra::Vector2;
 
@@ -99,6 +99,17 @@ impl Sizes {
         let [x, y] = tip(crank_angle, lengths, self.tip_angle());
         let (sin, cos) = libm::sincos(crank_angle);
         Ok(Vector2::new(y * sin - x * cos, y * cos + x * sin))
+    }
+
+    /// How far that tip is from a locking disc, this one or another, in millimetres: from its cut, or from its edge where
+    /// that is the shorter way; below zero how deep it is in the disc. The crank angle is in radians.
+    ///
+    /// # Errors
+    ///
+    /// As for [`horn_tip`](Self::horn_tip).
+    pub fn horn_gap(&self, crank_angle: f64, disc: &LockingDisc) -> Result<f64, KinematicsError> {
+        let (tip, cut) = (self.horn_tip(crank_angle)?, disc.crescent);
+        Ok((tip.norm() - disc.radius).max(cut.radius - libm::hypot(tip.x - cut.centre, tip.y)))
     }
 }
 
