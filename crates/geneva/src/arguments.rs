@@ -87,7 +87,7 @@ Examples:
   geneva wheel --index-time 0.4 --dwell-time 1
 
 An option that would change nothing is refused, with what to add.")]
-    Wheel(WheelArguments),
+    Wheel(Box<WheelArguments>),
     /// Compute or draw a quick-return mechanism: velocities and accelerations at an instant
     #[command(after_help = "\
 Examples:
