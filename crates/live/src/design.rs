@@ -99,8 +99,8 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     numbers
         .push(Number { text: format!("{} at {:.1}°", least.text, clearance.crank_angle.to_degrees().abs()), ..least });
     let tolerance = sizes.centre_tolerance();
-    numbers.push(millimetres("nearer", tolerance.nearer));
-    numbers.push(millimetres("farther", tolerance.farther));
+    numbers.push(Number::significant("nearer", tolerance.nearer, 4, "mm"));
+    numbers.push(Number::significant("farther", tolerance.farther, 4, "mm"));
     numbers.push(Number::significant("index", index, 4, "s"));
     numbers.push(Number::significant("dwell", dwell, 4, "s"));
     // A moment at the crank radius, which is in millimetres.

@@ -58,8 +58,8 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("making.web", || millimetres(|of| of.web)),
     ("making.bore-web", || millimetres(Sizes::bore_web)),
     ("making.bore-play", || millimetres(|of| of.play.bore)),
-    ("making.nearer", || millimetres(|of| of.centre_tolerance().nearer)),
-    ("making.farther", || millimetres(|of| of.centre_tolerance().farther)),
+    ("making.nearer", || millimetres(|of| rounded_down(of.centre_tolerance().nearer))),
+    ("making.farther", || millimetres(|of| rounded_down(of.centre_tolerance().farther))),
     ("making.horn", || millimetres(|of| of.horn_thickness)),
     ("making.arc", || millimetres(|of| of.locking_arc_radius)),
     ("making.plate", || millimetres(|of| of.plate_radius)),
@@ -157,8 +157,8 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("making.second.bore-web", || second(Sizes::bore_web)),
     ("making.second.wheel-shaft", || second(|of| of.wheel_shaft)),
     ("making.second.bore-play", || second(|of| of.play.bore)),
-    ("making.second.nearer", || second(|of| of.centre_tolerance().nearer)),
-    ("making.second.farther", || second(|of| of.centre_tolerance().farther)),
+    ("making.second.nearer", || second(|of| rounded_down(of.centre_tolerance().nearer))),
+    ("making.second.farther", || second(|of| rounded_down(of.centre_tolerance().farther))),
     ("making.second.force", || {
         let sizes = second_sizes()?;
         let loads = WheelLoads::new(&sizes.wheel, SECOND_INERTIA, 0.0, speed(60.0 / SECOND_TURN))?;
@@ -182,6 +182,11 @@ fn speed(rpm: f64) -> f64 {
 fn told(length: f64) -> String {
     let text = fixed(length, 3);
     format!("{}&nbsp;mm", text.trim_end_matches('0').trim_end_matches('.'))
+}
+
+/// What must not be exceeded, to as many decimals.
+fn rounded_down(length: f64) -> f64 {
+    (length * 1000.0).floor() / 1000.0
 }
 
 fn millimetres(of: fn(&Sizes) -> f64) -> anyhow::Result<String> {
