@@ -137,19 +137,70 @@ fn a_number_beyond_the_slider_is_computed_or_refused_as_at_the_command_line() {
     let Some(mut browser) = browser() else { return };
     browser.show(1280, Medium::Light);
     open(&mut browser, "jazar", "");
-    let typed = |value: &str| {
-        format!(
-            "(() => {{ const box = g.querySelector('[data-box=stations]'); box.value = '{value}'; box.dispatchEvent(new \
-             Event('input', {{ bubbles: true }})) }})()"
-        )
-    };
-    of(&mut browser, "wheel", &typed("30"));
+    of(&mut browser, "wheel", &typed("stations", "30"));
     let title = of(&mut browser, "wheel", "f.querySelector('svg title').textContent");
     assert!(title.as_str().is_some_and(|title| title.contains("30 stations")), "{title}");
-    of(&mut browser, "wheel", &typed("2"));
+    of(&mut browser, "wheel", &typed("stations", "2"));
     let message = of(&mut browser, "wheel", "g.querySelector('.message').textContent");
     let refused = geneva_kinematics::wheel::Wheel::new(2).expect_err("too few").to_string();
     assert_eq!(message, json!(refused));
+}
+
+/// Types a number into the box of a control.
+fn typed(name: &str, value: &str) -> String {
+    format!(
+        "(() => {{ const box = g.querySelector('[data-box={name}]'); box.value = '{value}'; box.dispatchEvent(new \
+         Event('input', {{ bubbles: true }})) }})()"
+    )
+}
+
+#[test]
+fn a_refused_setting_leaves_no_number_of_another_one() {
+    let Some(mut browser) = browser() else { return };
+    browser.show(1280, Medium::Light);
+    open(&mut browser, "making", "");
+    let shown = "[[...g.querySelectorAll('output')].map(o => o.value).join(), f.querySelector('svg').outerHTML, \
+                 g.querySelector('.stale').checkVisibility(), g.querySelector('.message').textContent]";
+    let first = of(&mut browser, "design", shown);
+    assert_eq!([&first[2], &first[3]], [&json!(false), &json!("")]);
+    of(&mut browser, "design", &typed("pin", "60"));
+    let refused = of(&mut browser, "design", shown);
+    assert!(refused[0].as_str().is_some_and(|told| told.split(',').all(|number| number == "–")), "{refused}");
+    assert!(refused[1] == first[1] && refused[2] == json!(true), "it is not said whose drawing it is");
+    assert!(refused[3].as_str().is_some_and(|why| why.contains("thinner pin")), "{}", refused[3]);
+    of(&mut browser, "design", "g.querySelector('[data-do=reset]').click()");
+    assert!(of(&mut browser, "design", shown) == first, "not as at first again");
+}
+
+#[test]
+fn pin_and_play_follow_the_library_until_they_are_moved() {
+    use geneva_kinematics::wheel::{Choices, Scale, Sizes, Wheel};
+    let Some(mut browser) = browser() else { return };
+    browser.show(1280, Medium::Light);
+    open(&mut browser, "making", "");
+    let by_default = |stations: u32| {
+        let wheel = Wheel::new(stations).expect("possible");
+        Sizes::new(wheel, Scale::CrankRadius(25.0), &Choices::default()).expect("it fits")
+    };
+    let boxes = "[g.querySelector('[data-box=pin]').value, g.querySelector('[data-box=play]').value].map(Number)";
+    for stations in [6, 4, 12] {
+        of(&mut browser, "design", &typed("stations", &stations.to_string()));
+        let sizes = by_default(stations);
+        let (told, right) = (of(&mut browser, "design", boxes), [sizes.pin_diameter, sizes.play.slot]);
+        for (k, right) in right.into_iter().enumerate() {
+            assert!((told[k].as_f64().expect("a number") - right).abs() < 6e-5, "{stations}: {told}, {right}");
+        }
+    }
+    // A number between two steps of the slider, and one beyond its end.
+    of(&mut browser, "design", &typed("pin", "6.25"));
+    of(&mut browser, "design", &typed("stations", "25"));
+    let told =
+        of(&mut browser, "design", "[f.querySelector('svg desc').textContent, g.querySelector('[data-do=link]').hash]");
+    assert!(told[0].as_str().is_some_and(|told| told.contains("pins 6.25 mm in diameter")), "{told}");
+    assert!(
+        told[1].as_str().is_some_and(|hash| hash.contains("stations=25&") && hash.contains("pin=6.25&play=&")),
+        "{told}"
+    );
 }
 
 #[test]

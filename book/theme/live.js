@@ -49,10 +49,15 @@
         const inputs = [...form.querySelectorAll('input[name], select')];
         const player = form.querySelector('[data-play]');
         const message = form.querySelector('.message');
-        const first = Object.fromEntries(inputs.map(input => [input.name, input.value]));
+        const stale = form.querySelector('.stale');
+        const follows = input => input.dataset.follows !== undefined;
+        const first = Object.fromEntries(inputs.map(input => [input.name, follows(input) ? '' : input.value]));
+        // Those that nobody has moved and that stand where the answer has them; values that a slider cannot stand at.
+        const followers = new Set(inputs.filter(follows)), exact = new Map();
         let pending = false, playing = false, seen = true, last = 0;
 
-        const settings = () => inputs.map(input => `${input.name}=${input.value}`).join('&');
+        const value = input => followers.has(input) ? '' : exact.get(input) ?? input.value;
+        const settings = () => inputs.map(input => `${input.name}=${value(input)}`).join('&');
         const ask = (answer, ending = '') =>
             answer(`${figure.dataset.live}${ending}?${figure.dataset.given}&${settings()}`);
         const say = (text, wrong) => {
@@ -60,12 +65,26 @@
             message.classList.toggle('wrong', Boolean(wrong));
         };
 
+        const write = (input, value) => {
+            input.value = value;
+            const box = form.querySelector(`[data-box="${input.name}"]`);
+            if (box && box !== document.activeElement) {
+                box.value = value;
+            }
+        };
+
         const show = text => {
             const { lines, caption, svg } = parse(text);
-            if (lines[0][0] === 'error') {
+            const refused = lines[0][0] === 'error';
+            figure.classList.toggle('refused', refused);
+            stale.hidden = !refused;
+            if (refused) {
                 stop();
+                // No number stays that would seem to be of this setting.
+                form.querySelectorAll('output').forEach(output => output.value = '–');
                 return say(lines[0][1], true);
             }
+            followers.forEach(input => write(input, lines.find(line => line[0] === 'follower' && line[1] === input.name)[2]));
             const told = Object.fromEntries(lines.filter(line => line[0] === 'number').map(line => [line[1], line[3]]));
             form.querySelectorAll('output').forEach(output => output.value = told[output.name] ?? '–');
             const progress = lines.find(line => line[0] === 'progress');
@@ -101,10 +120,17 @@
         };
 
         const put = (input, value) => {
-            input.value = value;
-            const box = form.querySelector(`[data-box="${input.name}"]`);
-            if (box && box !== document.activeElement) {
-                box.value = input.value;
+            if (value === '' && follows(input)) {
+                followers.add(input);
+                return;
+            }
+            followers.delete(input);
+            write(input, value);
+            // A number beside the slider's is asked for all the same, and the answer says what is possible.
+            if (Number(input.value) === Number(value)) {
+                exact.delete(input);
+            } else {
+                exact.set(input, value);
             }
         };
         const moved = () => {
@@ -166,12 +192,7 @@
                 if (target.value === '') {
                     return;
                 }
-                // A number beyond the slider's range is asked for all the same, and the answer says what is possible.
-                if (target.valueAsNumber < input.min || target.valueAsNumber > input.max) {
-                    return load().then(answer => show(answer(
-                        `${figure.dataset.live}?${figure.dataset.given}&${settings()}&${input.name}=${target.value}`)));
-                }
-                input.value = target.value;
+                put(input, target.value);
             } else {
                 put(target, target.value);
             }

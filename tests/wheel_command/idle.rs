@@ -11,6 +11,12 @@ fn no_option_is_passed_over_in_silence() {
     for (options, option, add) in [
         (&["--pin-diameter", "8"][..], "--pin-diameter 8", "--crank-radius MM"),
         (&["--play", "0.1"], "--play 0.1", "--crank-radius MM"),
+        (&["--horn", "4"], "--horn 4", "--crank-radius MM"),
+        (&["--wheel-shaft", "4"], "--wheel-shaft 4", "--crank-radius MM"),
+        (&["--driver-shaft", "4"], "--driver-shaft 4", "--crank-radius MM"),
+        (&["--type", "internal", "--horn", "8", "--crank-radius", "50"], "--horn 8", "--type external"),
+        (&["--type", "spherical", "--wheel-shaft", "8", "--crank-radius", "50"], "--wheel-shaft 8", "--type external"),
+        (&["--type", "internal", "--driver-shaft", "8", "--crank-radius", "50"], "--driver-shaft 8", "--type external"),
         (&["--thickness", "5", "--density", "7850"], "--thickness 5", "--crank-radius MM"),
         (&["--crank-radius", "50", "--thickness", "5"], "--thickness 5", "--density KGM3"),
         (&["--crank-radius", "50", "--density", "7850"], "--density 7850", "--thickness MM"),
@@ -61,6 +67,8 @@ fn beside_wanted_times_only_the_kind_and_the_format_count() {
         ("--rpm", "60"),
         ("--crank-radius", "50"),
         ("--play", "0.1"),
+        ("--horn", "3"),
+        ("--wheel-shaft", "3"),
         ("--inertia", "1"),
         ("--friction-torque", "1"),
         ("--density", "1000"),
@@ -93,9 +101,16 @@ fn beside_wanted_times_nothing_is_pressed() {
 fn every_option_that_is_taken_changes_the_answer() {
     let sized = [&["--stations", "6", "--rpm", "60", "--inertia", "0.1"][..], &SIZE].concat();
     let plain = stdout(&[&["wheel", "--format", "json"], &sized[..]].concat(), 0);
-    for option in
-        [["--pin-diameter", "8"], ["--play", "0.2"], ["--friction-torque", "1"], ["--at", "10"], ["--pins", "2"]]
-    {
+    for option in [
+        ["--pin-diameter", "8"],
+        ["--play", "0.2"],
+        ["--horn", "9"],
+        ["--wheel-shaft", "9"],
+        ["--driver-shaft", "9"],
+        ["--friction-torque", "1"],
+        ["--at", "10"],
+        ["--pins", "2"],
+    ] {
         let other = stdout(&[&["wheel", "--format", "json"], &sized[..], &option].concat(), 0);
         assert_ne!(plain, other, "{option:?}");
     }

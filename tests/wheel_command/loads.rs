@@ -77,7 +77,7 @@ fn a_plate_has_the_inertia_of_its_drawing() {
     let found = object(&plate);
     let inertia = number(&found, "inertia_kgm2");
     // A solid disc of the same rim has more; one of the radius to the slots' ends and half of the rest has less.
-    let rim = number(&found, "rim_radius_mm") / 1000.0;
+    let rim = number(&found, "tip_radius_mm") / 1000.0;
     let disc = 0.5 * PI * rim.powi(4) * 0.008 * 7850.0;
     assert!(inertia < disc && inertia > 0.2 * disc, "{inertia} of {disc}");
     let twice = object(&[&plate[..6], &["16", "--density", "7850"]].concat());

@@ -8,8 +8,20 @@ use geneva_workshop::{Layout, Solid, dxf, scad, stl};
 const WHEEL: [&str; 9] =
     ["wheel", "--stations", "5", "--centre-distance", "80", "--pin-diameter", "6", "--play", "0.1"];
 
+/// With shafts and a horn of one's own too.
+fn chosen() -> Sizes {
+    let choices = Choices {
+        pin_diameter: Some(6.0),
+        play: Some(Play::of(0.1)),
+        horn_thickness: Some(7.5),
+        wheel_shaft: Some(12.0),
+        driver_shaft: Some(5.0),
+    };
+    Sizes::new(Wheel::new(5).expect("possible"), Scale::CentreDistance(80.0), &choices).expect("it fits")
+}
+
 fn sizes() -> Sizes {
-    let choices = Choices { pin_diameter: Some(6.0), play: Some(Play::all(0.1)), ..Choices::default() };
+    let choices = Choices { pin_diameter: Some(6.0), play: Some(Play::of(0.1)), ..Choices::default() };
     Sizes::new(Wheel::new(5).expect("possible"), Scale::CentreDistance(80.0), &choices).expect("it fits")
 }
 
@@ -17,6 +29,8 @@ fn sizes() -> Sizes {
 fn the_files_are_those_of_the_workshop() {
     let file = |options: &[&str]| stdout(&[&WHEEL[..], options].concat(), 0);
     assert_eq!(file(&["--format", "dxf"]), dxf(&sizes(), Layout::Apart));
+    let own = ["--horn", "7.5", "--wheel-shaft", "12", "--driver-shaft", "5", "--format", "dxf"];
+    assert_eq!(file(&own), dxf(&chosen(), Layout::Apart));
     // A tenth of the play is what a chord may leave its arc by.
     let solid = Solid { thickness: 4.0, tolerance: 0.1 * 0.1 };
     assert_eq!(file(&["--format", "scad", "--thickness", "4"]), scad(&sizes(), solid).expect("solid"));
@@ -56,7 +70,8 @@ fn what_a_file_needs_is_said() {
         (&[&["--format", "dxf", "--rpm", "60"][..], &sized].concat(), "--rpm 60"),
         (&["--format", "dxf", "--type", "internal"], "internal wheels"),
         (&["--format", "scad", "--type", "spherical"], "spherical wheels"),
-        (&[&["--format", "stl", "--type", "internal"][..], &sized].concat(), "--crank-radius 50"),
+        (&[&["--format", "stl", "--type", "internal"][..], &sized].concat(), "internal wheels"),
+        (&[&["--format", "dxf", "--type", "spherical", "--rpm", "6"][..], &sized].concat(), "spherical wheels"),
     ] {
         let refused = refusal(geneva(&[&["wheel", "--stations", "6"], options].concat()));
         assert!(refused.starts_with("error: ") && refused.contains(said), "{options:?}: {refused}");

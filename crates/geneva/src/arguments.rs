@@ -77,7 +77,7 @@ exceptions stay where the numbers of a line have not changed; the rest is to be 
 Examples:
   geneva wheel --stations 6 --rpm 360 --crank-radius 50
   geneva wheel --stations 6 --rpm 360 --crank-radius 50 --inertia 0.002 --friction-torque 0.3
-  geneva wheel --stations 8 --centre-distance 100 --pin-diameter 8 --play 0.05
+  geneva wheel --stations 8 --centre-distance 100 --pin-diameter 8 --play 0.05 --wheel-shaft 20
   geneva wheel --stations 5 --type internal --rpm 60 --at -90 --at 30
   geneva wheel --stations 4 --pins 2 --format json
   geneva wheel --stations 6 --rpm 60 --format csv --output cycle.csv
@@ -87,7 +87,7 @@ Examples:
   geneva wheel --index-time 0.4 --dwell-time 1
 
 An option that would change nothing is refused, with what to add.")]
-    Wheel(WheelArguments),
+    Wheel(Box<WheelArguments>),
     /// Compute or draw a quick-return mechanism: velocities and accelerations at an instant
     #[command(after_help = "\
 Examples:

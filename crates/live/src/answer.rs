@@ -9,6 +9,8 @@ pub struct Answer {
     pub figure: Figure,
     /// What is told beside it.
     pub numbers: Vec<Number>,
+    /// Where controls stand that follow the others.
+    pub followers: Vec<(&'static str, f64)>,
     /// What is to be said of the setting, if anything.
     pub message: Option<String>,
     /// How far a long calculation has come; asked again, it goes on.
@@ -38,15 +40,18 @@ pub struct Progress {
 impl Answer {
     /// A drawing and its numbers.
     pub fn new(figure: Figure, numbers: impl IntoIterator<Item = Number>) -> Self {
-        Self { figure, numbers: numbers.into_iter().collect(), message: None, progress: None }
+        Self { figure, numbers: numbers.into_iter().collect(), followers: Vec::new(), message: None, progress: None }
     }
 
     /// The answer for a page, line by line: `number`, name, value and text with tabs between them, for each number;
-    /// `message` and its words; `progress`, parts done and all; an empty line; the caption; the drawing.
+    /// `follower`, name of the control and value, for each that follows the others; `message` and its words; `progress`, parts done and all; an empty line; the caption; the drawing.
     pub fn to_text(&self) -> String {
         let mut text = String::new();
         for Number { name, value, text: read } in &self.numbers {
             text.push_str(&format!("number\t{name}\t{value:?}\t{read}\n"));
+        }
+        for (name, value) in &self.followers {
+            text.push_str(&format!("follower\t{name}\t{}\n", shown(*value)));
         }
         if let Some(message) = &self.message {
             text.push_str(&format!("message\t{message}\n"));
@@ -56,6 +61,11 @@ impl Answer {
         }
         text + "\n" + &self.figure.caption + "\n" + self.figure.svg.trim_end() + "\n"
     }
+}
+
+/// The value of a control, to as many decimals as a box has room for.
+pub fn shown(value: f64) -> f64 {
+    (value * 1e4).round() / 1e4
 }
 
 impl Number {

@@ -43,7 +43,7 @@ pub struct Control {
     pub most: f64,
     /// From one value to the next.
     pub step: f64,
-    /// Where it stands at first, unless the page gives another value.
+    /// Where it stands at first, unless the page gives another value or it follows the others.
     pub preset: f64,
     /// How it is moved.
     pub kind: Kind,
@@ -60,6 +60,17 @@ impl Control {
         preset: f64,
     ) -> Self {
         Self { name, label, unit, least, most, step, preset, kind: Kind::Slider }
+    }
+
+    /// The same, but it stands where the figure has it by the others until it is moved: the answer says where.
+    pub const fn following(
+        name: &'static str,
+        label: &'static str,
+        unit: &'static str,
+        ends: [f64; 2],
+        step: f64,
+    ) -> Self {
+        Self { kind: Kind::Follower, ..Self::slider(name, label, unit, ends, step, ends[0]) }
     }
 
     /// The same, and it can run by itself: so much in a second, over and over.
@@ -87,6 +98,8 @@ pub enum Kind {
     Slider,
     /// The same, and it can run by itself: so much in a second, over and over.
     Player(f64),
+    /// By a slider and a box, and by the figure until the reader moves it.
+    Follower,
     /// One of several, by its number from 0.
     Choice(&'static [&'static str]),
 }
@@ -176,6 +189,11 @@ impl Settings<'_> {
             (None, Some(control)) => Ok(control.preset),
             (None, None) => Err(format!("no control `{name}`")),
         }
+    }
+
+    /// The value of a control that follows the others; none until it is moved, or with nothing behind its name.
+    pub fn moved(&self, name: &str) -> Result<Option<f64>, String> {
+        self.arguments.text(name).filter(|text| !text.is_empty()).map(|text| number(name, text)).transpose()
     }
 
     /// A count.

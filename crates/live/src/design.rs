@@ -11,22 +11,23 @@ use std::f64::consts::TAU;
 pub const LIVE: Live = Live {
     name: "design",
     figure: "wheel-dimensions",
-    hint: "Choose your stations and your size, then make the pin thicker until it no longer fits. Twice the speed is four times \
+    hint: "Choose your stations and your size: pin and play follow, until you move them. Make the pin thicker until it no \
+           longer fits. Twice the speed is four times \
            the force. Move the axes a little apart and see how hard the pin knocks.",
     controls: &[
         Control::slider("stations", "stations N", "", [3.0, 24.0], 1.0, 6.0),
         Control::slider("pins", "pins", "", [1.0, 4.0], 1.0, 1.0),
         Control::slider("radius", "crank radius", "mm", [5.0, 100.0], 0.5, 25.0),
-        Control::slider("pin", "diameter of a pin", "mm", [1.0, 40.0], 0.1, 7.5),
-        Control::slider("play", "play", "mm", [0.0, 0.5], 0.01, 0.05),
+        Control::following("pin", "diameter of a pin", "mm", [1.0, 40.0], 0.1),
+        Control::following("play", "play", "mm", [0.0, 0.5], 0.01),
         Control::slider("speed", "speed of the driver", "rpm", [1.0, 600.0], 1.0, 60.0).playing(60.0),
-        Control::slider("inertia", "inertia of wheel and table", "kg cm²", [0.0, 500.0], 0.5, 20.0),
+        Control::slider("inertia", "inertia of wheel and table", "kg m²", [0.0, 0.05], 0.0005, 0.002),
         Control::slider("friction", "friction torque on the wheel", "N m", [0.0, 5.0], 0.05, 0.1),
         Control::slider("error", "axes too far apart by", "mm", [-1.0, 1.0], 0.01, 0.0),
     ],
     presets: &[
-        Preset { name: "six stations", arguments: "stations=6&pins=1&radius=25&pin=7.5&play=0.05&error=0" },
-        Preset { name: "eight stations, two pins", arguments: "stations=8&pins=2&radius=20&pin=6&play=0.05&error=0" },
+        Preset { name: "six stations", arguments: "stations=6&pins=1&radius=25&pin=&play=&error=0" },
+        Preset { name: "eight stations, two pins", arguments: "stations=8&pins=2&radius=20&pin=&play=&error=0" },
         Preset { name: "a pin too thick", arguments: "stations=6&radius=25&pin=20" },
     ],
     given: &[],
@@ -36,6 +37,8 @@ pub const LIVE: Live = Live {
         Quantity { name: "slot", label: "slot, width × depth" },
         Quantity { name: "disc", label: "radius of the locking disc" },
         Quantity { name: "clearance", label: "least clearance" },
+        Quantity { name: "nearer", label: "axes may be too near by" },
+        Quantity { name: "farther", label: "axes may be too far apart by" },
         Quantity { name: "index", label: "indexing time" },
         Quantity { name: "dwell", label: "dwell time" },
         Quantity { name: "torque", label: "greatest torque on the wheel" },
@@ -64,8 +67,8 @@ fn sizes(settings: &Settings) -> Result<Sizes, String> {
     let wheel =
         Wheel::with_pins(settings.count("stations")?, settings.count("pins")?).map_err(|error| error.to_string())?;
     let choices = Choices {
-        pin_diameter: Some(settings.value("pin")?),
-        play: Some(Play::all(settings.value("play")?)),
+        pin_diameter: settings.moved("pin")?,
+        play: settings.moved("play")?.map(Play::of),
         ..Choices::default()
     };
     Sizes::new(wheel, Scale::CrankRadius(settings.value("radius")?), &choices).map_err(|error| error.to_string())
@@ -74,9 +77,7 @@ fn sizes(settings: &Settings) -> Result<Sizes, String> {
 fn draw(settings: &Settings) -> Result<Answer, String> {
     let sizes = sizes(settings)?;
     let speed = settings.value("speed")? * TAU / 60.0;
-    // From kg cm² to kg m².
-    let inertia = 1e-4 * settings.value("inertia")?;
-    let loads = WheelLoads::new(&sizes.wheel, inertia, settings.value("friction")?, speed)
+    let loads = WheelLoads::new(&sizes.wheel, settings.value("inertia")?, settings.value("friction")?, speed)
         .map_err(|error| error.to_string())?;
     let error = settings.value("error")?;
     let clearance = sizes.clearance_at(sizes.centre_distance + error).map_err(|error| error.to_string())?.least();
@@ -97,6 +98,9 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     let least = millimetres("clearance", clearance.distance);
     numbers
         .push(Number { text: format!("{} at {:.1}°", least.text, clearance.crank_angle.to_degrees().abs()), ..least });
+    let tolerance = sizes.centre_tolerance();
+    numbers.push(Number::significant("nearer", tolerance.nearer, 4, "mm"));
+    numbers.push(Number::significant("farther", tolerance.farther, 4, "mm"));
     numbers.push(Number::significant("index", index, 4, "s"));
     numbers.push(Number::significant("dwell", dwell, 4, "s"));
     // A moment at the crank radius, which is in millimetres.
@@ -122,5 +126,6 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     };
     let bites = "With these axes driver and wheel are in each other: a clearance below zero is how deep.";
     let message = if clearance.distance < 0.0 { Some(bites.to_owned()) } else { message };
-    Ok(Answer { message, ..Answer::new(stations::dimensions_on_a_page(&sizes), numbers) })
+    let followers = vec![("pin", sizes.pin_diameter), ("play", sizes.play.slot)];
+    Ok(Answer { followers, message, ..Answer::new(stations::dimensions_on_a_page(&sizes), numbers) })
 }

@@ -19,7 +19,7 @@ mod mistake;
 mod polygon;
 mod wheel;
 
-pub use answer::{Answer, Number, Progress};
+pub use answer::{Answer, Number, Progress, shown};
 pub use arguments::Arguments;
 pub use control::{Control, Drag, File, Kind, Live, Preset, Quantity};
 

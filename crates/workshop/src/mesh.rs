@@ -98,7 +98,7 @@ pub fn wheel_mesh(sizes: &Sizes, solid: Solid) -> Result<Mesh, KinematicsError> 
 
 /// The driver in one piece: the plate on the plane z = 0, locking disc and pins on it.
 ///
-/// Disc and pins stand above the plate by the wheel's thickness and the play of the bores, so that the wheel runs between
+/// Disc and pins stand above the plate by the wheel's thickness and the play of the slots, so that the wheel runs between
 /// plate and tops.
 ///
 /// # Errors
@@ -107,7 +107,7 @@ pub fn wheel_mesh(sizes: &Sizes, solid: Solid) -> Result<Mesh, KinematicsError> 
 pub fn driver_mesh(sizes: &Sizes, solid: Solid) -> Result<Mesh, KinematicsError> {
     let Solid { thickness, tolerance } = solid.checked()?;
     let Outline { disc, plate, pins, .. } = sizes.outline();
-    let (middle, top) = (thickness, 2.0 * thickness + sizes.play.bore);
+    let (middle, top) = (thickness, 2.0 * thickness + sizes.play.slot);
     let plate = corners(&plate, tolerance)?;
     let disc = disc.map(|disc| corners(&disc, tolerance)).transpose()?;
     let pins = pins.iter().map(|pin| pin.corners(tolerance)).collect::<Result<Vec<_>, _>>()?;
@@ -187,7 +187,7 @@ mod tests {
             assert!((wheel.volume() - volume).abs() < room(&outline.wheel), "{name}: {} {volume}", wheel.volume());
             let pin = PI * sizes.pin_radius() * sizes.pin_radius() * f64::from(pins);
             let above = outline.disc.as_ref().map_or(0.0, Face::area) + pin;
-            let volume = outline.plate.area() * solid.thickness + above * (solid.thickness + sizes.play.bore);
+            let volume = outline.plate.area() * solid.thickness + above * (solid.thickness + sizes.play.slot);
             let rooms = 3.0 * room(&outline.plate) + 3.0 * outline.disc.as_ref().map_or(0.0, room);
             assert!((driver.volume() - volume).abs() < rooms, "{name}: {} {volume}", driver.volume());
             // With finer chords the volume comes to that of the arcs.

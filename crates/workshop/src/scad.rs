@@ -32,10 +32,10 @@ pub fn scad(sizes: &Sizes, solid: Solid) -> Result<String, KinematicsError> {
         ("crescent_centre", cut[0], "driver's axis to the centre of the cut"),
         ("crescent_radius", cut[1], "from the motion: depends on all sizes above"),
         ("plate_radius", sizes.plate_radius, "plate behind the wheel"),
-        ("wheel_bore", bore(sizes, sizes.wheel_shaft), "diameter; 0 for none"),
-        ("driver_bore", bore(sizes, sizes.driver_shaft), "diameter; 0 for none"),
+        ("wheel_bore", sizes.wheel_bore(), "diameter; 0 for none"),
+        ("driver_bore", sizes.driver_bore(), "diameter; 0 for none"),
         ("thickness", thickness, "wheel, locking disc and plate"),
-        ("axial_play", sizes.play.bore, "between wheel and plate"),
+        ("axial_play", sizes.play.slot, "between wheel and plate"),
         ("tolerance", tolerance, "a chord leaves its arc by this at most"),
     ];
     let mut text = String::from("// Geneva wheel and driver; lengths in millimetres, angles in degrees.\n");
@@ -43,11 +43,6 @@ pub fn scad(sizes: &Sizes, solid: Solid) -> Result<String, KinematicsError> {
         text += &format!("{name} = {}; // {meaning}\n", value + 0.0);
     }
     Ok(text + MODEL)
-}
-
-/// Diameter of the bore for a shaft; 0 for none.
-fn bore(sizes: &Sizes, shaft: f64) -> f64 {
-    if shaft > 0.0 { shaft + sizes.play.bore } else { 0.0 }
 }
 
 const MODEL: &str = r#"

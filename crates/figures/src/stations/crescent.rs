@@ -4,7 +4,7 @@ use crate::chart::{Axis, Chart, Entry, Panel, Stroke};
 use crate::svg::Label;
 use crate::theme::{DRIVER, INK, RELATIVE};
 use crate::{Figure, FigureError, Series, Words};
-use geneva_kinematics::wheel::Sizes;
+use geneva_kinematics::wheel::{Crescent, LockingDisc, Sizes};
 
 /// Steps of the crank from the middle of the engagement to its end.
 const PLACES: u32 = 120;
@@ -25,16 +25,13 @@ pub fn crescent(sizes: &Sizes) -> Result<Figure, FigureError> {
     let mut rows = Vec::new();
     let end = sizes.wheel.engagement_half_angle();
     if let Some(disc) = sizes.locking_disc {
-        let customary = sizes.tip_radius + sizes.play.locking / 2.0;
+        let radius = sizes.tip_radius + sizes.play.locking / 2.0;
+        let crescent = Crescent { centre: sizes.centre_distance, radius, ..disc.crescent };
+        let customary = LockingDisc { crescent, ..disc };
         for k in 0..=PLACES {
             let crank = (end * f64::from(k) / f64::from(PLACES)).min(end);
-            let tip = sizes.horn_tip(crank)?;
-            let depth = tip.norm() - disc.radius;
-            if depth < 0.0 {
-                // In the cut, or out of the disc by the shorter way.
-                let gap = |centre: f64, radius: f64| depth.max(radius - libm::hypot(tip.x - centre, tip.y));
-                let cut = disc.crescent;
-                rows.push([crank.to_degrees(), gap(sizes.centre_distance, customary), gap(cut.centre, cut.radius)]);
+            if sizes.horn_tip(crank)?.norm() < disc.radius {
+                rows.push([crank.to_degrees(), sizes.horn_gap(crank, &customary)?, sizes.horn_gap(crank, &disc)?]);
             }
         }
     }

@@ -189,7 +189,7 @@ fn list(sizes: &Sizes) -> Vec<(&'static str, f64)> {
     let cut = sizes.locking_disc.map(|disc| disc.crescent);
     let cut =
         cut.into_iter().flat_map(|cut| [("crescent radius", cut.radius), ("crescent centre from driver", cut.centre)]);
-    let shaft = |name, shaft: f64| (shaft > 0.0).then_some((name, shaft + sizes.play.bore));
+    let bore = |name, diameter: f64| (diameter > 0.0).then_some((name, diameter));
     [
         ("stations", f64::from(sizes.wheel.stations())),
         ("pins", f64::from(sizes.wheel.pins())),
@@ -204,8 +204,8 @@ fn list(sizes: &Sizes) -> Vec<(&'static str, f64)> {
     ]
     .into_iter()
     .chain(cut)
-    .chain(shaft("wheel bore diameter", sizes.wheel_shaft))
-    .chain(shaft("driver bore diameter", sizes.driver_shaft))
+    .chain(bore("wheel bore diameter", sizes.wheel_bore()))
+    .chain(bore("driver bore diameter", sizes.driver_bore()))
     .collect()
 }
 

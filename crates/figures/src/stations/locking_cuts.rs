@@ -3,57 +3,53 @@
 use crate::chart::{Axis, Chart, Entry, Panel, Stroke, kind};
 use crate::number::fixed;
 use crate::svg::Label;
-use crate::{Figure, Series, Words};
-use geneva_kinematics::Turn;
-use geneva_kinematics::pin_slot::pin_from_pivot;
-use geneva_kinematics::wheel::Wheel;
-use nalgebra::Vector2;
+use crate::{Figure, FigureError, Series, Words};
+use geneva_kinematics::wheel::{Choices, Crescent, LockingDisc, Play, Scale, Sizes, Wheel};
 use std::ops::RangeInclusive;
 
-/// Steps of half an engagement; the other half is its mirror image, with the horn on the other side.
-const STEPS: u32 = 180;
+/// Steps of an engagement.
+const STEPS: u32 = 360;
+/// Diameter of a pin that is as good as none, in crank radii.
+const THIN: f64 = 1e-9;
 
-/// A circle that is cut out of the locking disc: how far its centre is from the driver's axis, towards the pin, and its
-/// radius, in crank radii.
-struct Cut {
-    centre: f64,
-    radius: f64,
+/// A wheel for a pin without thickness and a locking disc of this radius, in crank radii, without any play. None if the disc
+/// does not reach into the wheel, or reaches so far that nothing is left of it.
+fn sized(wheel: Wheel, disc: f64) -> Option<Sizes> {
+    let choices = Choices {
+        pin_diameter: Some(THIN),
+        play: Some(Play::of(0.0)),
+        horn_thickness: Some(1.0 - disc - THIN / 2.0),
+        ..Choices::default()
+    };
+    Sizes::new(wheel, Scale::CrankRadius(1.0), &choices).ok()
 }
 
-/// The least distance, in crank radii, of the tips of the horns from a locking disc of this radius, without any play,
-/// while the wheel turns; below zero how deep they are in it.
-fn gap(wheel: &Wheel, disc: f64, cut: &Cut) -> f64 {
-    let (k, rim, pitch) = (wheel.centre_distance_ratio(), wheel.wheel_radius_ratio(), wheel.half_pitch_angle());
-    let tip = libm::acos((rim * rim + k * k - disc * disc) / (2.0 * rim * k));
-    let end = wheel.engagement_half_angle();
-    let at = |crank: f64, side: f64| {
-        let pin = pin_from_pivot(&k, &Turn::from_radians(crank));
-        let (sin, cos) = libm::sincos(libm::atan2(pin.y, pin.x) + side * (pitch - tip));
-        let place = Vector2::new(rim * cos - k, rim * sin);
-        let centre = Vector2::new(-libm::cos(crank), libm::sin(crank)) * cut.centre;
-        (place.norm() - disc).max(cut.radius - (place - centre).norm())
-    };
-    let least = |from: f64, to: f64, side: f64| {
-        let all = (0..=STEPS).map(|step| from + (to - from) * f64::from(step) / f64::from(STEPS));
-        let each = all.map(|crank| (crank, at(crank, side)));
-        each.fold((from, f64::INFINITY), |least, this| if this.1 < least.1 { this } else { least })
+/// The least distance, in crank radii, of the tips of the horns from a locking disc while the wheel turns; below zero how
+/// deep they are in it. The horn before the slot goes as the one behind it, to and fro.
+fn gap(sizes: &Sizes, disc: &LockingDisc) -> Result<f64, FigureError> {
+    let end = sizes.wheel.engagement_half_angle();
+    let least = |from: f64, to: f64| {
+        let at = |step: u32| (from + (to - from) * f64::from(step) / f64::from(STEPS)).clamp(-end, end);
+        (0..=STEPS).map(at).try_fold((from, f64::INFINITY), |least, crank| {
+            let gap = sizes.horn_gap(crank, disc)?;
+            Ok::<_, FigureError>(if gap < least.1 { (crank, gap) } else { least })
+        })
     };
     // Once more between the neighbours of the least.
-    let step = end / f64::from(STEPS);
-    let finer = |side: f64| {
-        let (crank, _) = least(0.0, end, side);
-        least((crank - step).max(0.0), (crank + step).min(end), side).1
-    };
-    finer(1.0).min(finer(-1.0))
+    let step = 2.0 * end / f64::from(STEPS);
+    let (crank, _) = least(-end, end)?;
+    Ok(least(crank - step, crank + step)?.1)
 }
 
 /// Number of slots, then the gaps in hundredths of the centre distance: with the circle of the wheel's radius about its
 /// axis in the middle of a move, and with the circle whose edges stand where the pin enters.
-fn row(wheel: &Wheel, disc: f64) -> [f64; 3] {
-    let (k, rim) = (wheel.centre_distance_ratio(), wheel.wheel_radius_ratio());
-    let cuts = [Cut { centre: k, radius: rim }, Cut { centre: k * disc, radius: rim * disc }];
-    let [of_wheel, of_edges] = cuts.map(|cut| 100.0 * gap(wheel, disc, &cut) / k);
-    [f64::from(wheel.stations()), of_wheel, of_edges]
+fn row(sizes: &Sizes, disc: LockingDisc) -> Result<[f64; 3], FigureError> {
+    let (c, rim, z) = (sizes.centre_distance, sizes.wheel_radius, disc.radius);
+    let [of_wheel, of_edges] = [[c, rim], [c * z, rim * z]].map(|[centre, radius]| {
+        let crescent = Crescent { centre, radius, ..disc.crescent };
+        Ok::<_, FigureError>(100.0 * gap(sizes, &LockingDisc { crescent, ..disc })? / c)
+    });
+    Ok([f64::from(sizes.wheel.stations()), of_wheel?, of_edges?])
 }
 
 /// How near the tips of the wheel's horns come to the locking disc, for two customary cuts in it and a disc of this radius
@@ -62,11 +58,14 @@ fn row(wheel: &Wheel, disc: f64) -> [f64; 3] {
 ///
 /// Series, a row for each: N, and the least gaps in hundredths of the centre distance with a cut of the wheel's radius and
 /// with one through the edges.
-pub fn locking_cuts(slots: RangeInclusive<u32>, disc: f64) -> Figure {
-    let wheels = slots.filter_map(|slots| Wheel::new(slots).ok());
-    // A small disc does not come to the rim.
-    let reaches = |wheel: &Wheel| disc > wheel.centre_distance_ratio() - wheel.wheel_radius_ratio();
-    let rows: Vec<_> = wheels.filter(reaches).map(|wheel| row(&wheel, disc)).collect();
+///
+/// # Errors
+///
+/// [`FigureError::Wheel`] if a tip's place is asked for beyond the engagement, which does not happen.
+pub fn locking_cuts(slots: RangeInclusive<u32>, disc: f64) -> Result<Figure, FigureError> {
+    let sized = slots.filter_map(|slots| sized(Wheel::new(slots).ok()?, disc));
+    let with_disc = sized.filter_map(|sizes| Some((sizes, sizes.locking_disc?)));
+    let rows = with_disc.map(|(sizes, disc)| row(&sizes, disc)).collect::<Result<Vec<_>, _>>()?;
     let numbers = || rows.iter().map(|row| row[0]);
     let (first, last) = (numbers().fold(f64::INFINITY, f64::min).min(60.0), numbers().fold(3.0, f64::max));
     let x = Axis::whole(first.min(last) - 0.5..last + 0.5, numbers())
@@ -100,13 +99,14 @@ pub fn locking_cuts(slots: RangeInclusive<u32>, disc: f64) -> Figure {
         ),
     );
     let columns = [("N", "1"), ("gap wheel's radius", "% of c"), ("gap through edges", "% of c")];
-    Chart::new([panel]).key(key).figure(words, Series::new(columns, rows))
+    Ok(Chart::new([panel]).key(key).figure(words, Series::new(columns, rows)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::checks::{drawn, sound};
+    use nalgebra::Vector2;
 
     #[test]
     fn the_gap_is_that_of_the_outlines_at_each_instant() {
@@ -131,7 +131,9 @@ mod tests {
                     ((tip - axis).norm() - disc).max(radius - (tip - centre).norm())
                 };
                 let least = (0..=3000).flat_map(|step| [at(step, 1.0), at(step, -1.0)]).fold(f64::INFINITY, f64::min);
-                let drawn = row(&wheel, disc)[column as usize] * k / 100.0;
+                let sizes = sized(wheel, disc).expect("it reaches");
+                let drawn =
+                    row(&sizes, sizes.locking_disc.expect("a dwell")).expect("told")[column as usize] * k / 100.0;
                 assert!((least - drawn).abs() < 5e-4, "{slots} slots, column {column}: {least} and {drawn}");
             }
         }
@@ -139,9 +141,9 @@ mod tests {
 
     #[test]
     fn any_range_and_any_disc_are_drawn() {
-        sound(&locking_cuts(3..=12, 0.7));
+        sound(&locking_cuts(3..=12, 0.7).expect("drawn"));
         for (range, disc) in [(0..=2, 0.7), (5..=5, 0.7), (3..=60, 0.9), (3..=18, 0.2), (3..=6, 0.0)] {
-            drawn(&locking_cuts(range, disc));
+            drawn(&locking_cuts(range, disc).expect("drawn"));
         }
     }
 }

@@ -16,6 +16,9 @@ fn numbers(wanted: &WheelArguments) -> Vec<(&'static str, f64)> {
         ("--wheel-radius", wanted.wheel_radius),
         ("--pin-diameter", wanted.pin_diameter),
         ("--play", wanted.play),
+        ("--horn", wanted.horn),
+        ("--wheel-shaft", wanted.wheel_shaft),
+        ("--driver-shaft", wanted.driver_shaft),
         ("--rpm", wanted.rpm),
         ("--inertia", wanted.inertia),
         ("--thickness", wanted.thickness),
@@ -121,7 +124,8 @@ pub fn refused(wanted: &WheelArguments) -> anyhow::Result<()> {
 /// The three that give a size.
 const SIZES: [&str; 3] = ["--crank-radius", "--centre-distance", "--wheel-radius"];
 /// Those of the parts in millimetres.
-const PARTS: [&str; 4] = ["--pin-diameter", "--play", "--thickness", "--density"];
+const PARTS: [&str; 7] =
+    ["--pin-diameter", "--play", "--horn", "--wheel-shaft", "--driver-shaft", "--thickness", "--density"];
 /// Those of motion and loads.
 const MOTION: [&str; 6] = ["--rpm", "--inertia", "--density", "--friction-torque", "--at", "--at-wheel"];
 

@@ -2,13 +2,14 @@
 
 use super::WheelArguments;
 use super::kind::{AnyWheel, Kind};
-use anyhow::bail;
+use crate::typed::as_typed;
+use anyhow::{anyhow, bail};
 use geneva_dynamics::line_contact::LineContact;
 use geneva_dynamics::wheel_loads::WheelLoads;
 use geneva_figures::Figure;
 use geneva_figures::stations::dimensions;
 use geneva_kinematics::indexing::Indexing;
-use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes};
+use geneva_kinematics::wheel::{Choices, Play, Remedy, Scale, ShaftOf, Sizes, SizesError};
 use std::f64::consts::PI;
 
 /// A wheel, and what was given of it.
@@ -35,9 +36,7 @@ impl Made {
         let scale = scale(wanted);
         let sizes = match (&wheel, scale) {
             (AnyWheel::External(wheel), Some(scale)) => {
-                let play = wanted.play.map(Play::all);
-                let choices = Choices { pin_diameter: wanted.pin_diameter, play, ..Choices::default() };
-                Some(Sizes::new(*wheel, scale, &choices)?)
+                Some(Sizes::new(*wheel, scale, &choices(wanted)).map_err(|error| with_options(&error, wanted))?)
             }
             _ => None,
         };
@@ -98,6 +97,34 @@ fn scale(wanted: &WheelArguments) -> Option<Scale> {
     let crank = wanted.crank_radius.map(Scale::CrankRadius);
     let centres = wanted.centre_distance.map(Scale::CentreDistance);
     crank.or(centres).or(wanted.wheel_radius.map(Scale::WheelRadius))
+}
+
+fn choices(wanted: &WheelArguments) -> Choices {
+    Choices {
+        pin_diameter: wanted.pin_diameter,
+        play: wanted.play.map(Play::of),
+        horn_thickness: wanted.horn,
+        wheel_shaft: wanted.wheel_shaft,
+        driver_shaft: wanted.driver_shaft,
+    }
+}
+
+/// What is said of sizes that do not fit, with the options that change them, as they were typed.
+fn with_options(error: &SizesError, wanted: &WheelArguments) -> anyhow::Error {
+    let of = |remedy: &Remedy| match remedy {
+        Remedy::ThinnerPin => ("--pin-diameter", wanted.pin_diameter),
+        Remedy::ThinnerHorn => ("--horn", wanted.horn),
+        Remedy::LessPlay => ("--play", wanted.play),
+    };
+    let options = match error {
+        SizesError::DoesNotFit { remedies, .. } => remedies.iter().map(of).collect(),
+        SizesError::Shaft { name: ShaftOf::Wheel, .. } => vec![("--wheel-shaft", wanted.wheel_shaft)],
+        SizesError::Shaft { name: ShaftOf::Driver, .. } => vec![("--driver-shaft", wanted.driver_shaft)],
+        SizesError::Kinematics(_) | SizesError::Play { .. } => return anyhow!("{error}"),
+    };
+    let typed =
+        |(option, value): &(&str, Option<f64>)| format!("{option} {}", value.map_or_else(|| "MM".to_owned(), as_typed));
+    anyhow!("{error} ({})", options.iter().map(typed).collect::<Vec<_>>().join(", "))
 }
 
 /// The crank radius in millimetres of a wheel of this scale.

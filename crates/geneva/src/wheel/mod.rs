@@ -48,10 +48,20 @@ pub struct WheelArguments {
     /// Diameter of the pins in millimetres [default: one that fits]
     #[arg(long, value_name = "MM", value_parser = typed::millimetres, allow_hyphen_values = true)]
     pub pin_diameter: Option<f64>,
-    /// How much wider slot, locking arc and bores are than what runs in them, in millimetres, zero or more
-    /// [default: a thousandth of the centre distance, or less where parts are small]
+    /// How much wider slot and locking arc are than what runs in them, in millimetres, zero or more; bores have a quarter of
+    /// it [default: a thousandth of the centre distance, or less where parts are small]
     #[arg(long, value_name = "MM", value_parser = typed::zero_or_more, allow_hyphen_values = true)]
     pub play: Option<f64>,
+    /// Least thickness of the wheel between a slot and a locking arc in millimetres [default: the pin's diameter]
+    #[arg(long, value_name = "MM", value_parser = typed::millimetres, allow_hyphen_values = true)]
+    pub horn: Option<f64>,
+    /// Diameter of the wheel's shaft in millimetres [default: half of the greatest]
+    #[arg(long, value_name = "MM", value_parser = typed::millimetres, allow_hyphen_values = true)]
+    pub wheel_shaft: Option<f64>,
+    /// Diameter of the driver's shaft in the plane of the wheel, in millimetres [default: half of the greatest; none where
+    /// that would be very thin]
+    #[arg(long, value_name = "MM", value_parser = typed::millimetres, allow_hyphen_values = true)]
+    pub driver_shaft: Option<f64>,
     /// Speed of the driver in turns a minute, above zero; gives times, rad/s, rad/s² and rad/s³
     #[arg(long, value_name = "R", value_parser = typed::positive, allow_hyphen_values = true)]
     pub rpm: Option<f64>,
@@ -134,6 +144,7 @@ pub fn page(wanted: &WheelArguments) -> anyhow::Result<String> {
         return times::page(index, dwell, wanted.kind, wanted.format);
     }
     let made = Made::new(wanted)?;
+    workshop::makes(made.wheel.kind(), wanted.format)?;
     idle::refused(wanted)?;
     match wanted.format {
         Format::Svg => Ok(made.drawing().standalone()),

@@ -3,7 +3,7 @@
 use super::kind::Kind;
 use super::made::Made;
 use crate::arguments::Format;
-use anyhow::bail;
+use anyhow::{bail, ensure};
 use geneva_kinematics::wheel::Sizes;
 use geneva_workshop::{Layout, Solid, dxf, scad, stl};
 
@@ -11,15 +11,20 @@ use geneva_workshop::{Layout, Solid, dxf, scad, stl};
 const OF_PLAY: f64 = 0.1;
 const OF_CENTRE_DISTANCE: f64 = 1e-4;
 
+/// Whether this format can be had of this kind of wheel: files for machines are of external ones.
+pub fn makes(kind: Kind, format: Format) -> anyhow::Result<()> {
+    ensure!(
+        kind == Kind::External || !matches!(format, Format::Dxf | Format::Scad | Format::Stl),
+        "--format {}: there are no parts of {} wheels to make; give --type external, or --format svg for a drawing",
+        format.name(),
+        kind.name()
+    );
+    Ok(())
+}
+
 /// The file of a sized external wheel, of parts so many millimetres thick where it needs that.
 pub fn file(made: &Made, thickness: Option<f64>, format: Format) -> anyhow::Result<String> {
     let name = format.name();
-    if made.wheel.kind() != Kind::External {
-        bail!(
-            "--format {name}: there are no parts of {} wheels to make; give --type external, or --format svg for a drawing",
-            made.wheel.kind().name()
-        );
-    }
     let Some(sizes) = &made.sizes else {
         bail!(
             "--format {name}: parts are made in mm; give a size with it: --crank-radius MM, --centre-distance MM or \

@@ -10,8 +10,9 @@
 //! The customary arc, of the wheel's radius about the wheel's axis in mid-index, is not safe: it bites on both sides of
 //! mid-index.
 
+use super::fit::Remedy::{LessPlay, ThinnerHorn, ThinnerPin};
 use super::fit::SizesError;
-use super::sizes::Sizes;
+use super::sizes::{LockingDisc, Sizes};
 use crate::KinematicsError;
 use nalgebra::Vector2;
 
@@ -53,9 +54,8 @@ impl Crescent {
         let swing = sizes.slot_gap() * sizes.tip_radius / sizes.slot_end;
         let gap = sizes.play.locking / 2.0 + swing + LEFT_OPEN * sizes.centre_distance;
         let passing = Passing::new(sizes, disc, gap);
-        let thinner = |what, by| {
-            Err(SizesError::DoesNotFit { what, by, change: "take a thinner pin, a thinner horn or less play" })
-        };
+        let thinner =
+            |what, by| Err(SizesError::DoesNotFit { what, by, remedies: &[ThinnerPin, ThinnerHorn, LessPlay] });
         let room = passing.mouth() - sizes.play.locking / 2.0;
         if room <= 0.0 {
             return thinner("the edges of the locking disc run into the wheel's horns", -room);
@@ -99,6 +99,17 @@ impl Sizes {
         let [x, y] = tip(crank_angle, lengths, self.tip_angle());
         let (sin, cos) = libm::sincos(crank_angle);
         Ok(Vector2::new(y * sin - x * cos, y * cos + x * sin))
+    }
+
+    /// How far that tip is from a locking disc, this one or another, in millimetres: from its cut, or from its edge where
+    /// that is the shorter way; below zero how deep it is in the disc. The crank angle is in radians.
+    ///
+    /// # Errors
+    ///
+    /// As for [`horn_tip`](Self::horn_tip).
+    pub fn horn_gap(&self, crank_angle: f64, disc: &LockingDisc) -> Result<f64, KinematicsError> {
+        let (tip, cut) = (self.horn_tip(crank_angle)?, disc.crescent);
+        Ok((tip.norm() - disc.radius).max(cut.radius - libm::hypot(tip.x - cut.centre, tip.y)))
     }
 }
 

@@ -1,7 +1,51 @@
 //! What is said of sizes that do not fit: what, by how much, and what to change.
 
 use crate::KinematicsError;
+use std::fmt;
 use thiserror::Error;
+
+/// A change of what was chosen that makes room.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Remedy {
+    /// Of the pins.
+    ThinnerPin,
+    /// Of the horns.
+    ThinnerHorn,
+    /// Of slot, locking arc or both.
+    LessPlay,
+}
+
+/// A part on a shaft.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ShaftOf {
+    /// The wheel.
+    Wheel,
+    /// The driver.
+    Driver,
+}
+
+impl fmt::Display for Remedy {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::ThinnerPin => "a thinner pin",
+            Self::ThinnerHorn => "a thinner horn",
+            Self::LessPlay => "less play",
+        })
+    }
+}
+
+impl fmt::Display for ShaftOf {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Wheel => "wheel's",
+            Self::Driver => "driver's",
+        })
+    }
+}
+
+fn told(remedies: &[Remedy]) -> String {
+    remedies.iter().map(Remedy::to_string).collect::<Vec<_>>().join(" or ")
+}
 
 /// Sizes of which no two parts can be made that run in each other.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
@@ -18,23 +62,23 @@ pub enum SizesError {
         asked: f64,
     },
     /// Parts in each other's way.
-    #[error("{what}, by {by:.4} mm; {change}")]
+    #[error("{what}, by {by:.4} mm; take {}", told(remedies))]
     DoesNotFit {
         /// What is in the way.
         what: &'static str,
         /// By how much, in millimetres.
         by: f64,
-        /// What to change.
-        change: &'static str,
+        /// What to change: one of these, or more.
+        remedies: &'static [Remedy],
     },
     /// A shaft that leaves no material, or that something runs against.
     #[error(
-        "{name}, diameter {asked} mm: it must be less than {most:.4} mm{}",
+        "{name} shaft, diameter {asked} mm: it must be less than {most:.4} mm{}",
         if *most > 0.0 { "; take a thinner shaft" } else { ", so there is no room for one in the plane of the wheel" }
     )]
     Shaft {
         /// Which shaft.
-        name: &'static str,
+        name: ShaftOf,
         /// The diameter that was asked for, in millimetres.
         asked: f64,
         /// What it must be below, in millimetres.

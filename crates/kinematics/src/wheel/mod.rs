@@ -9,6 +9,7 @@
 //! the [`Outline`] of both parts and their [`Clearance`] over a whole turn.
 
 mod accurate;
+mod centres;
 mod clearance;
 mod crescent;
 mod cycle;
@@ -23,11 +24,12 @@ mod play;
 mod regions;
 mod sizes;
 
+pub use centres::CentreTolerance;
 pub use clearance::{Clearance, Contact, Nearest, TOLERANCE};
 pub use crescent::Crescent;
 pub use cycle::{Motion, Phase};
 pub use extremes::{AccelerationPeak, acceleration_peak, entry_acceleration, gamma, peak_velocity};
-pub use fit::SizesError;
+pub use fit::{Remedy, ShaftOf, SizesError};
 pub use geometry::{STATIONS, Wheel};
 pub use indexing::peak_jerk;
 pub use misplaced::Misplaced;
@@ -39,4 +41,5 @@ pub use sizes::{Choices, LockingDisc, Play, Scale, Sizes};
 #[cfg(test)]
 mod tests {
     mod assembly;
+    mod centres;
 }

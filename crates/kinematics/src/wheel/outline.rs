@@ -210,9 +210,9 @@ pub struct Outline {
 impl Sizes {
     /// The outlines of both parts.
     pub fn outline(&self) -> Outline {
-        let bore = |shaft: f64| {
-            let hole = |shaft| Loop::circle(Vector2::zeros(), (shaft + self.play.bore) / 2.0, true);
-            Some(shaft).filter(|shaft| *shaft > 0.0).map(hole).into_iter().collect::<Vec<_>>()
+        let bore = |diameter: f64| {
+            let hole = |diameter| Loop::circle(Vector2::zeros(), diameter / 2.0, true);
+            Some(diameter).filter(|diameter| *diameter > 0.0).map(hole).into_iter().collect::<Vec<_>>()
         };
         let plate = Loop::circle(Vector2::zeros(), self.plate_radius, false);
         let pins = self.pin_directions().map(|angle| {
@@ -220,9 +220,9 @@ impl Sizes {
             Loop::circle(at, self.pin_radius(), false)
         });
         Outline {
-            wheel: Face { outer: self.wheel_loop(), holes: bore(self.wheel_shaft) },
-            disc: self.disc_loop().map(|outer| Face { outer, holes: bore(self.driver_shaft) }),
-            plate: Face { outer: plate, holes: bore(self.driver_shaft) },
+            wheel: Face { outer: self.wheel_loop(), holes: bore(self.wheel_bore()) },
+            disc: self.disc_loop().map(|outer| Face { outer, holes: bore(self.driver_bore()) }),
+            plate: Face { outer: plate, holes: bore(self.driver_bore()) },
             pins: pins.collect(),
         }
     }

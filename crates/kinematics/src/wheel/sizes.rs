@@ -7,7 +7,8 @@
 
 use super::Wheel;
 use super::crescent::Crescent;
-use super::fit::SizesError;
+use super::fit::Remedy::{LessPlay, ThinnerHorn, ThinnerPin};
+use super::fit::{ShaftOf, SizesError};
 use crate::error::length;
 
 /// The one length that is given; it makes millimetres of a wheel's ratios.
@@ -32,10 +33,17 @@ pub struct Play {
     pub bore: f64,
 }
 
+/// The play of the bores over that of slot and locking arc, dimensionless.
+///
+/// Loose in their bores, both shafts together let the axes come nearer by the play of one bore. Slot and locking arc leave
+/// half of their own play for that, and the crescents of few stations a little less.
+const OF_BORES: f64 = 0.25;
+
 impl Play {
-    /// The same play everywhere, in millimetres.
-    pub fn all(play: f64) -> Self {
-        Self { slot: play, locking: play, bore: play }
+    /// So much play of slot and locking arc, in millimetres, and a quarter of it of the bores: a shaft that is loose in its
+    /// bore brings the axes nearer.
+    pub fn of(play: f64) -> Self {
+        Self { slot: play, locking: play, bore: OF_BORES * play }
     }
 }
 
@@ -46,7 +54,7 @@ pub struct Choices {
     /// for strength, the second for three and four stations, whose hub is small, the third for many, whose crescents
     /// come near the driver's axis.
     pub pin_diameter: Option<f64>,
-    /// The plays, in millimetres, zero or more. By default each is the least of a thousandth of the centre distance, a
+    /// The plays, in millimetres, zero or more. By default [`Play::of`] the least of a thousandth of the centre distance, a
     /// twentieth of the pin's diameter and a tenth of c − R, the way from the driver's axis to the wheel.
     pub play: Option<Play>,
     /// Least thickness of the wheel between a slot and a locking arc, in millimetres. By default the pin's diameter, so
@@ -136,23 +144,23 @@ impl Sizes {
         };
         let play = match choices.play {
             Some(play) => fitting_play(play)?,
-            None => Play::all((c / 1000.0).min(pin_diameter / 20.0).min(0.1 * from_axis)),
+            None => Play::of((c / 1000.0).min(pin_diameter / 20.0).min(0.1 * from_axis)),
         };
         let horn_thickness = length("horn thickness", choices.horn_thickness.unwrap_or(pin_diameter))?;
         let slot_width = pin_diameter + play.slot;
         let (half, slot_end) = (slot_width / 2.0, c - a);
         let sine = libm::sin(wheel.half_pitch_angle());
         let web = 2.0 * slot_end * sine - slot_width;
-        let fits = |room: f64, what, change| {
-            if room > 0.0 { Ok(room) } else { Err(SizesError::DoesNotFit { what, by: -room, change }) }
+        let fits = |room: f64, what, remedies| {
+            if room > 0.0 { Ok(room) } else { Err(SizesError::DoesNotFit { what, by: -room, remedies }) }
         };
-        fits(web, "the ends of two neighbouring slots run into each other", "take a thinner pin or less slot play")?;
+        fits(web, "the ends of two neighbouring slots run into each other", &[ThinnerPin, LessPlay])?;
         let locking_arc_radius = a - half - horn_thickness;
         let tip_radius = libm::hypot(wheel_radius, half);
         fits(
             locking_arc_radius + tip_radius - c,
             "the locking arcs do not reach the wheel",
-            "take a thinner pin or a thinner horn",
+            &[ThinnerPin, ThinnerHorn],
         )?;
         let passing = slot_end - pin_diameter / 2.0;
         let plate_radius = a + pin_diameter / 2.0 + (pin_diameter / 2.0).min(passing / 2.0);
@@ -178,19 +186,15 @@ impl Sizes {
             driver_shaft: 0.0,
         };
         if wheel.dwell_fraction() > SHORTEST_DWELL {
-            let radius = fits(
-                locking_arc_radius - play.locking / 2.0,
-                "the play leaves no locking disc",
-                "take less locking play",
-            )?;
+            let radius = fits(locking_arc_radius - play.locking / 2.0, "the play leaves no locking disc", &[LessPlay])?;
             let crescent = Crescent::of(&sizes, radius)?;
             let left = 2.0 * (crescent.centre - crescent.radius) - play.bore;
             sizes.driver_shaft_limit = sizes.driver_shaft_limit.min(left);
             sizes.locking_disc = Some(LockingDisc { radius, crescent });
         }
-        sizes.wheel_shaft = shaft("wheel's shaft", choices.wheel_shaft, sizes.wheel_shaft_limit, 0.0)?;
+        sizes.wheel_shaft = shaft(ShaftOf::Wheel, choices.wheel_shaft, sizes.wheel_shaft_limit, 0.0)?;
         sizes.driver_shaft =
-            shaft("driver's shaft", choices.driver_shaft, sizes.driver_shaft_limit, pin_diameter / 4.0)?;
+            shaft(ShaftOf::Driver, choices.driver_shaft, sizes.driver_shaft_limit, pin_diameter / 4.0)?;
         Ok(sizes)
     }
 
@@ -202,6 +206,25 @@ impl Sizes {
     /// The gap on each side of a pin that is in the middle of its slot, in millimetres.
     pub fn slot_gap(&self) -> f64 {
         self.play.slot / 2.0
+    }
+
+    /// Diameter of the wheel's bore, in millimetres; zero without a shaft.
+    pub fn wheel_bore(&self) -> f64 {
+        self.bore(self.wheel_shaft)
+    }
+
+    /// Diameter of the driver's bore in the plane of the wheel, in millimetres; zero without a shaft there.
+    pub fn driver_bore(&self) -> f64 {
+        self.bore(self.driver_shaft)
+    }
+
+    fn bore(&self, shaft: f64) -> f64 {
+        if shaft > 0.0 { shaft + self.play.bore } else { 0.0 }
+    }
+
+    /// Least thickness of the wheel between a slot's end and the bore, in millimetres; to the axis, without a bore.
+    pub fn bore_web(&self) -> f64 {
+        self.slot_end - (self.slot_width + self.wheel_bore()) / 2.0
     }
 
     /// Angle of a slot's corners from its middle, seen from the wheel's axis, in radians.
@@ -259,10 +282,10 @@ fn fitting_play(play: Play) -> Result<Play, SizesError> {
 }
 
 /// The shaft that was asked for, or half of the greatest, or none if that is too thin to be of use.
-fn shaft(name: &'static str, asked: Option<f64>, most: f64, least: f64) -> Result<f64, SizesError> {
+fn shaft(name: ShaftOf, asked: Option<f64>, most: f64, least: f64) -> Result<f64, SizesError> {
     match asked {
         None => Ok(Some(most / 2.0).filter(|half| *half > least).unwrap_or_default()),
-        Some(asked) if length(name, asked)? < most => Ok(asked),
+        Some(asked) if length("shaft's diameter", asked)? < most => Ok(asked),
         Some(asked) => Err(SizesError::Shaft { name, asked, most }),
     }
 }
@@ -301,7 +324,7 @@ mod tests {
                 for horn in [0.3, 1.0, 2.0] {
                     for play in [0.0, 0.02, 0.2] {
                         let pin = 0.05 * f64::from(tenth) * a;
-                        let play = Play::all(play * pin);
+                        let play = Play::of(play * pin);
                         let choices = Choices {
                             pin_diameter: Some(pin),
                             play: Some(play),
@@ -357,7 +380,7 @@ mod tests {
 
     #[test]
     fn six_stations_have_the_customary_sizes() {
-        let sizes = sized(6, &Choices { play: Some(Play::all(0.0)), ..Choices::default() }).unwrap();
+        let sizes = sized(6, &Choices { play: Some(Play::of(0.0)), ..Choices::default() }).unwrap();
         approx::assert_relative_eq!(sizes.crank_radius, 50.0, max_relative = 1e-14);
         approx::assert_relative_eq!(sizes.wheel_radius, 7500.0_f64.sqrt(), max_relative = 1e-14);
         assert_eq!(sizes.pin_diameter, 0.3 * sizes.crank_radius);
@@ -377,7 +400,7 @@ mod tests {
         assert!(matches!(sized(6, &pin(0.0)), Err(SizesError::Kinematics(KinematicsError::Length { .. }))));
         assert!(matches!(sized(6, &pin(f64::NAN)), Err(SizesError::Kinematics(_))));
         for play in [-0.1, f64::INFINITY, f64::NAN] {
-            let choices = Choices { play: Some(Play { locking: play, ..Play::all(0.1) }), ..Choices::default() };
+            let choices = Choices { play: Some(Play { locking: play, ..Play::of(0.1) }), ..Choices::default() };
             let message = sized(6, &choices).unwrap_err().to_string();
             assert!(message.starts_with("locking play"), "{message}");
         }

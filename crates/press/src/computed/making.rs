@@ -36,6 +36,12 @@ const LOADED_CENTRES: f64 = 150.0;
 const LOADED_INERTIA: f64 = 0.01;
 const LOADED_RPM: f64 = 120.0;
 
+/// The exercise of a second design: stations, centre distance in mm, seconds of a turn, inertia in kg m².
+const SECOND: u32 = 4;
+const SECOND_CENTRES: f64 = 80.0;
+const SECOND_TURN: f64 = 2.0;
+const SECOND_INERTIA: f64 = 0.02;
+
 /// The numbers of this chapter.
 pub const NUMBERS: &[(&str, Number)] = &[
     ("making.inertia", || Ok(with_unit(INERTIA, 1, "kg&nbsp;m²"))),
@@ -50,13 +56,17 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("making.slot-depth", || millimetres(|of| of.slot_depth)),
     ("making.slot-end", || millimetres(|of| of.slot_end)),
     ("making.web", || millimetres(|of| of.web)),
+    ("making.bore-web", || millimetres(Sizes::bore_web)),
+    ("making.bore-play", || millimetres(|of| of.play.bore)),
+    ("making.nearer", || millimetres(|of| rounded_down(of.centre_tolerance().nearer))),
+    ("making.farther", || millimetres(|of| rounded_down(of.centre_tolerance().farther))),
     ("making.horn", || millimetres(|of| of.horn_thickness)),
     ("making.arc", || millimetres(|of| of.locking_arc_radius)),
     ("making.plate", || millimetres(|of| of.plate_radius)),
     ("making.wheel-shaft", || millimetres(|of| of.wheel_shaft_limit)),
-    ("making.wheel-bore", || millimetres(|of| of.wheel_shaft + of.play.bore)),
+    ("making.wheel-bore", || millimetres(|of| of.wheel_bore())),
     ("making.driver-shaft", || millimetres(|of| of.driver_shaft_limit)),
-    ("making.driver-bore", || millimetres(|of| of.driver_shaft + of.play.bore)),
+    ("making.driver-bore", || millimetres(|of| of.driver_bore())),
     ("making.disc", || disc(|of| of.radius)),
     ("making.crescent", || disc(|of| of.crescent.radius)),
     ("making.crescent-centre", || disc(|of| of.crescent.centre)),
@@ -133,6 +143,27 @@ pub const NUMBERS: &[(&str, Number)] = &[
         let force = WheelLoads::new(&wheel, INERTIA, FRICTION, 2.0 * speed(RPM))?.pin_moment().driving.value;
         Ok(with_unit(force / (CRANK_RADIUS / 1000.0), 2, "N"))
     }),
+    ("making.second.inertia", || Ok(with_unit(SECOND_INERTIA, 1, "kg&nbsp;m²"))),
+    ("making.second.rpm", || Ok(fixed(60.0 / SECOND_TURN, 0))),
+    ("making.second.crank", || second(|of| of.crank_radius)),
+    ("making.second.thick-pin", || second(|of| 0.3 * of.crank_radius)),
+    ("making.second.slot-end", || second(|of| of.slot_end)),
+    ("making.second.pin", || second(|of| of.pin_diameter)),
+    ("making.second.play", || second(|of| of.play.slot)),
+    ("making.second.slot-width", || second(|of| of.slot_width)),
+    ("making.second.slot-depth", || second(|of| of.slot_depth)),
+    ("making.second.disc", || second(|of| of.locking_disc.map_or(f64::NAN, |disc| disc.radius))),
+    ("making.second.crescent", || second(|of| of.locking_disc.map_or(f64::NAN, |disc| disc.crescent.radius))),
+    ("making.second.bore-web", || second(Sizes::bore_web)),
+    ("making.second.wheel-shaft", || second(|of| of.wheel_shaft)),
+    ("making.second.bore-play", || second(|of| of.play.bore)),
+    ("making.second.nearer", || second(|of| rounded_down(of.centre_tolerance().nearer))),
+    ("making.second.farther", || second(|of| rounded_down(of.centre_tolerance().farther))),
+    ("making.second.force", || {
+        let sizes = second_sizes()?;
+        let loads = WheelLoads::new(&sizes.wheel, SECOND_INERTIA, 0.0, speed(60.0 / SECOND_TURN))?;
+        Ok(with_unit(loads.pin_moment().driving.value / (sizes.crank_radius / 1000.0), 2, "N"))
+    }),
     ("making.internal.acceleration", || Ok(fixed(InternalWheel::new(STATIONS)?.acceleration_peak().ratio, 3))),
     ("making.external.acceleration", || Ok(fixed(Wheel::new(STATIONS)?.acceleration_peak().ratio, 3))),
 ];
@@ -151,6 +182,11 @@ fn speed(rpm: f64) -> f64 {
 fn told(length: f64) -> String {
     let text = fixed(length, 3);
     format!("{}&nbsp;mm", text.trim_end_matches('0').trim_end_matches('.'))
+}
+
+/// What must not be exceeded, to as many decimals.
+fn rounded_down(length: f64) -> f64 {
+    (length * 1000.0).floor() / 1000.0
 }
 
 fn millimetres(of: fn(&Sizes) -> f64) -> anyhow::Result<String> {
@@ -217,6 +253,14 @@ fn sized(of: fn(&Sizes) -> f64) -> anyhow::Result<String> {
     Ok(with_unit(of(&sizes), 4, "mm"))
 }
 
+fn second_sizes() -> anyhow::Result<Sizes> {
+    Ok(Sizes::new(Wheel::new(SECOND)?, Scale::CentreDistance(SECOND_CENTRES), &Choices::default())?)
+}
+
+fn second(of: fn(&Sizes) -> f64) -> anyhow::Result<String> {
+    Ok(told(of(&second_sizes()?)))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -232,6 +276,17 @@ mod tests {
         near(force().expect("loaded"), shown("force"));
         near(loaded(|loads| loads.crank_torque().driving.value).expect("loaded"), shown("crank"));
         near(blow(0.0).expect("met"), shown("blow"));
+    }
+
+    #[test]
+    fn the_second_design_is_what_its_exercise_says() {
+        let sizes = second_sizes().expect("fits");
+        let (index, dwell) = (sizes.wheel.motion_fraction(), sizes.wheel.dwell_fraction());
+        assert!((SECOND_TURN * index - 0.5).abs() < 1e-12 && (SECOND_TURN * dwell - 1.5).abs() < 1e-12);
+        assert!((sizes.crank_radius / sizes.wheel_radius - 1.0).abs() < 1e-12);
+        assert!((sizes.pin_diameter / sizes.slot_end - 2.0 / 3.0).abs() < 1e-12);
+        let crescent = sizes.locking_disc.expect("a disc").crescent;
+        assert_eq!(crescent.centre, sizes.centre_distance);
     }
 
     #[test]

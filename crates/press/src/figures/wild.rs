@@ -21,7 +21,7 @@ const DISC: f64 = 0.7;
 
 /// How near the horns come to the locking disc, for wheels that are built.
 pub fn locking_cuts() -> anyhow::Result<Figure> {
-    Ok(stations::locking_cuts(3..=12, DISC))
+    Ok(stations::locking_cuts(3..=12, DISC)?)
 }
 
 /// What the wrong formulas give over what is right, for wheels that are built.

@@ -12,7 +12,7 @@ use geneva_figures::Figure;
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::{Column, Hypothesis, SixPin, delay, duration, interval, rows};
 use geneva_ledger::quick_return::Instant as Lever;
-use geneva_live::{Answer, Arguments, Control, Kind, LIVE, Live};
+use geneva_live::{Answer, Arguments, Control, Kind, LIVE, Live, shown};
 
 /// What stands in the book beside a figure's own: the data of a source that it is asked with, and the claims to which its
 /// numbers lead.
@@ -93,7 +93,7 @@ pub fn moved(name: &str) -> anyhow::Result<Moved> {
 
 fn html(live: &Live, answer: &Answer) -> anyhow::Result<String> {
     let given = given(live.name)?;
-    let rows: Vec<String> = live.controls.iter().map(|control| row(live, control, &given)).collect();
+    let rows: Vec<String> = live.controls.iter().map(|control| row(live, control, &given, answer)).collect();
     let presets = live.presets.iter().map(|preset| {
         format!("<button type=\"button\" data-set=\"{}\">{}</button>", escape(preset.arguments), escape(preset.name))
     });
@@ -127,8 +127,9 @@ fn html(live: &Live, answer: &Answer) -> anyhow::Result<String> {
          class=\"moved\">{}</div>\n<p class=\"buttons\"><button type=\"button\" data-do=\"play\">Play</button><button type=\"button\" \
          data-do=\"back\" aria-label=\"One step back\">◂</button><button type=\"button\" data-do=\"forth\" aria-label=\"One step \
          forward\">▸</button><button type=\"button\" data-do=\"reset\">Reset</button>{} <a data-do=\"link\" \
-         href=\"#fig-{}\">Link to this setting</a>{}</p>\n<dl aria-live=\"polite\">{}</dl>\n<p class=\"message\" \
-         role=\"status\"></p>\n</form>",
+         href=\"#fig-{}\">Link to this setting</a>{}</p>\n<dl aria-live=\"polite\">{}</dl>\n<div role=\"status\"><p \
+         class=\"message\"></p>\n<p class=\"stale\" hidden>There are no numbers for this setting. The drawing is still that of the \
+         last one that was possible.</p></div>\n</form>",
         answer.figure.svg.trim_end(),
         escape(live.hint),
         rows.concat(),
@@ -150,10 +151,12 @@ fn attributes(live: &Live) -> anyhow::Result<String> {
 }
 
 /// One control with its label, its number and its unit.
-fn row(live: &Live, control: &Control, given: &str) -> String {
+fn row(live: &Live, control: &Control, given: &str, answer: &Answer) -> String {
     let Control { name, label, unit, least, most, step, .. } = control;
     let id = format!("live-{}-{name}", live.name);
-    let value = Arguments::parse(given).text(name).map_or_else(|| control.preset.to_string(), str::to_owned);
+    let follower = answer.followers.iter().find(|(of, _)| of == name).map(|(_, value)| shown(*value));
+    let at_first = follower.unwrap_or(control.preset).to_string();
+    let value = Arguments::parse(given).text(name).map_or(at_first, str::to_owned);
     let (label, spoken) = (escape(label), escape(&format!("{label} {unit}")));
     match control.kind {
         Kind::Choice(choices) => {
@@ -164,9 +167,12 @@ fn row(live: &Live, control: &Control, given: &str) -> String {
             let options: String = choices.iter().enumerate().map(option).collect();
             format!("<label for=\"{id}\">{label}</label><select id=\"{id}\" name=\"{name}\">{options}</select>")
         }
-        Kind::Slider | Kind::Player(_) => {
-            let play =
-                if let Kind::Player(rate) = control.kind { format!(" data-play=\"{rate}\"") } else { String::new() };
+        Kind::Slider | Kind::Player(_) | Kind::Follower => {
+            let play = match control.kind {
+                Kind::Player(rate) => format!(" data-play=\"{rate}\""),
+                Kind::Follower => " data-follows".to_owned(),
+                _ => String::new(),
+            };
             let range = format!("min=\"{least}\" max=\"{most}\" step=\"{step}\" value=\"{value}\"");
             format!(
                 "<label for=\"{id}\">{label}</label><input type=\"range\" id=\"{id}\" name=\"{name}\" {range}{play}><span><input \

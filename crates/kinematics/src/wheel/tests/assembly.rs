@@ -7,12 +7,12 @@ use crate::wheel::{Choices, Crescent, Edge, Entry, EntryContact, Face, LockingDi
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
-type Point = Vector2<f64>;
+pub(super) type Point = Vector2<f64>;
 
 /// Spacing of the points on edges, in millimetres, for a centre distance of 100 mm.
 const SPACING: f64 = 0.25;
 
-fn sized(stations: u32, pins: u32, choices: &Choices) -> Sizes {
+pub(super) fn sized(stations: u32, pins: u32, choices: &Choices) -> Sizes {
     Sizes::new(Wheel::with_pins(stations, pins).unwrap(), Scale::CentreDistance(100.0), choices).unwrap()
 }
 
@@ -66,7 +66,7 @@ fn is_inside(polygon: &[Point], p: &Point) -> bool {
 }
 
 /// Least distance of two loops in the places where they lie, negative if points of one lie in the other.
-fn between(one: &Loop, other: &Loop) -> f64 {
+pub(super) fn between(one: &Loop, other: &Loop) -> f64 {
     let mut least = f64::INFINITY;
     for (a, b) in [(one, other), (other, one)] {
         let polygon = b.corners(1e-4).unwrap();
@@ -162,7 +162,7 @@ fn the_outlines_are_as_near_as_is_said() {
 
 /// The sizes with the crescent that handbooks give: of the wheel's radius, about the wheel's axis in mid-index.
 fn customary(stations: u32, pin: f64) -> Sizes {
-    let choices = Choices { pin_diameter: Some(pin), play: Some(Play::all(0.0)), ..Choices::default() };
+    let choices = Choices { pin_diameter: Some(pin), play: Some(Play::of(0.0)), ..Choices::default() };
     with_customary_cut(sized(stations, 1, &choices))
 }
 
@@ -178,7 +178,7 @@ fn the_customary_crescent_bites_as_deep_as_a_tips_path_tells() {
     // Worked out elsewhere, from the path of points of the rim in the driver's plane: a pin of 8 mm, a horn as thick, no
     // play, and a rim that is cut at the pin's centre.
     for (stations, depth) in [(3, 0.2478), (6, 0.5259), (12, 1.1794)] {
-        let choices = Choices { pin_diameter: Some(8.0), play: Some(Play::all(0.0)), ..Choices::default() };
+        let choices = Choices { pin_diameter: Some(8.0), play: Some(Play::of(0.0)), ..Choices::default() };
         let mut sizes = sized(stations, 1, &choices);
         sizes.tip_radius = sizes.wheel_radius;
         sizes.wheel_radius = (sizes.tip_radius * sizes.tip_radius - 16.0).sqrt();
@@ -204,7 +204,7 @@ fn the_customary_crescent_bites() {
             assert!(between(&wheel, &disc.unwrap()) > found.distance - 0.01);
         }
         // With the cut of ours the same parts without play touch and no more.
-        let choices = Choices { pin_diameter: Some(pin), play: Some(Play::all(0.0)), ..Choices::default() };
+        let choices = Choices { pin_diameter: Some(pin), play: Some(Play::of(0.0)), ..Choices::default() };
         let ours = sized(stations, 1, &choices);
         assert!(ours.clearance().least().distance.abs() < 1e-9, "{:?}", ours.clearance());
     }
@@ -261,7 +261,7 @@ fn the_wheel_turns_loosely_until_it_touches() {
 }
 
 /// The first contact found by going along the pin's path in short steps.
-fn marched(sizes: &Sizes, error: f64) -> Option<(f64, f64)> {
+pub(super) fn marched(sizes: &Sizes, error: f64) -> Option<(f64, f64)> {
     let wheel = sizes.outline().wheel.outer.placed(-sizes.wheel.half_pitch_angle(), Point::zeros());
     let axis = Point::new(sizes.centre_distance + error, 0.0);
     let wheel = near_driver(&wheel, sizes);
