@@ -1,4 +1,4 @@
-//! The claims of the tables: one for each printed result of a run.
+//! The claims of the tables: one for each printed number of a run. Its data are claims of `data`, its results these.
 //!
 //! Two questions are asked of a cell. What the computer gave: the summary is one of runs, so the computed number is the
 //! run's, under one hypothesis for all cells ([`Hypothesis::as_run`]), and the resolution is one unit of the last
@@ -68,7 +68,7 @@ fn of_row(row: &'static Row) -> Vec<Claim> {
             _ => claim.in_error(RESET_ANGLE),
         }
     };
-    RESULTS.into_iter().enumerate().map(of).collect()
+    data::claims(row, place).into_iter().chain(RESULTS.into_iter().enumerate().map(of)).collect()
 }
 
 /// How finely a cell was read.
@@ -96,17 +96,17 @@ const MISREAD_RISE: Slip = Slip {
 };
 
 /// The results of all rows, each run made once.
-type Results = OnceLock<Vec<[f64; 4]>>;
+type Results<const N: usize> = OnceLock<Vec<[f64; N]>>;
 
 /// The results of a row among those of all; not numbers if there is no such motion.
-fn among(all: &'static Results, row: &Row, of: fn(&Row) -> Option<[f64; 4]>) -> [f64; 4] {
-    let all = all.get_or_init(|| rows().iter().map(|row| of(row).unwrap_or([f64::NAN; 4])).collect());
+pub fn among<const N: usize>(all: &'static Results<N>, row: &Row, of: fn(&Row) -> Option<[f64; N]>) -> [f64; N] {
+    let all = all.get_or_init(|| rows().iter().map(|row| of(row).unwrap_or([f64::NAN; N])).collect());
     let own = rows().iter().position(|other| other == row);
-    own.map_or([f64::NAN; 4], |own| all[own])
+    own.map_or([f64::NAN; N], |own| all[own])
 }
 
 fn as_run(row: &Row) -> [f64; 4] {
-    static RUNS: Results = OnceLock::new();
+    static RUNS: Results<4> = OnceLock::new();
     among(&RUNS, row, |row| {
         let run = Hypothesis::as_run().run(row)?;
         Some(RESULTS.map(|(column, ..)| run.number(column)))
@@ -114,7 +114,7 @@ fn as_run(row: &Row) -> [f64; 4] {
 }
 
 fn as_run_by_steps(row: &Row) -> [f64; 4] {
-    static RUNS: Results = OnceLock::new();
+    static RUNS: Results<4> = OnceLock::new();
     among(&RUNS, row, |row| {
         let run = Lagged::of(row)?;
         Some([run.peak, run.minimum, run.first_minimum, run.period])
@@ -122,7 +122,7 @@ fn as_run_by_steps(row: &Row) -> [f64; 4] {
 }
 
 fn ideal(row: &Row) -> [f64; 4] {
-    static RUNS: Results = OnceLock::new();
+    static RUNS: Results<4> = OnceLock::new();
     among(&RUNS, row, |row| {
         let run = Hypothesis::IDEAL.run(row)?;
         Some(RESULTS.map(|(column, ..)| run.number(column)))
@@ -130,7 +130,7 @@ fn ideal(row: &Row) -> [f64; 4] {
 }
 
 fn ideal_by_steps(row: &Row) -> [f64; 4] {
-    static RUNS: Results = OnceLock::new();
+    static RUNS: Results<4> = OnceLock::new();
     among(&RUNS, row, |row| {
         let [least, time, greatest] = Hypothesis::IDEAL.cycle_by_steps(row)?;
         let unit = motion::unit_of_speed(&Hypothesis::IDEAL, row);

@@ -1,14 +1,11 @@
 //! The moments of inertia above the tables and on the axes of Figs. 10 and 11.
 //!
-//! Inertias are data. What can be asked is whether the printed results belong to them: among the printed pair, the pair
-//! the other way round, and both with a member of half or twice the size, which one makes the results come out best?
+//! Inertias are data. Here they are found from all results of a table, without being known: see [`data`].
 
 use super::cells::leaked;
 use super::*;
 use crate::Evidence::{Quadrature, RungeKutta};
 use crate::meyer::slips::{RESET_ANGLE, SWAPPED_INERTIAS};
-use geneva_dynamics::steady::Engagement;
-use std::sync::OnceLock;
 
 const UNIT: &str = "× 10^-6 in lb sec²";
 
@@ -34,13 +31,16 @@ pub fn claims(mechanism: Mechanism) -> Vec<Claim> {
     }
 }
 
-/// The inertia of a member, of the pair that fits best: by the peaks, and by the minima.
+/// The inertia of a member, of the pair with which the table comes out best.
 fn inertia(place: Place, id: &'static str, numbers: [&'static str; 2], mechanism: Mechanism, member: usize) -> Claim {
     let meaning = leaked(format!("moment of inertia of the {} in the runs, a datum", MEMBERS[member]));
     place
         .value(id, numbers[member], UNIT, meaning)
-        .by(Quadrature, move || fitting(mechanism, Column::Peak)[member])
-        .by(RungeKutta, move || fitting(mechanism, Column::Minimum)[member])
+        .by(Quadrature, move || data::inertias(mechanism)[member] / motion::MILLIONTH)
+        .by(RungeKutta, move || data::inertias_in_steps(mechanism)[member] / motion::MILLIONTH)
+        .read_as(
+            "Computed is that of the pair of inertias with which all peaks, minima and periods of the table come out best.",
+        )
 }
 
 /// What the headings say the tables are of.
@@ -88,39 +88,3 @@ pub fn of_figures() -> Vec<Claim> {
     };
     figures.into_iter().flat_map(of).collect()
 }
-
-/// The pair of inertias, of those that come into question, that fits a column of a table best, in millionths.
-fn fitting(mechanism: Mechanism, column: Column) -> [f64; 2] {
-    static KNOWN: [[OnceLock<[f64; 2]>; 2]; 3] = [const { [const { OnceLock::new() }; 2] }; 3];
-    *KNOWN[mechanism.index()][usize::from(column == Column::Minimum)].get_or_init(|| best_of(mechanism, column))
-}
-
-/// The printed pair, the other way round, and both with a member of half or twice the size.
-fn best_of(mechanism: Mechanism, column: Column) -> [f64; 2] {
-    let [driver, follower] = MEMBERS.map(|member| printed(&motion::heading(mechanism, member)));
-    let around = |[a, b]: [f64; 2]| [[a, b], [a / 2.0, b], [2.0 * a, b], [a, b / 2.0], [a, 2.0 * b]];
-    let candidates = [around([driver, follower]), around([follower, driver])].concat();
-    let fits = candidates.into_iter().map(|pair| (misfit(mechanism, column, pair), pair));
-    fits.min_by(|(a, _), (b, _)| a.total_cmp(b)).map_or([f64::NAN; 2], |(_, pair)| pair)
-}
-
-/// Sum of the squares of the relative misfits of a column: of the peaks by the solution over the angle, of the minima
-/// in steps. Infinite for inertias with which the equation has no solution.
-fn misfit(mechanism: Mechanism, column: Column, pair: [f64; 2]) -> f64 {
-    let reset = Hypothesis::WITHOUT_LAG.angle(mechanism);
-    let found = |row: &Row| {
-        let parameters = motion::parameters_with(row, pair.map(|inertia| inertia * motion::MILLIONTH))?;
-        if column == Column::Peak {
-            let engagement = Engagement::reset_after(&parameters, reset, 1e-6).ok()?;
-            return Some(engagement.steady_state().ok()?.peak.speed);
-        }
-        let [least, ..] = steps::cycle(&parameters, reset, STEPS)?;
-        Some(least * parameters.drive().sqrt())
-    };
-    let own = rows().iter().filter(|row| row.mechanism == mechanism);
-    let off = |row: &Row| found(row).map_or(f64::INFINITY, |found| found / row.number(column) - 1.0);
-    own.map(off).map(|off| off * off).sum()
-}
-
-/// Steps of an engagement: enough to tell pairs apart of which one has half or twice the other's inertia.
-const STEPS: u32 = 150;

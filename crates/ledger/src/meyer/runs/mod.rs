@@ -6,15 +6,17 @@
 //! - `hypotheses`: how many cells each hypothesis explains.
 //! - `rise_times`: which definition could be that of the rise times.
 //! - `integrator`: whether the tables depend on what is not known of the integrator.
-//! - `cells`: the claims, one for each printed result.
+//! - `cells`: the claims, one for each printed number.
+//! - `data`: friction, torque and inertias, found from the results.
 //! - `steps`, `lagged`: the second routes, to the motion of the mechanism and to the runs with the lagged sign.
 //! - `choice`: which rows stand for the others where not all are shown.
 //! - `words`: a hypothesis in words.
 //! - `deck`: the runs by a deck in the language of the thesis.
-//! - `headings`: the inertias above the tables.
+//! - `headings`: the claims of the inertias above the tables.
 
 mod cells;
 pub mod choice;
+pub mod data;
 pub mod deck;
 mod headings;
 mod hypotheses;
