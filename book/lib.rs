@@ -33,6 +33,7 @@ chapters! {
     ledger_meyer_study = "src/ledger-meyer-study.md",
     ledger_meyer_program = "src/ledger-meyer-program.md",
     ledger_meyer_runs = "src/ledger-meyer-runs.md",
+    ledger_meyer_more_runs = "src/ledger-meyer-more-runs.md",
     ledger_wild = "src/ledger-wild.md",
     coverage = "src/coverage.md",
     coverage_meyer = "src/coverage-meyer.md",

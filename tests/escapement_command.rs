@@ -9,7 +9,7 @@ use geneva_dynamics::{Inertias, Parameters};
 use geneva_figures::escapement::{mechanism, normal_force};
 use geneva_figures::runs::speeds;
 use geneva_kinematics::Mechanism;
-use geneva_ledger::claims;
+use geneva_ledger::{claim, claims};
 use serde_json::{Map, Value};
 
 /// Slots, friction, torque, inertia of the driver, of the follower.
@@ -76,7 +76,10 @@ fn an_escapement_is_written_in_each_format() {
 fn numbers_are_those_that_the_ledger_finds_right_in_the_tables_of_1973() {
     for (slots, pins) in [("3", "6-pin"), ("4", "4-pin"), ("6", "3-pin")] {
         let table = format!("meyer.app-e.{pins}");
-        let [driver, follower] = ["driver", "follower"].map(|name| format!("{}e-6", right(&format!("{table}.{name}"))));
+        let [driver, follower] = ["driver", "follower"].map(|name| {
+            let heading = claim(&format!("{table}.{name}")).expect("an inertia above the table");
+            format!("{}e-6", heading.right_characters())
+        });
         let rows: Vec<_> = claims().iter().filter_map(|claim| row_of(&table, claim.id)).collect();
         assert!(rows.len() >= 12, "{table}: {rows:?}");
         for (friction, torque) in rows {

@@ -19,8 +19,8 @@ pub const SWAPPED_INERTIAS: Slip = Slip {
     id: "meyer.app-e.6-pin.driver",
     reason: "The heading has the two members the other way round from Fig. 11. Only Fig. 11's choice gives the table's \
              peaks, minima and periods.",
-    witness: "Fig. 11 prints the two the other way round, and the minima of the table, computed in steps, agree with \
-              it.",
+    witness: "Fig. 11 prints the two the other way round, and the inertias that are found from the table's results, \
+              by two routes, agree with it.",
     origin: Origin::Misprint,
     consequence: Consequence::Result,
     changes: "Who recomputes the table with the inertias of its heading does not find it.",

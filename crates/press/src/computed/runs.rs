@@ -1,11 +1,13 @@
 //! Of the comparison: how many cells come out, how likely the tables are, and what chance would give.
 
 use super::Number;
+use crate::lookup::judged;
 use crate::numbers::fixed;
 use crate::rows::score;
 use anyhow::Context;
 use geneva_dynamics::likelihood::Law;
 use geneva_kinematics::Mechanism;
+use geneva_ledger::Verdict;
 use geneva_ledger::meyer::runs::rise_times::{Group, explained, groups};
 use geneva_ledger::meyer::runs::{
     Column, EXPLAINED, Fit, Hypothesis, Reading, Row, Run, Score, delays, interval, rows, scores,
@@ -42,6 +44,10 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("runs.fifth", || Ok(fixed(against_a_fifth()?.floor(), 0))),
     ("runs.lag.normal", || Ok(fixed(for_the_lag()?[0], 1))),
     ("runs.lag.exponential", || Ok(fixed(for_the_lag()?[1], 1))),
+    ("runs.torques", || found("torque", Verdict::Reproduced)),
+    ("runs.frictions", || found("friction", Verdict::Reproduced)),
+    ("runs.frictions.read", || found("friction", Verdict::ReadOff)),
+    ("runs.frictions.other", || found("friction", Verdict::NotReproduced)),
     ("rise.most", || {
         let counts = explained().into_iter().flat_map(|(_, both)| both.map(|of| of.within_one.iter().sum::<usize>()));
         Ok(counts.max().unwrap_or(0).to_string())
@@ -50,6 +56,13 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("rise.groups.without", || Ok(groups().iter().filter(|group| !group.possible).count().to_string())),
     ("rise.groups.but-for-one", || Ok(groups().iter().filter(|group| bears_one_number(group)).count().to_string())),
 ];
+
+/// How many rows have this verdict on a datum.
+fn found(datum: &str, verdict: Verdict) -> anyhow::Result<String> {
+    let ids = rows().iter().map(|row| format!("meyer.app-e.{}.{datum}", row.slug()));
+    let verdicts: Vec<_> = ids.map(|id| Ok(judged(&id)?.verdict)).collect::<anyhow::Result<_>>()?;
+    Ok(verdicts.into_iter().filter(|other| *other == verdict).count().to_string())
+}
 
 /// How many cells a hypothesis gives to the printed digit.
 fn exact(score: &Score) -> usize {

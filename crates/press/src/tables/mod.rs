@@ -24,6 +24,7 @@ const TABLES: &[(&str, Draw)] = &[
     ("runs-hypotheses", runs::hypotheses),
     ("runs-columns", runs::by_column),
     ("runs-delays", runs::delays),
+    ("runs-inertias", runs::inertias),
     ("runs-integrator", runs::integrator),
     ("runs-rise-definitions", rise_times::definitions),
     ("runs-rise-groups", rise_times::groups),

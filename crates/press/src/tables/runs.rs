@@ -1,14 +1,15 @@
 //! The thesis's runs: what explains the printed tables, what does not matter to them, and what they should have been.
 
 use crate::html::{Cells, Table, table};
+use crate::lookup::judged;
 use crate::numbers::{fixed, signed};
 use crate::rows::engagement;
 use anyhow::Context;
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::choice::rows_of;
 use geneva_ledger::meyer::runs::{
-    Column, Constants, Fit, Hypothesis, Reading, Reset, Row, Score, SixPin, delays as all_delays,
-    integrator as integrators, scores,
+    Column, Constants, Fit, Hypothesis, Reading, Reset, Row, Score, SixPin, data, delays as all_delays,
+    integrator as integrators, scores, slug,
 };
 
 /// The hypotheses, how many cells each explains, and how likely it makes the tables.
@@ -114,6 +115,31 @@ fn counts(fit: &Fit) -> String {
 
 fn logs(score: &Score) -> [String; 2] {
     score.likelihoods().map(|log| signed(log, 1))
+}
+
+/// The inertias of each table, as they are found from its results.
+pub fn inertias() -> anyhow::Result<Table> {
+    let rows = Mechanism::ALL.map(|mechanism| {
+        let uncertainties = data::uncertainties(mechanism).context("the results do not tell two inertias")?;
+        let found = data::inertias(mechanism).into_iter().zip(uncertainties);
+        let mut row = vec![mechanism.pins().to_string()];
+        for (member, (inertia, uncertainty)) in ["driver", "follower"].into_iter().zip(found) {
+            let heading = judged(&format!("meyer.app-e.{mechanism}.{member}", mechanism = slug(mechanism)))?;
+            row.push(format!("{:.2} ± {:.2}", 1e6 * inertia, 1e6 * uncertainty));
+            row.push(heading.claim.printed.to_owned());
+        }
+        Ok(row)
+    });
+    let head = [
+        "Pins",
+        "Driver, <br>found",
+        "Driver, in <br>the heading",
+        "Follower, <br>found",
+        "Follower, in <br>the heading",
+    ];
+    let says = "Moments of inertia with which the peaks, minima and periods of a table come out best, in 10⁻⁶ in lb s²; all \
+                frictions and torques as printed";
+    table(says, Cells::Numbers, &head, rows.into_iter())
 }
 
 /// The runs with six pins, printed and as they should have been.
