@@ -28,7 +28,6 @@ chapters! {
     ledger = "src/ledger.md",
     ledger_jazar = "src/ledger-jazar.md",
     ledger_meyer = "src/ledger-meyer.md",
-    ledger_meyer_friction = "src/ledger-meyer-friction.md",
     ledger_meyer_motion = "src/ledger-meyer-motion.md",
     ledger_meyer_study = "src/ledger-meyer-study.md",
     ledger_meyer_program = "src/ledger-meyer-program.md",

@@ -135,8 +135,8 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
         thesis("ledger-meyer-motion", "friction and motion", 263..=425, "friction, energy, Lagrange’s equation"),
         thesis("ledger-meyer-study", "chapter II and appendix A", 426..=592, "chapter II, appendix A"),
         thesis("ledger-meyer-program", "appendices B to D", 593..=775, "appendices B, C and D"),
-        thesis("ledger-meyer-runs", "six-pin runs", 776..=799, "appendix E, six pins"),
-        thesis("ledger-meyer-more-runs", "other runs", 800..=u32::MAX, "appendix E, four and three pins"),
+        thesis("ledger-meyer-runs", "appendix E, six pins", 776..=799, "appendix E, six pins"),
+        thesis("ledger-meyer-more-runs", "appendix E, other runs", 800..=u32::MAX, "appendix E, four and three pins"),
         listing(
             "ledger-wild",
             "Elsewhere: single statements",
