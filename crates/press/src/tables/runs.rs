@@ -139,7 +139,7 @@ pub fn inertias() -> anyhow::Result<Table> {
     ];
     let says = "Moments of inertia with which the peaks, minima and periods of a table come out best, in 10⁻⁶ in lb s²; all \
                 frictions and torques as printed";
-    table(says, Cells::Numbers, &head, rows.into_iter())
+    table(says, Cells::Numbers, &head, rows)
 }
 
 /// The runs with six pins, printed and as they should have been.
