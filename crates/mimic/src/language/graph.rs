@@ -219,10 +219,19 @@ impl<'a> Graph<'a> {
         whole.is_some_and(|(function, _)| FUNCTIONS[function].kind == Kind::Implicit)
     }
 
+    /// Whether the result is what its expression is at any instant: it stands under no control variable, or is the only
+    /// one of its name and an integral as a whole, which rests by itself while its control variable is not true.
+    pub(super) fn is_at_hand(&self, statement: usize) -> bool {
+        let Statement { control, result, expression, .. } = &self.deck.statements[statement];
+        let kind = expression.whole_call().map(|(function, _)| FUNCTIONS[function].kind);
+        let is_integral = matches!(kind, Some(Kind::Integral | Kind::Limited | Kind::Lag));
+        control.is_none() || is_integral && self.definitions_of(&result.name).len() == 1
+    }
+
     /// The order of the statements, and loops.
     fn sort(&mut self) {
         for number in 0..self.deck.statements.len() {
-            let control = self.deck.statements[number].control.as_ref();
+            let control = self.deck.statements[number].control.as_ref().filter(|_| !self.is_at_hand(number));
             let names = self.names_in(number, |region| region == Region::Now);
             let names = names.into_iter().chain(control.map(|word| word.name.as_str()));
             let mut needs: Vec<usize> = names.flat_map(|name| self.definitions_of(name).iter().copied()).collect();

@@ -95,7 +95,13 @@ impl Graph<'_> {
             self.types.entry(&statement.result.name).or_insert(found);
         }
         let mut told = Vec::new();
-        for statement in &self.deck.statements {
+        // What an algebraic loop leaves without a type is told as that loop.
+        let has_none = |name: &str| self.definitions.contains_key(name) && !self.types.contains_key(name);
+        for (number, statement) in self.deck.statements.iter().enumerate() {
+            let control = statement.control.as_ref().map(|word| word.name.as_str());
+            if self.names_in(number, |_| true).into_iter().chain(control).any(has_none) {
+                continue;
+            }
             let of_name = |name: &str| self.types.get(name).copied();
             let (found, problems) = types(&statement.expression, of_name);
             told.extend(problems.into_iter().map(|(columns, problem)| (statement.card, columns, problem)));

@@ -73,12 +73,17 @@ pub enum Trouble {
         excess: f64,
     },
     /// Too many steps.
-    #[error("at T = {time}: {steps} steps are made and FIN is not reached; give a larger tolerance or an earlier FIN")]
+    #[error(
+        "at T = {time}: {steps} steps are made and FIN is not reached; {origin}; give a larger tolerance, DTMIN or gap \
+         between switching on and off, or an earlier FIN"
+    )]
     TooManySteps {
         /// When, in the unit of T.
         time: f64,
         /// The bound.
         steps: u64,
+        /// What makes the steps short.
+        origin: Origin,
     },
     /// The limit of printed rows is reached.
     #[error("at T = {time}: a million rows are printed and FIN is not reached; give a longer DT or an earlier FIN")]
