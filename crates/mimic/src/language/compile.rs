@@ -452,6 +452,7 @@ impl<'a> Compiler<'a> {
             let statement = &deck.statements[*number];
             Sorted {
                 card: statement.card,
+                statement: *number,
                 result: statement.result.name.clone(),
                 control: statement.control.as_ref().map(|word| word.name.clone()),
                 when: if graph.is_constant[*number] { When::Once } else { When::Always },

@@ -16,17 +16,14 @@ impl Graph<'_> {
 
     pub(super) fn find_constants(&mut self) {
         for group in self.order.clone() {
+            // Inside a loop around an IMP each waits for the others.
+            group.iter().for_each(|of| self.is_constant[*of] = true);
             let constant = group.iter().all(|of| {
                 let has_memory = !self.blocks_of[*of].is_empty();
                 let is_free = self.deck.statements[*of].control.is_none();
                 let mut names = self.names_in(*of, |_| true).into_iter();
-                let known = |name: &str| {
-                    name != "T"
-                        && self
-                            .definitions_of(name)
-                            .iter()
-                            .all(|other| group.contains(other) || self.is_constant[*other])
-                };
+                let known =
+                    |name: &str| name != "T" && self.definitions_of(name).iter().all(|other| self.is_constant[*other]);
                 !has_memory && is_free && names.all(known)
             });
             group.iter().for_each(|of| self.is_constant[*of] = constant);

@@ -9,12 +9,12 @@ use crate::{Cause, DelayError, DelayLine, Parameters, System};
 use core::cell::Cell;
 use nalgebra::SVector;
 
-/// Kept points that a delay line holds.
-const KEPT: usize = 16_384;
+/// Most kept points that a delay line holds: sixteen megabytes.
+const KEPT: usize = 1 << 20;
 
 /// A delay line, how far apart its entries are at least, and when the last was made.
 pub(super) struct Line {
-    pub(super) line: Box<DelayLine<KEPT>>,
+    pub(super) line: DelayLine<KEPT>,
     pub(super) apart: f64,
     pub(super) last: f64,
 }
@@ -31,6 +31,8 @@ pub(super) struct Machine<'a> {
     /// How often a memory has changed within the run, and which did last.
     pub(super) changes: u64,
     pub(super) changed: Option<usize>,
+    /// Kept steps that were longer than the delay of a TDL.
+    pub(super) longer_than_delay: u64,
     /// What is printed and plotted, and what it was at the last point that was kept.
     pub(super) watched: Vec<u32>,
     pub(super) latest: &'a [Cell<f64>],
@@ -95,12 +97,16 @@ impl<const D: usize> System<D> for Machine<'_> {
         }
         let program = self.program;
         let registers = &mut self.registers;
+        let mut is_long = false;
         for (line, of) in self.lines.iter_mut().zip(&program.delays) {
+            // A step from the last value that is longer than the delay asks for times behind that value.
+            is_long |= time - line.last > registers[of.delay as usize] * (1.0 + 1e-9) && line.last.is_finite();
             if time - line.last >= line.apart * (1.0 - 1e-9) {
                 line.line.record(time, registers[of.feed as usize]).map_err(|error| Stop::Delay(of.card, error))?;
                 line.last = time;
             }
         }
+        self.longer_than_delay += u64::from(is_long);
         for sample in &program.samples {
             if time >= registers[sample.next as usize] {
                 registers[sample.held as usize] = registers[sample.feed as usize];
@@ -202,6 +208,9 @@ impl Machine<'_> {
             Cause::TooManySteps { most_steps } => {
                 let origin = self.what_makes_steps_short(time, state, most_steps, parameters);
                 Trouble::TooManySteps { time, steps: most_steps, origin }
+            }
+            Cause::System(Stop::Delay(card, DelayError::Full { capacity, delay, .. })) => {
+                Trouble::DelayFull { time, card, text: program.card_text(card), capacity, delay }
             }
             Cause::System(Stop::Delay(card, error)) => {
                 Trouble::Delay { time, card, text: program.card_text(card), error }

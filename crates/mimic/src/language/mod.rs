@@ -61,7 +61,7 @@ pub use card::Layout;
 pub use control::{CARDS, Card};
 pub use data::DataSet;
 pub use deck::{Deck, Plot, listing_in};
-pub use fault::{Fault, Faults, Problem};
+pub use fault::{Fault, Faults, Problem, nearest_to};
 pub use function::{Evidence, FUNCTIONS, Function};
 pub use origin::Origin;
 pub use printout::{line_plot, print_out};

@@ -103,6 +103,24 @@ pub enum Trouble {
         /// What is wrong.
         error: DelayError,
     },
+    /// A delay within which more values are kept than there is room for.
+    #[error(
+        "at T = {time}: card {card} ({text}): within the delay of {delay} there are more than {capacity} kept steps, and \
+         as many values are remembered; give a larger tolerance or DTMIN, or let the delay keep as many values as its \
+         third argument says (--delay-keeps as-asked)"
+    )]
+    DelayFull {
+        /// When, in the unit of T.
+        time: f64,
+        /// The card.
+        card: usize,
+        /// Its text.
+        text: String,
+        /// The most values that are remembered.
+        capacity: usize,
+        /// The delay, in the unit of T.
+        delay: f64,
+    },
     /// A parameter of the integrator out of its range.
     #[error("{0}")]
     Integrator(crate::ParameterError),
