@@ -88,13 +88,19 @@ pub(super) fn cutout_centres() -> Claim {
             "radius of the circle of the locking arcs' centres, four stations",
         )
         .by(ClosedForm, || {
-            // Rim and crank are equal: an isosceles triangle with 45° at its base, which is the radius wanted.
-            same(2.0 * libm::cos(PI / 4.0), 2f64.sqrt())
+            // Of the wheel as it is made.
+            same(of(4, Wheel::locking_centres_ratio), 2f64.sqrt())
         })
         .by(Vectors, || {
-            // In the dwell an arc is concentric with the driver, which is where the pin's circle has its centre.
-            let crank = |wheel: &Wheel| Turn::from_radians(wheel.engagement_half_angle()).direction();
-            same(of(4, |wheel| (entry(wheel) + crank(wheel)).norm()), 2f64.sqrt())
+            // The arc for a journal as large as the pin's circle, in the wheel at rest, by three of its points: the
+            // mouths of the two slots beside it, and on the line of centres the point of that circle next to the wheel.
+            let centre = |wheel: &Wheel| {
+                let mouth = Turn::from_radians(wheel.half_pitch_angle()).direction() * wheel.wheel_radius_ratio();
+                let nearest = pin_from_pivot(&wheel.centre_distance_ratio(), &Turn::from_radians(0.0)).x;
+                // On the line of centres, as far from a mouth as from the nearest point.
+                (mouth.norm_squared() - nearest * nearest) / (2.0 * (mouth.x - nearest))
+            };
+            same(of(4, centre), 2f64.sqrt())
         })
 }
 
