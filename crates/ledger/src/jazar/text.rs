@@ -104,10 +104,15 @@ fn quarter_turn() -> Claim {
             same(of(4, advance), 2.0 * PI * stated.pick(0.25, 0.5))
         })
         .by(LimitCase, |stated| {
-            // After so many turns of the driver the wheel is back, having passed each of its slots once.
+            // After so many turns of the driver the wheel is back. How far a slot is turned on in one of them, the law of
+            // cosines says at entry and at exit.
             let turns = stated.pick(4, 2);
-            let passed = of(4, |wheel| wheel.at(turns, 0.0).map_or(f64::NAN, |motion| motion.stations as f64));
-            Finding::new(passed == 4.0, format!("{passed} of 4 stations passed in {turns} turns"))
+            let turned = |wheel: &Wheel| {
+                let slot = |crank: f64| by_cosines(wheel.centre_distance_ratio(), crank).1;
+                let pitch = slot(wheel.engagement_half_angle()) - slot(-wheel.engagement_half_angle());
+                wheel.at(turns, 0.0).map_or(f64::NAN, |motion| motion.stations as f64 * pitch + motion.angle)
+            };
+            same(of(4, turned), 2.0 * PI)
         })
         .but_not("it advances half a turn")
 }
