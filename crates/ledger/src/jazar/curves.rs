@@ -165,22 +165,28 @@ fn more_pins() -> Claim {
     STATIONS
         .statement("jazar.more-pins", "two or more", "drivers with two or more pins are possible")
         .by(ClosedForm, |stated| {
-            for_all_stations(
-                |wheel| {
-                    let more = Wheel::with_pins(wheel.stations(), stated.pick(2, 3));
-                    more.is_ok_and(|more| more.dwell_fraction() > 0.0)
-                },
-                "so many pins leave a dwell",
-            )
+            two_or_more(stated, "leave a dwell", |wheel, pins| {
+                Wheel::with_pins(wheel.stations(), pins).is_ok_and(|more| more.dwell_fraction() > 0.0)
+            })
         })
         .by(Series, |stated| {
-            for_all_stations(
-                |wheel| entry_crank(wheel) < 2.0 * PI / stated.pick(2.0, 3.0),
-                "a pin leaves before the next enters",
-            )
+            two_or_more(stated, "leave a slot before the next enters", |wheel, pins| {
+                entry_crank(wheel) < 2.0 * PI / f64::from(pins)
+            })
         })
         .but_not("three pins are possible with any number of stations")
         .read_as("Two pins are possible with any number of stations; three or more with some.")
+}
+
+/// Whether two pins are possible with all wheels and three or more with some; or three with all.
+fn two_or_more(stated: Stated, what: &str, possible: impl Fn(&Wheel, u32) -> bool) -> Finding {
+    let pins = stated.pick(2, 3);
+    let all = for_all_stations(|wheel| possible(wheel, pins), &format!("{pins} pins {what}"));
+    let most = |stations: u32| (1..=6).rev().find(|pins| Wheel::new(stations).is_ok_and(|wheel| possible(&wheel, *pins)));
+    let more: Vec<_> = (3..=6).filter_map(|stations| Some((stations, most(stations).filter(|most| *most > 2)?))).collect();
+    let some = more.iter().map(|(stations, most)| format!("{most} with {stations} stations")).collect::<Vec<_>>().join(", ");
+    let some = if some.is_empty() { "more with none".into() } else { some };
+    Finding::new(all.holds && !more.is_empty(), format!("{}; up to {some}", all.how))
 }
 
 /// The caption of Fig. 5.30, which stands among the paragraphs on Fig. 5.31.
