@@ -123,8 +123,8 @@ fn comparisons() -> Vec<Claim> {
             .value("jazar.duration-limit", "180", "°", "limit of the crank angle of an advance for very many stations")
             .by(LimitCase, || limit(|n| of(n, |wheel| 2.0 * wheel.engagement_half_angle()).to_degrees()))
             .by(
-                ClosedForm, // A straight rack has the wheel's axis at infinity: crank over centre distance is zero.
-                || 2.0 * libm::acos(1.0 / f64::INFINITY).to_degrees(),
+                Series, // From where the wheel of the power series is at rest.
+                || limit(|n| of(n, entry_crank)).to_degrees(),
             ),
         DURATION
             .statement("jazar.gentler", "more gentle", "with more stations the peaks of velocity and acceleration fall")

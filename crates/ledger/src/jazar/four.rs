@@ -99,13 +99,12 @@ fn loop_closure() -> Vec<Claim> {
                 })
             })
             .by(ClosedForm, |stated| {
-                // The triangle of Eq. (5.25) is the same for θ and for −θ.
+                // Law of sines: the sines of θ and φ are as the sides opposite, the pin's distance and the crank.
                 at_instants(|wheel, t| {
-                    let of_theta = |theta: f64| {
-                        let from_centres = theta - stated.pick(0.0, wheel.engagement_half_angle());
-                        by_cosines(wheel.centre_distance_ratio(), from_centres).0
-                    };
-                    (of_theta(t), of_theta(-t))
+                    let theta = t + stated.pick(0.0, wheel.engagement_half_angle());
+                    let (distance, _) = by_cosines(wheel.centre_distance_ratio(), t);
+                    let angle = wheel.engaged(t).map_or(f64::NAN, |motion| motion.angle);
+                    (libm::sin(theta), distance * libm::sin(angle))
                 })
             })
             .but_not("θ is the angle of rotation since the pin entered"),
