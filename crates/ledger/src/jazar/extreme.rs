@@ -62,8 +62,8 @@ fn alpha_range() -> Claim {
             Finding::new(outside.is_none(), format!("stations of 3 to 1000 that are outside: {but}"))
         })
         .by(Vectors, |stated| {
-            let slot = |stations: u32| of(stations, |w| by_series(w, w.engagement_half_angle())[0]).to_degrees();
-            let greatest = (3..=60).map(slot).fold(0.0, f64::max);
+            let slot = |wheel: &Wheel| by_series(wheel, wheel.engagement_half_angle())[0].to_degrees();
+            let greatest = greatest(wheels().iter().map(slot));
             let at_the_end = agrees(greatest, 60.0);
             let holds = stated.pick(at_the_end || greatest < 60.0, !at_the_end && greatest < 60.0);
             Finding::new(holds, format!("the slot of three stations enters at {greatest:.4}°"))

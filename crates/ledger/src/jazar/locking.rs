@@ -14,11 +14,12 @@ pub(super) fn journal_bearing() -> Claim {
         .by(ClosedForm, |stated| {
             for_all_stations(
                 |wheel| {
-                    // Law of cosines: the pin, a crank radius from the driver's axis, enters at the rim, and the
-                    // slot is half a pitch from the arc's middle.
+                    // Law of cosines, with 2 sin² of half the angle for what its cosine leaves of one: the pin, a
+                    // crank radius from the driver's axis, enters at the rim, and the slot is half a pitch from the
+                    // arc's middle.
                     let (rim, centres) = (wheel.wheel_radius_ratio(), centres(wheel, stated));
-                    let cosine = libm::cos(wheel.half_pitch_angle());
-                    agrees(rim * rim + centres * centres - 2.0 * rim * centres * cosine, 1.0)
+                    let sine = libm::sin(wheel.half_pitch_angle() / 2.0);
+                    agrees((rim - centres) * (rim - centres) + 4.0 * rim * centres * sine * sine, 1.0)
                 },
                 "the mouth of a slot is a crank radius from the centre of the arc beside it",
             )
@@ -127,11 +128,14 @@ fn radii(wheel: &Wheel, stated: Stated) -> impl Iterator<Item = f64> {
 /// has a clearance of a billionth.
 fn locks(wheel: &Wheel, journal: f64, sides: &[f64]) -> bool {
     let (rim, distance) = (wheel.wheel_radius_ratio(), wheel.centre_distance_ratio());
-    let cosine = (rim * rim + distance * distance - journal * journal) / (2.0 * rim * distance);
-    let end = libm::acos(cosine);
+    // Law of cosines, with 2 sin² of half the angle for what its cosine leaves of one.
+    let (gap, product) = (distance - rim, 4.0 * rim * distance);
+    let end = 2.0 * libm::asin(((journal - gap) * (journal + gap) / product).sqrt());
     let surface = journal * (1.0 - 1e-9);
-    let inside =
-        |angle: f64| rim * rim + distance * distance - 2.0 * rim * distance * libm::cos(angle) < surface * surface;
+    let inside = |angle: f64| {
+        let sine = libm::sin(angle / 2.0);
+        gap * gap + product * sine * sine < surface * surface
+    };
     let fits = sides.iter().all(|side| !inside(side * end));
     let stops = |turn: &f64| sides.iter().any(|side| inside(side * end + turn * wheel.half_pitch_angle()));
     fits && [1e-3, -1e-3].iter().all(stops)
