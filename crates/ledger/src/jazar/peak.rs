@@ -280,7 +280,7 @@ pub(super) fn both_roots(sine: f64) -> (f64, f64) {
 }
 
 /// The left side of the quadratic in cos θ.
-fn left_side<S: Field>(cosine: S, gamma: S) -> S {
+pub(super) fn left_side<S: Field>(cosine: S, gamma: S) -> S {
     cosine.clone() * cosine.clone() + gamma * cosine - S::integer(2)
 }
 
