@@ -78,7 +78,7 @@ fn smooth_inside() -> Claim {
                 let inside = (-SUBINTERVALS..SUBINTERVALS).map(|at| end * (f64::from(at) + 0.5) / f64::from(SUBINTERVALS));
                 let ends = stated.pick(vec![], vec![-end, end]);
                 let left = |middle: f64| steps_without_a_slope(wheel, middle, end / f64::from(SUBINTERVALS));
-                let most = inside.chain(ends).map(left).fold(0.0, f64::max);
+                let most = greatest(inside.chain(ends).map(left));
                 Finding::new(most < 1e-5, format!("steps of φ̇ and φ̈ less the slope's part are at most {most:.6}"))
             })
         })
@@ -86,7 +86,7 @@ fn smooth_inside() -> Claim {
             about_four(|wheel| {
                 let end = wheel.engagement_half_angle();
                 let ends = stated.pick(vec![], vec![-end, end]);
-                let most = instants(wheel).chain(ends).map(|t| jump_by_duals(wheel, t)).fold(0.0, f64::max);
+                let most = greatest(instants(wheel).chain(ends).map(|t| jump_by_duals(wheel, t)));
                 Finding::new(most < 1e-5, format!("limits of φ̇ and φ̈ from both sides differ by at most {most:.6}"))
             })
         })
