@@ -75,7 +75,8 @@ fn smooth_inside() -> Claim {
         .by(ClosedForm, |stated| {
             about_four(|wheel| {
                 let end = wheel.engagement_half_angle();
-                let inside = (-SUBINTERVALS..SUBINTERVALS).map(|at| end * (f64::from(at) + 0.5) / f64::from(SUBINTERVALS));
+                let inside =
+                    (-SUBINTERVALS..SUBINTERVALS).map(|at| end * (f64::from(at) + 0.5) / f64::from(SUBINTERVALS));
                 let ends = stated.pick(vec![], vec![-end, end]);
                 let left = |middle: f64| steps_without_a_slope(wheel, middle, end / f64::from(SUBINTERVALS));
                 let most = greatest(inside.chain(ends).map(left));
@@ -182,9 +183,12 @@ fn more_pins() -> Claim {
 fn two_or_more(stated: Stated, what: &str, possible: impl Fn(&Wheel, u32) -> bool) -> Finding {
     let pins = stated.pick(2, 3);
     let all = for_all_stations(|wheel| possible(wheel, pins), &format!("{pins} pins {what}"));
-    let most = |stations: u32| (1..=6).rev().find(|pins| Wheel::new(stations).is_ok_and(|wheel| possible(&wheel, *pins)));
-    let more: Vec<_> = (3..=6).filter_map(|stations| Some((stations, most(stations).filter(|most| *most > 2)?))).collect();
-    let some = more.iter().map(|(stations, most)| format!("{most} with {stations} stations")).collect::<Vec<_>>().join(", ");
+    let most =
+        |stations: u32| (1..=6).rev().find(|pins| Wheel::new(stations).is_ok_and(|wheel| possible(&wheel, *pins)));
+    let more: Vec<_> =
+        (3..=6).filter_map(|stations| Some((stations, most(stations).filter(|most| *most > 2)?))).collect();
+    let some =
+        more.iter().map(|(stations, most)| format!("{most} with {stations} stations")).collect::<Vec<_>>().join(", ");
     let some = if some.is_empty() { "more with none".into() } else { some };
     Finding::new(all.holds && !more.is_empty(), format!("{}; up to {some}", all.how))
 }
@@ -261,7 +265,8 @@ const SUBINTERVALS: i32 = 2000;
 /// What the steps of velocity and acceleration from one end of a subinterval to the other are, beside the width times the
 /// slope in its middle: a jump or a kink in it is left over, whatever its width.
 fn steps_without_a_slope(wheel: &Wheel, middle: f64, width: f64) -> f64 {
-    let at = |t: f64| wheel.at(0, t).map_or([f64::NAN; 3], |motion| [motion.velocity, motion.acceleration, motion.jerk]);
+    let at =
+        |t: f64| wheel.at(0, t).map_or([f64::NAN; 3], |motion| [motion.velocity, motion.acceleration, motion.jerk]);
     let [before, slopes, after] = [at(middle - width / 2.0), at(middle), at(middle + width / 2.0)];
     let rest = |order: usize| (after[order] - before[order] - width * slopes[order + 1]).abs();
     rest(0).max(rest(1))

@@ -51,6 +51,16 @@ pub fn claims() -> Vec<Claim> {
     .concat()
 }
 
+/// What parts (a) to (e) of the example ask for.
+pub const ANSWERS: &[&str] = &[
+    "jazar.ex-a.advances",
+    "jazar.ex-b.advance",
+    "jazar.ex-c.dwell",
+    "jazar.ex-c.dwell-seconds",
+    "jazar.ex-d.peak",
+    "jazar.ex-e.peak",
+];
+
 /// The wheel of the example, from the printed number of stations.
 pub fn example() -> Result<Wheel, KinematicsError> {
     Wheel::new(printed("jazar.ex.stations") as u32)

@@ -186,7 +186,7 @@ const ROUNDED_ANGLE: Slip = Slip {
              right.",
     witness: "The pin's place differentiated, which uses no angle, gives the corrected digits.",
     origin: Origin::Arithmetic,
-    consequence: Consequence::Result,
+    consequence: Consequence::Number,
     changes: "The fourth digit of this speed; the wheel's angular velocity, computed from it, keeps its three digits.",
 };
 
