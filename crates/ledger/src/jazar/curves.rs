@@ -53,12 +53,12 @@ fn acceleration_normalisation() -> Claim {
         Slip {
             id: "",
             reason: "The square is lost. The quotient as printed still has the unit of an angular speed, and could not \
-                     be drawn on one axis with the velocity curve. Whether the handout or the copy at hand lost it \
-                     cannot be told.",
+                     be drawn on one axis with the velocity curve. The caption of the same figure has the square, so \
+                     it is put down to the copy; whether the handout has it here, too, cannot be told.",
             witness: "The caption of Fig. 5.30 says that the square is meant, and only with it the curve is the same \
                       for each speed of the driver.",
-            origin: Origin::Misprint,
-            consequence: Consequence::Wording,
+            origin: Origin::Copy,
+            consequence: Consequence::Copy,
             changes: "",
         },
     )

@@ -12,13 +12,13 @@ const LOOP: Place = at("Eq. (5.25)");
 /// Eq. (5.29) without its sign.
 pub(super) const LOST_SIGN: Slip = Slip {
     id: "jazar.eq-5.29",
-    reason: "The display before it has a minus sign in front of this term; here it is lost. As printed the wheel would \
-             first slow down and then speed up. Whether the handout or the copy at hand lost it cannot be told; no \
-             other display of the copy has lost a character.",
+    reason: "The display before it has a minus sign in front of this term; here it is lost, and the wheel would first \
+             slow down and then speed up. Nothing in the source is computed without the sign, and where the equation \
+             is made general it is there. So it is put down to the copy; whether the handout has it cannot be told.",
     witness: "Eq. (5.32) of the same source has the sign, and gives the corrected form for four stations.",
-    origin: Origin::Misprint,
-    consequence: Consequence::Derivation,
-    changes: "The wheel speeds up before the line of centres and slows down past it, not the other way round.",
+    origin: Origin::Copy,
+    consequence: Consequence::Copy,
+    changes: "",
 };
 
 pub fn claims() -> Vec<Claim> {

@@ -1,7 +1,7 @@
 //! The wheel of any number of stations: its sizes and the equations (5.30) to (5.32).
 
 use super::duration::entry_angle;
-use super::four::{LOST_SIGN, printed_5_27, printed_5_28, printed_5_29, printed_5_32};
+use super::four::{printed_5_27, printed_5_28, printed_5_29, printed_5_32};
 use super::*;
 use geneva_kinematics::wheel_proofs::{Printed, Quantity};
 use geneva_kinematics::{Expression, Identity, prove};
@@ -88,7 +88,8 @@ fn sizes() -> Vec<Claim> {
                     [|w, t| by_duals(w, t)[0], |w, t| by_duals(w, t)[1], |w, t| by_duals(w, t)[2]];
                 four_from_general(&derivatives, stated)
             })
-            .corrected("become, once Eq. (5.29) has its minus sign", LOST_SIGN),
+            .but_not("Eq. (5.29) as it stands in the copy, without its minus sign, is a case of Eq. (5.32)")
+            .read_as("With the minus sign that Eq. (5.29) has lost in the copy."),
     ]
 }
 
