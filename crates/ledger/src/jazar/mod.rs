@@ -19,7 +19,7 @@ pub use symbols::SYMBOLS;
 
 use crate::agreement::{agrees, same, vanishes};
 use crate::by_id::{characters, decimal, printed, rounds};
-use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Work};
+use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Verdict, Work};
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::pin_slot::pin_from_pivot;
 use geneva_kinematics::wheel::{STATIONS, Wheel};
