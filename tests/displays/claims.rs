@@ -13,8 +13,8 @@ use std::collections::BTreeMap;
 /// Printed equations that cannot be evaluated as they are; their corrections can.
 const ILLEGIBLE: &[(&str, &str)] = &[
     ("pin.centre-distance", "a bar where the root sign was"),
-    ("pin.pin-speed-equation", "a v that is no speed"),
-    ("pin.follower-speed-equation", "a v that is no speed"),
+    ("pin.pin-speed-equation", "a v that is an angular velocity"),
+    ("pin.follower-speed-equation", "a v that is an angular velocity"),
     ("meyer.app-b.example.second", LETTER_FOR_FIGURE),
     ("meyer.app-b.example.first", LETTER_FOR_FIGURE),
     ("meyer.app-b.example.place", LETTER_FOR_FIGURE),
