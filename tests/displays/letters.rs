@@ -72,7 +72,8 @@ fn of_pin(id: &str, number: usize) -> Moment {
     if id == "pin.velocity-equation" {
         return state.called([("v_P", r"\vec{v}_P"), ("v_{P'}", r"\vec{v}_{P'}"), ("v_{P/S}", r"\vec{v}_{P/S}")]);
     }
-    state
+    // With the index of a disk the letter is an angular velocity.
+    state.called([(r"\mathrm{v}_{D}", r"\omega_D"), (r"\mathrm{v}_{S}", r"\omega_S")])
 }
 
 fn of_quick_return(id: &str, number: usize) -> Moment {
