@@ -9,9 +9,9 @@ use super::*;
 /// Letters where arrows are needed.
 pub const ARROWS: Slip = Slip {
     id: "pin.mark-f",
-    reason: "The copy has the letters d, f and i for arrows. With the arrow before the slot point's velocity it is \
-             lost that its angle counts from the vertical; the angle from the horizontal is another. Which way the \
-             arrows pointed cannot be told without the drawing.",
+    reason: "The copy has the letters d, f and i for arrows. With the arrows before the velocities it is lost what \
+             their angles count from: two of them from the horizontal to the left, that of the slot's point from the \
+             vertical. Which way the arrows pointed cannot be told without the drawing.",
     witness: "The angles of the crank and of the slot alone give the same directions.",
     origin: Origin::Copy,
     consequence: Consequence::Copy,
@@ -128,31 +128,28 @@ pub fn mark_d() -> Claim {
         .statement(
             "pin.mark-d",
             "d",
-            "one and the same arrow stands before the angles of the pin's velocity and of its sliding velocity: they \
-             point into one quadrant; the copy has a letter for it",
+            "the arrow before the angles of the pin's velocity and of its sliding velocity, which says what they are \
+             measured from",
         )
         .by(Jet, |stated| {
             at_the_instant(|_, motion| {
-                let other = stated.pick(&motion.sliding_velocity, &motion.slot_point_velocity);
-                one_quadrant([heading(&motion.pin_velocity), heading(other)])
+                arrow_of_two([heading(&motion.pin_velocity), heading(&motion.sliding_velocity)], stated)
             })
         })
         .by(ClosedForm, |stated| {
-            // Across the crank, and from the pin to O or across the slot.
+            // Across the crank, and from the pin to O.
             let slot = triangle(|t| t.angle_at_pivot).to_degrees();
-            one_quadrant([printed("pin.crank-angle") + 90.0, slot + stated.pick(180.0, 270.0)])
+            arrow_of_two([printed("pin.crank-angle") + 90.0, slot + 180.0], stated)
         })
-        .but_not("it stands before the velocity of the slot's point")
+        .corrected("an arrow; the angles are from the horizontal to the left", ARROWS)
 }
 
-/// Whether the two velocities point into one quadrant, as far from its first side as is printed.
-fn one_quadrant([pin, sliding]: [f64; 2]) -> Finding {
-    let quadrant = |angle: f64| (angle / 90.0).floor();
-    let inside = |angle: f64| angle - 90.0 * quadrant(angle);
-    let holds = quadrant(pin) == quadrant(sliding)
-        && rounds("pin.pin-velocity-direction", inside(pin))
-        && rounds("pin.sliding-velocity-direction", inside(sliding));
-    Finding::new(holds, format!("{pin:.1}° and {sliding:.1}° from the right"))
+/// Whether both velocities point as printed if the arrow is ↙ and the angles from the left; or without an arrow.
+fn arrow_of_two([pin, sliding]: [f64; 2], stated: Stated) -> Finding {
+    let from = stated.pick(180.0, 0.0);
+    let angles = [pin - from, sliding - from];
+    let holds = rounds("pin.pin-velocity-direction", angles[0]) && rounds("pin.sliding-velocity-direction", angles[1]);
+    Finding::new(holds, format!("{:.1}° and {:.1}° beyond {from}° from the right", angles[0], angles[1]))
 }
 
 pub fn mark_f() -> Claim {
