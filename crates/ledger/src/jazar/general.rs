@@ -32,31 +32,22 @@ fn sizes() -> Vec<Claim> {
             .statement(
                 "jazar.wheel-radius-ratio",
                 r"1/\tan \alpha",
-                "1/tan α is the outside diameter of the wheel over the pin's radius",
+                "1/tan α is the outside diameter of the wheel over the diameter of the pin's circle",
             )
             .by(Vectors, |stated| {
                 for_all_stations(
                     |wheel| {
-                        let (pins_radius, alpha) = (1.0, wheel.half_pitch_angle());
-                        let outside = entry(wheel).norm() * stated.pick(1.0, 2.0);
-                        agrees(outside / pins_radius, 1.0 / libm::tan(alpha))
+                        let (diameter, alpha) = (2.0 * entry(wheel).norm(), wheel.half_pitch_angle());
+                        agrees(diameter / stated.pick(2.0, 1.0), 1.0 / libm::tan(alpha))
                     },
                     "the rim is where the pin enters",
                 )
             })
             .by(ExactIdentity, |stated| prove(&RimByPythagoras { over: stated.pick(2, 1) }).into())
-            .corrected(
-                "outside radius: 1/tan α",
-                Slip {
-                    id: "",
-                    reason: "The text compares the outside diameter with the radius of the pin's circle, which it \
-                             names just before. The ratio is that of two radii, or of two diameters; the diameter over \
-                             the radius is twice as large.",
-                    witness: "The rim is where the pin enters: its distance from the wheel's axis, by coordinates.",
-                    origin: Origin::Misprint,
-                    consequence: Consequence::Wording,
-                    changes: "",
-                },
+            .but_not("it is that diameter over the radius of the pin's circle")
+            .read_as(
+                "The second ratio, of which the text names only the outside diameter, has the diameter of the pin's \
+                 circle for its other term.",
             ),
         at("Sentence before Eq. (5.30)")
             .equation("jazar.alpha-radians", r"\alpha = \pi/N", "α in radians")
