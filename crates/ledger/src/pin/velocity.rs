@@ -69,7 +69,7 @@ fn triangle_of_velocities() -> Vec<Claim> {
         ANGLE
             .equation(
                 "pin.velocity-angle-equation",
-                r"g=90^{\circ}-\ldots-\ldots",
+                r"g=90^{\circ}-\ldots^{\circ}-\ldots^{\circ}",
                 "γ is what β and the angle at B leave of a right angle",
             )
             .by(Vectors, || {
