@@ -43,7 +43,8 @@ pub fn equation(claim: &Claim, tex: &str) -> String {
     let mut tex = tex.to_owned();
     for name in DOTS.iter().filter(|(id, _)| *id == claim.id).flat_map(|(_, names)| *names) {
         // A name for an angle has its unit in it.
-        let dots = if tex.find(r"\ldots") == tex.find(r"\ldots^\circ") { r"\ldots^\circ" } else { r"\ldots" };
+        let next = |dots: &&str| tex.find(dots).is_some() && tex.find(dots) == tex.find(r"\ldots");
+        let dots = [r"\ldots^\circ", r"\ldots^{\circ}"].into_iter().find(next).unwrap_or(r"\ldots");
         tex = tex.replacen(dots, &format!("{name} "), 1);
     }
     match MEANT.iter().find(|(id, _)| *id == claim.id) {
