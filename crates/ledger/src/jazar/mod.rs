@@ -214,6 +214,12 @@ fn entry(wheel: &Wheel) -> nalgebra::Vector2<f64> {
     pin_from_pivot(&wheel.centre_distance_ratio(), &Turn::from_radians(-wheel.engagement_half_angle()))
 }
 
+/// The pin's place from the wheel's axis, with the driver's axis to the right of it and the driver turned clockwise by
+/// this angle from the line of centres.
+fn turned_clockwise(wheel: &Wheel, angle: f64) -> nalgebra::Vector2<f64> {
+    nalgebra::Vector2::new(wheel.centre_distance_ratio() + libm::cos(PI - angle), libm::sin(PI - angle))
+}
+
 /// The interval in which a condition that holds at its lower end ceases to hold, halved until nothing is left of it.
 fn halved(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> (f64, f64) {
     for _ in 0..HALVINGS {

@@ -4,7 +4,7 @@ use super::*;
 use geneva_kinematics::pin_proofs::four_slot_entry_misfit;
 use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::wheel::Phase;
-use geneva_kinematics::{Field, Rational, Surd};
+use geneva_kinematics::{Field, Rational, Surd, pin_vectors};
 
 const INDEXING: Place = at("1st paragraph");
 pub(super) const VARIETIES: Place = at("2nd paragraph");
@@ -24,6 +24,7 @@ pub fn claims() -> Vec<Claim> {
         wheel_radius(),
         locking::journal_radius(),
         locking::cutout_centres(),
+        sense_of_the_wheel(),
         parts_of_the_cycle(),
         speeds_up_then_slows_down(),
     ]
@@ -177,6 +178,38 @@ fn wheel_radius() -> Claim {
         .by(ClosedForm, |stated| same(of(4, Wheel::wheel_radius_ratio), stated.pick(1.0, 2f64.sqrt())))
         .by(Vectors, |stated| same(of(4, |wheel| entry(wheel).norm()), stated.pick(1.0, 2f64.sqrt())))
         .but_not("it is the centre distance")
+}
+
+fn sense_of_the_wheel() -> Claim {
+    CAPTION
+        .figure("jazar.fig-5.28-sense", "counterclockwise", "the star wheel is advanced counterclockwise")
+        .by(Vectors, |stated| {
+            let sign = stated.pick(1.0, -1.0);
+            for_all_stations(
+                |wheel| {
+                    within(wheel.engagement_half_angle()).all(|t| {
+                        let [now, next] = [t, t + 1e-6].map(|t| turned_clockwise(wheel, t));
+                        now.perp(&next) * sign > 0.0
+                    })
+                },
+                "which way the pin goes round the wheel's axis while it is in the slot",
+            )
+        })
+        .by(Series, |stated| {
+            let sign = stated.pick(1.0, -1.0);
+            for_all_stations(
+                |wheel| {
+                    within(wheel.engagement_half_angle()).all(|t| {
+                        let crank = Turn::from_radians(PI - t);
+                        let motion = pin_vectors::solve(&1.0, &wheel.centre_distance_ratio(), &crank, &-1.0);
+                        motion.is_some_and(|motion| motion.follower_speed * sign > 0.0)
+                    })
+                },
+                "the wheel's angular velocity, counterclockwise positive, while the driver turns clockwise",
+            )
+        })
+        .but_not("it is advanced clockwise")
+        .read_as("With a driver that turns clockwise: in this sense, says part (d) of the example, θ is positive.")
 }
 
 fn parts_of_the_cycle() -> Claim {
