@@ -5,7 +5,7 @@ use crate::Dimension as Exponents;
 use geneva_kinematics::rational;
 
 const PLOT: Place = at("Paragraph on Fig. 5.30");
-const STATIONS: Place = at("2nd paragraph on Fig. 5.30");
+pub(super) const STATIONS: Place = at("2nd paragraph on Fig. 5.30");
 
 pub fn claims() -> Vec<Claim> {
     vec![
@@ -18,6 +18,7 @@ pub fn claims() -> Vec<Claim> {
         smooth_inside(),
         infinite_jerk(),
         least_stations(),
+        locking::most_stations(),
         more_pins(),
     ]
 }

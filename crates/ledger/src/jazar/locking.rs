@@ -105,6 +105,44 @@ pub(super) fn cutout_centres() -> Claim {
         })
 }
 
+pub(super) fn most_stations() -> Claim {
+    super::curves::STATIONS
+        .statement(
+            "jazar.most-stations",
+            "too short",
+            "with very many stations the arcs that lock the wheel become too short",
+        )
+        .by(ClosedForm, |stated| {
+            // Half the arc as seen from its centre: cos ψ = sin α (1 + ρ²) / (2 ρ), with the journal's radius ρ.
+            get_short(stated, |wheel, journal| {
+                let sine = libm::sin(wheel.half_pitch_angle());
+                2.0 * journal * libm::acos(sine * (1.0 + journal * journal) / (2.0 * journal))
+            })
+        })
+        .by(Vectors, |stated| get_short(stated, |wheel, journal| 2.0 * journal * end_of_the_arc(wheel, journal)))
+        .but_not("they do on a driver of one size, whose wheel is larger with more stations")
+        .read_as(
+            "For a wheel of one size, and a journal of six to nine tenths of the crank radius: from four stations on \
+             each station more makes the arc shorter, and with a thousand it is less than a hundredth of the wheel's \
+             radius. How short is too short the text does not say.",
+        )
+}
+
+/// Whether an arc's length over the wheel's radius, or over the crank radius, falls with each station more to less than a
+/// hundredth. Lengths are given in crank radii.
+fn get_short(stated: Stated, arc: impl Fn(&Wheel, f64) -> f64) -> Finding {
+    let wheels = &wheels()[1..];
+    let length = |wheel: &Wheel, journal: f64| arc(wheel, journal) / stated.pick(wheel.wheel_radius_ratio(), 1.0);
+    let at_last = |journal: f64| wheels.last().map_or(f64::NAN, |wheel| length(wheel, journal));
+    let falls = |journal: f64| wheels.windows(2).all(|pair| length(&pair[0], journal) > length(&pair[1], journal));
+    let journals = [0.6, 0.7, 0.8, 0.9];
+    let most = greatest(journals.map(at_last).into_iter());
+    Finding::new(
+        journals.into_iter().all(falls) && most < 0.01,
+        format!("four journals, {}: at last {most:.4}", numbers_of_stations()),
+    )
+}
+
 /// Radius of the circle of the arcs' centres, or that of the rim.
 fn centres(wheel: &Wheel, stated: Stated) -> f64 {
     stated.pick(wheel.locking_centres_ratio(), wheel.wheel_radius_ratio())
@@ -146,12 +184,21 @@ fn locks(wheel: &Wheel, journal: f64, sides: &[f64]) -> bool {
 /// The ends are looked for along the journal, from the line of centres to the rim.
 fn holds(wheel: &Wheel, journal: f64, sides: &[f64]) -> bool {
     let axis = Vector2::new(wheel.centre_distance_ratio(), 0.0);
-    let on_the_journal = |angle: f64| axis - Turn::from_radians(angle).direction() * journal;
-    let in_the_wheel = |angle: f64| on_the_journal(angle).norm() < wheel.wheel_radius_ratio();
-    let end = halved(0.0, PI, in_the_wheel).0;
+    let end = end_of_the_arc(wheel, journal);
     let approach = |side: &f64| {
-        let place = on_the_journal(side * end);
+        let place = on_the_journal(wheel, journal, side * end);
         Vector2::new(-place.y, place.x).dot(&(axis - place))
     };
-    in_the_wheel(0.0) && [1.0, -1.0].iter().all(|way| sides.iter().any(|side| approach(side) * way > 0.0))
+    let reaches = on_the_journal(wheel, journal, 0.0).norm() < wheel.wheel_radius_ratio();
+    reaches && [1.0, -1.0].iter().all(|way| sides.iter().any(|side| approach(side) * way > 0.0))
+}
+
+/// The point of the journal at this angle from the line of centres, from the wheel's axis.
+fn on_the_journal(wheel: &Wheel, journal: f64, angle: f64) -> Vector2<f64> {
+    Vector2::new(wheel.centre_distance_ratio(), 0.0) - Turn::from_radians(angle).direction() * journal
+}
+
+/// The angle at the driver's axis from the line of centres to where the journal comes out of the wheel.
+fn end_of_the_arc(wheel: &Wheel, journal: f64) -> f64 {
+    halved(0.0, PI, |angle| on_the_journal(wheel, journal, angle).norm() < wheel.wheel_radius_ratio()).0
 }
