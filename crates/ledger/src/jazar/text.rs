@@ -20,6 +20,7 @@ pub fn claims() -> Vec<Claim> {
         quarter_turn(),
         locking::locking(),
         tangent_entry(),
+        infinite_deceleration(),
         centre_distance(),
         wheel_radius(),
         locking::journal_radius(),
@@ -149,6 +150,46 @@ fn tangent_entry() -> Claim {
             )
         })
         .but_not("it is infinite with a slot that is tangent, too")
+}
+
+fn infinite_deceleration() -> Claim {
+    SIMPLE
+        .statement(
+            "jazar.infinite-deceleration",
+            "infinite deceleration at the end",
+            "unless the slot is tangent, the wheel is accelerated infinitely at the beginning and decelerated so at the end",
+        )
+        .by(ClosedForm, |stated| {
+            jumps(stated, |_, ratio, crank| velocity_ratio(&ratio, &Turn::from_radians(crank)))
+        })
+        .by(Vectors, |stated| {
+            jumps(stated, |_, ratio, crank| {
+                // The part of the pin's velocity across the slot, in the sense in which the wheel advances.
+                let pin = pin_from_pivot(&ratio, &Turn::from_radians(crank));
+                pin.perp(&nalgebra::Vector2::new(libm::sin(crank), libm::cos(crank)))
+            })
+        })
+        .but_not("it is decelerated at the beginning and accelerated at the end")
+        .read_as(
+            "Where a pin that crosses the slot's line twice is nearer to the wheel's axis. At the other crossing the \
+             wheel would be thrown back at first.",
+        )
+}
+
+/// Whether the wheel's speed jumps from zero up as the pin enters and down to zero as it leaves; or the other way.
+fn jumps(stated: Stated, speed: impl Fn(&Wheel, f64, f64) -> f64) -> Finding {
+    let sign = stated.pick(1.0, -1.0);
+    for_all_stations(
+        |wheel| {
+            let nearer = |(_, crank): &(f64, f64)| crank.abs() < wheel.engagement_half_angle();
+            crossings(wheel, &[0.25, 0.5, 0.75]).filter(nearer).all(|(ratio, crank)| {
+                let speed = speed(wheel, ratio, crank);
+                let jump = if crank < 0.0 { speed - 0.0 } else { 0.0 - speed };
+                jump * crank * sign < 0.0
+            })
+        },
+        "the jump of the wheel's speed as the pin enters and as it leaves",
+    )
 }
 
 fn centre_distance() -> Claim {
