@@ -47,6 +47,17 @@ fn steps() -> Vec<Claim> {
             .proven(Printed(Quantity::Jerk))
             .by(AutomaticDerivative, || as_by_duals(3, printed_derivative)),
         at("Ex. (e), condition for an extreme")
+            .formula("jazar.ex-e.zero", r"\frac{d\ddot{\phi}}{dt} = 0", "the derivative is zero at the extremes")
+            .by(Series, |stated| {
+                zero_at(stated, |wheel, t| by_series(wheel, t)[3], |wheel| {
+                    libm::acos(both_roots(libm::sin(wheel.half_pitch_angle())).0)
+                })
+            })
+            .by(AutomaticDerivative, |stated| {
+                zero_at(stated, |wheel, t| by_duals(wheel, t)[3], |wheel| acceleration_peak(wheel).angle)
+            })
+            .but_not("it is zero where the acceleration is, on the line of centres"),
+        at("Ex. (e), condition for an extreme")
             .equation(
                 "jazar.ex-e.condition",
                 concat!(
@@ -254,6 +265,17 @@ fn reads(curve: impl Fn(&Wheel, f64) -> f64, extreme: impl Fn(&Wheel) -> (f64, f
     Finding::new(
         (angle.to_degrees() - f64::from(degrees)).abs() <= 0.5 && as_printed(read) == as_printed(size),
         format!("read: {} at {degrees}°", as_printed(read)),
+    )
+}
+
+/// Whether the third derivative of the wheel's angle is zero at both angles of the greatest acceleration; or between them.
+fn zero_at(stated: Stated, third: fn(&Wheel, f64) -> f64, angle: fn(&Wheel) -> f64) -> Finding {
+    for_all_stations(
+        |wheel| {
+            let (angle, scale) = (stated.pick(angle(wheel), 0.0), third(wheel, 0.0));
+            [-angle, angle].iter().all(|t| vanishes(third(wheel, *t) / scale))
+        },
+        "the derivative of the acceleration over that on the line of centres",
     )
 }
 
