@@ -197,7 +197,8 @@ struct AbsoluteSenses {
 impl Identity<2> for AbsoluteSenses {
     fn difference(&self, [ratio, half]: [Expression; 2]) -> Expression {
         let crank = Turn::from_half_tangent(&half);
-        let (turned, speed) = if self.clockwise { (crank.supplement(), -1) } else { (crank.reversed().supplement(), 1) };
+        let (turned, speed) =
+            if self.clockwise { (crank.supplement(), -1) } else { (crank.reversed().supplement(), 1) };
         pin_vectors::solve(&Expression::ONE, &ratio, &turned, &Expression::integer(speed))
             .map_or(Expression::ONE, |motion| motion.follower_speed - velocity_ratio(&ratio, &crank))
     }

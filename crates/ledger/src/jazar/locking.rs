@@ -106,7 +106,7 @@ pub(super) fn cutout_centres() -> Claim {
 }
 
 pub(super) fn most_stations() -> Claim {
-    super::curves::STATIONS
+    curves::STATIONS
         .statement(
             "jazar.most-stations",
             "too short",

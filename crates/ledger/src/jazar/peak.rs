@@ -49,9 +49,11 @@ fn steps() -> Vec<Claim> {
         at("Ex. (e), condition for an extreme")
             .formula("jazar.ex-e.zero", r"\frac{d\ddot{\phi}}{dt} = 0", "the derivative is zero at the extremes")
             .by(Series, |stated| {
-                zero_at(stated, |wheel, t| by_series(wheel, t)[3], |wheel| {
-                    libm::acos(both_roots(libm::sin(wheel.half_pitch_angle())).0)
-                })
+                zero_at(
+                    stated,
+                    |wheel, t| by_series(wheel, t)[3],
+                    |wheel| libm::acos(both_roots(libm::sin(wheel.half_pitch_angle())).0),
+                )
             })
             .by(AutomaticDerivative, |stated| {
                 zero_at(stated, |wheel, t| by_duals(wheel, t)[3], |wheel| acceleration_peak(wheel).angle)
