@@ -159,7 +159,15 @@ fn what_is_wrong_is_told_all_at_once_and_nothing_is_run() {
 #[test]
 fn refusals_name_what_was_asked_and_a_way_out() {
     for (arguments, words) in [
-        (&["mimic", "run", "no-such-deck"][..], "no-such-deck: cannot be read"),
+        (
+            &["mimic", "run", "no-such-deck"][..],
+            "no-such-deck: no such file, and no deck of this project; geneva mimic",
+        ),
+        (&["mimic", "run", "escapment"], "no deck of this project; the nearest is escapement"),
+        (&["mimic", "decks", "escapment"], "no deck of this project; the nearest is escapement; give one of"),
+        (&["mimic", "run", "escapement", "--set", "MUU=.2"], "the nearest is MU; give another name"),
+        (&["mimic", "run", "decay", "--set", "DTMX=.2"], "the nearest is DTMAX; give another name"),
+        (&["mimic", "run", "-", "--data", "-"], "--data -: standard input has the deck already"),
         (&["mimic", "decks", "none"], "none: no deck of this project; give one of escapement"),
         (&["mimic", "run", "decay", "--set", "LEFT"], "no =; give a name, = and a number"),
         (&["mimic", "run", "decay", "--set", "NONE=2"], "--set NONE=2: decay has no single card"),
@@ -170,4 +178,54 @@ fn refusals_name_what_was_asked_and_a_way_out() {
         let told = refusal(geneva(arguments));
         assert!(told.contains(words), "{arguments:?}\n{told}");
     }
+}
+
+#[test]
+fn data_come_from_standard_input_and_faults_in_them_name_where_they_are() {
+    let (text, told, code) = fed(&["mimic", "run", "oscillator", "--data", "-", "--format", "csv"], "1. 0. 1. 0. 2.\n");
+    assert!(code == Some(0) && text.contains("\n1,1.0,0.0,1.0,0.0,2.0,0.0,2.0,"), "{text}{told}");
+    let (folder, path) = folder("few.cards", "1. 2.\n");
+    let told = refusal(geneva(&["mimic", "run", "oscillator", "--data", &path]));
+    assert!(
+        told.contains(&format!("{path}, line 1, column 6: no number is left for K")) && !told.contains("END"),
+        "{told}"
+    );
+    drop(folder);
+}
+
+#[test]
+fn a_byte_order_mark_is_no_sign() {
+    let text = format!("\u{feff}{DECK}");
+    let (_folder, path) = folder("fall.deck", &text);
+    let usual = fed(&["mimic", "run", "-", "--format", "csv"], DECK).0;
+    assert_eq!(stdout(&["mimic", "run", &path, "--format", "csv"], 0), usual);
+    assert_eq!(fed(&["mimic", "run", "-", "--format", "csv"], &text).0, usual);
+    assert_eq!(
+        stdout(&["mimic", "run", "--listing-in", &path, "--format", "csv", "--set", "G=10", "--set", "DRAG=0"], 0)
+            .lines()
+            .count(),
+        5
+    );
+}
+
+#[test]
+fn a_drawing_needs_two_points_and_two_names() {
+    for (deck, words) in [
+        (" A 1.\n OUT(T,A)\n FIN(A,-1.)\n END\n", "one point is printed, for FIN is true from the start"),
+        (" OUT(T)\n FIN(T,1.)\n END\n", "T alone is printed; a curve needs a second name"),
+    ] {
+        let (_, told, code) = fed(&["mimic", "run", "-", "--format", "svg"], deck);
+        assert!(code == Some(2) && told.contains(words), "{told}");
+    }
+}
+
+#[test]
+fn the_help_names_the_keys_of_json() {
+    let help = stdout(&["mimic", "run", "--help"], 0);
+    let help: String = help.split_whitespace().collect::<Vec<_>>().join(" ");
+    let found = json(&["mimic", "run", "delayed", "--format", "json"]);
+    for key in found[0].as_object().expect("an object").keys() {
+        assert!(help.contains(key.as_str()), "{key}: {help}");
+    }
+    assert_eq!(found[0]["steps_longer_than_delay"], 0);
 }

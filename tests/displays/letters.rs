@@ -43,7 +43,8 @@ pub fn equation(claim: &Claim, tex: &str) -> String {
     let mut tex = tex.to_owned();
     for name in DOTS.iter().filter(|(id, _)| *id == claim.id).flat_map(|(_, names)| *names) {
         // A name for an angle has its unit in it.
-        let dots = if tex.find(r"\ldots") == tex.find(r"\ldots^\circ") { r"\ldots^\circ" } else { r"\ldots" };
+        let next = |dots: &&str| tex.find(dots).is_some() && tex.find(dots) == tex.find(r"\ldots");
+        let dots = [r"\ldots^\circ", r"\ldots^{\circ}"].into_iter().find(next).unwrap_or(r"\ldots");
         tex = tex.replacen(dots, &format!("{name} "), 1);
     }
     match MEANT.iter().find(|(id, _)| *id == claim.id) {
@@ -72,7 +73,8 @@ fn of_pin(id: &str, number: usize) -> Moment {
     if id == "pin.velocity-equation" {
         return state.called([("v_P", r"\vec{v}_P"), ("v_{P'}", r"\vec{v}_{P'}"), ("v_{P/S}", r"\vec{v}_{P/S}")]);
     }
-    state
+    // With the index of a disk the letter is an angular velocity.
+    state.called([(r"\mathrm{v}_{D}", r"\omega_D"), (r"\mathrm{v}_{S}", r"\omega_S")])
 }
 
 fn of_quick_return(id: &str, number: usize) -> Moment {

@@ -153,7 +153,8 @@ fn put_right(judged: &mut Judged, routes: &[Route<Number>; 2], resolution: Optio
     judged.right_value = Some(right);
     let Ok(printed) = judged.claim.printed.parse::<Decimal>() else { return };
     disagreement(judged, routes.each_ref().map(|route| route.evidence), [right, witnessed], &printed);
-    if judged.truth() != Truth::Right || printed.is_rounding_of(right) {
+    let comes_out = !matches!(judged.verdict, Verdict::Corrected | Verdict::NotReproduced);
+    if !comes_out || printed.is_rounding_of(right) {
         return;
     }
     let within = resolution.is_some_and(|unit| (right - printed.to_f64()).abs() <= unit);

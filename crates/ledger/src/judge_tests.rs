@@ -52,13 +52,15 @@ fn a_number_that_rounds_is_reproduced() {
 fn a_number_cut_off_is_truncated_and_needs_an_erratum() {
     let claim = || third("0.666");
     assert_eq!(judged(claim().expecting(Verdict::Truncated)).faults, ["truncated without an erratum"]);
-    assert!(judged(claim().corrected("0.667", SLIP).expecting(Verdict::Truncated)).holds());
+    let found = judged(claim().corrected("0.667", SLIP).expecting(Verdict::Truncated));
+    assert!(found.holds() && found.truth() == Truth::Wrong, "{:?}", found.complaints());
 }
 
 #[test]
 fn a_number_from_rounded_intermediates_is_told_from_a_wrong_one() {
     let claim = |printed| third(printed).rounded(|| 0.7 * 0.9);
-    assert!(judged(claim("0.63").corrected("0.67", SLIP).expecting(Verdict::FromRounded)).holds());
+    let found = judged(claim("0.63").corrected("0.67", SLIP).expecting(Verdict::FromRounded));
+    assert!(found.holds() && found.truth() == Truth::Wrong, "{:?}", found.complaints());
     assert_eq!(judged(claim("0.62")).verdict, Verdict::NotReproduced);
 }
 

@@ -51,6 +51,8 @@ pub enum Consequence {
     Result,
     /// Something that the source concludes is false.
     Conclusion,
+    /// A printed number that is no answer is wrong, and no answer with it.
+    Number,
     /// A displayed equation is false; nothing after it uses it so.
     Derivation,
     /// A label, a reference, a unit or a name is wrong.
@@ -64,6 +66,7 @@ slugs!(Origin { Copy = "copy", Misprint = "misprint", Arithmetic = "arithmetic",
 slugs!(Consequence {
     Result = "result",
     Conclusion = "conclusion",
+    Number = "number",
     Derivation = "derivation",
     Wording = "wording",
     Copy = "copy",
@@ -87,6 +90,7 @@ impl Consequence {
         match self {
             Self::Result => "an answer, a table or a curve is wrong",
             Self::Conclusion => "something that the source concludes is false",
+            Self::Number => "a printed number that is no answer is wrong, and no answer with it",
             Self::Derivation => "a displayed equation is false; nothing after it uses it so",
             Self::Wording => "a label, a reference, a unit or a name is wrong",
             Self::Copy => "a character of the copy is wrong; nothing is said of the original",
@@ -182,9 +186,19 @@ impl Places {
             }
         };
         let kinds: Vec<_> = self.claims.iter().map(|judged| judged.claim.kind).collect();
-        let (copy, result) = (slip.consequence == Consequence::Copy, slip.consequence == Consequence::Result);
+        let is = |consequence| slip.consequence == consequence;
+        let (copy, result, number) = (is(Consequence::Copy), is(Consequence::Result), is(Consequence::Number));
         fault(copy != (slip.origin == Origin::Copy), "a slip of the copy is one by origin and by consequence");
-        fault(!copy && !result && self.wrong_numbers().next().is_some(), "a printed number changes");
+        fault(!copy && !result && !number && self.wrong_numbers().next().is_some(), "a printed number changes");
+        fault(number && self.wrong_numbers().next().is_none(), "no printed number changes");
+        // A problem says which numbers are its answers; the tables and curves of a thesis are all of them its results.
+        let asked = self.main().claim.work.answers();
+        let changed = self.wrong_numbers().find(|judged| asked.contains(&judged.claim.id));
+        fault(number && changed.is_some(), "an answer changes");
+        fault(
+            result && !asked.is_empty() && changed.is_none() && !kinds.contains(&Kind::Figure),
+            "no answer and no figure changes",
+        );
         // On a page that gives a formula to its readers, the formula is the answer.
         let answers = |kind: &Kind| match kind {
             Kind::Figure | Kind::Example => true,
@@ -196,14 +210,14 @@ impl Places {
             "no printed number and no figure changes",
         );
         fault(
-            slip.consequence == Consequence::Conclusion
+            is(Consequence::Conclusion)
                 && !self
                     .claims
                     .iter()
                     .any(|judged| judged.claim.kind == Kind::Statement && judged.verdict == Verdict::Corrected),
             "no statement is corrected",
         );
-        fault(slip.consequence == Consequence::Derivation && !kinds.contains(&Kind::Equation), "it is in no equation");
+        fault(is(Consequence::Derivation) && !kinds.contains(&Kind::Equation), "it is in no equation");
         let told = matches!(slip.consequence, Consequence::Result | Consequence::Conclusion);
         fault(told && slip.changes.is_empty(), "nothing is said of what it changes");
         fault(self.main().claim.id != slip.id, "no claim of that id refers to it");
@@ -212,5 +226,27 @@ impl Places {
             "two slips have this id",
         );
         faults
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What contradicts the slip of this id with another consequence on record.
+    fn faults_as(id: &str, consequence: Consequence) -> String {
+        let mut places = slip(id).expect("a slip").clone();
+        places.slip.consequence = consequence;
+        places.faults().join("\n")
+    }
+
+    #[test]
+    fn a_result_is_an_answer_and_another_number_is_none() {
+        let found = faults_as("pin.slot-point-speed", Consequence::Result);
+        assert!(found.contains("but no answer and no figure changes"), "{found}");
+        let found = faults_as("quick-return.pin-speed", Consequence::Number);
+        assert!(found.contains("but an answer changes"), "{found}");
+        let found = faults_as("quick-return.lever-point-speed-equation", Consequence::Number);
+        assert!(found.contains("but no printed number changes"), "{found}");
     }
 }

@@ -39,9 +39,9 @@ slugs!(Truth { Right = "right", Wrong = "wrong", Open = "open" });
 /// Whether what is printed is right about the thing it is said of: the other question, beside whether it comes out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Truth {
-    /// It is, to the printed digits, or to fewer where the verdict says so.
+    /// It is, to the printed digits; what was read off, as finely as that could be done.
     Right,
-    /// It is not.
+    /// It is not, if only in a last digit.
     Wrong,
     /// It cannot be told.
     Open,
@@ -51,7 +51,9 @@ impl Truth {
     /// What it means, for readers.
     pub fn meaning(self) -> &'static str {
         match self {
-            Self::Right => "what is printed is right, to the printed digits or to fewer where the verdict says so",
+            Self::Right => {
+                "what is printed is right, to the printed digits or, if it was read off, as finely as that could be done"
+            }
             Self::Wrong => "what is printed is wrong, and the right form or number is given",
             Self::Open => "it cannot be told",
         }
@@ -65,8 +67,13 @@ impl Verdict {
             Self::Reproduced => {
                 "the exact value rounds to the printed digits; an equation or statement holds as printed"
             }
-            Self::Truncated => "the exact value gives the printed digits only by cutting off, not by rounding",
-            Self::FromRounded => "only the source's own rounded intermediate results give the printed digits",
+            Self::Truncated => {
+                "the exact value gives the printed digits only by cutting off: by rounding, the last one is another"
+            }
+            Self::FromRounded => {
+                "only the source's own rounded intermediate results give the printed digits: those of the exact value \
+                 are others"
+            }
             Self::ReadOff => "read from a curve or a print-out, and right within the stated resolution of the reading",
             Self::ReproducedInError => {
                 "what the source did gives the printed digits, but there is a slip in it: the right number is another"
@@ -79,14 +86,14 @@ impl Verdict {
 
     /// Whether a claim with this verdict must carry an erratum.
     pub fn needs_erratum(self) -> bool {
-        matches!(self, Self::Truncated | Self::FromRounded | Self::ReproducedInError | Self::Corrected)
+        self.truth() == Truth::Wrong
     }
 
     /// The answer to the other question: is what is printed right?
     pub fn truth(self) -> Truth {
         match self {
-            Self::Reproduced | Self::Truncated | Self::FromRounded | Self::ReadOff => Truth::Right,
-            Self::ReproducedInError | Self::Corrected => Truth::Wrong,
+            Self::Reproduced | Self::ReadOff => Truth::Right,
+            Self::Truncated | Self::FromRounded | Self::ReproducedInError | Self::Corrected => Truth::Wrong,
             Self::NotReproduced | Self::NotReproducible => Truth::Open,
         }
     }

@@ -105,6 +105,16 @@ impl Work {
         }
     }
 
+    /// The claims that print the answers to what a problem asks for; none for a source that asks for no numbers.
+    pub fn answers(self) -> &'static [&'static str] {
+        match self {
+            Self::Pin => pin::ANSWERS,
+            Self::QuickReturn => quick_return::ANSWERS,
+            Self::Jazar2003 => jazar::ANSWERS,
+            Self::Meyer1973 | Self::Wild => &[],
+        }
+    }
+
     /// The source's letters and ours.
     pub fn symbols(self) -> &'static [Symbol] {
         match self {

@@ -1,8 +1,8 @@
 //! Does every claim stand as recorded, and would it be noticed if it did not?
 
 use geneva_ledger::{
-    Check, Choice, Claim, Decimal, Evidence, Finding, Kind, Number, Route, Test, Verdict, claims, judge, slips,
-    verdicts,
+    Check, Choice, Claim, Decimal, Evidence, Finding, Kind, Number, Route, Test, Verdict, Work, claim, claims, judge,
+    slips, verdicts,
 };
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -46,6 +46,15 @@ fn an_erratum_says_what_why_and_who_else_says_so() {
         let Some(erratum) = &claim.erratum else { continue };
         assert_ne!(erratum.corrected, claim.printed, "{}: the correction changes nothing", claim.id);
         assert!(!erratum.slip.reason.is_empty() && !erratum.slip.witness.is_empty(), "{}", claim.id);
+    }
+}
+
+#[test]
+fn an_answer_is_a_claim_of_its_source() {
+    for work in Work::ALL {
+        for id in work.answers() {
+            assert!(claim(id).is_some_and(|claim| claim.work == *work), "{work}: no claim {id} is an answer");
+        }
     }
 }
 

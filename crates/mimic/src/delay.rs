@@ -1,5 +1,6 @@
 //! A value of a moment before: MIMIC's time delay `TDL`.
 
+use std::collections::VecDeque;
 use thiserror::Error;
 
 /// What a delay line says of a time between two of its entries.
@@ -23,8 +24,8 @@ pub enum Extrapolation {
 /// The past of one quantity, as far back as its delay.
 ///
 /// Entries come from [`record`](Self::record), at rising times of any spacing: the steps that were kept. Reading
-/// changes nothing. The memory is an array of `CAPACITY` entries, at least 2; what no later reading can need makes
-/// room.
+/// changes nothing. The memory grows as it must, to `CAPACITY` entries at most, at least 2; what no later reading can
+/// need makes room.
 ///
 /// A run's error test does not see how well the past is read: the whole step and the two halves read the same entries.
 /// [`Parameters::largest_step`](crate::Parameters::largest_step) keeps the entries close.
@@ -38,10 +39,8 @@ pub struct DelayLine<const CAPACITY: usize> {
     initial: f64,
     interpolation: Interpolation,
     extrapolation: Extrapolation,
-    entries: [Entry; CAPACITY],
-    /// Place of the oldest entry.
-    first: usize,
-    length: usize,
+    /// The oldest first.
+    entries: VecDeque<Entry>,
     /// Whether an entry has made room: before the oldest is then not before the beginning.
     forgotten: bool,
 }
@@ -132,8 +131,7 @@ impl<const CAPACITY: usize> DelayLine<CAPACITY> {
         if !initial.is_finite() {
             return Err(DelayError::Initial(initial));
         }
-        let entries = [Entry { time: 0.0, value: 0.0 }; CAPACITY];
-        Ok(Self { delay, initial, interpolation, extrapolation, entries, first: 0, length: 0, forgotten: false })
+        Ok(Self { delay, initial, interpolation, extrapolation, entries: VecDeque::new(), forgotten: false })
     }
 
     /// Enters the value at a time later than that of all entries. On an error nothing is entered.
@@ -146,7 +144,7 @@ impl<const CAPACITY: usize> DelayLine<CAPACITY> {
         if !time.is_finite() {
             return Err(DelayError::Time(time));
         }
-        let latest = self.length.checked_sub(1).map(|latest| self.entry(latest).time);
+        let latest = self.entries.back().map(|latest| latest.time);
         if let Some(latest) = latest.filter(|latest| time <= *latest) {
             return Err(DelayError::Order { asked: time, latest });
         }
@@ -155,17 +153,14 @@ impl<const CAPACITY: usize> DelayLine<CAPACITY> {
         }
         // From now on nobody asks for a time before this; the entry at it or next before it must stay.
         let needed = time - self.delay;
-        while self.length >= 2 && self.entry(1).time <= needed {
-            self.first = (self.first + 1) % CAPACITY;
-            self.length -= 1;
+        while self.entries.get(1).is_some_and(|second| second.time <= needed) {
+            self.entries.pop_front();
             self.forgotten = true;
         }
-        if self.length == CAPACITY {
-            let oldest = self.entry(0).time;
-            return Err(DelayError::Full { time, oldest, delay: self.delay, capacity: CAPACITY });
+        if let Some(oldest) = self.entries.front().filter(|_| self.entries.len() >= CAPACITY) {
+            return Err(DelayError::Full { time, oldest: oldest.time, delay: self.delay, capacity: CAPACITY });
         }
-        self.entries[(self.first + self.length) % CAPACITY] = Entry { time, value };
-        self.length += 1;
+        self.entries.push_back(Entry { time, value });
         Ok(())
     }
 
@@ -183,22 +178,20 @@ impl<const CAPACITY: usize> DelayLine<CAPACITY> {
         if !asked.is_finite() {
             return Err(DelayError::Time(time));
         }
-        let later = (0..self.length).find(|&index| self.entry(index).time > asked).unwrap_or(self.length);
-        let Some(before) = later.checked_sub(1) else {
-            let forgotten = self.forgotten.then(|| self.entry(0).time);
-            return forgotten.map_or(Ok(self.initial), |oldest| Err(DelayError::Forgotten { asked, oldest }));
+        let entry = |place: Option<usize>| place.and_then(|place| self.entries.get(place)).copied();
+        let later = self.entries.partition_point(|entry| entry.time <= asked);
+        let Some(before) = entry(later.checked_sub(1)) else {
+            let forgotten = self.entries.front().filter(|_| self.forgotten);
+            let forgotten = forgotten.map(|oldest| DelayError::Forgotten { asked, oldest: oldest.time });
+            return forgotten.map_or(Ok(self.initial), Err);
         };
-        let (before, is_latest) = (self.entry(before), later == self.length);
-        Ok(match (is_latest, self.interpolation, self.extrapolation) {
-            (false, Interpolation::Linear, _) => line(before, self.entry(later), asked),
-            (true, _, Extrapolation::Linear) if self.length >= 2 => line(before, self.entry(self.length - 2), asked),
+        Ok(match (entry(Some(later)), self.interpolation, self.extrapolation) {
+            (Some(later), Interpolation::Linear, _) => line(before, later, asked),
+            (None, _, Extrapolation::Linear) => {
+                entry(later.checked_sub(2)).map_or(before.value, |earlier| line(before, earlier, asked))
+            }
             _ => before.value,
         })
-    }
-
-    /// The entry of this number, the oldest being number 0.
-    fn entry(&self, index: usize) -> Entry {
-        self.entries[(self.first + index) % CAPACITY]
     }
 }
 

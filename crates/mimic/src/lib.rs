@@ -22,8 +22,8 @@
 //! # Ok::<(), geneva_mimic::IntegrationError<2, std::convert::Infallible>>(())
 //! ```
 //!
-//! The integrator allocates nothing: states have a fixed size, results are handed to a closure, and a delay line is an
-//! array. No function of the platform's mathematics is called: results are the same bits everywhere, as long as the
+//! The integrator allocates nothing: states have a fixed size, and results are handed to a closure. A delay line grows
+//! to the capacity that it is given. No function of the platform's mathematics is called: results are the same bits everywhere, as long as the
 //! right-hand side's are. The [`language`] itself, from the text of a deck to its runs, is built on it.
 //!
 //! This crate knows nothing of mechanisms, claims or books.

@@ -93,6 +93,14 @@ pub struct Parameters {
 }
 
 impl Parameters {
+    /// How near a change that comes at kept points only is located: 2⁻²⁴ of the print interval, or the smallest step if
+    /// that is longer; in the unit of the right-hand side's time.
+    ///
+    /// A rate that changes so late misses less than 10⁻⁷ of what it adds in a print interval.
+    pub fn switch_step(&self) -> f64 {
+        (self.print_interval / 16_777_216.0).max(self.smallest_step)
+    }
+
     /// A run of this length, printed at this interval, all else by default. Nothing is checked before the run.
     pub fn new(print_interval: f64, run_length: f64) -> Self {
         Self {

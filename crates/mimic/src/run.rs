@@ -23,7 +23,8 @@ pub struct Point<const D: usize> {
 ///
 /// An attempt takes ten evaluations, three for the whole step and seven for its halves. All of them use one more, at
 /// the point they start from: it is made once per kept point, the start included, whatever is refused there. So a run
-/// that reaches its end has `evaluations == 10 * (accepted + rejected) + accepted + 1`.
+/// that reaches its end has `evaluations == 10 * (accepted + rejected) + accepted + 1`. What a system evaluates to say
+/// whether it [`switches`](System::switches) is not counted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Work {
     /// Steps that were kept.
@@ -47,8 +48,8 @@ pub struct Outcome<const D: usize> {
 
 /// Integrates the system from `start` at time 0 and hands each printed point to `print`, the start included.
 ///
-/// A step is refused if the whole step and two half steps differ by more than the tolerance in any component, or if
-/// either is not finite; it is then tried shorter. The way from point to point of the print grid does not change the
+/// A step is refused if the whole step and two half steps differ by more than the tolerance in any component, if
+/// either is not finite, or if the system [`switches`](System::switches) at its end; it is then tried shorter. The way from point to point of the print grid does not change the
 /// times of the points. Work::Meyer1973, Appendix B, and [`Parameters`] for what is not said there.
 ///
 /// # Errors
@@ -125,12 +126,21 @@ impl<S: System<D>, const D: usize> Run<'_, S, D> {
                 Some(_) => f64::INFINITY,
                 None => attempt.excess(parameters.relative_tolerance, parameters.absolute_floor),
             };
-            let smallest = step <= smallest_step * (1.0 + SLIVER);
+            // The end is rounded, and the step from it may be a little longer than was asked for.
+            let asked = step.min(self.step);
+            let smallest = asked <= smallest_step * (1.0 + SLIVER);
             let forced = smallest && infinite.is_none() && parameters.at_smallest_step == AtSmallestStep::Continue;
             if excess <= 1.0 || forced {
+                let kept = attempt.kept(parameters.kept);
+                let switch_step = parameters.switch_step();
+                if asked > switch_step * (1.0 + SLIVER) && self.switches(end, &kept)? {
+                    self.work.rejected += 1;
+                    self.step = (step * parameters.shrink_factor).max(switch_step);
+                    continue;
+                }
                 self.work.accepted += 1;
                 self.work.forced += u64::from(excess > 1.0);
-                self.accept(end, attempt.kept(parameters.kept))?;
+                self.accept(end, kept)?;
                 // A step cut short by a printed point says nothing of a longer one.
                 if excess <= parameters.growth_below && !cut {
                     self.step = (self.step * parameters.growth_factor).min(parameters.largest_step);
@@ -160,12 +170,16 @@ impl<S: System<D>, const D: usize> Run<'_, S, D> {
         attempt.map_err(|fault| self.stopped(Cause::System(fault)))
     }
 
+    fn switches(&mut self, time: f64, state: &SVector<f64, D>) -> Result<bool, Stopped<D, S::Fault>> {
+        self.system.switches(time, state).map_err(|fault| self.stopped(Cause::System(fault)))
+    }
+
     /// Goes on from this point: its derivative is the first of the steps that start here.
     fn accept(&mut self, time: f64, state: SVector<f64, D>) -> Result<(), Stopped<D, S::Fault>> {
         self.finite(Quantity::State, &state)?;
         (self.time, self.state) = (time, state);
         self.work.evaluations += 1;
-        let derivative = self.system.derivative(time, &state);
+        let derivative = self.system.kept_derivative(time, &state);
         self.derivative = derivative.map_err(|fault| self.stopped(Cause::System(fault)))?;
         self.finite(Quantity::Derivative, &self.derivative)?;
         let accepted = self.system.accepted(time, &state, &self.derivative);

@@ -53,10 +53,35 @@ pub trait System<const D: usize> {
     /// A fault ends the run with [`Cause::System`](crate::Cause::System).
     fn derivative(&mut self, time: f64, state: &SVector<f64, D>) -> Result<SVector<f64, D>, Self::Fault>;
 
+    /// The derivative at a point that is kept: [`derivative`](Self::derivative), unless something in the system changes
+    /// at kept points only, and so at this one.
+    ///
+    /// # Errors
+    ///
+    /// As those of `derivative`.
+    fn kept_derivative(&mut self, time: f64, state: &SVector<f64, D>) -> Result<SVector<f64, D>, Self::Fault> {
+        self.derivative(time, state)
+    }
+
+    /// Whether something that changes at kept points only would change at this one, the end of a step.
+    ///
+    /// Such a step is tried shorter until it is as short as
+    /// [`Parameters::switch_step`](crate::Parameters::switch_step) says: the change then comes that late at most. A
+    /// system that has nothing of the kind need not say so.
+    ///
+    /// # Errors
+    ///
+    /// As those of `derivative`.
+    fn switches(&mut self, time: f64, state: &SVector<f64, D>) -> Result<bool, Self::Fault> {
+        let _ = (time, state);
+        Ok(false)
+    }
+
     /// A point has been kept.
     ///
     /// Called once for each, in order of time, the start included and before it is printed. The call just before was
-    /// `derivative` at this point and gave `derivative`: whatever else the system worked out there is that of the point.
+    /// `kept_derivative` at this point and gave `derivative`: whatever else the system worked out there is that of the
+    /// point.
     ///
     /// # Errors
     ///

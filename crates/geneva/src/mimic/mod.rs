@@ -10,12 +10,15 @@ use anyhow::{Context, anyhow, bail, ensure};
 use clap::{Args, Subcommand, ValueEnum};
 use geneva_ledger::meyer::runs::{Hypothesis, rows};
 use geneva_mimic::language::{
-    Choices, DECKS, DataSet, Deck, Layout, Program, RememberedPoints, Run, deck_named, listing_in,
+    Choices, DECKS, DataSet, Deck, Layout, Program, RememberedPoints, Run, deck_named, listing_in, nearest_to,
 };
 use geneva_mimic::{AtSmallestStep, Interpolation, Kept};
 use rayon::prelude::*;
 use std::io::Read;
 use std::path::{Path, PathBuf};
+
+/// The name of standard input.
+const STANDARD: &str = "-";
 
 /// What to do with a deck.
 #[derive(Args, Debug)]
@@ -97,7 +100,7 @@ pub struct RunArguments {
     /// Which deck.
     #[command(flatten)]
     pub deck: DeckArguments,
-    /// Data cards, in place of those behind the deck's END
+    /// Data cards, in place of those behind the deck's END; - for standard input
     #[arg(long, value_name = "FILE")]
     pub data: Option<PathBuf>,
     /// Data of the thesis, in place of data cards: for a PAR card with slots, angle at the start, friction, torque, and
@@ -122,7 +125,7 @@ pub struct RunArguments {
     /// How to write it
     #[arg(long, default_value = "print", value_parser = formats(&[
         (Format::Print, "As the line printer wrote it: tables, and plots in characters"),
-        (Format::Json, "An array with an object for each run: parameters, columns, rows"),
+        (Format::Json, "An array with an object for each run: parameters, columns, steps, forced_steps, steps_longer_than_delay, rows"),
         (Format::Csv, "A row for each printed point, with the number of its run"),
         (Format::Svg, "The first plot of the first run as a drawing; of all OUT columns against the first without PLO"),
     ]))]
@@ -202,8 +205,8 @@ pub fn page(action: &Action) -> anyhow::Result<String> {
         Action::Run(wanted) => run(wanted),
         Action::Decks { name: None, .. } => Ok(listed::decks()),
         Action::Decks { name: Some(name), .. } => deck_named(name).map(str::to_owned).ok_or_else(|| {
-            let known: Vec<_> = DECKS.iter().map(|(name, _)| *name).collect();
-            anyhow!("{name}: no deck of this project; give one of {}", known.join(", "))
+            let known = DECKS.map(|(name, _)| name);
+            anyhow!("{name}: no deck of this project{}; give one of {}", nearest(name, known), known.join(", "))
         }),
         Action::Functions { .. } => Ok(listed::functions()),
     }
@@ -217,32 +220,45 @@ pub fn destination(action: &Action) -> &Output {
     }
 }
 
-fn text_of(path: &Path) -> anyhow::Result<String> {
-    let bytes = std::fs::read(path).with_context(|| format!("{}: cannot be read", path.display()))?;
-    String::from_utf8(bytes).map_err(|_| anyhow!("{}: no text; give a file of cards in UTF-8", path.display()))
+/// The nearest of the names that are known, in words.
+fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> String {
+    nearest_to(name, known).map_or_else(String::new, |nearest| format!("; the nearest is {nearest}"))
+}
+
+/// The text of a file, or of standard input, and what that is called. A byte order mark is no part of it.
+fn text_of(path: &Path) -> anyhow::Result<(String, String)> {
+    let (name, bytes) = if path == Path::new(STANDARD) {
+        let mut bytes = Vec::new();
+        std::io::stdin().read_to_end(&mut bytes).context("standard input: cannot be read")?;
+        ("standard input".to_owned(), bytes)
+    } else {
+        let bytes = std::fs::read(path).with_context(|| format!("{}: cannot be read", path.display()))?;
+        (path.display().to_string(), bytes)
+    };
+    let text = String::from_utf8(bytes).map_err(|_| anyhow!("{name}: no text; give cards in UTF-8"))?;
+    let text = text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text);
+    Ok((name, text))
 }
 
 /// The deck that is wanted, and what it is called.
 fn read(wanted: &DeckArguments) -> anyhow::Result<(String, Deck)> {
     let (name, text) = match (&wanted.deck, &wanted.listing_in) {
         (_, Some(path)) => {
-            let text = text_of(path)?;
+            let (name, text) = text_of(path)?;
             let listing = listing_in(&text).map(str::to_owned).ok_or_else(|| {
+                anyhow!("{name}: no program in it; one begins with a card PAR(…) or CON(…) and ends with END")
+            })?;
+            (name, listing)
+        }
+        (Some(deck), None) if deck == STANDARD || Path::new(deck).exists() => text_of(Path::new(deck))?,
+        (Some(deck), None) => {
+            let own = deck_named(deck).ok_or_else(|| {
                 anyhow!(
-                    "{}: no program in it; one begins with a card PAR(…) or CON(…) and ends with END",
-                    path.display()
+                    "{deck}: no such file, and no deck of this project{}; geneva mimic decks lists them",
+                    nearest(deck, DECKS.map(|(name, _)| name))
                 )
             })?;
-            (path.display().to_string(), listing)
-        }
-        (Some(deck), None) if deck == "-" => {
-            let mut text = String::new();
-            std::io::stdin().read_to_string(&mut text).context("standard input: no text")?;
-            ("standard input".to_owned(), text)
-        }
-        (Some(deck), None) => {
-            let own = deck_named(deck).filter(|_| !Path::new(deck).exists());
-            (deck.clone(), own.map_or_else(|| text_of(Path::new(deck)), |text| Ok(text.to_owned()))?)
+            (deck.clone(), own.to_owned())
         }
         (None, None) => bail!("no deck; give a file, or --listing-in FILE"),
     };
@@ -257,7 +273,8 @@ fn read(wanted: &DeckArguments) -> anyhow::Result<(String, Deck)> {
         ensure!(
             is_parameter || deck.set(set, *value),
             "--set {set}={value}: {name} has no single card without a control variable that defines {set}, and no CON or \
-             PAR card that names it; give another name"
+             PAR card that names it{}; give another name",
+            nearest(set, deck.parameters().into_iter().chain(deck.results()))
         );
     }
     Ok((name, deck))
@@ -268,9 +285,14 @@ fn program(name: &str, deck: &Deck) -> anyhow::Result<Program> {
 }
 
 fn run(wanted: &RunArguments) -> anyhow::Result<String> {
+    let reads_both = wanted.data.as_deref() == Some(Path::new(STANDARD))
+        && (wanted.deck.deck.as_deref() == Some(STANDARD)
+            || wanted.deck.listing_in.as_deref() == Some(Path::new(STANDARD)));
+    ensure!(!reads_both, "--data -: standard input has the deck already; give a file for one of the two");
     let (name, mut deck) = read(&wanted.deck)?;
     if let Some(path) = &wanted.data {
-        deck = deck.with_data(&text_of(path)?);
+        let (file, text) = text_of(path)?;
+        deck = deck.with_data(&file, &text);
     }
     let program = program(&name, &deck)?;
     let sets = data_sets(wanted, &name, &deck)?;
@@ -306,7 +328,9 @@ fn data_sets(wanted: &RunArguments, name: &str, deck: &Deck) -> anyhow::Result<V
     } else if !deck.has_data() && names.iter().all(|name| given.iter().any(|(of, _)| of == name)) {
         vec![DataSet::default()]
     } else {
-        deck.data_sets().map_err(|faults| anyhow!("{name}\n{faults}"))?
+        // Faults of a file of data name it.
+        let of = if wanted.data.is_some() { String::new() } else { format!("{name}\n") };
+        deck.data_sets().map_err(|faults| anyhow!("{of}{faults}"))?
     };
     Ok(sets.into_iter().map(|set| DataSet(set.0.into_iter().chain(given.iter().cloned()).collect())).collect())
 }

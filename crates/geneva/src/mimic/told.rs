@@ -74,11 +74,12 @@ pub fn json(runs: &[Run]) -> anyhow::Result<String> {
         let rows: Result<Vec<_>, _> = run.rows.iter().map(serde_json::to_string).collect();
         objects.push(format!(
             "  {{\n    \"parameters\": {},\n    \"columns\": {},\n    \"steps\": {},\n    \"forced_steps\": {},\n    \
-             \"rows\": [\n      {}\n    ]\n  }}",
+             \"steps_longer_than_delay\": {},\n    \"rows\": [\n      {}\n    ]\n  }}",
             serde_json::to_string(&Named(&run.parameters))?,
             serde_json::to_string(&run.columns)?,
             run.work.accepted,
             run.work.forced,
+            run.longer_than_delay,
             rows?.join(",\n      ")
         ));
     }
@@ -108,6 +109,15 @@ pub fn svg(name: &str, runs: &[Run]) -> anyhow::Result<String> {
         Some((plot, points)) => (&plot.names, points),
         None => (&run.columns, &run.rows),
     };
+    anyhow::ensure!(
+        names.len() > 1,
+        "{name}: {} alone is printed; a curve needs a second name on the OUT card",
+        names.join(", ")
+    );
+    anyhow::ensure!(
+        points.len() > 1,
+        "{name}: one point is printed, for FIN is true from the start; a curve needs two: change the FIN card"
+    );
     let parameters: Vec<_> = run.parameters.iter().map(|(name, value)| format!("{name} = {value}")).collect();
     let title = if parameters.is_empty() { name.to_owned() } else { format!("{name}: {}", parameters.join(", ")) };
     Ok(geneva_figures::printed::plot(&title, names, points)?.standalone())

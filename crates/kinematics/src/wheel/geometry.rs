@@ -6,7 +6,8 @@ use crate::pin_slot::PinSlot;
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
-/// How many stations a wheel can have: three is the geometric least, and above a thousand no arc is left to lock it.
+/// How many stations a wheel can have: three is the geometric least. The greatest is a limit of this crate, to which all that
+/// it says of wheels is tested; geometry sets none.
 pub const STATIONS: RangeInclusive<u32> = 3..=1000;
 
 /// A Geneva wheel with its driver; lengths are in crank radii.

@@ -123,8 +123,8 @@ fn comparisons() -> Vec<Claim> {
             .value("jazar.duration-limit", "180", "°", "limit of the crank angle of an advance for very many stations")
             .by(LimitCase, || limit(|n| of(n, |wheel| 2.0 * wheel.engagement_half_angle()).to_degrees()))
             .by(
-                ClosedForm, // A straight rack has the wheel's axis at infinity: crank over centre distance is zero.
-                || 2.0 * libm::acos(1.0 / f64::INFINITY).to_degrees(),
+                Series, // From where the wheel of the power series is at rest.
+                || limit(|n| of(n, entry_crank)).to_degrees(),
             ),
         DURATION
             .statement("jazar.gentler", "more gentle", "with more stations the peaks of velocity and acceleration fall")
@@ -175,18 +175,16 @@ pub(super) fn entry_angle(wheel: &Wheel) -> f64 {
 
 /// Whether quantities of each wheel compare so with those of the wheel with a station more.
 fn compare_neighbours(quantities: &[fn(&Wheel) -> f64], ordering: Ordering) -> Finding {
-    let compares = |stations: &u32| {
-        quantities
-            .iter()
-            .all(|quantity| of(*stations, quantity).partial_cmp(&of(stations + 1, quantity)) == Some(ordering))
+    let compares = |pair: &&[Wheel]| {
+        quantities.iter().all(|quantity| quantity(&pair[0]).partial_cmp(&quantity(&pair[1])) == Some(ordering))
     };
-    let failing: Vec<u32> = (3..60).filter(|stations| !compares(stations)).collect();
-    let how = match (failing.first(), ordering) {
-        (Some(first), _) => format!("not from {first} stations to the next"),
-        (None, Ordering::Less) => "rises with each station more, 3 to 60 stations".into(),
-        (None, _) => "falls with each station more, 3 to 60 stations".into(),
+    let failing = wheels().windows(2).find(|pair| !compares(pair));
+    let how = match (failing, ordering) {
+        (Some(pair), _) => format!("not from {} stations to the next", pair[0].stations()),
+        (None, Ordering::Less) => format!("rises with each station more, {}", numbers_of_stations()),
+        (None, _) => format!("falls with each station more, {}", numbers_of_stations()),
     };
-    Finding::new(failing.is_empty(), how)
+    Finding::new(failing.is_none(), how)
 }
 
 /// Limit for N to infinity of a quantity that goes with 1/N: twice the value at 2 N less that at N.

@@ -10,8 +10,7 @@ const C: Place = at("Ex. (c)");
 const MOVING_PART: Slip = Slip {
     id: "jazar.ex-c.formula",
     reason: "The advance takes 180° − 2α of the driver's turn, as the text says itself; the dwell takes the rest. The \
-             formula gives the part that moves, and the numbers follow it. The decimal is besides cut off, not \
-             rounded.",
+             formula gives the part that moves, and the numbers follow it.",
     witness: "The caption of Fig. 5.28 has the wheel of four locked for three quarters of the cycle. For six stations, \
               where the wheel of the power series is at rest, or where the state of the wheel changes, gives the right \
               part.",
@@ -52,7 +51,10 @@ pub fn claims() -> Vec<Claim> {
                 libm::floor(seconds(part(printed("jazar.ex-b.alpha"), -1.0)) / unit) * unit
             })
             .by(OtherPlaceInSource, || {
-                first_digits().iter().rev().fold(0.0, |behind, digit| (f64::from(*digit) + behind) / 10.0)
+                long_division(decimal("jazar.ex-c.dwell-seconds").places() as usize)
+                    .iter()
+                    .rev()
+                    .fold(0.0, |behind, digit| (f64::from(*digit) + behind) / 10.0)
             })
             .right(ClosedForm, dwell_seconds, LimitCase, || seconds(six(locked_part)))
             .in_error(MOVING_PART),
@@ -79,23 +81,18 @@ fn formula() -> Claim {
 }
 
 fn division() -> Claim {
-    C.statement("jazar.ex-c.division", "1/18 = 0.0555", "the decimal is the fraction")
-        .by(ExactIdentity, |stated| {
-            let unit = unit_of_the_decimal();
-            let decimal = exactly("jazar.ex-c.dwell-seconds") - unit.clone() * rational(stated.pick(0, 1), 1);
-            let rest = exactly("jazar.ex-c.dwell") - decimal;
-            Finding::new(rational(0, 1) <= rest && rest < unit, format!("the rest is {rest}"))
+    C.value("jazar.ex-c.division", "0.0555", "s", "the fraction before it as a decimal")
+        .by(ClosedForm, || printed("jazar.ex-c.dwell"))
+        .by(LimitCase, || long_division(20).iter().rev().fold(0.0, |behind, digit| (f64::from(*digit) + behind) / 10.0))
+        .expecting(Verdict::Truncated)
+        .affected_by(Slip {
+            id: "",
+            reason: "The decimal is cut off, not rounded.",
+            witness: "Long division goes on with the same digit without end.",
+            origin: Origin::Arithmetic,
+            consequence: Consequence::Number,
+            changes: "The last digit of the decimal that stands beside the fraction.",
         })
-        .by(ClosedForm, |stated| {
-            let mut digits = printed_digits();
-            if let Some(last) = digits.last_mut() {
-                *last -= stated.pick(0, 1);
-            }
-            let first = first_digits();
-            Finding::new(digits == first, format!("long division gives the digits {first:?}"))
-        })
-        .but_not("the decimal with a last digit that is less by one is the fraction")
-        .read_as("The decimal gives the first digits of the fraction, cut off: it need not be rounded.")
 }
 
 /// (180 ± 2α)/360 for α in degrees.
@@ -126,22 +123,12 @@ fn dwell_seconds() -> f64 {
     example().and_then(|wheel| wheel.dwell_time(example_speed())).unwrap_or(f64::NAN)
 }
 
-fn exactly(id: &str) -> Rational {
-    decimal(id).exact()
-}
-
 fn unit_of_the_decimal() -> Rational {
     decimal("jazar.ex-c.dwell-seconds").unit_in_last_place()
 }
 
-/// The digits of the printed decimal behind its point.
-fn printed_digits() -> Vec<u32> {
-    let text = characters("jazar.ex-c.dwell-seconds");
-    text.chars().skip_while(|c| *c != '.').filter_map(|c| c.to_digit(10)).collect()
-}
-
-/// As many digits of the printed fraction behind its point, by long division.
-fn first_digits() -> Vec<u32> {
+/// So many digits of the printed fraction behind its point, by long division.
+fn long_division(places: usize) -> Vec<u32> {
     let text = characters("jazar.ex-c.dwell");
     let numbers: Vec<u32> = text.split('/').filter_map(|number| number.parse().ok()).collect();
     let [mut rest, divisor] = numbers[..] else { return Vec::new() };
@@ -150,5 +137,5 @@ fn first_digits() -> Vec<u32> {
         rest = tenfold;
         tenfold / divisor
     };
-    printed_digits().into_iter().map(next).collect()
+    (0..places).map(next).collect()
 }

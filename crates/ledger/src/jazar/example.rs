@@ -6,7 +6,7 @@ use super::general::printed_angle;
 use super::*;
 use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::wheel::{Phase, peak_velocity};
-use geneva_kinematics::{Expression, Identity, pin_vectors, prove, rational};
+use geneva_kinematics::{Expression, Field, Identity, pin_vectors, prove, rational};
 
 const DATA: Place = at("Example, data");
 const A: Place = at("Ex. (a)");
@@ -119,6 +119,7 @@ fn velocity() -> Vec<Claim> {
         D.value("jazar.ex-d.peak", "37.70", "rad/s", "peak angular velocity of the wheel")
             .by(ClosedForm, || example_speed() * six(peak_velocity))
             .by(Series, || example_speed() * six(|w| by_series(w, 0.0)[1])),
+        absolute_senses(),
         senses(),
     ]
 }
@@ -144,6 +145,25 @@ fn reference() -> Claim {
         .but_not("Eq. (5.30) tells it")
 }
 
+fn absolute_senses() -> Claim {
+    at("Ex. (d), reference to Fig. 5.29")
+        .statement("jazar.ex-d.absolute-senses", "CCW", "ϕ is positive counterclockwise while θ is positive clockwise")
+        .by(Vectors, |stated| {
+            for_all_stations(
+                |wheel| {
+                    within(wheel.engagement_half_angle()).all(|t| {
+                        let pin = turned_clockwise(wheel, stated.pick(t, -t));
+                        vanishes(libm::atan2(pin.y, pin.x) - printed_angle(wheel, t))
+                    })
+                },
+                "with a driver turned by θ, the pin's direction from the wheel's axis is the angle of Eq. (5.30)",
+            )
+        })
+        .by(ExactIdentity, |stated| prove(&AbsoluteSenses { clockwise: stated.pick(true, false) }).into())
+        .but_not("both are positive counterclockwise")
+        .read_as("With these senses the equations hold: Eq. (5.30) gives the counterclockwise angle of the wheel.")
+}
+
 fn senses() -> Claim {
     at("Ex. (d), reference to Fig. 5.29")
         .statement(
@@ -166,6 +186,22 @@ fn senses() -> Claim {
             )
         })
         .but_not("they turn in the same sense")
+}
+
+/// The wheel's counter-clockwise speed is the velocity ratio of Eq. (5.31) if the driver turns clockwise, or
+/// counter-clockwise, from the line of centres. Variables: k and the tangent of half the crank's angle θ.
+struct AbsoluteSenses {
+    clockwise: bool,
+}
+
+impl Identity<2> for AbsoluteSenses {
+    fn difference(&self, [ratio, half]: [Expression; 2]) -> Expression {
+        let crank = Turn::from_half_tangent(&half);
+        let (turned, speed) =
+            if self.clockwise { (crank.supplement(), -1) } else { (crank.reversed().supplement(), 1) };
+        pin_vectors::solve(&Expression::ONE, &ratio, &turned, &Expression::integer(speed))
+            .map_or(Expression::ONE, |motion| motion.follower_speed - velocity_ratio(&ratio, &crank))
+    }
 }
 
 /// In one counter-clockwise sense for both, the speed of the wheel and `sign` times the velocity ratio of Eq. (5.31)

@@ -1,10 +1,10 @@
 //! The worked example, part (e): which root is the angle of the greatest acceleration, and what is said of it.
 
-use super::peak::{both_roots, six_pair};
+use super::peak::{both_roots, left_side, six_pair};
 use super::*;
 use geneva_kinematics::wheel::{acceleration_peak, acceleration_ratio};
 use geneva_kinematics::wheel_peak_proofs::Roots;
-use geneva_kinematics::{Expression, Identity, prove, rational};
+use geneva_kinematics::{Expression, Field, Identity, prove, rational};
 
 pub fn claims() -> Vec<Claim> {
     vec![root_choice(), alpha_range(), maximum(), angle(), sign_of_the_angle(), general_validity()]
@@ -18,33 +18,22 @@ fn root_choice() -> Claim {
             "only the positive root gives a cosine of a size between zero and one",
         )
         .by(ClosedForm, |stated| {
-            // All whole degrees of the range that the source gives, and its upper end.
-            let gives = |degrees: &i32| {
-                let (plus, minus) = both_roots(libm::sin(f64::from(*degrees).to_radians()));
-                let (this, other) = stated.pick((plus, minus), (minus, plus));
-                (0.0..=1.0).contains(&this.abs()) && other.abs() > 1.0
-            };
-            let count = (1..=60).filter(gives).count();
-            Finding::new(count == 60, format!("for {count} of the 60 angles 1°, 2° … 60°"))
+            for_all_stations(
+                |wheel| {
+                    let (plus, minus) = both_roots(libm::sin(wheel.half_pitch_angle()));
+                    let (this, other) = stated.pick((plus, minus), (minus, plus));
+                    (0.0..=1.0).contains(&this.abs()) && other.abs() > 1.0
+                },
+                "one root is between zero and one, the size of the other above one",
+            )
         })
         .by(ExactIdentity, |stated| {
-            // A quadratic with leading coefficient one has one root above a value at which it is negative. Above
-            // one at which it is positive it has none if it rises there, else both.
-            let given = (1..=86).filter(|hundredths| {
-                let sine = rational(*hundredths, 100);
-                let gamma = (rational(1, 1) + sine.clone() * sine.clone()) / (rational(2, 1) * sine);
-                let above = |cosine: i64| {
-                    let cosine = rational(cosine, 1);
-                    let value = cosine.clone() * cosine.clone() + gamma.clone() * cosine.clone() - rational(2, 1);
-                    let rises = rational(2, 1) * cosine + gamma.clone() > rational(0, 1);
-                    if value < rational(0, 1) { 1 } else { 2 * i32::from(!rises) }
-                };
-                // How many roots are as great as the one between −1 and 1, or greater.
-                let (at_least, greater) = (above(-1), above(1));
-                at_least == stated.pick(1, 2) && at_least - greater == 1
-            });
-            let count = given.count();
-            Finding::new(count == 86, format!("for {count} of the 86 sines 0.01, 0.02 … 0.86"))
+            // The left side q of the quadratic is below zero at cos θ = 0. If it is a square over 2 sin α at 1, or at
+            // −1, it is not below zero there for any sine between zero and one, and a root is between. The product
+            // of the roots is q(0) = −2, so the other is at least as great as two in size.
+            let product: Finding = prove(&ProductOfTheRoots).into();
+            let square: Finding = prove(&SquareAt { end: stated.pick(1, -1) }).into();
+            Finding::new(product.holds && square.holds, format!("{}; {}", product.how, square.how))
         })
         .but_not("only the negative root does")
 }
@@ -62,8 +51,8 @@ fn alpha_range() -> Claim {
             Finding::new(outside.is_none(), format!("stations of 3 to 1000 that are outside: {but}"))
         })
         .by(Vectors, |stated| {
-            let slot = |stations: u32| of(stations, |w| by_series(w, w.engagement_half_angle())[0]).to_degrees();
-            let greatest = (3..=60).map(slot).fold(0.0, f64::max);
+            let slot = |wheel: &Wheel| by_series(wheel, wheel.engagement_half_angle())[0].to_degrees();
+            let greatest = greatest(wheels().iter().map(slot));
             let at_the_end = agrees(greatest, 60.0);
             let holds = stated.pick(at_the_end || greatest < 60.0, !at_the_end && greatest < 60.0);
             Finding::new(holds, format!("the slot of three stations enters at {greatest:.4}°"))
@@ -208,6 +197,28 @@ fn valid_for(stated: Stated, is_extreme: impl Fn(&Wheel, f64) -> bool) -> Findin
         },
         "the angle is that of the extreme, if it is said of so many stations",
     )
+}
+
+/// The two roots of c² + γ c − 2 = 0 have the product −2: (c − a)(c + 2/a) has its middle coefficient for γ, and −2 at
+/// c = 0. Variables: c and a root a.
+struct ProductOfTheRoots;
+
+impl Identity<2> for ProductOfTheRoots {
+    fn difference(&self, [cosine, root]: [Expression; 2]) -> Expression {
+        left_side(cosine, 2 / root - root) - (cosine - root) * (cosine + 2 / root)
+    }
+}
+
+/// With γ by Eq. (5.33), c² + γ c − 2 is at c = ±1 the square of 1 − sin α over 2 sin α. Variable: sin α.
+struct SquareAt {
+    end: i64,
+}
+
+impl Identity<1> for SquareAt {
+    fn difference(&self, [sine]: [Expression; 1]) -> Expression {
+        let (gamma, rest) = ((1 + sine * sine) / (2 * sine), 1 - sine);
+        left_side(Expression::integer(self.end), gamma) - rest * rest / (2 * sine)
+    }
 }
 
 /// The upper sign of the acceleration belongs to one sign of the angle, the lower to the other.

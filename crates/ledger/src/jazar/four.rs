@@ -12,13 +12,13 @@ const LOOP: Place = at("Eq. (5.25)");
 /// Eq. (5.29) without its sign.
 pub(super) const LOST_SIGN: Slip = Slip {
     id: "jazar.eq-5.29",
-    reason: "The display before it has a minus sign in front of this term; here it is lost. As printed the wheel would \
-             first slow down and then speed up. Whether the handout or the copy at hand lost it cannot be told; no \
-             other display of the copy has lost a character.",
+    reason: "The display before it has a minus sign in front of this term; here it is lost, and the wheel would first \
+             slow down and then speed up. Nothing in the source is computed without the sign, and where the equation \
+             is made general it is there. So it is put down to the copy; whether the handout has it cannot be told.",
     witness: "Eq. (5.32) of the same source has the sign, and gives the corrected form for four stations.",
-    origin: Origin::Misprint,
-    consequence: Consequence::Derivation,
-    changes: "The wheel speeds up before the line of centres and slows down past it, not the other way round.",
+    origin: Origin::Copy,
+    consequence: Consequence::Copy,
+    changes: "",
 };
 
 pub fn claims() -> Vec<Claim> {
@@ -99,13 +99,12 @@ fn loop_closure() -> Vec<Claim> {
                 })
             })
             .by(ClosedForm, |stated| {
-                // The triangle of Eq. (5.25) is the same for θ and for −θ.
+                // Law of sines: the sines of θ and φ are as the sides opposite, the pin's distance and the crank.
                 at_instants(|wheel, t| {
-                    let of_theta = |theta: f64| {
-                        let from_centres = theta - stated.pick(0.0, wheel.engagement_half_angle());
-                        by_cosines(wheel.centre_distance_ratio(), from_centres).0
-                    };
-                    (of_theta(t), of_theta(-t))
+                    let theta = t + stated.pick(0.0, wheel.engagement_half_angle());
+                    let (distance, _) = by_cosines(wheel.centre_distance_ratio(), t);
+                    let angle = wheel.engaged(t).map_or(f64::NAN, |motion| motion.angle);
+                    (libm::sin(theta), distance * libm::sin(angle))
                 })
             })
             .but_not("θ is the angle of rotation since the pin entered"),

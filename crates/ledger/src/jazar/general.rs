@@ -1,7 +1,7 @@
 //! The wheel of any number of stations: its sizes and the equations (5.30) to (5.32).
 
 use super::duration::entry_angle;
-use super::four::{LOST_SIGN, printed_5_27, printed_5_28, printed_5_29, printed_5_32};
+use super::four::{printed_5_27, printed_5_28, printed_5_29, printed_5_32};
 use super::*;
 use geneva_kinematics::wheel_proofs::{Printed, Quantity};
 use geneva_kinematics::{Expression, Identity, prove};
@@ -32,31 +32,22 @@ fn sizes() -> Vec<Claim> {
             .statement(
                 "jazar.wheel-radius-ratio",
                 r"1/\tan \alpha",
-                "1/tan α is the outside diameter of the wheel over the pin's radius",
+                "1/tan α is the outside diameter of the wheel over the diameter of the pin's circle",
             )
             .by(Vectors, |stated| {
                 for_all_stations(
                     |wheel| {
-                        let (pins_radius, alpha) = (1.0, wheel.half_pitch_angle());
-                        let outside = entry(wheel).norm() * stated.pick(1.0, 2.0);
-                        agrees(outside / pins_radius, 1.0 / libm::tan(alpha))
+                        let (diameter, alpha) = (2.0 * entry(wheel).norm(), wheel.half_pitch_angle());
+                        agrees(diameter / stated.pick(2.0, 1.0), 1.0 / libm::tan(alpha))
                     },
                     "the rim is where the pin enters",
                 )
             })
             .by(ExactIdentity, |stated| prove(&RimByPythagoras { over: stated.pick(2, 1) }).into())
-            .corrected(
-                "outside radius: 1/tan α",
-                Slip {
-                    id: "",
-                    reason: "The text compares the outside diameter with the radius of the pin's circle, which it \
-                             names just before. The ratio is that of two radii, or of two diameters; the diameter over \
-                             the radius is twice as large.",
-                    witness: "The rim is where the pin enters: its distance from the wheel's axis, by coordinates.",
-                    origin: Origin::Misprint,
-                    consequence: Consequence::Wording,
-                    changes: "",
-                },
+            .but_not("it is that diameter over the radius of the pin's circle")
+            .read_as(
+                "The second ratio, of which the text names only the outside diameter, has the diameter of the pin's \
+                 circle for its other term.",
             ),
         at("Sentence before Eq. (5.30)")
             .equation("jazar.alpha-radians", r"\alpha = \pi/N", "α in radians")
@@ -88,7 +79,8 @@ fn sizes() -> Vec<Claim> {
                     [|w, t| by_duals(w, t)[0], |w, t| by_duals(w, t)[1], |w, t| by_duals(w, t)[2]];
                 four_from_general(&derivatives, stated)
             })
-            .corrected("become, once Eq. (5.29) has its minus sign", LOST_SIGN),
+            .but_not("Eq. (5.29) as it stands in the copy, without its minus sign, is a case of Eq. (5.32)")
+            .read_as("With the minus sign that Eq. (5.29) has lost in the copy."),
     ]
 }
 

@@ -14,11 +14,12 @@ pub(super) fn journal_bearing() -> Claim {
         .by(ClosedForm, |stated| {
             for_all_stations(
                 |wheel| {
-                    // Law of cosines: the pin, a crank radius from the driver's axis, enters at the rim, and the
-                    // slot is half a pitch from the arc's middle.
+                    // Law of cosines, with 2 sin² of half the angle for what its cosine leaves of one: the pin, a
+                    // crank radius from the driver's axis, enters at the rim, and the slot is half a pitch from the
+                    // arc's middle.
                     let (rim, centres) = (wheel.wheel_radius_ratio(), centres(wheel, stated));
-                    let cosine = libm::cos(wheel.half_pitch_angle());
-                    agrees(rim * rim + centres * centres - 2.0 * rim * centres * cosine, 1.0)
+                    let sine = libm::sin(wheel.half_pitch_angle() / 2.0);
+                    agrees((rim - centres) * (rim - centres) + 4.0 * rim * centres * sine * sine, 1.0)
                 },
                 "the mouth of a slot is a crank radius from the centre of the arc beside it",
             )
@@ -88,14 +89,58 @@ pub(super) fn cutout_centres() -> Claim {
             "radius of the circle of the locking arcs' centres, four stations",
         )
         .by(ClosedForm, || {
-            // Rim and crank are equal: an isosceles triangle with 45° at its base, which is the radius wanted.
-            same(2.0 * libm::cos(PI / 4.0), 2f64.sqrt())
+            // Of the wheel as it is made.
+            same(of(4, Wheel::locking_centres_ratio), 2f64.sqrt())
         })
         .by(Vectors, || {
-            // In the dwell an arc is concentric with the driver, which is where the pin's circle has its centre.
-            let crank = |wheel: &Wheel| Turn::from_radians(wheel.engagement_half_angle()).direction();
-            same(of(4, |wheel| (entry(wheel) + crank(wheel)).norm()), 2f64.sqrt())
+            // The arc for a journal as large as the pin's circle, in the wheel at rest, by three of its points: the
+            // mouths of the two slots beside it, and on the line of centres the point of that circle next to the wheel.
+            let centre = |wheel: &Wheel| {
+                let mouth = Turn::from_radians(wheel.half_pitch_angle()).direction() * wheel.wheel_radius_ratio();
+                let nearest = pin_from_pivot(&wheel.centre_distance_ratio(), &Turn::from_radians(0.0)).x;
+                // On the line of centres, as far from a mouth as from the nearest point.
+                (mouth.norm_squared() - nearest * nearest) / (2.0 * (mouth.x - nearest))
+            };
+            same(of(4, centre), 2f64.sqrt())
         })
+}
+
+pub(super) fn most_stations() -> Claim {
+    curves::STATIONS
+        .statement(
+            "jazar.most-stations",
+            "too short",
+            "with very many stations the arcs that lock the wheel become too short",
+        )
+        .by(ClosedForm, |stated| {
+            // Half the arc as seen from its centre: cos ψ = sin α (1 + ρ²) / (2 ρ), with the journal's radius ρ.
+            get_short(stated, |wheel, journal| {
+                let sine = libm::sin(wheel.half_pitch_angle());
+                2.0 * journal * libm::acos(sine * (1.0 + journal * journal) / (2.0 * journal))
+            })
+        })
+        .by(Vectors, |stated| get_short(stated, |wheel, journal| 2.0 * journal * end_of_the_arc(wheel, journal)))
+        .but_not("they do on a driver of one size, whose wheel is larger with more stations")
+        .read_as(
+            "For a wheel of one size, and a journal of six to nine tenths of the crank radius: from four stations on \
+             each station more makes the arc shorter, and with a thousand it is less than a hundredth of the wheel's \
+             radius. How short is too short the text does not say.",
+        )
+}
+
+/// Whether an arc's length over the wheel's radius, or over the crank radius, falls with each station more to less than a
+/// hundredth. Lengths are given in crank radii.
+fn get_short(stated: Stated, arc: impl Fn(&Wheel, f64) -> f64) -> Finding {
+    let wheels = &wheels()[1..];
+    let length = |wheel: &Wheel, journal: f64| arc(wheel, journal) / stated.pick(wheel.wheel_radius_ratio(), 1.0);
+    let at_last = |journal: f64| wheels.last().map_or(f64::NAN, |wheel| length(wheel, journal));
+    let falls = |journal: f64| wheels.windows(2).all(|pair| length(&pair[0], journal) > length(&pair[1], journal));
+    let journals = [0.6, 0.7, 0.8, 0.9];
+    let most = greatest(journals.map(at_last).into_iter());
+    Finding::new(
+        journals.into_iter().all(falls) && most < 0.01,
+        format!("four journals, from four stations on: at last {most:.4}"),
+    )
 }
 
 /// Radius of the circle of the arcs' centres, or that of the rim.
@@ -121,11 +166,14 @@ fn radii(wheel: &Wheel, stated: Stated) -> impl Iterator<Item = f64> {
 /// has a clearance of a billionth.
 fn locks(wheel: &Wheel, journal: f64, sides: &[f64]) -> bool {
     let (rim, distance) = (wheel.wheel_radius_ratio(), wheel.centre_distance_ratio());
-    let cosine = (rim * rim + distance * distance - journal * journal) / (2.0 * rim * distance);
-    let end = libm::acos(cosine);
+    // Law of cosines, with 2 sin² of half the angle for what its cosine leaves of one.
+    let (gap, product) = (distance - rim, 4.0 * rim * distance);
+    let end = 2.0 * libm::asin(((journal - gap) * (journal + gap) / product).sqrt());
     let surface = journal * (1.0 - 1e-9);
-    let inside =
-        |angle: f64| rim * rim + distance * distance - 2.0 * rim * distance * libm::cos(angle) < surface * surface;
+    let inside = |angle: f64| {
+        let sine = libm::sin(angle / 2.0);
+        gap * gap + product * sine * sine < surface * surface
+    };
     let fits = sides.iter().all(|side| !inside(side * end));
     let stops = |turn: &f64| sides.iter().any(|side| inside(side * end + turn * wheel.half_pitch_angle()));
     fits && [1e-3, -1e-3].iter().all(stops)
@@ -136,12 +184,21 @@ fn locks(wheel: &Wheel, journal: f64, sides: &[f64]) -> bool {
 /// The ends are looked for along the journal, from the line of centres to the rim.
 fn holds(wheel: &Wheel, journal: f64, sides: &[f64]) -> bool {
     let axis = Vector2::new(wheel.centre_distance_ratio(), 0.0);
-    let on_the_journal = |angle: f64| axis - Turn::from_radians(angle).direction() * journal;
-    let in_the_wheel = |angle: f64| on_the_journal(angle).norm() < wheel.wheel_radius_ratio();
-    let end = halved(0.0, PI, in_the_wheel).0;
+    let end = end_of_the_arc(wheel, journal);
     let approach = |side: &f64| {
-        let place = on_the_journal(side * end);
+        let place = on_the_journal(wheel, journal, side * end);
         Vector2::new(-place.y, place.x).dot(&(axis - place))
     };
-    in_the_wheel(0.0) && [1.0, -1.0].iter().all(|way| sides.iter().any(|side| approach(side) * way > 0.0))
+    let reaches = on_the_journal(wheel, journal, 0.0).norm() < wheel.wheel_radius_ratio();
+    reaches && [1.0, -1.0].iter().all(|way| sides.iter().any(|side| approach(side) * way > 0.0))
+}
+
+/// The point of the journal at this angle from the line of centres, from the wheel's axis.
+fn on_the_journal(wheel: &Wheel, journal: f64, angle: f64) -> Vector2<f64> {
+    Vector2::new(wheel.centre_distance_ratio(), 0.0) - Turn::from_radians(angle).direction() * journal
+}
+
+/// The angle at the driver's axis from the line of centres to where the journal comes out of the wheel.
+fn end_of_the_arc(wheel: &Wheel, journal: f64) -> f64 {
+    halved(0.0, PI, |angle| on_the_journal(wheel, journal, angle).norm() < wheel.wheel_radius_ratio()).0
 }

@@ -47,6 +47,19 @@ fn steps() -> Vec<Claim> {
             .proven(Printed(Quantity::Jerk))
             .by(AutomaticDerivative, || as_by_duals(3, printed_derivative)),
         at("Ex. (e), condition for an extreme")
+            .formula("jazar.ex-e.zero", r"\frac{d\ddot{\phi}}{dt} = 0", "the derivative is zero at the extremes")
+            .by(Series, |stated| {
+                zero_at(
+                    stated,
+                    |wheel, t| by_series(wheel, t)[3],
+                    |wheel| libm::acos(both_roots(libm::sin(wheel.half_pitch_angle())).0),
+                )
+            })
+            .by(AutomaticDerivative, |stated| {
+                zero_at(stated, |wheel, t| by_duals(wheel, t)[3], |wheel| acceleration_peak(wheel).angle)
+            })
+            .but_not("it is zero where the acceleration is, on the line of centres"),
+        at("Ex. (e), condition for an extreme")
             .equation(
                 "jazar.ex-e.condition",
                 concat!(
@@ -257,13 +270,22 @@ fn reads(curve: impl Fn(&Wheel, f64) -> f64, extreme: impl Fn(&Wheel) -> (f64, f
     )
 }
 
+/// Whether the third derivative of the wheel's angle is zero at both angles of the greatest acceleration; or between them.
+fn zero_at(stated: Stated, third: fn(&Wheel, f64) -> f64, angle: fn(&Wheel) -> f64) -> Finding {
+    for_all_stations(
+        |wheel| {
+            let (angle, scale) = (stated.pick(angle(wheel), 0.0), third(wheel, 0.0));
+            [-angle, angle].iter().all(|t| vanishes(third(wheel, *t) / scale))
+        },
+        "the derivative of the acceleration over that on the line of centres",
+    )
+}
+
 /// Whether an equation in sin α and cos θ is zero at the peak of the power series, for all numbers of stations.
 fn at_the_peak(equation: fn(f64, f64) -> f64) -> Finding {
-    let worst = (3..=60)
-        .filter_map(|n| Wheel::new(n).ok())
-        .map(|wheel| equation(libm::sin(wheel.half_pitch_angle()), libm::cos(peak_by_series(&wheel).0)).abs())
-        .fold(0.0, f64::max);
-    Finding::new(vanishes(worst), format!("at most {worst:.0e} at the peaks for 3 to 60 stations"))
+    let off = |wheel: &Wheel| equation(libm::sin(wheel.half_pitch_angle()), libm::cos(peak_by_series(wheel).0)).abs();
+    let worst = greatest(wheels().iter().map(off));
+    Finding::new(vanishes(worst), format!("at most {worst:.0e} at the peaks, {}", numbers_of_stations()))
 }
 
 /// The derivative of Eq. (5.32) as it is printed, for a driver of speed one.
@@ -282,7 +304,7 @@ pub(super) fn both_roots(sine: f64) -> (f64, f64) {
 }
 
 /// The left side of the quadratic in cos θ.
-fn left_side<S: Field>(cosine: S, gamma: S) -> S {
+pub(super) fn left_side<S: Field>(cosine: S, gamma: S) -> S {
     cosine.clone() * cosine.clone() + gamma * cosine - S::integer(2)
 }
 

@@ -4,7 +4,7 @@ use super::*;
 use geneva_kinematics::pin_proofs::four_slot_entry_misfit;
 use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::wheel::Phase;
-use geneva_kinematics::{Field, Rational, Surd};
+use geneva_kinematics::{Field, Rational, Surd, pin_vectors};
 
 const INDEXING: Place = at("1st paragraph");
 pub(super) const VARIETIES: Place = at("2nd paragraph");
@@ -20,10 +20,12 @@ pub fn claims() -> Vec<Claim> {
         quarter_turn(),
         locking::locking(),
         tangent_entry(),
+        infinite_deceleration(),
         centre_distance(),
         wheel_radius(),
         locking::journal_radius(),
         locking::cutout_centres(),
+        sense_of_the_wheel(),
         parts_of_the_cycle(),
         speeds_up_then_slows_down(),
     ]
@@ -104,10 +106,15 @@ fn quarter_turn() -> Claim {
             same(of(4, advance), 2.0 * PI * stated.pick(0.25, 0.5))
         })
         .by(LimitCase, |stated| {
-            // After so many turns of the driver the wheel is back, having passed each of its slots once.
+            // After so many turns of the driver the wheel is back. How far a slot is turned on in one of them, the law of
+            // cosines says at entry and at exit.
             let turns = stated.pick(4, 2);
-            let passed = of(4, |wheel| wheel.at(turns, 0.0).map_or(f64::NAN, |motion| motion.stations as f64));
-            Finding::new(passed == 4.0, format!("{passed} of 4 stations passed in {turns} turns"))
+            let turned = |wheel: &Wheel| {
+                let slot = |crank: f64| by_cosines(wheel.centre_distance_ratio(), crank).1;
+                let pitch = slot(wheel.engagement_half_angle()) - slot(-wheel.engagement_half_angle());
+                wheel.at(turns, 0.0).map_or(f64::NAN, |motion| motion.stations as f64 * pitch + motion.angle)
+            };
+            same(of(4, turned), 2.0 * PI)
         })
         .but_not("it advances half a turn")
 }
@@ -145,6 +152,46 @@ fn tangent_entry() -> Claim {
         .but_not("it is infinite with a slot that is tangent, too")
 }
 
+fn infinite_deceleration() -> Claim {
+    SIMPLE
+        .statement(
+            "jazar.infinite-deceleration",
+            "infinite deceleration at the end",
+            "unless the slot is tangent, the wheel is accelerated infinitely at the beginning and decelerated so at the end",
+        )
+        .by(ClosedForm, |stated| {
+            jumps(stated, |_, ratio, crank| velocity_ratio(&ratio, &Turn::from_radians(crank)))
+        })
+        .by(Vectors, |stated| {
+            jumps(stated, |_, ratio, crank| {
+                // The part of the pin's velocity across the slot, in the sense in which the wheel advances.
+                let pin = pin_from_pivot(&ratio, &Turn::from_radians(crank));
+                pin.perp(&nalgebra::Vector2::new(libm::sin(crank), libm::cos(crank)))
+            })
+        })
+        .but_not("it is decelerated at the beginning and accelerated at the end")
+        .read_as(
+            "Where a pin that crosses the slot's line twice is nearer to the wheel's axis. At the other crossing the \
+             wheel would be thrown back at first.",
+        )
+}
+
+/// Whether the wheel's speed jumps from zero up as the pin enters and down to zero as it leaves; or the other way.
+fn jumps(stated: Stated, speed: impl Fn(&Wheel, f64, f64) -> f64) -> Finding {
+    let sign = stated.pick(1.0, -1.0);
+    for_all_stations(
+        |wheel| {
+            let nearer = |(_, crank): &(f64, f64)| crank.abs() < wheel.engagement_half_angle();
+            crossings(wheel, &[0.25, 0.5, 0.75]).filter(nearer).all(|(ratio, crank)| {
+                let speed = speed(wheel, ratio, crank);
+                let jump = if crank < 0.0 { speed - 0.0 } else { 0.0 - speed };
+                jump * crank * sign < 0.0
+            })
+        },
+        "the jump of the wheel's speed as the pin enters and as it leaves",
+    )
+}
+
 fn centre_distance() -> Claim {
     SIMPLE
         .equation("jazar.centre-distance", r"\sqrt{2}r", "centre distance of the wheel of four")
@@ -172,6 +219,38 @@ fn wheel_radius() -> Claim {
         .by(ClosedForm, |stated| same(of(4, Wheel::wheel_radius_ratio), stated.pick(1.0, 2f64.sqrt())))
         .by(Vectors, |stated| same(of(4, |wheel| entry(wheel).norm()), stated.pick(1.0, 2f64.sqrt())))
         .but_not("it is the centre distance")
+}
+
+fn sense_of_the_wheel() -> Claim {
+    CAPTION
+        .figure("jazar.fig-5.28-sense", "counterclockwise", "the star wheel is advanced counterclockwise")
+        .by(Vectors, |stated| {
+            let sign = stated.pick(1.0, -1.0);
+            for_all_stations(
+                |wheel| {
+                    within(wheel.engagement_half_angle()).all(|t| {
+                        let [now, next] = [t, t + 1e-6].map(|t| turned_clockwise(wheel, t));
+                        now.perp(&next) * sign > 0.0
+                    })
+                },
+                "which way the pin goes round the wheel's axis while it is in the slot",
+            )
+        })
+        .by(Series, |stated| {
+            let sign = stated.pick(1.0, -1.0);
+            for_all_stations(
+                |wheel| {
+                    within(wheel.engagement_half_angle()).all(|t| {
+                        let crank = Turn::from_radians(PI - t);
+                        let motion = pin_vectors::solve(&1.0, &wheel.centre_distance_ratio(), &crank, &-1.0);
+                        motion.is_some_and(|motion| motion.follower_speed * sign > 0.0)
+                    })
+                },
+                "the wheel's angular velocity, counterclockwise positive, while the driver turns clockwise",
+            )
+        })
+        .but_not("it is advanced clockwise")
+        .read_as("With a driver that turns clockwise: in this sense, says part (d) of the example, θ is positive.")
 }
 
 fn parts_of_the_cycle() -> Claim {

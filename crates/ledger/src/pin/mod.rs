@@ -29,6 +29,9 @@ const fn at(locator: &'static str) -> Place {
     Place::new(Work::Pin, locator)
 }
 
+/// What the problem asks for: the wheel's angular velocity, and the pin's velocity in the slot.
+pub const ANSWERS: &[&str] = &["pin.follower-speed", "pin.sliding-speed", "pin.sliding-velocity-direction"];
+
 /// The mechanism at the printed instant.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Instant {

@@ -39,7 +39,11 @@ pub fn claims() -> Vec<Claim> {
             })
             .but_not("it is the position at a crank angle of 30°"),
         COSINES
-            .equation("pin.law-of-cosines", r"r^{2}=R^{2}+l^{2}-2 R l \cos \ldots", "law of cosines for the side OP")
+            .equation(
+                "pin.law-of-cosines",
+                r"r^{2}=R^{2}+l^{2}-2 R l \cos \ldots^{\circ}",
+                "law of cosines for the side OP",
+            )
             .proven(LawOfCosines)
             .by(Vectors, || {
                 at_the_instant(|instant, motion| {

@@ -1,28 +1,17 @@
 //! Letters and arrows: what the copy made of them, and what they stand for.
 //!
-//! Two kinds of damage, one slip each: Greek letters that have become Latin ones, and arrows that have become letters.
-//! Where a letter has only one meaning in the text, nothing is wrong with it; then the claim says what it names.
+//! Greek letters have become Latin ones, and arrows have become letters. A letter, with its index if it has one, names one
+//! thing in all its places; then nothing is wrong with it, and the claim says what it names. An arrow cannot be told from
+//! the letter that stands for it, and what its angle is measured from is lost.
 
 use super::*;
-
-/// Latin letters where Greek ones are needed.
-pub const GREEK: Slip = Slip {
-    id: "pin.letter-v",
-    reason: "The copy has Latin letters for Greek ones: V and v for ω, f for φ. So v is an angular velocity in one \
-             place and a speed in the next, and f is an angle and an arrow. The same is done all over the copy, so it \
-             is put down to it. (The letters b and g look like β and γ, but each of them names one angle throughout.)",
-    witness: "The units printed behind the two v differ, and so do the numbers printed behind the two f.",
-    origin: Origin::Copy,
-    consequence: Consequence::Copy,
-    changes: "",
-};
 
 /// Letters where arrows are needed.
 pub const ARROWS: Slip = Slip {
     id: "pin.mark-f",
-    reason: "The copy has the letters d, f and i for arrows. With the arrow before the slot point's velocity it is \
-             lost that its angle counts from the vertical; the angle from the horizontal is another. Which way the \
-             arrows pointed cannot be told without the drawing.",
+    reason: "The copy has the letters d, f and i for arrows. With the arrows before the velocities it is lost what \
+             their angles count from: two of them from the horizontal to the left, that of the slot's point from the \
+             vertical. Which way the arrows pointed cannot be told without the drawing.",
     witness: "The angles of the crank and of the slot alone give the same directions.",
     origin: Origin::Copy,
     consequence: Consequence::Copy,
@@ -31,9 +20,13 @@ pub const ARROWS: Slip = Slip {
 
 pub fn letter_v() -> Claim {
     at("Problem, 1st paragraph")
-        .statement("pin.letter-v", "V_D", "the letter V names the angular velocity of the driver")
+        .statement(
+            "pin.letter-v",
+            "V_D",
+            "the letter V or v (ω, it seems) with the index of a disk names its angular velocity, here that of the driver",
+        )
         .by(Evidence::Dimension, |stated| {
-            // As an angular velocity, or as what the letter v names with the pin's velocity: a speed.
+            // As an angular velocity, or as what the letter v names with the index of a point: a speed.
             let named = stated.pick(Some(Dimension::ANGULAR_SPEED), dimension("pin.pin-speed"));
             let printed = dimension("pin.driver-speed");
             let words = |dimension: Option<Dimension>| dimension.map_or("unknown".into(), |d| d.to_string());
@@ -50,37 +43,28 @@ pub fn letter_v() -> Claim {
                 Finding::new(rounds("pin.driver-speed", named), format!("what the letter stands for is {named:.1}"))
             })
         })
-        .corrected(r"\omega_{D}", GREEK)
+        .but_not("it names a speed, as with the index of a point")
 }
 
 pub fn letter_f() -> Claim {
     at("Problem, 2nd paragraph")
-        .statement(
-            "pin.letter-f",
-            "f",
-            "the letter f names the crank angle, here and where it stands again, before the direction of the slot \
-             point's velocity",
-        )
+        .statement("pin.letter-f", "f", "the letter f (φ, it seems) names the angle of the crank from the direction OB")
         .by(Jet, |stated| {
             at_the_instant(|instant, motion| {
                 let crank = heading(&(motion.position - instant.axis()));
-                let direction = heading(&motion.slot_point_velocity) - 270.0;
-                behind_the_two([crank, stated.pick(direction, crank)])
+                the_crank_angle(stated.pick(crank, 180.0 - crank))
             })
         })
         .by(OtherPlaceInSource, |stated| {
-            let crank = 180.0 - printed("pin.angle-at-driver");
-            behind_the_two([crank, stated.pick(printed("pin.angle-at-pivot"), crank)])
+            let corner = printed("pin.angle-at-driver");
+            the_crank_angle(stated.pick(180.0 - corner, corner))
         })
-        .corrected("φ", GREEK)
+        .but_not("it names the angle of the triangle at B")
 }
 
-/// Whether the numbers printed behind the letter f in its two places are these angles.
-fn behind_the_two([here, there]: [f64; 2]) -> Finding {
-    Finding::new(
-        rounds("pin.crank-angle", here) && rounds("pin.slot-point-velocity-direction", there),
-        format!("{here:.1}° here and {there:.1}° there"),
-    )
+/// Whether the number printed behind the letter f is this angle.
+fn the_crank_angle(angle: f64) -> Finding {
+    Finding::new(rounds("pin.crank-angle", angle), format!("that angle is {angle:.1}°"))
 }
 
 pub fn letter_b() -> Claim {
@@ -144,31 +128,28 @@ pub fn mark_d() -> Claim {
         .statement(
             "pin.mark-d",
             "d",
-            "one and the same arrow stands before the angles of the pin's velocity and of its sliding velocity: they \
-             point into one quadrant; the copy has a letter for it",
+            "the arrow before the angles of the pin's velocity and of its sliding velocity, which says what they are \
+             measured from",
         )
         .by(Jet, |stated| {
             at_the_instant(|_, motion| {
-                let other = stated.pick(&motion.sliding_velocity, &motion.slot_point_velocity);
-                one_quadrant([heading(&motion.pin_velocity), heading(other)])
+                arrow_of_two([heading(&motion.pin_velocity), heading(&motion.sliding_velocity)], stated)
             })
         })
         .by(ClosedForm, |stated| {
-            // Across the crank, and from the pin to O or across the slot.
+            // Across the crank, and from the pin to O.
             let slot = triangle(|t| t.angle_at_pivot).to_degrees();
-            one_quadrant([printed("pin.crank-angle") + 90.0, slot + stated.pick(180.0, 270.0)])
+            arrow_of_two([printed("pin.crank-angle") + 90.0, slot + 180.0], stated)
         })
-        .but_not("it stands before the velocity of the slot's point")
+        .corrected("an arrow; the angles are from the horizontal to the left", ARROWS)
 }
 
-/// Whether the two velocities point into one quadrant, as far from its first side as is printed.
-fn one_quadrant([pin, sliding]: [f64; 2]) -> Finding {
-    let quadrant = |angle: f64| (angle / 90.0).floor();
-    let inside = |angle: f64| angle - 90.0 * quadrant(angle);
-    let holds = quadrant(pin) == quadrant(sliding)
-        && rounds("pin.pin-velocity-direction", inside(pin))
-        && rounds("pin.sliding-velocity-direction", inside(sliding));
-    Finding::new(holds, format!("{pin:.1}° and {sliding:.1}° from the right"))
+/// Whether both velocities point as printed if the arrow is ↙ and the angles from the left; or without an arrow.
+fn arrow_of_two([pin, sliding]: [f64; 2], stated: Stated) -> Finding {
+    let from = stated.pick(180.0, 0.0);
+    let angles = [pin - from, sliding - from];
+    let holds = rounds("pin.pin-velocity-direction", angles[0]) && rounds("pin.sliding-velocity-direction", angles[1]);
+    Finding::new(holds, format!("{:.1}° and {:.1}° beyond {from}° from the right", angles[0], angles[1]))
 }
 
 pub fn mark_f() -> Claim {

@@ -1,10 +1,8 @@
 //! The velocity triangle: v_P = v_P′ + v_{P/S}.
 
-use super::signs::{GREEK, dimension};
 use super::*;
 use geneva_kinematics::pin_proofs::{PinSpeed, SlidesAlongTheSlot, SlidingSpeed, SlotPointSpeed};
 use geneva_kinematics::pin_vectors::quarter_turn;
-use geneva_kinematics::prove;
 use nalgebra::Vector2;
 
 const PIN: Place = at("Solution, velocity of the pin");
@@ -20,15 +18,14 @@ pub fn claims() -> Vec<Claim> {
 fn pin_speed() -> Vec<Claim> {
     vec![
         PIN.equation("pin.pin-speed-equation", r"v_{P}=R \mathrm{v}_{D}", "speed of the pin on its circle")
-            .by(Evidence::Dimension, || a_length_times_a_speed("pin.crank-radius"))
-            .corrected_form(|| prove(&PinSpeed).into())
+            .proven(PinSpeed)
             .by(AutomaticDerivative, || {
                 from_duals(|crank| {
                     let speed = printed("pin.crank-radius") * printed("pin.driver-speed");
                     meets(crank.pin_motion()[1].norm(), speed)
                 })
             })
-            .corrected(r"v_{P}=R \omega_{D}", GREEK),
+            .read_as(OF_A_DISK),
         PIN.value(
             "pin.crank-radius",
             "50",
@@ -72,7 +69,7 @@ fn triangle_of_velocities() -> Vec<Claim> {
         ANGLE
             .equation(
                 "pin.velocity-angle-equation",
-                r"g=90^{\circ}-\ldots-\ldots",
+                r"g=90^{\circ}-\ldots^{\circ}-\ldots^{\circ}",
                 "γ is what β and the angle at B leave of a right angle",
             )
             .by(Vectors, || {
@@ -158,8 +155,7 @@ fn wheel() -> Vec<Claim> {
                 r"v_{P'}=r \mathrm{v}_{S}",
                 "speed of the slot's point from the wheel's angular velocity",
             )
-            .by(Evidence::Dimension, || a_length_times_a_speed("pin.radius"))
-            .corrected_form(|| prove(&SlotPointSpeed).into())
+            .proven(SlotPointSpeed)
             .by(AutomaticDerivative, || {
                 // What the pin's velocity has across the slot, against the distance times the slot's rate.
                 from_duals(|crank| {
@@ -167,7 +163,7 @@ fn wheel() -> Vec<Claim> {
                     meets(place.perp(&velocity) / place.norm(), distance * turning)
                 })
             })
-            .corrected(r"v_{P'}=r \omega_{S}", GREEK),
+            .read_as(OF_A_DISK),
         WHEEL
             .value("pin.follower-speed", "4.08", "rad/s", "angular speed of the wheel")
             .by(ClosedForm, || triangle(|t| t.follower_speed))
@@ -186,16 +182,13 @@ const ROUNDED_ANGLE: Slip = Slip {
              right.",
     witness: "The pin's place differentiated, which uses no angle, gives the corrected digits.",
     origin: Origin::Arithmetic,
-    consequence: Consequence::Result,
+    consequence: Consequence::Number,
     changes: "The fourth digit of this speed; the wheel's angular velocity, computed from it, keeps its three digits.",
 };
 
-/// Whether the length printed in this claim, times what the letter v names with the pin's velocity, is a speed.
-fn a_length_times_a_speed(length: &str) -> Finding {
-    let product = dimension(length).zip(dimension("pin.pin-speed")).map(|(length, speed)| length * speed);
-    let words = product.map_or("unknown".into(), |product| product.to_string());
-    Finding::new(product == Some(Dimension::SPEED), format!("{words} stands for {}", Dimension::SPEED))
-}
+/// How the letter v is read that has a disk's name for an index.
+const OF_A_DISK: &str = "The letter v with the index D or S is the angular velocity of that disk, as where the problem \
+                         gives it and where its unit is printed.";
 
 /// Two vectors by their components, in the printed unit.
 fn parts(a: &Vector2<f64>, b: &Vector2<f64>) -> String {

@@ -31,6 +31,23 @@ fn known() -> Vec<Claim> {
                 at_the_instant(|at| Some(meets(at.by_duals().pin_motion()[2].norm(), centripetal(at))))
             }),
         PIN_NORMAL
+            .formula(
+                "quick-return.square-of-the-rate",
+                r"(\ldots)^2(\ldots)",
+                "the square of the printed rate times the printed crank gives the printed result",
+            )
+            .by(OtherPlaceInSource, |stated| {
+                let factors = ["quick-return.driver-rate", "quick-return.crank"].map(printed);
+                gives("quick-return.pin-normal", power(factors, stated.pick(2, 1)))
+            })
+            .by(Series, |stated| {
+                at_the_instant(|at| {
+                    let factors = [at.drive.speed, at.linkage.crank()];
+                    Some(same(given::total(&at.by_series()?), power(factors, stated.pick(2, 1))))
+                })
+            })
+            .but_not("the rate itself, not its square"),
+        PIN_NORMAL
             .value("quick-return.pin-normal", "5.492", "m/s^2", "centripetal acceleration of the pin")
             .by(Vectors, || diagram(|motion| motion.pin_normal.norm()))
             .by(Series, || series(given::total))
@@ -81,6 +98,24 @@ fn known() -> Vec<Claim> {
                 let holds = rounds("quick-return.lever-normal", found);
                 Finding::new(holds, format!("the printed numbers give {found:.4} m/s²"))
             }),
+        LEVER_NORMAL
+            .formula(
+                "quick-return.square-of-the-speed",
+                r"(\ldots)^2(\ldots)",
+                "the square of the lever's printed speed times its printed length gives the printed result",
+            )
+            .by(OtherPlaceInSource, |stated| {
+                let factors = ["quick-return.lever-speed", "quick-return.lever-length"].map(printed);
+                gives("quick-return.lever-normal", power(factors, stated.pick(2, 1)))
+            })
+            .by(Vectors, |stated| {
+                at_the_instant(|at| {
+                    let (motion, rates) = (at.by_diagrams()?, at.by_series()?);
+                    let normal = motion.accelerations.follower_normal.norm();
+                    Some(same(normal, power([rates.turning, radius(&rates)], stated.pick(2, 1))))
+                })
+            })
+            .but_not("the speed itself, not its square"),
         LEVER_NORMAL
             .value("quick-return.lever-normal", "0.813", "m/s^2", "centripetal acceleration of the lever's point")
             .by(Vectors, || diagram(|motion| motion.accelerations.follower_normal.norm()))
@@ -247,6 +282,16 @@ fn found() -> Vec<Claim> {
 
 /// How the equations are read whose angle is printed without a unit.
 const DEGREES: &str = "The angle is printed without a unit here; it counts in degrees, as where it was found.";
+
+/// A rate to this power, times a length.
+fn power([rate, length]: [f64; 2], exponent: usize) -> f64 {
+    (0..exponent).fold(length, |product, _| product * rate)
+}
+
+/// Whether a number rounds to the one printed in the claim with this id.
+pub fn gives(id: &str, number: f64) -> Finding {
+    Finding::new(rounds(id, number), format!("the printed numbers give {number:.4}"))
+}
 
 /// Square of the crank's angular velocity times its radius.
 fn centripetal(at: &Instant) -> f64 {

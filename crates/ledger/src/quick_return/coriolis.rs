@@ -22,6 +22,23 @@ pub fn claims() -> Vec<Claim> {
                 })
             }),
         CORIOLIS
+            .formula(
+                "quick-return.factor-two",
+                r"2(\ldots)(\ldots)",
+                "twice the lever's printed speed times the printed sliding speed gives the printed result",
+            )
+            .by(OtherPlaceInSource, |stated| {
+                let [turning, sliding] = ["quick-return.lever-speed", "quick-return.sliding-speed"].map(printed);
+                acceleration::gives("quick-return.coriolis", stated.pick(2.0, 1.0) * turning * sliding)
+            })
+            .by(AutomaticDerivative, |stated| {
+                from_duals(|crank| {
+                    let [[_, sliding, _], [_, turning, _]] = crank.polar();
+                    meets(term(crank).norm(), stated.pick(2.0, 1.0) * (turning * sliding).abs())
+                })
+            })
+            .but_not("the product once"),
+        CORIOLIS
             .value("quick-return.coriolis", "1.960", "m/s^2", "magnitude of the Coriolis acceleration")
             .by(Vectors, || diagram(|motion| motion.accelerations.coriolis.norm()))
             .by(Series, || series(|rates| 2.0 * (rates.turning * rates.sliding).abs() * radius(rates)))

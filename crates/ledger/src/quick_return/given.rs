@@ -46,11 +46,7 @@ pub fn claims() -> Vec<Claim> {
                 })
             }),
         THREE
-            .statement(
-                "quick-return.three",
-                "three",
-                "the equation of the velocities has three terms, and none of them can be spared",
-            )
+            .statement("quick-return.three", "three", "the equation of the velocities has three terms")
             .by(AutomaticDerivative, |stated| {
                 from_duals(|crank| {
                     let Parted { velocities, .. } = parted(crank);
@@ -58,7 +54,8 @@ pub fn claims() -> Vec<Claim> {
                 })
             })
             .by(OtherPlaceInSource, |stated| summands("quick-return.velocity-equation", stated.pick(3, 2)))
-            .but_not("it has two terms"),
+            .but_not("it has two terms")
+            .read_as(COUNTED),
         ACCELERATION
             .equation(
                 "quick-return.acceleration-equation",
@@ -97,11 +94,7 @@ pub fn claims() -> Vec<Claim> {
                 })
             }),
         QUESTION
-            .statement(
-                "quick-return.seven",
-                "seven",
-                "the equation of the accelerations has seven terms, and in general none of them can be spared",
-            )
+            .statement("quick-return.seven", "seven", "the equation of the accelerations has seven terms")
             .by(AutomaticDerivative, |stated| {
                 from_duals(|crank| {
                     let Parted { accelerations, .. } = parted(crank);
@@ -109,7 +102,8 @@ pub fn claims() -> Vec<Claim> {
                 })
             })
             .by(OtherPlaceInSource, |stated| summands("quick-return.seven-terms", stated.pick(7, 6)))
-            .but_not("it has six terms"),
+            .but_not("it has six terms")
+            .read_as(COUNTED),
         DRAWING
             .figure("quick-return.figure", "Figure", "the drawing of the mechanism, with its lengths and its angle")
             .missing(
@@ -119,6 +113,10 @@ pub fn claims() -> Vec<Claim> {
             ),
     ]
 }
+
+/// How terms are counted.
+const COUNTED: &str = "Counted in a motion in which none of them happens to be zero: the crank speeds up, and the slot is \
+                       curved.";
 
 /// The instant with the crank turning counter-clockwise; or clockwise.
 fn driven(instant: &Instant, stated: Stated) -> Instant {

@@ -34,6 +34,22 @@ const fn at(locator: &'static str) -> Place {
     Place::new(Work::QuickReturn, locator)
 }
 
+/// What the problem asks for: each term of its two equations, and the angular velocity and acceleration of the lever.
+pub const ANSWERS: &[&str] = &[
+    "quick-return.pin-speed",
+    "quick-return.lever-point-speed",
+    "quick-return.sliding-speed",
+    "quick-return.lever-speed",
+    "quick-return.pin-normal",
+    "quick-return.pin-tangential",
+    "quick-return.lever-normal",
+    "quick-return.lever-tangential",
+    "quick-return.sliding-normal",
+    "quick-return.sliding-acceleration",
+    "quick-return.coriolis",
+    "quick-return.lever-acceleration",
+];
+
 /// The mechanism at the printed instant. Lengths in m, angles from the direction lever pivot → crank axis.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Instant {

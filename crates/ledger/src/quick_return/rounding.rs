@@ -22,7 +22,7 @@ pub const LENGTH: Slip = Slip {
     witness: "The loop closure differentiated by power series gives the corrected digits too.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Result,
-    changes: "Three intermediate results change by one or two units of their last digit.",
+    changes: "Three results change by one or two units of their last digit, the lever's angular velocity among them.",
 };
 
 #[cfg(test)]

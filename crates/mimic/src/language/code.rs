@@ -32,7 +32,7 @@ pub(super) enum Operation {
     /// The difference quotient of the first two since the values in the third and fourth; the result's own register
     /// keeps its value while the second rests.
     Slope,
-    /// Passes over so many instructions, which stand in place of the result, unless the first is true.
+    /// Passes over so many instructions, which stand in place of the result, unless the first two are true.
     Unless,
     /// Goes back over so many instructions, until the result and the first are equal. The second counts.
     Repeat,
@@ -86,7 +86,7 @@ pub(super) fn execute(code: &[Instruction], registers: &mut [f64]) {
             Operation::Exclusive => (a - b).abs(),
             Operation::Slope => slope(registers[to], [a, b], [c, d]),
             Operation::Unless => {
-                if a != 1.0 {
+                if a != 1.0 || b != 1.0 {
                     at += to;
                 }
                 continue;

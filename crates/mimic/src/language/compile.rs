@@ -7,7 +7,7 @@ use super::expression::{Expression, Node};
 use super::function::{FUNCTIONS, Kind};
 use super::graph::{Graph, Region};
 use super::program::{
-    Code, Delay, FALSE, FIRST_STEP, FREE, Finish, More, PlotCode, Program, Sample, Slope, State, TIME, TRUE,
+    Code, Delay, FALSE, FIRST_STEP, FREE, Finish, Memory, More, PlotCode, Program, Sample, Slope, State, TIME, TRUE,
 };
 use super::sorting::{Sorted, When};
 use std::collections::HashMap;
@@ -33,6 +33,8 @@ struct Compiler<'a> {
     feed: Code,
     samples: Vec<Sample>,
     slopes: Vec<Slope>,
+    /// The gate of each name that has a memory.
+    gates: HashMap<&'a str, u32>,
     /// Of each block that is a difference quotient, the register of its first value.
     slope_starts: HashMap<u32, u32>,
 }
@@ -51,6 +53,7 @@ impl<'a> Compiler<'a> {
             feed: Code::default(),
             samples: Vec::new(),
             slopes: Vec::new(),
+            gates: HashMap::new(),
             slope_starts: HashMap::new(),
         };
         compiler.registers[TRUE as usize] = 1.0;
@@ -175,8 +178,10 @@ impl<'a> Compiler<'a> {
         let is_only = self.graph.definitions.get(name).is_some_and(|all| all.len() == 1);
         if self.implicit(&[number]).is_some() {
             // Its value comes from the end of its loop.
-        } else if is_only && statement.control.is_none() && !self.of_name.contains_key(name) {
+        } else if is_only && self.graph.is_at_hand(number) && !self.of_name.contains_key(name) {
             self.of_name.insert(name, root);
+            self.now[number] = code;
+            return;
         } else {
             let to = match self.of_name.get(name) {
                 Some(register) => *register,
@@ -198,8 +203,14 @@ impl<'a> Compiler<'a> {
         }
         if let Some(control) = &statement.control {
             let control = self.of_name.get(control.name.as_str()).copied().unwrap_or(FALSE);
+            let gate = match self.gates.get(name) {
+                Some(gate) => *gate,
+                None => self.register(),
+            };
+            self.gates.insert(name, gate);
+            self.registers[gate as usize] = 1.0;
             let over = code.instructions.len() as u32;
-            let unless = Instruction { operation: Operation::Unless, to: over, from: [control, 0, 0, 0] };
+            let unless = Instruction { operation: Operation::Unless, to: over, from: [control, gate, 0, 0] };
             let mut guarded = Code::default();
             guarded.push(statement.card, unless);
             guarded.extend(&code);
@@ -365,6 +376,17 @@ impl<'a> Compiler<'a> {
         roots
     }
 
+    fn memory(&self, name: &str, gate: u32, held: &[u32]) -> Memory {
+        let own = || self.graph.definitions_of(name).iter().map(|of| &self.graph.deck.statements[*of]);
+        Memory {
+            card: own().map(|of| of.card).next().unwrap_or(0),
+            name: name.to_owned(),
+            held: held.binary_search(&self.named(name).1).unwrap_or(0),
+            gate,
+            controls: own().filter_map(|of| of.control.as_ref()).map(|word| self.named(&word.name).1).collect(),
+        }
+    }
+
     fn assemble(mut self, mut initial: Code, mut each: Code) -> Program {
         let graph = self.graph;
         let deck = graph.deck;
@@ -415,13 +437,14 @@ impl<'a> Compiler<'a> {
         for sample in &mut samples {
             sample.interval = self.argument(sample.interval as usize, 1).unwrap_or(TRUE);
         }
-        let changing = |name: &&&str| graph.definitions[**name].iter().any(|of| deck.statements[*of].control.is_some());
-        let mut held: Vec<u32> = graph.definitions.keys().filter(changing).map(|name| self.named(name).1).collect();
+        let mut held: Vec<u32> = self.gates.keys().map(|name| self.named(name).1).collect();
         held.extend(
             graph.blocks.iter().zip(&self.of_block).filter(|(of, _)| of.kind == Kind::Slope).map(|(_, of)| *of),
         );
         held.sort_unstable();
         held.dedup();
+        let mut memories: Vec<Memory> = self.gates.iter().map(|(name, gate)| self.memory(name, *gate, &held)).collect();
+        memories.sort_unstable_by_key(|memory| memory.gate);
         let mut names: Vec<(String, u32)> = self.of_name.iter().map(|(name, of)| ((*name).to_owned(), *of)).collect();
         names.sort_unstable();
         let live = graph.live();
@@ -429,6 +452,7 @@ impl<'a> Compiler<'a> {
             let statement = &deck.statements[*number];
             Sorted {
                 card: statement.card,
+                statement: *number,
                 result: statement.result.name.clone(),
                 control: statement.control.as_ref().map(|word| word.name.clone()),
                 when: if graph.is_constant[*number] { When::Once } else { When::Always },
@@ -447,6 +471,7 @@ impl<'a> Compiler<'a> {
             samples,
             slopes: self.slopes,
             held,
+            memories,
             steps,
             finishes,
             headings: deck.headings.clone(),

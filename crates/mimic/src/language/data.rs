@@ -2,7 +2,7 @@
 
 use super::card::Word;
 use super::deck::{Deck, Group};
-use super::fault::{Faults, Problem};
+use super::fault::{Fault, Faults, Problem};
 use core::ops::Range;
 
 /// Most runs of one deck.
@@ -45,17 +45,22 @@ impl DataCard {
     }
 }
 
+/// A text with data cards, by itself.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct DataFile {
+    name: String,
+    lines: Vec<String>,
+}
+
 /// The numbers of one run, each under its name: those of the CON cards, then those of the PAR cards.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DataSet(pub Vec<(String, f64)>);
 
 impl Deck {
-    /// Takes the data cards of another text in place of those behind the deck.
-    pub fn with_data(mut self, text: &str) -> Self {
-        let number_of_first = self.cards.len() + 1;
-        self.data =
-            text.lines().enumerate().filter_map(|(at, line)| DataCard::read(number_of_first + at, line)).collect();
-        self.cards.extend(text.lines().map(str::to_owned));
+    /// Takes the data cards of another text in place of those behind the deck. Faults tell it by its name.
+    pub fn with_data(mut self, name: &str, text: &str) -> Self {
+        self.data = text.lines().enumerate().filter_map(|(at, line)| DataCard::read(at + 1, line)).collect();
+        self.data_file = Some(DataFile { name: name.to_owned(), lines: text.lines().map(str::to_owned).collect() });
         self
     }
 
@@ -117,11 +122,25 @@ impl Reader<'_> {
     ) -> Result<(), Faults> {
         let Some(card) = self.deck.data.get(self.next) else {
             let name = names.as_slice().first().map_or("", |word| word.name.as_str());
-            let words = format!(
-                "no number is left for {name}: the card has {} names, and as many numbers must stand behind END",
-                group.names.len()
-            );
-            return Err(self.fault(group.card, 0..1, words));
+            let count = group.names.len();
+            return Err(match &self.deck.data_file {
+                None => {
+                    let words = format!(
+                        "no number is left for {name}: the card has {count} names, and as many numbers must stand behind END"
+                    );
+                    Faults(vec![self.deck.fault(group.card, 0..1, Problem::Data(words))])
+                }
+                Some(file) => {
+                    let words = format!(
+                        "no number is left for {name}: card {} of the deck has {count} names, and as many numbers must \
+                         stand here",
+                        group.card
+                    );
+                    let line = file.lines.len().max(1);
+                    let end = file.lines.last().map_or(0, |line| line.trim_end().chars().count());
+                    self.fault(line, end..end + 1, words)
+                }
+            });
         };
         for (number, columns) in &card.numbers {
             let Some(number) = number else {
@@ -130,8 +149,9 @@ impl Reader<'_> {
             };
             let Some(word) = names.next() else {
                 let words = format!(
-                    "one number more than card {} has names; the numbers for another card begin a new data card",
-                    group.card
+                    "one number more than card {} {}has names; the numbers for another card begin a new data card",
+                    group.card,
+                    if self.deck.data_file.is_some() { "of the deck " } else { "" }
                 );
                 return Err(self.refuse(self.next, columns.clone(), words));
             };
@@ -146,7 +166,15 @@ impl Reader<'_> {
         self.fault(self.deck.data.get(number).map_or(0, |card| card.card), columns, words)
     }
 
+    /// A fault on a line of the data.
     fn fault(&self, card: usize, columns: Range<usize>, words: String) -> Faults {
-        Faults(vec![self.deck.fault(card, columns, Problem::Data(words))])
+        let problem = Problem::Data(words);
+        Faults(vec![match &self.deck.data_file {
+            None => self.deck.fault(card, columns, problem),
+            Some(file) => {
+                let text = card.checked_sub(1).and_then(|at| file.lines.get(at)).cloned().unwrap_or_default();
+                Fault { file: Some(file.name.clone()), card, columns, text, problem }
+            }
+        }])
     }
 }

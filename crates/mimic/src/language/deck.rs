@@ -2,13 +2,14 @@
 
 use super::card::{Fields, Layout, Word, fields, is_comment};
 use super::control::{STEPS, reserved};
-use super::data::DataCard;
+use super::data::{DataCard, DataFile};
 use super::expression::{Expression, Node, Problems, expected, expression, list};
 use super::fault::{Fault, Faults, Problem};
 use super::graph::Graph;
 use super::sorting::Sorted;
 use super::token::Placed;
 use core::ops::Range;
+use std::collections::HashSet;
 
 /// A statement: a result and its expression, perhaps under a control variable.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,6 +68,8 @@ pub struct Deck {
     pub(super) output_cards: Vec<usize>,
     pub(super) plots: Vec<PlotCards>,
     pub(super) data: Vec<DataCard>,
+    /// Where the data are from, if they do not stand behind the deck.
+    pub(super) data_file: Option<DataFile>,
     notes: Vec<String>,
 }
 
@@ -79,7 +82,13 @@ impl Deck {
     /// are defined twice. Whatever else is wrong with cards that fit together badly, [`Program::new`](super::Program::new)
     /// tells.
     pub fn read(text: &str, layout: Layout) -> Result<Self, Faults> {
-        let mut reading = Reading { deck: Self::empty(text), faults: Vec::new(), lost: Vec::new() };
+        let mut reading = Reading {
+            deck: Self::empty(text),
+            faults: Vec::new(),
+            lost: HashSet::new(),
+            has_end_card: false,
+            has_print_card: false,
+        };
         let mut ended = false;
         for (number, line) in text.lines().enumerate() {
             let card: Vec<char> = line.trim_end().chars().collect();
@@ -110,6 +119,7 @@ impl Deck {
             output_cards: Vec::new(),
             plots: Vec::new(),
             data: Vec::new(),
+            data_file: None,
             notes: Vec::new(),
         }
     }
@@ -125,10 +135,15 @@ impl Deck {
         of(false).chain(of(true)).flat_map(|group| group.names.iter().map(|word| word.name.as_str())).collect()
     }
 
+    /// The names that a statement defines, and those of the steps, in the order of the cards.
+    pub fn results(&self) -> impl Iterator<Item = &str> {
+        self.statements.iter().map(|statement| statement.result.name.as_str()).chain(STEPS)
+    }
+
     /// The expression of a statement as its card has it; the number alone if it has been [`set`](Self::set).
     pub fn expression_of(&self, sorted: &Sorted) -> String {
-        let own = self.statements.iter().find(|of| of.card == sorted.card && of.result.name == sorted.result);
-        let Some(own) = own else { return String::new() };
+        let own = self.statements.get(sorted.statement);
+        let Some(own) = own.filter(|of| of.result.name == sorted.result) else { return String::new() };
         if let [(Node::Number(number), _)] = own.expression.nodes[..] {
             return number.to_string();
         }
@@ -168,7 +183,7 @@ impl Deck {
     /// A fault at some columns of a card.
     pub(super) fn fault(&self, card: usize, columns: Range<usize>, problem: Problem) -> Fault {
         let text = card.checked_sub(1).and_then(|at| self.cards.get(at)).cloned().unwrap_or_default();
-        Fault { card, columns, text, problem }
+        Fault { file: None, card, columns, text, problem }
     }
 }
 
@@ -176,8 +191,11 @@ impl Deck {
 struct Reading {
     deck: Deck,
     faults: Vec<Fault>,
+    /// Whether there is a FIN card, and an OUT or PLO card, be it one that cannot be read.
+    has_end_card: bool,
+    has_print_card: bool,
     /// Names on cards that could not be read: they may have been defined there.
-    lost: Vec<String>,
+    lost: HashSet<String>,
 }
 
 impl Reading {
@@ -193,6 +211,7 @@ impl Reading {
         match fields(card, layout) {
             Err(problems) => {
                 let (tokens, _) = super::token::tokens(card, 0..card.len());
+                self.seen(tokens.first().and_then(Placed::name).unwrap_or(""));
                 self.lost.extend(tokens.iter().filter_map(Placed::name).map(str::to_owned));
                 self.all(number, problems);
             }
@@ -218,7 +237,13 @@ impl Reading {
         false
     }
 
+    fn seen(&mut self, word: &str) {
+        self.has_end_card |= word == "FIN";
+        self.has_print_card |= word == "OUT" || word == "PLO";
+    }
+
     fn control(&mut self, card: usize, word: &Word, rest: &[Placed], text: &[char]) -> bool {
+        self.seen(&word.name);
         match word.name.as_str() {
             "END" => return true,
             "CON" | "PAR" => {
@@ -357,17 +382,18 @@ impl Reading {
 
     /// What a deck must have.
     fn whole(&mut self, ended: bool) {
+        let (has_end_card, has_print_card) = (self.has_end_card, self.has_print_card);
         let mut missing = |card, why| {
             let problem = Problem::Missing { card, why };
-            self.faults.push(Fault { card: 0, columns: 0..0, text: String::new(), problem });
+            self.faults.push(Fault { file: None, card: 0, columns: 0..0, text: String::new(), problem });
         };
         if !ended {
             missing("END", "put one behind the last card, and data cards behind it");
         }
-        if self.deck.finishes.is_empty() {
+        if !has_end_card {
             missing("FIN", "say when a run ends, such as FIN(T,10.)");
         }
-        if self.deck.outputs.is_empty() && self.deck.plots.is_empty() {
+        if !has_print_card {
             missing("OUT", "say what to print, such as OUT(T,X)");
         }
         for (number, heading) in self.deck.headings.iter().enumerate() {

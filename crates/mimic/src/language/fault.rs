@@ -164,13 +164,19 @@ fn but_near(name: &Option<String>) -> String {
 }
 
 fn circle(names: &[String]) -> String {
+    /// Most names that are told.
+    const MOST: usize = 20;
     let first = names.first().map_or("", String::as_str);
-    format!("{} → {first}", names.join(" → "))
+    let more = names.len().saturating_sub(MOST);
+    let more = if more > 0 { format!(" → … ({more} more)") } else { String::new() };
+    format!("{}{more} → {first}", names[..names.len().min(MOST)].join(" → "))
 }
 
 /// A problem, and where it is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fault {
+    /// The file of data that it is about; none if it is about the deck.
+    pub file: Option<String>,
     /// Number of the card in its file, counted from 1; 0 if it is about the whole deck.
     pub card: usize,
     /// The characters that it is about, counted from 0.
@@ -187,7 +193,11 @@ impl fmt::Display for Fault {
             return write!(f, "{}", self.problem);
         }
         let start = self.columns.start;
-        writeln!(f, "card {}, column {}: {}", self.card, start + 1, self.problem)?;
+        match &self.file {
+            Some(file) => write!(f, "{file}, line ")?,
+            None => f.write_str("card ")?,
+        }
+        writeln!(f, "{}, column {}: {}", self.card, start + 1, self.problem)?;
         // A card as wide as a page shows the part in question.
         let cut = start.saturating_sub(60);
         let shown: String =
@@ -201,15 +211,21 @@ impl fmt::Display for Fault {
 #[derive(Clone, Debug, PartialEq, Error)]
 pub struct Faults(pub Vec<Fault>);
 
+/// Most faults that are told in words, the first ones; the others are counted.
+pub(super) const MOST_TOLD: usize = 50;
+
 impl fmt::Display for Faults {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (number, fault) in self.0.iter().enumerate() {
+        for (number, fault) in self.0.iter().take(MOST_TOLD).enumerate() {
             if number > 0 {
                 writeln!(f)?;
             }
             write!(f, "{fault}")?;
         }
-        Ok(())
+        match self.0.len().saturating_sub(MOST_TOLD) {
+            0 => Ok(()),
+            more => write!(f, "\nand {more} more; {} in all", self.0.len()),
+        }
     }
 }
 
@@ -222,10 +238,13 @@ impl Faults {
     }
 }
 
-/// The known name that is nearest to a word, if one is near.
-pub(super) fn nearest_to<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
-    let most = if word.chars().count() < 3 { 1 } else { 2 };
-    let near = known.into_iter().filter(|name| *name != word).map(|name| (strsim::osa_distance(word, name), name));
+/// The known name that is nearest to a word, if one is near: two signs are other, missing, too many or exchanged at
+/// most.
+pub fn nearest_to<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
+    let signs = word.chars().count();
+    let most = if signs < 3 { 1 } else { 2 };
+    let may_be = |name: &&str| *name != word && name.chars().count().abs_diff(signs) <= most;
+    let near = known.into_iter().filter(may_be).map(|name| (strsim::osa_distance(word, name), name));
     near.filter(|(distance, name)| *distance <= most && *distance < name.len().max(word.len()))
         .min()
         .map(|(_, name)| name.to_owned())

@@ -3,11 +3,14 @@
 use super::control::{GIVEN, STEPS};
 use super::deck::{Deck, Statement};
 use super::expression::{Expression, Node};
-use super::fault::{Fault, Problem, nearest_to};
+use super::fault::{Fault, MOST_TOLD, Problem, nearest_to};
 use super::function::{FUNCTIONS, Kind};
 use super::sorting::{circle, components};
 use super::types::Type;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
+
+/// Most names that are compared with unknown ones.
+const COMPARED: usize = 1_000_000;
 
 /// When a part of an expression is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -57,6 +60,8 @@ pub(super) struct Graph<'a> {
     pub(super) definitions: HashMap<&'a str, Vec<usize>>,
     /// The names of CON and PAR cards.
     pub(super) parameters: Vec<&'a str>,
+    /// Names that are known though no statement defines them.
+    known_without: HashSet<&'a str>,
     pub(super) regions: Vec<Vec<Region>>,
     pub(super) blocks: Vec<Block>,
     /// The blocks of each statement.
@@ -87,10 +92,12 @@ impl<'a> Graph<'a> {
             }
             blocks_of.push(first..blocks.len());
         }
+        let parameters = deck.parameters();
         let mut graph = Self {
             deck,
             definitions: HashMap::new(),
-            parameters: deck.parameters(),
+            known_without: parameters.iter().copied().chain(GIVEN).chain(STEPS).collect(),
+            parameters,
             regions,
             blocks,
             blocks_of,
@@ -126,16 +133,20 @@ impl<'a> Graph<'a> {
                 }
             }
         }
+        // Of each name and control variable, the first card.
+        let mut under: HashMap<(&str, Option<&str>), usize> = HashMap::new();
         for (number, statement) in self.deck.statements.iter().enumerate() {
             let word = &statement.result;
-            let before = self.definitions.entry(&word.name).or_default();
-            let control = |of: &Statement| of.control.as_ref().map(|word| word.name.clone());
-            let clash = before.iter().map(|other| &self.deck.statements[*other]).find(|other| {
-                let pair = [control(other), control(statement)];
-                pair.iter().any(Option::is_none) || pair[0] == pair[1]
-            });
-            let first = clash.map(|clash| clash.card).or_else(|| on_cards.get(word.name.as_str()).copied());
+            let name = word.name.as_str();
+            let control = statement.control.as_ref().map(|word| word.name.as_str());
+            let before = self.definitions.entry(name).or_default();
+            let clash = match control {
+                None => before.first().map(|first| self.deck.statements[*first].card),
+                Some(_) => under.get(&(name, None)).or_else(|| under.get(&(name, control))).copied(),
+            };
+            let first = clash.or_else(|| on_cards.get(name).copied());
             before.push(number);
+            under.entry((name, control)).or_insert(statement.card);
             if let Some(first) = first {
                 self.fault(statement.card, word.at.clone(), Problem::DefinedTwice { name: word.name.clone(), first });
             }
@@ -143,10 +154,7 @@ impl<'a> Graph<'a> {
     }
 
     pub(super) fn is_known(&self, name: &str) -> bool {
-        self.definitions.contains_key(name)
-            || GIVEN.contains(&name)
-            || STEPS.contains(&name)
-            || self.parameters.contains(&name)
+        self.definitions.contains_key(name) || self.known_without.contains(name)
     }
 
     /// That every name is defined somewhere.
@@ -180,14 +188,16 @@ impl<'a> Graph<'a> {
         for listed in self.listed() {
             listed.expressions.iter().for_each(|expression| in_expression(listed.card, expression, &mut check));
         }
-        let mut known: Vec<&str> = self.definitions.keys().copied().chain(self.parameters.iter().copied()).collect();
-        known.extend(GIVEN);
-        known.extend(STEPS);
+        unknown.sort_by_key(|(card, _, columns)| (*card, columns.start));
+        let mut known: Vec<&str> = self.definitions.keys().chain(&self.known_without).copied().collect();
         known.sort_unstable();
+        // To look for the nearest takes the longer the more names there are; it is for faults that are told.
+        let looked_for = MOST_TOLD.min(COMPARED / known.len().max(1) + 1);
         let told: Vec<_> = unknown
             .into_iter()
-            .map(|(card, name, columns)| {
-                let nearest = nearest_to(&name, known.iter().copied());
+            .enumerate()
+            .map(|(at, (card, name, columns))| {
+                let nearest = if at < looked_for { nearest_to(&name, known.iter().copied()) } else { None };
                 (card, columns, Problem::UnknownName { name, nearest })
             })
             .collect();
@@ -219,10 +229,19 @@ impl<'a> Graph<'a> {
         whole.is_some_and(|(function, _)| FUNCTIONS[function].kind == Kind::Implicit)
     }
 
+    /// Whether the result is what its expression is at any instant: it stands under no control variable, or is the only
+    /// one of its name and an integral as a whole, which rests by itself while its control variable is not true.
+    pub(super) fn is_at_hand(&self, statement: usize) -> bool {
+        let Statement { control, result, expression, .. } = &self.deck.statements[statement];
+        let kind = expression.whole_call().map(|(function, _)| FUNCTIONS[function].kind);
+        let is_integral = matches!(kind, Some(Kind::Integral | Kind::Limited | Kind::Lag));
+        control.is_none() || is_integral && self.definitions_of(&result.name).len() == 1
+    }
+
     /// The order of the statements, and loops.
     fn sort(&mut self) {
         for number in 0..self.deck.statements.len() {
-            let control = self.deck.statements[number].control.as_ref();
+            let control = self.deck.statements[number].control.as_ref().filter(|_| !self.is_at_hand(number));
             let names = self.names_in(number, |region| region == Region::Now);
             let names = names.into_iter().chain(control.map(|word| word.name.as_str()));
             let mut needs: Vec<usize> = names.flat_map(|name| self.definitions_of(name).iter().copied()).collect();

@@ -16,17 +16,14 @@ impl Graph<'_> {
 
     pub(super) fn find_constants(&mut self) {
         for group in self.order.clone() {
+            // Inside a loop around an IMP each waits for the others.
+            group.iter().for_each(|of| self.is_constant[*of] = true);
             let constant = group.iter().all(|of| {
                 let has_memory = !self.blocks_of[*of].is_empty();
                 let is_free = self.deck.statements[*of].control.is_none();
                 let mut names = self.names_in(*of, |_| true).into_iter();
-                let known = |name: &str| {
-                    name != "T"
-                        && self
-                            .definitions_of(name)
-                            .iter()
-                            .all(|other| group.contains(other) || self.is_constant[*other])
-                };
+                let known =
+                    |name: &str| name != "T" && self.definitions_of(name).iter().all(|other| self.is_constant[*other]);
                 !has_memory && is_free && names.all(known)
             });
             group.iter().for_each(|of| self.is_constant[*of] = constant);
@@ -95,7 +92,13 @@ impl Graph<'_> {
             self.types.entry(&statement.result.name).or_insert(found);
         }
         let mut told = Vec::new();
-        for statement in &self.deck.statements {
+        // What an algebraic loop leaves without a type is told as that loop.
+        let has_none = |name: &str| self.definitions.contains_key(name) && !self.types.contains_key(name);
+        for (number, statement) in self.deck.statements.iter().enumerate() {
+            let control = statement.control.as_ref().map(|word| word.name.as_str());
+            if self.names_in(number, |_| true).into_iter().chain(control).any(has_none) {
+                continue;
+            }
             let of_name = |name: &str| self.types.get(name).copied();
             let (found, problems) = types(&statement.expression, of_name);
             told.extend(problems.into_iter().map(|(columns, problem)| (statement.card, columns, problem)));

@@ -2,19 +2,19 @@
 
 use super::code::execute;
 use super::origin::Origin;
-use super::program::{More, Program, State, TIME};
+use super::program::{Memory, More, Program, State, TIME};
 use super::trouble::Trouble;
 use crate::step::Attempt;
 use crate::{Cause, DelayError, DelayLine, Parameters, System};
 use core::cell::Cell;
 use nalgebra::SVector;
 
-/// Kept points that a delay line holds.
-const KEPT: usize = 16_384;
+/// Most kept points that a delay line holds: sixteen megabytes.
+const KEPT: usize = 1 << 20;
 
 /// A delay line, how far apart its entries are at least, and when the last was made.
 pub(super) struct Line {
-    pub(super) line: Box<DelayLine<KEPT>>,
+    pub(super) line: DelayLine<KEPT>,
     pub(super) apart: f64,
     pub(super) last: f64,
 }
@@ -26,6 +26,13 @@ pub(super) struct Machine<'a> {
     pub(super) lines: Vec<Line>,
     /// What the held registers had at the last point that was kept.
     pub(super) held: Vec<f64>,
+    /// The memories whose cards do not count over the step that begins at the last kept point.
+    pub(super) closed: Vec<usize>,
+    /// How often a memory has changed within the run, and which did last.
+    pub(super) changes: u64,
+    pub(super) changed: Option<usize>,
+    /// Kept steps that were longer than the delay of a TDL.
+    pub(super) longer_than_delay: u64,
     /// What is printed and plotted, and what it was at the last point that was kept.
     pub(super) watched: Vec<u32>,
     pub(super) latest: &'a [Cell<f64>],
@@ -54,19 +61,8 @@ impl<const D: usize> System<D> for Machine<'_> {
     type Fault = Stop;
 
     fn derivative(&mut self, time: f64, state: &SVector<f64, D>) -> Result<SVector<f64, D>, Stop> {
-        let program = self.program;
-        let registers = &mut self.registers;
-        registers[TIME as usize] = time;
-        for (value, of) in state.iter().zip(&program.states) {
-            registers[of.register as usize] = *value;
-        }
-        for (line, of) in self.lines.iter().zip(&program.delays) {
-            registers[of.register as usize] = line.line.value(time).map_err(|error| Stop::Delay(of.card, error))?;
-        }
-        for (register, value) in program.held.iter().zip(&self.held) {
-            registers[*register as usize] = *value;
-        }
-        execute(&program.each.instructions, registers);
+        self.evaluate(time, state)?;
+        let Self { program, registers, .. } = self;
         let mut rate = SVector::<f64, D>::zeros();
         for (rate, of) in rate.iter_mut().zip(&program.states) {
             *rate = of.rate(registers);
@@ -77,15 +73,40 @@ impl<const D: usize> System<D> for Machine<'_> {
         Ok(rate)
     }
 
+    /// Memories change at kept points only: inside a step one could change and change back, and the kept points would
+    /// never see it.
+    fn kept_derivative(&mut self, time: f64, state: &SVector<f64, D>) -> Result<SVector<f64, D>, Stop> {
+        self.set_gates(1.0);
+        self.derivative(time, state)
+    }
+
+    fn switches(&mut self, time: f64, state: &SVector<f64, D>) -> Result<bool, Stop> {
+        if self.closed.is_empty() {
+            return Ok(false);
+        }
+        self.set_gates(1.0);
+        let changes = self.evaluate(time, state).map(|()| self.change().is_some());
+        self.set_gates(0.0);
+        changes
+    }
+
     fn accepted(&mut self, time: f64, _: &SVector<f64, D>, _: &SVector<f64, D>) -> Result<(), Stop> {
+        if let Some(changed) = self.change() {
+            self.changed = Some(changed);
+            self.changes += 1;
+        }
         let program = self.program;
         let registers = &mut self.registers;
+        let mut is_long = false;
         for (line, of) in self.lines.iter_mut().zip(&program.delays) {
+            // A step from the last value that is longer than the delay asks for times behind that value.
+            is_long |= time - line.last > registers[of.delay as usize] * (1.0 + 1e-9) && line.last.is_finite();
             if time - line.last >= line.apart * (1.0 - 1e-9) {
                 line.line.record(time, registers[of.feed as usize]).map_err(|error| Stop::Delay(of.card, error))?;
                 line.last = time;
             }
         }
+        self.longer_than_delay += u64::from(is_long);
         for sample in &program.samples {
             if time >= registers[sample.next as usize] {
                 registers[sample.held as usize] = registers[sample.feed as usize];
@@ -103,6 +124,11 @@ impl<const D: usize> System<D> for Machine<'_> {
         for (register, held) in program.held.iter().zip(&mut self.held) {
             *held = registers[*register as usize];
         }
+        let is_closed = |memory: &Memory| memory.controls.iter().all(|control| registers[*control as usize] != 1.0);
+        let memories = program.memories.iter().enumerate();
+        self.closed.clear();
+        self.closed.extend(memories.filter(|(_, memory)| is_closed(memory)).map(|(at, _)| at));
+        self.closed.iter().for_each(|at| registers[program.memories[*at].gate as usize] = 0.0);
         for (register, latest) in self.watched.iter().zip(self.latest) {
             let value = registers[*register as usize];
             if !value.is_finite() {
@@ -135,6 +161,40 @@ impl State {
 }
 
 impl Machine<'_> {
+    /// Runs the code at a time and a state.
+    fn evaluate<const D: usize>(&mut self, time: f64, state: &SVector<f64, D>) -> Result<(), Stop> {
+        let program = self.program;
+        let registers = &mut self.registers;
+        registers[TIME as usize] = time;
+        for (value, of) in state.iter().zip(&program.states) {
+            registers[of.register as usize] = *value;
+        }
+        for (line, of) in self.lines.iter().zip(&program.delays) {
+            registers[of.register as usize] = line.line.value(time).map_err(|error| Stop::Delay(of.card, error))?;
+        }
+        for (register, value) in program.held.iter().zip(&self.held) {
+            registers[*register as usize] = *value;
+        }
+        execute(&program.each.instructions, registers);
+        Ok(())
+    }
+
+    /// Whether the cards of the closed memories count: 1 or 0.
+    fn set_gates(&mut self, truth: f64) {
+        for at in &self.closed {
+            self.registers[self.program.memories[*at].gate as usize] = truth;
+        }
+    }
+
+    /// A closed memory that has another value now than at the last kept point.
+    fn change(&self) -> Option<usize> {
+        let value = |held: usize| self.program.held.get(held).map(|register| self.registers[*register as usize]);
+        self.closed.iter().copied().find(|at| {
+            let held = self.program.memories[*at].held;
+            value(held).map(f64::to_bits) != self.held.get(held).copied().map(f64::to_bits)
+        })
+    }
+
     /// What stopped the run, by the card and the time.
     pub(super) fn trouble<const D: usize>(
         &mut self,
@@ -145,7 +205,13 @@ impl Machine<'_> {
     ) -> Trouble {
         let program = self.program;
         match cause {
-            Cause::TooManySteps { most_steps } => Trouble::TooManySteps { time, steps: most_steps },
+            Cause::TooManySteps { most_steps } => {
+                let origin = self.what_makes_steps_short(time, state, most_steps, parameters);
+                Trouble::TooManySteps { time, steps: most_steps, origin }
+            }
+            Cause::System(Stop::Delay(card, DelayError::Full { capacity, delay, .. })) => {
+                Trouble::DelayFull { time, card, text: program.card_text(card), capacity, delay }
+            }
             Cause::System(Stop::Delay(card, error)) => {
                 Trouble::Delay { time, card, text: program.card_text(card), error }
             }
@@ -161,6 +227,43 @@ impl Machine<'_> {
         }
     }
 
+    /// The memory that changes again and again, or the integral with the largest error.
+    fn what_makes_steps_short<const D: usize>(
+        &mut self,
+        time: f64,
+        state: &SVector<f64, D>,
+        steps: u64,
+        parameters: &Parameters,
+    ) -> Origin {
+        let program = self.program;
+        // To locate a change takes less than a hundred steps.
+        let memory = self.changed.filter(|_| self.changes >= steps / 100).and_then(|at| program.memories.get(at));
+        let (card, reason) = match memory {
+            Some(memory) => (memory.card, format!("{} has changed {} times", memory.name, self.changes)),
+            None => {
+                let worst = self.worst(time, state, parameters.largest_step, parameters);
+                let of = program.states.get(worst);
+                of.map_or((0, "there is no integral".to_owned()), |of| {
+                    (of.card, format!("{} has the largest error", of.name))
+                })
+            }
+        };
+        Origin { card, text: program.card_text(card), reason }
+    }
+
+    /// The integral with the largest error in a step.
+    fn worst<const D: usize>(
+        &mut self,
+        time: f64,
+        state: &SVector<f64, D>,
+        step: f64,
+        parameters: &Parameters,
+    ) -> usize {
+        let first = self.derivative(time, state).unwrap_or_else(|_| SVector::zeros());
+        let attempt = Attempt::new(|time, state| self.derivative(time, state), time, time + step, state, &first);
+        attempt.map_or(0, |attempt| attempt.worst(parameters.relative_tolerance, parameters.absolute_floor))
+    }
+
     /// The integral with the largest error in a step that was refused.
     fn too_small<const D: usize>(
         &mut self,
@@ -170,10 +273,7 @@ impl Machine<'_> {
         excess: f64,
         parameters: &Parameters,
     ) -> Trouble {
-        let first = self.derivative(time, state).unwrap_or_else(|_| SVector::zeros());
-        let attempt = Attempt::new(|time, state| self.derivative(time, state), time, time + step, state, &first);
-        let worst =
-            attempt.map_or(0, |attempt| attempt.worst(parameters.relative_tolerance, parameters.absolute_floor));
+        let worst = self.worst(time, state, step, parameters);
         let (card, name) = self.program.states.get(worst).map_or((0, String::new()), |of| (of.card, of.name.clone()));
         Trouble::StepTooSmall { time, card, text: self.program.card_text(card), name, step, excess }
     }

@@ -61,7 +61,7 @@ pub use card::Layout;
 pub use control::{CARDS, Card};
 pub use data::DataSet;
 pub use deck::{Deck, Plot, listing_in};
-pub use fault::{Fault, Faults, Problem};
+pub use fault::{Fault, Faults, Problem, nearest_to};
 pub use function::{Evidence, FUNCTIONS, Function};
 pub use origin::Origin;
 pub use printout::{line_plot, print_out};
@@ -71,13 +71,14 @@ pub use sorting::{Sorted, When};
 pub use trouble::{RunError, Trouble};
 
 /// The decks of this project, each under its name.
-pub const DECKS: [(&str, &str); 8] = [
+pub const DECKS: [(&str, &str); 9] = [
     ("escapement", include_str!("../../decks/escapement.mim")),
     ("oscillator", include_str!("../../decks/oscillator.mim")),
     ("misprinted", include_str!("../../decks/misprinted.mim")),
     ("decay", include_str!("../../decks/decay.mim")),
     ("predators", include_str!("../../decks/predators.mim")),
     ("switch", include_str!("../../decks/switch.mim")),
+    ("thermostat", include_str!("../../decks/thermostat.mim")),
     ("delayed", include_str!("../../decks/delayed.mim")),
     ("vanderpol", include_str!("../../decks/vanderpol.mim")),
 ];

@@ -67,7 +67,7 @@ fn executed(code: &Code, registers: &[f64]) -> Vec<usize> {
     let mut at = 0;
     while let Some(instruction) = code.instructions.get(at) {
         if instruction.operation == Operation::Unless {
-            if registers[instruction.from[0] as usize] != 1.0 {
+            if instruction.from[..2].iter().any(|of| registers[*of as usize] != 1.0) {
                 at += instruction.to as usize;
             }
         } else {

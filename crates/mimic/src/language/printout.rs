@@ -4,7 +4,7 @@ use super::deck::Plot;
 use super::run::Run;
 use core::fmt::Write;
 
-/// Characters of a column of numbers.
+/// Characters of a column of numbers, unless its heading is longer.
 const COLUMN: usize = 15;
 /// Columns and lines of a plot whose scale is chosen, and the most that one has.
 const ACROSS: usize = 100;
@@ -37,11 +37,16 @@ pub fn print_out(run: &Run, title: &str) -> String {
             Some(words) => words.iter().map(String::as_str).collect(),
             None => names().collect(),
         };
+        let wide = |column: usize| heads.get(column).map_or(COLUMN, |head| COLUMN.max(head.chars().count() + 1));
         page.push('\n');
-        line(&mut page, heads.iter().map(|head| format!("{head:>COLUMN$}")));
+        line(&mut page, heads.iter().take(*width).enumerate().map(|(at, head)| format!("{head:>0$}", wide(at))));
         page.push('\n');
         for row in &run.rows {
-            line(&mut page, row[place.clone()].iter().map(|value| format!("{:>COLUMN$}", number(*value))));
+            let values = row[place.clone()].iter().enumerate();
+            line(&mut page, values.map(|(at, value)| format!("{:>1$}", number(*value), wide(at))));
+        }
+        if let Some(surplus) = heads.get(*width..).filter(|surplus| !surplus.is_empty()) {
+            let _ = writeln!(page, "\nNo column is under {}.", surplus.join(", "));
         }
     }
     for (plot, points) in &run.plots {
@@ -53,6 +58,13 @@ pub fn print_out(run: &Run, title: &str) -> String {
             page,
             "\n{} of {} steps were as short as they may be and missed the tolerance.",
             run.work.forced, run.work.accepted
+        );
+    }
+    if run.longer_than_delay > 0 {
+        let _ = writeln!(
+            page,
+            "\n{} of {} steps were longer than the delay of a TDL, which gave its latest value; DTMAX makes steps shorter.",
+            run.longer_than_delay, run.work.accepted
         );
     }
     page

@@ -83,6 +83,20 @@ pub(super) struct Slope {
     pub(super) before: [u32; 2],
 }
 
+/// A result whose cards all stand under control variables. While none of them is true it keeps its value, and it takes
+/// another at kept points only.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Memory {
+    /// Its first card.
+    pub(super) card: usize,
+    pub(super) name: String,
+    /// Its place among the held registers.
+    pub(super) held: usize,
+    /// True while its cards count; false over a step that begins with none of its control variables true.
+    pub(super) gate: u32,
+    pub(super) controls: Vec<u32>,
+}
+
 /// When a run ends: the first has reached the second.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Finish {
@@ -119,6 +133,7 @@ pub struct Program {
     pub(super) slopes: Vec<Slope>,
     /// Registers that keep their value while no statement sets them.
     pub(super) held: Vec<u32>,
+    pub(super) memories: Vec<Memory>,
     /// DT, DTMIN and DTMAX: their registers, and whether cards define them.
     pub(super) steps: [(u32, bool); 3],
     pub(super) finishes: Vec<Finish>,

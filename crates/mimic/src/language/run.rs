@@ -12,7 +12,7 @@ use nalgebra::SVector;
 
 /// Most printed rows of a run.
 const MOST_ROWS: f64 = 1e6;
-/// Most integrals of a program, and most delays, each of which takes a quarter of a megabyte.
+/// Most integrals of a program, and most delays.
 const MOST_STATES: usize = 1024;
 const MOST_DELAYS: usize = 256;
 
@@ -71,6 +71,8 @@ pub struct Run {
     pub plots: Vec<(Plot, Vec<Vec<f64>>)>,
     /// Steps and evaluations.
     pub work: Work,
+    /// Kept steps that were longer than the delay of a TDL: it then gave its latest value, less long ago than it says.
+    pub longer_than_delay: u64,
 }
 
 impl Program {
@@ -132,6 +134,10 @@ impl Program {
             lines: self.lines(&registers, choices)?,
             registers,
             held,
+            closed: Vec::new(),
+            changes: 0,
+            changed: None,
+            longer_than_delay: 0,
             watched,
             latest: &latest,
             latest_time: &latest_time,
@@ -151,7 +157,7 @@ impl Program {
             Err(IntegrationError::Stopped(stopped)) => match stopped.cause {
                 Cause::System(Stop::Finished) => {
                     // The end is printed, though it is no multiple of DT.
-                    if latest_time.get() > last_time {
+                    if rows.is_empty() || latest_time.get() > last_time {
                         rows.push(values());
                     }
                     Ok(stopped.work)
@@ -159,7 +165,7 @@ impl Program {
                 cause => Err(machine.trouble(stopped.time, &stopped.state, cause, &parameters)),
             },
         }?;
-        Ok(self.result(rows, &machine.registers, work))
+        Ok(Run { longer_than_delay: machine.longer_than_delay, ..self.result(rows, &machine.registers, work) })
     }
 
     /// The registers at the beginning of a run: data, what is known before, and what the integrals begin with.
@@ -236,7 +242,7 @@ impl Program {
                 RememberedPoints::AsAsked if points >= 1.0 => length / points,
                 _ => 0.0,
             };
-            Ok(Line { line: Box::new(line), apart, last: f64::NEG_INFINITY })
+            Ok(Line { line, apart, last: f64::NEG_INFINITY })
         };
         self.delays.iter().map(line).collect()
     }
@@ -265,6 +271,7 @@ impl Program {
             columns,
             plots,
             work,
+            longer_than_delay: 0,
         }
     }
 }

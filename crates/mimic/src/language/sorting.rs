@@ -78,6 +78,8 @@ pub(super) fn circle(group: &[usize], needs: &[Vec<usize>]) -> Vec<usize> {
 pub struct Sorted {
     /// Its card, counted from 1.
     pub card: usize,
+    /// Its place among the statements of the deck.
+    pub(super) statement: usize,
     /// Its result.
     pub result: String,
     /// The control variable that it stands under.

@@ -73,12 +73,17 @@ pub enum Trouble {
         excess: f64,
     },
     /// Too many steps.
-    #[error("at T = {time}: {steps} steps are made and FIN is not reached; give a larger tolerance or an earlier FIN")]
+    #[error(
+        "at T = {time}: {steps} steps are made and FIN is not reached; {origin}; give a larger tolerance, DTMIN or gap \
+         between switching on and off, or an earlier FIN"
+    )]
     TooManySteps {
         /// When, in the unit of T.
         time: f64,
         /// The bound.
         steps: u64,
+        /// What makes the steps short.
+        origin: Origin,
     },
     /// The limit of printed rows is reached.
     #[error("at T = {time}: a million rows are printed and FIN is not reached; give a longer DT or an earlier FIN")]
@@ -97,6 +102,24 @@ pub enum Trouble {
         text: String,
         /// What is wrong.
         error: DelayError,
+    },
+    /// A delay within which more values are kept than there is room for.
+    #[error(
+        "at T = {time}: card {card} ({text}): within the delay of {delay} there are more than {capacity} kept steps, and \
+         as many values are remembered; give a larger tolerance or DTMIN, or let the delay keep as many values as its \
+         third argument says (--delay-keeps as-asked)"
+    )]
+    DelayFull {
+        /// When, in the unit of T.
+        time: f64,
+        /// The card.
+        card: usize,
+        /// Its text.
+        text: String,
+        /// The most values that are remembered.
+        capacity: usize,
+        /// The delay, in the unit of T.
+        delay: f64,
     },
     /// A parameter of the integrator out of its range.
     #[error("{0}")]

@@ -153,3 +153,25 @@ fn a_card_that_is_too_long_or_too_deep_is_told() {
     let deep = format!(" X {}1.{}\n OUT(X)\n FIN(T,1.)\n END\n", "(".repeat(100), ")".repeat(100));
     assert!(told(&deep).contains("more than 64 deep"));
 }
+
+#[test]
+fn faults_of_a_file_of_data_name_it_and_its_line() {
+    let refused = |data: &str| {
+        let deck = deck(" PAR(A,B,C)\n X A+B+C\n OUT(X)\n FIN(T,.1)\n END\n 1. 2. 3.\n").with_data("some.cards", data);
+        deck.data_sets().expect_err("data that do not fit").to_string()
+    };
+    let told = refused("* three\n1. 2. 3.\n4. 5. 6. 7.\n");
+    assert!(
+        told.starts_with("some.cards, line 3, column 10: one number more than card 1 of the deck has names"),
+        "{told}"
+    );
+    assert!(told.ends_with("\n    4. 5. 6. 7.\n             ^^"), "{told}");
+    let told = refused("1. 2. 3.\n4. 5.\n");
+    assert!(
+        told.starts_with("some.cards, line 2, column 6: no number is left for C: card 1 of the deck has 3"),
+        "{told}"
+    );
+    assert!(told.ends_with("\n    4. 5.\n         ^"), "{told}");
+    assert!(refused("").starts_with("some.cards, line 1, column 1: no number is left for A"));
+    assert!(refused("1. X 3.\n").starts_with("some.cards, line 1, column 4: no number;"));
+}

@@ -131,3 +131,40 @@ fn a_comment_that_could_define_c_is_noted() {
     let short = deck(" A 2.\n HDR(ONE,TWO)\n OUT(A)\n FIN(T,1.)\n END\n");
     assert!(short.notes()[0].contains("2 words for 1 columns"), "{:?}", short.notes());
 }
+
+#[test]
+fn very_many_faults_are_found_quickly_and_told_in_few_words() {
+    let many = 20_000;
+    let cards =
+        |card: &dyn Fn(usize) -> String| (0..many).map(card).collect::<String>() + " OUT(T)\n FIN(T,1.)\n END\n";
+    let start = std::time::Instant::now();
+    // Unknown names, one name again and again, and again under control variables, signs, and a circle of all cards.
+    for (text, faults) in [
+        (cards(&|at| format!(" A{at} UNKNOWN{at}+1.\n")), many),
+        (cards(&|_| " A 1.\n".to_owned()), many - 1),
+        (cards(&|_| " L A 1.\n".to_owned()) + " L TRUE\n", 2 * many - 1),
+        (cards(&|at| format!(" A{at} 1.$\n")), many),
+        (cards(&|at| format!(" A{at} A{}\n", (at + 1) % many)), 1),
+    ] {
+        let told = match Deck::read(&text, Layout::Free).and_then(|deck| Program::new(&deck)) {
+            Ok(_) => panic!("nothing is wrong"),
+            Err(faults) => faults,
+        };
+        assert_eq!(told.0.len(), faults);
+        let words = told.to_string();
+        assert!(words.len() < 12_000, "{}", words.len());
+        assert_eq!(words.ends_with(&format!("and {} more; {faults} in all", faults.saturating_sub(50))), faults > 50);
+    }
+    assert!(start.elapsed().as_secs() < 60, "{:?}", start.elapsed());
+}
+
+#[test]
+fn a_card_that_cannot_be_read_is_not_missing() {
+    for (text, cards) in
+        [(" OUT(T,Ä)\n FIN(T,1.)\n END\n", 1), (" OUT(T,1.)\n FIN(T)\n END\n", 2), (" PLO(T)\n FIN(T,,1.)\n END\n", 2)]
+    {
+        let told = faults_of(text);
+        assert!(!told.contains("the deck has no") && told.matches("card ").count() == cards, "{told}");
+    }
+    assert!(faults_of(" X 1.\n").matches("the deck has no").count() == 3);
+}

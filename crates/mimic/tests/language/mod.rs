@@ -6,6 +6,7 @@ mod decks;
 mod escapement;
 mod faults;
 mod functions;
+mod memory;
 mod native;
 mod running;
 mod sorting;

@@ -180,3 +180,42 @@ fn equal_decks_give_equal_bits_and_runs_do_not_touch_each_other() {
     let error = program.runs(&[set(0.25), set(f64::NAN)], &Choices::default()).expect_err("no number");
     assert!(error.to_string().starts_with("data set 2: at T = 0: "), "{error}");
 }
+
+#[test]
+fn an_end_that_is_reached_at_the_start_leaves_the_first_row() {
+    let run = &runs(" A 1.\n OUT(T,A)\n FIN(A,-1.)\n END\n")[0];
+    assert_eq!((&run.rows, run.work.accepted), (&vec![vec![0.0, 1.0]], 0));
+}
+
+#[test]
+fn steps_longer_than_a_delay_are_counted_and_told() {
+    let text =
+        |delay: &str, more: &str| format!(" A TDL(T,{delay})\n B TDL(T,.3)\n{more} OUT(T,A)\n FIN(T,.4)\n END\n");
+    let run = &runs(&text(".05", ""))[0];
+    let delayed: Vec<f64> = run.rows.iter().map(|row| row[1]).collect();
+    assert_eq!((delayed, run.longer_than_delay), (vec![0.0, 0.0, 0.1, 0.2, 0.300_000_000_000_000_04], 4));
+    assert!(print_out(run, "").contains("4 of 4 steps were longer than the delay of a TDL"));
+    for text in [text(".05", " DTMAX .05\n"), text(".1", ""), text(".15", "")] {
+        let run = &runs(&text)[0];
+        assert_eq!(run.longer_than_delay, 0, "{text}");
+        assert!(!print_out(run, "").contains("TDL"));
+    }
+}
+
+#[test]
+fn a_delay_holds_as_many_steps_as_there_are() {
+    let run = &runs(" A TDL(T*T,1.)\n DT 1.\n DTMAX .00002\n OUT(T,A)\n FIN(T,2.)\n END\n")[0];
+    assert!(run.work.accepted >= 100_000 && (run.rows[2][1] - 1.0).abs() < 1e-9, "{:?}", run.rows);
+}
+
+#[test]
+fn headings_do_not_run_together_and_surplus_words_are_told() {
+    let text = " HDR(AVERYLONGHEADING,ANOTHERLONGHEADING,X,Y)\n OUT(T,T)\n FIN(T,.1)\n END\n";
+    let page = print_out(&runs(text)[0], "");
+    let lines: Vec<&str> = page.lines().collect();
+    assert_eq!(lines[2], " AVERYLONGHEADING ANOTHERLONGHEADING");
+    assert!(lines[2..6].iter().all(|line| line.is_empty() || line.len() == lines[2].len()), "{page}");
+    assert!(page.ends_with("No column is under X, Y.\n"), "{page}");
+    let few = text.replace(",X,Y", "");
+    assert!(!print_out(&runs(&few)[0], "").contains("No column"));
+}

@@ -1,6 +1,6 @@
 //! The order of the statements, whatever the order of the cards, and how long it takes to find.
 
-use super::{last, program, runs};
+use super::{last, program, runs, told};
 use geneva_mimic::language::{Choices, DataSet, When};
 use std::time::Instant;
 
@@ -34,9 +34,10 @@ fn a_statement_whose_control_is_false_keeps_its_last_value() {
                 FIN(T,1.)\n END\n";
     for row in &runs(text)[0].rows {
         let early = row[0] < 0.45;
-        // Kept is what was at the last point that was kept, not what was tried.
-        let expected = if early { [row[0], 0.0] } else { [0.4, row[0]] };
-        assert_eq!(row[1..3], expected, "{row:?}");
+        // Kept is what was at the last point that was kept, not what was tried; and that is just before Y begins.
+        let expected = if early { row[0] } else { 0.45 };
+        assert!((expected - 1e-8..=expected).contains(&row[1]), "{row:?}");
+        assert_eq!(row[2], if early { 0.0 } else { row[0] }, "{row:?}");
         assert_eq!(row[3], row[1] + row[2]);
     }
 }
@@ -97,4 +98,27 @@ fn many_integrals_run_together() {
     let run = &runs(&format!("{text} OUT(T,Q1,Q100)\n DT 1.\n DTMAX .005\n FIN(T,3.)\n END\n"))[0];
     let [warm, cool] = [run.rows[3][1], run.rows[3][2]];
     assert!((0.9..1.0).contains(&warm) && (0.0..0.01).contains(&cool), "{warm} {cool}");
+}
+
+#[test]
+fn an_integral_rests_while_its_control_is_false_and_may_switch_itself_off() {
+    // A tank is filled until it is full; a lag follows while it may.
+    for fill in [" MORE FULL INT(1.,.05)\n", " FULL INT(LSW(MORE,1.,0.),.05)\n"] {
+        let text = format!(
+            " MORE FSW(FULL-.25,TRUE,FALSE,FALSE)\n{fill} EARLY FSW(T-.45,TRUE,FALSE,FALSE)\n EARLY Y FTR(T,.5,0.)\n \
+             OUT(T,FULL,Y)\n FIN(T,1.)\n END\n"
+        );
+        let rows = &runs(&text)[0].rows;
+        let lag = |time: f64| time - 0.5 + 0.5 * libm::exp(-2.0 * time);
+        for row in rows {
+            assert!((row[1] - (row[0] + 0.05).min(0.25)).abs() < 1e-4, "{fill} {row:?}");
+            assert!((row[2] - lag(row[0].min(0.45))).abs() < 1e-4, "{fill} {row:?}");
+        }
+    }
+}
+
+#[test]
+fn a_loop_is_told_once_and_leaves_no_other_fault() {
+    let told = told(" UP FSW(X-.25,TRUE,FALSE,FALSE)\n UP X 2.*T\n Y NOT(UP)\n OUT(T,X,Y)\n FIN(T,1.)\n END\n");
+    assert!(told.contains("an algebraic loop: UP → X → UP") && told.matches("card ").count() == 1, "{told}");
 }

@@ -4,7 +4,7 @@ use crate::html::{escape, tex_or_text};
 use crate::pages::page_of_claim;
 use crate::{lookup, maths, numbers};
 use anyhow::anyhow;
-use geneva_ledger::{Claim, Decimal, Judged, Verdict, in_full, wild};
+use geneva_ledger::{Claim, Decimal, Judged, Truth, Verdict, in_full, wild};
 
 /// The printed characters with their unit.
 pub fn printed(id: &str) -> anyhow::Result<String> {
@@ -43,13 +43,15 @@ pub fn mark(id: &str) -> anyhow::Result<String> {
     ))
 }
 
-/// The sign of a verdict: right, right to fewer digits, wrong, open.
+/// The sign of a verdict: right, right as finely as it could be read off, wrong, open.
 fn sign(verdict: Verdict) -> &'static str {
     match verdict {
-        Verdict::Reproduced => "✓",
-        Verdict::Truncated | Verdict::FromRounded | Verdict::ReadOff => "≈",
-        Verdict::ReproducedInError | Verdict::Corrected => "✗",
-        Verdict::NotReproduced | Verdict::NotReproducible => "?",
+        Verdict::ReadOff => "≈",
+        other => match other.truth() {
+            Truth::Right => "✓",
+            Truth::Wrong => "✗",
+            Truth::Open => "?",
+        },
     }
 }
 
