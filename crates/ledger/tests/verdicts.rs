@@ -79,13 +79,17 @@ fn a_statement_or_figure_has_a_neighbour_that_is_refused() {
 
 #[test]
 fn a_wrong_digit_in_a_number_is_noticed() {
-    // The neighbouring digit in each place; in the last one of a reading the next that is out of its reach.
+    // The neighbouring digit in each place; in the last one of a reading the next that is out of its reach, on whichever
+    // side of the printed number the computed one is.
     let mut tried = 0;
     for claim in claims().iter().filter(|claim| claim.kind == Kind::Value) {
         let Check::Number { resolution, .. } = &claim.check else { continue };
         let last = claim.printed.rfind(|c: char| c.is_ascii_digit());
+        let unit = claim.printed.parse::<Decimal>().expect("a number").unit_in_last_place().to_f64_fast();
         for (at, digit) in claim.printed.char_indices().filter(|(_, c)| c.is_ascii_digit()) {
-            let step = if resolution.is_some() && Some(at) == last { 3 } else { 1 };
+            let reach = resolution.as_ref().filter(|_| Some(at) == last).map_or(0.0, |run| run() / unit);
+            let step = (2.0 * reach) as u32 + 1;
+            assert!(step < 10, "{}: {step} digits are within reach", claim.id);
             let other = char::from_digit((digit.to_digit(10).expect("a digit") + step) % 10, 10).expect("a digit");
             let mut wrong = claim.printed.to_owned();
             wrong.replace_range(at..=at, &other.to_string());

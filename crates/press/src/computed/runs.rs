@@ -7,11 +7,11 @@ use crate::rows::score;
 use anyhow::Context;
 use geneva_dynamics::likelihood::Law;
 use geneva_kinematics::Mechanism;
-use geneva_ledger::Verdict;
 use geneva_ledger::meyer::runs::rise_times::{Group, explained, groups};
 use geneva_ledger::meyer::runs::{
     Column, EXPLAINED, Fit, Hypothesis, Reading, Row, Run, Score, delays, interval, rows, scores,
 };
+use geneva_ledger::{Judged, Verdict};
 
 /// The numbers of the chapter on the runs.
 pub const NUMBERS: &[(&str, Number)] = &[
@@ -47,7 +47,10 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("runs.torques", || found("torque", Verdict::Reproduced)),
     ("runs.frictions", || found("friction", Verdict::Reproduced)),
     ("runs.frictions.read", || found("friction", Verdict::ReadOff)),
-    ("runs.frictions.other", || found("friction", Verdict::NotReproduced)),
+    ("runs.frictions.most-off", || {
+        let off = |judged: &&Judged| Some((judged.computed? - judged.printed_number()?).abs());
+        Ok(fixed(data("friction")?.iter().filter_map(off).fold(0.0, f64::max), 3))
+    }),
     ("rise.most", || {
         let counts = explained().into_iter().flat_map(|(_, both)| both.map(|of| of.within_one.iter().sum::<usize>()));
         Ok(counts.max().unwrap_or(0).to_string())
@@ -59,9 +62,12 @@ pub const NUMBERS: &[(&str, Number)] = &[
 
 /// How many rows have this verdict on a datum.
 fn found(datum: &str, verdict: Verdict) -> anyhow::Result<String> {
-    let ids = rows().iter().map(|row| format!("meyer.app-e.{}.{datum}", row.slug()));
-    let verdicts: Vec<_> = ids.map(|id| Ok(judged(&id)?.verdict)).collect::<anyhow::Result<_>>()?;
-    Ok(verdicts.into_iter().filter(|other| *other == verdict).count().to_string())
+    Ok(data(datum)?.iter().filter(|judged| judged.verdict == verdict).count().to_string())
+}
+
+/// A datum of all rows.
+fn data(datum: &str) -> anyhow::Result<Vec<&'static Judged>> {
+    rows().iter().map(|row| judged(&format!("meyer.app-e.{}.{datum}", row.slug()))).collect()
 }
 
 /// How many cells a hypothesis gives to the printed digit.

@@ -14,7 +14,7 @@ const OF_A_TABLE: u32 = 1500;
 pub struct Found {
     /// The number that was sought.
     pub value: f64,
-    /// By how much it changes if each result was read a unit of its last place otherwise, all to the side that matters.
+    /// By how much it changes if each result was read a unit of its last place otherwise, at random.
     pub reach: f64,
     /// The misfits that are left.
     misfits: Vec<f64>,
@@ -27,12 +27,12 @@ pub fn torque(row: &Row) -> Option<Found> {
     best(FIRST_TORQUE, |torque| Some(misfits(row, &motion, BUT_FOR_THE_PEAK, torque / follower).collect()))
 }
 
-/// The friction with which a row's peak, minimum and period come out best.
+/// The friction with which a row's minimum and period come out best.
 pub fn friction(row: &Row) -> Option<Found> {
     let [driver, follower] = printed_inertias(row);
     best(FIRST_FRICTION, |friction| {
         let motion = motion(row.mechanism, friction, driver / follower, OF_A_ROW)?;
-        Some(misfits(row, &motion, RESULTS, row.torque() / follower).collect())
+        Some(misfits(row, &motion, BUT_FOR_THE_PEAK, row.torque() / follower).collect())
     })
 }
 
@@ -125,7 +125,7 @@ fn best(first: f64, misfits: impl Fn(f64) -> Option<Vec<f64>>) -> Option<Found> 
         let next = -slopes.iter().zip(&new).map(|(slope, misfit)| slope * misfit).sum::<f64>() / square;
         if next.abs() <= PRECISION {
             let value = libm::exp(logarithm);
-            let reach = value * slopes.iter().map(|slope| slope.abs()).sum::<f64>() / square;
+            let reach = value / square.sqrt();
             return Some(Found { value, reach, misfits: new });
         }
         step = next.clamp(-LONGEST_STEP, LONGEST_STEP);

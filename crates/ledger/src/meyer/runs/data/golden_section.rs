@@ -20,14 +20,14 @@ pub fn torque(row: &Row) -> Option<f64> {
     Some(least(TORQUES, |torque| steady.misfit(row, BUT_FOR_THE_PEAK, torque / follower)))
 }
 
-/// The friction with which a row's peak, minimum and period come out best: between none and the greatest with which the
+/// The friction with which a row's minimum and period come out best: between none and the greatest with which the
 /// equation of motion has a solution everywhere.
 pub fn friction(row: &Row) -> Option<f64> {
     let [driver, follower] = printed_inertias(row);
     let greatest = critical_friction(row.mechanism, driver / follower).ok()?.friction;
     Some(least_between([0.0, greatest], |friction| {
         let steady = Steady::of(row.mechanism, friction, driver / follower);
-        steady.map_or(f64::INFINITY, |steady| steady.misfit(row, RESULTS, row.torque() / follower))
+        steady.map_or(f64::INFINITY, |steady| steady.misfit(row, BUT_FOR_THE_PEAK, row.torque() / follower))
     }))
 }
 
