@@ -51,6 +51,7 @@ mod machine;
 mod origin;
 mod printout;
 mod program;
+mod reading;
 mod run;
 mod sorting;
 mod token;

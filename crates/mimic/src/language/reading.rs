@@ -1,0 +1,285 @@
+//! How cards are read into a deck.
+
+use super::card::{Fields, Layout, Word, fields, is_comment};
+use super::control::reserved;
+use super::data::DataCard;
+use super::deck::{Deck, Group, Listed, PlotCards, Statement};
+use super::expression::{Expression, Node, Problems, expected, expression, list};
+use super::fault::{Fault, Faults, Problem};
+use super::graph::Graph;
+use super::token::Placed;
+use std::collections::HashSet;
+
+impl Deck {
+    /// Reads a deck and the data cards behind it.
+    ///
+    /// # Errors
+    ///
+    /// All that is wrong with its cards, each looked at by itself; then also names that no card defines, and names that
+    /// are defined twice. Whatever else is wrong with cards that fit together badly, [`Program::new`](super::Program::new)
+    /// tells.
+    pub fn read(text: &str, layout: Layout) -> Result<Self, Faults> {
+        let mut reading = Reading {
+            deck: Self::empty(text),
+            faults: Vec::new(),
+            lost: HashSet::new(),
+            has_end_card: false,
+            has_print_card: false,
+        };
+        let mut ended = false;
+        for (number, line) in text.lines().enumerate() {
+            let card: Vec<char> = line.trim_end().chars().collect();
+            if ended {
+                reading.deck.data.extend(DataCard::read(number + 1, line));
+            } else if is_comment(&card, layout) {
+                reading.note_a_hidden_statement(number + 1, &card, layout);
+            } else if !card.iter().all(|sign| sign.is_whitespace()) {
+                ended = reading.card(number + 1, &card, layout);
+            }
+        }
+        reading.whole(ended);
+        if !reading.faults.is_empty() {
+            reading.add_what_else_is_wrong();
+        }
+        Faults::among(reading.faults)?;
+        Ok(reading.deck)
+    }
+
+    fn empty(text: &str) -> Self {
+        Self {
+            cards: text.lines().map(str::to_owned).collect(),
+            statements: Vec::new(),
+            groups: Vec::new(),
+            finishes: Vec::new(),
+            headings: Vec::new(),
+            outputs: Vec::new(),
+            output_cards: Vec::new(),
+            plots: Vec::new(),
+            data: Vec::new(),
+            data_file: None,
+            notes: Vec::new(),
+        }
+    }
+}
+
+/// A deck while it is read.
+struct Reading {
+    deck: Deck,
+    faults: Vec<Fault>,
+    /// Whether there is a FIN card, and an OUT or PLO card, be it one that cannot be read.
+    has_end_card: bool,
+    has_print_card: bool,
+    /// Names on cards that could not be read: they may have been defined there.
+    lost: HashSet<String>,
+}
+
+impl Reading {
+    fn all(&mut self, card: usize, problems: Problems) {
+        for (columns, problem) in problems {
+            let fault = self.deck.fault(card, columns, problem);
+            self.faults.push(fault);
+        }
+    }
+
+    /// Reads a card; whether it was END.
+    fn card(&mut self, number: usize, card: &[char], layout: Layout) -> bool {
+        match fields(card, layout) {
+            Err(problems) => {
+                let (tokens, _) = super::token::tokens(card, 0..card.len());
+                self.seen(tokens.first().and_then(Placed::name).unwrap_or(""));
+                self.lost.extend(tokens.iter().filter_map(Placed::name).map(str::to_owned));
+                self.all(number, problems);
+            }
+            Ok(Fields::Statement { control, result, expression: tokens }) => {
+                if let Some(what) = reserved(&result.name) {
+                    let problem = Problem::Reserved { name: result.name.clone(), what };
+                    self.all(number, vec![(result.at.clone(), problem)]);
+                }
+                match expression(&tokens, card.len()) {
+                    Ok(expression) => {
+                        self.deck.statements.push(Statement { card: number, control, result, expression });
+                    }
+                    Err(problems) => {
+                        // The name is defined all the same: those who use it are not to blame.
+                        let expression = Expression::number(1.0, 0..0);
+                        self.deck.statements.push(Statement { card: number, control, result, expression });
+                        self.all(number, problems);
+                    }
+                }
+            }
+            Ok(Fields::Control { word, rest }) => return self.control(number, &word, &rest, card),
+        }
+        false
+    }
+
+    fn seen(&mut self, word: &str) {
+        self.has_end_card |= word == "FIN";
+        self.has_print_card |= word == "OUT" || word == "PLO";
+    }
+
+    fn control(&mut self, card: usize, word: &Word, rest: &[Placed], text: &[char]) -> bool {
+        self.seen(&word.name);
+        match word.name.as_str() {
+            "END" => return true,
+            "CON" | "PAR" => {
+                if let Some(names) = self.names(card, word, rest, text, 1) {
+                    for name in &names {
+                        if let Some(what) = reserved(&name.name) {
+                            let problem = Problem::Reserved { name: name.name.clone(), what };
+                            self.all(card, vec![(name.at.clone(), problem)]);
+                        }
+                    }
+                    self.deck.groups.push(Group { card, each_run: word.name == "PAR", names });
+                }
+            }
+            "OUT" => {
+                if let Some(names) = self.names(card, word, rest, text, 1) {
+                    self.deck.outputs.push(names);
+                    self.deck.output_cards.push(card);
+                }
+            }
+            "PLO" => {
+                if let Some(names) = self.names(card, word, rest, text, 2) {
+                    self.deck.plots.push(PlotCards { card, names, scale: None, zero: None });
+                }
+            }
+            "HDR" => self.heading(card, word, text),
+            _ => match list(rest, text.len()) {
+                Ok(expressions) => self.listed(card, word, expressions),
+                Err(problems) => self.all(card, problems),
+            },
+        }
+        false
+    }
+
+    /// The names between parentheses.
+    fn names(&mut self, card: usize, word: &Word, rest: &[Placed], text: &[char], least: usize) -> Option<Vec<Word>> {
+        let read = list(rest, text.len());
+        let expressions = read
+            .map_err(|problems| {
+                self.lost.extend(rest.iter().filter_map(Placed::name).map(str::to_owned));
+                self.all(card, problems);
+            })
+            .ok()?;
+        let mut names = Vec::new();
+        for expression in &expressions {
+            match &expression.nodes[..] {
+                [(Node::Name(name), at)] => names.push(Word { name: name.clone(), at: at.clone() }),
+                _ => {
+                    let found = "an expression".to_owned();
+                    let problem = Problem::Expected { expected: "a name", found };
+                    self.all(card, vec![(expression.columns(), problem)]);
+                    return None;
+                }
+            }
+        }
+        if names.len() < least {
+            let allowed = "two names or more: X, and what is plotted against it".to_owned();
+            self.count(card, word, names.len(), allowed);
+            return None;
+        }
+        Some(names)
+    }
+
+    fn count(&mut self, card: usize, word: &Word, given: usize, allowed: String) {
+        let problem = Problem::Arguments { name: word.name.clone(), given: given.to_string(), allowed };
+        self.all(card, vec![(word.at.clone(), problem)]);
+    }
+
+    /// The words of a heading: whatever stands between the parentheses and the commas.
+    fn heading(&mut self, card: usize, word: &Word, text: &[char]) {
+        let text: String = text[word.at.end..].iter().collect();
+        let text = text.trim();
+        match text.strip_prefix('(').and_then(|text| text.strip_suffix(')')) {
+            Some(inside) => self.deck.headings.push(inside.split(',').map(|word| word.trim().to_owned()).collect()),
+            None => {
+                let end = word.at.end + text.chars().count();
+                self.all(card, vec![(end..end + 1, expected("a closing parenthesis", None))]);
+            }
+        }
+    }
+
+    /// FIN, SCA and ZER.
+    fn listed(&mut self, card: usize, word: &Word, expressions: Vec<Expression>) {
+        let given = expressions.len();
+        let listed = Listed { card, expressions };
+        if word.name == "FIN" {
+            if given != 2 {
+                return self.count(
+                    card,
+                    word,
+                    given,
+                    "two: the run ends when the first has reached the second".to_owned(),
+                );
+            }
+            return self.deck.finishes.push(listed);
+        }
+        let Some(plot) = self.deck.plots.last_mut() else {
+            let card_name = if word.name == "SCA" { "SCA" } else { "ZER" };
+            return self.all(card, vec![(word.at.clone(), Problem::WithoutPlot { card: card_name })]);
+        };
+        let wanted = plot.names.len();
+        let place = if word.name == "SCA" { &mut plot.scale } else { &mut plot.zero };
+        if place.is_some() {
+            let card_name = if word.name == "SCA" { "SCA" } else { "ZER" };
+            return self.all(card, vec![(word.at.clone(), Problem::WithoutPlot { card: card_name })]);
+        }
+        *place = Some(listed);
+        if given != wanted {
+            self.count(card, word, given, format!("{wanted}, one for each name of its PLO card"));
+        }
+    }
+
+    /// A comment that reads as a statement is told: a C in column 1 may be meant for a name.
+    fn note_a_hidden_statement(&mut self, number: usize, card: &[char], layout: Layout) {
+        if !matches!(card.first(), Some('C' | 'c')) || layout == Layout::Columns {
+            return;
+        }
+        let (tokens, problems) = super::token::tokens(card, 1..card.len());
+        if problems.is_empty() && !tokens.is_empty() && expression(&tokens, card.len()).is_ok() {
+            let note = format!(
+                "card {number} is a comment, because it has a C in column 1; if it is to define C, begin it in column 2"
+            );
+            self.deck.notes.push(note);
+        }
+    }
+
+    /// Faults that are no consequence of those that were found: so that all can be mended at once.
+    fn add_what_else_is_wrong(&mut self) {
+        let graph = Graph::new(&self.deck);
+        let is_another = |fault: &Fault| match &fault.problem {
+            Problem::UnknownName { name, .. } => !self.lost.contains(name),
+            Problem::DefinedTwice { .. } => true,
+            _ => false,
+        };
+        self.faults.extend(graph.faults.into_iter().filter(is_another));
+    }
+
+    /// What a deck must have.
+    fn whole(&mut self, ended: bool) {
+        let (has_end_card, has_print_card) = (self.has_end_card, self.has_print_card);
+        let mut missing = |card, why| {
+            let problem = Problem::Missing { card, why };
+            self.faults.push(Fault { file: None, card: 0, columns: 0..0, text: String::new(), problem });
+        };
+        if !ended {
+            missing("END", "put one behind the last card, and data cards behind it");
+        }
+        if !has_end_card {
+            missing("FIN", "say when a run ends, such as FIN(T,10.)");
+        }
+        if !has_print_card {
+            missing("OUT", "say what to print, such as OUT(T,X)");
+        }
+        for (number, heading) in self.deck.headings.iter().enumerate() {
+            let columns = self.deck.outputs.get(number).map_or(0, Vec::len);
+            if columns != heading.len() {
+                let given = heading.len();
+                self.deck.notes.push(format!(
+                    "HDR card {} has {given} words for {columns} columns of the OUT card of that number",
+                    number + 1
+                ));
+            }
+        }
+    }
+}
