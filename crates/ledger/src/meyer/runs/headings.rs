@@ -36,8 +36,8 @@ fn inertia(place: Place, id: &'static str, numbers: [&'static str; 2], mechanism
     let meaning = leaked(format!("moment of inertia of the {} in the runs, a datum", MEMBERS[member]));
     place
         .value(id, numbers[member], UNIT, meaning)
-        .by(Quadrature, move || data::inertias(mechanism)[member] / motion::MILLIONTH)
-        .by(RungeKutta, move || data::inertias_in_steps(mechanism)[member] / motion::MILLIONTH)
+        .by(Quadrature, move || data::inertias(mechanism)[member] * motion::MILLIONTHS)
+        .by(RungeKutta, move || data::inertias_in_steps(mechanism)[member] * motion::MILLIONTHS)
         .read_as(
             "Computed is that of the pair of inertias with which all peaks, minima and periods of the table come out best.",
         )

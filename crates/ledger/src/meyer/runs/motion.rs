@@ -120,7 +120,7 @@ impl Hypothesis {
         let six_drawn = mechanism == Mechanism::SIX_PIN && self.six_pin == SixPin::AsDrawn;
         ["driver", "follower"].map(|member| {
             let id = if six_drawn { format!("meyer.fig-11.{member}") } else { heading(mechanism, member) };
-            printed(&id) * MILLIONTH
+            printed(&id) / MILLIONTHS
         })
     }
 
@@ -206,8 +206,8 @@ pub fn parameters_with(row: &Row, [driver, follower]: [f64; 2]) -> Option<Parame
     Parameters::new(row.mechanism, Inertias::new(driver, follower).ok()?, row.torque(), row.friction()).ok()
 }
 
-/// The unit of the printed inertias.
-pub const MILLIONTH: f64 = 1e-6;
+/// How many of the units of the printed inertias are one in lb s².
+pub const MILLIONTHS: f64 = 1e6;
 
 /// The id of an inertia in the heading of a table.
 pub fn heading(mechanism: Mechanism, member: &str) -> String {
