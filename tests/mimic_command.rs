@@ -220,6 +220,12 @@ fn a_drawing_needs_two_points_and_two_names() {
 }
 
 #[test]
+fn a_check_reads_the_data_cards_too() {
+    let (_, told, code) = fed(&["mimic", "check", "-"], &DECK.replace(" 2.\n", " 2. zz\n"));
+    assert!(code == Some(2) && told.contains("ZZ"), "{told}");
+}
+
+#[test]
 fn the_help_names_the_keys_of_json() {
     let help = stdout(&["mimic", "run", "--help"], 0);
     let help: String = help.split_whitespace().collect::<Vec<_>>().join(" ");

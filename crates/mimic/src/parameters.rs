@@ -44,10 +44,12 @@ pub struct Parameters {
     ///
     /// Default 5·10⁻⁶, from the thesis.
     pub relative_tolerance: f64,
-    /// Size below which a component is judged as if it had this size, not negative, in the component's own unit.
+    /// Size below which a component is judged as if it had this size, or the largest that any has had in the run if that
+    /// is smaller; not negative, in the unit of the components.
     ///
     /// Default 10⁻³. Without it a component that passes zero would stop the run; with it the test asks for 5·10⁻⁹
-    /// there, which the rounding of sums of the order of one does not disturb.
+    /// there, which the rounding of sums of the order of one does not disturb. Where all is small, as with charges in
+    /// coulombs, the test goes by the largest.
     pub absolute_floor: f64,
     /// The next step is longer if the error was at most this part of the tolerance, dimensionless; from 0 to 1.
     ///
@@ -88,7 +90,7 @@ pub struct Parameters {
     pub at_smallest_step: AtSmallestStep,
     /// Most attempts at a step, refused ones included; from 1 to [`MOST_STEPS`].
     ///
-    /// Default 10⁷, some seconds' work. It bounds what an ill-chosen print interval or tolerance can cost.
+    /// Default 10⁷, some seconds' work for a few components. It bounds what an ill-chosen print interval or tolerance can cost.
     pub most_steps: u64,
 }
 

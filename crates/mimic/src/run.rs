@@ -49,8 +49,9 @@ pub struct Outcome<const D: usize> {
 /// Integrates the system from `start` at time 0 and hands each printed point to `print`, the start included.
 ///
 /// A step is refused if the whole step and two half steps differ by more than the tolerance in any component, if
-/// either is not finite, or if the system [`switches`](System::switches) at its end; it is then tried shorter. The way from point to point of the print grid does not change the
-/// times of the points. Work::Meyer1973, Appendix B, and [`Parameters`] for what is not said there.
+/// either is not finite, or if the system [`switches`](System::switches) at its end; it is then tried shorter. The way
+/// from point to point of the print grid does not change the times of the points. Work::Meyer1973, Appendix B, and
+/// [`Parameters`] for what is not said there.
 ///
 /// # Errors
 ///
@@ -74,6 +75,7 @@ where
         time: 0.0,
         state: start,
         derivative: SVector::zeros(),
+        largest: 0.0,
         step: parameters.initial_step,
         work: Work::default(),
     };
@@ -96,6 +98,8 @@ struct Run<'a, S, const D: usize> {
     time: f64,
     state: SVector<f64, D>,
     derivative: SVector<f64, D>,
+    /// The largest size of a component at an accepted point.
+    largest: f64,
     /// What would be tried next if no printed point were in the way.
     step: f64,
     work: Work,
@@ -124,7 +128,7 @@ impl<S: System<D>, const D: usize> Run<'_, S, D> {
             let infinite = attempt.non_finite();
             excess = match infinite {
                 Some(_) => f64::INFINITY,
-                None => attempt.excess(parameters.relative_tolerance, parameters.absolute_floor),
+                None => attempt.excess(parameters.relative_tolerance, self.floor(&attempt)),
             };
             // The end is rounded, and the step from it may be a little longer than was asked for.
             let asked = step.min(self.step);
@@ -178,12 +182,18 @@ impl<S: System<D>, const D: usize> Run<'_, S, D> {
     fn accept(&mut self, time: f64, state: SVector<f64, D>) -> Result<(), Stopped<D, S::Fault>> {
         self.finite(Quantity::State, &state)?;
         (self.time, self.state) = (time, state);
+        self.largest = self.largest.max(state.amax());
         self.work.evaluations += 1;
         let derivative = self.system.kept_derivative(time, &state);
         self.derivative = derivative.map_err(|fault| self.stopped(Cause::System(fault)))?;
         self.finite(Quantity::Derivative, &self.derivative)?;
         let accepted = self.system.accepted(time, &state, &self.derivative);
         accepted.map_err(|fault| self.stopped(Cause::System(fault)))
+    }
+
+    /// The size below which a component counts as if it had this size.
+    fn floor(&self, attempt: &Attempt<D>) -> f64 {
+        self.parameters.absolute_floor.min(self.largest.max(attempt.largest()))
     }
 
     fn finite(&self, quantity: Quantity, vector: &SVector<f64, D>) -> Result<(), Stopped<D, S::Fault>> {

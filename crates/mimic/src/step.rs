@@ -76,6 +76,11 @@ impl<const D: usize> Attempt<D> {
         })
     }
 
+    /// The largest size of a component by two half steps.
+    pub(crate) fn largest(&self) -> f64 {
+        self.halves.amax()
+    }
+
     /// The state that the run goes on with.
     pub(crate) fn kept(&self, kept: Kept) -> SVector<f64, D> {
         match kept {

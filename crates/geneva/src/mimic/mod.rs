@@ -110,6 +110,9 @@ pub struct RunArguments {
     /// Largest relative error of a step, by the whole step against two halves
     #[arg(long, value_name = "T", value_parser = typed::positive, default_value = "5e-6", allow_hyphen_values = true)]
     pub tolerance: f64,
+    /// Size below which an integral is judged as if it had this size, or the largest of all so far if that is smaller
+    #[arg(long, value_name = "SIZE", value_parser = typed::positive, default_value = "1e-3", allow_hyphen_values = true)]
+    pub floor: f64,
     /// Which value of a step is kept; nobody says which MIMIC kept
     #[arg(long, value_enum, default_value_t = KeptName::HalfSteps)]
     pub kept: KeptName,
@@ -196,6 +199,9 @@ pub fn page(action: &Action) -> anyhow::Result<String> {
         Action::Check { deck, .. } => {
             let (name, deck) = read(deck)?;
             let program = program(&name, &deck)?;
+            if deck.has_data() {
+                deck.data_sets().map_err(|faults| anyhow!("{name}\n{faults}"))?;
+            }
             Ok(told::checked(&name, &deck, &program))
         }
         Action::Sort { deck, .. } => {
@@ -354,7 +360,12 @@ fn choices(wanted: &RunArguments) -> Choices {
         DelayKeeps::All => RememberedPoints::All,
         DelayKeeps::AsAsked => RememberedPoints::AsAsked,
     };
-    let integrator =
-        geneva_mimic::Parameters { relative_tolerance: wanted.tolerance, kept, at_smallest_step, ..usual.integrator };
+    let integrator = geneva_mimic::Parameters {
+        relative_tolerance: wanted.tolerance,
+        absolute_floor: wanted.floor,
+        kept,
+        at_smallest_step,
+        ..usual.integrator
+    };
     Choices { integrator, interpolation, remembered, ..usual }
 }

@@ -30,14 +30,14 @@ impl Layout {
         let mut any = false;
         for line in text.lines() {
             let card: Vec<char> = line.trim_end().chars().collect();
-            if card.is_empty() || matches!(card[0], '*' | '/' | 'C') {
+            if card.is_empty() || matches!(card[0], '*' | '/' | 'C' | 'c') {
                 continue;
             }
             any = true;
             if !keeps_to_columns(&card) {
                 return Self::Free;
             }
-            if card[EXPRESSION..] == ['E', 'N', 'D'] {
+            if card[EXPRESSION..].iter().collect::<String>().eq_ignore_ascii_case("END") {
                 break;
             }
         }

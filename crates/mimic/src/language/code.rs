@@ -114,7 +114,9 @@ fn greatest(a: f64, b: f64) -> f64 {
 }
 
 fn dead_space(value: f64, low: f64, high: f64) -> f64 {
-    if value < low {
+    if low.is_nan() || high.is_nan() {
+        f64::NAN
+    } else if value < low {
         value - low
     } else if value > high {
         value - high
@@ -136,7 +138,13 @@ fn switch(value: f64, [below, at, above]: [f64; 3]) -> f64 {
 }
 
 fn choose(truth: f64, yes: f64, no: f64) -> f64 {
-    if truth == 1.0 { yes } else { no }
+    if truth == 1.0 {
+        yes
+    } else if truth.is_nan() {
+        truth
+    } else {
+        no
+    }
 }
 
 fn slope(last: f64, [a, b]: [f64; 2], [old_a, old_b]: [f64; 2]) -> f64 {
@@ -214,6 +222,10 @@ mod tests {
         assert!(limit(f64::NAN).is_nan());
         let dead = |number| value(Operation::DeadSpace, [number, -1.0, 2.0, 0.0]);
         assert_eq!([-3.0, 0.5, 7.0].map(dead), [-2.0, 0.0, 5.0]);
+        for limits in [[f64::NAN, 2.0], [-1.0, f64::NAN]] {
+            assert!(value(Operation::DeadSpace, [0.5, limits[0], limits[1], 0.0]).is_nan());
+        }
+        assert!(value(Operation::LogicalSwitch, [f64::NAN, 5.0, 6.0, 0.0]).is_nan());
         for operation in [Operation::Greatest, Operation::Least] {
             assert!(value(operation, [f64::NAN, 1.0, 0.0, 0.0]).is_nan());
             assert!(value(operation, [1.0, f64::NAN, 0.0, 0.0]).is_nan());

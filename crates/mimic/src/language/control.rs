@@ -43,7 +43,7 @@ pub static CARDS: [Card; 17] = [
         "FIN",
         "(A, B)",
         Both,
-        "the run ends when A has reached B, from below, at the next kept step; of several cards, the first that does",
+        "the run ends when A is not below B, at the next kept step; of several cards, the first that does",
     ),
     card("HDR", "(words)", Both, "heads the columns of the OUT card of the same number"),
     card("OUT", "(names)", Both, "prints the values of the names at each printed point"),

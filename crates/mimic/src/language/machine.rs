@@ -26,6 +26,9 @@ pub(super) struct Machine<'a> {
     pub(super) lines: Vec<Line>,
     /// What the held registers had at the last point that was kept.
     pub(super) held: Vec<f64>,
+    /// The last point that was kept, and how near to it nothing is located.
+    pub(super) kept: (f64, Vec<f64>),
+    pub(super) nearest: f64,
     /// The memories whose cards do not count over the step that begins at the last kept point.
     pub(super) closed: Vec<usize>,
     /// How often a memory has changed within the run, and which did last.
@@ -81,16 +84,24 @@ impl<const D: usize> System<D> for Machine<'_> {
     }
 
     fn switches(&mut self, time: f64, state: &SVector<f64, D>) -> Result<bool, Stop> {
-        if self.closed.is_empty() {
+        if self.program.memories.is_empty() {
             return Ok(false);
         }
         self.set_gates(1.0);
-        let changes = self.evaluate(time, state).map(|()| self.change().is_some());
+        let changes = self.evaluate(time, state).map(|()| (self.change().is_some(), self.closes()));
         self.set_gates(0.0);
-        changes
+        let (changes, closes) = changes?;
+        if changes || !closes {
+            return Ok(changes);
+        }
+        // What counts at one instant only, as at the start, need not be located.
+        let (from, states) = &self.kept;
+        let (soon, state) = (from + self.nearest, SVector::from_fn(|at, _| states.get(at).copied().unwrap_or(0.0)));
+        self.evaluate::<D>(soon, &state)?;
+        Ok(!self.closes())
     }
 
-    fn accepted(&mut self, time: f64, _: &SVector<f64, D>, _: &SVector<f64, D>) -> Result<(), Stop> {
+    fn accepted(&mut self, time: f64, state: &SVector<f64, D>, _: &SVector<f64, D>) -> Result<(), Stop> {
         if let Some(changed) = self.change() {
             self.changed = Some(changed);
             self.changes += 1;
@@ -124,11 +135,13 @@ impl<const D: usize> System<D> for Machine<'_> {
         for (register, held) in program.held.iter().zip(&mut self.held) {
             *held = registers[*register as usize];
         }
-        let is_closed = |memory: &Memory| memory.controls.iter().all(|control| registers[*control as usize] != 1.0);
         let memories = program.memories.iter().enumerate();
         self.closed.clear();
-        self.closed.extend(memories.filter(|(_, memory)| is_closed(memory)).map(|(at, _)| at));
+        self.closed.extend(memories.filter(|(_, memory)| memory.is_closed(registers)).map(|(at, _)| at));
         self.closed.iter().for_each(|at| registers[program.memories[*at].gate as usize] = 0.0);
+        if let Some(register) = program.deciding().find(|register| registers[*register as usize].is_nan()) {
+            return Err(Stop::Value(register));
+        }
         for (register, latest) in self.watched.iter().zip(self.latest) {
             let value = registers[*register as usize];
             if !value.is_finite() {
@@ -137,9 +150,19 @@ impl<const D: usize> System<D> for Machine<'_> {
             latest.set(value);
         }
         self.latest_time.set(time);
+        self.kept.0 = time;
+        self.kept.1.clear();
+        self.kept.1.extend(state.iter());
         let ended = program.finishes.iter().filter(|finish| !(self.has_end && finish.is_run_length));
         let mut ended = ended.map(|finish| registers[finish.value as usize] >= registers[finish.limit as usize]);
         if ended.any(|ended| ended) { Err(Stop::Finished) } else { Ok(()) }
+    }
+}
+
+impl Memory {
+    /// Whether none of its cards counts.
+    fn is_closed(&self, registers: &[f64]) -> bool {
+        self.controls.iter().all(|control| registers[*control as usize] != 1.0)
     }
 }
 
@@ -193,6 +216,13 @@ impl Machine<'_> {
             let held = self.program.memories[*at].held;
             value(held).map(f64::to_bits) != self.held.get(held).copied().map(f64::to_bits)
         })
+    }
+
+    /// Whether a memory closes that was open at the last kept point: what it then keeps is the value of that point.
+    fn closes(&self) -> bool {
+        let memories = self.program.memories.iter().enumerate();
+        let mut open = memories.filter(|(at, _)| !self.closed.contains(at));
+        open.any(|(_, memory)| memory.is_closed(&self.registers))
     }
 
     /// What stopped the run, by the card and the time.
@@ -261,7 +291,8 @@ impl Machine<'_> {
     ) -> usize {
         let first = self.derivative(time, state).unwrap_or_else(|_| SVector::zeros());
         let attempt = Attempt::new(|time, state| self.derivative(time, state), time, time + step, state, &first);
-        attempt.map_or(0, |attempt| attempt.worst(parameters.relative_tolerance, parameters.absolute_floor))
+        let floor = parameters.absolute_floor.min(state.amax());
+        attempt.map_or(0, |attempt| attempt.worst(parameters.relative_tolerance, floor))
     }
 
     /// The integral with the largest error in a step that was refused.
@@ -303,7 +334,10 @@ impl Machine<'_> {
             Some(of) if registers[register as usize].is_finite() => Origin {
                 card: of.card,
                 text: program.card_text(of.card),
-                reason: format!("the rate of {} is no number", of.name),
+                reason: match of.more {
+                    More::TimeConstant(_) => format!("{} has a time constant of zero", of.name),
+                    _ => format!("the rate of {} is no number", of.name),
+                },
             },
             _ => program.origin(registers, register),
         };

@@ -1,7 +1,7 @@
 //! Where a number that is none came from: backwards from where it was seen.
 
 use super::code::Operation;
-use super::program::{Code, Program};
+use super::program::{Code, Program, TIME};
 use core::fmt;
 
 /// The instruction that made it.
@@ -47,6 +47,12 @@ impl Program {
             let used = instruction.used(registers);
             let next = used.into_iter().find(|of| !registers[*of as usize].is_finite() && *of != register);
             limit = limit.saturating_sub(1);
+            // Behind the start an integral has its value from its rate: what it began with is not to blame.
+            let grown = next.filter(|_| registers[TIME as usize] > 0.0);
+            if let Some(state) = self.states.iter().find(|state| Some(state.register) == grown) {
+                let reason = format!("{} has grown without bound", state.name);
+                return Origin { card: state.card, text: self.card_text(state.card), reason };
+            }
             match next.filter(|_| limit > 0) {
                 Some(next) => register = next,
                 None => {

@@ -144,6 +144,17 @@ pub struct Program {
 }
 
 impl Program {
+    /// The registers that decide what counts, and when a run ends: control variables, limits, both sides of FIN.
+    pub(super) fn deciding(&self) -> impl Iterator<Item = u32> {
+        let limits = self.states.iter().filter_map(|state| match state.more {
+            More::Limits(limits) => Some(limits),
+            _ => None,
+        });
+        let controls = self.memories.iter().flat_map(|memory| memory.controls.iter().copied());
+        let ends = self.finishes.iter().flat_map(|finish| [finish.value, finish.limit]);
+        controls.chain(self.states.iter().filter_map(|state| state.control)).chain(limits.flatten()).chain(ends)
+    }
+
     /// Sorts and compiles a deck.
     ///
     /// # Errors

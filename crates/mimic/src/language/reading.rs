@@ -232,15 +232,30 @@ impl Reading {
 
     /// A comment that reads as a statement is told: a C in column 1 may be meant for a name.
     fn note_a_hidden_statement(&mut self, number: usize, card: &[char], layout: Layout) {
-        if !matches!(card.first(), Some('C' | 'c')) || layout == Layout::Columns {
+        if !matches!(card.first(), Some('C' | 'c')) {
             return;
         }
-        let (tokens, problems) = super::token::tokens(card, 1..card.len());
-        if problems.is_empty() && !tokens.is_empty() && expression(&tokens, card.len()).is_ok() {
-            let note = format!(
-                "card {number} is a comment, because it has a C in column 1; if it is to define C, begin it in column 2"
-            );
-            self.deck.notes.push(note);
+        let hidden = match layout {
+            Layout::Free => {
+                let (tokens, problems) = super::token::tokens(card, 1..card.len());
+                let is_expression =
+                    problems.is_empty() && !tokens.is_empty() && expression(&tokens, card.len()).is_ok();
+                is_expression.then(|| "to define C".to_owned())
+            }
+            // A C with blanks behind it is a card that was taken out.
+            Layout::Columns if card.get(1).is_none_or(|next| next.is_whitespace()) => None,
+            Layout::Columns => match fields(card, layout) {
+                Ok(Fields::Control { word, .. }) => Some(format!("a {} card", word.name)),
+                Ok(Fields::Statement { control: Some(control), expression: tokens, .. }) => {
+                    expression(&tokens, card.len()).is_ok().then(|| format!("to count under {}", control.name))
+                }
+                _ => None,
+            },
+        };
+        if let Some(meant) = hidden {
+            self.deck.notes.push(format!(
+                "card {number} is a comment, because it has a C in column 1; if it is {meant}, begin it in column 2"
+            ));
         }
     }
 

@@ -12,6 +12,8 @@ use nalgebra::SVector;
 
 /// Most printed rows of a run.
 const MOST_ROWS: f64 = 1e6;
+/// Most steps of all integrals together.
+const MOST_WORK: u64 = 100_000_000;
 /// Most integrals of a program, and most delays.
 const MOST_STATES: usize = 1024;
 const MOST_DELAYS: usize = 256;
@@ -134,6 +136,8 @@ impl Program {
             lines: self.lines(&registers, choices)?,
             registers,
             held,
+            kept: (0.0, Vec::new()),
+            nearest: parameters.switch_step(),
             closed: Vec::new(),
             changes: 0,
             changed: None,
@@ -152,7 +156,7 @@ impl Program {
         });
         let work = match outcome {
             Ok(_) if has_end => Ok(outcome.map_or(Work::default(), |outcome| outcome.work)),
-            Ok(outcome) => Err(Trouble::TooManyRows { time: outcome.last.time }),
+            Ok(outcome) => Err(Trouble::TooManyRows { time: outcome.last.time, rows: outcome.last.index }),
             Err(IntegrationError::Parameter(error)) => Err(Trouble::Integrator(error)),
             Err(IntegrationError::Stopped(stopped)) => match stopped.cause {
                 Cause::System(Stop::Finished) => {
@@ -217,10 +221,12 @@ impl Program {
             }
             end = Some(end.map_or(value, |end| end.min(value)));
         }
+        // A step with many integrals takes longer.
+        let most_steps = (MOST_WORK / self.states.len().max(1) as u64).min(choices.integrator.most_steps);
         // A run whose end is not known before goes on until a value stops it, or rows without end do.
-        let most = (choices.integrator.most_steps as f64).min(MOST_ROWS);
-        let run_length = end.unwrap_or(interval * most);
+        let run_length = end.unwrap_or(interval * (most_steps as f64).min(MOST_ROWS));
         let parameters = Parameters {
+            most_steps,
             print_interval: interval,
             run_length,
             smallest_step: smallest,
@@ -282,5 +288,26 @@ fn plot_of(plot: &PlotCode, registers: &[f64]) -> Plot {
         names: plot.names.iter().map(|(name, _)| name.clone()).collect(),
         scale: values(&plot.scale),
         zero: values(&plot.zero),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::language::{Deck, Layout};
+
+    #[test]
+    fn many_integrals_have_fewer_steps() {
+        for (integrals, most) in [(2, 10_000_000), (10, 10_000_000), (100, 1_000_000), (1000, 100_000)] {
+            let cards: String = (0..integrals).map(|number| format!(" X{number} INT(1.,0.)\n")).collect();
+            let deck = Deck::read(&format!("{cards} OUT(T)\n FIN(-T,1.)\n END\n"), Layout::Free).expect("a deck");
+            let program = Program::new(&deck).expect("a program");
+            let choices = Choices::default();
+            let registers = program.begun(&DataSet::default(), &choices).expect("it begins");
+            let (parameters, has_end) = program.integrator(&registers, &choices).expect("it can go");
+            assert_eq!((parameters.most_steps, has_end), (most, false));
+            let few = Choices { integrator: Parameters { most_steps: 7, ..choices.integrator }, ..choices };
+            assert_eq!(program.integrator(&registers, &few).expect("it can go").0.most_steps, 7);
+        }
     }
 }

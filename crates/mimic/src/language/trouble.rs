@@ -86,10 +86,12 @@ pub enum Trouble {
         origin: Origin,
     },
     /// The limit of printed rows is reached.
-    #[error("at T = {time}: a million rows are printed and FIN is not reached; give a longer DT or an earlier FIN")]
+    #[error("at T = {time}: {rows} rows are printed and FIN is not reached; give a longer DT or an earlier FIN")]
     TooManyRows {
         /// When, in the unit of T.
         time: f64,
+        /// How many are printed.
+        rows: u64,
     },
     /// A delay that does not work.
     #[error("at T = {time}: card {card} ({text}): {error}")]

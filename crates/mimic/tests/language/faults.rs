@@ -123,6 +123,27 @@ fn a_deck_without_an_end_is_told_what_is_missing() {
 }
 
 #[test]
+fn a_comment_that_could_be_a_card_of_a_deck_in_columns_is_noted() {
+    let card = |control: &str, result: &str, expression: &str| format!("{control:9}{result:7}= {expression}\n");
+    let rest = ["OUT(HOT)", "FIN(T,1.)", "END"].map(|words| card("", "", words).replace('=', " ")).concat();
+    for (comment, words) in [
+        (card("COLD", "HOT", "1."), "if it is to count under COLD, begin it in column 2"),
+        (format!("{:18}\n", "CON(A)"), "if it is a CON card"),
+    ] {
+        let text = format!("{comment}{}{rest}", card("", "HOT", "2."));
+        let deck = Deck::read(&text, Layout::Columns).unwrap_or_else(|faults| panic!("{faults}"));
+        assert!(deck.notes()[0].contains(words), "{:?}", deck.notes());
+    }
+    // Words, and cards that were taken out, are none.
+    for comment in ["COLD AND WARM ROOMS\n".to_owned(), card("C", "HOT", "1.")] {
+        let text = format!("{comment}{}{rest}", card("", "HOT", "2."));
+        assert_eq!(Layout::of(&text.to_lowercase()), Layout::Columns);
+        let deck = Deck::read(&text, Layout::Columns).unwrap_or_else(|faults| panic!("{faults}"));
+        assert!(deck.notes().is_empty(), "{:?}", deck.notes());
+    }
+}
+
+#[test]
 fn a_comment_that_could_define_c_is_noted() {
     let text = "C      (A+1.)*2.\n A 2.\n OUT(A)\n FIN(T,1.)\n END\n";
     assert!(deck(text).notes()[0].contains("card 1 is a comment"), "{:?}", deck(text).notes());

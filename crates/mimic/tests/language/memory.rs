@@ -79,12 +79,23 @@ fn a_parachute_opens_once_and_stays_open() {
 }
 
 #[test]
-fn what_follows_keeps_its_value_at_the_last_kept_step() {
-    // WHEN follows the time until a sine passes a half.
-    let text = " DT 1.\n DTMAX .001\n X INT(COS(T),0.)\n BELOW FSW(X-.5,TRUE,FALSE,FALSE)\n BELOW WHEN T\n \
-                OUT(T,X,WHEN)\n FIN(T,2.)\n END\n";
+fn what_follows_keeps_its_value_from_where_its_card_ceases_to_count() {
+    // WHEN follows the time until a sine passes a half, with steps far longer than it must be known to.
+    let text = " DT 1.\n X INT(COS(T),0.)\n BELOW FSW(X-.5,TRUE,FALSE,FALSE)\n BELOW WHEN T\n OUT(T,X,WHEN)\n \
+                FIN(T,2.)\n END\n";
     let kept = std::f64::consts::FRAC_PI_6 - runs(text)[0].rows[2][2];
-    assert!((0.0..=0.001).contains(&kept), "{kept}");
+    assert!(kept.abs() < 1e-5, "{kept}");
+    // Other cards change nothing of it.
+    let more = text.replace(" OUT", " LATE FSW(T-1.5,FALSE,TRUE,TRUE)\n LATE GO TRUE\n OUT");
+    assert!((runs(&more)[0].rows[2][2] - runs(text)[0].rows[2][2]).abs() < 1e-6);
+}
+
+#[test]
+fn of_two_cards_that_count_the_last_in_the_sorted_order_does() {
+    for (cards, value) in [(" A X 1.\n B X 2.\n", 2.0), (" B X 2.\n A X 1.\n", 1.0)] {
+        let text = format!(" A FSW(T-1.,FALSE,TRUE,TRUE)\n B TRUE\n{cards} OUT(T,X)\n FIN(T,2.)\n END\n");
+        assert_eq!(runs(&text)[0].rows.iter().map(|row| row[1]).last(), Some(value), "{text}");
+    }
 }
 
 #[test]

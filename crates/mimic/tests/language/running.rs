@@ -124,7 +124,10 @@ fn what_cannot_be_run_is_refused() {
         (" OUT(T)\n FIN(T,0.)\n END\n", "card 2 (FIN(T,0.)): the run would end at T = 0"),
         (" OUT(T)\n FIN(T,1.E9)\n END\n", "at most a million DT away"),
         (" X TDL(T,-1.)\n OUT(X)\n FIN(T,1.)\n END\n", "card 1 (X TDL(T,-1.)): delay -1.0"),
-        (" X INT(1.,0.)\n OUT(X)\n FIN(-X,1.)\n END\n", "a million rows are printed and FIN is not reached"),
+        (
+            " X INT(1.,0.)\n OUT(X)\n FIN(-X,1.)\n END\n",
+            "at T = 100000: 1000000 rows are printed and FIN is not reached",
+        ),
     ] {
         let told = trouble(text);
         assert!(told.contains(words), "{text}\n{told}");
@@ -218,4 +221,49 @@ fn headings_do_not_run_together_and_surplus_words_are_told() {
     assert!(page.ends_with("No column is under X, Y.\n"), "{page}");
     let few = text.replace(",X,Y", "");
     assert!(!print_out(&runs(&few)[0], "").contains("No column"));
+}
+
+#[test]
+fn small_integrals_are_followed_as_large_ones() {
+    for size in ["1.", "1.E-9", "1.E-30"] {
+        let text = format!(" V INT(-X,0.)\n X INT(V,{size})\n DT 5.\n OUT(T,X)\n FIN(T,50.)\n END\n");
+        for row in &runs(&text)[0].rows {
+            let exact =
+                libm::cos(row[0]) * size.replace("1.E", "1e").trim_end_matches('.').parse::<f64>().expect("a size");
+            assert!((row[1] - exact).abs() < 1e-3 * runs(&text)[0].rows[0][1], "{row:?} {exact}");
+        }
+    }
+    // Beside a large one a small one is followed to the floor that is asked for.
+    let program = program(" V INT(-X,0.)\n X INT(V,1.E-9)\n Y INT(1.,1.)\n DT 5.\n OUT(T,X)\n FIN(T,50.)\n END\n");
+    let error = |absolute_floor: f64| {
+        let usual = Choices::default();
+        let integrator = Parameters { absolute_floor, ..usual.integrator };
+        let run = program.run(&DataSet::default(), &Choices { integrator, ..usual }).expect("it runs");
+        run.rows.iter().map(|row| (row[1] - 1e-9 * libm::cos(row[0])).abs()).fold(0.0, f64::max)
+    };
+    assert!(error(1e-3) > 1e-10 && error(1e-9) < 1e-12, "{} {}", error(1e-3), error(1e-9));
+}
+
+#[test]
+fn a_truth_or_a_limit_that_is_no_number_stops_the_run() {
+    for (cards, card) in [
+        (" FLAG FSW(SQR(T-5.),TRUE,FALSE,FALSE)\n Y LSW(FLAG,1.,2.)\n X INT(Y,0.)\n", 1),
+        (" FLAG FSW(SQR(T-5.),TRUE,FALSE,FALSE)\n FLAG X INT(1.,0.)\n", 1),
+        (" FLAG FSW(SQR(T-5.),TRUE,FALSE,FALSE)\n FLAG X 1.\n", 1),
+        (" X LIN(1.,0.,-1.,SQR(T-5.))\n", 1),
+        (" X DSP(3.,0.,SQR(T-5.))\n", 1),
+        (" X T\n FIN(T,SQR(X-5.))\n", 2),
+    ] {
+        let told = trouble(&format!("{cards} OUT(T,X)\n FIN(T,9.)\n END\n"));
+        assert!(told.contains(&format!("card {card} ")) && told.contains("the square root of -5"), "{cards}{told}");
+    }
+}
+
+#[test]
+fn what_grows_without_bound_is_named() {
+    let told = trouble(" X INT(X*X,1.)\n OUT(T,X)\n FIN(T,2.)\n END\n");
+    assert!(told.contains("card 1 (X INT(X*X,1.)): ") && !told.contains("1.0 and 1.0"), "{told}");
+    assert!(told.contains("is too large") || told.contains("X has grown without bound"), "{told}");
+    let told = trouble(" X FTR(T,0.)\n OUT(T,X)\n FIN(T,2.)\n END\n");
+    assert!(told.contains("X has a time constant of zero"), "{told}");
 }
