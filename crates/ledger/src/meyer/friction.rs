@@ -223,7 +223,7 @@ fn spring() -> Vec<Claim> {
             at("Line after Eq. (1-15)"),
             "what K is called",
             "torsional spring rate in inch-pounds per radian",
-            "torque of the spring in inch-pounds",
+            "torque of the spring in inch-pounds per radian",
         ),
     ]
 }

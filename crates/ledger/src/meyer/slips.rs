@@ -68,13 +68,14 @@ pub const DRIVER_INDEX: Slip = Slip {
 pub const MISSING_SQUARE: Slip = Slip {
     id: "meyer.eq-1-17",
     reason: "The factor of the driver's acceleration is that of the line before, where the bracket is squared; Eq. \
-             (1-18) has the square again. Whether the typist or the copy has lost it cannot be told. It is counted as a \
-             misprint, because it is missing in two displays, of which the second is put together from the first.",
+             (1-18) has the square again. It is missing in two displays, of which the second is put together from the \
+             first. Whether the typist or the copy has lost it cannot be told. It is counted as the copy's, because it \
+             stands right in the displays before and after these.",
     witness: "The corrected characters, read and evaluated, agree with Newton's laws for the two members; the printed \
               ones do not.",
-    origin: Origin::Misprint,
-    consequence: Consequence::Derivation,
-    changes: "Nothing: Eq. (1-18), the factors A to E and the program have the square.",
+    origin: Origin::Copy,
+    consequence: Consequence::Copy,
+    changes: "",
 };
 
 /// Bars that are lost.

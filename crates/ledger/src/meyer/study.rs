@@ -85,8 +85,8 @@ pub fn of_parameters() -> Vec<Claim> {
                               so large.",
                     origin: Origin::Concept,
                     consequence: Consequence::Conclusion,
-                    changes: "The tables are not of parts like those described: discs as thick would have to be up to \
-                              three times as wide.",
+                    changes: "The tables are not of parts like those described: discs as thick would have to be more \
+                              than three times as wide for the greatest.",
                 },
             ),
     ]
@@ -99,7 +99,7 @@ pub fn of_axis() -> Claim {
         at("Fig. 11, abscissae"),
         "the driving quantity is a spring constant, in inch-pounds per radian",
         "SPRING CONSTANT, IN LB/RAD",
-        "TORQUE OF THE SPRING, IN LB",
+        "TORQUE OF THE SPRING, IN LB/RAD",
     )
 }
 

@@ -94,7 +94,7 @@ fn what_follows_keeps_its_value_from_where_its_card_ceases_to_count() {
 fn of_two_cards_that_count_the_last_in_the_sorted_order_does() {
     for (cards, value) in [(" A X 1.\n B X 2.\n", 2.0), (" B X 2.\n A X 1.\n", 1.0)] {
         let text = format!(" A FSW(T-1.,FALSE,TRUE,TRUE)\n B TRUE\n{cards} OUT(T,X)\n FIN(T,2.)\n END\n");
-        assert_eq!(runs(&text)[0].rows.iter().map(|row| row[1]).last(), Some(value), "{text}");
+        assert_eq!(runs(&text)[0].rows.iter().map(|row| row[1]).next_back(), Some(value), "{text}");
     }
 }
 

@@ -46,12 +46,13 @@ pub(super) fn claims(row: &'static Row, place: Place) -> [Claim; 2] {
     [friction, torque]
 }
 
-const FRICTION: &str = "Computed is the friction with which the row's minimum and period come out best. The peak is left \
-                        out: none of the printed lines need fall on it. The friction is known as finely as the two \
-                        tell it, if each was read a unit of its last place otherwise, at random.";
+const FRICTION: &str = "Computed is the friction with which the row's minimum and period come out best, with its torque \
+                        and the inertias as printed. The peak is left out: none of the printed lines need fall on it. \
+                        The friction is known as finely as the two tell it, if each was read a unit of its last place \
+                        otherwise, at random.";
 
-const TORQUE: &str = "Computed is the torque with which the row's minimum and period come out best. The peak is left \
-                      out: none of the printed lines need fall on it.";
+const TORQUE: &str = "Computed is the torque with which the row's minimum and period come out best, with its friction \
+                      and the inertias as printed. The peak is left out: none of the printed lines need fall on it.";
 
 /// Friction and torque of a row by golden section.
 fn sections(row: &Row) -> [f64; 2] {
