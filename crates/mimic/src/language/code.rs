@@ -34,7 +34,8 @@ pub(super) enum Operation {
     Slope,
     /// Passes over so many instructions, which stand in place of the result, unless the first two are true.
     Unless,
-    /// Goes back over so many instructions, until the result and the first are equal. The second counts.
+    /// Goes back over so many instructions, until the result and the first are equal. The second counts, the third says
+    /// over how many, and the fourth is what the result began with.
     Repeat,
 }
 
@@ -46,9 +47,11 @@ pub(super) struct Instruction {
     pub(super) from: [u32; 4],
 }
 
-/// How often a loop around `IMP` is repeated at most, and how near the two sides must come, relative to their size.
+/// How often a loop around `IMP` is repeated at most, and how near the two sides must come: relative to their size, or
+/// to so small a part of what it began with that they are nothing beside it.
 const REPEATED: f64 = 200.0;
 const NEAR: f64 = 1e-12;
+const NOTHING: f64 = 1e-6;
 
 /// Runs the code.
 pub(super) fn execute(code: &[Instruction], registers: &mut [f64]) {
@@ -93,8 +96,8 @@ pub(super) fn execute(code: &[Instruction], registers: &mut [f64]) {
             }
             Operation::Repeat => {
                 let [new, counter] = [from[0] as usize, from[1] as usize];
-                let (old, near) =
-                    (registers[to], (registers[to] - registers[new]).abs() <= NEAR * registers[new].abs());
+                let old = registers[to];
+                let near = (old - registers[new]).abs() <= NEAR * registers[new].abs().max(NOTHING * d.abs());
                 registers[counter] += 1.0;
                 if !near && old.is_finite() && registers[counter] < REPEATED {
                     registers[to] = registers[new];

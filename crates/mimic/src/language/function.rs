@@ -233,8 +233,8 @@ pub static FUNCTIONS: [Function; 26] = [
         (2, 2),
         (Numbers, Implicit),
         Assumed,
-        "implicit: the value that B gives back, where B may depend on it; found by repetition, beginning with A; it must \
-         not be 0. It stands alone in its expression",
+        "implicit: the value that B gives back, where B may depend on it; found by repetition, beginning with A. It \
+         stands alone in its expression",
     ),
     function(("TAN", "A"), (1, 1), (Numbers, Plain(Operation::Tangent)), Assumed, "tangent of A radians"),
 ];

@@ -144,6 +144,11 @@ fn an_implicit_value_is_the_one_that_its_loop_gives_back() {
     for row in &runs(text)[0].rows {
         assert!((row[1] - 0.3 * libm::sin(row[1]) - row[0]).abs() < 1e-11, "{row:?}");
     }
+    // Nothing is found too, and what is small beside the beginning keeps its digits.
+    for (half, value) in [("0.", 0.0), ("1.E-9", 2e-9)] {
+        let found = super::last(&format!(" X IMP(1.,.5*X+{half})\n OUT(X)\n FIN(T,.1)\n END\n"))[0];
+        assert!((found - value).abs() <= 1e-12 * value + 1e-17, "{found}");
+    }
     let told = super::told(" X IMP(X,COS(X))\n OUT(X)\n FIN(T,.1)\n END\n");
     assert!(told.contains("begins with a number, or a name that its loop does not change"), "{told}");
     let told = super::told(" X IMP(1.,Y)\n Y IMP(1.,X)\n OUT(X)\n FIN(T,.1)\n END\n");

@@ -148,12 +148,12 @@ impl<'a> Compiler<'a> {
 
     fn end_loop(&mut self, group: &[usize], code: &mut Code) {
         let Some(number) = self.implicit(group) else { return };
-        let (card, _, own, counter) = self.loop_registers(number);
+        let (card, guess, own, counter) = self.loop_registers(number);
         let length: usize = group.iter().map(|of| self.now[*of].instructions.len()).sum();
         let back = self.constant((length + 1) as f64);
         let expression = &self.graph.deck.statements[number].expression;
         let new = expression.whole_call().map_or(0, |(_, arguments)| self.nodes[number][arguments[1]]);
-        code.push(card, Instruction { operation: Operation::Repeat, to: own, from: [new, counter, back, 0] });
+        code.push(card, Instruction { operation: Operation::Repeat, to: own, from: [new, counter, back, guess] });
     }
 
     fn implicit(&self, group: &[usize]) -> Option<usize> {
