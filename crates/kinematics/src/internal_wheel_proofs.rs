@@ -4,42 +4,33 @@
 //! γ = (1 + m²) / (2 m). The left sides come from power series of the pin's place, the right sides are the formulas.
 
 use crate::internal_wheel::{acceleration_ratio, jerk_ratio, velocity_ratio};
-use crate::{Expression, Identity, Jet, Turn, angular_velocity, pin_vectors};
+use crate::wheel_proofs::{Quantity, direction_rate};
+use crate::{Expression, Identity, Jet, Turn, pin_vectors};
+use nalgebra::Vector2;
 
-/// Angular velocity of the wheel as a series, for a driver of speed one: that of the direction of the pin's place.
-fn series(m: Expression, crank: &Turn<Expression>) -> Jet<Expression, 5> {
-    let path = pin_vectors::path(&Expression::ONE, &(1 / m), &crank.moving::<5>(Expression::ONE));
-    angular_velocity(&path).expect("the pin is off the wheel's axis")
-}
-
-/// Which derivative of the wheel's angle an identity is about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rate {
-    /// φ̇ / θ̇.
-    Velocity,
-    /// φ̈ / θ̇².
-    Acceleration,
-    /// Its derivative over θ̇³.
-    Jerk,
+/// The pin's place from the wheel's axis as a series, for a driver of speed one.
+fn path(m: Expression, crank: &Turn<Expression>) -> Vector2<Jet<Expression, 5>> {
+    pin_vectors::path(&Expression::ONE, &(1 / m), &crank.moving::<5>(Expression::ONE))
 }
 
 /// A formula of [`internal_wheel`](crate::internal_wheel) against the power series of the pin's place.
 ///
 /// Variables: m and the tangent of θ/2.
 pub struct Implemented(
-    /// The rate.
-    pub Rate,
+    /// The quantity.
+    pub Quantity,
 );
 
 impl Identity<2> for Implemented {
     fn difference(&self, [m, half]: [Expression; 2]) -> Expression {
         let crank = Turn::from_half_tangent(&half);
-        let series = series(m, &crank);
-        match self.0 {
-            Rate::Velocity => series.value() - velocity_ratio(&m, &crank),
-            Rate::Acceleration => series.rate() - acceleration_ratio(&m, &crank),
-            Rate::Jerk => series.coefficient(2) * 2 - jerk_ratio(&m, &crank),
-        }
+        let formula = match self.0 {
+            Quantity::Tangent => m * crank.sin / (1 + m * crank.cos),
+            Quantity::Velocity => velocity_ratio(&m, &crank),
+            Quantity::Acceleration => acceleration_ratio(&m, &crank),
+            Quantity::Jerk => jerk_ratio(&m, &crank),
+        };
+        self.0.of_the_path(&path(m, &crank)) - formula
     }
 }
 
@@ -81,7 +72,7 @@ impl Identity<2> for JerkRate {
         let gamma = (1 + m * m) / (2 * m);
         let quadratic = c * c - 4 * gamma * c + gamma * gamma - 6;
         let rate = 4 * m * m * m * (1 - m * m) * crank.sin * quadratic / square.squared().squared();
-        series(m, &crank).coefficient(3) * 6 - rate
+        direction_rate(&path(m, &crank)).coefficient(3) * 6 - rate
     }
 }
 
@@ -102,15 +93,8 @@ mod tests {
 
     #[test]
     fn every_step_to_the_ratios_and_their_peaks_is_proven() {
-        let proofs = [
-            prove(&Implemented(Rate::Velocity)),
-            prove(&Implemented(Rate::Acceleration)),
-            prove(&Implemented(Rate::Jerk)),
-            prove(&BracesArePositive),
-            prove(&EntryAcceleration),
-            prove(&JerkRate),
-            prove(&JerkRoot),
-        ];
+        let mut proofs = vec![prove(&BracesArePositive), prove(&EntryAcceleration), prove(&JerkRate), prove(&JerkRoot)];
+        proofs.extend(Quantity::ALL.map(|quantity| prove(&Implemented(quantity))));
         for proof in proofs {
             println!("{}", proof.expect("an identity"));
         }
@@ -122,7 +106,7 @@ mod tests {
     impl Identity<2> for External {
         fn difference(&self, [m, half]: [Expression; 2]) -> Expression {
             let crank = Turn::from_half_tangent(&half);
-            series(m, &crank).value() - m * (crank.cos - m) / (1 + m * m - 2 * m * crank.cos)
+            Quantity::Velocity.of_the_path(&path(m, &crank)) - m * (crank.cos - m) / (1 + m * m - 2 * m * crank.cos)
         }
     }
 

@@ -4,45 +4,36 @@
 //! power series of the pin's place seen along the wheel's axis, the right sides are the formulas.
 
 use crate::spherical_wheel::{acceleration_ratio, jerk_ratio, velocity_ratio};
-use crate::{Expression, Identity, Jet, Turn, angular_velocity};
+use crate::wheel_proofs::Quantity;
+use crate::{Expression, Identity, Jet, Turn};
 use nalgebra::Vector2;
 
-/// Angular velocity of the wheel as a series, for a driver of speed one: that of the direction (cos α, sin α sin θ), in
-/// which the pin is seen along the wheel's axis.
-fn series(alpha: &Turn<Expression>, crank: &Turn<Expression>) -> Jet<Expression, 4> {
+/// The direction in which the pin is seen along the wheel's axis, (cos α, sin α sin θ), as a series, for a driver of speed
+/// one.
+fn seen(alpha: &Turn<Expression>, crank: &Turn<Expression>) -> Vector2<Jet<Expression, 4>> {
     let moving = crank.moving::<4>(Expression::ONE);
-    let seen = Vector2::new(Jet::constant(alpha.cos), Jet::constant(alpha.sin) * moving.sin);
-    angular_velocity(&seen).expect("the pin is off the wheel's axis")
-}
-
-/// Which derivative of the wheel's angle an identity is about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rate {
-    /// φ̇ / θ̇.
-    Velocity,
-    /// φ̈ / θ̇².
-    Acceleration,
-    /// Its derivative over θ̇³.
-    Jerk,
+    Vector2::new(Jet::constant(alpha.cos), Jet::constant(alpha.sin) * moving.sin)
 }
 
 /// A formula of [`spherical_wheel`](crate::spherical_wheel) against the power series of the pin's place.
 ///
 /// Variables: tangents of α/2 and θ/2.
 pub struct Implemented(
-    /// The rate.
-    pub Rate,
+    /// The quantity.
+    pub Quantity,
 );
 
 impl Identity<2> for Implemented {
     fn difference(&self, [half_alpha, half_theta]: [Expression; 2]) -> Expression {
         let (alpha, crank) = (Turn::from_half_tangent(&half_alpha), Turn::from_half_tangent(&half_theta));
-        let (tangent, series) = (alpha.sin / alpha.cos, series(&alpha, &crank));
-        match self.0 {
-            Rate::Velocity => series.value() - velocity_ratio(&tangent, &crank),
-            Rate::Acceleration => series.rate() - acceleration_ratio(&tangent, &crank),
-            Rate::Jerk => series.coefficient(2) * 2 - jerk_ratio(&tangent, &crank),
-        }
+        let tangent = alpha.sin / alpha.cos;
+        let formula = match self.0 {
+            Quantity::Tangent => tangent * crank.sin,
+            Quantity::Velocity => velocity_ratio(&tangent, &crank),
+            Quantity::Acceleration => acceleration_ratio(&tangent, &crank),
+            Quantity::Jerk => jerk_ratio(&tangent, &crank),
+        };
+        self.0.of_the_path(&seen(&alpha, &crank)) - formula
     }
 }
 
@@ -109,15 +100,8 @@ mod tests {
 
     #[test]
     fn every_step_to_the_ratios_and_their_peaks_is_proven() {
-        let proofs = [
-            prove(&Implemented(Rate::Velocity)),
-            prove(&Implemented(Rate::Acceleration)),
-            prove(&Implemented(Rate::Jerk)),
-            prove(&EntryAcceleration),
-            prove(&BracesAtEntry),
-            prove(&BracesRoot),
-            prove(&JerkBound),
-        ];
+        let mut proofs = vec![prove(&EntryAcceleration), prove(&BracesAtEntry), prove(&BracesRoot), prove(&JerkBound)];
+        proofs.extend(Quantity::ALL.map(|quantity| prove(&Implemented(quantity))));
         for proof in proofs {
             println!("{}", proof.expect("an identity"));
         }

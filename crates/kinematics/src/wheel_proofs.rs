@@ -7,13 +7,20 @@
 use crate::pin_slot::{pin_from_pivot, pin_path, velocity_ratio};
 use crate::wheel::{acceleration_ratio, jerk_ratio, unsteady_acceleration};
 use crate::{Expression, Identity, IdentityWithRoot, Jet, Turn, angular_velocity};
+use nalgebra::Vector2;
 
-/// Angular velocity of the wheel as a series. A proof stops with a panic, as at any pole, if the pin is on the axis.
+/// Angular velocity of a wheel as a series, from the pin's. A proof stops with a panic, as at any pole, if the pin is on
+/// the axis.
+pub(crate) fn direction_rate<const N: usize>(path: &Vector2<Jet<Expression, N>>) -> Jet<Expression, N> {
+    angular_velocity(path).expect("the pin is off the wheel's axis")
+}
+
+/// That of the external wheel.
 pub(crate) fn wheel_velocity<const N: usize>(
     ratio: Expression,
     crank: &Turn<Jet<Expression, N>>,
 ) -> Jet<Expression, N> {
-    angular_velocity(&pin_path(&ratio, crank)).expect("the pin is off the wheel's axis")
+    direction_rate(&pin_path(&ratio, crank))
 }
 
 /// Loop closure, Eq. (5.25), against the pin's place: what the two equations give is where the pin is.
@@ -114,7 +121,7 @@ fn four_acceleration(root: Expression, crank: &Turn<Expression>) -> Expression {
     root * crank.sin / (square * square)
 }
 
-/// Which quantity of the motion an identity for any number of stations is about.
+/// Which quantity of a wheel's motion an identity for any number of stations is about; equations are of the external wheel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// tan φ, from Eq. (5.30).
@@ -128,16 +135,23 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// The quantity from the power series of the pin's place, for a driver of speed one.
-    fn of_the_place(self, ratio: Expression, crank: &Turn<Expression>) -> Expression {
-        let place = pin_from_pivot(&ratio, crank);
-        let velocity = wheel_velocity(ratio, &crank.moving::<4>(Expression::ONE));
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Tangent, Self::Velocity, Self::Acceleration, Self::Jerk];
+
+    /// The quantity from the power series of the pin's place, seen from the wheel, for a driver of speed one.
+    pub(crate) fn of_the_path<const N: usize>(self, path: &Vector2<Jet<Expression, N>>) -> Expression {
+        let velocity = direction_rate(path);
         match self {
-            Self::Tangent => place.y / place.x,
+            Self::Tangent => path.y.value() / path.x.value(),
             Self::Velocity => velocity.value(),
             Self::Acceleration => velocity.rate(),
             Self::Jerk => velocity.coefficient(2) * 2,
         }
+    }
+
+    /// That of the external wheel.
+    fn of_the_place(self, ratio: Expression, crank: &Turn<Expression>) -> Expression {
+        self.of_the_path(&pin_path(&ratio, &crank.moving::<4>(Expression::ONE)))
     }
 }
 
@@ -225,7 +239,7 @@ mod tests {
             prove(&UnsteadyAcceleration),
             prove(&OddAcceleration),
         ];
-        for quantity in [Quantity::Tangent, Quantity::Velocity, Quantity::Acceleration, Quantity::Jerk] {
+        for quantity in Quantity::ALL {
             proofs.extend([prove(&Printed(quantity)), prove(&Implemented(quantity))]);
         }
         for proof in proofs {
