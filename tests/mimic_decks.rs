@@ -7,7 +7,7 @@
 use geneva_ledger::meyer::runs::deck::{self, as_listed};
 use geneva_ledger::meyer::runs::{Column, EXPLAINED, Hypothesis, Reading, Reset, Row, Run, rows};
 use geneva_ledger::printed_value;
-use geneva_mimic::language::{Choices, DataSet, Deck, Layout, Program, RememberedPoints, deck_named};
+use geneva_mimic::language::{Choices, Deck, Layout, Program, RememberedPoints, deck_named};
 use geneva_mimic::{Interpolation, Kept, Parameters};
 use std::sync::OnceLock;
 
@@ -53,7 +53,7 @@ fn runs(program: &Program) -> Vec<Run> {
 /// All rows as they are run.
 fn as_run() -> &'static [Run] {
     static RUNS: OnceLock<Vec<Run>> = OnceLock::new();
-    RUNS.get_or_init(|| deck::runs().expect("the deck runs"))
+    RUNS.get_or_init(|| deck::runs(Reset::QuarterTurn).expect("the deck runs"))
 }
 
 /// In how many rows a column comes within one unit of the last printed place.
@@ -118,9 +118,8 @@ fn the_statements_of_the_start_matter_at_the_start_alone() {
     }));
     let usual = program(&as_listed());
     let first_acceleration = |program: &Program, row: &Row| {
-        let names = program.parameters().into_iter().map(str::to_owned);
-        let set = DataSet(names.zip(Hypothesis::as_run().data_card(row)).collect());
-        program.run(&set, &Choices::default()).unwrap_or_else(|trouble| panic!("{trouble}")).rows[0][3]
+        program.run(&deck::data(program, row), &Choices::default()).unwrap_or_else(|trouble| panic!("{trouble}")).rows
+            [0][3]
     };
     assert_eq!(first_acceleration(&without, &rows()[20]), 0.0, "nothing says how it begins");
     assert!(first_acceleration(&usual, &rows()[20]) > 0.0);
@@ -133,6 +132,26 @@ fn the_statements_of_the_start_matter_at_the_start_alone() {
         EXPLAINED.map(|column| within_one(column, &without)),
         EXPLAINED.map(|column| within_one(column, as_run()))
     );
+}
+
+#[test]
+fn where_the_delay_begins_with_zero_the_line_of_the_motion_needs_no_statements_of_the_start() {
+    let alone = compiled(&changed(|text| {
+        let later = text.lines().filter(|line| !line.starts_with(" REST "));
+        later.map(|line| format!("{}\n", line.replace(" MOVING  ACCEL", "         ACCEL"))).collect()
+    }));
+    let usual = program(&as_listed());
+    for row in rows() {
+        let [one, other] = [&alone, &usual].map(|program| {
+            program
+                .run(&deck::data(program, row), &Choices::default())
+                .unwrap_or_else(|trouble| panic!("{trouble}"))
+                .rows
+        });
+        // To the last bit, but that the start may round otherwise.
+        let apart = one.iter().flatten().zip(other.iter().flatten()).map(|(a, b)| (a - b).abs() / b.abs().max(1.0));
+        assert!(one.len() == other.len() && apart.fold(0.0, f64::max) < 1e-7, "{}", row.slug());
+    }
 }
 
 #[test]

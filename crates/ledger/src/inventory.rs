@@ -156,6 +156,8 @@ pub fn numeric_tokens(text: &str) -> Vec<String> {
     while let Some(start) = rest.find(|c: char| c.is_ascii_digit()) {
         let run = &rest[start..];
         let end = run.find(|c: char| !matches!(c, '0'..='9' | '.' | ',')).unwrap_or(run.len());
+        // Behind a point a comma parts two numbers.
+        let end = run[..end].find(".,").unwrap_or(end);
         tokens.push(run[..end].trim_end_matches(['.', ',']).to_owned());
         rest = &run[end..];
     }
@@ -169,6 +171,7 @@ mod tests {
     #[test]
     fn numbers_are_found_with_their_points_and_commas() {
         assert_eq!(numeric_tokens("x^{2} = 1,950 rad/s^2, or 0.5."), ["2", "1,950", "2", "0.5"]);
+        assert_eq!(numeric_tokens("FSW(F,-1.,1.,1.)"), ["1", "1", "1"]);
         assert!(numeric_tokens("no number, none.").is_empty());
     }
 

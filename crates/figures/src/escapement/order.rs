@@ -63,7 +63,7 @@ pub fn order() -> Figure {
              far above, along one of slope 1 (observed: {switched})."
         ),
         "Half the step, a sixteenth of the error: so it is while the right-hand side is smooth (x″ = −x). Where it \
-         switches within a step (x′ = 1, then 2), half the step gives only half the error, whatever the method's order.",
+         switches within a step (x′ = 1, then 2), the error goes with the step itself, whatever the method's order.",
     );
     Chart::new([panel]).figure(words, series)
 }

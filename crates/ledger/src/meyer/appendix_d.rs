@@ -1,6 +1,6 @@
 //! Appendix D: the acceleration at the start.
 
-use super::appendix_b::{start_line, start_solves};
+use super::appendix_b::{holds_from_rest, start_formula, start_line, start_solves};
 use super::instants::equal;
 use super::letters::start;
 use super::reading::Moment;
@@ -8,7 +8,6 @@ use super::slips::LOST_DOTS;
 use super::*;
 use geneva_dynamics::{Coefficients, Pose};
 use geneva_kinematics::Mechanism;
-use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named};
 use std::sync::OnceLock;
 
 const LETTERS: Place = at("Appendix D, line after the 1st equation");
@@ -23,64 +22,13 @@ fn needed() -> Claim {
         .statement(
             "meyer.app-d.needed",
             "requires a value for the second derivative",
-            "to begin with, the program needs some value of the acceleration for that of the moment before",
+            "without a line of its own for the start the program would have no acceleration to begin with",
         )
-        .by(Evidence::Program, |stated| {
-            let begun = |old: &str| printed_from(old);
-            let usual = begun("0.").unwrap_or_default().concat();
-            let any = ["1.E6", "-1.E6"].iter().all(|old| {
-                let printed = begun(old).unwrap_or_default().concat();
-                let same = |(a, b): (&f64, &f64)| vanishes((a - b) / a.abs().max(1.0));
-                !usual.is_empty() && printed.len() == usual.len() && printed.iter().zip(&usual).all(same)
-            });
-            let none = begun("LOG(-1.)").is_none();
-            Finding::new(
-                none && any == stated.pick(true, false),
-                "the deck with only the line of the motion, begun with no number, with none too great and with two that are",
-            )
-        })
-        .by(ClosedForm, |stated| {
-            // F = C θ'² + D θ'' at the entry from rest, for a sign: not a number has none.
-            let sign = |at: &Mechanism, old: f64| {
-                let d = Coefficients::of_pose(&entry(*at), &0.5, &0.25, &1.0).d;
-                let between = d * old;
-                if between.is_nan() { None } else { Some(vanishes(d) || between < 0.0) }
-            };
-            let holds = Mechanism::ALL.iter().all(|at| {
-                let any = [-1e6, 0.0, 1e6].iter().all(|old| sign(at, *old) == Some(true));
-                sign(at, f64::NAN).is_none() && any == stated.pick(true, false)
-            });
-            Finding::new(holds, "at entry D is zero: the sign does not matter, but without a number there is none")
-        })
-        .but_not("it requires the value that is computed here")
-        .read_as(
-            "Some value, whichever: the line of the motion gives the same first acceleration with any, because a pin \
-             enters along its slot, where the friction has no arm.",
+        .missing(
+            "What the delay gives before there is a value is not said. If it gives nothing, F has no sign at the start, and \
+             a value is required; if it gives zero, the line of the motion begins by itself, with the same first \
+             acceleration, because a pin enters along its slot, where the friction has no arm",
         )
-}
-
-/// A mechanism as a pin enters.
-fn entry(at: Mechanism) -> Pose<f64> {
-    Pose::new(&at.centre_distance_ratio(), &Turn::from_radians(-at.engagement_half_angle()))
-}
-
-/// What the escapement's deck prints of its first set of data if the motion has one line from the start on, and the old
-/// acceleration is this at the start. None if the run stops.
-fn printed_from(old: &str) -> Option<Vec<Vec<f64>>> {
-    let lines = deck_named("escapement")?.lines().filter(|line| !line.starts_with(" REST    ACCEL"));
-    let text: Vec<String> = lines
-        .map(|line| {
-            if line.starts_with("         BEFORE") {
-                format!(" REST    BEFORE = {old}\n MOVING  BEFORE = TDL(ACCEL,DT/10.,100.)")
-            } else {
-                line.replace(" MOVING  ACCEL", "         ACCEL")
-            }
-        })
-        .collect();
-    let text = text.join("\n");
-    let deck = Deck::read(&text, Layout::of(&text)).ok()?;
-    let program = Program::new(&deck).ok()?;
-    Some(program.run(deck.data_sets().ok()?.first()?, &Choices::default()).ok()?.rows)
 }
 
 fn given() -> Vec<Claim> {
@@ -262,6 +210,30 @@ fn equations() -> Vec<Claim> {
             )
             .proven_by(start)
             .read(ClosedForm, from_rest),
+        at("Appendix D, line after the 4th equation")
+            .statement(
+                "meyer.app-d.program-form",
+                "of the form to be used in the computer program",
+                "the program's line for the first acceleration is this equation; its V has the bars already",
+            )
+            .by(ClosedForm, |stated| {
+                // Any numbers at all: the two must be the same formula.
+                let holds = (1..=20_u32).all(|k| {
+                    let number = |factor: f64| libm::sin(factor * f64::from(k)) * 3.0;
+                    let (size, letters) = (number(3.0).abs(), [("E", number(1.0)), ("R", number(2.0) + 4.0)]);
+                    let with =
+                        |v: f64| letters.into_iter().chain([("V", v)]).map(|(name, value)| (name.to_owned(), value));
+                    let line = reading::value(start_formula(), &with(stated.pick(size, 0.0)).collect());
+                    agrees(line, reading::value(right_side("meyer.app-d.acceleration"), &with(number(3.0)).collect()))
+                });
+                Finding::new(holds, "both formulas, read and evaluated for 20 sets of numbers")
+            })
+            .by(Vectors, |stated| {
+                let line = start_formula().replace('V', stated.pick("V", "0"));
+                let holds = holds_from_rest(&format!(r"\text{{2DX}} = {line}"));
+                Finding::new(holds == Some(true), "the program's line, against what both members ask for from rest")
+            })
+            .but_not("the program's line is this equation without V"),
         at("Appendix D, last sentence")
             .statement(
                 "meyer.app-d.always-positive",

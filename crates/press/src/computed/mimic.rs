@@ -2,7 +2,8 @@
 
 use super::Number;
 use anyhow::Context;
-use geneva_ledger::meyer::runs::{Column, Row, Run, deck, rows};
+use geneva_ledger::claim;
+use geneva_ledger::meyer::runs::{Column, Reset, Row, Run, deck, rows};
 
 /// The numbers of the page on the language.
 pub const NUMBERS: &[(&str, Number)] = &[
@@ -10,11 +11,18 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("mimic.minima", || within_one(Column::Minimum)),
     ("mimic.periods", || within_one(Column::Period)),
     ("mimic.peaks", || within_one(Column::Peak)),
+    ("mimic.as-listed", || Ok(as_listed())),
 ];
+
+/// What makes the escapement's deck that of the thesis, as options of the command line.
+fn as_listed() -> String {
+    let set = deck::AS_LISTED.iter().filter_map(|(name, id)| Some(format!("--set {name}={}", claim(id)?.printed)));
+    format!("<code>{}</code>", set.collect::<Vec<_>>().join(" "))
+}
 
 /// In how many rows a column comes within one unit of the last printed place.
 fn within_one(column: Column) -> anyhow::Result<String> {
-    let runs = deck::runs().context("the escapement's deck does not run")?;
+    let runs = deck::runs(Reset::QuarterTurn).context("the escapement's deck does not run")?;
     let is_near = |(row, run): &(&Row, &Run)| column.is_within_one(row.number(column), run.number(column));
     Ok(rows().iter().zip(&runs).filter(is_near).count().to_string())
 }

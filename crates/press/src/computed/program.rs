@@ -5,7 +5,7 @@ use super::Number;
 use anyhow::Context;
 use geneva_dynamics::Pose;
 use geneva_kinematics::{Mechanism, Turn};
-use geneva_ledger::meyer::runs::{Column, Constants, Hypothesis, Row, Run, deck, rows};
+use geneva_ledger::meyer::runs::{Column, Constants, Hypothesis, Reset, Row, Run, deck, rows};
 use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named};
 
 /// The numbers of the chapter on the program.
@@ -60,12 +60,9 @@ fn within_one<'a>(column: Column, runs: impl Iterator<Item = (&'a Row, Option<Ru
 
 /// By the deck as it stands: each mechanism's own angle from pin to pin.
 fn of_own_reset(four_pins: bool, column: Column) -> anyhow::Result<String> {
-    let program = own()?;
-    let run = |row: &'static Row| {
-        let reset = 2.0 * row.mechanism.engagement_half_angle();
-        (row, deck::run(&program, row, reset, &Choices::default()))
-    };
-    Ok(within_one(column, rows_with(four_pins).map(run)))
+    let runs = deck::runs(Reset::OfTheMechanism).context("the escapement's deck does not run")?;
+    let of_these = |(row, _): &(&Row, Option<Run>)| (row.mechanism == Mechanism::FOUR_PIN) == four_pins;
+    Ok(within_one(column, rows().iter().zip(runs.into_iter().map(Some)).filter(of_these)))
 }
 
 /// By the program translated by hand, with the sign of the acceleration itself.

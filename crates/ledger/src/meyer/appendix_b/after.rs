@@ -1,14 +1,16 @@
 //! What the text after the program says of its start, its angle and the way from pin to pin.
 
-use super::contact::{small_time, times};
+use super::contact::{SMALL_TIME, in_force, listed};
 use super::example::first_derivative;
 use super::listing::long_enough;
 use super::program;
 use super::reset::reset;
 use super::*;
 use crate::meyer::appendix_d::{OTHER_ANGLE, along_the_slots, of_the_pins};
+use crate::meyer::runs::steps::squares_along;
 use crate::meyer::runs::{Hypothesis, Row, duration, interval, rows};
 use geneva_dynamics::program::Program;
+use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
 
@@ -48,19 +50,19 @@ fn lines() -> Vec<Claim> {
                 "\"large time\"",
                 "LGT shuts off the equation of motion at the start, where the acceleration has its own line",
             )
-            .by(LimitCase, |stated| {
-                // How many of the two lines of the acceleration are in force at each time.
-                let single = times().all(|time| {
-                    let time = f64::from(time);
-                    let in_force = [small_time(time, Stated::Right), large_time(time, stated)];
-                    in_force.iter().filter(|is| **is).count() == 1
-                });
-                Finding::new(single, "the two lines of the acceleration were counted at each print interval of a run")
+            .by(Evidence::Program, |stated| {
+                let lines = in_force(SMALL_TIME, stated.pick("NOT(REST)", "TRUE")).unwrap_or_default();
+                let single = !lines.is_empty() && lines.iter().all(|[_, rest, moving]| rest + moving == 1.0);
+                Finding::new(
+                    single,
+                    "of the deck's two lines of the acceleration one is in force at each line of a run",
+                )
             })
             .by(OtherPlaceInSource, |stated| {
-                // The listing has LGT as the opposite of SMT.
-                let opposite = [0.0, 1.0, 2.0].map(|time| large_time(time, stated) != small_time(time, Stated::Right));
-                Finding::new(opposite == [true; 3], "at the start and after it, against the opposite of SMT")
+                // The listing has LGT as the opposite of SMT; before the start and after it they are so either way.
+                let said = stated.pick([false, false, true], [false, true, true]);
+                let opposite = listed().any(|truths| truths.map(|small| !small) == said);
+                Finding::new(opposite, "before the start, at it and after it, against the opposite of SMT")
             })
             .but_not("LGT leaves it on at the start"),
         AFTER
@@ -93,11 +95,6 @@ fn lines() -> Vec<Claim> {
         first_derivative(("meyer.app-b.speed-name", AFTER), "name of the driver's speed", ["LDX", "1DX"]),
         first_derivative(("meyer.app-b.angle-name", AFTER), "name of the driver's speed", ["LDX", "1DX"]),
     ]
-}
-
-/// Whether LGT is true at a time: after zero, or from zero on.
-fn large_time(time: f64, stated: Stated) -> bool {
-    time > 0.0 || stated.pick(false, time == 0.0)
 }
 
 fn angle() -> Vec<Claim> {
@@ -140,6 +137,30 @@ fn angle() -> Vec<Claim> {
             r"90° , minus either 30° , 45° , or 60°",
             "60°, 90° or 120°, minus 30°, 45° or 60°",
         ),
+        AFTER
+            .statement(
+                "meyer.app-b.series",
+                "a series of problems of changing initial conditions",
+                "a run may be put together from single engagements, each beginning with what the one before has left",
+            )
+            .by(Evidence::RungeKutta, |stated| {
+                // The whole run at once, with the pin that is in a slot at each angle.
+                in_series(0.25, stated, |parameters, engagements| {
+                    let pitch = parameters.mechanism().driver_pitch_angle();
+                    let steps = 4096 * engagements;
+                    let turned = pitch * f64::from(engagements);
+                    square_after(parameters, turned, steps).map_or(f64::NAN, f64::sqrt)
+                })
+            })
+            .by(ClosedForm, |stated| {
+                // Without friction, at a hand-over only the driver moves, and has all the work of the torque.
+                in_series(0.0, stated, |parameters, engagements| {
+                    let turned = parameters.mechanism().driver_pitch_angle() * f64::from(engagements);
+                    (2.0 * parameters.torque() * turned / parameters.inertias().driver()).sqrt()
+                })
+            })
+            .but_not("of the same initial conditions: each begins from rest")
+            .read_as("With the angle between two pins for the reset; the printed 90° is a claim of its own."),
         AFTER
             .statement(
                 "meyer.app-b.hand-over",
@@ -216,6 +237,37 @@ fn angle() -> Vec<Claim> {
             })
             .but_not("of two pins each"),
     ]
+}
+
+/// Whether the driver's speed at the end of one to three engagements from rest, put together one by one, is that of the
+/// whole run.
+fn in_series(friction: f64, stated: Stated, whole: impl Fn(&Parameters, u32) -> f64) -> Finding {
+    let holds = Mechanism::ALL.iter().all(|mechanism| {
+        let both = Inertias::new(1.0, 2.0).and_then(|both| Parameters::new(*mechanism, both, 1.5, friction));
+        both.is_ok_and(|parameters| {
+            let Ok(engagement) = Engagement::new(&parameters) else { return false };
+            let mut speed = 0.0;
+            (1..=3).all(|number| {
+                speed = engagement.return_map(stated.pick(speed, 0.0)).unwrap_or(f64::NAN);
+                (speed / whole(&parameters, number) - 1.0).abs() < 1e-6
+            })
+        })
+    });
+    Finding::new(holds, "the driver's speed at three hand-overs, against that of the whole run, for each mechanism")
+}
+
+/// The square of the driver's speed when it has turned so far from rest, by Runge and Kutta in equal steps of the angle;
+/// of all pins the one in a slot is the nearest to the follower's axis.
+fn square_after(parameters: &Parameters, turned: f64, steps: u32) -> Option<f64> {
+    let at = parameters.mechanism();
+    let first = at.engagement_half_angle();
+    let engaged = |turned: f64| {
+        let pins = (0..at.pins()).map(|pin| turned - first - at.driver_pitch_angle() * f64::from(pin));
+        let angles = pins.map(|angle| libm::remainder(angle, 2.0 * PI));
+        angles.min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(f64::NAN)
+    };
+    let all: Vec<f64> = (0..=steps).map(|k| turned * f64::from(k) / f64::from(steps)).collect();
+    squares_along(parameters, &all, 0.0, engaged).last().copied()
 }
 
 /// Whether what is printed at each interval of a run grows from line to line: the angle, or the speed. In all runs.

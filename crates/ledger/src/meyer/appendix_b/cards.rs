@@ -222,26 +222,30 @@ fn varies() -> Claim {
 
 /// Where the driver's angle begins.
 fn from_zero() -> Claim {
-    let begins = |mechanism: Mechanism, stated: Stated| {
-        let start = -mechanism.engagement_half_angle();
-        stated.pick(0.0, start) + start
-    };
+    let begins = |stated: Stated| move |at: Mechanism| stated.pick(0.0, -at.engagement_half_angle());
     AFTER
         .statement(
             "meyer.app-b.from-zero",
             "start from zero",
             "THETA, through which the driver has turned, begins at zero",
         )
-        .by(ClosedForm, move |stated| {
-            let holds = Mechanism::ALL.iter().all(|at| vanishes(program::at(*at, begins(*at, stated))["H"]));
-            Finding::new(holds, "the line of H for the X with which a run begins is zero: a pin enters along its slot")
-        })
-        .by(Vectors, move |stated| {
-            let holds = Mechanism::ALL.iter().all(|at| {
-                let first = Turn::from_radians(begins(*at, stated));
-                agrees(at.pin_distance(&first), at.rim_radius())
-            });
-            Finding::new(holds, "the first pin, for the X with which a run begins, is at the follower's rim")
-        })
+        .by(ClosedForm, move |stated| begins_in_line(begins(stated)))
+        .by(Vectors, move |stated| begins_at_the_rim(begins(stated)))
         .but_not("it begins at X0")
+}
+
+/// Whether a run that begins with the driver turned so far begins as a pin enters along its slot, by the line of H.
+pub fn begins_in_line(turned: impl Fn(Mechanism) -> f64) -> Finding {
+    let holds =
+        Mechanism::ALL.iter().all(|at| vanishes(program::at(*at, turned(*at) - at.engagement_half_angle())["H"]));
+    Finding::new(holds, "the line of H for the X with which a run begins is zero: a pin enters along its slot")
+}
+
+/// The same by the place of the pin.
+pub fn begins_at_the_rim(turned: impl Fn(Mechanism) -> f64) -> Finding {
+    let holds = Mechanism::ALL.iter().all(|at| {
+        let first = Turn::from_radians(turned(*at) - at.engagement_half_angle());
+        agrees(at.pin_distance(&first), at.rim_radius())
+    });
+    Finding::new(holds, "the first pin, for the X with which a run begins, is at the follower's rim")
 }

@@ -1,12 +1,13 @@
 //! The equation solved for its highest derivative, and how the program knows the sign of the friction.
 
-use super::program::{self, DELAY_PARTS, by_coefficients};
+use super::program::{self, by_coefficients};
 use super::*;
 use crate::meyer::letters::factors;
 use crate::meyer::reading::{Letters, decide};
-use crate::meyer::runs::{self, Hypothesis, Score};
+use crate::meyer::runs::{self, Column, EXPLAINED, Hypothesis, Reset, Row, Run, Score, deck, rows};
 use crate::meyer::slips::LOST_BARS;
 use crate::meyer::spring::no_rate;
+use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 
@@ -70,16 +71,40 @@ fn solved() -> Vec<Claim> {
     ]
 }
 
-/// How the display of S is read: its two lines, with their conditions.
-fn holds_by_cases(tex: &str) -> Option<bool> {
+/// The two lines of the display of S: an equation and its condition each.
+fn cases(tex: &str) -> Option<Vec<(String, String)>> {
     let plain = tex.replace(r"\begin{aligned}", "").replace(r"\end{aligned}", "").replace("&&", "&");
-    let cases: Vec<(String, String)> = plain
+    plain
         .split(r"\\")
         .map(|case| {
             let (equation, condition) = case.split_once(r"\text{if }")?;
             Some((equation.replace('&', ""), condition.replace('&', "")))
         })
-        .collect::<Option<_>>()?;
+        .collect()
+}
+
+/// Whether the equation with S is that with bars, if S is what the display gives for F of either sign: s, by which the
+/// bars open, times what is given must be one.
+fn opens_the_bars(tex: &str) -> Finding {
+    let sizes = cases(tex).into_iter().flatten().filter_map(|(equation, condition)| {
+        let (name, given) = equation.split_once('=')?;
+        let sign = match condition.split_whitespace().collect::<Vec<_>>()[..] {
+            ["F", ">", "0"] => "(1)",
+            ["F", "<", "0"] => "(-1)",
+            _ => return None,
+        };
+        (name.trim() == "S").then(|| format!("({given}){sign}S"))
+    });
+    let sizes: Vec<String> = sizes.collect();
+    let opened = sizes.iter().map(|size| decide(&characters("meyer.app-b.with-sign").replace('S', size), factors));
+    let opened: Vec<Finding> = opened.collect();
+    let holds = opened.len() == 2 && sizes[0] != sizes[1] && opened.iter().all(|finding| finding.holds);
+    Finding::new(holds, "the next display with the value of each line for S, and the bars opened by its sign")
+}
+
+/// How the display of S is read: its two lines, with their conditions.
+fn holds_by_cases(tex: &str) -> Option<bool> {
+    let cases = cases(tex)?;
     for moment in moments() {
         let side = |formula: &str| Some(reading::value(formula, moment.letters())).filter(|value| value.is_finite());
         let mut met = 0;
@@ -113,8 +138,7 @@ fn lines() -> Vec<Claim> {
                 r"\begin{aligned} S &= +1 && \text{if } F > 0 \\ S &= -1 && \text{if } F < 0 \end{aligned}",
                 "its sign; where F is zero either value will do",
             )
-            // The display is of cases; with its S the equation is the one with bars.
-            .by(ExactIdentity, || decide(characters("meyer.app-b.with-sign"), factors))
+            .decided(opens_the_bars)
             .read(ClosedForm, holds_by_cases),
         at("Appendix B, 1st display after S")
             .equation(
@@ -149,6 +173,28 @@ fn lines() -> Vec<Claim> {
 
 fn described() -> Vec<Claim> {
     vec![
+        PROGRAM
+            .statement(
+                "meyer.app-b.actual-program",
+                "actual program used",
+                "the printed program is the one that was run: its reset is that of the tables",
+            )
+            .by(Evidence::Quadrature, |stated| {
+                let of = |reset: Reset| Score::of(Hypothesis { reset, ..Hypothesis::WITHOUT_LAG }).within_one();
+                more_cells(of(Reset::QuarterTurn), of(Reset::OfTheMechanism), stated)
+            })
+            .by(Evidence::Program, |stated| {
+                let of = |reset: Reset| {
+                    let runs = deck::runs(reset).unwrap_or_default();
+                    let near = |(row, run): (&Row, &Run), column: Column| {
+                        column.is_within_one(row.number(column), run.number(column))
+                    };
+                    EXPLAINED.iter().map(|of| rows().iter().zip(&runs).filter(|both| near(*both, *of)).count()).sum()
+                };
+                more_cells(of(Reset::QuarterTurn), of(Reset::OfTheMechanism), stated)
+            })
+            .but_not("what was run resets the angle as each mechanism needs it")
+            .read_as("As far as the tables tell: the data cards at its end are not printed."),
         PROGRAM
             .statement(
                 "meyer.app-b.first-seven-cards",
@@ -231,7 +277,11 @@ fn described() -> Vec<Claim> {
                 Finding::new(loops, "the acceleration that the lines give depends on the one they were given for F")
             })
             .but_not("it could not be computed from the acceleration of a moment before either")
-            .read_as("the language carries out explicit statements in an order that it finds by sorting them"),
+            .read_as(
+                "Statements that are written out one by one are carried out in an order that is found by sorting them. \
+                 An implicit function, IMP, is named where such languages are described; whether this one had it is not \
+                 known.",
+            ),
     ]
 }
 
@@ -244,52 +294,64 @@ fn old_acceleration() -> Vec<Claim> {
                 "the old acceleration is that of a tenth of the print interval before",
             )
             .by(OtherPlaceInSource, |stated| {
-                let listed = numeric_tokens(characters("meyer.listing.delay"));
-                // The listing puts a comma behind the number and a hundred behind that.
-                let parts = listed.first().and_then(|run| run.split(',').next()?.parse::<f64>().ok());
-                let said = f64::from(stated.pick(DELAY_PARTS, 1));
+                let [here, listed] = ["meyer.app-b.delay", "meyer.listing.delay"].map(parts_of_the_interval);
+                let said = here.map(|parts| stated.pick(parts, 1.0));
                 Finding::new(
-                    parts == Some(said) && numbers("meyer.app-b.delay") == [DELAY_PARTS],
-                    format!("the listing divides the interval by {}", parts.unwrap_or(f64::NAN)),
+                    said.is_some() && said == listed,
+                    format!("the listing divides the interval by {}", listed.unwrap_or(f64::NAN)),
                 )
             })
             .by(Evidence::RungeKutta, delay_explains)
             .but_not("it is that of a whole print interval before"),
         PROGRAM
             .statement("meyer.app-b.small-time", "SMT", "SMT is true until the time zero and false after it")
-            .by(LimitCase, |stated| {
-                // The lines of the start must be in force at the start, and at no other of the times of a run.
-                let in_force: Vec<u32> = times().filter(|time| small_time(f64::from(*time), stated)).collect();
-                Finding::new(in_force == [0], format!("the first acceleration is computed at the times {in_force:?}"))
+            .by(Evidence::Program, |stated| {
+                let rest = stated.pick(SMALL_TIME, "FSW(T,TRUE,FALSE,FALSE)");
+                let lines = in_force(rest, "NOT(REST)").unwrap_or_default();
+                // The lines of the start must be in force at the start, and at no other time.
+                let holds = !lines.is_empty() && lines.iter().all(|[time, rest, _]| (*rest == 1.0) == (*time == 0.0));
+                Finding::new(holds, "the truth of the deck's own start, printed at each line of a run")
             })
             .by(OtherPlaceInSource, |stated| {
-                // FSW picks one of three values by the sign of the first. S tells in which order they stand.
-                let orders = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
-                let (signs, truths) = LISTED;
-                let fits = |[negative, zero, positive]: &[usize; 3]| {
-                    let said = [-1.0, 0.0, 1.0].map(|time| small_time(time, stated));
-                    signs[*negative] < 0.0
-                        && signs[*positive] > 0.0
-                        && [truths[*negative], truths[*zero], truths[*positive]] == said
-                };
-                let found: Vec<_> = orders.iter().filter(|order| fits(order)).collect();
-                Finding::new(!found.is_empty(), "the listing's values, in an order that fits S and SMT")
+                let said = stated.pick([true, true, false], [true, false, false]);
+                Finding::new(
+                    listed().any(|truths| truths == said),
+                    "the listing's values, in an order that fits S and SMT",
+                )
             })
             .but_not("it is true before the time zero only"),
     ]
 }
 
-/// The times of a run, in print intervals.
-pub fn times() -> impl Iterator<Item = u32> {
-    0..400
+/// What the escapement's deck has for the truth that it is at the start.
+pub const SMALL_TIME: &str = "FSW(T,TRUE,TRUE,FALSE)";
+
+/// At each printed line of a run of the escapement's deck, with these expressions for the truths that it is at the start
+/// and that it is later: the time, and whether the two are true.
+pub fn in_force(rest: &str, moving: &str) -> Option<Vec<[f64; 3]>> {
+    let cards = deck_named("escapement")?.lines().map(|card| match card.split_whitespace().next() {
+        Some("REST") if card.contains(SMALL_TIME) => format!("         REST   = {rest}"),
+        Some("MOVING") if card.contains("NOT(REST)") => format!("         MOVING = {moving}"),
+        Some(first) if first.starts_with("HDR(") => "*".to_owned(),
+        Some(first) if first.starts_with("OUT(") => "                  OUT(T,REST,MOVING)".to_owned(),
+        _ => card.to_owned(),
+    });
+    let text = cards.collect::<Vec<_>>().join("\n");
+    let cards = Deck::read(&text, Layout::of(&text)).ok()?;
+    let run = Program::new(&cards).ok()?.run(cards.data_sets().ok()?.first()?, &Choices::default()).ok()?;
+    run.rows.into_iter().map(|row| row.try_into().ok()).collect()
 }
 
 /// What the listing has SMT be, and S, for one value after another of what decides.
 const LISTED: ([f64; 3], [bool; 3]) = ([-1.0, 1.0, 1.0], [true, true, false]);
 
-/// Whether SMT is true at a time: until zero, or before it.
-pub fn small_time(time: f64, stated: Stated) -> bool {
-    time < 0.0 || stated.pick(time == 0.0, false)
+/// What SMT may be before the time zero, then, and after it, by the listing: FSW picks one of three values by the sign of
+/// the first, and S tells in which orders they may stand.
+pub fn listed() -> impl Iterator<Item = [bool; 3]> {
+    let orders = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
+    let (signs, truths) = LISTED;
+    let fitting = orders.into_iter().filter(move |at| signs[at[0]] < 0.0 && signs[at[2]] > 0.0);
+    fitting.map(move |at| at.map(|at| truths[at]))
 }
 
 /// Which lines of the motion cannot be put in an order in which each has all it needs, if F is made of this
@@ -311,12 +373,33 @@ fn cannot_be_sorted(acceleration: &str) -> Vec<String> {
     }
 }
 
+/// By what a place divides the print interval.
+pub fn parts_of_the_interval(id: &str) -> Option<f64> {
+    characters(id).split_once("DT/")?.1.trim_end_matches('.').parse().ok()
+}
+
+/// By what the listing divides it: so late is the old acceleration.
+pub fn delay_parts() -> f64 {
+    parts_of_the_interval("meyer.listing.delay").unwrap_or(f64::NAN)
+}
+
+/// Whether more cells of the tables come within one unit by the program as printed than by one that is put right.
+fn more_cells(as_printed: usize, put_right: usize, stated: Stated) -> Finding {
+    let (said, other) = stated.pick((as_printed, put_right), (put_right, as_printed));
+    Finding::new(
+        said > other,
+        format!(
+            "{as_printed} cells of Appendix E come within one unit with the printed reset, {put_right} with the other"
+        ),
+    )
+}
+
 /// Whether more cells of the tables come within one unit of their last place with a delay of a tenth of the print
 /// interval than with one of all of it, or fewer.
 pub fn delay_explains(stated: Stated) -> Finding {
     static FOUND: OnceLock<[usize; 2]> = OnceLock::new();
     let found = FOUND.get_or_init(|| {
-        [f64::from(DELAY_PARTS), 1.0].map(|parts| {
+        [delay_parts(), 1.0].map(|parts| {
             Score::of(Hypothesis { delay: Some(runs::interval() / parts), ..Hypothesis::WITHOUT_LAG }).within_one()
         })
     });

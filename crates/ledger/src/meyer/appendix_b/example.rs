@@ -72,12 +72,40 @@ fn lines() -> Vec<Claim> {
             )
         })
         .but_not("the two the other way round"),
+        at("Appendix B, paragraph on the steps")
+            .statement(
+                "meyer.app-b.first-acceleration",
+                "calculate the initial value of 2DX",
+                "the second derivative at the start comes from A and B, the values of the first and of the place",
+            )
+            .by(ClosedForm, |stated| first_acceleration(stated, vibration(0.0)["x''"]))
+            .by(LimitCase, |stated| {
+                // How the first derivative changes about the start.
+                const STEP: f64 = 1e-3;
+                let [before, after] = [-STEP, STEP].map(|time| vibration(time)["x'"]);
+                first_acceleration(stated, (after - before) / (2.0 * STEP))
+            })
+            .but_not("it comes from them the other way round"),
         first_derivative(
             ("meyer.app-b.method.name", at("Appendix B, paragraph on the steps")),
             "name of the first derivative",
             ["LDX", "1DX"],
         ),
     ]
+}
+
+/// Whether the example's line for the second derivative, put right, gives this number from A and B.
+fn first_acceleration(stated: Stated, right: f64) -> Finding {
+    let start = vibration(0.0);
+    let [speed, place] = stated.pick(["x'", "x"], ["x", "x'"]);
+    let letters = [("M", start["m"]), ("C", start["c"]), ("K", start["k"]), ("1DX", start[speed]), ("X", start[place])];
+    let line = named("meyer.app-b.example.second").right_characters();
+    let formula = as_formula(line.split_once('=').map_or("", |(_, formula)| formula));
+    let found = reading::value(&formula, &letters.map(|(name, value)| (name.to_owned(), value)).into());
+    Finding::new(
+        (found - right).abs() < 1e-4,
+        format!("the line gives {found:.4}, the vibration begins with {right:.4}"),
+    )
 }
 
 /// The place after one unit of time, integrated from what the letters A and B stand for.
@@ -217,10 +245,10 @@ pub fn first_derivative(
         .corrected(corrected, ONE_AS_L)
 }
 
-/// Whether the listing calls the integral of 2DX so.
+/// Whether the listing calls the driver's speed so.
 fn named_in_the_listing(name: &str) -> Finding {
-    let listed = characters("meyer.listing.speed");
-    Finding::new(listed == name, format!("the listing calls the integral of 2DX {listed}"))
+    let listed = characters("meyer.listing.angle").trim_start_matches("INT(").split(',').next().unwrap_or_default();
+    Finding::new(listed == name, format!("the listing integrates {listed} to the driver's angle"))
 }
 
 /// The order of the derivative that a name of the program stands for.

@@ -2,8 +2,9 @@
 //!
 //! The text of the program is not printed here. What its lines compute is a fact, and [`program`] computes it too.
 
-use super::contact::delay_explains;
-use super::program::{self, DELAY_PARTS, SPEED, by_coefficients};
+use super::cards::{begins_at_the_rim, begins_in_line};
+use super::contact::{delay_explains, parts_of_the_interval};
+use super::program::{self, SPEED, by_coefficients};
 use super::reset::reset;
 use super::*;
 use crate::meyer::runs::{self, Column};
@@ -63,19 +64,23 @@ fn constants() -> Vec<Claim> {
         PROGRAM
             .statement(
                 "meyer.listing.delay",
-                "DT/10.,100.",
-                "the old acceleration is that of a tenth of the print interval before; what the hundred does is not \
-                 said",
+                "DT/10.",
+                "the old acceleration is that of a tenth of the print interval before",
             )
             .by(OtherPlaceInSource, |stated| {
-                let said = numbers("meyer.app-b.delay");
+                let [here, told] = ["meyer.listing.delay", "meyer.app-b.delay"].map(parts_of_the_interval);
+                let said = here.map(|parts| stated.pick(parts, 1.0));
                 Finding::new(
-                    said == [stated.pick(DELAY_PARTS, 1)],
-                    format!("the text divides the interval by {said:?}"),
+                    said.is_some() && said == told,
+                    format!("the text divides the interval by {}", told.unwrap_or(f64::NAN)),
                 )
             })
             .by(Evidence::RungeKutta, delay_explains)
             .but_not("it is that of a whole print interval before"),
+        PROGRAM.statement("meyer.listing.delay-third", "100.", "the third number of the delay").missing(
+            "What the third number of TDL is for is not said anywhere. The tables do not depend on it: they come out alike \
+             if a hundred values are kept, and if all are",
+        ),
         PROGRAM
             .value(
                 "meyer.listing.degrees",
@@ -207,12 +212,28 @@ fn motion() -> Vec<Claim> {
             || by_coefficients(|lines, at| [(lines["2DX"], at.acceleration)]),
         ),
         PROGRAM
-            .statement("meyer.listing.speed", "1DX", "the driver's speed, integrated from zero")
+            .statement(
+                "meyer.listing.speed",
+                "INT(2DX,0.)",
+                "the driver's speed: its acceleration, integrated from zero",
+            )
             .by(OtherPlaceInSource, |stated| {
-                let said = numbers("meyer.app-b.from-rest");
-                Finding::new(said == [stated.pick(0, 1)], format!("the text has the driver start at {said:?}"))
+                let from = integrated_from("meyer.listing.speed").map(|from| from + stated.pick(0.0, 1.0));
+                let said: Vec<f64> = numbers("meyer.app-b.from-rest").into_iter().map(f64::from).collect();
+                Finding::new(
+                    from.is_some_and(|from| said == [from]),
+                    format!("the text has the driver start at {said:?}"),
+                )
             })
-            .by(ClosedForm, |stated| start_solves(stated.pick(0.0, 1.0)))
+            .by(ClosedForm, |stated| {
+                let from = integrated_from("meyer.listing.speed");
+                start_solves(from.map_or(f64::NAN, |from| from + stated.pick(0.0, 1.0)))
+            })
+            .but_not("it is integrated from one"),
+        PROGRAM
+            .statement("meyer.listing.angle", "INT(1DX,0.)", "the driver's angle: its speed, integrated from zero")
+            .by(ClosedForm, |stated| begins_in_line(turned_at_first(stated)))
+            .by(Vectors, |stated| begins_at_the_rim(turned_at_first(stated)))
             .but_not("it is integrated from one"),
         reset(
             "meyer.listing.fold",
@@ -225,6 +246,17 @@ fn motion() -> Vec<Claim> {
             by_coefficients(|lines, at| [(lines["PHIDOT"], at.pose.velocity_ratio() * SPEED)])
         }),
     ]
+}
+
+/// From what the driver's angle is integrated, in rad.
+fn turned_at_first(stated: Stated) -> impl Fn(Mechanism) -> f64 {
+    let from = integrated_from("meyer.listing.angle").unwrap_or(f64::NAN);
+    move |_| from + stated.pick(0.0, 1.0)
+}
+
+/// From what a card integrates.
+fn integrated_from(id: &str) -> Option<f64> {
+    characters(id).split_once(',')?.1.trim_end_matches(')').parse().ok()
 }
 
 /// A line of the program that computes a quantity of chapter I.

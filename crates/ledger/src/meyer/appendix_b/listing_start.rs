@@ -53,7 +53,7 @@ pub fn claims() -> Vec<Claim> {
             })
             .by(Vectors, |stated| {
                 let line = program::named(program::START).1.replace('V', stated.pick("V", "0"));
-                let holds = program::holds_from_rest(&format!(r"\text{{2DX}} = {line}"));
+                let holds = holds_from_rest(&format!(r"\text{{2DX}} = {line}"));
                 Finding::new(
                     holds == Some(true),
                     "read and evaluated, against the torque that both members ask for from rest",
@@ -73,7 +73,7 @@ fn line(
     evidence: Evidence,
     first: fn() -> Finding,
 ) -> Claim {
-    PROGRAM.equation(id, printed, meaning).by(evidence, first).read(Vectors, program::holds_from_rest).saying(said)
+    PROGRAM.equation(id, printed, meaning).by(evidence, first).read(Vectors, holds_from_rest).saying(said)
 }
 
 /// What a line of the start computes if the start is at the angle of the others.

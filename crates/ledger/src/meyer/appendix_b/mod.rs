@@ -12,8 +12,9 @@ mod program;
 mod reset;
 mod stages;
 
+pub use contact::delay_parts;
 pub use listing_start::start_solves;
-pub use program::{DELAY_PARTS, start_line};
+pub use program::{holds_from_rest, start_formula, start_line};
 
 use super::instants::{equal, holds, instants, letters_of, moments};
 use super::*;

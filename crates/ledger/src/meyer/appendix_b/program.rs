@@ -6,9 +6,6 @@ use geneva_dynamics::{Coefficients, Pose, Sign};
 use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
 
-/// The part of the print interval by which the old acceleration is late.
-pub const DELAY_PARTS: u32 = 10;
-
 // What the lines say, in the letters of mathematics; the names are the program's.
 pub const G: &str = r"G = \frac{1}{\sin(\pi/N)}";
 pub const H: &str = r"H = G \cos X - 1";
@@ -67,6 +64,11 @@ pub fn start_line(name: &str, letters: &Letters) -> f64 {
         run(line, &mut letters);
     }
     letters.get(name).copied().unwrap_or(f64::NAN)
+}
+
+/// The formula of the line for the first acceleration.
+pub fn start_formula() -> &'static str {
+    named(START).1
 }
 
 /// What the lines of the motion compute at an angle, with the acceleration of the instant itself for the old one.

@@ -42,9 +42,14 @@ pub fn run(program: &Program, row: &Row, reset: f64, choices: &Choices) -> Optio
     Some(Readings::of(&Printout { lines, work: printed.work }, reset)?.into())
 }
 
-/// All rows by the deck, with what the program of the thesis has otherwise.
-pub fn runs() -> Option<Vec<Run>> {
-    let program = Program::new(&deck(&as_listed())?).ok()?;
-    let [(_, reset), _] = as_listed();
-    rows().iter().map(|row| run(&program, row, reset, &Choices::default())).collect()
+/// All rows by the deck: as it stands, with the angle between two pins for the reset, or with what the program of the
+/// thesis has otherwise.
+pub fn runs(reset: Reset) -> Option<Vec<Run>> {
+    let set = match reset {
+        Reset::OfTheMechanism => Vec::new(),
+        Reset::QuarterTurn => as_listed().to_vec(),
+    };
+    let program = Program::new(&deck(&set)?).ok()?;
+    let hypothesis = Hypothesis { reset, ..Hypothesis::as_run() };
+    rows().iter().map(|row| run(&program, row, hypothesis.angle(row.mechanism), &Choices::default())).collect()
 }

@@ -1,7 +1,7 @@
 //! The motion of a row, by the solution over the angle and by the program of the thesis on its integrator.
 
 use super::*;
-use crate::meyer::appendix_b::DELAY_PARTS;
+use crate::meyer::appendix_b::delay_parts;
 use geneva_dynamics::program::{Contact, Program, Readings};
 use geneva_dynamics::steady::{Engagement, Rise};
 use geneva_mimic::AtSmallestStep;
@@ -247,7 +247,7 @@ pub fn fitting_interval(by_steps: bool) -> f64 {
 
 /// By how much the old acceleration is late, in s: a part of the print interval.
 pub fn delay() -> f64 {
-    interval() / f64::from(DELAY_PARTS)
+    interval() / delay_parts()
 }
 
 /// The length of a run, in s.

@@ -16,13 +16,18 @@ pub fn angles(parameters: &Parameters, reset: f64, steps: u32) -> Vec<f64> {
 
 /// u at these angles, from its value at the first.
 pub fn squares(parameters: &Parameters, angles: &[f64], first: f64) -> Vec<f64> {
+    squares_along(parameters, angles, first, |angle| angle)
+}
+
+/// u where the driver has turned so far, from its value at the first: `engaged` gives the angle of the pin in its slot.
+pub fn squares_along(parameters: &Parameters, turned: &[f64], first: f64, engaged: impl Fn(f64) -> f64) -> Vec<f64> {
     let mut squares = vec![first];
-    for ends in angles.windows(2) {
+    for ends in turned.windows(2) {
         let state = Vector1::new(squares[squares.len() - 1]);
         let rate = |angle: f64, state: &Vector1<f64>| -> Result<_, Infallible> {
-            Ok(Vector1::new(slope(parameters, angle, state[0])))
+            Ok(Vector1::new(slope(parameters, engaged(angle), state[0])))
         };
-        let slope = Vector1::new(slope(parameters, ends[0], state[0]));
+        let slope = Vector1::new(slope(parameters, engaged(ends[0]), state[0]));
         let Ok(next) = runge_kutta_step(rate, ends[0], ends[1], &state, &slope);
         squares.push(next[0]);
     }
