@@ -1,5 +1,6 @@
 //! How a claim is checked: two routes that share no code, and what each of them must refuse.
 
+use crate::Stated;
 use crate::slugs::slugs;
 use geneva_kinematics::{Proof, Refutation};
 use std::fmt;
@@ -80,26 +81,6 @@ pub struct Route<R: ?Sized> {
     pub evidence: Evidence,
     /// Computes the result.
     pub run: Arc<R>,
-}
-
-/// Which of two neighbouring statements is put to a route. A check that cannot fail is not a check: a route that
-/// accepts the right one must refuse the wrong one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stated {
-    /// The one that is right: the printed form or, if that is wrong, its correction.
-    Right,
-    /// The one that is wrong: the printed form if it is corrected, else a neighbour made for the purpose.
-    Wrong,
-}
-
-impl Stated {
-    /// What the statement says differently from its neighbour: a sign, a row, an exponent, a relation.
-    pub fn pick<T>(self, right: T, wrong: T) -> T {
-        match self {
-            Self::Right => right,
-            Self::Wrong => wrong,
-        }
-    }
 }
 
 /// The kinds of evidence.

@@ -180,12 +180,13 @@ fn equation(judged: &mut Judged, printed: &Route<Test>, corrected: Option<&Test>
 }
 
 fn statement(judged: &mut Judged, first: &Route<Choice>, witness: &Route<Choice>, neighbour: Option<&'static str>) {
-    let [right, wrong] = [Stated::Right, Stated::Wrong].map(&*first.run);
+    let both = [Stated::right(judged.claim.right_characters()), Stated::wrong(judged.claim.printed)];
+    let [right, wrong] = both.map(&*first.run);
     judged.verdict = match neighbour {
         Some(_) => verdict(right.holds, None),
         None => verdict(wrong.holds, Some(right.holds)),
     };
-    let [witnessed, refused] = [Stated::Right, Stated::Wrong].map(&*witness.run);
+    let [witnessed, refused] = both.map(&*witness.run);
     for (route, accepts) in [("first route", wrong.holds), ("witness", refused.holds)] {
         if accepts {
             let what = neighbour.unwrap_or("the printed form");

@@ -1,8 +1,8 @@
 //! Does every claim stand as recorded, and would it be noticed if it did not?
 
 use geneva_ledger::{
-    Check, Choice, Claim, Decimal, Evidence, Finding, Kind, Number, Route, Test, Verdict, Work, claim, claims, judge,
-    slips, verdicts,
+    Check, Choice, Claim, Decimal, Erratum, Evidence, Finding, Kind, Number, Route, Test, Verdict, Work, another,
+    claim, claims, judge, numbers_in, slips, verdicts,
 };
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -103,6 +103,34 @@ fn a_wrong_digit_in_a_number_is_noticed() {
         }
     }
     assert!(tried > 500, "only {tried} digits were tried");
+}
+
+#[test]
+fn a_wrong_number_in_a_sentence_is_noticed() {
+    // Each number that stands in a sentence, in digits or in words, becomes another: in the printed form, or in the
+    // correction if that is what is right.
+    let (mut tried, mut unnoticed) = (0, Vec::new());
+    for claim in claims().iter().filter(|claim| matches!(claim.check, Check::Statement { .. })) {
+        let right = claim.right_characters();
+        for (at, _) in numbers_in(right) {
+            let mut wrong = right.to_owned();
+            wrong.replace_range(at.clone(), &another(&right[at]));
+            let other = match &claim.erratum {
+                None => with_printed(claim, wrong.clone()),
+                Some(erratum) => {
+                    let erratum = Erratum { corrected: wrong.clone().leak(), ..erratum.clone() };
+                    Box::leak(Box::new(Claim { erratum: Some(erratum), ..claim.clone() }))
+                }
+            };
+            let judged = judge(other);
+            if judged.verdict == claim.expected && judged.faults.is_empty() {
+                unnoticed.push(format!("{}: {wrong}", claim.id));
+            }
+            tried += 1;
+        }
+    }
+    assert!(unnoticed.is_empty(), "{} of {tried} went unnoticed:\n{}", unnoticed.len(), unnoticed.join("\n"));
+    assert!(tried > 50, "only {tried} numbers were tried");
 }
 
 #[test]

@@ -307,7 +307,7 @@ mod tests {
 
     #[test]
     fn a_line_accounts_for_all_of_a_line_and_little_of_a_parabola() {
-        for (stated, start) in [(Stated::Right, 3.0), (Stated::Wrong, 0.0)] {
+        for (stated, start) in [(Stated::right(""), 3.0), (Stated::wrong(""), 0.0)] {
             let points: Vec<(f64, f64)> = (1..6).map(|k| (f64::from(k), start + 2.0 * f64::from(k))).collect();
             let (x, y): (Vec<f64>, Vec<f64>) = points.iter().copied().unzip();
             assert!((explained_by_line(&points, stated) - 1.0).abs() < 1e-12);
@@ -315,7 +315,7 @@ mod tests {
         }
         let bent: Vec<(f64, f64)> = (-3..4).map(|k| (f64::from(k), f64::from(k * k))).collect();
         let (x, y): (Vec<f64>, Vec<f64>) = bent.iter().copied().unzip();
-        assert!(explained_by_line(&bent, Stated::Right).abs() < 1e-12);
-        assert!(explained_by_projection(&x, y, Stated::Right).abs() < 1e-12);
+        assert!(explained_by_line(&bent, Stated::right("")).abs() < 1e-12);
+        assert!(explained_by_projection(&x, y, Stated::right("")).abs() < 1e-12);
     }
 }

@@ -214,7 +214,7 @@ fn settled(stated: Stated, departure: fn(&Row) -> Option<f64>) -> Finding {
     let asked: Vec<&Row> = stated.pick(fig_8, rows_of(Mechanism::FOUR_PIN).collect());
     let found: Vec<f64> = asked.iter().map(|row| departure(row).unwrap_or(f64::NAN)).collect();
     let steady = found.iter().filter(|off| **off < Column::Peak.unit()).count();
-    let holds = if stated == Stated::Right { steady > 0 } else { steady == found.len() };
+    let holds = stated.pick(steady > 0, steady == found.len());
     Finding::new(
         holds,
         format!(

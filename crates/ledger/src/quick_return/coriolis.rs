@@ -103,7 +103,7 @@ fn points(speed: f64, stated: Stated) -> Finding {
 /// What the pin's acceleration has beside that of the lever's point and that seen from the lever.
 fn term(crank: &Crank) -> Vector2<f64> {
     let ([_, _, pin], [_, _, lever]) = (crank.pin_motion(), crank.point_motion());
-    pin - lever - frames::seen(crank, Stated::Right)[2]
+    pin - lever - frames::seen(crank, Stated::right(""))[2]
 }
 
 /// A short time, in seconds at 1 rad/s: small enough to see the first digits, large enough for rounding not to show.

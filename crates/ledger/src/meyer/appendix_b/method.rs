@@ -70,7 +70,7 @@ fn described() -> Vec<Claim> {
                 // With the slopes of powers of x at the four places: their integrals from 0 to 1.
                 let places = [0.0, 0.5, 0.5, 1.0];
                 let holds = (0..=3).all(|power| {
-                    let sum: f64 = widths(stated)
+                    let sum: f64 = said_widths(stated)
                         .iter()
                         .zip(places)
                         .map(|(width, x)| width * libm::pow(x, f64::from(power)))
@@ -87,7 +87,7 @@ fn described() -> Vec<Claim> {
                     value(right_side("meyer.app-b.method.step"), &letters)
                 };
                 let weights = [0, 1, 2, 3].map(weight);
-                let said = widths(stated);
+                let said = said_widths(stated);
                 let same = said.iter().zip(weights).all(|(said, weight)| agrees(*said, weight));
                 Finding::new(same && said.len() == 4, format!("the formula has the weights {weights:.3?}"))
             })
@@ -103,7 +103,7 @@ fn described() -> Vec<Claim> {
                 let holds = slopes.iter().all(|slope| {
                     let sum: f64 = constants(*slope, |_| 0.0, stated)
                         .iter()
-                        .zip(widths(Stated::Right))
+                        .zip(widths())
                         .map(|(height, width)| height * width)
                         .sum();
                     printed_step(*slope, 0.0, 0.0, 1.0).is_some_and(|step| agrees(sum, step))
@@ -117,7 +117,7 @@ fn described() -> Vec<Claim> {
                 // Growth, y' = y from 1: the classical method's step, and the staircase of the same four widths.
                 let growth: Slope = |_, y| y;
                 let heights = constants(growth, libm::exp, stated);
-                let area: f64 = heights.iter().zip(widths(Stated::Right)).map(|(height, width)| height * width).sum();
+                let area: f64 = heights.iter().zip(widths()).map(|(height, width)| height * width).sum();
                 let rate = |_: f64, y: &Vector1<f64>| Ok::<_, Infallible>(*y);
                 let step = runge_kutta_step(rate, 0.0, 1.0, &Vector1::new(1.0), &Vector1::new(1.0));
                 let step = step.map_or(f64::NAN, |end| end[0] - 1.0);
@@ -131,10 +131,14 @@ fn described() -> Vec<Claim> {
     ]
 }
 
-/// The printed widths of the four parts, in units of the interval; for the neighbour the outer and inner ones are
-/// exchanged.
-fn widths(stated: Stated) -> Vec<f64> {
-    let printed: Vec<f64> = numbers("meyer.app-b.method.widths").iter().map(|n| 1.0 / f64::from(*n)).collect();
+/// The printed widths of the four parts, in units of the interval.
+fn widths() -> Vec<f64> {
+    numbers("meyer.app-b.method.widths").iter().map(|n| 1.0 / f64::from(*n)).collect()
+}
+
+/// The same; for the neighbour the outer and inner ones are exchanged.
+fn said_widths(stated: Stated) -> Vec<f64> {
+    let printed: Vec<f64> = stated.numbers().iter().map(|n| 1.0 / n).collect();
     let order = stated.pick([0, 1, 2, 3], [1, 0, 3, 2]);
     order.iter().filter_map(|at| printed.get(*at).copied()).collect()
 }
@@ -144,7 +148,7 @@ fn widths(stated: Stated) -> Vec<f64> {
 fn constants(slope: Slope, exact: fn(f64) -> f64, stated: Stated) -> Vec<f64> {
     let asked = printed_places(slope, 0.0, exact(0.0), 1.0).unwrap_or([(f64::NAN, f64::NAN); 4]);
     let mut start = 0.0;
-    let middles = widths(Stated::Right).into_iter().map(|width| {
+    let middles = widths().into_iter().map(|width| {
         let middle = start + width / 2.0;
         start += width;
         (middle, exact(middle))
@@ -240,7 +244,7 @@ fn advantages() -> Vec<Claim> {
             )
             .by(ClosedForm, |stated| {
                 let advance = printed_step(|_, _| 1.0, 0.0, 0.0, 1.0).unwrap_or(f64::NAN);
-                let said = stated.pick(1.0, widths(Stated::Right)[0]);
+                let said = stated.pick(1.0, widths()[0]);
                 Finding::new(agrees(advance, said), format!("the step goes on by {advance} of the interval"))
             })
             .by(LimitCase, |stated| {
@@ -248,7 +252,7 @@ fn advantages() -> Vec<Claim> {
                 let fixed = Parameters { kept: Kept::FullStep, ..Parameters::with_fixed_step(STEP, STEP, 1.0) };
                 let mut steady = |_: f64, _: &Vector1<f64>| Vector1::new(1.0);
                 let run = integrate(&mut steady, Vector1::new(0.0), &fixed, |point| points.push(point.state[0]));
-                let said = STEP * stated.pick(1.0, widths(Stated::Right)[0]);
+                let said = STEP * stated.pick(1.0, widths()[0]);
                 let holds = run.is_ok() && points.windows(2).all(|pair| agrees(pair[1] - pair[0], said));
                 Finding::new(holds && points.len() > 2, "a run of the classical method goes on by whole steps")
             })
