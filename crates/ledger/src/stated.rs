@@ -39,6 +39,11 @@ impl Stated {
         numbers_in(self.characters).into_iter().map(|(_, number)| number).collect()
     }
 
+    /// Those in digits, with their places.
+    pub fn decimals(self) -> Vec<Decimal> {
+        numbers_in(self.characters).into_iter().filter_map(|(at, _)| decimal(&self.characters[at])).collect()
+    }
+
     /// The first of them; not a number if there is none.
     pub fn number(self) -> f64 {
         self.numbers().first().copied().unwrap_or(f64::NAN)
@@ -96,12 +101,17 @@ pub fn numbers_in(text: &str) -> Vec<(Range<usize>, f64)> {
         } else if is_named(text, at..at + length, before, behind) {
             None
         } else {
-            piece.trim_end_matches('.').parse::<Decimal>().ok().map(|decimal| decimal.to_f64())
+            decimal(piece).map(|decimal| decimal.to_f64())
         };
         found.extend(number.map(|number| (at..at + length, number)));
         at += length;
     }
     found
+}
+
+/// A number in digits; a point may end it.
+fn decimal(piece: &str) -> Option<Decimal> {
+    piece.trim_end_matches('.').parse().ok()
 }
 
 /// Whether digits are part of a name or of a label.

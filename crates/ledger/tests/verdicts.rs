@@ -105,14 +105,25 @@ fn a_wrong_digit_in_a_number_is_noticed() {
     assert!(tried > 500, "only {tried} digits were tried");
 }
 
+/// Sentences with numbers that cannot be told from others, and why.
+const NOT_TOLD: [(&str, &str); 5] = [
+    ("meyer.contents", "without the pages of the copy only their order can be seen, as its reading says"),
+    ("meyer.list-of-figures", "the same"),
+    ("meyer.steel", "steels differ by more than its last digit; the density is tested to one per cent"),
+    ("meyer.first-minimum", "what is so from the first minimum on is so from the second on"),
+    ("meyer.conclusion.the-three", "other pairs of pins and slots work as well, as the correction beside it says"),
+];
+
 #[test]
 fn a_wrong_number_in_a_sentence_is_noticed() {
-    // Each number that stands in a sentence, in digits or in words, becomes another: in the printed form, or in the
-    // correction if that is what is right.
-    let (mut tried, mut unnoticed) = (0, Vec::new());
+    // Each number that stands in a sentence, in digits or in words, becomes another; each in digits in a correction.
+    let (mut tried, mut unnoticed, mut not_told) = (0, Vec::new(), HashSet::new());
     for claim in claims().iter().filter(|claim| matches!(claim.check, Check::Statement { .. })) {
         let right = claim.right_characters();
         for (at, _) in numbers_in(right) {
+            if claim.erratum.is_some() && right[at.clone()].contains(|c: char| c.is_ascii_alphabetic()) {
+                continue;
+            }
             let mut wrong = right.to_owned();
             wrong.replace_range(at.clone(), &another(&right[at]));
             let other = match &claim.erratum {
@@ -123,7 +134,12 @@ fn a_wrong_number_in_a_sentence_is_noticed() {
                 }
             };
             let judged = judge(other);
-            if judged.verdict == claim.expected && judged.faults.is_empty() {
+            let noticed = judged.verdict != claim.expected || !judged.faults.is_empty();
+            if noticed {
+                // As it should be.
+            } else if NOT_TOLD.iter().any(|(id, _)| *id == claim.id) {
+                not_told.insert(claim.id);
+            } else {
                 unnoticed.push(format!("{}: {wrong}", claim.id));
             }
             tried += 1;
@@ -131,6 +147,9 @@ fn a_wrong_number_in_a_sentence_is_noticed() {
     }
     assert!(unnoticed.is_empty(), "{} of {tried} went unnoticed:\n{}", unnoticed.len(), unnoticed.join("\n"));
     assert!(tried > 50, "only {tried} numbers were tried");
+    for (id, _) in NOT_TOLD {
+        assert!(not_told.contains(id), "{id}: another number is noticed; the entry is not needed any more");
+    }
 }
 
 #[test]

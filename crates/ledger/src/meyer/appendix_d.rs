@@ -37,9 +37,13 @@ fn given() -> Vec<Claim> {
             .statement("meyer.app-d.from-rest", r"\dot{\theta}_0 = 0", "the driver starts from rest")
             .by(OtherPlaceInSource, |stated| {
                 let said = numbers("meyer.app-b.from-rest");
-                Finding::new(said == [stated.pick(0, 1)], format!("Appendix B has {said:?} after the program"))
+                let own = stated.number() + stated.pick(0.0, 1.0);
+                Finding::new(
+                    said.first().is_some_and(|said| f64::from(*said) == own),
+                    format!("Appendix B has {said:?} after the program"),
+                )
             })
-            .by(ClosedForm, |stated| start_solves(stated.pick(0.0, 1.0)))
+            .by(ClosedForm, |stated| start_solves(stated.number() + stated.pick(0.0, 1.0)))
             .but_not("it starts at the speed one"),
         at("Appendix D, 2nd display")
             .statement(
@@ -47,8 +51,8 @@ fn given() -> Vec<Claim> {
                 r"\theta_0 = -30^\circ, -45^\circ, -60^\circ",
                 "driver's angle at the start for six, four and three pins",
             )
-            .by(LimitCase, |stated| of_the_pins("meyer.app-d.angles", stated))
-            .by(Vectors, |stated| along_the_slots("meyer.app-d.angles", stated))
+            .by(LimitCase, of_the_pins)
+            .by(Vectors, along_the_slots)
             .but_not(OTHER_ANGLE),
         at("Appendix D, line after the 2nd display")
             .statement(
@@ -57,16 +61,14 @@ fn given() -> Vec<Claim> {
                 "the angle at the start depends on the mechanism, of which there are three",
             )
             .by(LimitCase, |stated| {
-                let pins = stated.pick([3, 4, 6], [3, 4, 5]);
-                let mut angles = pins.map(|pins| 180.0 / f64::from(pins));
+                let mut angles: Vec<f64> = said_pins(stated).iter().map(|pins| 180.0 / pins).collect();
                 angles.sort_by(f64::total_cmp);
                 let mut said: Vec<f64> = start_angles("meyer.app-d.angles").collect();
                 said.sort_by(f64::total_cmp);
-                Finding::new(angles[..] == said[..], format!("180° over the number of pins: {angles:?}"))
+                Finding::new(angles == said, format!("180° over the number of pins: {angles:?}"))
             })
             .by(Vectors, |stated| {
-                let pins = stated.pick([3, 4, 6], [3, 4, 5]);
-                let angles = pins.map(|pins| PI / f64::from(pins));
+                let angles: Vec<f64> = said_pins(stated).iter().map(|pins| PI / pins).collect();
                 // Each number of pins has an escapement whose pin enters at its own angle along the slot.
                 let holds = angles.iter().all(|angle| {
                     Mechanism::ALL.iter().filter(|at| vanishes(PinKinematics::new(at, -angle).turning())).count() == 1
@@ -78,25 +80,34 @@ fn given() -> Vec<Claim> {
     ]
 }
 
+/// The numbers of pins that are said, or the last of them less one.
+fn said_pins(stated: Stated) -> Vec<f64> {
+    let mut said = stated.numbers();
+    if let Some(last) = said.last_mut() {
+        *last -= stated.pick(0.0, 1.0);
+    }
+    said
+}
+
 /// The neighbour of a place that gives the three angles.
 pub const OTHER_ANGLE: &str = "36°, the angle of five pins, for 45°";
 
 /// The angles that a claim gives, in degrees.
-fn said_angles(id: &str, stated: Stated) -> Vec<f64> {
-    let said = numbers(id).into_iter().filter(|angle| *angle > 0).map(f64::from);
+fn said_angles(stated: Stated) -> Vec<f64> {
+    let said = stated.numbers().into_iter().filter(|angle| *angle > 0.0);
     said.map(|angle| if angle == 45.0 { stated.pick(45.0, 36.0) } else { angle }).collect()
 }
 
 /// Whether the angles of a claim are half the angle between two pins, for six, four and three of them.
-pub fn of_the_pins(id: &str, stated: Stated) -> Finding {
-    let said = said_angles(id, stated);
+pub fn of_the_pins(stated: Stated) -> Finding {
+    let said = said_angles(stated);
     let angles: Vec<f64> = Mechanism::ALL.iter().map(|at| 180.0 / f64::from(at.pins())).collect();
     Finding::new(said == angles, format!("180° over the number of pins: {angles:?}"))
 }
 
 /// Whether a pin moves along its slot at these angles, at each in another of the escapements.
-pub fn along_the_slots(id: &str, stated: Stated) -> Finding {
-    let said = said_angles(id, stated);
+pub fn along_the_slots(stated: Stated) -> Finding {
+    let said = said_angles(stated);
     let still = Mechanism::ALL.iter().zip(&said).all(|(at, angle)| {
         [1.0, -1.0].iter().all(|side| vanishes(PinKinematics::new(at, side * angle.to_radians()).turning()))
     });

@@ -115,13 +115,16 @@ fn combinations() -> Vec<Claim> {
                 let Finding { holds, how } = prove(&PinsAndSlots::Factors).into();
                 let found = possible().len();
                 Finding::new(
-                    holds && found == stated.pick(3, 4),
+                    holds && found == stated.pick(stated.count() as usize, 4),
                     format!("(m − 2)(n − 2) = 4, which has {found} pairs of divisors; {how}"),
                 )
             })
             .by(LimitCase, |stated| {
                 let found = found_by_trying().len();
-                Finding::new(found == stated.pick(3, 4), format!("all numbers to 100 tried, {found} found"))
+                Finding::new(
+                    found == stated.pick(stated.count() as usize, 4),
+                    format!("all numbers to 100 tried, {found} found"),
+                )
             })
             .but_not("four combinations"),
         value(first.0, "slots of the 1st combination", "3", || listed(0).0, || tried(0).0),
@@ -163,7 +166,8 @@ fn remarks() -> Vec<Claim> {
             .by(ExactIdentity, |stated| {
                 let Finding { holds, how } = prove(&PinsAndSlots::NeverTwo).into();
                 let above = [1_000, 1_000_000, 1_000_000_000].map(|n| {
-                    pins_needed(n).map_or(f64::NAN, |pins| (pins - whole(stated.pick(2, 1))).to_f64().value())
+                    pins_needed(n)
+                        .map_or(f64::NAN, |pins| (pins - whole(stated.pick(stated.count(), 1))).to_f64().value())
                 });
                 let falls = above.windows(2).all(|pair| pair[1] > 0.0 && pair[1] < pair[0] / 100.0);
                 Finding::new(
@@ -173,7 +177,7 @@ fn remarks() -> Vec<Claim> {
             })
             .by(Vectors, |stated| {
                 // The pin's path is along the slot, so the follower's axis is on the tangent of the pins' circle.
-                let crank = PI / f64::from(stated.pick(2, 1));
+                let crank = PI / f64::from(stated.pick(stated.count(), 1));
                 let tangent = Drawn::velocity(crank);
                 Finding::new(
                     vanishes(tangent.y),

@@ -93,8 +93,8 @@ fn mechanisms() -> Vec<Claim> {
             "the mechanism of figure 12",
             "FOUR PIN / FOUR SLOT",
             "four pins and five slots",
-            |stated| in_the_table("meyer.list.fig-12", stated),
-            |stated| right_at_the_pin("meyer.list.fig-12", stated),
+            in_the_table,
+            right_at_the_pin,
         ),
         combination(
             "meyer.list.fig-13",
@@ -102,8 +102,8 @@ fn mechanisms() -> Vec<Claim> {
             "the mechanism of figure 13, which its page names by the pins alone",
             "SIX PIN / THREE SLOT",
             "six pins and four slots",
-            |stated| in_the_table("meyer.list.fig-13", stated),
-            |stated| right_at_the_pin("meyer.list.fig-13", stated),
+            in_the_table,
+            right_at_the_pin,
         ),
         combination(
             "meyer.list.fig-14",
@@ -111,8 +111,8 @@ fn mechanisms() -> Vec<Claim> {
             "the mechanism of figure 14, which its page names by the pins alone",
             "THREE PIN / SIX SLOT",
             "three pins and seven slots",
-            |stated| in_the_table("meyer.list.fig-14", stated),
-            |stated| right_at_the_pin("meyer.list.fig-14", stated),
+            in_the_table,
+            right_at_the_pin,
         ),
     ]
 }
@@ -177,7 +177,7 @@ pub fn page_of_definition() -> Claim {
 
 /// The page that is said, or the next.
 fn said_page(stated: Stated) -> u32 {
-    numbers("meyer.page-of-definition").first().map_or(0, |page| page + stated.pick(0, 1))
+    stated.count() + stated.pick(0, 1)
 }
 
 /// The pages of chapter II that have no figure.
@@ -200,8 +200,8 @@ fn figures_before(id: &str) -> Option<usize> {
 }
 
 /// Pins and slots in a text that names mechanisms by them, in the order of the text.
-pub fn pins_and_slots(id: &str) -> Vec<(u32, u32)> {
-    let words: Vec<_> = characters(id).split_whitespace().map(str::to_uppercase).collect();
+pub fn pins_and_slots(text: &str) -> Vec<(u32, u32)> {
+    let words: Vec<_> = text.split_whitespace().map(str::to_uppercase).collect();
     let count = |word: &str| ["ONE", "TWO", "THREE", "FOUR", "FIVE", "SIX"].iter().position(|of| *of == word);
     let of = |pair: &[String]| match pair {
         [pins, pin, slash, slots, slot] if pin == "PIN" && slash == "/" && slot == "SLOT" => {
@@ -213,14 +213,14 @@ pub fn pins_and_slots(id: &str) -> Vec<(u32, u32)> {
 }
 
 /// The one mechanism that a name in the list of figures says, or that with a slot more.
-fn named(id: &str, stated: Stated) -> Option<(u32, u32)> {
-    pins_and_slots(id).first().map(|(pins, slots)| (*pins, slots + stated.pick(0, 1)))
+fn named(stated: Stated) -> Option<(u32, u32)> {
+    pins_and_slots(stated.characters()).first().map(|(pins, slots)| (*pins, slots + stated.pick(0, 1)))
 }
 
 /// Whether the table of the possible combinations has it.
-fn in_the_table(id: &str, stated: Stated) -> Finding {
+fn in_the_table(stated: Stated) -> Finding {
     let rows = combinations::TABLE.map(|(slots, pins)| (printed(pins) as u32, printed(slots) as u32));
-    let Some(asked) = named(id, stated) else { return Finding::new(false, "the name cannot be read") };
+    let Some(asked) = named(stated) else { return Finding::new(false, "the name cannot be read") };
     Finding::new(
         rows.contains(&asked),
         format!("{} pins and {} slots; the table after Eq. (1-3) has {rows:?}", asked.0, asked.1),
@@ -228,8 +228,8 @@ fn in_the_table(id: &str, stated: Stated) -> Finding {
 }
 
 /// Whether crank and slot are at right angles at the hand-over, as the drawings are said to show.
-fn right_at_the_pin(id: &str, stated: Stated) -> Finding {
-    let across = named(id, stated).map_or(f64::NAN, |(pins, slots)| {
+fn right_at_the_pin(stated: Stated) -> Finding {
+    let across = named(stated).map_or(f64::NAN, |(pins, slots)| {
         let drawn = Drawn::new(pins, slots);
         drawn.place(drawn.half()).normalize().perp(&Drawn::velocity(drawn.half()))
     });

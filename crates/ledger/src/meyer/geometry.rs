@@ -55,7 +55,7 @@ fn conditions() -> Vec<Claim> {
             })
             .by(Vectors, |stated| {
                 let fewest = complete(stated.pick(0, 1)).into_iter().map(|pair| fewest_engaged(pair) as f64);
-                every(fewest, |pins| pins >= 1.0, "fewest pins within the rim over a turn")
+                every(fewest, |pins| pins >= stated.number(), "fewest pins within the rim over a turn")
             })
             .but_not("with a pin fewer one is engaged at every instant too"),
         at("Fig. 3, caption")
@@ -65,13 +65,14 @@ fn conditions() -> Vec<Claim> {
                 "the mechanism has four pins and four slots, which belong together; the drawing is not in the copy",
             )
             .by(OtherPlaceInSource, |stated| {
-                let asked = (4, stated.pick(4, 5));
+                let asked = four_and_four(stated);
                 let table = combinations::TABLE.map(|(slots, pins)| (printed(pins) as u32, printed(slots) as u32));
                 Finding::new(table.contains(&asked), format!("{asked:?} in the table of pins and slots, {table:?}"))
             })
             .by(Vectors, |stated| {
                 // As the text below Fig. 4 says of the drawing: crank and slot at right angles.
-                let drawn = Drawn::new(4, stated.pick(4, 5));
+                let (pins, slots) = four_and_four(stated);
+                let drawn = Drawn::new(pins, slots);
                 let along = drawn.place(drawn.half()).dot(&Drawn::crank(drawn.half()));
                 Finding::new(vanishes(along), format!("the product of the two sides at the pin is {along:.3}"))
             })
@@ -230,16 +231,24 @@ fn fewest_engaged((pins, slots): (u32, u32)) -> usize {
 }
 
 /// Whether a property holds for all of these numbers, of which there must be some; they are told.
-pub fn every(numbers: impl Iterator<Item = f64>, holds: fn(f64) -> bool, what: &str) -> Finding {
+pub fn every(numbers: impl Iterator<Item = f64>, holds: impl Fn(f64) -> bool, what: &str) -> Finding {
     let numbers: Vec<f64> = numbers.collect();
     let all = !numbers.is_empty() && numbers.iter().all(|number| holds(*number));
     Finding::new(all, format!("{what}: {numbers:.3?}"))
 }
 
+/// Pins and slots of a caption that names both, or a slot more.
+fn four_and_four(stated: Stated) -> (u32, u32) {
+    match stated.numbers()[..] {
+        [pins, slots] => (pins as u32, slots as u32 + stated.pick(0, 1)),
+        _ => (0, 0),
+    }
+}
+
 /// Whether the follower goes on by a slot or, wrongly stated, by two, for each usual number of slots.
 fn moved_on(stated: Stated, turned: fn(&Wheel) -> f64, what: &str) -> Finding {
     let failing = (3..=18).find(|slots| {
-        let wanted = stated.pick(1.0, 2.0) * 2.0 * PI / f64::from(*slots);
+        let wanted = stated.pick(stated.number(), 2.0) * 2.0 * PI / f64::from(*slots);
         !Wheel::new(*slots).is_ok_and(|wheel| agrees(turned(&wheel), wanted))
     });
     let but = failing.map_or(String::new(), |slots| format!(": not with {slots} slots"));

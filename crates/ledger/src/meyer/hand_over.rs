@@ -229,8 +229,11 @@ const STEPS_TO: u32 = 8;
 /// Whether the pairs that work are those that are said to.
 fn said_of_pairs(stated: Stated, most: u32, works: fn(u32, u32) -> bool) -> Finding {
     let said = |pins: u32, slots: u32| {
-        let (sum, product) = (2 * (pins + slots), pins * slots);
-        stated.pick(sum <= product, sum == product)
+        // p/m + q/n ≤ r/s, with the whole numbers of the correction.
+        let [p, q, r, s] = stated.numbers().iter().take(4).map(|number| *number as u32).collect::<Vec<_>>()[..] else {
+            return stated.pick(false, 2 * (pins + slots) == pins * slots);
+        };
+        s * (p * slots + q * pins) <= r * pins * slots
     };
     let pairs = || (2..=most).flat_map(|pins| (2..=most).map(move |slots| (pins, slots)));
     let working = pairs().filter(|&(pins, slots)| works(pins, slots)).count();
@@ -318,7 +321,7 @@ fn has_terminal_speed(pair: &Newton, half: f64) -> bool {
 
 /// Whether the three that the conclusion names work, or the same with a slot fewer.
 fn named_work(stated: Stated, works: fn(u32, u32) -> bool) -> Finding {
-    let named = front::pins_and_slots("meyer.conclusion.the-three");
+    let named = front::pins_and_slots(stated.characters());
     let pairs: Vec<_> = named.iter().map(|(pins, slots)| (*pins, slots - stated.pick(0, 1))).collect();
     let working = pairs.iter().filter(|(pins, slots)| works(*pins, *slots)).count();
     Finding::new(working == 3 && pairs.len() == 3, format!("{working} of {} work: {pairs:?}", pairs.len()))

@@ -31,7 +31,7 @@ fn material() -> Vec<Claim> {
         AFTER_THE_LIST
             .statement("meyer.steel", ".283 lb/in", "weight of a cubic inch of steel in pounds")
             .by(LimitCase, |stated| {
-                let density = said_density();
+                let density = metric_density(stated.number());
                 let nearest = METALS.iter().min_by(|a, b| (a.1 - density).abs().total_cmp(&(b.1 - density).abs()));
                 let name = nearest.map_or("", |metal| metal.0);
                 Finding::new(
@@ -41,7 +41,7 @@ fn material() -> Vec<Claim> {
             })
             .by(ClosedForm, |stated| {
                 let density = stated.pick(IRON, COPPER).density();
-                let part = said_density() / density;
+                let part = metric_density(stated.number()) / density;
                 Finding::new(
                     (part - 1.0).abs() < 0.01,
                     format!("the metal's crystal has {density:.0} kg/m³; the printed number is {part:.3} of it"),
@@ -56,13 +56,13 @@ fn material() -> Vec<Claim> {
                 "for the estimate driver and follower are discs of one size",
             )
             .by(OtherPlaceInSource, |stated| {
-                let [diameter, thickness] = said_sizes().map(|size| size.unwrap_or(f64::NAN));
+                let [diameter, thickness] = sizes(stated);
                 let [radius, said] = data().map_or([f64::NAN; 2], |data| [data.diameter / 2.0, data.thickness]);
                 let holds = agrees(diameter / stated.pick(2.0, 1.0), radius) && agrees(thickness, said);
                 Finding::new(holds, format!("the numbers of the estimate are a radius of {radius} and {said} inch"))
             })
             .by(ClosedForm, |stated| {
-                let [diameter, thickness] = said_sizes().map(|size| size.unwrap_or(f64::NAN));
+                let [diameter, thickness] = sizes(stated);
                 let result = printed_inertia();
                 let [least, most] = [-0.05, 0.05].map(|rounded| {
                     let size = diameter + rounded;
@@ -145,7 +145,7 @@ fn estimate() -> Vec<Claim> {
                 let torque = POUND * 9.806_65 * INCH;
                 let of = |data: Data| {
                     let [radius, thickness] = [data.diameter / 2.0, data.thickness].map(|inches| inches * INCH);
-                    PI / 2.0 * said_density() * radius * radius * radius * radius * thickness / torque
+                    PI / 2.0 * metric_density(steel()) * radius * radius * radius * radius * thickness / torque
                 };
                 let [metric, inches] = [data().map(of), data().map(|data| disc(data.diameter, data.thickness))];
                 let [metric, inches] = [metric, inches].map(|inertia| inertia.unwrap_or(f64::NAN));
@@ -212,7 +212,7 @@ fn estimate() -> Vec<Claim> {
 
 /// Whether the printed acceleration of gravity, or the next number, is this one rounded.
 fn gravity_is(gravity: f64, stated: Stated, what: &str) -> Finding {
-    let said = data().map_or(f64::NAN, |data| data.gravity) + stated.pick(0.0, 1.0);
+    let said = stated.number() + stated.pick(0.0, 1.0);
     Finding::new((said - gravity).abs() <= 0.5, format!("{what} is {gravity:.2}; said is {said}"))
 }
 
@@ -221,11 +221,7 @@ fn gravity_is(gravity: f64, stated: Stated, what: &str) -> Finding {
 fn estimate_covers(inertia: fn(f64, f64, f64) -> f64, stated: Stated) -> Finding {
     let Some(data) = data() else { return Finding::new(false, "no numbers") };
     let found = inertia(data.diameter, data.thickness, stated.pick(0.5, 1.0));
-    let tokens = numeric_tokens(characters("meyer.disc.inertia"));
-    let places = tokens.first().and_then(|number| Some(number.split_once('.')?.1.len())).unwrap_or_default();
-    let said = printed_inertia();
-    let unit = said / tokens.first().and_then(|number| number.parse::<f64>().ok()).unwrap_or(f64::NAN)
-        * libm::pow(10.0, -(places as f64));
+    let [said, unit] = estimated(stated.characters());
     Finding::new((found - said).abs() < unit, format!("{found:.3e} in lb sec²"))
 }
 
@@ -237,9 +233,31 @@ fn disc(diameter: f64, thickness: f64) -> f64 {
 
 /// The printed moment of inertia, in in lb sec²: a number, and ten to a negative power.
 pub fn printed_inertia() -> f64 {
-    let tokens = numeric_tokens(characters("meyer.disc.inertia"));
-    let number = |at: usize| tokens.get(at).and_then(|number| number.parse().ok()).unwrap_or(f64::NAN);
-    number(0) / libm::pow(number(1), number(2))
+    estimated(characters("meyer.disc.inertia"))[0]
+}
+
+/// A number times a power of ten, with its unit, behind a sign that says about; and a unit of its last place. In in lb
+/// sec²: another unit makes another number.
+fn estimated(text: &str) -> [f64; 2] {
+    let (number, unit) = text.split_once(r"\cong").and_then(|(_, of)| of.split_once(r"\text{")).unwrap_or_default();
+    let digits = number.split(r"\times").next().unwrap_or_default();
+    let Ok(decimal) = digits.trim().parse::<crate::Decimal>() else { return [f64::NAN; 2] };
+    let (inch, pound, second) = (2.0, 3.0, 5.0);
+    let unit = unit.replace('}', "");
+    let factors = unit.split_whitespace().map(|factor| {
+        let (name, power) = factor.split_once('^').unwrap_or((factor, "1"));
+        let size =
+            [("in", inch), ("lb", pound), ("sec", second)].iter().find(|(of, _)| *of == name).map(|(_, size)| *size);
+        size.zip(power.parse().ok()).map_or(f64::NAN, |(size, power): (f64, f64)| libm::pow(size, power))
+    });
+    let units = factors.product::<f64>() / (inch * pound * second * second);
+    let said = reading::value(number, &reading::Letters::new()) * units;
+    [said, said / decimal.to_f64() * decimal.unit_in_last_place().approximate()]
+}
+
+/// The diameter and the thickness that are stated, in inches.
+fn sizes(stated: Stated) -> [f64; 2] {
+    stated.numbers().try_into().unwrap_or([f64::NAN; 2])
 }
 
 /// The diameter and the thickness of the paragraph before the estimate, in inches.
@@ -311,9 +329,9 @@ impl Crystal {
     }
 }
 
-/// The printed weight of a cubic inch as a density in kg/m³.
-fn said_density() -> f64 {
-    steel() * POUND / (INCH * INCH * INCH)
+/// The weight of a cubic inch in pounds as a density in kg/m³.
+fn metric_density(weight: f64) -> f64 {
+    weight * POUND / (INCH * INCH * INCH)
 }
 
 /// The numbers of the estimate, from the display that has them all.

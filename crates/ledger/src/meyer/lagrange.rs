@@ -111,12 +111,12 @@ fn forces() -> Vec<Claim> {
                 let (members, pivots, pins_in_slots) = (3, 2, 1);
                 let freedom = 3 * (members - 1) - 2 * pivots - pins_in_slots;
                 Finding::new(
-                    freedom == stated.pick(1, 2),
+                    f64::from(freedom) == stated.pick(stated.number(), 2.0),
                     format!("Grübler's count for plane linkages gives {freedom}"),
                 )
             })
             .by(Vectors, |stated| {
-                let freedom = stated.pick(1, 2);
+                let freedom = stated.pick(stated.count() as usize, 2);
                 for_each(
                     |at| {
                         (-10..10)

@@ -19,8 +19,8 @@ pub fn six() -> Claim {
             "six parameters",
             "the equation of motion with its geometry has six parameters",
         )
-        .by(RungeKutta, |stated| count_that_matter(stated.pick(6, 7), &Quantity::ALL))
-        .by(Dimension, |stated| count_that_may_enter(stated.pick(6, 7), &Quantity::ALL))
+        .by(RungeKutta, |stated| count_that_matter(stated.pick(stated.count() as usize, 7), &Quantity::ALL))
+        .by(Dimension, |stated| count_that_may_enter(stated.pick(stated.count() as usize, 7), &Quantity::ALL))
         .but_not("seven parameters, the radius of the pins' circle one of them")
         .read_as(
             "A parameter: a quantity that stands on the program's card and changes the motion if it alone is changed.",
@@ -61,8 +61,12 @@ pub fn after_the_list() -> Vec<Claim> {
                 "four parameters",
                 "for each of the three mechanisms four parameters are left: friction, torque and two inertias",
             )
-            .by(RungeKutta, |stated| count_that_matter(stated.pick(4, 5), &Quantity::OF_A_MECHANISM))
-            .by(Dimension, |stated| count_that_may_enter(stated.pick(4, 5), &Quantity::OF_A_MECHANISM))
+            .by(RungeKutta, |stated| {
+                count_that_matter(stated.pick(stated.count() as usize, 5), &Quantity::OF_A_MECHANISM)
+            })
+            .by(Dimension, |stated| {
+                count_that_may_enter(stated.pick(stated.count() as usize, 5), &Quantity::OF_A_MECHANISM)
+            })
             .but_not("five parameters, the radius of the pins' circle one of them")
             .read_as(PARAMETER),
     ]

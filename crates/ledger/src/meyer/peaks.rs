@@ -288,11 +288,9 @@ fn peaks(stated: Stated, found: Vec<Peak>) -> Finding {
     let (six, others): (Vec<&Peak>, Vec<&Peak>) = found.iter().partition(|peak| peak.mechanism == Mechanism::SIX_PIN);
     let lost = |of: &[&Peak]| range(of.iter().map(|peak| peak.lost));
     let before = range(others.iter().map(|peak| 180.0 / f64::from(peak.mechanism.pins()) - peak.angle.to_degrees()));
-    let said = ["meyer.peaks-at-entry", "meyer.peaks-at-rest", "meyer.peaks-at-exit"].map(corrected_numbers);
-    let alike = said.iter().all(|numbers| *numbers == said[0]);
     let ([_, six_most], [least, most]) = (lost(&six), lost(&others));
     Finding::new(
-        alike && six_most < UNIT && rounds_to(&before, &stated.pick(said[0].clone(), vec!["0".into(), "0".into()])),
+        six_most < UNIT && rounds_to(&before, stated),
         format!(
             "at entry the driver is slower than at its peak by at most {six_most:.2} rad/s with six pins and by \
              {least:.0} to {most:.0} with four and three, where the peak is {:.2} to {:.2}° before the exit",
@@ -305,10 +303,9 @@ fn peaks(stated: Stated, found: Vec<Peak>) -> Finding {
 /// it.
 fn extremes(stated: Stated, places: Vec<[f64; 2]>) -> Finding {
     let [before, after] = [0, 1].map(|which| range(places.iter().map(|place| place[which].to_degrees())));
-    let said = stated.pick(corrected_numbers("meyer.extremes-on-centres"), vec!["0".into(); 4]);
     let found = [before, after].concat();
     Finding::new(
-        rounds_to(&found, &said),
+        rounds_to(&found, stated),
         format!(
             "the driver is slowest {:.2} to {:.2}° before the line, the follower fastest {:.1} to {:.1}° past it",
             found[0], found[1], found[2], found[3]
@@ -316,15 +313,12 @@ fn extremes(stated: Stated, places: Vec<[f64; 2]>) -> Finding {
     )
 }
 
-/// The numbers in the correction of a claim.
-fn corrected_numbers(id: &str) -> Vec<String> {
-    named(id).erratum.map_or_else(Vec::new, |erratum| numeric_tokens(erratum.corrected))
-}
-
-/// Whether each number rounds to the digits that are stated for it.
-fn rounds_to(found: &[f64], said: &[String]) -> bool {
-    let rounds = |(found, said): (&f64, &String)| said.parse::<Decimal>().is_ok_and(|said| said.is_rounding_of(*found));
-    found.len() == said.len() && found.iter().zip(said).all(rounds)
+/// Whether each number rounds to the digits that are stated for it. Where none are, it must be nought.
+fn rounds_to(found: &[f64], stated: Stated) -> bool {
+    let said = stated.decimals();
+    let rounds = |(found, said): (&f64, &Decimal)| said.is_rounding_of(*found);
+    let as_said = || found.len() == said.len() && found.iter().zip(&said).all(rounds);
+    stated.pick(as_said(), found.iter().all(|number| vanishes(*number)))
 }
 
 /// The least and the greatest.

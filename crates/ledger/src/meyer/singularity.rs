@@ -83,8 +83,7 @@ fn quantity() -> Vec<Claim> {
 
 /// The printed quantity, or its neighbour.
 fn quantity_with(stated: Stated) -> &'static str {
-    let printed = characters("meyer.singularity.quantity");
-    stated.pick(printed, r"(1 + a^2 + 2a \cos \theta)")
+    stated.pick(stated.characters(), r"(1 + a^2 + 2a \cos \theta)")
 }
 
 fn bounds() -> Vec<Claim> {
@@ -103,7 +102,10 @@ fn bounds() -> Vec<Claim> {
             .by(ClosedForm, |stated| {
                 let square = characters("meyer.singularity.square");
                 let found: Vec<f64> = ratios().filter(|ratio| allows(square, *ratio) == Some(true)).collect();
-                Finding::new(found == [stated.pick(1.0, 2.0)], format!("the last inequality holds for {found:?}"))
+                Finding::new(
+                    found == [stated.pick(stated.number(), 2.0)],
+                    format!("the last inequality holds for {found:?}"),
+                )
             })
             .by(Vectors, |stated| {
                 // How near the follower's axis a pin comes.
@@ -113,7 +115,7 @@ fn bounds() -> Vec<Claim> {
                 };
                 let found: Vec<f64> = ratios().filter(|ratio| vanishes(nearest(ratio))).collect();
                 Finding::new(
-                    found == [stated.pick(1.0, 2.0)],
+                    found == [stated.pick(stated.number(), 2.0)],
                     format!("of 80 distances of the axes the pin comes onto the follower's axis at {found:?}"),
                 )
             })
@@ -135,7 +137,7 @@ fn slots() -> Vec<Claim> {
             .by(ClosedForm, |stated| {
                 let found = slots_that_satisfy(characters("meyer.singularity.sine"));
                 Finding::new(
-                    found.as_deref() == Some(&[stated.pick(2, 3)]),
+                    found.as_deref() == Some(&[stated.pick(stated.count(), 3)]),
                     format!("read and evaluated for 1 to 100 slots, the sine is one for {found:?}"),
                 )
             })
@@ -150,7 +152,10 @@ fn slots() -> Vec<Claim> {
                     (pin + to_driver).norm()
                 };
                 let found: Vec<u32> = (2..=100).filter(|slots| agrees(distance(*slots), 1.0)).collect();
-                Finding::new(found == [stated.pick(2, 3)], format!("the axes are r apart for {found:?} slots"))
+                Finding::new(
+                    found == [stated.pick(stated.count(), 3)],
+                    format!("the axes are r apart for {found:?} slots"),
+                )
             })
             .but_not("only three slots"),
         END.statement("meyer.singularity.ruled-out", "previously ruled out", "two slots are ruled out by Eq. (1-3)")

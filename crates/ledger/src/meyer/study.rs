@@ -58,7 +58,11 @@ pub fn of_parameters() -> Vec<Claim> {
             )
             .by(OtherPlaceInSource, |stated| {
                 let (bounds, times) = (factors(stated), over_estimate());
-                let holds = times.len() == 5 && times.iter().all(|times| bounds.contains(times));
+                // The least and the greatest are what is stated, rounded; or all are within somewhat.
+                let ends =
+                    [times.iter().copied().fold(f64::INFINITY, f64::min), times.iter().copied().fold(0.0, f64::max)];
+                let exactly = ends.map(f64::round) == [*bounds.start(), *bounds.end()];
+                let holds = times.len() == 5 && stated.pick(exactly, ends.iter().all(|times| bounds.contains(times)));
                 Finding::new(holds, format!("the inertias of the runs over the estimate are {times:.0?}"))
             })
             .by(Quadrature, |stated| {
@@ -118,9 +122,8 @@ pub fn of_headings() -> Vec<Claim> {
 
 /// The factors between which the inertias are: those of the correction, or a power of ten either way.
 fn factors(stated: Stated) -> std::ops::RangeInclusive<f64> {
-    let corrected = named("meyer.inertias-vary").erratum.map_or("", |erratum| erratum.corrected);
-    let numbers: Vec<f64> = numeric_tokens(corrected).iter().filter_map(|number| number.parse().ok()).collect();
-    let [least, most] = [numbers.first(), numbers.last()].map(|number| number.copied().unwrap_or(f64::NAN));
+    let said = stated.numbers();
+    let [least, most] = [said.first(), said.last()].map(|number| number.copied().unwrap_or(f64::NAN));
     stated.pick(least..=most, 0.1..=10.0)
 }
 

@@ -28,16 +28,20 @@ fn start() -> Vec<Claim> {
                 r"-30° , -45° , or -60°",
                 "driver's angle at the start for six, four and three pins",
             )
-            .by(LimitCase, |stated| of_the_pins("meyer.app-b.initial-angles", stated))
-            .by(Vectors, |stated| along_the_slots("meyer.app-b.initial-angles", stated))
+            .by(LimitCase, of_the_pins)
+            .by(Vectors, along_the_slots)
             .but_not(OTHER_ANGLE),
         AFTER
             .statement("meyer.app-b.from-rest", "0 rad/sec", "the driver starts from rest")
             .by(OtherPlaceInSource, |stated| {
                 let said = numbers("meyer.app-d.from-rest");
-                Finding::new(said.last() == Some(&stated.pick(0, 1)), format!("Appendix D has {:?}", said.last()))
+                let own = stated.number() + stated.pick(0.0, 1.0);
+                Finding::new(
+                    said.last().is_some_and(|said| f64::from(*said) == own),
+                    format!("Appendix D has {:?}", said.last()),
+                )
             })
-            .by(ClosedForm, |stated| start_solves(stated.pick(0.0, 1.0)))
+            .by(ClosedForm, |stated| start_solves(stated.number() + stated.pick(0.0, 1.0)))
             .but_not("it starts at 1 rad/s"),
     ]
 }
@@ -127,8 +131,8 @@ fn angle() -> Vec<Claim> {
                 "±30°, ±45°, or ±60°",
                 "a pin is in its slot within these angles, for six, four and three pins",
             )
-            .by(LimitCase, |stated| of_the_pins("meyer.app-b.engaged", stated))
-            .by(Vectors, |stated| along_the_slots("meyer.app-b.engaged", stated))
+            .by(LimitCase, of_the_pins)
+            .by(Vectors, along_the_slots)
             .but_not(OTHER_ANGLE),
         reset(
             "meyer.app-b.fold",
@@ -207,7 +211,7 @@ fn angle() -> Vec<Claim> {
                 "the motion is a row of engagements of one pin each",
             )
             .by(Vectors, |stated| {
-                let engaged = stated.pick(1, 2);
+                let engaged = stated.pick(stated.count() as usize, 2);
                 for_each(
                     |at| {
                         (-9..=9).all(|k| {
@@ -219,7 +223,7 @@ fn angle() -> Vec<Claim> {
                 )
             })
             .by(ClosedForm, |stated| {
-                let engaged = stated.pick(1, 2);
+                let engaged = stated.pick(stated.count() as usize, 2);
                 for_each(
                     |at| {
                         // Within the follower's rim are the pins that are in slots.
@@ -286,15 +290,12 @@ fn end() -> Vec<Claim> {
             .statement("meyer.app-b.run-length", "0.2 seconds", "time at which a run ends")
             .by(OtherPlaceInSource, |stated| {
                 let listed = printed("meyer.listing.run-length");
-                Finding::new(said_length() * stated.pick(1.0, 0.5) == listed, format!("the program ends at {listed} s"))
+                Finding::new(
+                    stated.number() * stated.pick(1.0, 0.5) == listed,
+                    format!("the program ends at {listed} s"),
+                )
             })
-            .by(OtherPlaceInSource, |stated| long_enough(said_length() * stated.pick(1.0, 0.5)))
+            .by(OtherPlaceInSource, |stated| long_enough(stated.number() * stated.pick(1.0, 0.5)))
             .but_not("it ends at half of that"),
     ]
-}
-
-/// How long a run is, in s, as the text has it.
-fn said_length() -> f64 {
-    let said = characters("meyer.app-b.run-length").split(' ').next().and_then(|number| number.parse().ok());
-    said.unwrap_or(f64::NAN)
 }

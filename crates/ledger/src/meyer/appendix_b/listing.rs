@@ -68,10 +68,9 @@ fn constants() -> Vec<Claim> {
                 "the old acceleration is that of a tenth of the print interval before",
             )
             .by(OtherPlaceInSource, |stated| {
-                let [here, told] = ["meyer.listing.delay", "meyer.app-b.delay"].map(parts_of_the_interval);
-                let said = here.map(|parts| stated.pick(parts, 1.0));
+                let told = parts_of_the_interval("meyer.app-b.delay");
                 Finding::new(
-                    said.is_some() && said == told,
+                    told == Some(stated.pick(stated.number(), 1.0)),
                     format!("the text divides the interval by {}", told.unwrap_or(f64::NAN)),
                 )
             })
@@ -104,11 +103,10 @@ fn constants() -> Vec<Claim> {
             .by(OtherPlaceInSource, |stated| {
                 let said =
                     characters("meyer.app-b.run-length").split(' ').next().and_then(|number| number.parse().ok());
-                let here = Some(printed("meyer.listing.run-length"));
-                let same = here.zip(said).is_some_and(|(here, said): (f64, f64)| here * stated.pick(1.0, 0.5) == said);
+                let same = said == Some(stated.number() * stated.pick(1.0, 0.5));
                 Finding::new(same, format!("the text says {} s", said.unwrap_or(f64::NAN)))
             })
-            .by(OtherPlaceInSource, |stated| long_enough(printed("meyer.listing.run-length") * stated.pick(1.0, 0.5)))
+            .by(OtherPlaceInSource, |stated| long_enough(stated.number() * stated.pick(1.0, 0.5)))
             .but_not("it ends at half of that"),
     ]
 }
@@ -218,17 +216,11 @@ fn motion() -> Vec<Claim> {
                 "the driver's speed: its acceleration, integrated from zero",
             )
             .by(OtherPlaceInSource, |stated| {
-                let from = integrated_from("meyer.listing.speed").map(|from| from + stated.pick(0.0, 1.0));
+                let from = stated.number() + stated.pick(0.0, 1.0);
                 let said: Vec<f64> = numbers("meyer.app-b.from-rest").into_iter().map(f64::from).collect();
-                Finding::new(
-                    from.is_some_and(|from| said == [from]),
-                    format!("the text has the driver start at {said:?}"),
-                )
+                Finding::new(said == [from], format!("the text has the driver start at {said:?}"))
             })
-            .by(ClosedForm, |stated| {
-                let from = integrated_from("meyer.listing.speed");
-                start_solves(from.map_or(f64::NAN, |from| from + stated.pick(0.0, 1.0)))
-            })
+            .by(ClosedForm, |stated| start_solves(stated.number() + stated.pick(0.0, 1.0)))
             .but_not("it is integrated from one"),
         PROGRAM
             .statement("meyer.listing.angle", "INT(1DX,0.)", "the driver's angle: its speed, integrated from zero")
@@ -250,13 +242,7 @@ fn motion() -> Vec<Claim> {
 
 /// From what the driver's angle is integrated, in rad.
 fn turned_at_first(stated: Stated) -> impl Fn(Mechanism) -> f64 {
-    let from = integrated_from("meyer.listing.angle").unwrap_or(f64::NAN);
-    move |_| from + stated.pick(0.0, 1.0)
-}
-
-/// From what a card integrates.
-fn integrated_from(id: &str) -> Option<f64> {
-    characters(id).split_once(',')?.1.trim_end_matches(')').parse().ok()
+    move |_| stated.number() + stated.pick(0.0, 1.0)
 }
 
 /// A line of the program that computes a quantity of chapter I.

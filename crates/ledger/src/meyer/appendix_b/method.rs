@@ -48,7 +48,7 @@ fn described() -> Vec<Claim> {
                     let run = integrate(&mut growth, Vector1::new(1.0), &fixed, |_| ());
                     run.map_or(f64::NAN, |run| libm::exp(1.0) - run.last.state[0])
                 });
-                of_order(stated.pick(4, 5), ratio[0] / ratio[1])
+                of_order(stated.pick(stated.count() as i32, 5), ratio[0] / ratio[1])
             })
             .by(ClosedForm, |stated| {
                 let ratio = [16_u32, 32].map(|steps| {
@@ -57,7 +57,7 @@ fn described() -> Vec<Claim> {
                         .fold(1.0, |y, k| printed_step(|x, y| x * y, h * f64::from(k), y, h).unwrap_or(f64::NAN));
                     libm::exp(0.5) - end
                 });
-                of_order(stated.pick(4, 5), ratio[0] / ratio[1])
+                of_order(stated.pick(stated.count() as i32, 5), ratio[0] / ratio[1])
             })
             .but_not("it is of order five"),
         DIVISION
@@ -270,7 +270,7 @@ fn advantages() -> Vec<Claim> {
             .by(ClosedForm, |stated| {
                 let found = halvings();
                 Finding::new(
-                    found.iter().all(|ratio| power_of_two(*ratio) == Some(stated.pick(5, 4))),
+                    found.iter().all(|ratio| power_of_two(*ratio) == Some(said_power(stated))),
                     format!("for half the step the error is {:.0} and {:.0} times smaller", found[0], found[1]),
                 )
             })
@@ -278,7 +278,7 @@ fn advantages() -> Vec<Claim> {
                 // For growth the step is the exponential series up to h⁴; what is left over a power of h.
                 let left = [STEP / 8.0, STEP / 16.0].map(|h| {
                     let step = step_of_mimic(|_, y| y, 0.0, 1.0, h);
-                    (libm::exp(h) - step) / libm::pow(h, f64::from(stated.pick(5, 4)))
+                    (libm::exp(h) - step) / libm::pow(h, f64::from(said_power(stated)))
                 });
                 let change = left[1] / left[0];
                 Finding::new((change - 1.0).abs() < 0.1, format!("over that power of h it changes {change:.2} times"))
@@ -287,7 +287,7 @@ fn advantages() -> Vec<Claim> {
         ADVANTAGES
             .statement(
                 "meyer.app-b.method.doubling",
-                "first with two half steps and then with one full step",
+                "two half steps and then with one full step",
                 "two half steps beside one full step tell the error",
             )
             .by(ClosedForm, |stated| {
@@ -303,11 +303,17 @@ fn advantages() -> Vec<Claim> {
     ]
 }
 
+/// The power of h that is said, or the one below.
+fn said_power(stated: Stated) -> i32 {
+    stated.count() as i32 - stated.pick(0, 1)
+}
+
 /// Whether the difference of the two results is nearly all of the full step's error: two half steps have 2/32 of it, so
 /// that 15/16 are left.
 fn fifteen_sixteenths(step: impl Fn(f64, f64) -> f64, exact: f64, stated: Stated) -> Finding {
-    let full = step(1.0, STEP);
-    let halves = (0..stated.pick(2, 1)).fold(1.0, |y, _| step(y, STEP / 2.0));
+    let [halves, full] = stated.numbers()[..] else { return Finding::new(false, "steps of two lengths") };
+    let taken = |steps: f64, length: f64| (0..steps as u32).fold(1.0, |y, _| step(y, length));
+    let (halves, full) = (taken(halves - stated.pick(0.0, 1.0), STEP / 2.0), taken(full, STEP));
     let part = (halves - full) / (exact - full);
     Finding::new(
         (part - 15.0 / 16.0).abs() < 1.0 / 16.0,

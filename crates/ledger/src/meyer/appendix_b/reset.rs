@@ -1,6 +1,7 @@
 //! The reset angle of the driver's angle: with every pin the engagement begins again.
 
 use super::*;
+use crate::Decimal;
 use crate::meyer::slips::RESET_ANGLE;
 
 /// The reset angle of the driver's angle. A quarter of a turn is right for four pins only.
@@ -33,9 +34,18 @@ pub fn reset(
         .corrected(corrected, RESET_ANGLE)
 }
 
-/// After which angle the driver's angle is reset: that between two pins, or as printed.
+/// After which angle the driver's angle is reset: that between two pins, if the correction gives it, or as printed.
 fn modulus(at: &Mechanism, stated: Stated) -> f64 {
-    stated.pick(at.driver_pitch_angle(), printed("meyer.listing.quarter-turn"))
+    let said = stated.decimals();
+    let is = |said: &Decimal, angle: f64| said.is_rounding_of(angle) || said.is_rounding_of(angle.to_degrees());
+    let pitch = at.driver_pitch_angle();
+    // Each of the angles is one between two pins or half of one.
+    let known = said.iter().all(|said| {
+        let pitches = Mechanism::ALL.iter().map(|at| at.driver_pitch_angle());
+        pitches.into_iter().any(|pitch| is(said, pitch) || is(said, pitch / 2.0))
+    });
+    let corrected = if known && said.iter().any(|said| is(said, pitch)) { pitch } else { f64::NAN };
+    stated.pick(corrected, printed("meyer.listing.quarter-turn"))
 }
 
 /// Whether the reset angle runs from entry to exit and no farther, for each escapement with its modulus.
@@ -45,7 +55,7 @@ fn resets(modulus: impl Fn(&Mechanism) -> f64) -> Finding {
         .filter(|at| {
             let end = modulus(at) - at.engagement_half_angle();
             // The modulus is printed to four places.
-            (end - at.engagement_half_angle()).abs() > 1e-4
+            !((end - at.engagement_half_angle()).abs() <= 1e-4)
         })
         .map(|at| {
             let [from, to] =
