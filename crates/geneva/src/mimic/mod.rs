@@ -5,12 +5,13 @@ mod told;
 
 use crate::arguments::{Format, Output, formats};
 use crate::output::count;
-use crate::typed;
+use crate::{progress, typed};
 use anyhow::{Context, anyhow, bail, ensure};
 use clap::{Args, Subcommand, ValueEnum};
 use geneva_ledger::meyer::runs::{Hypothesis, rows};
 use geneva_mimic::language::{
-    Choices, DECKS, DataSet, Deck, Layout, Program, RememberedPoints, Run, deck_named, listing_in, nearest_to,
+    Choices, DECKS, DataSet, Deck, Layout, Program, RememberedPoints, Run, RunError, Runs, deck_named, listing_in,
+    nearest_to,
 };
 use geneva_mimic::{AtSmallestStep, Interpolation, Kept};
 use rayon::prelude::*;
@@ -303,18 +304,33 @@ fn run(wanted: &RunArguments) -> anyhow::Result<String> {
     let program = program(&name, &deck)?;
     let sets = data_sets(wanted, &name, &deck)?;
     let choices = choices(wanted);
-    let runs: Vec<_> = sets.par_iter().map(|set| program.run(set, &choices)).collect();
-    let mut all: Vec<Run> = Vec::new();
-    for (at, run) in runs.into_iter().enumerate() {
-        let of = if sets.len() > 1 { format!(", run {} of {}", at + 1, sets.len()) } else { String::new() };
-        all.push(run.map_err(|trouble| anyhow!("{name}{of}: {trouble}"))?);
-    }
+    let all = runs(&program, &sets, &choices).map_err(|RunError { number, trouble }| {
+        let of = if sets.len() > 1 { format!(", run {number} of {}", sets.len()) } else { String::new() };
+        anyhow!("{name}{of}: {trouble}")
+    })?;
     match wanted.format {
         Format::Json => told::json(&all),
         Format::Csv => told::csv(&all),
         Format::Svg => told::svg(&name, &all),
         _ => Ok(told::print_outs(&name, &all)),
     }
+}
+
+/// All runs, as many at a time as there are threads: no more are held than all may come to, and these.
+fn runs(program: &Program, sets: &[DataSet], choices: &Choices) -> Result<Vec<Run>, RunError> {
+    let step =
+        if sets.len() > 1 { progress::bar(sets.len(), "runs", false) } else { progress::step("running the deck") };
+    let mut all = Runs::default();
+    for some in sets.chunks(rayon::current_num_threads().max(1)) {
+        let run = |set| {
+            let run = program.run(set, choices);
+            step.add(1);
+            run
+        };
+        let made: Vec<_> = some.par_iter().map(run).collect();
+        made.into_iter().try_for_each(|run| all.add(program, run))?;
+    }
+    Ok(all.into_inner())
 }
 
 /// The sets of data: those of the ledger, or those of the data cards; what --set gives counts more.

@@ -14,6 +14,10 @@ use nalgebra::SVector;
 const MOST_ROWS: f64 = 1e6;
 /// Most steps of all integrals together.
 const MOST_WORK: u64 = 100_000_000;
+/// The same of all runs of a deck, and most numbers that all of them print: they are held in memory, and make some
+/// hundred megabytes of text.
+const MOST_WORK_OF_ALL: u64 = 1_000_000_000;
+const MOST_NUMBERS: u64 = 10_000_000;
 /// Most integrals of a program, and most delays.
 const MOST_STATES: usize = 1024;
 const MOST_DELAYS: usize = 256;
@@ -77,6 +81,45 @@ pub struct Run {
     pub longer_than_delay: u64,
 }
 
+/// The runs of a deck one after another, and what they come to together.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Runs {
+    runs: Vec<Run>,
+    numbers: u64,
+    work: u64,
+}
+
+impl Runs {
+    /// Adds the next run of a program, whether it was made or not.
+    ///
+    /// # Errors
+    ///
+    /// Its [`Trouble`], or [`Trouble::TooMuch`] if with it all runs print more numbers or take more steps than can be;
+    /// with its number, counted from 1. A single run has its own bounds.
+    pub fn add(&mut self, program: &Program, run: Result<Run, Trouble>) -> Result<(), RunError> {
+        let number = self.runs.len() + 1;
+        let refused = |trouble| RunError { number, trouble };
+        let run = run.map_err(refused)?;
+        self.numbers += (run.rows.len() * program.numbers_in_a_row()) as u64;
+        self.work += (run.work.accepted + run.work.rejected) * program.states.len().max(1) as u64;
+        for (asked, most, what, way_out) in [
+            (self.numbers, MOST_NUMBERS, "numbers to print", "a longer DT, fewer names on OUT and PLO cards"),
+            (self.work, MOST_WORK_OF_ALL, "steps, each integral's counted,", "a larger tolerance"),
+        ] {
+            if number > 1 && asked > most {
+                return Err(refused(Trouble::TooMuch { runs: number, what, asked, most, way_out }));
+            }
+        }
+        self.runs.push(run);
+        Ok(())
+    }
+
+    /// All runs that were added.
+    pub fn into_inner(self) -> Vec<Run> {
+        self.runs
+    }
+}
+
 impl Program {
     /// Runs the program once for each set.
     ///
@@ -84,8 +127,23 @@ impl Program {
     ///
     /// The first [`Trouble`], with the number of its set.
     pub fn runs(&self, sets: &[DataSet], choices: &Choices) -> Result<Vec<Run>, RunError> {
-        let run = |(at, set)| self.run(set, choices).map_err(|trouble| RunError { number: at + 1, trouble });
-        sets.iter().enumerate().map(run).collect()
+        let mut runs = Runs::default();
+        for set in sets {
+            runs.add(self, self.run(set, choices))?;
+        }
+        Ok(runs.into_inner())
+    }
+
+    /// How many numbers a printed point has, and the parameters, which a table of all runs has beside them.
+    fn numbers_in_a_row(&self) -> usize {
+        let plotted: usize = self.plots.iter().map(|plot| plot.names.len()).sum();
+        self.outputs.iter().map(Vec::len).sum::<usize>() + plotted + self.parameters.len()
+    }
+
+    /// Most printed rows of a run.
+    fn most_rows(&self) -> f64 {
+        let each = self.numbers_in_a_row().max(1) as u64;
+        ((MOST_NUMBERS / each).max(1) as f64).min(MOST_ROWS)
     }
 
     /// Runs the program with one set of numbers.
@@ -215,16 +273,17 @@ impl Program {
         let mut end: Option<f64> = None;
         for finish in self.finishes.iter().filter(|finish| finish.is_run_length) {
             let value = registers[finish.limit as usize];
-            if !(value > 0.0 && value / interval <= MOST_ROWS) {
+            if !(value > 0.0 && value / interval <= self.most_rows()) {
                 let (card, text) = (finish.card, self.card_text(finish.card));
-                return Err(Trouble::RunLength { card, text, value });
+                let (most, numbers) = (self.most_rows() as u64, self.numbers_in_a_row());
+                return Err(Trouble::RunLength { card, text, value, most, numbers });
             }
             end = Some(end.map_or(value, |end| end.min(value)));
         }
         // A step with many integrals takes longer.
         let most_steps = (MOST_WORK / self.states.len().max(1) as u64).min(choices.integrator.most_steps);
         // A run whose end is not known before goes on until a value stops it, or rows without end do.
-        let run_length = end.unwrap_or(interval * (most_steps as f64).min(MOST_ROWS));
+        let run_length = end.unwrap_or(interval * (most_steps as f64).min(self.most_rows()));
         let parameters = Parameters {
             most_steps,
             print_interval: interval,

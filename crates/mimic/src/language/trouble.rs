@@ -35,7 +35,8 @@ pub enum Trouble {
     },
     /// A run that ends before it begins, or too late.
     #[error(
-        "card {card} ({text}): the run would end at T = {value}; it must be above zero, and at most a million DT away"
+        "card {card} ({text}): the run would end at T = {value}; it must be above zero, and at most {most} DT away \
+         (numbers in a row: {numbers}); give a longer DT, another FIN or fewer names on OUT and PLO cards"
     )]
     RunLength {
         /// The FIN card.
@@ -44,6 +45,10 @@ pub enum Trouble {
         text: String,
         /// The end, in the unit of T.
         value: f64,
+        /// How many DT away it can be at most.
+        most: u64,
+        /// How many numbers each printed point has, with the parameters.
+        numbers: usize,
     },
     /// A value that is no number.
     #[error("at T = {time}: {origin}")]
@@ -86,7 +91,10 @@ pub enum Trouble {
         origin: Origin,
     },
     /// The limit of printed rows is reached.
-    #[error("at T = {time}: {rows} rows are printed and FIN is not reached; give a longer DT or an earlier FIN")]
+    #[error(
+        "at T = {time}: {rows} rows are printed and FIN is not reached; give a longer DT or an earlier FIN, or print \
+             fewer names"
+    )]
     TooManyRows {
         /// When, in the unit of T.
         time: f64,
@@ -122,6 +130,23 @@ pub enum Trouble {
         capacity: usize,
         /// The delay, in the unit of T.
         delay: f64,
+    },
+    /// All runs of a deck come to more than one answer can hold.
+    #[error(
+        "the first {runs} data sets come to {asked} {what}; all together can come to {most}: give fewer data sets, {way_out} or an \
+             earlier FIN"
+    )]
+    TooMuch {
+        /// The data sets up to the one that was too much.
+        runs: usize,
+        /// Of what.
+        what: &'static str,
+        /// How many there are.
+        asked: u64,
+        /// The most.
+        most: u64,
+        /// What makes them fewer.
+        way_out: &'static str,
     },
     /// A parameter of the integrator out of its range.
     #[error("{0}")]

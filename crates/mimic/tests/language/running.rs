@@ -11,7 +11,7 @@ fn trouble(text: &str) -> String {
     let choices = Choices::default();
     Program::new(&deck)
         .unwrap_or_else(|faults| panic!("{faults}"))
-        .run(&sets[0], &choices)
+        .runs(&sets, &choices)
         .expect_err("trouble")
         .to_string()
 }
@@ -122,7 +122,7 @@ fn what_cannot_be_run_is_refused() {
         (" DT -1.\n OUT(T)\n FIN(T,1.)\n END\n", "DT is -1: it must be above zero"),
         (" DTMIN 1.\n DTMAX .5\n OUT(T)\n FIN(T,1.)\n END\n", "DTMIN is 1: it must not be above DTMAX"),
         (" OUT(T)\n FIN(T,0.)\n END\n", "card 2 (FIN(T,0.)): the run would end at T = 0"),
-        (" OUT(T)\n FIN(T,1.E9)\n END\n", "at most a million DT away"),
+        (" OUT(T)\n FIN(T,1.E9)\n END\n", "at most 1000000 DT away (numbers in a row: 1); give a longer DT"),
         (" X TDL(T,-1.)\n OUT(X)\n FIN(T,1.)\n END\n", "card 1 (X TDL(T,-1.)): delay -1.0"),
         (
             " X INT(1.,0.)\n OUT(X)\n FIN(-X,1.)\n END\n",
@@ -142,6 +142,23 @@ fn what_cannot_be_run_is_refused() {
     assert_eq!(run(&[("A", 2.0), ("A", 3.0)]), Ok(3.0));
     assert_eq!(run(&[]), Err(Trouble::Missing("A".to_owned())));
     assert_eq!(run(&[("A", 2.0), ("B", 3.0)]), Err(Trouble::Unknown("B".to_owned())));
+}
+
+#[test]
+fn all_runs_together_have_a_bound_too() {
+    let text = " PAR(A)\n X A\n DT 1.E-6\n OUT(T,X,X,X)\n PLO(T,X)\n FIN(T,.8)\n END\n1.\n2.\n3.\n";
+    let told = trouble(text);
+    for words in [
+        "data set 2: the first 2 data sets come to 11200014 numbers to print; all together can come to 10000000",
+        "give fewer data sets, a longer DT, fewer names",
+    ] {
+        assert!(told.contains(words), "{told}");
+    }
+    // A run by itself has fewer rows the more it prints.
+    let wide = text.replace("OUT(T,X,X,X)", &format!("OUT(T{})", ",X".repeat(96)));
+    assert!(trouble(&wide).contains("at most 100000 DT away (numbers in a row: 100)"), "{}", trouble(&wide));
+    let open = wide.replace("FIN(T", "FIN(X-X+T");
+    assert!(trouble(&open).contains("100000 rows are printed and FIN is not reached"), "{}", trouble(&open));
 }
 
 #[test]
