@@ -194,6 +194,30 @@ fn data_come_from_standard_input_and_faults_in_them_name_where_they_are() {
 }
 
 #[test]
+fn an_answer_takes_the_place_of_nothing_that_is_read() {
+    let (folder, path) = folder("fall.deck", DECK);
+    let other = folder.path().join(".").join("fall.deck");
+    let other = other.to_str().expect("UTF-8");
+    for arguments in [
+        &["mimic", "run", &path, "--output", other][..],
+        &["mimic", "check", other, "--output", &path],
+        &["mimic", "sort", &path, "--output", &path],
+        &["mimic", "run", "--listing-in", &path, "--output", &path],
+        &["mimic", "run", "decay", "--data", &path, "--output", &path],
+    ] {
+        let told = refusal(geneva(arguments));
+        assert!(
+            told.contains("would take the place of") && told.contains("give another file"),
+            "{arguments:?}\n{told}"
+        );
+    }
+    assert_eq!(fs::read_to_string(&path).expect("it is there"), DECK);
+    let new = folder.path().join("new");
+    stdout(&["mimic", "run", &path, "--output", new.to_str().expect("UTF-8")], 0);
+    assert!(new.exists());
+}
+
+#[test]
 fn a_byte_order_mark_is_no_sign() {
     let text = format!("\u{feff}{DECK}");
     let (_folder, path) = folder("fall.deck", &text);

@@ -72,6 +72,19 @@ impl Destination {
     }
 }
 
+/// That what was asked for is none of the files that are read: the answer would take the place of one.
+pub fn apart_from<'a>(asked: &str, inputs: impl IntoIterator<Item = &'a Path>) -> anyhow::Result<()> {
+    let Some(target) = fs::canonicalize(asked).ok().filter(|_| asked != STANDARD_OUTPUT) else { return Ok(()) };
+    let own = inputs.into_iter().find(|input| fs::canonicalize(input).is_ok_and(|input| input == target));
+    match own {
+        Some(own) => bail!(
+            "--output {asked}: it would take the place of {}, which is read; give another file, or - for standard output",
+            own.display()
+        ),
+        None => Ok(()),
+    }
+}
+
 /// Copies what was collected beside the target, and renames the copy.
 fn replace(target: &Path, mut collected: File) -> io::Result<()> {
     let name = target.file_name().unwrap_or_default().to_string_lossy();

@@ -4,6 +4,7 @@ mod listed;
 mod told;
 
 use crate::arguments::{Format, Output, formats};
+use crate::destination::apart_from;
 use crate::output::count;
 use crate::{progress, typed};
 use anyhow::{Context, anyhow, bail, ensure};
@@ -196,6 +197,7 @@ fn setting(text: &str) -> Result<(String, f64), String> {
 
 /// What is wanted.
 pub fn page(action: &Action) -> anyhow::Result<String> {
+    apart_from(&destination(action).output, inputs(action))?;
     match action {
         Action::Check { deck, .. } => {
             let (name, deck) = read(deck)?;
@@ -225,6 +227,16 @@ pub fn destination(action: &Action) -> &Output {
         Action::Check { to, .. } | Action::Sort { to, .. } | Action::Decks { to, .. } | Action::Functions { to } => to,
         Action::Run(wanted) => &wanted.to,
     }
+}
+
+/// The files that are read.
+fn inputs(action: &Action) -> Vec<&Path> {
+    let (deck, data) = match action {
+        Action::Check { deck, .. } | Action::Sort { deck, .. } => (deck, None),
+        Action::Run(wanted) => (&wanted.deck, wanted.data.as_deref()),
+        Action::Decks { .. } | Action::Functions { .. } => return Vec::new(),
+    };
+    [deck.deck.as_deref().map(Path::new), deck.listing_in.as_deref(), data].into_iter().flatten().collect()
 }
 
 /// The nearest of the names that are known, in words.
@@ -308,6 +320,7 @@ fn run(wanted: &RunArguments) -> anyhow::Result<String> {
         let of = if sets.len() > 1 { format!(", run {number} of {}", sets.len()) } else { String::new() };
         anyhow!("{name}{of}: {trouble}")
     })?;
+    let _step = progress::step("writing the numbers");
     match wanted.format {
         Format::Json => told::json(&all),
         Format::Csv => told::csv(&all),
