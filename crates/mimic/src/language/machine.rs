@@ -247,7 +247,7 @@ impl Machine<'_> {
             }
             Cause::System(Stop::Value(register)) => {
                 let time = self.registers[TIME as usize];
-                Trouble::NonFinite { time, origin: program.origin(&self.registers, register) }
+                Trouble::NonFinite { time, origin: program.origin(&self.registers, register), forced: 0 }
             }
             Cause::StepUnderflow { step, excess, .. } if excess.is_finite() => {
                 self.too_small(time, state, step, excess, parameters)
@@ -314,7 +314,7 @@ impl Machine<'_> {
         let program = self.program;
         let Some((odd_time, state)) = self.odd.take() else {
             let reason = "an integral has grown without bound".to_owned();
-            return Trouble::NonFinite { time, origin: Origin { card: 0, text: String::new(), reason } };
+            return Trouble::NonFinite { time, origin: Origin { card: 0, text: String::new(), reason }, forced: 0 };
         };
         let registers = &mut self.registers;
         registers[TIME as usize] = odd_time;
@@ -341,6 +341,6 @@ impl Machine<'_> {
             },
             _ => program.origin(registers, register),
         };
-        Trouble::NonFinite { time: odd_time, origin }
+        Trouble::NonFinite { time: odd_time, origin, forced: 0 }
     }
 }

@@ -224,7 +224,10 @@ impl Program {
                     }
                     Ok(stopped.work)
                 }
-                cause => Err(machine.trouble(stopped.time, &stopped.state, cause, &parameters)),
+                cause => {
+                    let trouble = machine.trouble(stopped.time, &stopped.state, cause, &parameters);
+                    Err(trouble.after_forced_steps(stopped.work.forced))
+                }
             },
         }?;
         Ok(Run { longer_than_delay: machine.longer_than_delay, ..self.result(rows, &machine.registers, work) })
@@ -253,7 +256,7 @@ impl Program {
             execute(&self.initial.instructions, &mut registers);
         }
         if let Some(state) = self.states.iter().find(|state| !registers[state.register as usize].is_finite()) {
-            return Err(Trouble::NonFinite { time: 0.0, origin: self.origin(&registers, state.register) });
+            return Err(Trouble::NonFinite { time: 0.0, origin: self.origin(&registers, state.register), forced: 0 });
         }
         Ok(registers)
     }
@@ -261,14 +264,16 @@ impl Program {
     /// How the integrator is to go, and whether the end of the run is known before it.
     fn integrator(&self, registers: &[f64], choices: &Choices) -> Result<(Parameters, bool), Trouble> {
         let [interval, smallest, largest] = self.steps.map(|(register, _)| registers[register as usize]);
-        let positive = "it must be above zero and finite";
+        let refused = |name, value, allowed| Err(Trouble::Step { name, value, allowed });
         for (name, value) in [("DT", interval), ("DTMIN", smallest), ("DTMAX", largest)] {
             if !(value > 0.0 && value.is_finite()) {
-                return Err(Trouble::Step { name, value, allowed: positive });
+                return refused(name, value, "it must be above zero and finite".to_owned());
             }
         }
         if smallest > largest {
-            return Err(Trouble::Step { name: "DTMIN", value: smallest, allowed: "it must not be above DTMAX" });
+            let (_, has_card) = self.steps[1];
+            let without = if has_card { "" } else { "; without a card it is DT over 2 to the power 30: add one" };
+            return refused("DTMIN", smallest, format!("it must not be above DTMAX, which is {largest:?}{without}"));
         }
         let mut end: Option<f64> = None;
         for finish in self.finishes.iter().filter(|finish| finish.is_run_length) {
@@ -282,6 +287,17 @@ impl Program {
         }
         // A step with many integrals takes longer.
         let most_steps = (MOST_WORK / self.states.len().max(1) as u64).min(choices.integrator.most_steps);
+        // Another FIN may end the run before so many steps are made.
+        let (longest, name) = if largest < interval { (largest, "DTMAX") } else { (interval, "DT") };
+        if let Some(end) = end.filter(|end| end / longest > most_steps as f64)
+            && self.finishes.iter().all(|finish| finish.is_run_length)
+        {
+            let allowed = format!(
+                "to the end at T = {end:?} there would be more than {most_steps} steps, which is the most; give a longer \
+                 {name} or an earlier FIN"
+            );
+            return refused(name, longest, allowed);
+        }
         // A run whose end is not known before goes on until a value stops it, or rows without end do.
         let run_length = end.unwrap_or(interval * (most_steps as f64).min(self.most_rows()));
         let parameters = Parameters {

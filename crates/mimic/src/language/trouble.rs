@@ -24,14 +24,14 @@ pub enum Trouble {
         most: usize,
     },
     /// DT, DTMIN or DTMAX out of their ranges.
-    #[error("{name} is {value}: {allowed}")]
+    #[error("{name} is {value:?}: {allowed}")]
     Step {
         /// Which.
         name: &'static str,
         /// What it is, in the unit of T.
         value: f64,
-        /// What it can be.
-        allowed: &'static str,
+        /// What it can be, and a way out.
+        allowed: String,
     },
     /// A run that ends before it begins, or too late.
     #[error(
@@ -51,12 +51,14 @@ pub enum Trouble {
         numbers: usize,
     },
     /// A value that is no number.
-    #[error("at T = {time}: {origin}")]
+    #[error("at T = {time}: {origin}{}", after_forced(*.forced))]
     NonFinite {
         /// When, in the unit of T.
         time: f64,
         /// Where it came from.
         origin: Origin,
+        /// Steps before it that were as short as DTMIN allows and missed the tolerance.
+        forced: u64,
     },
     /// A step that would have to be smaller than DTMIN.
     #[error(
@@ -79,8 +81,8 @@ pub enum Trouble {
     },
     /// Too many steps.
     #[error(
-        "at T = {time}: {steps} steps are made and FIN is not reached; {origin}; give a larger tolerance, DTMIN or gap \
-         between switching on and off, or an earlier FIN"
+        "at T = {time}: {steps} steps are made and FIN is not reached; {origin}; give a larger tolerance, DTMIN, DTMAX \
+         or gap between switching on and off, or an earlier FIN"
     )]
     TooManySteps {
         /// When, in the unit of T.
@@ -151,6 +153,25 @@ pub enum Trouble {
     /// A parameter of the integrator out of its range.
     #[error("{0}")]
     Integrator(crate::ParameterError),
+}
+
+impl Trouble {
+    /// The same where so many steps before it missed the tolerance.
+    pub(super) fn after_forced_steps(self, steps: u64) -> Self {
+        match self {
+            Self::NonFinite { time, origin, .. } => Self::NonFinite { time, origin, forced: steps },
+            other => other,
+        }
+    }
+}
+
+fn after_forced(steps: u64) -> String {
+    match steps {
+        0 => String::new(),
+        _ => format!(
+            "; of the steps before, {steps} missed the tolerance and could not be shorter than DTMIN: give a smaller DTMIN"
+        ),
+    }
 }
 
 /// What went wrong in which run.

@@ -156,14 +156,10 @@ fn an_implicit_value_is_the_one_that_its_loop_gives_back() {
     }
     let found = super::last(" X IMP(1.,COS(X+.7))\n OUT(X)\n FIN(T,.1)\n END\n")[0];
     assert!((found - libm::cos(found + 0.7)).abs() <= 1e-12, "{found}");
-    for (text, words) in [
-        ("1.-X", "after 1000 repetitions it gives back 0.0, and what goes in and what comes back must agree to 1e-12"),
-        ("X**2+2.", "repetitions it gives back inf"),
-    ] {
-        let program = super::program(&format!(" X IMP(0.,{text})\n OUT(X)\n FIN(T,.1)\n END\n"));
-        let told = program.run(&DataSet::default(), &Choices::default()).expect_err("no value").to_string();
-        assert!(told.contains(words) && told.contains("begin nearer"), "{told}");
-    }
+    let program = super::program(" X IMP(0.,1.-X)\n OUT(X)\n FIN(T,.1)\n END\n");
+    let told = program.run(&DataSet::default(), &Choices::default()).expect_err("no value").to_string();
+    let words = "after 1000 repetitions it gives back 0.0, and what goes in and what comes back must agree to 1e-12";
+    assert!(told.contains(words) && told.contains("begin nearer"), "{told}");
     let told = super::told(" X IMP(X,COS(X))\n OUT(X)\n FIN(T,.1)\n END\n");
     assert!(told.contains("begins with a number, or a name that its loop does not change"), "{told}");
     let told = super::told(" X IMP(1.,Y)\n Y IMP(1.,X)\n OUT(X)\n FIN(T,.1)\n END\n");
