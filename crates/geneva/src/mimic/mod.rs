@@ -110,7 +110,7 @@ pub struct RunArguments {
     #[arg(long, value_enum, conflicts_with = "data")]
     pub runs: Option<RunsName>,
     /// Largest relative error of a step, by the whole step against two halves
-    #[arg(long, value_name = "T", value_parser = typed::positive, default_value = "5e-6", allow_hyphen_values = true)]
+    #[arg(long, value_name = "T", value_parser = tolerance, default_value = "5e-6", allow_hyphen_values = true)]
     pub tolerance: f64,
     /// Size below which an integral is judged as if it had this size, or the largest of all so far if that is smaller
     #[arg(long, value_name = "SIZE", value_parser = typed::positive, default_value = "1e-3", allow_hyphen_values = true)]
@@ -188,11 +188,23 @@ pub enum DelayKeeps {
 /// NAME=VALUE.
 fn setting(text: &str) -> Result<(String, f64), String> {
     let (name, value) = text.split_once('=').ok_or("no =; give a name, = and a number")?;
+    if name.trim().is_empty() {
+        return Err("no name before =; give one of the deck's, = and a number".to_owned());
+    }
     let value = value.trim().parse().ok().filter(|value: &f64| value.is_finite());
     Ok((
         name.trim().to_ascii_uppercase(),
         value.ok_or("no number behind =; give one, with a point before its decimals")?,
     ))
+}
+
+/// A relative error: above zero and below 1.
+fn tolerance(text: &str) -> Result<f64, String> {
+    let value = typed::positive(text)?;
+    if value < 1.0 {
+        return Ok(value);
+    }
+    Err(format!("{} must be below 1; give a part of each integral's size, such as 5e-6", typed::as_typed(value)))
 }
 
 /// What is wanted.

@@ -99,11 +99,11 @@ impl Deck {
             }
         }
         if reader.next < self.data.len() {
-            let words = match self.data[reader.next].numbers.first() {
-                Some((Err(NO_NUMBER), _)) => self.no_number(),
-                _ => "no card asks for these numbers; a PAR card reads a set for each run",
+            let (words, columns) = match self.data[reader.next].numbers.first() {
+                Some((Err(NO_NUMBER), columns)) => (self.no_number(), columns.clone()),
+                _ => ("no card asks for these numbers; a PAR card reads a set for each run", 0..1),
             };
-            return Err(reader.refuse(reader.next, 0..1, words.to_owned()));
+            return Err(reader.refuse(reader.next, columns, words.to_owned()));
         }
         Ok(sets)
     }

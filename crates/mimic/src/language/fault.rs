@@ -249,9 +249,10 @@ const ELSEWHERE: [(&str, &str); 5] = [("LN", "LOG"), ("ALOG", "LOG"), ("SQRT", "
 
 /// The known name that is nearest to a word, if one is near: that of the same thing in other languages, or one in which
 /// two signs at most are other, missing, too many or exchanged.
-pub fn nearest_to<'a>(word: &str, known: impl IntoIterator<Item = &'a str> + Clone) -> Option<String> {
+pub fn nearest_to<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
+    let known: Vec<&str> = known.into_iter().collect();
     let same = ELSEWHERE.iter().find(|(other, _)| *other == word).map(|(_, own)| *own);
-    if let Some(same) = same.filter(|same| known.clone().into_iter().any(|name| name == *same)) {
+    if let Some(same) = same.filter(|same| known.contains(same)) {
         return Some(same.to_owned());
     }
     let signs = word.chars().count();

@@ -266,6 +266,11 @@ impl Machine<'_> {
         parameters: &Parameters,
     ) -> Origin {
         let program = self.program;
+        let longest = parameters.largest_step;
+        if longest < parameters.print_interval && 2.0 * time > longest * steps as f64 {
+            let reason = format!("most are as long as DTMAX, {longest:?}, allows");
+            return Origin { card: 0, text: String::new(), reason };
+        }
         // To locate a change takes less than a hundred steps.
         let memory = self.changed.filter(|_| self.changes >= steps / 100).and_then(|at| program.memories.get(at));
         let (card, reason) = match memory {

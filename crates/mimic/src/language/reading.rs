@@ -111,6 +111,11 @@ impl Reading {
                         // The name is defined all the same: those who use it are not to blame.
                         let expression = Expression::number(1.0, 0..0);
                         self.deck.statements.push(Statement { card: number, control, result, expression });
+                        for (_, problem) in &problems {
+                            if let Problem::CardInExpression(word) = problem {
+                                self.seen(word);
+                            }
+                        }
                         self.all(number, problems);
                     }
                 }

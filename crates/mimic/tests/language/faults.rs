@@ -165,6 +165,12 @@ fn a_comment_that_could_define_c_is_noted() {
 }
 
 #[test]
+fn a_control_card_behind_a_name_is_told_once() {
+    let told = faults_of(" A FIN(T,.1)\n A OUT(T)\n END\n");
+    assert!(told.matches("is a control card").count() == 2 && !told.contains("the deck has no"), "{told}");
+}
+
+#[test]
 fn a_heading_has_an_out_card_and_a_word_for_each_of_its_names() {
     let cards = |heading: &str| format!(" {heading}\n OUT(T)\n HDR(ONE)\n FIN(T,1.)\n END\n");
     let told = faults_of(&cards("HDR(T)"));

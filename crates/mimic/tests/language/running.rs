@@ -134,6 +134,10 @@ fn what_cannot_be_run_is_refused() {
             " X INT(-1.E12*(X-COS(T)),1.)\n OUT(T,X)\n FIN(T,1.)\n END\n",
             "missed the tolerance and could not be shorter than DTMIN: give a smaller DTMIN",
         ),
+        (
+            " X INT(-X,1.)\n DTMAX 1.E-9\n OUT(T,X)\n FIN(-X,1.)\n END\n",
+            "10000000 steps are made and FIN is not reached; most are as long as DTMAX, 1e-9, allows; give a larger",
+        ),
         (" OUT(T)\n FIN(T,0.)\n END\n", "card 2 (FIN(T,0.)): the run would end at T = 0"),
         (" OUT(T)\n FIN(T,1.E9)\n END\n", "at most 1000000 DT away (numbers in a row: 1); give a longer DT"),
         (" X TDL(T,-1.)\n OUT(X)\n FIN(T,1.)\n END\n", "card 1 (X TDL(T,-1.)): delay -1.0"),
