@@ -114,8 +114,7 @@ mod tests {
         }
         // Whatever the numbers, all differ, and none is wider than its margin.
         for exponent in -280..300 {
-            for (low, high) in [(-1.0, 1.2), (0.0, 9.9), (3.0, 3.001), (-1.25, 0.0), (-7.77, -7.76), (1.0, 1.0 + 1e-8)]
-            {
+            for (low, high) in [(-1.0, 1.2), (0.0, 9.9), (3.0, 3.001), (-1.2, 0.0), (-7.77, -7.76), (1.0, 1.0 + 1e-8)] {
                 let size = crate::number::power(exponent);
                 let y = Fitted::new([low * size, high * size].into_iter(), |_| NUMBER_ROOM);
                 assert!(
