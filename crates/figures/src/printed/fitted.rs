@@ -56,9 +56,9 @@ impl Fitted {
             Self { axis, offset: 0.0, exponent: 0 }
         };
         let plain = (size == 0.0 || USUAL.contains(&size) && span > 1e-6).then(plain);
-        let scaled = || STEPS.into_iter().flat_map(|steps| [own, own - 1].map(|exponent| over(exponent, steps)));
-        let scaled = || scaled().filter(|_| wide).find(readable);
-        plain.filter(readable).or_else(scaled).unwrap_or_else(|| {
+        let scaled = STEPS.into_iter().flat_map(|steps| [own, own - 1].map(|exponent| over(exponent, steps)));
+        let mut scaled = scaled.filter(|fitted| wide && readable(fitted));
+        plain.filter(readable).or_else(|| scaled.next()).unwrap_or_else(|| {
             // A span that rounding made a little shorter than a power of ten counts as one.
             let exponent = own + exponent(1.001 * span);
             let offset = round_below(low, exponent);

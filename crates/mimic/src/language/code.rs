@@ -252,6 +252,13 @@ mod tests {
     }
 
     #[test]
+    fn the_limits_of_imp_are_those_of_its_words() {
+        let imp = super::super::function::FUNCTIONS.iter().find(|function| function.name == "IMP").expect("IMP");
+        let words = [format!("{REPEATED} times"), format!("to {NEAR:E}")];
+        assert!(words.iter().all(|words| imp.meaning.contains(words)), "{words:?}");
+    }
+
+    #[test]
     fn a_remainder_has_the_sign_of_the_first() {
         assert_eq!(value(Operation::Remainder, [7.5, 2.0, 0.0, 0.0]), 1.5);
         assert_eq!(value(Operation::Remainder, [-7.5, 2.0, 0.0, 0.0]), -1.5);
