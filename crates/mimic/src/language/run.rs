@@ -16,7 +16,7 @@ const MOST_ROWS: f64 = 1e6;
 const MOST_WORK: u64 = 100_000_000;
 /// The same of all runs of a deck, and most numbers that all of them print: they are held in memory, and make some
 /// hundred megabytes of text.
-const MOST_WORK_OF_ALL: u64 = 1_000_000_000;
+const MOST_WORK_OF_ALL: u64 = 300_000_000;
 const MOST_NUMBERS: u64 = 10_000_000;
 /// Most integrals of a program, and most delays.
 const MOST_STATES: usize = 1024;
@@ -104,7 +104,7 @@ impl Runs {
         self.work += (run.work.accepted + run.work.rejected) * program.states.len().max(1) as u64;
         for (asked, most, what, way_out) in [
             (self.numbers, MOST_NUMBERS, "numbers to print", "a longer DT, fewer names on OUT and PLO cards"),
-            (self.work, MOST_WORK_OF_ALL, "steps, each integral's counted,", "a larger tolerance"),
+            (self.work, MOST_WORK_OF_ALL, "steps of integrals", "a larger tolerance"),
         ] {
             if number > 1 && asked > most {
                 return Err(refused(Trouble::TooMuch { runs: number, what, asked, most, way_out }));
@@ -370,6 +370,25 @@ fn plot_of(plot: &PlotCode, registers: &[f64]) -> Plot {
 mod tests {
     use super::*;
     use crate::language::{Deck, Layout};
+
+    #[test]
+    fn all_runs_have_so_many_steps_together() {
+        let deck =
+            Deck::read(" X INT(1.,0.)\n Y INT(X,0.)\n OUT(T)\n FIN(T,.1)\n END\n", Layout::Free).expect("a deck");
+        let program = Program::new(&deck).expect("a program");
+        let made = program.run(&DataSet::default(), &Choices::default()).expect("it runs");
+        let half = Work { accepted: MOST_WORK_OF_ALL / 8, rejected: MOST_WORK_OF_ALL / 8, ..made.work };
+        let mut runs = Runs::default();
+        for _ in 0..2 {
+            runs.add(&program, Ok(Run { work: half, ..made.clone() })).expect("as many as can be");
+        }
+        let told = runs.add(&program, Ok(made)).expect_err("more than can be").to_string();
+        assert!(
+            told.contains("the first 3 data sets come to 30000000") && told.contains("steps of integrals;"),
+            "{told}"
+        );
+        assert_eq!(runs.into_inner().len(), 2);
+    }
 
     #[test]
     fn many_integrals_have_fewer_steps() {
