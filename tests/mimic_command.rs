@@ -172,7 +172,8 @@ fn refusals_name_what_was_asked_and_a_way_out() {
         (&["mimic", "run", "decay", "--set", "LEFT"], "no =; give a name, = and a number"),
         (&["mimic", "run", "decay", "--set", "NONE=2"], "--set NONE=2: decay has no single card"),
         (&["mimic", "run", "decay", "--set", "HALF=0"], "decay: card 8 (FIN(T,5.*HALF)): the run would end at T = 0"),
-        (&["mimic", "run", "decay", "--tolerance", "2"], "relative_tolerance 2.0"),
+        (&["mimic", "run", "decay", "--set", "=3"], "no name before =; give one"),
+        (&["mimic", "run", "decay", "--tolerance", "1"], "1 must be below 1; give a part of each integral's size"),
         (&["mimic", "run", "vanderpol", "--set", "MU=1e300"], "vanderpol, run 1 of 2: at T = "),
     ] {
         let told = refusal(geneva(arguments));
@@ -191,6 +192,38 @@ fn data_come_from_standard_input_and_faults_in_them_name_where_they_are() {
         "{told}"
     );
     drop(folder);
+}
+
+#[test]
+fn an_answer_takes_the_place_of_nothing_that_is_read() {
+    let (folder, path) = folder("fall.deck", DECK);
+    let other = folder.path().join(".").join("fall.deck");
+    let other = other.to_str().expect("UTF-8");
+    for arguments in [
+        &["mimic", "run", &path, "--output", other][..],
+        &["mimic", "check", other, "--output", &path],
+        &["mimic", "sort", &path, "--output", &path],
+        &["mimic", "run", "--listing-in", &path, "--output", &path],
+        &["mimic", "run", "decay", "--data", &path, "--output", &path],
+    ] {
+        let told = refusal(geneva(arguments));
+        assert!(
+            told.contains("would take the place of") && told.contains("give another file"),
+            "{arguments:?}\n{told}"
+        );
+    }
+    assert_eq!(fs::read_to_string(&path).expect("it is there"), DECK);
+    let new = folder.path().join("new");
+    stdout(&["mimic", "run", &path, "--output", new.to_str().expect("UTF-8")], 0);
+    assert!(new.exists());
+}
+
+#[test]
+fn a_full_standard_output_is_named() {
+    let Ok(full) = fs::File::options().write(true).open("/dev/full") else { return };
+    let output = geneva(&["mimic", "functions"]).stdout(full).output().expect("the program runs");
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.code() == Some(2) && told.contains("cannot write to standard output: "), "{told}");
 }
 
 #[test]
@@ -222,7 +255,7 @@ fn a_drawing_needs_two_points_and_two_names() {
 #[test]
 fn a_check_reads_the_data_cards_too() {
     let (_, told, code) = fed(&["mimic", "check", "-"], &DECK.replace(" 2.\n", " 2. zz\n"));
-    assert!(code == Some(2) && told.contains("no number; write it as"), "{told}");
+    assert!(code == Some(2) && told.contains("no number, and what stands behind END is data"), "{told}");
 }
 
 #[test]

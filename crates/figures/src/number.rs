@@ -20,10 +20,9 @@ pub fn trimmed(value: f64, decimals: usize) -> String {
 /// `value` rounded to so many significant digits (at least one), trailing zeros kept.
 pub fn significant(value: f64, digits: usize) -> String {
     let after_first = digits.saturating_sub(1);
-    let scientific = format!("{value:.after_first$e}");
-    let exponent = scientific.split_once('e').and_then(|(_, e)| e.parse::<i32>().ok()).unwrap_or(0);
-    let decimals = usize::try_from(after_first as i32 - exponent).unwrap_or(0);
-    fixed(scientific.parse().unwrap_or(value), decimals)
+    let rounded = format!("{value:.after_first$e}").parse().unwrap_or(value);
+    let decimals = usize::try_from(after_first as i32 - exponent(rounded)).unwrap_or(0);
+    fixed(rounded, decimals)
 }
 
 /// A number of pins as a word.
@@ -81,6 +80,29 @@ pub fn short(value: f64, digits: usize) -> String {
     with_minus_sign(&text)
 }
 
+/// A number with all its digits, with a power of ten if it is very small or large.
+pub fn whole(value: f64) -> String {
+    let text = match value.abs() {
+        size if size == 0.0 || (1e-3..1e6).contains(&size) => value.to_string(),
+        size => {
+            let scientific = format!("{value:e}");
+            let mantissa = scientific.split_once('e').map_or("", |(mantissa, _)| mantissa);
+            format!("{mantissa}·{}", power_of_ten(size))
+        }
+    };
+    with_minus_sign(&text)
+}
+
+/// The exponent of the power of ten not above the size of a number; 0 for zero.
+pub fn exponent(value: f64) -> i32 {
+    format!("{value:e}").split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0)
+}
+
+/// A power of ten.
+pub fn power(exponent: i32) -> f64 {
+    format!("1e{exponent}").parse().unwrap_or(1.0)
+}
+
 /// The power of ten not above a positive value: 10⁻³.
 pub fn power_of_ten(value: f64) -> String {
     const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
@@ -95,8 +117,7 @@ pub fn round_step(least: f64) -> f64 {
     if !(least > 0.0 && least.is_finite()) {
         return 1.0;
     }
-    let exponent = format!("{least:e}").split_once('e').and_then(|(_, e)| e.parse::<i32>().ok()).unwrap_or(0);
-    let power = |k: i32| format!("1e{k}").parse::<f64>().unwrap_or(1.0);
+    let exponent = exponent(least);
     let decade = power(exponent);
     let slack = 1.0 - 1e-9;
     [1.0, 2.0, 2.5, 5.0]
@@ -132,6 +153,12 @@ mod tests {
     fn very_small_and_large_numbers_have_a_power_of_ten() {
         let texts = [0.0, -2.5, 0.012_345, 123_456.0, -1.5e-6, 9.999_99e11].map(|value| short(value, 4));
         assert_eq!(texts, ["0", "−2.500", "0.01235", "123500", "−1.500·10⁻⁶", "1.000·10¹²"]);
+    }
+
+    #[test]
+    fn a_whole_number_loses_no_digit() {
+        let texts = [0.0, -1.000_002, 123_456.0, -1.5e-6, 1e300].map(whole);
+        assert_eq!(texts, ["0", "−1.000002", "123456", "−1.5·10⁻⁶", "1·10³⁰⁰"]);
     }
 
     #[test]

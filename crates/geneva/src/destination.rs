@@ -4,7 +4,7 @@
 //! ends. When it is complete it is copied beside the file, and the copy takes its place. Only a program that is
 //! ended while it copies leaves something behind: the copy, named as the file with `.unfinished-` and some letters.
 
-use crate::output::STANDARD_OUTPUT;
+use crate::output::{STANDARD_OUTPUT, UNWRITABLE};
 use anyhow::{Context, bail};
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Seek, Write};
@@ -46,7 +46,7 @@ impl Destination {
         match self {
             Self::Output => match io::stdout().lock().write_all(bytes) {
                 Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(false),
-                result => result.map(|()| true).context("cannot write to standard output"),
+                result => result.map(|()| true).context(UNWRITABLE),
             },
             Self::File { target, collected } => {
                 collected.write_all(bytes).map(|()| true).with_context(|| unwritable(&target.to_string_lossy()))
@@ -58,9 +58,7 @@ impl Destination {
     pub fn finish(self) -> anyhow::Result<Option<PathBuf>> {
         match self {
             Self::Output => match io::stdout().lock().flush() {
-                Err(error) if error.kind() != ErrorKind::BrokenPipe => {
-                    Err(error).context("cannot write to standard output")
-                }
+                Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(error).context(UNWRITABLE),
                 _ => Ok(None),
             },
             Self::File { target, collected } => {
@@ -69,6 +67,19 @@ impl Destination {
                 Ok(Some(target))
             }
         }
+    }
+}
+
+/// That what was asked for is none of the files that are read: the answer would take the place of one.
+pub fn apart_from<'a>(asked: &str, inputs: impl IntoIterator<Item = &'a Path>) -> anyhow::Result<()> {
+    let Some(target) = fs::canonicalize(asked).ok().filter(|_| asked != STANDARD_OUTPUT) else { return Ok(()) };
+    let own = inputs.into_iter().find(|input| fs::canonicalize(input).is_ok_and(|input| input == target));
+    match own {
+        Some(own) => bail!(
+            "--output {asked}: it would take the place of {}, which is read; give another file, or - for standard output",
+            own.display()
+        ),
+        None => Ok(()),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::destination::Destination;
 use anstream::adapter::strip_str;
+use anyhow::Context;
 use clap::builder::styling::{AnsiColor, Style};
 use geneva_ledger::Verdict;
 use std::io::{ErrorKind, Write};
@@ -39,14 +40,17 @@ impl From<Outcome> for ExitCode {
     }
 }
 
+/// What is told if standard output takes nothing.
+pub const UNWRITABLE: &str = "cannot write to standard output";
+
 /// Writes text to standard output, without its colours unless a terminal shows them and `NO_COLOR` is not set.
 ///
 /// A reader that has seen enough and closes the pipe is no error.
-pub fn print(text: &str) -> std::io::Result<()> {
+pub fn print(text: &str) -> anyhow::Result<()> {
     let mut stream = anstream::stdout().lock();
     match stream.write_all(text.as_bytes()).and_then(|()| stream.flush()) {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-        result => result,
+        result => result.context(UNWRITABLE),
     }
 }
 
@@ -56,7 +60,7 @@ pub const STANDARD_OUTPUT: &str = "-";
 /// Writes a whole answer where it was asked for: to standard output, or to a file without colours.
 pub fn write(text: &str, asked: &str) -> anyhow::Result<()> {
     if asked == STANDARD_OUTPUT {
-        return Ok(print(text)?);
+        return print(text);
     }
     let mut destination = Destination::new(asked)?;
     destination.add(strip_str(text).to_string().as_bytes())?;

@@ -13,20 +13,21 @@ pub fn step(name: &'static str) -> Step {
     Step(bar)
 }
 
-/// A bar of so many rows, or nothing if standard error is no terminal, or in any case if it is hidden.
-pub fn bar(rows: usize, hidden: bool) -> Step {
-    let bar = if hidden { ProgressBar::hidden() } else { ProgressBar::new(rows as u64) };
+/// A bar of so many things, such as rows, or nothing if standard error is no terminal, or in any case if it is hidden.
+pub fn bar(count: usize, things: &'static str, hidden: bool) -> Step {
+    let bar = if hidden { ProgressBar::hidden() } else { ProgressBar::new(count as u64) };
+    let bar = bar.with_message(things);
     // The template is a constant; should it be wrong, the bar has another look.
-    if let Ok(style) = ProgressStyle::with_template("{bar:40} {human_pos} of {human_len} rows, {eta} to go") {
+    if let Ok(style) = ProgressStyle::with_template("{bar:40} {human_pos} of {human_len} {msg}, {eta} to go") {
         bar.set_style(style);
     }
     Step(bar)
 }
 
 impl Step {
-    /// So many rows more.
-    pub fn add(&self, rows: usize) {
-        self.0.inc(rows as u64);
+    /// So many things more.
+    pub fn add(&self, count: usize) {
+        self.0.inc(count as u64);
     }
 }
 

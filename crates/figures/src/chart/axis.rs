@@ -1,6 +1,6 @@
 //! Axes: what they cover, how their values are spaced, where the marks are and how they are numbered.
 
-use crate::number::{fixed, power_of_ten, round_step, trimmed, with_minus_sign};
+use crate::number::{fixed, power, power_of_ten, round_step, trimmed, with_minus_sign};
 use crate::svg::Label;
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 use std::ops::Range;
@@ -65,7 +65,8 @@ impl Axis {
         Self::in_steps(step.unwrap_or(120.0), least, greatest)
     }
 
-    /// An axis in at least so many round steps that holds both values, and zero only if it must.
+    /// An axis in at least so many round steps that holds both values, and zero only if it must. The values differ by a
+    /// millionth of their size or more.
     pub fn spanning(least: f64, greatest: f64, steps: f64) -> Self {
         let step = round_step((greatest - least) / steps);
         let low = libm::floor(least / step + 1e-9) as i32;
@@ -170,10 +171,16 @@ impl Axis {
             Scale::Decades => power_of_ten(value),
         }
     }
-}
 
-fn power(exponent: i32) -> f64 {
-    format!("1e{exponent}").parse().unwrap_or(1.0)
+    /// Whether the marks of a linear axis can be read: no number is wider than `room`, in pixels, or off its mark by
+    /// more than a thousandth of a step.
+    pub fn is_readable(&self, room: f64) -> bool {
+        let step = self.marks.get(1).zip(self.marks.first()).map_or(0.0, |(second, first)| second - first);
+        self.marks.iter().all(|mark| {
+            let read = fixed(*mark, self.decimals).parse().unwrap_or(f64::INFINITY);
+            (read - mark).abs() <= 1e-3 * step && Label::words(&self.written(*mark)).width() <= room
+        })
+    }
 }
 
 fn one_two_five() -> impl Iterator<Item = f64> {

@@ -14,7 +14,7 @@ mod trace;
 pub use axis::{Axis, Scale};
 pub use look::{Mark, Marker, Stroke, kind, of_mechanism};
 pub use names::Spot;
-pub use panel::Panel;
+pub use panel::{NUMBER_ROOM, Panel};
 
 use crate::svg::{Canvas, Kind, Label, Pixels, Shape, escape};
 use crate::{Figure, Series, Words};

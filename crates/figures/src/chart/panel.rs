@@ -21,6 +21,8 @@ const NUMBERS: f64 = 34.0;
 const TITLE: f64 = 36.0;
 /// Length of a tick; the numbers are twice as far from the frame.
 const TICK: f64 = 6.0;
+/// Room of the numbers at the left of a frame, in pixels.
+pub const NUMBER_ROOM: f64 = SIDE - 2.0 * TICK;
 
 /// What is drawn in a frame, in data of its axes.
 #[derive(Clone, Debug)]

@@ -4,13 +4,15 @@ mod listed;
 mod told;
 
 use crate::arguments::{Format, Output, formats};
+use crate::destination::apart_from;
 use crate::output::count;
-use crate::typed;
+use crate::{progress, typed};
 use anyhow::{Context, anyhow, bail, ensure};
 use clap::{Args, Subcommand, ValueEnum};
 use geneva_ledger::meyer::runs::{Hypothesis, rows};
 use geneva_mimic::language::{
-    Choices, DECKS, DataSet, Deck, Layout, Program, RememberedPoints, Run, deck_named, listing_in, nearest_to,
+    Choices, DECKS, DataSet, Deck, Layout, Program, RememberedPoints, Run, RunError, Runs, deck_named, listing_in,
+    nearest_to,
 };
 use geneva_mimic::{AtSmallestStep, Interpolation, Kept};
 use rayon::prelude::*;
@@ -108,7 +110,7 @@ pub struct RunArguments {
     #[arg(long, value_enum, conflicts_with = "data")]
     pub runs: Option<RunsName>,
     /// Largest relative error of a step, by the whole step against two halves
-    #[arg(long, value_name = "T", value_parser = typed::positive, default_value = "5e-6", allow_hyphen_values = true)]
+    #[arg(long, value_name = "T", value_parser = tolerance, default_value = "5e-6", allow_hyphen_values = true)]
     pub tolerance: f64,
     /// Size below which an integral is judged as if it had this size, or the largest of all so far if that is smaller
     #[arg(long, value_name = "SIZE", value_parser = typed::positive, default_value = "1e-3", allow_hyphen_values = true)]
@@ -186,6 +188,9 @@ pub enum DelayKeeps {
 /// NAME=VALUE.
 fn setting(text: &str) -> Result<(String, f64), String> {
     let (name, value) = text.split_once('=').ok_or("no =; give a name, = and a number")?;
+    if name.trim().is_empty() {
+        return Err("no name before =; give one of the deck's, = and a number".to_owned());
+    }
     let value = value.trim().parse().ok().filter(|value: &f64| value.is_finite());
     Ok((
         name.trim().to_ascii_uppercase(),
@@ -193,8 +198,18 @@ fn setting(text: &str) -> Result<(String, f64), String> {
     ))
 }
 
+/// A relative error: above zero and below 1.
+fn tolerance(text: &str) -> Result<f64, String> {
+    let value = typed::positive(text)?;
+    if value < 1.0 {
+        return Ok(value);
+    }
+    Err(format!("{} must be below 1; give a part of each integral's size, such as 5e-6", typed::as_typed(value)))
+}
+
 /// What is wanted.
 pub fn page(action: &Action) -> anyhow::Result<String> {
+    apart_from(&destination(action).output, inputs(action))?;
     match action {
         Action::Check { deck, .. } => {
             let (name, deck) = read(deck)?;
@@ -224,6 +239,16 @@ pub fn destination(action: &Action) -> &Output {
         Action::Check { to, .. } | Action::Sort { to, .. } | Action::Decks { to, .. } | Action::Functions { to } => to,
         Action::Run(wanted) => &wanted.to,
     }
+}
+
+/// The files that are read.
+fn inputs(action: &Action) -> Vec<&Path> {
+    let (deck, data) = match action {
+        Action::Check { deck, .. } | Action::Sort { deck, .. } => (deck, None),
+        Action::Run(wanted) => (&wanted.deck, wanted.data.as_deref()),
+        Action::Decks { .. } | Action::Functions { .. } => return Vec::new(),
+    };
+    [deck.deck.as_deref().map(Path::new), deck.listing_in.as_deref(), data].into_iter().flatten().collect()
 }
 
 /// The nearest of the names that are known, in words.
@@ -303,18 +328,34 @@ fn run(wanted: &RunArguments) -> anyhow::Result<String> {
     let program = program(&name, &deck)?;
     let sets = data_sets(wanted, &name, &deck)?;
     let choices = choices(wanted);
-    let runs: Vec<_> = sets.par_iter().map(|set| program.run(set, &choices)).collect();
-    let mut all: Vec<Run> = Vec::new();
-    for (at, run) in runs.into_iter().enumerate() {
-        let of = if sets.len() > 1 { format!(", run {} of {}", at + 1, sets.len()) } else { String::new() };
-        all.push(run.map_err(|trouble| anyhow!("{name}{of}: {trouble}"))?);
-    }
+    let all = runs(&program, &sets, &choices).map_err(|RunError { number, trouble }| {
+        let of = if sets.len() > 1 { format!(", run {number} of {}", sets.len()) } else { String::new() };
+        anyhow!("{name}{of}: {trouble}")
+    })?;
+    let _step = progress::step("writing the numbers");
     match wanted.format {
         Format::Json => told::json(&all),
         Format::Csv => told::csv(&all),
         Format::Svg => told::svg(&name, &all),
         _ => Ok(told::print_outs(&name, &all)),
     }
+}
+
+/// All runs, as many at a time as there are threads: no more are held than all may come to, and these.
+fn runs(program: &Program, sets: &[DataSet], choices: &Choices) -> Result<Vec<Run>, RunError> {
+    let step =
+        if sets.len() > 1 { progress::bar(sets.len(), "runs", false) } else { progress::step("running the deck") };
+    let mut all = Runs::default();
+    for some in sets.chunks(rayon::current_num_threads().max(1)) {
+        let run = |set| {
+            let run = program.run(set, choices);
+            step.add(1);
+            run
+        };
+        let made: Vec<_> = some.par_iter().map(run).collect();
+        made.into_iter().try_for_each(|run| all.add(program, run))?;
+    }
+    Ok(all.into_inner())
 }
 
 /// The sets of data: those of the ledger, or those of the data cards; what --set gives counts more.

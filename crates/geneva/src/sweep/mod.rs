@@ -80,7 +80,8 @@ pub fn run(wanted: &SweepArguments) -> anyhow::Result<()> {
 fn write(grid: &Grid, destination: &mut Destination) -> anyhow::Result<Option<Tally>> {
     let rows = grid.rows();
     // Rows that scroll over a terminal show by themselves how far they have come.
-    let bar = progress::bar(rows, matches!(destination, Destination::Output) && std::io::stdout().is_terminal());
+    let bar =
+        progress::bar(rows, "rows", matches!(destination, Destination::Output) && std::io::stdout().is_terminal());
     let mut tally = Tally::default();
     let header = fields::csv(grid.cell(0).map(|first| row::row(&first).0).as_ref(), [])?;
     if !destination.add(header.as_bytes())? {

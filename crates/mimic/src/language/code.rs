@@ -49,7 +49,7 @@ pub(super) struct Instruction {
 
 /// How often a loop around `IMP` is repeated at most, and how near the two sides must come: relative to their size, or
 /// to so small a part of what it began with that they are nothing beside it.
-const REPEATED: f64 = 200.0;
+const REPEATED: f64 = 1000.0;
 const NEAR: f64 = 1e-12;
 const NOTHING: f64 = 1e-6;
 
@@ -197,7 +197,11 @@ impl Instruction {
             Operation::Exponential => format!("e to the power {a:?} is too large"),
             Operation::Power => format!("{a:?} to the power {b:?}"),
             Operation::Multiply => format!("{a:?} times {b:?} is too large"),
-            Operation::Repeat => "IMP finds no value that its loop gives back".to_owned(),
+            Operation::Repeat => format!(
+                "IMP finds no value that its loop gives back: after {b} repetitions it gives back {a:?}, and what goes in \
+                 and what comes back must agree to {NEAR:e} of their size within {REPEATED} repetitions; begin nearer, or \
+                 let it give back the middle of both, such as .5*(X+B)"
+            ),
             Operation::Slope => "a difference quotient".to_owned(),
             _ => format!("a value from {a:?} and {b:?} is too large"),
         }
@@ -245,6 +249,13 @@ mod tests {
             assert_eq!(all, [x & y, x | y, x ^ y]);
             assert_eq!(value(Operation::Not, [a, 0.0, 0.0, 0.0]) == 1.0, !x);
         }
+    }
+
+    #[test]
+    fn the_limits_of_imp_are_those_of_its_words() {
+        let imp = super::super::function::FUNCTIONS.iter().find(|function| function.name == "IMP").expect("IMP");
+        let words = [format!("{REPEATED} times"), format!("to {NEAR:E}")];
+        assert!(words.iter().all(|words| imp.meaning.contains(words)), "{words:?}");
     }
 
     #[test]

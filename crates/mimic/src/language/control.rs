@@ -34,7 +34,8 @@ pub static CARDS: [Card; 17] = [
         "PAR",
         "(names)",
         Thesis,
-        "parameters: read from the data cards that follow; the program runs once for each set",
+        "parameters: read from the data cards that follow; the program runs once for each set. A set may take several data \
+         cards",
     ),
     card("DT", "number", Thesis, "time from printed point to printed point; 0.1 without such a card, which is assumed"),
     card("DTMIN", "number", Assumed, "smallest step; DT over 2 to the power 30 without such a card"),
@@ -45,7 +46,7 @@ pub static CARDS: [Card; 17] = [
         Both,
         "the run ends when A is not below B, at the next kept step; of several cards, the first that does",
     ),
-    card("HDR", "(words)", Both, "heads the columns of the OUT card of the same number"),
+    card("HDR", "(words)", Both, "heads the columns of the OUT card of the same number, with a word for each"),
     card("OUT", "(names)", Both, "prints the values of the names at each printed point"),
     card("PLO", "(X, Y, ...)", Both, "plots Y and what follows against X, one line of print for each step of X"),
     card(

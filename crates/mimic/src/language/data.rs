@@ -12,8 +12,15 @@ const MOST_SETS: usize = 100_000;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct DataCard {
     card: usize,
-    numbers: Vec<(Option<f64>, Range<usize>)>,
+    /// Each number, or what is wrong where one should be.
+    numbers: Vec<(Result<f64, &'static str>, Range<usize>)>,
 }
+
+/// What is wrong where no number is.
+const NO_NUMBER: &str = "no number; write it as 2., .05 or 5.E-6, with blanks or commas between";
+const EMPTY_PLACE: &str = "no number before this comma; write one, such as 0., or leave the comma out";
+const NO_NUMBER_BEHIND_END: &str = "no number, and what stands behind END is data; write it as 2., .05 or 5.E-6, with \
+                                    blanks or commas between, or put the card before END";
 
 impl DataCard {
     /// Reads a card; none if it is empty, a comment or one that parts deck and data.
@@ -26,6 +33,7 @@ impl DataCard {
         let signs: Vec<char> = line.chars().collect();
         let mut numbers = Vec::new();
         let mut at = 0;
+        let mut is_empty_place = true;
         while at < signs.len() {
             let parts = |sign: char| sign.is_whitespace() || sign == ',';
             let start = at;
@@ -36,9 +44,13 @@ impl DataCard {
                 let word: String = signs[start..at].iter().collect();
                 let plain = word.chars().all(|sign| sign.is_ascii_digit() || "+-.eE".contains(sign));
                 let number = word.parse().ok().filter(|number: &f64| plain && number.is_finite());
-                numbers.push((number, start..at));
+                numbers.push((number.ok_or(NO_NUMBER), start..at));
+                is_empty_place = false;
             } else {
                 at += 1;
+                if signs[start] == ',' && core::mem::replace(&mut is_empty_place, true) {
+                    numbers.push((Err(EMPTY_PLACE), start..at));
+                }
             }
         }
         Some(Self { card, numbers })
@@ -87,10 +99,18 @@ impl Deck {
             }
         }
         if reader.next < self.data.len() {
-            let words = "no card asks for these numbers; a PAR card reads a set for each run".to_owned();
-            return Err(reader.refuse(reader.next, 0..1, words));
+            let (words, columns) = match self.data[reader.next].numbers.first() {
+                Some((Err(NO_NUMBER), columns)) => (self.no_number(), columns.clone()),
+                _ => ("no card asks for these numbers; a PAR card reads a set for each run", 0..1),
+            };
+            return Err(reader.refuse(reader.next, columns, words.to_owned()));
         }
         Ok(sets)
+    }
+
+    /// What is wrong with a word among the data.
+    fn no_number(&self) -> &'static str {
+        if self.data_file.is_none() { NO_NUMBER_BEHIND_END } else { NO_NUMBER }
     }
 }
 
@@ -122,17 +142,20 @@ impl Reader<'_> {
     ) -> Result<(), Faults> {
         let Some(card) = self.deck.data.get(self.next) else {
             let name = names.as_slice().first().map_or("", |word| word.name.as_str());
-            let count = group.names.len();
+            let count = match group.names.len() {
+                1 => "1 name".to_owned(),
+                names => format!("{names} names"),
+            };
             return Err(match &self.deck.data_file {
                 None => {
                     let words = format!(
-                        "no number is left for {name}: the card has {count} names, and as many numbers must stand behind END"
+                        "no number is left for {name}: the card has {count}, and as many numbers must stand behind END"
                     );
                     Faults(vec![self.deck.fault(group.card, 0..1, Problem::Data(words))])
                 }
                 Some(file) => {
                     let words = format!(
-                        "no number is left for {name}: card {} of the deck has {count} names, and as many numbers must \
+                        "no number is left for {name}: card {} of the deck has {count}, and as many numbers must \
                          stand here",
                         group.card
                     );
@@ -143,10 +166,10 @@ impl Reader<'_> {
             });
         };
         for (number, columns) in &card.numbers {
-            let Some(number) = number else {
-                let words = "no number; write it as 2., .05 or 5.E-6, with blanks or commas between".to_owned();
-                return Err(self.refuse(self.next, columns.clone(), words));
-            };
+            let number = number.map_err(|words| {
+                let words = if words == NO_NUMBER { self.deck.no_number() } else { words };
+                self.refuse(self.next, columns.clone(), words.to_owned())
+            })?;
             let Some(word) = names.next() else {
                 let words = format!(
                     "one number more than card {} {}has names; the numbers for another card begin a new data card",
@@ -155,7 +178,7 @@ impl Reader<'_> {
                 );
                 return Err(self.refuse(self.next, columns.clone(), words));
             };
-            found.push((word.name.clone(), *number));
+            found.push((word.name.clone(), number));
         }
         self.next += 1;
         Ok(())

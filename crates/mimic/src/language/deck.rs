@@ -68,10 +68,12 @@ pub struct Deck {
     /// Where the data are from, if they do not stand behind the deck.
     pub(super) data_file: Option<DataFile>,
     pub(super) notes: Vec<String>,
+    /// The note of a comment that could define C.
+    pub(super) hidden_c: Option<String>,
 }
 
 impl Deck {
-    /// What is worth a look, though nothing is wrong: comments that could be statements, headings without a column.
+    /// What is worth a look, though nothing is wrong: comments that could be statements.
     pub fn notes(&self) -> &[String] {
         &self.notes
     }

@@ -5,6 +5,7 @@
 //! step after reading is recursive.
 
 use super::code::Operation;
+use super::control::WORDS;
 use super::fault::Problem;
 use super::function::{FUNCTIONS, function_named};
 use super::token::{Placed, Token};
@@ -269,6 +270,10 @@ impl<'a> Parser<'a> {
         }
         let whole = at.start..self.close()?;
         let Some(function) = function_named(name) else {
+            if WORDS.contains(&name) {
+                self.problems.push((at, Problem::CardInExpression(name.to_owned())));
+                return Ok(self.add(Node::Number(1.0), whole));
+            }
             let known = FUNCTIONS.iter().map(|function| function.name);
             let nearest = super::fault::nearest_to(name, known);
             self.problems.push((at, Problem::UnknownFunction { name: name.to_owned(), nearest }));

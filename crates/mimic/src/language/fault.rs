@@ -75,13 +75,18 @@ pub enum Problem {
         allowed: String,
     },
     /// A name that no card defines.
-    #[error("no card defines {name}{}", but_near(.nearest))]
+    #[error("no card defines {name}{hint}")]
     UnknownName {
         /// The name.
         name: String,
-        /// The nearest that is known.
-        nearest: Option<String>,
+        /// What may be meant; empty if nobody knows.
+        hint: String,
     },
+    /// A control card where an expression is due.
+    #[error(
+        "{0} is a control card, no function; it stands by itself, without a result and a control variable before it"
+    )]
+    CardInExpression(String),
     /// A name that is already something else.
     #[error("{name} is {what}; give the result another name")]
     Reserved {
@@ -159,7 +164,8 @@ pub enum Problem {
     Data(String),
 }
 
-fn but_near(name: &Option<String>) -> String {
+/// The nearest name, in words behind others.
+pub(super) fn but_near(name: &Option<String>) -> String {
     name.as_ref().map_or_else(String::new, |name| format!("; the nearest is {name}"))
 }
 
@@ -238,9 +244,17 @@ impl Faults {
     }
 }
 
-/// The known name that is nearest to a word, if one is near: two signs are other, missing, too many or exchanged at
-/// most.
+/// What other languages call by another name.
+const ELSEWHERE: [(&str, &str); 5] = [("LN", "LOG"), ("ALOG", "LOG"), ("SQRT", "SQR"), ("ATAN", "ATN"), ("TIME", "T")];
+
+/// The known name that is nearest to a word, if one is near: that of the same thing in other languages, or one in which
+/// two signs at most are other, missing, too many or exchanged.
 pub fn nearest_to<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
+    let known: Vec<&str> = known.into_iter().collect();
+    let same = ELSEWHERE.iter().find(|(other, _)| *other == word).map(|(_, own)| *own);
+    if let Some(same) = same.filter(|same| known.contains(same)) {
+        return Some(same.to_owned());
+    }
     let signs = word.chars().count();
     let most = if signs < 3 { 1 } else { 2 };
     let may_be = |name: &&str| *name != word && name.chars().count().abs_diff(signs) <= most;

@@ -233,8 +233,8 @@ pub static FUNCTIONS: [Function; 26] = [
         (2, 2),
         (Numbers, Implicit),
         Assumed,
-        "implicit: the value that B gives back, where B may depend on it; found by repetition, beginning with A. It \
-         stands alone in its expression",
+        "implicit: the value that B gives back, where B may depend on it; found by repetition, beginning with A: 1000 \
+         times at most, until the two agree to 1E-12 of their size. It stands alone in its expression",
     ),
     function(("TAN", "A"), (1, 1), (Numbers, Plain(Operation::Tangent)), Assumed, "tangent of A radians"),
 ];

@@ -3,7 +3,7 @@
 use super::control::{GIVEN, STEPS};
 use super::deck::{Deck, Statement};
 use super::expression::{Expression, Node};
-use super::fault::{Fault, MOST_TOLD, Problem, nearest_to};
+use super::fault::{Fault, MOST_TOLD, Problem, but_near, nearest_to};
 use super::function::{FUNCTIONS, Kind};
 use super::sorting::{circle, components};
 use super::types::Type;
@@ -197,11 +197,23 @@ impl<'a> Graph<'a> {
             .into_iter()
             .enumerate()
             .map(|(at, (card, name, columns))| {
-                let nearest = if at < looked_for { nearest_to(&name, known.iter().copied()) } else { None };
-                (card, columns, Problem::UnknownName { name, nearest })
+                let hint = if at < looked_for { self.hint(&name, &known) } else { String::new() };
+                (card, columns, Problem::UnknownName { name, hint })
             })
             .collect();
         told.into_iter().for_each(|(card, columns, problem)| self.fault(card, columns, problem));
+    }
+
+    /// What an unknown name may be meant for: a comment that begins with C, a product, or the nearest known name.
+    fn hint(&self, name: &str, known: &[&str]) -> String {
+        if let Some(note) = self.deck.hidden_c.as_ref().filter(|_| name == "C") {
+            return format!("; {note}");
+        }
+        let factor = name.trim_start_matches(|sign: char| sign.is_ascii_digit());
+        if factor.len() < name.len() && known.contains(&factor) {
+            return format!("; if it is a product, write {}.*{factor}", &name[..name.len() - factor.len()]);
+        }
+        but_near(&nearest_to(name, known.iter().copied()))
     }
 
     /// All cards with expressions that are no statements.

@@ -247,7 +247,7 @@ impl Machine<'_> {
             }
             Cause::System(Stop::Value(register)) => {
                 let time = self.registers[TIME as usize];
-                Trouble::NonFinite { time, origin: program.origin(&self.registers, register) }
+                Trouble::NonFinite { time, origin: program.origin(&self.registers, register), forced: 0 }
             }
             Cause::StepUnderflow { step, excess, .. } if excess.is_finite() => {
                 self.too_small(time, state, step, excess, parameters)
@@ -266,6 +266,11 @@ impl Machine<'_> {
         parameters: &Parameters,
     ) -> Origin {
         let program = self.program;
+        let longest = parameters.largest_step;
+        if longest < parameters.print_interval && 2.0 * time > longest * steps as f64 {
+            let reason = format!("most are as long as DTMAX, {longest:?}, allows");
+            return Origin { card: 0, text: String::new(), reason };
+        }
         // To locate a change takes less than a hundred steps.
         let memory = self.changed.filter(|_| self.changes >= steps / 100).and_then(|at| program.memories.get(at));
         let (card, reason) = match memory {
@@ -314,7 +319,7 @@ impl Machine<'_> {
         let program = self.program;
         let Some((odd_time, state)) = self.odd.take() else {
             let reason = "an integral has grown without bound".to_owned();
-            return Trouble::NonFinite { time, origin: Origin { card: 0, text: String::new(), reason } };
+            return Trouble::NonFinite { time, origin: Origin { card: 0, text: String::new(), reason }, forced: 0 };
         };
         let registers = &mut self.registers;
         registers[TIME as usize] = odd_time;
@@ -341,6 +346,6 @@ impl Machine<'_> {
             },
             _ => program.origin(registers, register),
         };
-        Trouble::NonFinite { time: odd_time, origin }
+        Trouble::NonFinite { time: odd_time, origin, forced: 0 }
     }
 }

@@ -67,7 +67,7 @@ pub use function::{Evidence, FUNCTIONS, Function};
 pub use origin::Origin;
 pub use printout::{line_plot, print_out};
 pub use program::Program;
-pub use run::{Choices, RememberedPoints, Run};
+pub use run::{Choices, RememberedPoints, Run, Runs};
 pub use sorting::{Sorted, When};
 pub use trouble::{RunError, Trouble};
 

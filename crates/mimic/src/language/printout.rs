@@ -45,9 +45,6 @@ pub fn print_out(run: &Run, title: &str) -> String {
             let values = row[place.clone()].iter().enumerate();
             line(&mut page, values.map(|(at, value)| format!("{:>1$}", number(*value), wide(at))));
         }
-        if let Some(surplus) = heads.get(*width..).filter(|surplus| !surplus.is_empty()) {
-            let _ = writeln!(page, "\nNo column is under {}.", surplus.join(", "));
-        }
     }
     for (plot, points) in &run.plots {
         page.push('\n');

@@ -23,6 +23,8 @@ impl Deck {
             deck: Self::empty(text),
             faults: Vec::new(),
             lost: HashSet::new(),
+            headings: Vec::new(),
+            has_lost_output: false,
             has_end_card: false,
             has_print_card: false,
         };
@@ -58,6 +60,7 @@ impl Deck {
             data: Vec::new(),
             data_file: None,
             notes: Vec::new(),
+            hidden_c: None,
         }
     }
 }
@@ -71,6 +74,9 @@ struct Reading {
     has_print_card: bool,
     /// Names on cards that could not be read: they may have been defined there.
     lost: HashSet<String>,
+    /// The HDR cards, and whether there is an OUT card that could not be read.
+    headings: Vec<(usize, Word)>,
+    has_lost_output: bool,
 }
 
 impl Reading {
@@ -86,7 +92,9 @@ impl Reading {
         match fields(card, layout) {
             Err(problems) => {
                 let (tokens, _) = super::token::tokens(card, 0..card.len());
-                self.seen(tokens.first().and_then(Placed::name).unwrap_or(""));
+                let first = tokens.first().and_then(Placed::name).unwrap_or("");
+                self.seen(first);
+                self.has_lost_output |= first == "OUT";
                 self.lost.extend(tokens.iter().filter_map(Placed::name).map(str::to_owned));
                 self.all(number, problems);
             }
@@ -103,6 +111,11 @@ impl Reading {
                         // The name is defined all the same: those who use it are not to blame.
                         let expression = Expression::number(1.0, 0..0);
                         self.deck.statements.push(Statement { card: number, control, result, expression });
+                        for (_, problem) in &problems {
+                            if let Problem::CardInExpression(word) = problem {
+                                self.seen(word);
+                            }
+                        }
                         self.all(number, problems);
                     }
                 }
@@ -132,12 +145,13 @@ impl Reading {
                     self.deck.groups.push(Group { card, each_run: word.name == "PAR", names });
                 }
             }
-            "OUT" => {
-                if let Some(names) = self.names(card, word, rest, text, 1) {
+            "OUT" => match self.names(card, word, rest, text, 1) {
+                Some(names) => {
                     self.deck.outputs.push(names);
                     self.deck.output_cards.push(card);
                 }
-            }
+                None => self.has_lost_output = true,
+            },
             "PLO" => {
                 if let Some(names) = self.names(card, word, rest, text, 2) {
                     self.deck.plots.push(PlotCards { card, names, scale: None, zero: None });
@@ -191,7 +205,10 @@ impl Reading {
         let text: String = text[word.at.end..].iter().collect();
         let text = text.trim();
         match text.strip_prefix('(').and_then(|text| text.strip_suffix(')')) {
-            Some(inside) => self.deck.headings.push(inside.split(',').map(|word| word.trim().to_owned()).collect()),
+            Some(inside) => {
+                self.deck.headings.push(inside.split(',').map(|word| word.trim().to_owned()).collect());
+                self.headings.push((card, word.clone()));
+            }
             None => {
                 let end = word.at.end + text.chars().count();
                 self.all(card, vec![(end..end + 1, expected("a closing parenthesis", None))]);
@@ -238,8 +255,8 @@ impl Reading {
         let hidden = match layout {
             Layout::Free => {
                 let (tokens, problems) = super::token::tokens(card, 1..card.len());
-                let is_expression =
-                    problems.is_empty() && !tokens.is_empty() && expression(&tokens, card.len()).is_ok();
+                let tokens = &tokens[usize::from(tokens.first().is_some_and(|first| first.is('=')))..];
+                let is_expression = problems.is_empty() && !tokens.is_empty() && expression(tokens, card.len()).is_ok();
                 is_expression.then(|| "to define C".to_owned())
             }
             // A C with blanks behind it is a card that was taken out.
@@ -253,9 +270,13 @@ impl Reading {
             },
         };
         if let Some(meant) = hidden {
-            self.deck.notes.push(format!(
+            let note = format!(
                 "card {number} is a comment, because it has a C in column 1; if it is {meant}, begin it in column 2"
-            ));
+            );
+            if layout == Layout::Free {
+                self.deck.hidden_c.get_or_insert_with(|| note.clone());
+            }
+            self.deck.notes.push(note);
         }
     }
 
@@ -286,14 +307,16 @@ impl Reading {
         if !has_print_card {
             missing("OUT", "say what to print, such as OUT(T,X)");
         }
-        for (number, heading) in self.deck.headings.iter().enumerate() {
-            let columns = self.deck.outputs.get(number).map_or(0, Vec::len);
-            if columns != heading.len() {
-                let given = heading.len();
-                self.deck.notes.push(format!(
-                    "HDR card {} has {given} words for {columns} columns of the OUT card of that number",
-                    number + 1
-                ));
+        let headings = if self.has_lost_output { Vec::new() } else { core::mem::take(&mut self.headings) };
+        for (number, (card, word)) in headings.iter().enumerate() {
+            let given = self.deck.headings.get(number).map_or(0, Vec::len);
+            let wanted = self.deck.outputs.get(number).map(Vec::len);
+            if wanted != Some(given) {
+                let allowed = match wanted {
+                    Some(wanted) => format!("{wanted}, one for each name of the OUT card of the same number"),
+                    None => format!("none, for there is no OUT card of its number, {}", number + 1),
+                };
+                self.count(*card, word, given, allowed);
             }
         }
     }

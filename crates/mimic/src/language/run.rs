@@ -14,6 +14,10 @@ use nalgebra::SVector;
 const MOST_ROWS: f64 = 1e6;
 /// Most steps of all integrals together.
 const MOST_WORK: u64 = 100_000_000;
+/// The same of all runs of a deck, and most numbers that all of them print: they are held in memory, and make some
+/// hundred megabytes of text.
+const MOST_WORK_OF_ALL: u64 = 300_000_000;
+const MOST_NUMBERS: u64 = 10_000_000;
 /// Most integrals of a program, and most delays.
 const MOST_STATES: usize = 1024;
 const MOST_DELAYS: usize = 256;
@@ -77,6 +81,45 @@ pub struct Run {
     pub longer_than_delay: u64,
 }
 
+/// The runs of a deck one after another, and what they come to together.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Runs {
+    runs: Vec<Run>,
+    numbers: u64,
+    work: u64,
+}
+
+impl Runs {
+    /// Adds the next run of a program, whether it was made or not.
+    ///
+    /// # Errors
+    ///
+    /// Its [`Trouble`], or [`Trouble::TooMuch`] if with it all runs print more numbers or take more steps than can be;
+    /// with its number, counted from 1. A single run has its own bounds.
+    pub fn add(&mut self, program: &Program, run: Result<Run, Trouble>) -> Result<(), RunError> {
+        let number = self.runs.len() + 1;
+        let refused = |trouble| RunError { number, trouble };
+        let run = run.map_err(refused)?;
+        self.numbers += (run.rows.len() * program.numbers_in_a_row()) as u64;
+        self.work += (run.work.accepted + run.work.rejected) * program.states.len().max(1) as u64;
+        for (asked, most, what, way_out) in [
+            (self.numbers, MOST_NUMBERS, "numbers to print", "a longer DT, fewer names on OUT and PLO cards"),
+            (self.work, MOST_WORK_OF_ALL, "steps of integrals", "a larger tolerance"),
+        ] {
+            if number > 1 && asked > most {
+                return Err(refused(Trouble::TooMuch { runs: number, what, asked, most, way_out }));
+            }
+        }
+        self.runs.push(run);
+        Ok(())
+    }
+
+    /// All runs that were added.
+    pub fn into_inner(self) -> Vec<Run> {
+        self.runs
+    }
+}
+
 impl Program {
     /// Runs the program once for each set.
     ///
@@ -84,8 +127,23 @@ impl Program {
     ///
     /// The first [`Trouble`], with the number of its set.
     pub fn runs(&self, sets: &[DataSet], choices: &Choices) -> Result<Vec<Run>, RunError> {
-        let run = |(at, set)| self.run(set, choices).map_err(|trouble| RunError { number: at + 1, trouble });
-        sets.iter().enumerate().map(run).collect()
+        let mut runs = Runs::default();
+        for set in sets {
+            runs.add(self, self.run(set, choices))?;
+        }
+        Ok(runs.into_inner())
+    }
+
+    /// How many numbers a printed point has, and the parameters, which a table of all runs has beside them.
+    fn numbers_in_a_row(&self) -> usize {
+        let plotted: usize = self.plots.iter().map(|plot| plot.names.len()).sum();
+        self.outputs.iter().map(Vec::len).sum::<usize>() + plotted + self.parameters.len()
+    }
+
+    /// Most printed rows of a run.
+    fn most_rows(&self) -> f64 {
+        let each = self.numbers_in_a_row().max(1) as u64;
+        ((MOST_NUMBERS / each).max(1) as f64).min(MOST_ROWS)
     }
 
     /// Runs the program with one set of numbers.
@@ -166,7 +224,10 @@ impl Program {
                     }
                     Ok(stopped.work)
                 }
-                cause => Err(machine.trouble(stopped.time, &stopped.state, cause, &parameters)),
+                cause => {
+                    let trouble = machine.trouble(stopped.time, &stopped.state, cause, &parameters);
+                    Err(trouble.after_forced_steps(stopped.work.forced))
+                }
             },
         }?;
         Ok(Run { longer_than_delay: machine.longer_than_delay, ..self.result(rows, &machine.registers, work) })
@@ -195,7 +256,7 @@ impl Program {
             execute(&self.initial.instructions, &mut registers);
         }
         if let Some(state) = self.states.iter().find(|state| !registers[state.register as usize].is_finite()) {
-            return Err(Trouble::NonFinite { time: 0.0, origin: self.origin(&registers, state.register) });
+            return Err(Trouble::NonFinite { time: 0.0, origin: self.origin(&registers, state.register), forced: 0 });
         }
         Ok(registers)
     }
@@ -203,28 +264,42 @@ impl Program {
     /// How the integrator is to go, and whether the end of the run is known before it.
     fn integrator(&self, registers: &[f64], choices: &Choices) -> Result<(Parameters, bool), Trouble> {
         let [interval, smallest, largest] = self.steps.map(|(register, _)| registers[register as usize]);
-        let positive = "it must be above zero and finite";
+        let refused = |name, value, allowed| Err(Trouble::Step { name, value, allowed });
         for (name, value) in [("DT", interval), ("DTMIN", smallest), ("DTMAX", largest)] {
             if !(value > 0.0 && value.is_finite()) {
-                return Err(Trouble::Step { name, value, allowed: positive });
+                return refused(name, value, "it must be above zero and finite".to_owned());
             }
         }
         if smallest > largest {
-            return Err(Trouble::Step { name: "DTMIN", value: smallest, allowed: "it must not be above DTMAX" });
+            let (_, has_card) = self.steps[1];
+            let without = if has_card { "" } else { "; without a card it is DT over 2 to the power 30: add one" };
+            return refused("DTMIN", smallest, format!("it must not be above DTMAX, which is {largest:?}{without}"));
         }
         let mut end: Option<f64> = None;
         for finish in self.finishes.iter().filter(|finish| finish.is_run_length) {
             let value = registers[finish.limit as usize];
-            if !(value > 0.0 && value / interval <= MOST_ROWS) {
+            if !(value > 0.0 && value / interval <= self.most_rows()) {
                 let (card, text) = (finish.card, self.card_text(finish.card));
-                return Err(Trouble::RunLength { card, text, value });
+                let (most, numbers) = (self.most_rows() as u64, self.numbers_in_a_row());
+                return Err(Trouble::RunLength { card, text, value, most, numbers });
             }
             end = Some(end.map_or(value, |end| end.min(value)));
         }
         // A step with many integrals takes longer.
         let most_steps = (MOST_WORK / self.states.len().max(1) as u64).min(choices.integrator.most_steps);
+        // Another FIN may end the run before so many steps are made.
+        let (longest, name) = if largest < interval { (largest, "DTMAX") } else { (interval, "DT") };
+        if let Some(end) = end.filter(|end| end / longest > most_steps as f64)
+            && self.finishes.iter().all(|finish| finish.is_run_length)
+        {
+            let allowed = format!(
+                "to the end at T = {end:?} there would be more than {most_steps} steps, which is the most; give a longer \
+                 {name} or an earlier FIN"
+            );
+            return refused(name, longest, allowed);
+        }
         // A run whose end is not known before goes on until a value stops it, or rows without end do.
-        let run_length = end.unwrap_or(interval * (most_steps as f64).min(MOST_ROWS));
+        let run_length = end.unwrap_or(interval * (most_steps as f64).min(self.most_rows()));
         let parameters = Parameters {
             most_steps,
             print_interval: interval,
@@ -295,6 +370,25 @@ fn plot_of(plot: &PlotCode, registers: &[f64]) -> Plot {
 mod tests {
     use super::*;
     use crate::language::{Deck, Layout};
+
+    #[test]
+    fn all_runs_have_so_many_steps_together() {
+        let deck =
+            Deck::read(" X INT(1.,0.)\n Y INT(X,0.)\n OUT(T)\n FIN(T,.1)\n END\n", Layout::Free).expect("a deck");
+        let program = Program::new(&deck).expect("a program");
+        let made = program.run(&DataSet::default(), &Choices::default()).expect("it runs");
+        let half = Work { accepted: MOST_WORK_OF_ALL / 8, rejected: MOST_WORK_OF_ALL / 8, ..made.work };
+        let mut runs = Runs::default();
+        for _ in 0..2 {
+            runs.add(&program, Ok(Run { work: half, ..made.clone() })).expect("as many as can be");
+        }
+        let told = runs.add(&program, Ok(made)).expect_err("more than can be").to_string();
+        assert!(
+            told.contains("the first 3 data sets come to 30000000") && told.contains("steps of integrals;"),
+            "{told}"
+        );
+        assert_eq!(runs.into_inner().len(), 2);
+    }
 
     #[test]
     fn many_integrals_have_fewer_steps() {

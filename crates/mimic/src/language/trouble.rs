@@ -24,18 +24,19 @@ pub enum Trouble {
         most: usize,
     },
     /// DT, DTMIN or DTMAX out of their ranges.
-    #[error("{name} is {value}: {allowed}")]
+    #[error("{name} is {value:?}: {allowed}")]
     Step {
         /// Which.
         name: &'static str,
         /// What it is, in the unit of T.
         value: f64,
-        /// What it can be.
-        allowed: &'static str,
+        /// What it can be, and a way out.
+        allowed: String,
     },
     /// A run that ends before it begins, or too late.
     #[error(
-        "card {card} ({text}): the run would end at T = {value}; it must be above zero, and at most a million DT away"
+        "card {card} ({text}): the run would end at T = {value}; it must be above zero, and at most {most} DT away \
+         (numbers in a row: {numbers}); give a longer DT, another FIN or fewer names on OUT and PLO cards"
     )]
     RunLength {
         /// The FIN card.
@@ -44,14 +45,20 @@ pub enum Trouble {
         text: String,
         /// The end, in the unit of T.
         value: f64,
+        /// How many DT away it can be at most.
+        most: u64,
+        /// How many numbers each printed point has, with the parameters.
+        numbers: usize,
     },
     /// A value that is no number.
-    #[error("at T = {time}: {origin}")]
+    #[error("at T = {time}: {origin}{}", after_forced(*.forced))]
     NonFinite {
         /// When, in the unit of T.
         time: f64,
         /// Where it came from.
         origin: Origin,
+        /// Steps before it that were as short as DTMIN allows and missed the tolerance.
+        forced: u64,
     },
     /// A step that would have to be smaller than DTMIN.
     #[error(
@@ -74,8 +81,8 @@ pub enum Trouble {
     },
     /// Too many steps.
     #[error(
-        "at T = {time}: {steps} steps are made and FIN is not reached; {origin}; give a larger tolerance, DTMIN or gap \
-         between switching on and off, or an earlier FIN"
+        "at T = {time}: {steps} steps are made and FIN is not reached; {origin}; give a larger tolerance, DTMIN, DTMAX \
+         or gap between switching on and off, or an earlier FIN"
     )]
     TooManySteps {
         /// When, in the unit of T.
@@ -86,7 +93,10 @@ pub enum Trouble {
         origin: Origin,
     },
     /// The limit of printed rows is reached.
-    #[error("at T = {time}: {rows} rows are printed and FIN is not reached; give a longer DT or an earlier FIN")]
+    #[error(
+        "at T = {time}: {rows} rows are printed and FIN is not reached; give a longer DT or an earlier FIN, or print \
+             fewer names"
+    )]
     TooManyRows {
         /// When, in the unit of T.
         time: f64,
@@ -123,9 +133,45 @@ pub enum Trouble {
         /// The delay, in the unit of T.
         delay: f64,
     },
+    /// All runs of a deck come to more than one answer can hold.
+    #[error(
+        "the first {runs} data sets come to {asked} {what}; all together can come to {most}: give fewer data sets, {way_out} or an \
+             earlier FIN"
+    )]
+    TooMuch {
+        /// The data sets up to the one that was too much.
+        runs: usize,
+        /// Of what.
+        what: &'static str,
+        /// How many there are.
+        asked: u64,
+        /// The most.
+        most: u64,
+        /// What makes them fewer.
+        way_out: &'static str,
+    },
     /// A parameter of the integrator out of its range.
     #[error("{0}")]
     Integrator(crate::ParameterError),
+}
+
+impl Trouble {
+    /// The same where so many steps before it missed the tolerance.
+    pub(super) fn after_forced_steps(self, steps: u64) -> Self {
+        match self {
+            Self::NonFinite { time, origin, .. } => Self::NonFinite { time, origin, forced: steps },
+            other => other,
+        }
+    }
+}
+
+fn after_forced(steps: u64) -> String {
+    match steps {
+        0 => String::new(),
+        _ => format!(
+            "; of the steps before, {steps} missed the tolerance and could not be shorter than DTMIN: give a smaller DTMIN"
+        ),
+    }
 }
 
 /// What went wrong in which run.

@@ -24,6 +24,14 @@ fn each_fault_has_its_card_its_column_and_a_way_out() {
     for (cards, column, words) in [
         (" Y COSS(X)\n", 4, "the nearest is COS"),
         (" Y COS(XX)\n", 8, "no card defines XX; the nearest is X"),
+        (" Y 2T\n", 4, "no card defines 2T; if it is a product, write 2.*T"),
+        (" Y TIME\n", 4, "no card defines TIME; the nearest is T"),
+        (" Y LN(X)\n", 4, "LN is no function; the nearest is LOG"),
+        (" Y SQRT(X)\n", 4, "SQRT is no function; the nearest is SQR"),
+        (" Y ATAN(X)\n", 4, "ATAN is no function; the nearest is ATN"),
+        (" A FIN(X,.1)\n", 4, "FIN is a control card, no function; it stands by itself, without a result and"),
+        (" A OUT(X)\n", 4, "OUT is a control card, no function"),
+        (" HDR(T,A,B)\n", 2, "HDR has 3, but takes 2, one for each name of the OUT card of the same number"),
         (" Y SIN(X,X)\n", 4, "SIN has 2 arguments, but takes 1 argument: SIN(A)"),
         (" Y MAX(X)\n", 4, "takes 2 or more arguments: MAX(A, B, ...)"),
         (" Y 2.*(X+1.\n", 12, "expected a closing parenthesis"),
@@ -149,8 +157,28 @@ fn a_comment_that_could_define_c_is_noted() {
     assert!(deck(text).notes()[0].contains("card 1 is a comment"), "{:?}", deck(text).notes());
     let text = text.replace("(A+1.)*2.", "A = NUMBER OF PINS");
     assert!(deck(&text).notes().is_empty());
-    let short = deck(" A 2.\n HDR(ONE,TWO)\n OUT(A)\n FIN(T,1.)\n END\n");
-    assert!(short.notes()[0].contains("2 words for 1 columns"), "{:?}", short.notes());
+    // Where the name is missed the note is told with the fault.
+    for card in ["C INT(B,0.)", "C      = 2."] {
+        let told = faults_of(&format!("{card}\n B C\n OUT(B)\n FIN(T,1.)\n END\n"));
+        assert!(told.contains("no card defines C; card 1 is a comment, because it has a C in column 1; if"), "{told}");
+    }
+}
+
+#[test]
+fn a_control_card_behind_a_name_is_told_once() {
+    let told = faults_of(" A FIN(T,.1)\n A OUT(T)\n END\n");
+    assert!(told.matches("is a control card").count() == 2 && !told.contains("the deck has no"), "{told}");
+}
+
+#[test]
+fn a_heading_has_an_out_card_and_a_word_for_each_of_its_names() {
+    let cards = |heading: &str| format!(" {heading}\n OUT(T)\n HDR(ONE)\n FIN(T,1.)\n END\n");
+    let told = faults_of(&cards("HDR(T)"));
+    assert!(told.contains("card 3, column 2: HDR has 1, but takes none, for there is no OUT card of its number, 2"));
+    // Of an OUT card that cannot be read nothing is known.
+    assert_eq!(faults_of(&cards("OUT(2.*T)")).matches("card ").count(), 1, "{}", faults_of(&cards("OUT(2.*T)")));
+    let text = " HDR(TIME,DISPL)\n OUT(T,T)\n HDR(ONE)\n OUT(T)\n FIN(T,1.)\n END\n";
+    assert!(Program::new(&deck(text)).is_ok());
 }
 
 #[test]

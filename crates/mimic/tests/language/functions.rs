@@ -1,7 +1,7 @@
 //! Each function, by what its line in the table says.
 
 use super::{last, runs};
-use geneva_mimic::language::{CARDS, FUNCTIONS};
+use geneva_mimic::language::{CARDS, Choices, DataSet, FUNCTIONS};
 
 /// The value of an expression without a memory.
 #[track_caller]
@@ -149,6 +149,17 @@ fn an_implicit_value_is_the_one_that_its_loop_gives_back() {
         let found = super::last(&format!(" X IMP(1.,.5*X+{half})\n OUT(X)\n FIN(T,.1)\n END\n"))[0];
         assert!((found - value).abs() <= 1e-12 * value + 1e-17, "{found}");
     }
+    // What comes nearer slowly is found; what does not is told with the limits.
+    for (text, value) in [("IMP(0.,1.-.95*X)", 1.0 / 1.95), ("IMP(1.,1.-.97*X)", 1.0 / 1.97)] {
+        let found = super::last(&format!(" X {text}\n OUT(X)\n FIN(T,.1)\n END\n"))[0];
+        assert!((found - value).abs() <= 1e-12, "{found}");
+    }
+    let found = super::last(" X IMP(1.,COS(X+.7))\n OUT(X)\n FIN(T,.1)\n END\n")[0];
+    assert!((found - libm::cos(found + 0.7)).abs() <= 1e-12, "{found}");
+    let program = super::program(" X IMP(0.,1.-X)\n OUT(X)\n FIN(T,.1)\n END\n");
+    let told = program.run(&DataSet::default(), &Choices::default()).expect_err("no value").to_string();
+    let words = "after 1000 repetitions it gives back 0.0, and what goes in and what comes back must agree to 1e-12";
+    assert!(told.contains(words) && told.contains("begin nearer"), "{told}");
     let told = super::told(" X IMP(X,COS(X))\n OUT(X)\n FIN(T,.1)\n END\n");
     assert!(told.contains("begins with a number, or a name that its loop does not change"), "{told}");
     let told = super::told(" X IMP(1.,Y)\n Y IMP(1.,X)\n OUT(X)\n FIN(T,.1)\n END\n");

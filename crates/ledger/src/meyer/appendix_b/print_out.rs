@@ -154,8 +154,12 @@ fn prints_alone(kind: &str) -> Option<bool> {
         Some((run.work, print_out(&run, "")))
     };
     let belongs = |line: &str| {
-        let own = line.contains(&format!("{kind}("));
-        own || (kind == "PLO" && ["SCA(", "ZER("].iter().any(|card| line.contains(card)))
+        let with_it: &[&str] = match kind {
+            "OUT" => &["HDR("],
+            "PLO" => &["SCA(", "ZER("],
+            _ => &[],
+        };
+        line.contains(&format!("{kind}(")) || with_it.iter().any(|card| line.contains(card))
     };
     let without = scaled.lines().map(|line| match line {
         _ if !belongs(line) => line,
