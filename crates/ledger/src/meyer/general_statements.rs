@@ -91,7 +91,7 @@ fn least_rise_time() -> Claim {
              with an entry or a peak within one per cent of the steady one.",
         )
         .corrected(
-            "fall without end, as the inverse of the root of the torque",
+            "fall without end, as the inverse of the root of the torque, so that every increase reduces it",
             Slip {
                 id: "",
                 reason: "Eq. (1-19) stays the same for a larger torque if all times are shortened by its root. The \

@@ -203,9 +203,9 @@ fn at_exit() -> Vec<Claim> {
     vec![
         beside_the_hand_over(
             "meyer.peaks-at-exit",
-            "the driver's speed rises from the line of centres until the pin leaves",
+            "past the line of centres the driver is fastest again as the pin leaves",
             "until it again reaches a maximum as the pin leaves the slot",
-            "until it again reaches a maximum, with six pins as the pin leaves the slot, to one unit of the tables, \
+            "until it is fastest again, with six pins as the pin leaves the slot, to one unit of the tables, \
              with four and three pins 7.7 to 14° before",
         ),
         PEAKS

@@ -4,6 +4,7 @@ use super::general_statements::with;
 use super::newton::Newton;
 use super::runs::{Column, Hypothesis, Row, rows};
 use super::*;
+use crate::Decimal;
 use crate::Evidence::{Quadrature, RungeKutta};
 
 const ABSTRACT: Place = at("Abstract, last paragraph");
@@ -81,7 +82,7 @@ pub fn claims() -> Vec<Claim> {
                 "the longest time to the terminal velocity",
             )
             .by(OtherPlaceInSource, |stated| {
-                let said = stated.numbers().last().copied().unwrap_or(f64::NAN);
+                let said = tabulated(stated);
                 let times = rows().iter().map(|row| 1e3 * row.number(Column::Rise));
                 let (longest, beyond) = (times.clone().fold(0.0, f64::max), times.filter(|time| *time > said + 0.5));
                 let beyond = beyond.count();
@@ -96,10 +97,15 @@ pub fn claims() -> Vec<Claim> {
                     time.is_none_or(|time| 1e3 * time > FIFTY)
                 };
                 let count = rows().iter().filter(slow).count();
-                let compare: fn(&usize, &usize) -> bool = stated.pick(usize::gt, usize::le);
+                let times = rows().iter().map(|row| Some(1e3 * Hypothesis::IDEAL.rise(row)?.until_entry_speed(0.01)?));
+                let longest = times.fold(0.0, |longest, time| time.unwrap_or(f64::NAN).max(longest));
+                let as_said = stated.decimals().last().is_some_and(|said| said.is_rounding_of(longest));
                 Finding::new(
-                    compare(&count, &0),
-                    format!("in {count} runs the speed at entry is within one per cent only after {FIFTY} ms"),
+                    stated.pick(count > 0 && as_said, count == 0),
+                    format!(
+                        "in {count} runs the speed at entry is within one per cent only after {FIFTY} ms, in one after \
+                         {longest:.1}"
+                    ),
                 )
             })
             .read_as(
@@ -107,7 +113,7 @@ pub fn claims() -> Vec<Claim> {
                  have it.",
             )
             .corrected(
-                "more than fifty milliseconds, in Appendix E as much as 101",
+                "more than fifty milliseconds, in Appendix E as much as 101 and by the mechanisms 145",
                 Slip {
                     id: "",
                     reason: "It disagrees with the thesis's own table: a good part of the rise times of Appendix E is \
@@ -118,7 +124,7 @@ pub fn claims() -> Vec<Claim> {
                     origin: Origin::Misprint,
                     consequence: Consequence::Conclusion,
                     changes: "Who plans with the abstract's time allows too little: the longest rise of the tables is \
-                              twice as long.",
+                              twice as long, and that of the mechanisms nearly three times.",
                 },
             ),
     ]
@@ -126,6 +132,11 @@ pub fn claims() -> Vec<Claim> {
 
 /// The rise time of the abstract, in ms; printed in a word.
 const FIFTY: f64 = 50.0;
+
+/// The longest rise of Appendix E that is stated, in ms, or that of the abstract.
+fn tabulated(stated: Stated) -> f64 {
+    stated.pick(stated.decimals().first().map_or(f64::NAN, Decimal::to_f64), FIFTY)
+}
 
 /// Whether two engagements, one after the other, take the same time in all runs.
 fn takes_equal_times(pairs: Vec<[f64; 2]>) -> Finding {
