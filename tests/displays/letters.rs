@@ -5,26 +5,33 @@ use super::mechanisms::{When, frame, pin, quick_return, wheel};
 use geneva_kinematics::Mechanism;
 use geneva_kinematics::wheel::Wheel;
 use geneva_ledger::tex::Moment;
-use geneva_ledger::{Claim, Work};
+use geneva_ledger::{Claim, Entry, Work};
 use std::f64::consts::PI;
 
-/// What stands in place of the dots of a claim's printed characters, one name for each.
-///
-/// The dots are numbers of other claims; a name for the exact value is put there, so that no rounding is in the way.
-const DOTS: &[(&str, &[&str])] = &[
-    ("pin.law-of-cosines", &[r"\theta"]),
-    ("pin.velocity-angle-equation", &["b", r"\theta"]),
-    ("quick-return.law-of-sines", &["l", r"\psi", "l_2"]),
-    ("quick-return.projections", &["l", r"\psi", "l_2"]),
-    ("quick-return.angle-sum", &[r"\psi"]),
-    // The number printed here is that of the crank's angle.
-    ("quick-return.lever-point-speed-equation", &[r"\varphi"]),
-    ("quick-return.sliding-speed-equation", &[r"\varphi"]),
-    ("quick-return.sliding-acceleration-equation", &[r"\beta"]),
-    ("quick-return.lever-tangential-equation", &[r"\beta"]),
-    // A break between two lines.
-    ("meyer.acceleration-by-quotient", &[""]),
+/// What stands in place of the dots of a claim's printed characters: the name of each claim whose number the line has
+/// there. A name is for the exact value, so that no rounding is in the way.
+const DOTS: &[(&str, &str)] = &[
+    ("pin.angle-at-driver", r"\theta"),
+    ("pin.angle-at-pivot", "b"),
+    ("quick-return.ground", "l"),
+    ("quick-return.lever-angle", r"\psi"),
+    ("quick-return.crank", "l_2"),
+    ("quick-return.crank-angle", r"\varphi"),
+    ("quick-return.angle-at-pin", r"\beta"),
 ];
+
+/// The claims whose numbers stand at the dots of a claim, by the inventory of its source.
+fn at_the_dots(of: &Claim) -> Vec<&'static str> {
+    let lines = of.work.inventory().expect("an inventory");
+    let is_made = |entry: &&Entry| entry.claimed() == Some(of.id);
+    let line = lines.iter().find(|line| line.entries.iter().any(|entry| is_made(&entry))).expect("a line");
+    let behind: Vec<&Entry> = line.entries.iter().skip_while(|entry| !is_made(entry)).collect();
+    let filling = |pair: &[&Entry]| match pair {
+        [Entry::Claim(id) | Entry::Again(id), Entry::Rest(own, _)] if *own == of.id => Some(*id),
+        _ => None,
+    };
+    behind.windows(2).filter_map(filling).collect()
+}
 
 /// What a claim is about that prints one side of an equation alone.
 const MEANT: &[(&str, &str)] = &[
@@ -41,7 +48,13 @@ const MEANT: &[(&str, &str)] = &[
 /// Printed characters of a claim as an equation in names: dots filled, the missing side supplied.
 pub fn equation(claim: &Claim, tex: &str) -> String {
     let mut tex = tex.to_owned();
-    for name in DOTS.iter().filter(|(id, _)| *id == claim.id).flat_map(|(_, names)| *names) {
+    let filling = if tex.contains(r"\ldots") { at_the_dots(claim) } else { Vec::new() };
+    if filling.is_empty() {
+        // A break between two lines.
+        tex = tex.replace(r"\ldots", " ");
+    }
+    for id in filling {
+        let name = DOTS.iter().find(|(of, _)| *of == id).unwrap_or_else(|| panic!("no name for {id}")).1;
         // A name for an angle has its unit in it.
         let next = |dots: &&str| tex.find(dots).is_some() && tex.find(dots) == tex.find(r"\ldots");
         let dots = [r"\ldots^\circ", r"\ldots^{\circ}"].into_iter().find(next).unwrap_or(r"\ldots");
