@@ -4,7 +4,7 @@ use super::peak::{both_roots, left_side, six_pair};
 use super::*;
 use geneva_kinematics::wheel::{acceleration_peak, acceleration_ratio};
 use geneva_kinematics::wheel_peak_proofs::Roots;
-use geneva_kinematics::{Expression, Field, Identity, prove, rational};
+use geneva_kinematics::{Expression, Field, Identity, Rational, prove, rational};
 
 pub fn claims() -> Vec<Claim> {
     vec![root_choice(), alpha_range(), maximum(), angle(), sign_of_the_angle(), general_validity()]
@@ -47,7 +47,8 @@ fn alpha_range() -> Claim {
         .statement("jazar.ex-e.alpha-range", r"0 < \alpha < 60^{\circ}", "the allowable range of α")
         .by(ExactIdentity, |stated| {
             let Some((range, closed)) = range(stated) else { return Finding::new(false, "not a range") };
-            let ([start, end], alpha) = (range.map(|end| rational(end as i64, 1)), |stations| rational(180, stations));
+            let [Ok(start), Ok(end)] = range.map(Rational::try_from) else { return Finding::new(false, "not a range") };
+            let alpha = |stations| rational(180, stations);
             let outside = (3..=1000).find(|stations| {
                 let alpha = alpha(*stations);
                 alpha <= start || if closed { alpha > end } else { alpha >= end }

@@ -275,7 +275,8 @@ fn reads(curve: impl Fn(&Wheel, f64) -> f64, extreme: impl Fn(&Wheel) -> (f64, f
     )
 }
 
-/// Whether the third derivative of the wheel's angle is as said, zero, at both angles of the greatest acceleration; or between them.
+/// Whether the third derivative of the wheel's angle is what is said, nought, at both angles of the greatest acceleration;
+/// or between them.
 fn zero_at(stated: Stated, third: fn(&Wheel, f64) -> f64, angle: fn(&Wheel) -> f64) -> Finding {
     for_all_stations(
         |wheel| {
