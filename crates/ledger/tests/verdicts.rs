@@ -5,7 +5,7 @@ use geneva_ledger::{
     claim, claims, judge, numbers_in, slips, verdicts,
 };
 use std::collections::HashSet;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 #[test]
 fn every_claim_stands_as_recorded() {
@@ -107,30 +107,58 @@ fn a_wrong_digit_in_a_number_is_noticed() {
 
 #[test]
 fn a_wrong_number_in_a_sentence_is_noticed() {
-    // Each number that stands in a sentence, in digits or in words, becomes another: in the printed form, or in the
-    // correction if that is what is right.
-    let (mut tried, mut unnoticed) = (0, Vec::new());
-    for claim in claims().iter().filter(|claim| matches!(claim.check, Check::Statement { .. })) {
-        let right = claim.right_characters();
-        for (at, _) in numbers_in(right) {
-            let mut wrong = right.to_owned();
-            wrong.replace_range(at.clone(), &another(&right[at]));
-            let other = match &claim.erratum {
-                None => with_printed(claim, wrong.clone()),
-                Some(erratum) => {
-                    let erratum = Erratum { corrected: wrong.clone().leak(), ..erratum.clone() };
-                    Box::leak(Box::new(Claim { erratum: Some(erratum), ..claim.clone() }))
-                }
-            };
-            let judged = judge(other);
-            if judged.verdict == claim.expected && judged.faults.is_empty() {
-                unnoticed.push(format!("{}: {wrong}", claim.id));
-            }
-            tried += 1;
-        }
+    let (tried, unnoticed) = wrong_sentences();
+    let faults: Vec<_> = unnoticed
+        .iter()
+        .filter(|(id, _)| NOT_TESTED.iter().all(|(excused, _)| excused != id))
+        .map(|(id, wrong)| format!("{id}: {wrong}"))
+        .collect();
+    assert!(faults.is_empty(), "{} of {tried} went unnoticed:\n{}", faults.len(), faults.join("\n"));
+    assert!(*tried > 50, "only {tried} numbers were tried");
+}
+
+#[test]
+fn a_sentence_whose_numbers_are_not_tested_has_one_that_goes_unnoticed() {
+    let (_, unnoticed) = wrong_sentences();
+    for (id, reason) in NOT_TESTED {
+        assert!(!reason.is_empty() && unnoticed.iter().any(|(other, _)| other == id), "{id}: no longer needed");
     }
-    assert!(unnoticed.is_empty(), "{} of {tried} went unnoticed:\n{}", unnoticed.len(), unnoticed.join("\n"));
-    assert!(tried > 50, "only {tried} numbers were tried");
+}
+
+/// Sentences with a number that may be another, and why.
+const NOT_TESTED: &[(&str, &str)] = &[
+    ("wild.openscad.cut", "sizes that somebody chose: wheels of other sizes clear the disc as well"),
+    ("wild.cosmo.cut", "clearances that somebody chose: with larger ones the wheel clears the disc as well"),
+];
+
+/// Each number that stands in a sentence, in digits or in words, becomes another: in the printed form, or in the
+/// correction if that is what is right. How many were tried, and those that went unnoticed: the claim's id and the wrong
+/// sentence.
+fn wrong_sentences() -> &'static (usize, Vec<(&'static str, String)>) {
+    static FOUND: OnceLock<(usize, Vec<(&'static str, String)>)> = OnceLock::new();
+    FOUND.get_or_init(|| {
+        let (mut tried, mut unnoticed) = (0, Vec::new());
+        for claim in claims().iter().filter(|claim| matches!(claim.check, Check::Statement { .. })) {
+            let right = claim.right_characters();
+            for (at, _) in numbers_in(right) {
+                let mut wrong = right.to_owned();
+                wrong.replace_range(at.clone(), &another(&right[at]));
+                let other = match &claim.erratum {
+                    None => with_printed(claim, wrong.clone()),
+                    Some(erratum) => {
+                        let erratum = Erratum { corrected: wrong.clone().leak(), ..*erratum };
+                        Box::leak(Box::new(Claim { erratum: Some(erratum), ..claim.clone() }))
+                    }
+                };
+                let judged = judge(other);
+                if judged.verdict == claim.expected && judged.faults.is_empty() {
+                    unnoticed.push((claim.id, wrong));
+                }
+                tried += 1;
+            }
+        }
+        (tried, unnoticed)
+    })
 }
 
 #[test]
