@@ -1,7 +1,6 @@
 //! What a claim prints, asked for by the claim's id: checks of one claim refer to others so.
 
 use crate::{Claim, Decimal, Finding, claim, numeric_tokens};
-use geneva_kinematics::Field;
 
 /// The claim with this id. The ids stand in the ledger's own text: one that no claim has is a mistake there, which must
 /// not pass for a number or a verdict.
@@ -48,8 +47,7 @@ pub(crate) fn numbers(id: &str) -> Vec<u32> {
 
 /// The interval that the digits printed in the claim with this id leave open: half a unit of the last place either way.
 pub(crate) fn interval(id: &str) -> [f64; 2] {
-    let half = decimal(id).unit_in_last_place().approximate() / 2.0;
-    [printed(id) - half, printed(id) + half]
+    decimal(id).interval()
 }
 
 /// Whether the right characters of the claim hold, read and evaluated; and the printed ones do not, if they are

@@ -108,6 +108,12 @@ impl Decimal {
         self.places.map_or(Rational::ZERO, |places| Rational::from_parts(IBig::ONE, power_of_ten(places)))
     }
 
+    /// The interval that the digits leave open: half a unit of the last place either way.
+    pub fn interval(&self) -> [f64; 2] {
+        let half = self.unit_in_last_place().approximate() / 2.0;
+        [self.to_f64() - half, self.to_f64() + half]
+    }
+
     /// Whether `computed` rounds to the printed digits: it is within half a unit of the last printed place.
     pub fn is_rounding_of(&self, computed: f64) -> bool {
         let Ok(exact) = Rational::try_from(computed) else { return false };

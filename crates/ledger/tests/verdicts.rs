@@ -105,18 +105,20 @@ fn a_wrong_digit_in_a_number_is_noticed() {
     assert!(tried > 500, "only {tried} digits were tried");
 }
 
-/// Sentences with numbers that cannot be told from others, and why.
-const NOT_TOLD: [(&str, &str); 5] = [
+/// Sentences with a number that may be another, and why.
+const NOT_TOLD: [(&str, &str); 7] = [
     ("meyer.contents", "without the pages of the copy only their order can be seen, as its reading says"),
     ("meyer.list-of-figures", "the same"),
     ("meyer.steel", "steels differ by more than its last digit; the density is tested to one per cent"),
     ("meyer.first-minimum", "what is so from the first minimum on is so from the second on"),
     ("meyer.conclusion.the-three", "other pairs of pins and slots work as well, as the correction beside it says"),
+    ("wild.openscad.cut", "sizes that somebody chose: wheels of other sizes clear the disc as well"),
+    ("wild.cosmo.cut", "clearances that somebody chose: with larger ones the wheel clears the disc as well"),
 ];
 
 #[test]
 fn a_wrong_number_in_a_sentence_is_noticed() {
-    // Each number that stands in a sentence, in digits or in words, becomes another; each in digits in a correction.
+    // Each number that stands in a sentence, in digits or in words, becomes another; in a correction each in digits.
     let (mut tried, mut unnoticed, mut not_told) = (0, Vec::new(), HashSet::new());
     for claim in claims().iter().filter(|claim| matches!(claim.check, Check::Statement { .. })) {
         let right = claim.right_characters();
@@ -129,26 +131,26 @@ fn a_wrong_number_in_a_sentence_is_noticed() {
             let other = match &claim.erratum {
                 None => with_printed(claim, wrong.clone()),
                 Some(erratum) => {
-                    let erratum = Erratum { corrected: wrong.clone().leak(), ..erratum.clone() };
+                    let erratum = Erratum { corrected: wrong.clone().leak(), ..*erratum };
                     Box::leak(Box::new(Claim { erratum: Some(erratum), ..claim.clone() }))
                 }
             };
             let judged = judge(other);
-            let noticed = judged.verdict != claim.expected || !judged.faults.is_empty();
-            if noticed {
-                // As it should be.
-            } else if NOT_TOLD.iter().any(|(id, _)| *id == claim.id) {
+            tried += 1;
+            if judged.verdict != claim.expected || !judged.faults.is_empty() {
+                continue;
+            }
+            if NOT_TOLD.iter().any(|(id, _)| *id == claim.id) {
                 not_told.insert(claim.id);
             } else {
                 unnoticed.push(format!("{}: {wrong}", claim.id));
             }
-            tried += 1;
         }
     }
     assert!(unnoticed.is_empty(), "{} of {tried} went unnoticed:\n{}", unnoticed.len(), unnoticed.join("\n"));
-    assert!(tried > 50, "only {tried} numbers were tried");
+    assert!(tried > 150, "only {tried} numbers were tried");
     for (id, _) in NOT_TOLD {
-        assert!(not_told.contains(id), "{id}: another number is noticed; the entry is not needed any more");
+        assert!(not_told.contains(id), "{id}: each other number is noticed; the entry is not needed any more");
     }
 }
 

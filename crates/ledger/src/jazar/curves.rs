@@ -47,8 +47,8 @@ fn acceleration_normalisation() -> Claim {
         r"\ddot{\phi}/\dot{\theta}",
         "the acceleration curve is a pure number, the same for each speed of the driver",
     )
-    .by(Dimension, |stated| pure_number(Exponents::ANGULAR_ACCELERATION, stated.pick(2, 1)))
-    .by(Series, |stated| same_at_each_speed(2, stated.pick(2, 1)))
+    .by(Dimension, |stated| pure_number(Exponents::ANGULAR_ACCELERATION, power(stated)))
+    .by(Series, |stated| same_at_each_speed(2, power(stated)))
     .corrected(
         r"\ddot{\phi}/\dot{\theta}^2",
         Slip {
@@ -63,6 +63,11 @@ fn acceleration_normalisation() -> Claim {
             changes: "",
         },
     )
+}
+
+/// The power of the driver's speed in the characters, one if there is no exponent.
+fn power(stated: Stated) -> u32 {
+    if stated.numbers().is_empty() { 1 } else { stated.count() }
 }
 
 fn smooth_inside() -> Claim {
@@ -133,7 +138,7 @@ fn least_stations() -> Claim {
         .by(ExactIdentity, |stated| {
             // The engagement to either side, π/2 − π/N, as a part of π.
             let engagement = |stations: i64| rational(1, 2) - rational(1, stations);
-            let least: i64 = stated.pick(3, 2);
+            let least = stated.pick(i64::from(stated.count()), 2);
             let possible = (least..=1000).all(|stations| engagement(stations) > rational(0, 1));
             let part = engagement(least);
             Finding::new(
@@ -149,7 +154,7 @@ fn least_stations() -> Claim {
                 [distance - 1.0, rim, rim - (distance - 1.0)]
             };
             let positive = |stations| sizes(stations).iter().all(|size| *size > crate::tolerance::CLOSURE.relative);
-            let least: u32 = stated.pick(3, 2);
+            let least = stated.pick(stated.count(), 2);
             Finding::new(
                 (least..=1000).all(positive) && !positive(least - 1),
                 format!("{least} stations: way past the axis, rim and slot {:.3?} crank radii", sizes(least)),
@@ -178,12 +183,12 @@ fn more_pins() -> Claim {
 
 /// Whether two pins are possible with all wheels and three or more with some; or three with all.
 fn two_or_more(stated: Stated, what: &str, possible: impl Fn(&Wheel, u32) -> bool) -> Finding {
-    let pins = stated.pick(2, 3);
+    let (said, pins) = (stated.count(), stated.pick(stated.count(), 3));
     let all = for_all_stations(|wheel| possible(wheel, pins), &format!("{pins} pins {what}"));
     let most =
         |stations: u32| (1..=6).rev().find(|pins| Wheel::new(stations).is_ok_and(|wheel| possible(&wheel, *pins)));
     let more: Vec<_> =
-        (3..=6).filter_map(|stations| Some((stations, most(stations).filter(|most| *most > 2)?))).collect();
+        (3..=6).filter_map(|stations| Some((stations, most(stations).filter(|most| *most > said)?))).collect();
     let some =
         more.iter().map(|(stations, most)| format!("{most} with {stations} stations")).collect::<Vec<_>>().join(", ");
     let some = if some.is_empty() { "more with none".into() } else { some };
@@ -211,13 +216,13 @@ pub(super) fn caption() -> Claim {
 }
 
 /// Whether a rate of the wheel over a power of the driver's speed is a pure number.
-pub(super) fn pure_number(rate: Exponents, power: usize) -> Finding {
+pub(super) fn pure_number(rate: Exponents, power: u32) -> Finding {
     let exponents = (0..power).fold(rate, |rest, _| rest / Exponents::ANGULAR_SPEED);
     Finding::new(exponents == Exponents::NONE, exponents.to_string())
 }
 
 /// Whether a derivative of the wheel's angle over a power of the driver's speed is the same for each speed.
-pub(super) fn same_at_each_speed(order: usize, power: usize) -> Finding {
+pub(super) fn same_at_each_speed(order: usize, power: u32) -> Finding {
     for_all_stations(
         |wheel| {
             let curve =

@@ -4,6 +4,7 @@ use super::dwell;
 use super::four::printed_5_32;
 use super::general::printed_angle;
 use super::*;
+use crate::tex::{Letters, value};
 use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::wheel::{Phase, peak_velocity};
 use geneva_kinematics::{Expression, Field, Identity, pin_vectors, prove, rational};
@@ -28,14 +29,8 @@ fn advances() -> Vec<Claim> {
         .by(OtherPlaceInSource, || 60.0 * printed("jazar.ex-a.advances"))
         .by(OtherPlaceInSource, || 60.0 * printed("jazar.ex-d.driver-speed") / (2.0 * PI)),
         A.formula("jazar.ex-a.formula", "360/60", "revolutions per second from revolutions per minute")
-            .by(OtherPlaceInSource, |stated| {
-                let rpm = printed("jazar.ex.rpm");
-                same(stated.pick(rpm / 60.0, 60.0 / rpm) * printed("jazar.ex-c.cycle"), 1.0)
-            })
-            .by(LimitCase, |stated| {
-                let rpm = printed("jazar.ex.rpm");
-                same(stated.pick(rpm / 60.0, 60.0 / rpm), advances_in_ten_seconds() / 10.0)
-            })
+            .by(OtherPlaceInSource, |stated| same(quotient(stated) * printed("jazar.ex-c.cycle"), 1.0))
+            .by(LimitCase, |stated| same(quotient(stated), advances_in_ten_seconds() / 10.0))
             .but_not("60/360"),
         A.value(
             "jazar.ex-a.advances",
@@ -102,13 +97,12 @@ fn velocity() -> Vec<Claim> {
             .by(Series, || same(six(|w| by_series(w, 0.0)[1]), 1.0)),
         D.formula("jazar.ex-d.driver-formula", r"2\pi \times 6", "angular velocity of the driver")
             .by(ClosedForm, |stated| {
-                let product = stated.pick(2.0, 1.0) * PI * printed("jazar.ex-a.advances");
+                let product = driver_speed(stated);
                 Finding::new(rounds("jazar.ex-d.driver-speed", product), format!("{product}"))
             })
             .by(Vectors, |stated| {
                 // After the time of a cycle the crank is back where it was.
-                let speed = stated.pick(2.0, 1.0) * PI * printed("jazar.ex-a.advances");
-                let angle = speed * printed("jazar.ex-c.cycle");
+                let angle = driver_speed(stated) * printed("jazar.ex-c.cycle");
                 let (crank, turns) = (Turn::from_radians(angle), angle / (2.0 * PI));
                 Finding::new(vanishes(crank.sin) && crank.cos > 0.0, format!("{turns} turns in a cycle"))
             })
@@ -122,6 +116,17 @@ fn velocity() -> Vec<Claim> {
         absolute_senses(),
         senses(),
     ]
+}
+
+/// The quotient as it is printed; or upside down.
+fn quotient(stated: Stated) -> f64 {
+    let quotient = value(stated.characters(), &Letters::new());
+    stated.pick(quotient, 1.0 / quotient)
+}
+
+/// The product as it is printed; or half of it.
+fn driver_speed(stated: Stated) -> f64 {
+    value(stated.characters(), &Letters::new()) * stated.pick(1.0, 0.5)
 }
 
 fn reference() -> Claim {

@@ -4,7 +4,7 @@ use super::peak::{both_roots, left_side, six_pair};
 use super::*;
 use geneva_kinematics::wheel::{acceleration_peak, acceleration_ratio};
 use geneva_kinematics::wheel_peak_proofs::Roots;
-use geneva_kinematics::{Expression, Field, Identity, prove, rational};
+use geneva_kinematics::{Expression, Field, Identity, Rational, prove, rational};
 
 pub fn claims() -> Vec<Claim> {
     vec![root_choice(), alpha_range(), maximum(), angle(), sign_of_the_angle(), general_validity()]
@@ -18,13 +18,16 @@ fn root_choice() -> Claim {
             "only the positive root gives a cosine of a size between zero and one",
         )
         .by(ClosedForm, |stated| {
+            let [least, most] = stated.numbers()[..] else { return Finding::new(false, "not two numbers") };
+            // From the least size of a cosine to the greatest.
+            let sizes = vanishes(libm::cos(PI / 2.0) - least) && agrees(libm::cos(0.0), most);
             for_all_stations(
                 |wheel| {
                     let (plus, minus) = both_roots(libm::sin(wheel.half_pitch_angle()));
                     let (this, other) = stated.pick((plus, minus), (minus, plus));
-                    (0.0..=1.0).contains(&this.abs()) && other.abs() > 1.0
+                    sizes && (least..=most).contains(&this.abs()) && other.abs() > most
                 },
-                "one root is between zero and one, the size of the other above one",
+                &format!("a cosine's size is between {least} and {most}, that of one root too, that of the other not"),
             )
         })
         .by(ExactIdentity, |stated| {
@@ -32,7 +35,8 @@ fn root_choice() -> Claim {
             // −1, it is not below zero there for any sine between zero and one, and a root is between. The product
             // of the roots is q(0) = −2, so the other is at least as great as two in size.
             let product: Finding = prove(&ProductOfTheRoots).into();
-            let square: Finding = prove(&SquareAt { end: stated.pick(1, -1) }).into();
+            let [_, end] = stated.numbers()[..] else { return Finding::new(false, "not two numbers") };
+            let square: Finding = prove(&SquareAt { end: stated.pick(1, -1) * end as i64 }).into();
             Finding::new(product.holds && square.holds, format!("{}; {}", product.how, square.how))
         })
         .but_not("only the negative root does")
@@ -42,19 +46,29 @@ fn alpha_range() -> Claim {
     at("Ex. (e), choice of the root")
         .statement("jazar.ex-e.alpha-range", r"0 < \alpha < 60^{\circ}", "the allowable range of α")
         .by(ExactIdentity, |stated| {
-            let (alpha, end) = (|stations: i64| rational(180, stations), rational(60, 1));
+            let Some((range, closed)) = range(stated) else { return Finding::new(false, "not a range") };
+            let [Ok(start), Ok(end)] = range.map(Rational::try_from) else { return Finding::new(false, "not a range") };
+            let alpha = |stations| rational(180, stations);
             let outside = (3..=1000).find(|stations| {
                 let alpha = alpha(*stations);
-                alpha <= rational(0, 1) || stated.pick(alpha > end, alpha >= end)
+                alpha <= start || if closed { alpha > end } else { alpha >= end }
             });
             let but = outside.map_or("none".to_owned(), |stations| stations.to_string());
-            Finding::new(outside.is_none(), format!("stations of 3 to 1000 that are outside: {but}"))
+            // An end that belongs to the range is reached.
+            let missed = closed && !(3..=1000).any(|stations| alpha(stations) == end);
+            let at_the_end = if missed { "; none is at the end" } else { "" };
+            Finding::new(
+                outside.is_none() && !missed,
+                format!("stations of 3 to 1000 that are outside: {but}{at_the_end}"),
+            )
         })
         .by(Vectors, |stated| {
             let slot = |wheel: &Wheel| by_series(wheel, wheel.engagement_half_angle())[0].to_degrees();
-            let greatest = greatest(wheels().iter().map(slot));
-            let at_the_end = agrees(greatest, 60.0);
-            let holds = stated.pick(at_the_end || greatest < 60.0, !at_the_end && greatest < 60.0);
+            let Some(([start, end], closed)) = range(stated) else { return Finding::new(false, "not a range") };
+            let (least, greatest) =
+                (wheels().iter().map(slot).fold(f64::INFINITY, f64::min), greatest(wheels().iter().map(slot)));
+            let at_the_end = agrees(greatest, end);
+            let holds = least > start && if closed { at_the_end } else { !at_the_end && greatest < end };
             Finding::new(holds, format!("the slot of three stations enters at {greatest:.4}°"))
         })
         .corrected(
@@ -69,6 +83,12 @@ fn alpha_range() -> Claim {
                 changes: "",
             },
         )
+}
+
+/// The ends of the range in degrees, and whether the second one belongs to it.
+fn range(stated: Stated) -> Option<([f64; 2], bool)> {
+    let ends = stated.numbers().try_into().ok()?;
+    Some((ends, stated.characters().contains(r"\le")))
 }
 
 fn maximum() -> Claim {

@@ -168,14 +168,19 @@ fn accelerations() -> Vec<Claim> {
             .statement("jazar.steady-driver", "first term disappears", "with a steady driver the first term vanishes")
             .by(Series, |stated| {
                 // What is left is the acceleration of a steady driver's wheel.
-                at_instants(|wheel, t| (by_series(wheel, t)[2], stated.pick(-printed_5_29(t), 0.0 * printed_5_28(t))))
+                let gone = stated.pick(stated.count(), 2);
+                at_instants(|wheel, t| {
+                    let terms = unsteady_terms(0.0, t);
+                    (by_series(wheel, t)[2], terms.iter().sum::<f64>() - term(terms, gone))
+                })
             })
             .by(AutomaticDerivative, |stated| {
                 // What has vanished is the difference that the driver's acceleration makes.
+                let gone = stated.pick(stated.count(), 2);
                 at_instants(|wheel, t| {
                     let [unsteady, steady] =
                         [0.75, 0.0].map(|angular_acceleration| unsteady_by_duals(wheel, t, 1.0, angular_acceleration));
-                    (unsteady - steady, stated.pick(0.75 * printed_5_28(t), -printed_5_29(t)))
+                    (unsteady - steady, term(unsteady_terms(0.75, t), gone))
                 })
             })
             .but_not("the second term vanishes"),
@@ -213,6 +218,16 @@ pub(super) fn printed_5_28(theta: f64) -> f64 {
 pub(super) fn printed_5_29(theta: f64) -> f64 {
     let square = 3.0 - 2.0 * 2f64.sqrt() * libm::cos(theta);
     2f64.sqrt() * libm::sin(theta) / (square * square)
+}
+
+/// The two terms of the wheel's acceleration as they are printed, for a driver of speed one with this acceleration.
+fn unsteady_terms(angular_acceleration: f64, theta: f64) -> [f64; 2] {
+    [angular_acceleration * printed_5_28(theta), -printed_5_29(theta)]
+}
+
+/// The first, the second of two terms; not a number if there is no such one.
+fn term(terms: [f64; 2], number: u32) -> f64 {
+    (1..).zip(terms).find(|(at, _)| *at == number).map_or(f64::NAN, |(_, term)| term)
 }
 
 /// Eq. (5.32) as it is printed, for a driver of speed one.

@@ -3,6 +3,7 @@
 use super::duration::entry_angle;
 use super::four::{printed_5_27, printed_5_28, printed_5_29, printed_5_32};
 use super::*;
+use crate::tex::{Letters, value};
 use geneva_kinematics::wheel_proofs::{Printed, Quantity};
 use geneva_kinematics::{Expression, Identity, prove};
 
@@ -38,12 +39,15 @@ fn sizes() -> Vec<Claim> {
                 for_all_stations(
                     |wheel| {
                         let (diameter, alpha) = (2.0 * entry(wheel).norm(), wheel.half_pitch_angle());
-                        agrees(diameter / stated.pick(2.0, 1.0), 1.0 / libm::tan(alpha))
+                        let said = value(stated.characters(), &Letters::from([("alpha".to_owned(), alpha)]));
+                        agrees(diameter / stated.pick(2.0, 1.0), said)
                     },
                     "the rim is where the pin enters",
                 )
             })
-            .by(ExactIdentity, |stated| prove(&RimByPythagoras { over: stated.pick(2, 1) }).into())
+            .by(ExactIdentity, |stated| {
+                prove(&RimByPythagoras { above: stated.count(), over: stated.pick(2, 1) }).into()
+            })
             .but_not("it is that diameter over the radius of the pin's circle")
             .read_as(
                 "The second ratio, of which the text names only the outside diameter, has the diameter of the pin's \
@@ -144,9 +148,11 @@ impl Identity<1> for Tangent {
     }
 }
 
-/// Pythagoras at entry: the square of the rim's diameter over the pin's circle, times `over`, is 1/tan² α.
+/// Pythagoras at entry: the square of the rim's diameter over `over` is that of `above` over tan α.
 /// Variable: tangent of α/2.
 struct RimByPythagoras {
+    /// What stands above the tangent.
+    above: u32,
     /// With what the diameter is compared, in crank radii.
     over: i64,
 }
@@ -156,7 +162,8 @@ impl Identity<1> for RimByPythagoras {
         let alpha = Turn::from_half_tangent(&half);
         let distance = 1 / alpha.sin;
         let tangent = alpha.sin / alpha.cos;
-        4 * (distance * distance - 1) / (self.over * self.over) - 1 / (tangent * tangent)
+        4 * (distance * distance - 1) / (self.over * self.over)
+            - i64::from(self.above * self.above) / (tangent * tangent)
     }
 }
 

@@ -5,6 +5,7 @@ use super::four::printed_5_32;
 use super::general::printed_5_31;
 use super::*;
 use crate::Dimension as Exponents;
+use crate::tex::{Letters, value};
 use geneva_kinematics::wheel::{acceleration_peak, gamma};
 use geneva_kinematics::wheel_peak_proofs::{Condition, Pythagoras, Quadratic, Roots};
 use geneva_kinematics::wheel_proofs::{Printed, Quantity};
@@ -210,8 +211,8 @@ fn numbers() -> Vec<Claim> {
                 r"\frac{\ddot{\phi}}{\dot{\theta}^2}",
                 "the acceleration over the square of the driver's speed is a pure number, the same for each speed",
             )
-            .by(Dimension, |stated| pure_number(Exponents::ANGULAR_ACCELERATION, stated.pick(2, 1)))
-            .by(Series, |stated| same_at_each_speed(2, stated.pick(2, 1)))
+            .by(Dimension, |stated| pure_number(Exponents::ANGULAR_ACCELERATION, stated.pick(stated.count(), 1)))
+            .by(Series, |stated| same_at_each_speed(2, stated.pick(stated.count(), 1)))
             .but_not("the acceleration over the driver's speed is"),
         extreme::signs(),
         at("Ex. (e), from Eq. (5.32)")
@@ -226,13 +227,12 @@ fn numbers() -> Vec<Claim> {
             .corrected("±1.350", WRONG_RATIO),
         E.formula("jazar.ex-e.driver-formula", r"6 \times 2\pi", "angular velocity of the driver once more")
             .by(ClosedForm, |stated| {
-                let product = printed(stated.pick("jazar.ex-a.advances", "jazar.ex.rpm")) * 2.0 * PI;
+                let product = driver_speed(stated);
                 Finding::new(rounds("jazar.ex-d.driver-speed", product), format!("{product}"))
             })
             .by(LimitCase, |stated| {
                 // How many radians the driver turns in the time of a cycle.
-                let product = printed(stated.pick("jazar.ex-a.advances", "jazar.ex.rpm")) * 2.0 * PI;
-                same(product * printed("jazar.ex-c.cycle"), 2.0 * PI)
+                same(driver_speed(stated) * printed("jazar.ex-c.cycle"), 2.0 * PI)
             })
             .but_not("360 × 2π: revolutions per minute"),
         E.value("jazar.ex-e.peak", "1,950", "rad/s²", "peak angular acceleration of the wheel")
@@ -248,6 +248,11 @@ fn numbers() -> Vec<Claim> {
             )
             .in_error(WRONG_RATIO),
     ]
+}
+
+/// The product as it is printed; or that with revolutions per minute.
+fn driver_speed(stated: Stated) -> f64 {
+    stated.pick(value(stated.characters(), &Letters::new()), printed("jazar.ex.rpm") * 2.0 * PI)
 }
 
 pub(super) fn six_pair(pair: fn(&Wheel) -> (f64, f64)) -> (f64, f64) {
@@ -270,12 +275,13 @@ fn reads(curve: impl Fn(&Wheel, f64) -> f64, extreme: impl Fn(&Wheel) -> (f64, f
     )
 }
 
-/// Whether the third derivative of the wheel's angle is zero at both angles of the greatest acceleration; or between them.
+/// Whether the third derivative of the wheel's angle is what is said, nought, at both angles of the greatest acceleration;
+/// or between them.
 fn zero_at(stated: Stated, third: fn(&Wheel, f64) -> f64, angle: fn(&Wheel) -> f64) -> Finding {
     for_all_stations(
         |wheel| {
             let (angle, scale) = (stated.pick(angle(wheel), 0.0), third(wheel, 0.0));
-            [-angle, angle].iter().all(|t| vanishes(third(wheel, *t) / scale))
+            [-angle, angle].iter().all(|t| vanishes(third(wheel, *t) / scale - stated.number()))
         },
         "the derivative of the acceleration over that on the line of centres",
     )

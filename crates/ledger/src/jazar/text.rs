@@ -103,12 +103,12 @@ fn quarter_turn() -> Claim {
         )
         .by(Vectors, |stated| {
             let advance = |wheel: &Wheel| 2.0 * by_series(wheel, wheel.engagement_half_angle())[0];
-            same(of(4, advance), 2.0 * PI * stated.pick(0.25, 0.5))
+            same(of(4, advance), 2.0 * PI * stated.pick(quarters(stated), 0.5))
         })
         .by(LimitCase, |stated| {
             // After so many turns of the driver the wheel is back. How far a slot is turned on in one of them, the law of
             // cosines says at entry and at exit.
-            let turns = stated.pick(4, 2);
+            let turns = libm::round(1.0 / stated.pick(quarters(stated), 0.5)) as i64;
             let turned = |wheel: &Wheel| {
                 let slot = |crank: f64| by_cosines(wheel.centre_distance_ratio(), crank).1;
                 let pitch = slot(wheel.engagement_half_angle()) - slot(-wheel.engagement_half_angle());
@@ -117,6 +117,11 @@ fn quarter_turn() -> Claim {
             same(of(4, turned), 2.0 * PI)
         })
         .but_not("it advances half a turn")
+}
+
+/// The part of a whole that a number of quarters is; not a number if the words are not of quarters.
+fn quarters(stated: Stated) -> f64 {
+    if stated.characters().contains("quarter") { stated.number() / 4.0 } else { f64::NAN }
 }
 
 fn tangent_entry() -> Claim {
@@ -260,8 +265,14 @@ fn parts_of_the_cycle() -> Claim {
             "three-quarters of the cycle",
             "a four-station wheel advances for a quarter of the cycle and is locked for three quarters",
         )
-        .by(ClosedForm, |stated| same(of(4, Wheel::motion_fraction), stated.pick(0.25, 0.75)))
-        .by(LimitCase, |stated| same(of(4, locked_part), stated.pick(0.75, 0.25)))
+        .by(ClosedForm, |stated| {
+            let locked = quarters(stated);
+            same(of(4, Wheel::motion_fraction), stated.pick(1.0 - locked, locked))
+        })
+        .by(LimitCase, |stated| {
+            let locked = quarters(stated);
+            same(of(4, locked_part), stated.pick(locked, 1.0 - locked))
+        })
         .but_not("it is locked for a quarter and advances for three quarters")
 }
 

@@ -27,15 +27,20 @@ pub fn claims() -> Vec<Claim> {
                 "a four-slot wheel stands still as the pin enters and leaves a slot if l is √2 R",
             )
             .by(ClosedForm, |stated| {
-                // tan² of the half pitch angle: 45° or 30°.
-                let (needed, found) = (stated.pick(rational(1, 1), rational(1, 3)), slot_at_standstill(2));
+                let (needed, found) = (slot_at_entry(slots(stated)), slot_at_standstill(2));
+                let holds = needed.as_ref() == Some(&found);
+                let needed = needed.map_or("not rational".to_owned(), |needed| needed.to_string());
                 Finding::new(
-                    found == needed,
+                    holds,
                     format!("the wheel stands still where tan² β is {found}; the pin enters where it is {needed}"),
                 )
             })
             .by(Jet, |stated| {
-                let speeds = stated.pick(speeds_of_four(), speeds_of_six());
+                let speeds = match slots(stated) {
+                    4 => speeds_of_four(),
+                    6 => speeds_of_six(),
+                    other => return Finding::new(false, format!("no exact power series with {other} slots")),
+                };
                 let still =
                     speeds.as_ref().is_some_and(|speeds| speeds.iter().all(|speed| *speed == Roots::integer(0)));
                 let which = if still { "zero at both, exactly" } else { "not zero" };
@@ -101,6 +106,21 @@ type WithTwo = Surd<Rational, 2>;
 
 fn is_root_of_two_exact() -> bool {
     four_slot_entry_misfit(&WithTwo::root()) == WithTwo::integer(0)
+}
+
+/// The number of slots; or six.
+fn slots(stated: Stated) -> u32 {
+    stated.pick(stated.count(), 6)
+}
+
+/// tan² of half a pitch, the angle of the slot as the pin enters; none if it is not rational.
+fn slot_at_entry(slots: u32) -> Option<Rational> {
+    match slots {
+        3 => Some(rational(3, 1)),
+        4 => Some(rational(1, 1)),
+        6 => Some(rational(1, 3)),
+        _ => None,
+    }
 }
 
 /// tan² of the angle of the slot at which the wheel stands still, for l² over R²: where the pin moves along the slot,

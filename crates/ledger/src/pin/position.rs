@@ -1,6 +1,7 @@
 //! The position triangle OPB: law of cosines, law of sines.
 
 use super::*;
+use crate::{Decimal, numeric_tokens};
 use geneva_kinematics::pin_proofs::{LawOfCosines, LawOfSines};
 
 const COSINES: Place = at("Solution, law of cosines");
@@ -114,10 +115,15 @@ pub fn claims() -> Vec<Claim> {
     ]
 }
 
-/// Whether the printed r/R is a rounding of the denominator that makes sin β exact; or the number next to it.
+/// Whether the denominator is a rounding of the one that makes sin β exact; or the number next to it.
 fn makes_exact(sine_at_pivot: f64, stated: Stated) -> Finding {
-    let exact = sine(printed("pin.angle-at-driver")) / sine_at_pivot;
-    let [least, most] = interval("pin.radius-ratio");
+    let numbers = numeric_tokens(stated.characters());
+    let [Ok(angle), Ok(denominator)] = &numbers.iter().map(|digits| digits.parse()).collect::<Vec<_>>()[..] else {
+        return Finding::new(false, "not an angle and a denominator");
+    };
+    let (angle, denominator): (&Decimal, &Decimal) = (angle, denominator);
+    let exact = sine(angle.to_f64()) / sine_at_pivot;
+    let [least, most] = denominator.interval();
     let shift = stated.pick(0.0, most - least);
     Finding::new((least + shift..most + shift).contains(&exact), format!("exact with {exact:.6} in the denominator"))
 }

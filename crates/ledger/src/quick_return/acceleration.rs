@@ -38,12 +38,12 @@ fn known() -> Vec<Claim> {
             )
             .by(OtherPlaceInSource, |stated| {
                 let factors = ["quick-return.driver-rate", "quick-return.crank"].map(printed);
-                gives("quick-return.pin-normal", power(factors, stated.pick(2, 1)))
+                gives("quick-return.pin-normal", power(factors, stated.pick(stated.count(), 1)))
             })
             .by(Series, |stated| {
                 at_the_instant(|at| {
                     let factors = [at.drive.speed, at.linkage.crank()];
-                    Some(same(given::total(&at.by_series()?), power(factors, stated.pick(2, 1))))
+                    Some(same(given::total(&at.by_series()?), power(factors, stated.pick(stated.count(), 1))))
                 })
             })
             .but_not("the rate itself, not its square"),
@@ -69,13 +69,13 @@ fn known() -> Vec<Claim> {
                 at_the_instant(|at| {
                     let mut at = at.clone();
                     at.drive.acceleration = stated.pick(0.0, 1.0);
-                    Some(along_the_circle(&at, given::components(&at.by_series()?)))
+                    Some(along_the_circle(&at, given::components(&at.by_series()?), stated))
                 })
             })
             .by(AutomaticDerivative, |stated| {
                 at_the_instant(|at| {
                     let crank = Crank { acceleration: stated.pick(0.0, 1.0), ..at.by_duals() };
-                    Some(along_the_circle(at, crank.pin_motion()[2]))
+                    Some(along_the_circle(at, crank.pin_motion()[2], stated))
                 })
             })
             .but_not("it is zero though the crank gains 1 rad/s in a second"),
@@ -106,13 +106,13 @@ fn known() -> Vec<Claim> {
             )
             .by(OtherPlaceInSource, |stated| {
                 let factors = ["quick-return.lever-speed", "quick-return.lever-length"].map(printed);
-                gives("quick-return.lever-normal", power(factors, stated.pick(2, 1)))
+                gives("quick-return.lever-normal", power(factors, stated.pick(stated.count(), 1)))
             })
             .by(Vectors, |stated| {
                 at_the_instant(|at| {
                     let (motion, rates) = (at.by_diagrams()?, at.by_series()?);
                     let normal = motion.accelerations.follower_normal.norm();
-                    Some(same(normal, power([rates.turning, radius(&rates)], stated.pick(2, 1))))
+                    Some(same(normal, power([rates.turning, radius(&rates)], stated.pick(stated.count(), 1))))
                 })
             })
             .but_not("the speed itself, not its square"),
@@ -284,7 +284,7 @@ fn found() -> Vec<Claim> {
 const DEGREES: &str = "The angle is printed without a unit here; it counts in degrees, as where it was found.";
 
 /// A rate to this power, times a length.
-fn power([rate, length]: [f64; 2], exponent: usize) -> f64 {
+fn power([rate, length]: [f64; 2], exponent: u32) -> f64 {
     (0..exponent).fold(length, |product, _| product * rate)
 }
 
@@ -298,9 +298,10 @@ fn centripetal(at: &Instant) -> f64 {
     at.drive.speed * at.drive.speed * at.linkage.crank()
 }
 
-/// Whether an acceleration has nothing along the pin's circle.
-fn along_the_circle(at: &Instant, acceleration: Vector2<f64>) -> Finding {
+/// Whether an acceleration has as much along the pin's circle as is said, in units of its own size.
+fn along_the_circle(at: &Instant, acceleration: Vector2<f64>, stated: Stated) -> Finding {
     let along = quarter_turn(&at.arm()).normalize().dot(&acceleration);
-    let nothing = vanishes(along / acceleration.norm());
-    Finding::new(nothing, format!("along the circle {:.3} m/s²", if nothing { 0.0 } else { along }))
+    let part = along / acceleration.norm();
+    let as_said = vanishes(part - stated.number());
+    Finding::new(as_said, format!("along the circle {:.3} m/s²", if vanishes(part) { 0.0 } else { along }))
 }

@@ -29,12 +29,12 @@ pub fn claims() -> Vec<Claim> {
             )
             .by(OtherPlaceInSource, |stated| {
                 let [turning, sliding] = ["quick-return.lever-speed", "quick-return.sliding-speed"].map(printed);
-                acceleration::gives("quick-return.coriolis", stated.pick(2.0, 1.0) * turning * sliding)
+                acceleration::gives("quick-return.coriolis", stated.pick(stated.number(), 1.0) * turning * sliding)
             })
             .by(AutomaticDerivative, |stated| {
                 from_duals(|crank| {
                     let [[_, sliding, _], [_, turning, _]] = crank.polar();
-                    meets(term(crank).norm(), stated.pick(2.0, 1.0) * (turning * sliding).abs())
+                    meets(term(crank).norm(), stated.pick(stated.number(), 1.0) * (turning * sliding).abs())
                 })
             })
             .but_not("the product once"),

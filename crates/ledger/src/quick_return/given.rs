@@ -50,10 +50,10 @@ pub fn claims() -> Vec<Claim> {
             .by(AutomaticDerivative, |stated| {
                 from_duals(|crank| {
                     let Parted { velocities, .. } = parted(crank);
-                    needed(&velocities, stated.pick(3, 2))
+                    needed(&velocities, stated.pick(stated.count(), 2))
                 })
             })
-            .by(OtherPlaceInSource, |stated| summands("quick-return.velocity-equation", stated.pick(3, 2)))
+            .by(OtherPlaceInSource, |stated| summands("quick-return.velocity-equation", stated.pick(stated.count(), 2)))
             .but_not("it has two terms")
             .read_as(COUNTED),
         ACCELERATION
@@ -98,10 +98,10 @@ pub fn claims() -> Vec<Claim> {
             .by(AutomaticDerivative, |stated| {
                 from_duals(|crank| {
                     let Parted { accelerations, .. } = parted(crank);
-                    needed(&accelerations, stated.pick(7, 6))
+                    needed(&accelerations, stated.pick(stated.count(), 6))
                 })
             })
-            .by(OtherPlaceInSource, |stated| summands("quick-return.seven-terms", stated.pick(7, 6)))
+            .by(OtherPlaceInSource, |stated| summands("quick-return.seven-terms", stated.pick(stated.count(), 6)))
             .but_not("it has six terms")
             .read_as(COUNTED),
         DRAWING
@@ -162,6 +162,9 @@ fn parted(crank: &Crank) -> Parted {
 
 /// Whether some choice of so many of the terms adds up to nothing.
 fn needed(terms: &[Vector2<f64>], count: u32) -> Finding {
+    if count as usize > terms.len() {
+        return Finding::new(false, format!("there are {} terms, not {count}", terms.len()));
+    }
     let longest = terms.iter().map(|term| term.norm()).fold(0.0, f64::max);
     let sum = |choice: u32| -> Vector2<f64> {
         let chosen = terms.iter().enumerate().filter(|(at, _)| choice >> at & 1 == 1);
@@ -175,10 +178,10 @@ fn needed(terms: &[Vector2<f64>], count: u32) -> Finding {
 }
 
 /// Whether so many terms stand in the printed equation.
-fn summands(equation: &str, count: usize) -> Finding {
+fn summands(equation: &str, count: u32) -> Finding {
     let printed = crate::claim(equation).map_or("", |claim| claim.printed);
     let found = printed.split(['=', '+']).filter(|term| !term.trim().is_empty()).count();
-    Finding::new(found == count, format!("{found} terms stand in the printed equation"))
+    Finding::new(found == count as usize, format!("{found} terms stand in the printed equation"))
 }
 
 /// The pin's acceleration from its components along the lever and across it, in polar coordinates.

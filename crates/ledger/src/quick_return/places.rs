@@ -83,7 +83,7 @@ pub fn claims() -> Vec<Claim> {
                     });
                     let (now, later) = (now? / axis_to_pin(), later? / axis_to_pin());
                     Some(Finding::new(
-                        vanishes(now) && !vanishes(later),
+                        vanishes(now - stated.number()) && !vanishes(later),
                         format!("p is {now:.3} of the crank's radius, and {later:.3} of it when the crank is 1° on"),
                     ))
                 })
@@ -93,7 +93,7 @@ pub fn claims() -> Vec<Claim> {
                 let p = printed_pin() - end_of(stated.pick(printed("quick-return.lever-length"), 0.0), lever_angle());
                 let [least, most] = interval("quick-return.lever-length");
                 Finding::new(
-                    p.norm() < (most - least) / 2.0,
+                    (p.norm() - stated.number()).abs() < (most - least) / 2.0,
                     format!("by the printed lengths and angles p is {:.4} m", p.norm()),
                 )
             })

@@ -1,9 +1,11 @@
 //! The locking disc: the wheel's arcs in which it turns, and the cut through which the wheel's horns pass.
 
 use super::fit::{ANY, tried};
+use super::models::{SHIPPED, macro_sizes, whole};
 use super::*;
 use crate::agreement::agrees;
-use crate::tex::Moment;
+use crate::by_id::characters;
+use crate::tex::{Letters, Moment, value};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::pin_from_pivot;
 use nalgebra::Vector2;
@@ -125,7 +127,7 @@ impl Drawn {
             (self.disc - place.norm()).min((place - towards_the_pin * centre).norm() - cut)
         };
         let all = (0..=1440).flat_map(|step| [at(step, 1.0), at(step, -1.0)]);
-        all.fold(f64::NEG_INFINITY, f64::max)
+        greatest(all)
     }
 
     /// The same by triangles, from the pin's place in its slot: of the two axes and the pin, and of the tip and two of them.
@@ -150,7 +152,7 @@ impl Drawn {
             (self.disc - to_axis.sqrt()).min(to_cut.sqrt() - self.cut[1])
         };
         let all = (0..=1440).flat_map(|step| [at(step, 1.0), at(step, -1.0)]);
-        all.fold(f64::NEG_INFINITY, f64::max)
+        greatest(all)
     }
 
     fn clears(depth: f64) -> Finding {
@@ -163,14 +165,29 @@ impl Drawn {
     }
 }
 
-/// The wheels that the macro draws with the pin and the tolerance that it is shipped with, 4 and 0.01, and the sizes of its
-/// comment: one that keeps the crank of the example, one that keeps the wheel's radius. Nothing is cut out of the disc yet.
+/// The greatest depth; not a number if one of them is not.
+fn greatest(depths: impl Iterator<Item = f64>) -> f64 {
+    depths.fold(f64::NEG_INFINITY, |most, depth| if most >= depth || most.is_nan() { most } else { depth })
+}
+
+/// The wheels that the macro draws with the pin and the tolerance that it is shipped with, and the sizes of its comment: one
+/// that keeps the crank of the example, one that keeps the wheel's radius. Nothing is cut out of the disc yet.
 fn freecad_wheels() -> [Drawn; 2] {
-    let (pin, tolerance) = (4.0, 0.01);
-    [(25.0, 25.0 * 3f64.sqrt()), (60.0 / 3f64.sqrt(), 60.0)].map(|(crank, rim)| {
-        let arc = crank - 1.5 * pin;
-        Drawn { slots: 6, crank, rim, arc: [rim / 2.0 - arc, arc], disc: arc - tolerance, cut: [0.0; 2] }
+    let [pin, tolerance] = SHIPPED;
+    let (crank, rim, slots) = macro_sizes(characters("wild.freecad.example"));
+    let tangent = libm::tan(PI / f64::from(slots));
+    [(crank, crank / tangent), (rim * tangent, rim)].map(|(crank, rim)| {
+        let radius = crank - 1.5 * pin;
+        let arc = [towards_the_wheel(characters("wild.freecad.arcs"), radius, rim), radius];
+        Drawn { slots, crank, rim, arc, disc: radius - tolerance, cut: [0.0; 2] }
     })
+}
+
+/// Where characters put the centre of the wheel's arcs of this radius y, for a wheel of radius b: from the driver's axis
+/// towards the wheel's.
+fn towards_the_wheel(characters: &str, y: f64, b: f64) -> f64 {
+    let formula = characters.strip_prefix("x =").unwrap_or_default();
+    -value(formula, &Letters::from([("y".to_owned(), y), ("b".to_owned(), b)]))
 }
 
 /// How the macro's wheels are read.
@@ -210,23 +227,24 @@ fn freecad() -> Claim {
 }
 
 fn freecad_arcs() -> Claim {
+    let said = |stated: Stated, wheel: &Drawn| towards_the_wheel(stated.characters(), wheel.arc[1], wheel.rim);
     MACRO
         .figure(
             "wild.freecad.arcs",
             "x = y - b/2",
             "place of the centre of the wheel's arcs at rest, from the driver's axis; the wheel's axis is at -c",
         )
-        .by(ClosedForm, |stated| {
+        .by(ClosedForm, move |stated| {
             rests(freecad_wheels().map(|wheel| {
                 // What is left of the wheel on the line of centres, and what the disc leaves room for.
-                let left = wheel.centres() - stated.pick(0.0, wheel.arc[0]) - wheel.arc[1];
+                let left = wheel.centres() - said(stated, &wheel) - wheel.arc[1];
                 wheel.centres() - wheel.disc - left
             }))
         })
-        .by(Vectors, |stated| {
+        .by(Vectors, move |stated| {
             let gaps = freecad_wheels().map(|wheel| {
                 // Places of the arc all along it, from the driver's axis.
-                let [from, radius] = [stated.pick(0.0, wheel.arc[0]), wheel.arc[1]];
+                let [from, radius] = [said(stated, &wheel), wheel.arc[1]];
                 let place = |step: i32| {
                     let angle = f64::from(step) / 100.0;
                     Vector2::new(radius * libm::cos(angle) + from, radius * libm::sin(angle))
@@ -252,41 +270,47 @@ fn freecad_arcs() -> Claim {
 
 /// Whether what is between disc and arc is the tolerance.
 fn rests(gaps: [f64; 2]) -> Finding {
-    let [crank, rim] = gaps;
+    let ([crank, rim], [_, tolerance]) = (gaps, SHIPPED);
     Finding::new(
-        gaps.iter().all(|gap| agrees(*gap, 0.01)),
+        gaps.iter().all(|gap| agrees(*gap, tolerance)),
         format!(
             "between disc and arc are up to {crank:.2} mm with the crank kept, {rim:.2} mm with the radius kept; the tolerance \
-             is 0.01 mm"
+             is {tolerance} mm"
         ),
     )
 }
 
 fn cosmo() -> Claim {
-    let fitting = 16.0 * 3f64.sqrt();
-    let wheel = Drawn { slots: 6, crank: 16.0, rim: fitting, arc: [0.0, 11.225], disc: 11.125, cut: [0.0; 2] };
-    let without_play = wheel.with_wheel_for_cut();
-    let drawn = Drawn { rim: fitting - 0.2 - 0.6, ..without_play };
+    let drawn = |stated: Stated| {
+        let fitting = 16.0 * 3f64.sqrt();
+        let rim = stated.characters().rsplit(", ").next().unwrap_or_default();
+        let rim = stated.pick(value(rim, &Letters::from([("b".to_owned(), fitting)])), fitting);
+        Drawn { slots: 6, crank: 16.0, rim, arc: [0.0, 11.225], disc: 11.125, cut: [0.0; 2] }.with_wheel_for_cut()
+    };
     COSMO
         .example(
             "wild.cosmo.cut",
             "m = c, R = b, b - 0.2 - 0.6",
             "circle that is cut out of the locking disc, and the wheel's radius less two clearances",
         )
-        .by(Vectors, move |stated| Drawn::clears(stated.pick(drawn, without_play).by_crank()))
-        .by(ClosedForm, move |stated| Drawn::clears(stated.pick(drawn, without_play).by_triangles()))
+        .by(Vectors, move |stated| Drawn::clears(drawn(stated).by_crank()))
+        .by(ClosedForm, move |stated| Drawn::clears(drawn(stated).by_triangles()))
         .read_as("The wheel clears the disc with its clearances, in millimetres.")
         .but_not("the wheel clears the disc without them")
 }
 
 fn openscad() -> Claim {
-    let crank = 25.0 * libm::tan(PI / 5.0);
-    let wheel = Drawn { slots: 5, crank, rim: 25.0, arc: [0.0, crank - 7.5], disc: crank - 7.75, cut: [0.0; 2] };
-    let [drawn, other] = [wheel.with_clear_cut(), wheel.with_wheel_for_cut()];
+    let drawn = |stated: Stated| {
+        let (rim, slots) = (stated.number(), whole(stated.numbers().last().copied().unwrap_or(f64::NAN)));
+        let crank = rim * libm::tan(PI / f64::from(slots));
+        let (arc, disc) = ([0.0, crank - 7.5], crank - 7.75);
+        let wheel = Drawn { slots, crank, rim, arc, disc, cut: [0.0; 2] };
+        stated.pick(wheel.with_clear_cut(), wheel.with_wheel_for_cut())
+    };
     OPENSCAD
         .example("wild.openscad.cut", "v = 25 z/a, 5 slots", "cut in the locking disc of the wheel that is shipped")
-        .by(Vectors, move |stated| Drawn::clears(stated.pick(drawn, other).by_crank()))
-        .by(ClosedForm, move |stated| Drawn::clears(stated.pick(drawn, other).by_triangles()))
+        .by(Vectors, move |stated| Drawn::clears(drawn(stated).by_crank()))
+        .by(ClosedForm, move |stated| Drawn::clears(drawn(stated).by_triangles()))
         .read_as("The wheel clears the disc.")
         .but_not("it does so with a cut of the wheel's radius about the wheel's axis")
 }

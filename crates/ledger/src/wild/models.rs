@@ -6,6 +6,7 @@
 
 use super::*;
 use crate::agreement::vanishes;
+use crate::tex::{Letters, value};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::{pin_from_pivot, velocity_ratio};
 use nalgebra::Vector2;
@@ -97,37 +98,55 @@ impl Drawn {
     }
 }
 
-/// An example that is drawn so, and how it would fit.
+/// An example, the wheel of its characters, and how it would fit.
 fn example(
     place: Place,
     id: &'static str,
     printed: &'static str,
     meaning: &'static str,
-    [right, drawn]: [Drawn; 2],
+    wheel: fn(Stated) -> Drawn,
     (corrected, slip): (&'static str, Slip),
 ) -> Claim {
     place
         .example(id, printed, meaning)
-        .by(ClosedForm, move |stated| {
-            let wheel = stated.pick(right, drawn);
-            wheel.fits(wheel.entry())
-        })
-        .by(Vectors, move |stated| {
-            let wheel = stated.pick(right, drawn);
-            wheel.fits(wheel.entry_by_coordinates())
-        })
+        .by(ClosedForm, move |stated| wheel(stated).fits(wheel(stated).entry()))
+        .by(Vectors, move |stated| wheel(stated).fits(wheel(stated).entry_by_coordinates()))
         .read_as(EXAMPLE)
         .corrected(corrected, slip)
 }
 
+/// A formula of a program in TeX; its functions take degrees.
+fn in_tex(formula: &str) -> String {
+    let signs = [("√", r"\sqrt "), ("·", r"\cdot"), ("*", r"\cdot"), ("tan(", r"\tan(1^{\circ} ")];
+    signs.iter().fold(formula.to_owned(), |formula, (sign, tex)| formula.replace(sign, tex))
+}
+
+/// The size behind this name in characters that name several, parted by commas; not a number if none has it.
+fn size(characters: &str, name: &str) -> f64 {
+    let formula = characters.split([':', ',']).find_map(|part| part.trim().strip_prefix(name));
+    formula.map_or(f64::NAN, |formula| value(&in_tex(formula), &Letters::new()))
+}
+
+/// The sizes a, b and n in the characters of the macro's example: crank radius, wheel radius and number of slots.
+pub(super) fn macro_sizes(characters: &str) -> (f64, f64, u32) {
+    (size(characters, "a ="), size(characters, "b ="), whole(size(characters, "n =")))
+}
+
+/// A number as a count; nought if it is not whole.
+pub(super) fn whole(number: f64) -> u32 {
+    if number.fract() == 0.0 { number as u32 } else { 0 }
+}
+
 fn freecad() -> Claim {
-    let drawn = Drawn { slots: 6, crank: 25.0, centres: libm::hypot(25.0, 60.0), rim: 60.0 };
     example(
         MACRO,
         "wild.freecad.example",
         "a = 25.0, b = 60.0, n = 6",
         "crank radius, wheel radius and slots of the macro as it is shipped, version 1.0",
-        [drawn.fitting(), drawn],
+        |stated| {
+            let (crank, rim, slots) = macro_sizes(stated.characters());
+            Drawn { slots, crank, centres: libm::hypot(crank, rim), rim }
+        },
         (
             r"a = 25.0, b = 25 \sqrt{3}, n = 6",
             slip(
@@ -142,9 +161,10 @@ fn freecad() -> Claim {
     )
 }
 
+/// The macro's p and tolerance t, as shipped.
+pub(super) const SHIPPED: [f64; 2] = [4.0, 0.01];
+
 fn pin_diameter() -> Claim {
-    /// p and the tolerance t, as shipped.
-    const SHIPPED: [f64; 2] = [4.0, 0.01];
     MACRO
         .statement("wild.freecad.pin", r"p = \text{Drive Pin Diameter}", "what the length p is")
         .by(Vectors, |stated| {
@@ -181,14 +201,15 @@ fn pin_diameter() -> Claim {
 }
 
 fn drift() -> Claim {
-    let drawn = Drawn { slots: 6, crank: 0.5, centres: 1.5, rim: 1.0 };
-    let right = Drawn { crank: 0.75, ..drawn }.with_fitting_rim();
     example(
         DRIFT,
         "wild.drift.example",
         "6 slots: pin 0.5, centres 1.5, wheel 1.0",
         "sizes of the Geneva mechanism of a simulation, in the radius that is called the driver's",
-        [right, drawn],
+        |stated| {
+            let [crank, centres, rim] = ["pin", "centres", "wheel"].map(|name| size(stated.characters(), name));
+            Drawn { slots: stated.count(), crank, centres, rim }
+        },
         (
             "6 slots: pin 0.75, centres 1.5, wheel 0.75 √3",
             slip(
@@ -205,13 +226,15 @@ fn drift() -> Claim {
 }
 
 fn model3d() -> Claim {
-    let drawn = Drawn { slots: 4, crank: 1.8 / 2f64.sqrt(), centres: 1.8, rim: 1.0 };
     example(
         MODEL3D,
         "wild.model3d.example",
         "4 slots: driven radius 1.0, centres 1.8",
         "rim of the driven wheel; the pin's circle has the centre distance over the root of two, which is right",
-        [drawn.with_fitting_rim(), drawn],
+        |stated| {
+            let [rim, centres] = ["driven radius", "centres"].map(|name| size(stated.characters(), name));
+            Drawn { slots: stated.count(), crank: centres / 2f64.sqrt(), centres, rim }
+        },
         (
             "4 slots: driven radius 0.9 √2, centres 1.8",
             slip(
@@ -226,15 +249,15 @@ fn model3d() -> Claim {
 }
 
 fn cadbuildr() -> Claim {
-    // The disc is as wide as the pin's circle and a pin, the cross eight tenths of it.
-    let crank = 50.0 / 2f64.sqrt();
-    let drawn = Drawn { slots: 4, crank, centres: 50.0, rim: 0.8 * (2.0 * crank + 4.0) / 2.0 };
     example(
         CADBUILDR,
         "wild.cadbuildr.example",
         "4 slots: cross 0.8 (2 · 50/√2 + 4), centres 50",
         "diameter of the driven cross; the pin's circle is right",
-        [drawn.with_fitting_rim(), drawn],
+        |stated| {
+            let [across, centres] = ["cross", "centres"].map(|name| size(stated.characters(), name));
+            Drawn { slots: stated.count(), crank: centres / 2f64.sqrt(), centres, rim: across / 2.0 }
+        },
         (
             "4 slots: cross 2 · 50/√2, centres 50",
             slip(
@@ -248,16 +271,17 @@ fn cadbuildr() -> Claim {
 }
 
 fn sdfx() -> Claim {
-    let pin =
-        |centres: f64, rim: f64| (centres * centres + rim * rim - 2.0 * centres * rim * libm::cos(PI / 6.0)).sqrt();
-    let drawn = Drawn { slots: 6, crank: pin(50.0, 40.0), centres: 50.0, rim: 40.0 };
-    let right = drawn.with_fitting_rim();
     example(
         SDFX,
         "wild.sdfx.example",
         "6 slots: centres 50.0, driven radius 40.0",
         "first example of the program, which puts the pin where it meets the mouth of the slot",
-        [Drawn { crank: pin(right.centres, right.rim), ..right }, drawn],
+        |stated| {
+            let [centres, rim] = ["centres", "driven radius"].map(|name| size(stated.characters(), name));
+            let (slots, twice) = (stated.count(), 2.0 * centres * rim);
+            let square = centres * centres + rim * rim - twice * libm::cos(PI / f64::from(slots));
+            Drawn { slots, crank: square.sqrt(), centres, rim }
+        },
         (
             "6 slots: centres 50.0, driven radius 25 √3",
             slip(
@@ -271,15 +295,17 @@ fn sdfx() -> Claim {
 }
 
 fn counter() -> Claim {
-    let crank = 25.0;
-    let whole = Drawn { slots: 5, crank, centres: crank, rim: crank }.fitting();
-    let drawn = Drawn { rim: whole.rim - 5.0 - 0.35, ..whole };
     example(
         COUNTER,
         "wild.counter.example",
         "5 slots: r/tan(180/5) - 5 - 0.35",
         "rim of the wheel that is drawn: less the pin's radius and a clearance",
-        [whole, drawn],
+        |stated| {
+            let (slots, crank) = (stated.count(), 25.0);
+            let (_, rim) = stated.characters().split_once(": ").unwrap_or_default();
+            let rim = value(&in_tex(rim), &Letters::from([("r".to_owned(), crank)]));
+            Drawn { rim, ..Drawn { slots, crank, centres: crank, rim }.fitting() }
+        },
         (
             "5 slots: r/tan(180/5)",
             slip(
@@ -292,7 +318,7 @@ fn counter() -> Claim {
 }
 
 fn pitter() -> Claim {
-    let drawn = Drawn { slots: 6, crank: 30.0, centres: 60.0, rim: 52.0 };
+    let drawn = Drawn { slots: 6, crank: 30.0, centres: 60.0, rim: f64::NAN };
     PITTER
         .value("wild.cherry-pitter.rim", "52", "mm", "radius of a wheel of six slots, for a centre distance of 60 mm")
         .by(ClosedForm, move || drawn.with_fitting_rim().rim)
@@ -307,18 +333,15 @@ fn pitter_arcs() -> Claim {
             "the wheel's locking arcs have the directions of its slots",
         )
         .by(ClosedForm, |stated| {
-            // At rest an arc points to the driver. The pin must then find a slot where it leaves the wheel.
-            let (arc, fit) = (stated.pick(0.5, 0.0), Fit::by_wheel(6));
-            let slots = (0..6).map(|slot| (f64::from(slot) - arc) * fit.step);
-            found_a_slot(slots, libm::asin(fit.crank / fit.centres))
+            let fit = Fit::by_wheel(6);
+            found_a_slot(stated, libm::asin(fit.crank / fit.centres))
         })
         .by(Vectors, |stated| {
             let fit = Fit::by_vectors(6);
             let leaves = Vector2::new(fit.centres - fit.crank * libm::cos(fit.moving / 2.0), {
                 fit.crank * libm::sin(fit.moving / 2.0)
             });
-            let slots = (0..6).map(|slot| (f64::from(slot) - stated.pick(0.5, 0.0)) * fit.step);
-            found_a_slot(slots, libm::atan2(leaves.y, leaves.x))
+            found_a_slot(stated, libm::atan2(leaves.y, leaves.x))
         })
         .corrected(
             "i * 60 for slots, i * 60 + 30 for arcs",
@@ -331,9 +354,23 @@ fn pitter_arcs() -> Claim {
         )
 }
 
-/// Whether one of the slots has the direction in which the pin leaves the wheel.
-fn found_a_slot(slots: impl Iterator<Item = f64>, leaves: f64) -> Finding {
-    let nearest = slots.map(|slot| (slot - leaves).abs()).fold(f64::INFINITY, f64::min);
+/// The six directions of slots or arcs in characters that have a formula in i for each, in radians.
+fn directions(characters: &str, of: &str) -> [f64; 6] {
+    let parts = || characters.split(", ").filter_map(|part| part.split_once(" for "));
+    let formula = parts().find(|(_, names)| names.contains(of)).map_or(String::new(), |(formula, _)| in_tex(formula));
+    [0.0, 1.0, 2.0, 3.0, 4.0, 5.0].map(|i| value(&formula, &Letters::from([("i".to_owned(), i)])).to_radians())
+}
+
+/// Whether at rest one of the slots has the direction in which the pin leaves the wheel, whichever arc then points to the
+/// driver.
+fn found_a_slot(stated: Stated, leaves: f64) -> Finding {
+    let [slots, arcs] = ["slots", "arcs"].map(|of| directions(stated.characters(), of));
+    let gap = |slot: f64, arc: f64| {
+        let off = slot - arc - leaves;
+        (off - 2.0 * PI * libm::round(off / (2.0 * PI))).abs()
+    };
+    let nearest = |arc: &f64| slots.iter().map(|slot| gap(*slot, *arc)).fold(f64::INFINITY, f64::min);
+    let nearest = arcs.iter().map(nearest).fold(0.0, f64::max);
     Finding::new(
         vanishes(nearest),
         format!(

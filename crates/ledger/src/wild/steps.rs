@@ -2,7 +2,9 @@
 
 use super::fit::ANY;
 use super::*;
+use crate::by_id::numbers;
 use geneva_kinematics::wheel::Wheel;
+use std::ops::RangeInclusive;
 
 const PROBSEE: Place = at(page!("https://probsee.com/p/Geneva_drive"));
 const STATEMASTER: Place = at(page!("http://www.statemaster.com/encyclopedia/Geneva-drive"));
@@ -18,13 +20,13 @@ pub fn claims() -> Vec<Claim> {
             )
             .by(ClosedForm, |stated| {
                 // One pin makes a step; the formula crate refuses more pins than there is room for.
-                let most = |slots| (1..=18).rev().find(|pins| Wheel::with_pins(slots, *pins).is_ok());
+                let most = |slots| PINS.rev().find(|pins| Wheel::with_pins(slots, *pins).is_ok());
                 steps(stated, Fit::by_wheel, most)
             })
             .by(Vectors, |stated| {
                 // So many moves after one another as fit into a turn.
                 let room = |slots| 2.0 * PI * (1.0 + 1e-12) / Fit::by_vectors(slots).moving;
-                steps(stated, Fit::by_vectors, |slots| (1..=18).rev().find(|pins| f64::from(*pins) <= room(slots)))
+                steps(stated, Fit::by_vectors, |slots| PINS.rev().find(|pins| f64::from(*pins) <= room(slots)))
             })
             .read_as("The wheels have 3 to 18 slots, and one pin or as many as there is room for.")
             .corrected(
@@ -57,13 +59,17 @@ pub fn claims() -> Vec<Claim> {
     ]
 }
 
-/// Whether a turn of the wheel has 3 to 18 steps, if it has that many slots; or a turn of the driver.
+/// How many pins are tried; there is never room for so many.
+const PINS: RangeInclusive<u32> = 1..=18;
+
+/// Whether a turn of the wheel has as many steps as are said, for the numbers of slots that are printed; or a turn of the
+/// driver.
 fn steps(stated: Stated, by: fn(u32) -> Fit, most: impl Fn(u32) -> Option<u32>) -> Finding {
+    let [first, last] = numbers("wild.probsee.steps")[..] else { return Finding::new(false, "not a range of slots") };
     let of = |slots: u32| stated.pick(Some(libm::round(2.0 * PI / by(slots).step) as u32), most(slots));
-    let found: Vec<u32> = (3..=18).filter_map(of).collect();
-    let least_and_most = (found.iter().min(), found.iter().max());
-    let how = format!("from {} to {} steps", found.iter().min().unwrap_or(&0), found.iter().max().unwrap_or(&0));
-    Finding::new(least_and_most == (Some(&3), Some(&18)), how)
+    let found: Vec<u32> = (first..=last).filter_map(of).collect();
+    let [least, most] = [found.iter().min(), found.iter().max()].map(|steps| steps.copied().unwrap_or(0));
+    Finding::new(stated.numbers() == [least, most].map(f64::from), format!("from {least} to {most} steps"))
 }
 
 /// Whether each slot less makes the rest longer; or shorter.

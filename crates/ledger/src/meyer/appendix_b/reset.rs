@@ -44,7 +44,7 @@ fn modulus(at: &Mechanism, stated: Stated) -> f64 {
         let pitches = Mechanism::ALL.iter().map(|at| at.driver_pitch_angle());
         pitches.into_iter().any(|pitch| is(said, pitch) || is(said, pitch / 2.0))
     });
-    let corrected = if known && said.iter().any(|said| is(said, pitch)) { pitch } else { f64::NAN };
+    let corrected = if known && said.iter().any(|said| is(said, pitch)) { pitch } else { f64::INFINITY };
     stated.pick(corrected, printed("meyer.listing.quarter-turn"))
 }
 
@@ -55,7 +55,7 @@ fn resets(modulus: impl Fn(&Mechanism) -> f64) -> Finding {
         .filter(|at| {
             let end = modulus(at) - at.engagement_half_angle();
             // The modulus is printed to four places.
-            !((end - at.engagement_half_angle()).abs() <= 1e-4)
+            (end - at.engagement_half_angle()).abs() > 1e-4
         })
         .map(|at| {
             let [from, to] =
