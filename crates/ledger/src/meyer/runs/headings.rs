@@ -7,7 +7,7 @@ use super::*;
 use crate::Evidence::{Quadrature, RungeKutta};
 use crate::meyer::slips::{RESET_ANGLE, SWAPPED_INERTIAS};
 
-const UNIT: &str = "× 10^-6 in lb sec²";
+pub const UNIT: &str = "× 10^-6 in lb sec²";
 
 /// The members, in the order of the headings.
 const MEMBERS: [&str; 2] = ["driver", "follower"];
@@ -36,8 +36,8 @@ fn inertia(place: Place, id: &'static str, numbers: [&'static str; 2], mechanism
     let meaning = leaked(format!("moment of inertia of the {} in the runs, a datum", MEMBERS[member]));
     place
         .value(id, numbers[member], UNIT, meaning)
-        .by(Quadrature, move || data::inertias(mechanism)[member] * motion::MILLIONTHS)
-        .by(RungeKutta, move || data::inertias_in_steps(mechanism)[member] * motion::MILLIONTHS)
+        .by(Quadrature, move || data::inertias(mechanism)[member] * motion::units_in_one(UNIT))
+        .by(RungeKutta, move || data::inertias_in_steps(mechanism)[member] * motion::units_in_one(UNIT))
         .read_as(
             "Computed is that of the pair of inertias with which all peaks, minima and periods of the table come out best.",
         )

@@ -120,7 +120,7 @@ impl Hypothesis {
         let six_drawn = mechanism == Mechanism::SIX_PIN && self.six_pin == SixPin::AsDrawn;
         ["driver", "follower"].map(|member| {
             let id = if six_drawn { format!("meyer.fig-11.{member}") } else { heading(mechanism, member) };
-            printed(&id) / MILLIONTHS
+            printed(&id) / units_in_one(named(&id).unit)
         })
     }
 
@@ -206,8 +206,14 @@ pub fn parameters_with(row: &Row, [driver, follower]: [f64; 2]) -> Option<Parame
     Parameters::new(row.mechanism, Inertias::new(driver, follower).ok()?, row.torque(), row.friction()).ok()
 }
 
-/// How many of the units of the printed inertias are one in lb s².
-pub const MILLIONTHS: f64 = 1e6;
+/// How many of a unit with a power of ten before it are one without.
+pub fn units_in_one(unit: &str) -> f64 {
+    let power = unit.split_once("10^").and_then(|(_, behind)| behind.split(' ').next()?.parse::<i32>().ok());
+    power.map_or(f64::NAN, |power| match libm::pow(10.0, f64::from(power.abs())) {
+        size if power < 0 => size,
+        size => 1.0 / size,
+    })
+}
 
 /// The id of an inertia in the heading of a table.
 pub fn heading(mechanism: Mechanism, member: &str) -> String {

@@ -140,15 +140,16 @@ mod tests {
 
     #[test]
     fn the_printed_inertias_are_those_that_are_found() {
+        let millionths = motion::units_in_one(headings::UNIT);
         for mechanism in Mechanism::ALL {
             let in_steps = inertias_in_steps(mechanism);
             let as_drawn = Hypothesis::WITHOUT_LAG.inertias(mechanism);
             for (found, printed) in in_steps.iter().zip(as_drawn) {
-                assert!((found - printed).abs() * motion::MILLIONTHS < 0.5, "{in_steps:?}");
+                assert!((found - printed).abs() * millionths < 0.5, "{in_steps:?}");
             }
             let known_to = uncertainties(mechanism).expect("a table with slopes");
             // So the last digit is decided, and none of the other's.
-            assert!(known_to.iter().all(|to| (0.02..0.5).contains(&(to * motion::MILLIONTHS))), "{known_to:?}");
+            assert!(known_to.iter().all(|to| (0.02..0.5).contains(&(to * millionths))), "{known_to:?}");
         }
     }
 }
