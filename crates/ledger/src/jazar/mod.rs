@@ -12,6 +12,7 @@ mod four;
 mod general;
 mod locking;
 mod peak;
+mod spherical;
 mod symbols;
 mod text;
 
@@ -45,6 +46,7 @@ pub fn claims() -> Vec<Claim> {
         curves::claims(),
         duration::claims(),
         general::claims(),
+        vec![spherical::angulated()],
         example::claims(),
         peak::claims(),
     ]
