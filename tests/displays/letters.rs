@@ -119,6 +119,12 @@ fn of_quick_return(id: &str, number: usize) -> Moment {
             .called([("a_{P_2P_4}^n", r"\vec{a}_\mathrm{rel}^\mathrm{n}")])
             .called([("a_{P_2P_4}^t", r"\vec{a}_\mathrm{rel}^\mathrm{t}")])
             .called([(r"\omega_4", r"\vec{\omega}_4"), ("v_{P_2P_4}", r"\vec{v}_\mathrm{rel}")]),
+        "quick-return.seven-terms-by-points" => quick_return(number, 1.5)
+            .called([("a_{P2}^n", r"\vec{a}_2^\mathrm{n}"), ("a_{P2}^t", r"\vec{a}_2^\mathrm{t}")])
+            .called([("a_{P4}^n", r"\vec{a}_4^\mathrm{n}"), ("a_{P4}^t", r"\vec{a}_4^\mathrm{t}")])
+            .called([("a_{P2/P4}^n", r"\vec{a}_\mathrm{rel}^\mathrm{n}")])
+            .called([("a_{P2/P4}^t", r"\vec{a}_\mathrm{rel}^\mathrm{t}")])
+            .called([(r"\omega_4", r"\vec{\omega}_4"), ("v_{P2/P4}", r"\vec{v}_\mathrm{rel}")]),
         _ => state
             .called([(r"\gamma", r"\gamma_2"), ("l_2", "R"), ("l_4", "r"), ("v_{P2}", "v_2"), ("v_{P4}", "v_4")])
             .called([
@@ -128,7 +134,8 @@ fn of_quick_return(id: &str, number: usize) -> Moment {
             ])
             .called([("A_{P4}^t", r"a_4^\mathrm{t}"), ("A_{P2/P4}^t", r"a_\mathrm{rel}^\mathrm{t}")])
             .called([("v_{P_2}", r"\vec{v}_2"), ("v_{P_4}", r"\vec{v}_4"), ("v_{P_2P_4}", r"\vec{v}_\mathrm{rel}")])
-            .called([("a_{P_2}", r"\vec{a}_2"), ("a_{P_4}", r"\vec{a}_4"), ("a_{P_2P_4}", r"\vec{a}_{2/4}")]),
+            .called([("a_{P_2}", r"\vec{a}_2"), ("a_{P_4}", r"\vec{a}_4"), ("a_{P_2P_4}", r"\vec{a}_{2/4}")])
+            .called([("a_{P2}", r"\vec{a}_2"), ("a_{P4}", r"\vec{a}_4"), ("a_{P2/P4}", r"\vec{a}_{2/4}")]),
     }
 }
 

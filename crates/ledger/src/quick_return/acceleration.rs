@@ -19,6 +19,19 @@ pub fn claims() -> Vec<Claim> {
 fn known() -> Vec<Claim> {
     vec![
         frames::acceleration_in_a_frame(),
+        given::accelerations(
+            at("Solution, acceleration, 2nd line"),
+            "quick-return.acceleration-by-points",
+            r"a_{P2} = a_{P4} + a_{P2/P4}",
+        ),
+        given::components_of_all(
+            at("Solution, acceleration, 3rd line"),
+            "quick-return.seven-terms-by-points",
+            concat!(
+                r"(a_{P2}^n + a_{P2}^t) = (a_{P4}^n + a_{P4}^t)",
+                r" + (a_{P2/P4}^n + a_{P2/P4}^t + 2\omega_4 \times v_{P2/P4})"
+            ),
+        ),
         frames::acceleration_from_the_lever(),
         PIN_NORMAL
             .equation(

@@ -56,43 +56,15 @@ pub fn claims() -> Vec<Claim> {
             .by(OtherPlaceInSource, |stated| summands("quick-return.velocity-equation", stated.pick(stated.count(), 2)))
             .but_not("it has two terms")
             .read_as(COUNTED),
-        ACCELERATION
-            .equation(
-                "quick-return.acceleration-equation",
-                r"a_{P_2} = a_{P_4} + a_{P_2P_4}",
-                "acceleration of the pin: that of the lever's point and the rest, seen without turning",
-            )
-            .by(Series, || {
-                at_the_instant(|instant| {
-                    let speed = instant.drive.speed;
-                    Some(alike(&components(&instant.by_series()?), &(-instant.arm() * (speed * speed))))
-                })
-            })
-            .by(AutomaticDerivative, || {
-                from_duals(|crank| {
-                    let [[_, sliding, outwards], [_, turning, _]] = crank.polar();
-                    let along = frames::along_the_slot(crank);
-                    let relative = along * outwards + quarter_turn(&along) * (2.0 * sliding * turning);
-                    alike(&crank.pin_motion()[2], &(crank.point_motion()[2] + relative))
-                })
-            }),
-        TERMS
-            .equation(
-                "quick-return.seven-terms",
-                concat!(
-                    r"(a_{P_2}^n + a_{P_2}^t) = (a_{P_4}^n + a_{P_4}^t)",
-                    r" + (a_{P_2P_4}^n + a_{P_2P_4}^t + 2\omega_4 \times v_{P_2P_4})"
-                ),
-                "the same by normal, tangential and Coriolis components",
-            )
-            .proven(TermsOfTheAcceleration { coriolis: 2 })
-            .by(AutomaticDerivative, || {
-                from_duals(|crank| {
-                    let Parted { accelerations, .. } = parted(crank);
-                    let left = accelerations[0] + accelerations[1];
-                    alike(&left, &-accelerations[2..].iter().sum::<Vector2<f64>>())
-                })
-            }),
+        accelerations(ACCELERATION, "quick-return.acceleration-equation", r"a_{P_2} = a_{P_4} + a_{P_2P_4}"),
+        components_of_all(
+            TERMS,
+            "quick-return.seven-terms",
+            concat!(
+                r"(a_{P_2}^n + a_{P_2}^t) = (a_{P_4}^n + a_{P_4}^t)",
+                r" + (a_{P_2P_4}^n + a_{P_2P_4}^t + 2\omega_4 \times v_{P_2P_4})"
+            ),
+        ),
         QUESTION
             .statement("quick-return.seven", "seven", "the equation of the accelerations has seven terms")
             .by(AutomaticDerivative, |stated| {
@@ -112,6 +84,40 @@ pub fn claims() -> Vec<Claim> {
                  acceleration and of the lever's angular acceleration",
             ),
     ]
+}
+
+/// The equation of the accelerations, which the solution prints again in letters of its own.
+pub fn accelerations(place: Place, id: &'static str, printed: &'static str) -> Claim {
+    place
+        .equation(id, printed, "acceleration of the pin: that of the lever's point and the rest, seen without turning")
+        .by(Series, || {
+            at_the_instant(|instant| {
+                let speed = instant.drive.speed;
+                Some(alike(&components(&instant.by_series()?), &(-instant.arm() * (speed * speed))))
+            })
+        })
+        .by(AutomaticDerivative, || {
+            from_duals(|crank| {
+                let [[_, sliding, outwards], [_, turning, _]] = crank.polar();
+                let along = frames::along_the_slot(crank);
+                let relative = along * outwards + quarter_turn(&along) * (2.0 * sliding * turning);
+                alike(&crank.pin_motion()[2], &(crank.point_motion()[2] + relative))
+            })
+        })
+}
+
+/// The same by its components.
+pub fn components_of_all(place: Place, id: &'static str, printed: &'static str) -> Claim {
+    place
+        .equation(id, printed, "the same by normal, tangential and Coriolis components")
+        .proven(TermsOfTheAcceleration { coriolis: 2 })
+        .by(AutomaticDerivative, || {
+            from_duals(|crank| {
+                let Parted { accelerations, .. } = parted(crank);
+                let left = accelerations[0] + accelerations[1];
+                alike(&left, &-accelerations[2..].iter().sum::<Vector2<f64>>())
+            })
+        })
 }
 
 /// How terms are counted.
