@@ -113,18 +113,9 @@ fn of_quick_return(id: &str, number: usize) -> Moment {
         "quick-return.sliding-normal" => state
             .with([("R", f64::INFINITY)])
             .called([("v_{P2/P4}", r"v_\mathrm{rel}"), ("A_{P2/P4}^n", r"a_\mathrm{rel}^\mathrm{n}")]),
-        "quick-return.seven-terms" => quick_return(number, 1.5)
-            .called([("a_{P_2}^n", r"\vec{a}_2^\mathrm{n}"), ("a_{P_2}^t", r"\vec{a}_2^\mathrm{t}")])
-            .called([("a_{P_4}^n", r"\vec{a}_4^\mathrm{n}"), ("a_{P_4}^t", r"\vec{a}_4^\mathrm{t}")])
-            .called([("a_{P_2P_4}^n", r"\vec{a}_\mathrm{rel}^\mathrm{n}")])
-            .called([("a_{P_2P_4}^t", r"\vec{a}_\mathrm{rel}^\mathrm{t}")])
-            .called([(r"\omega_4", r"\vec{\omega}_4"), ("v_{P_2P_4}", r"\vec{v}_\mathrm{rel}")]),
-        "quick-return.seven-terms-by-points" => quick_return(number, 1.5)
-            .called([("a_{P2}^n", r"\vec{a}_2^\mathrm{n}"), ("a_{P2}^t", r"\vec{a}_2^\mathrm{t}")])
-            .called([("a_{P4}^n", r"\vec{a}_4^\mathrm{n}"), ("a_{P4}^t", r"\vec{a}_4^\mathrm{t}")])
-            .called([("a_{P2/P4}^n", r"\vec{a}_\mathrm{rel}^\mathrm{n}")])
-            .called([("a_{P2/P4}^t", r"\vec{a}_\mathrm{rel}^\mathrm{t}")])
-            .called([(r"\omega_4", r"\vec{\omega}_4"), ("v_{P2/P4}", r"\vec{v}_\mathrm{rel}")]),
+        // The problem's letters and the solution's.
+        "quick-return.seven-terms" => components(number, ["P_2", "P_4", "P_2P_4"]),
+        "quick-return.seven-terms-by-points" => components(number, ["P2", "P4", "P2/P4"]),
         _ => state
             .called([(r"\gamma", r"\gamma_2"), ("l_2", "R"), ("l_4", "r"), ("v_{P2}", "v_2"), ("v_{P4}", "v_4")])
             .called([
@@ -137,6 +128,17 @@ fn of_quick_return(id: &str, number: usize) -> Moment {
             .called([("a_{P_2}", r"\vec{a}_2"), ("a_{P_4}", r"\vec{a}_4"), ("a_{P_2P_4}", r"\vec{a}_{2/4}")])
             .called([("a_{P2}", r"\vec{a}_2"), ("a_{P4}", r"\vec{a}_4"), ("a_{P2/P4}", r"\vec{a}_{2/4}")]),
     }
+}
+
+/// Normal and tangential components of the pin, the lever's point and between them, by these indices, of a crank that
+/// speeds up.
+fn components(number: usize, [pin, lever, between]: [&str; 3]) -> Moment {
+    let parts = [(pin, "2"), (lever, "4"), (between, r"\mathrm{rel}")];
+    let names = parts.iter().flat_map(|(index, of)| {
+        ["n", "t"].map(|way| (format!("a_{{{index}}}^{way}"), format!(r"\vec{{a}}_{of}^\mathrm{{{way}}}")))
+    });
+    let moment = names.fold(quick_return(number, 1.5), |moment, (name, own)| moment.called([(&*name, &*own)]));
+    moment.called([(r"\omega_4", r"\vec{\omega}_4"), (&*format!("v_{{{between}}}"), r"\vec{v}_\mathrm{rel}")])
 }
 
 fn of_jazar(claim: &Claim, number: usize) -> Moment {
