@@ -5,11 +5,10 @@
 //! translated by hand gives.
 
 use geneva_ledger::meyer::runs::deck::{self, as_listed};
-use geneva_ledger::meyer::runs::{Column, EXPLAINED, Hypothesis, Reading, Reset, Row, Run, rows};
+use geneva_ledger::meyer::runs::{Column, EXPLAINED, Hypothesis, Reading, Reset, Row, Run, rows, within_one};
 use geneva_ledger::printed_value;
 use geneva_mimic::language::{Choices, Deck, Layout, Program, RememberedPoints, deck_named};
 use geneva_mimic::{Interpolation, Kept, Parameters};
-use std::sync::OnceLock;
 
 /// The escapement's deck with some names set.
 #[track_caller]
@@ -52,13 +51,7 @@ fn runs(program: &Program) -> Vec<Run> {
 
 /// All rows as they are run.
 fn as_run() -> &'static [Run] {
-    static RUNS: OnceLock<Vec<Run>> = OnceLock::new();
-    RUNS.get_or_init(|| deck::runs(Reset::QuarterTurn).expect("the deck runs"))
-}
-
-/// In how many rows a column comes within one unit of the last printed place.
-fn within_one(column: Column, runs: &[Run]) -> usize {
-    rows().iter().zip(runs).filter(|(row, run)| column.is_within_one(row.number(column), run.number(column))).count()
+    deck::runs(Reset::QuarterTurn).expect("the deck runs")
 }
 
 /// How far two runs are apart: the largest relative difference of a peak, a minimum or a period.

@@ -97,7 +97,7 @@ pub fn numbers_in(text: &str) -> Vec<(Range<usize>, f64)> {
         let piece = &rest[..length];
         let (before, behind) = (text[..at].chars().next_back(), rest[length..].chars().next());
         let number = if next.is_ascii_alphabetic() {
-            WORDS.iter().find(|(word, _)| piece.eq_ignore_ascii_case(word)).map(|(_, number)| *number)
+            in_words(piece)
         } else if is_named(text, at..at + length, before, behind) {
             None
         } else {
@@ -107,6 +107,11 @@ pub fn numbers_in(text: &str) -> Vec<(Range<usize>, f64)> {
         at += length;
     }
     found
+}
+
+/// The number that a word says.
+pub(crate) fn in_words(piece: &str) -> Option<f64> {
+    WORDS.iter().find(|(word, _)| piece.eq_ignore_ascii_case(word)).map(|(_, number)| *number)
 }
 
 /// A number in digits; a point may end it.

@@ -2,6 +2,7 @@
 
 use super::hand_over::Drawn;
 use super::*;
+use crate::stated::in_words;
 
 const CONTENTS: Place = at("Table of contents");
 const FIGURES: Place = at("List of figures");
@@ -202,10 +203,10 @@ fn figures_before(id: &str) -> Option<usize> {
 /// Pins and slots in a text that names mechanisms by them, in the order of the text.
 pub fn pins_and_slots(text: &str) -> Vec<(u32, u32)> {
     let words: Vec<_> = text.split_whitespace().map(str::to_uppercase).collect();
-    let count = |word: &str| ["ONE", "TWO", "THREE", "FOUR", "FIVE", "SIX"].iter().position(|of| *of == word);
+    let count = |word: &str| in_words(word).map(|number| number as u32);
     let of = |pair: &[String]| match pair {
         [pins, pin, slash, slots, slot] if pin == "PIN" && slash == "/" && slot == "SLOT" => {
-            Some((count(pins)? as u32 + 1, count(slots)? as u32 + 1))
+            Some((count(pins)?, count(slots)?))
         }
         _ => None,
     };

@@ -260,12 +260,6 @@ fn sizes(stated: Stated) -> [f64; 2] {
     stated.numbers().try_into().unwrap_or([f64::NAN; 2])
 }
 
-/// The diameter and the thickness of the paragraph before the estimate, in inches.
-fn said_sizes() -> [Option<f64>; 2] {
-    let tokens = numeric_tokens(characters("meyer.like-discs"));
-    [0, 1].map(|at| tokens.get(at)?.parse().ok())
-}
-
 /// Whether a formula for the moment of inertia holds for a disc made of rings.
 fn holds_for_a_disc(tex: &str) -> Option<bool> {
     let moments = [(1.5, 0.75, 0.25), (0.5, 1.25, 2.0)].map(|(density, radius, thickness)| {
@@ -277,7 +271,7 @@ fn holds_for_a_disc(tex: &str) -> Option<bool> {
 
 /// The same for the estimate: the numbers of the text around it, in units of any size.
 fn holds_for_the_estimate(tex: &str) -> Option<bool> {
-    let [Some(diameter), Some(thickness)] = said_sizes() else { return None };
+    let [diameter, thickness] = sizes(Stated::right(characters("meyer.like-discs")));
     let gravity = characters("meyer.gravity").split(' ').next()?.parse::<f64>().ok()?;
     let (inch, pound, second) = (2.0, 3.0, 5.0);
     // By discs of so many inches, in pounds, seconds and inches.

@@ -3,7 +3,7 @@
 use super::Number;
 use anyhow::Context;
 use geneva_ledger::claim;
-use geneva_ledger::meyer::runs::{Column, Reset, Row, Run, deck, rows};
+use geneva_ledger::meyer::runs::{self, Column, Reset, deck, rows};
 
 /// The numbers of the page on the language.
 pub const NUMBERS: &[(&str, Number)] = &[
@@ -23,6 +23,5 @@ fn as_listed() -> String {
 /// In how many rows a column comes within one unit of the last printed place.
 fn within_one(column: Column) -> anyhow::Result<String> {
     let runs = deck::runs(Reset::QuarterTurn).context("the escapement's deck does not run")?;
-    let is_near = |(row, run): &(&Row, &Run)| column.is_within_one(row.number(column), run.number(column));
-    Ok(rows().iter().zip(&runs).filter(is_near).count().to_string())
+    Ok(runs::within_one(column, runs).to_string())
 }

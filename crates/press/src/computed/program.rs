@@ -62,7 +62,7 @@ fn within_one<'a>(column: Column, runs: impl Iterator<Item = (&'a Row, Option<Ru
 fn of_own_reset(four_pins: bool, column: Column) -> anyhow::Result<String> {
     let runs = deck::runs(Reset::OfTheMechanism).context("the escapement's deck does not run")?;
     let of_these = |(row, _): &(&Row, Option<Run>)| (row.mechanism == Mechanism::FOUR_PIN) == four_pins;
-    Ok(within_one(column, rows().iter().zip(runs.into_iter().map(Some)).filter(of_these)))
+    Ok(within_one(column, rows().iter().zip(runs.iter().copied().map(Some)).filter(of_these)))
 }
 
 /// By the program translated by hand, with the sign of the acceleration itself.

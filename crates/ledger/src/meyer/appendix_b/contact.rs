@@ -4,7 +4,7 @@ use super::program::{self, by_coefficients};
 use super::*;
 use crate::meyer::letters::factors;
 use crate::meyer::reading::{Letters, decide};
-use crate::meyer::runs::{self, Column, EXPLAINED, Hypothesis, Reset, Row, Run, Score, deck, rows};
+use crate::meyer::runs::{self, EXPLAINED, Hypothesis, Reset, Score, deck, scores, within_one};
 use crate::meyer::slips::LOST_BARS;
 use crate::meyer::spring::no_rate;
 use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named};
@@ -180,16 +180,16 @@ fn described() -> Vec<Claim> {
                 "the printed program is the one that was run: its reset is that of the tables",
             )
             .by(Evidence::Quadrature, |stated| {
-                let of = |reset: Reset| Score::of(Hypothesis { reset, ..Hypothesis::WITHOUT_LAG }).within_one();
+                let of = |reset: Reset| {
+                    let wanted = Hypothesis { reset, ..Hypothesis::WITHOUT_LAG };
+                    scores().iter().find(|score| score.hypothesis == wanted).map_or(0, Score::within_one)
+                };
                 more_cells(of(Reset::QuarterTurn), of(Reset::OfTheMechanism), stated)
             })
             .by(Evidence::Program, |stated| {
                 let of = |reset: Reset| {
                     let runs = deck::runs(reset).unwrap_or_default();
-                    let near = |(row, run): (&Row, &Run), column: Column| {
-                        column.is_within_one(row.number(column), run.number(column))
-                    };
-                    EXPLAINED.iter().map(|of| rows().iter().zip(&runs).filter(|both| near(*both, *of)).count()).sum()
+                    EXPLAINED.iter().map(|column| within_one(*column, runs)).sum()
                 };
                 more_cells(of(Reset::QuarterTurn), of(Reset::OfTheMechanism), stated)
             })

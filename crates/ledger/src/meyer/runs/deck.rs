@@ -6,6 +6,7 @@
 use super::*;
 use geneva_dynamics::program::{Line, Printout, Readings};
 use geneva_mimic::language::{Choices, DataSet, Deck, Layout, Program, deck_named};
+use std::sync::OnceLock;
 
 /// The names of the deck that the program of the thesis has otherwise, and the claims that have its numbers: the reset
 /// angle and π.
@@ -42,14 +43,18 @@ pub fn run(program: &Program, row: &Row, reset: f64, choices: &Choices) -> Optio
     Some(Readings::of(&Printout { lines, work: printed.work }, reset)?.into())
 }
 
-/// All rows by the deck: as it stands, with the angle between two pins for the reset, or with what the program of the
-/// thesis has otherwise.
-pub fn runs(reset: Reset) -> Option<Vec<Run>> {
-    let set = match reset {
-        Reset::OfTheMechanism => Vec::new(),
-        Reset::QuarterTurn => as_listed().to_vec(),
+/// All rows by the deck, run once: as it stands, with the angle between two pins for the reset, or with what the program of
+/// the thesis has otherwise.
+pub fn runs(reset: Reset) -> Option<&'static [Run]> {
+    static RUNS: [OnceLock<Option<Vec<Run>>>; 2] = [const { OnceLock::new() }; 2];
+    let (kept, set) = match reset {
+        Reset::OfTheMechanism => (&RUNS[0], Vec::new()),
+        Reset::QuarterTurn => (&RUNS[1], as_listed().to_vec()),
     };
-    let program = Program::new(&deck(&set)?).ok()?;
-    let hypothesis = Hypothesis { reset, ..Hypothesis::as_run() };
-    rows().iter().map(|row| run(&program, row, hypothesis.angle(row.mechanism), &Choices::default())).collect()
+    let all = || {
+        let program = Program::new(&deck(&set)?).ok()?;
+        let hypothesis = Hypothesis { reset, ..Hypothesis::as_run() };
+        rows().iter().map(|row| run(&program, row, hypothesis.angle(row.mechanism), &Choices::default())).collect()
+    };
+    kept.get_or_init(all).as_deref()
 }

@@ -36,7 +36,7 @@ pub use lagged::Lagged;
 pub use motion::{
     Constants, Hypothesis, Reading, Reset, Run, SixPin, delay, duration, fitting_interval, interval, usual,
 };
-pub use scores::Fit;
+pub use scores::{Fit, within_one};
 pub use table::{Column, Row, rows, series, slug};
 
 use super::*;

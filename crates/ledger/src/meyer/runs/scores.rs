@@ -18,6 +18,11 @@ pub struct Fit {
     pub likelihoods: [Likelihood; 2],
 }
 
+/// In how many rows a column of these runs comes within one unit of the last printed place.
+pub fn within_one(column: Column, runs: &[Run]) -> usize {
+    rows().iter().zip(runs).filter(|(row, run)| column.is_within_one(row.number(column), run.number(column))).count()
+}
+
 impl Fit {
     /// Of the column, for the runs of all rows; a run that came to nothing explains nothing.
     ///
