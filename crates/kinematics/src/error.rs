@@ -59,6 +59,13 @@ pub enum KinematicsError {
         /// The greatest that is looked at, in millimetres.
         most: f64,
     },
+    /// The distances of driver and wheel stay nearly the same over so much of the turn that the least one is not found from
+    /// the crank angles that may be looked at.
+    #[error("the least clearance is not found from {limit} crank angles: give a thicker pin or more play")]
+    TooManyAngles {
+        /// Crank angles that may be looked at.
+        limit: u32,
+    },
     /// The axes of a wheel stand where its pin never passes the rim.
     #[error(
         "a centre distance wrong by {asked}, as a part of it: the pin enters if it is wrong by more than {least:.4} and less \

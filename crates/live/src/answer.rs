@@ -43,24 +43,49 @@ impl Answer {
         Self { figure, numbers: numbers.into_iter().collect(), followers: Vec::new(), message: None, progress: None }
     }
 
-    /// The answer for a page, line by line: `number`, name, value and text with tabs between them, for each number;
-    /// `follower`, name of the control and value, for each that follows the others; `message` and its words; `progress`, parts done and all; an empty line; the caption; the drawing.
-    pub fn to_text(&self) -> String {
-        let mut text = String::new();
-        for Number { name, value, text: read } in &self.numbers {
-            text.push_str(&format!("number\t{name}\t{value:?}\t{read}\n"));
-        }
-        for (name, value) in &self.followers {
-            text.push_str(&format!("follower\t{name}\t{}\n", shown(*value)));
-        }
-        if let Some(message) = &self.message {
-            text.push_str(&format!("message\t{message}\n"));
-        }
-        if let Some(Progress { done, all }) = self.progress {
-            text.push_str(&format!("progress\t{done}\t{all}\n"));
-        }
-        text + "\n" + &self.figure.caption + "\n" + self.figure.svg.trim_end() + "\n"
+    /// The answer as a JSON object: `numbers`, a list of `name`, `value` (null where there is none) and `text`; `followers`, a
+    /// list of `name` and `value`; `message`, or null; `progress` with `done` and `all`, or null; `caption`; `svg`.
+    pub fn to_json(&self) -> String {
+        let number = |Number { name, value, text }: &Number| {
+            let value = if value.is_finite() { format!("{value:?}") } else { "null".to_owned() };
+            format!("{{\"name\":{},\"value\":{value},\"text\":{}}}", string(name), string(text))
+        };
+        let follower =
+            |(name, value): &(&str, f64)| format!("{{\"name\":{},\"value\":{}}}", string(name), shown(*value));
+        let progress = self
+            .progress
+            .map_or("null".to_owned(), |Progress { done, all }| format!("{{\"done\":{done},\"all\":{all}}}"));
+        format!(
+            "{{\"numbers\":[{}],\"followers\":[{}],\"message\":{},\"progress\":{progress},\"caption\":{},\"svg\":{}}}",
+            self.numbers.iter().map(number).collect::<Vec<_>>().join(","),
+            self.followers.iter().map(follower).collect::<Vec<_>>().join(","),
+            self.message.as_deref().map_or("null".to_owned(), string),
+            string(&self.figure.caption),
+            string(self.figure.svg.trim_end()),
+        )
     }
+}
+
+/// A JSON object with one text.
+pub(crate) fn object(name: &str, text: &str) -> String {
+    format!("{{{}:{}}}", string(name), string(text))
+}
+
+/// A string of JSON (RFC 8259, section 7).
+fn string(text: &str) -> String {
+    let mut json = String::with_capacity(text.len() + 2);
+    json.push('"');
+    for c in text.chars() {
+        match c {
+            '"' => json.push_str("\\\""),
+            '\\' => json.push_str("\\\\"),
+            '\n' => json.push_str("\\n"),
+            c if c.is_control() => json.push_str(&format!("\\u{:04x}", u32::from(c))),
+            c => json.push(c),
+        }
+    }
+    json.push('"');
+    json
 }
 
 /// The value of a control, to as many decimals as a box has room for.

@@ -1,7 +1,10 @@
 //! What a reader may move in a figure, and what is told.
 
 use crate::answer::Answer;
-use crate::arguments::{Arguments, number};
+use crate::arguments::{Arguments, number, quoted};
+
+/// Angles in degrees that can be typed: beyond, too little is left of a fraction of one.
+pub(crate) const TURNS: [f64; 2] = [-1e6, 1e6];
 
 /// A figure that a reader moves.
 #[derive(Debug)]
@@ -37,11 +40,13 @@ pub struct Control {
     pub label: &'static str,
     /// Its unit; nothing for a pure number.
     pub unit: &'static str,
-    /// The least value of its slider.
+    /// The least value of its slider, in its unit.
     pub least: f64,
-    /// The greatest.
+    /// The greatest value of its slider, in its unit.
     pub most: f64,
-    /// From one value to the next.
+    /// The least and the greatest value that can be typed or can come from an address, in its unit; it holds the slider's.
+    pub range: [f64; 2],
+    /// The step of its slider, in its unit.
     pub step: f64,
     /// Where it stands at first, unless the page gives another value or it follows the others.
     pub preset: f64,
@@ -59,10 +64,15 @@ impl Control {
         step: f64,
         preset: f64,
     ) -> Self {
-        Self { name, label, unit, least, most, step, preset, kind: Kind::Slider }
+        Self { name, label, unit, least, most, range: [least, most], step, preset, kind: Kind::Slider }
     }
 
-    /// The same, but it stands where the figure has it by the others until it is moved: the answer says where.
+    /// The control with a wider range for numbers that are typed, in its unit.
+    pub const fn typed(self, range: [f64; 2]) -> Self {
+        Self { range, ..self }
+    }
+
+    /// A slider and a box whose value follows from the other controls until the reader moves it: the answer has the value.
     pub const fn following(
         name: &'static str,
         label: &'static str,
@@ -73,7 +83,7 @@ impl Control {
         Self { kind: Kind::Follower, ..Self::slider(name, label, unit, ends, step, ends[0]) }
     }
 
-    /// The same, and it can run by itself: so much in a second, over and over.
+    /// The control with a button that moves it by itself: by so much in a second, over and over.
     pub const fn playing(self, rate: f64) -> Self {
         Self { kind: Kind::Player(rate), ..self }
     }
@@ -87,7 +97,22 @@ impl Control {
     ) -> Self {
         let most = (choices.len() - 1) as f64;
         let kind = Kind::Choice(choices);
-        Self { name, label, unit: "", least: 0.0, most, step: 1.0, preset: preset as f64, kind }
+        Self { name, label, unit: "", least: 0.0, most, range: [0.0, most], step: 1.0, preset: preset as f64, kind }
+    }
+
+    /// A number within the range.
+    ///
+    /// # Errors
+    ///
+    /// Names the control, the text, and the range.
+    pub fn read(&self, text: &str) -> Result<f64, String> {
+        let (value, [least, most]) = (number(self.name, text)?, self.range);
+        let gap = if self.unit.is_empty() || self.unit == "°" { "" } else { " " };
+        if (least..=most).contains(&value) {
+            Ok(value)
+        } else {
+            Err(format!("{} {}{gap}{}: give {least} to {most}", self.label, quoted(text.trim()), self.unit))
+        }
     }
 }
 
@@ -96,7 +121,7 @@ impl Control {
 pub enum Kind {
     /// By a slider and a box for the number.
     Slider,
-    /// The same, and it can run by itself: so much in a second, over and over.
+    /// By a slider and a box, and by itself: by so much in a second, over and over.
     Player(f64),
     /// By a slider and a box, and by the figure until the reader moves it.
     Follower,
@@ -158,42 +183,47 @@ impl Live {
     ///
     /// What is wrong with the arguments, and what to give.
     pub fn answer(&self, arguments: &Arguments) -> Result<Answer, String> {
-        (self.draw)(&self.settings(arguments)?)
+        let answer = (self.draw)(&self.settings(arguments)?)?;
+        let is_shown = |text: &str| !text.contains("NaN") && !text.contains("inf");
+        if answer.numbers.iter().all(|number| is_shown(&number.text)) && !answer.figure.svg.contains("NaN") {
+            Ok(answer)
+        } else {
+            Err("these numbers are too large or too small to compute with: give others".to_owned())
+        }
     }
 
-    /// The file with this ending, of the same arguments.
+    /// The file with this ending, made with these arguments.
     ///
     /// # Errors
     ///
     /// As for [`answer`](Self::answer), and for an ending of none of its files.
     pub fn file(&self, ending: &str, arguments: &Arguments) -> Result<String, String> {
         let file = self.files.iter().find(|file| file.name == ending);
-        let file = file.ok_or_else(|| format!("no file `{ending}` of `{}`", self.name))?;
+        let file = file.ok_or_else(|| format!("no file `{}` of `{}`", quoted(ending), self.name))?;
         (file.make)(&self.settings(arguments)?)
     }
 
     fn settings<'a>(&'a self, arguments: &'a Arguments) -> Result<Settings<'a>, String> {
         let names = || self.controls.iter().map(|control| control.name).chain(self.given.iter().copied());
         if let Some(unknown) = arguments.names().find(|name| names().all(|known| known != *name)) {
-            return Err(format!("no argument `{unknown}`: there are {}", names().collect::<Vec<_>>().join(", ")));
+            let names = names().collect::<Vec<_>>().join(", ");
+            return Err(format!("no argument `{}`: there are {names}", quoted(unknown)));
         }
         Ok(Settings { live: self, arguments })
     }
 }
 
 impl Settings<'_> {
-    /// The value of a control.
+    /// The value of a control, in its unit.
     pub fn value(&self, name: &str) -> Result<f64, String> {
-        match (self.arguments.text(name), self.live.controls.iter().find(|control| control.name == name)) {
-            (Some(text), _) => number(name, text),
-            (None, Some(control)) => Ok(control.preset),
-            (None, None) => Err(format!("no control `{name}`")),
-        }
+        let control = self.control(name)?;
+        self.arguments.text(name).map_or(Ok(control.preset), |text| control.read(text))
     }
 
-    /// The value of a control that follows the others; none until it is moved, or with nothing behind its name.
+    /// The value of a control that follows the others, in its unit; none until it is moved, or with an empty value.
     pub fn moved(&self, name: &str) -> Result<Option<f64>, String> {
-        self.arguments.text(name).filter(|text| !text.is_empty()).map(|text| number(name, text)).transpose()
+        let control = self.control(name)?;
+        self.arguments.text(name).filter(|text| !text.is_empty()).map(|text| control.read(text)).transpose()
     }
 
     /// A count.
@@ -202,24 +232,21 @@ impl Settings<'_> {
         if value == f64::from(value as u32) {
             Ok(value as u32)
         } else {
-            Err(format!("{name} {value}: not a whole number; give one from 0 up"))
+            Err(format!("{} {value}: not a whole number; give one", self.control(name)?.label))
         }
     }
 
     /// The number of a choice.
     pub fn choice(&self, name: &str) -> Result<usize, String> {
-        let value = self.count(name)? as usize;
-        let choices = self
-            .live
-            .controls
-            .iter()
-            .find(|control| control.name == name)
-            .map_or(0, |control| if let Kind::Choice(choices) = control.kind { choices.len() } else { 0 });
-        if value < choices { Ok(value) } else { Err(format!("{name} {value}: give a whole number below {choices}")) }
+        Ok(self.count(name)? as usize)
     }
 
     /// What came with the page.
     pub fn arguments(&self) -> &Arguments {
         self.arguments
+    }
+
+    fn control(&self, name: &str) -> Result<&Control, String> {
+        self.live.controls.iter().find(|control| control.name == name).ok_or_else(|| format!("no control `{name}`"))
     }
 }

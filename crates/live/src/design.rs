@@ -4,6 +4,7 @@ use crate::answer::{Answer, Number};
 use crate::control::{Control, File, Live, Preset, Quantity, Settings};
 use geneva_dynamics::wheel_loads::WheelLoads;
 use geneva_figures::stations;
+use geneva_kinematics::KinematicsError;
 use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
 use geneva_workshop::{Layout, dxf};
 use std::f64::consts::TAU;
@@ -15,15 +16,15 @@ pub const LIVE: Live = Live {
            longer fits. Twice the speed is four times \
            the force. Move the axes a little apart and see how hard the pin knocks.",
     controls: &[
-        Control::slider("stations", "stations N", "", [3.0, 24.0], 1.0, 6.0),
-        Control::slider("pins", "pins", "", [1.0, 4.0], 1.0, 1.0),
-        Control::slider("radius", "crank radius", "mm", [5.0, 100.0], 0.5, 25.0),
-        Control::following("pin", "diameter of a pin", "mm", [1.0, 40.0], 0.1),
-        Control::following("play", "play", "mm", [0.0, 0.5], 0.01),
-        Control::slider("speed", "speed of the driver", "rpm", [1.0, 600.0], 1.0, 60.0).playing(60.0),
-        Control::slider("inertia", "inertia of wheel and table", "kg m²", [0.0, 0.05], 0.0005, 0.002),
-        Control::slider("friction", "friction torque on the wheel", "N m", [0.0, 5.0], 0.05, 0.1),
-        Control::slider("error", "axes too far apart by", "mm", [-1.0, 1.0], 0.01, 0.0),
+        Control::slider("stations", "stations N", "", [3.0, 24.0], 1.0, 6.0).typed([3.0, 100.0]),
+        Control::slider("pins", "pins", "", [1.0, 4.0], 1.0, 1.0).typed([1.0, 50.0]),
+        Control::slider("radius", "crank radius", "mm", [5.0, 100.0], 0.5, 25.0).typed([0.1, 10_000.0]),
+        Control::following("pin", "diameter of a pin", "mm", [1.0, 40.0], 0.1).typed([0.001, 10_000.0]),
+        Control::following("play", "play", "mm", [0.0, 0.5], 0.01).typed([0.0, 1000.0]),
+        Control::slider("speed", "speed of the driver", "rpm", [1.0, 600.0], 1.0, 60.0).typed([0.001, 100_000.0]).playing(60.0),
+        Control::slider("inertia", "inertia of wheel and table", "kg m²", [0.0, 0.05], 0.0005, 0.002).typed([0.0, 1e6]),
+        Control::slider("friction", "friction torque on the wheel", "N m", [0.0, 5.0], 0.05, 0.1).typed([0.0, 1e6]),
+        Control::slider("error", "axes too far apart by", "mm", [-1.0, 1.0], 0.01, 0.0).typed([-10_000.0, 10_000.0]),
     ],
     presets: &[
         Preset { name: "six stations", arguments: "stations=6&pins=1&radius=25&pin=&play=&error=0" },
@@ -74,14 +75,33 @@ fn sizes(settings: &Settings) -> Result<Sizes, String> {
     Sizes::new(wheel, Scale::CrankRadius(settings.value("radius")?), &choices).map_err(|error| error.to_string())
 }
 
+/// Crank angles at which the least clearance is looked for, and clearances with the axes apart, each: a tenth of a second.
+const ANGLES: u32 = 40_000;
+const ANGLES_EACH: u32 = 2_500;
+
+/// What was found, if it was found in time.
+fn in_time<T>(found: Result<T, KinematicsError>) -> Result<Option<T>, String> {
+    match found {
+        Err(KinematicsError::TooManyAngles { .. }) => Ok(None),
+        found => found.map(Some).map_err(|error| error.to_string()),
+    }
+}
+
+/// Decimals of a number that is known to a tolerance, three at most.
+fn decimals(tolerance: f64) -> usize {
+    [0.0005, 0.005, 0.05].iter().position(|half| tolerance <= *half).map_or(0, |wider| 3 - wider)
+}
+
 fn draw(settings: &Settings) -> Result<Answer, String> {
     let sizes = sizes(settings)?;
     let speed = settings.value("speed")? * TAU / 60.0;
     let loads = WheelLoads::new(&sizes.wheel, settings.value("inertia")?, settings.value("friction")?, speed)
         .map_err(|error| error.to_string())?;
     let error = settings.value("error")?;
-    let clearance = sizes.clearance_at(sizes.centre_distance + error).map_err(|error| error.to_string())?.least();
-    let time = |time: Result<f64, geneva_kinematics::KinematicsError>| time.map_err(|error| error.to_string());
+    let clearance = in_time(sizes.clearance_within(sizes.centre_distance + error, ANGLES))?;
+    let nearest = clearance.map(|all| all.least());
+    let tolerance = in_time(sizes.centre_tolerance_within(ANGLES_EACH))?;
+    let time = |time: Result<f64, KinematicsError>| time.map_err(|error| error.to_string());
     let (index, dwell) = (time(sizes.wheel.indexing_time(speed))?, time(sizes.wheel.dwell_time(speed))?);
     let millimetres = |name, value| Number::new(name, value, 3, "mm");
     let mut numbers = vec![
@@ -95,12 +115,15 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     if let Some(disc) = sizes.locking_disc {
         numbers.push(millimetres("disc", disc.radius));
     }
-    let least = millimetres("clearance", clearance.distance);
-    numbers
-        .push(Number { text: format!("{} at {:.1}°", least.text, clearance.crank_angle.to_degrees().abs()), ..least });
-    let tolerance = sizes.centre_tolerance();
-    numbers.push(Number::significant("nearer", tolerance.nearer, 4, "mm"));
-    numbers.push(Number::significant("farther", tolerance.farther, 4, "mm"));
+    if let Some((clearance, nearest)) = clearance.zip(nearest) {
+        let least = Number::new("clearance", nearest.distance, decimals(clearance.tolerance), "mm");
+        let at = nearest.crank_angle.to_degrees().abs();
+        numbers.push(Number { text: format!("{} at {at:.1}°", least.text), ..least });
+    }
+    if let Some(tolerance) = tolerance {
+        numbers.push(Number::significant("nearer", tolerance.nearer, 4, "mm"));
+        numbers.push(Number::significant("farther", tolerance.farther, 4, "mm"));
+    }
     numbers.push(Number::significant("index", index, 4, "s"));
     numbers.push(Number::significant("dwell", dwell, 4, "s"));
     // A moment at the crank radius, which is in millimetres.
@@ -125,7 +148,13 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         None => Some("With this distance of the axes the pin does not meet the slot.".to_owned()),
     };
     let bites = "With these axes driver and wheel are in each other: a clearance below zero is how deep.";
-    let message = if clearance.distance < 0.0 { Some(bites.to_owned()) } else { message };
+    let takes_long = "With so little play, some of the clearances take too long to find in a page. The command `geneva wheel` \
+                      finds them.";
+    let message = match nearest {
+        Some(nearest) if nearest.distance < 0.0 => Some(bites.to_owned()),
+        _ if clearance.is_none() || tolerance.is_none() => Some(message.unwrap_or_else(|| takes_long.to_owned())),
+        _ => message,
+    };
     let followers = vec![("pin", sizes.pin_diameter), ("play", sizes.play.slot)];
     Ok(Answer { followers, message, ..Answer::new(stations::dimensions_on_a_page(&sizes), numbers) })
 }

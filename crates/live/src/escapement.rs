@@ -14,6 +14,9 @@ const DAY: f64 = 86_400.0;
 /// The speed has been reached where an engagement begins so near it.
 const REACHED: f64 = 0.01;
 
+/// Engagements that are counted at most: a tenth of a second.
+const MOST_ENGAGEMENTS: usize = 5_000;
+
 pub const LIVE: Live = Live {
     name: "escapement",
     figure: "live-escapement",
@@ -22,9 +25,9 @@ pub const LIVE: Live = Live {
     controls: &[
         Control::slider("share", "time, of what is shown", "%", [0.0, 100.0], 0.25, 40.0).playing(8.0),
         Control::choice("mechanism", "mechanism", &["6 pins, 3 slots", "4 pins, 4 slots", "3 pins, 6 slots"], 1),
-        Control::slider("friction", "friction μ", "", [0.0, 1.0], 0.01, 0.2),
-        Control::slider("ratio", "inertia of the driver over the follower's", "", [0.02, 1.0], 0.01, 0.1),
-        Control::slider("torque", "torque K", "in lb", [0.05, 1.0], 0.01, 0.3),
+        Control::slider("friction", "friction μ", "", [0.0, 1.0], 0.01, 0.2).typed([0.0, 10.0]),
+        Control::slider("ratio", "inertia of the driver over the follower's", "", [0.02, 1.0], 0.01, 0.1).typed([0.001, 1000.0]),
+        Control::slider("torque", "torque K", "in lb", [0.05, 1.0], 0.01, 0.3).typed([0.001, 1e6]),
     ],
     presets: &[
         Preset { name: "hardly any friction", arguments: "friction=0.02" },
@@ -70,7 +73,13 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     let engagement = Engagement::new(&parameters).map_err(words)?;
     let steady = engagement.steady_state().map_err(words)?;
     let figure = escapement::running(&engagement, share).map_err(|error| error.to_string())?;
-    let engagements = engagement.engagements_to_settle(REACHED).map_err(words)?.0;
+    let engagements = match engagement.engagements_to_settle(REACHED, MOST_ENGAGEMENTS) {
+        Err(Error::TooMany { .. }) => Number {
+            text: format!("more than {MOST_ENGAGEMENTS}"),
+            ..Number::new("engagements", MOST_ENGAGEMENTS as f64, 0, "")
+        },
+        settled => Number::new("engagements", settled.map_err(words)?.0 as f64, 0, ""),
+    };
     // The same number of turns takes longer by as much as the mean speed falls.
     let slower = Sensitivities::new(&parameters).map_err(words)?.friction * 0.01 * DAY;
     let rate = Number::new("rate", slower, 0, "s a day");
@@ -81,7 +90,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         speed("least", steady.minimum.speed),
         speed("greatest", steady.peak.speed),
         Number::significant("period", 1000.0 * steady.period, 4, "ms"),
-        Number::new("engagements", engagements as f64, 0, ""),
+        engagements,
         critical,
     ];
     Ok(Answer::new(figure, numbers))

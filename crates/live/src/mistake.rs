@@ -24,11 +24,12 @@ pub const LIVE: Live = Live {
            where they are at 90° alone. Then let the program choose the sign of friction late, as it did.",
     controls: &[
         Control::slider("reset", "angle after which the program starts again", "°", [60.0, 120.0], 0.5, 90.0)
+            .typed([30.0, 170.0])
             .playing(6.0),
         Control::choice("own", "for", &["all three mechanisms", "none: each its own angle"], 0),
         Control::choice("six", "inertias with six pins", &["as in the table", "as in Fig. 11"], 1),
-        Control::slider("interval", "print interval", "ms", [0.1, 3.0], 0.1, 0.5),
-        Control::slider("phase", "first line after", "intervals", [0.0, 0.95], 0.05, 0.0),
+        Control::slider("interval", "print interval", "ms", [0.1, 3.0], 0.1, 0.5).typed([0.01, 200.0]),
+        Control::slider("phase", "first line after", "intervals", [0.0, 0.95], 0.05, 0.0).typed([0.0, 0.999]),
         Control::choice("late", "sign of friction", &["at once, as in the mechanism", "late, as in the program"], 0),
     ],
     presets: &[
@@ -69,7 +70,7 @@ struct Setting {
 fn draw(settings: &Settings) -> Result<Answer, String> {
     let (rows, units) = rows(settings)?;
     let setting = setting(settings)?;
-    let key = settings.arguments().to_text();
+    let key = settings.arguments().to_query();
     let (computed, done) = match setting.late {
         None => (rows.iter().map(|row| exactly(row, &setting)).collect(), rows.len()),
         Some(late) => by_program(&key, &rows, &setting, late),

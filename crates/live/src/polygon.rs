@@ -1,17 +1,20 @@
 //! The vector diagrams of the quick-return mechanism.
 
 use crate::answer::{Answer, Number};
-use crate::control::{Control, Drag, Live, Preset, Quantity, Settings};
+use crate::control::{Control, Drag, Live, Preset, Quantity, Settings, TURNS};
 use geneva_figures::quick_return;
 use geneva_kinematics::quick_return::{Drive, Motion, QuickReturn};
+
+/// Units of length of the linkage.
+const UNITS: &[&str] = &["m", "mm", "in"];
 
 pub const LIVE: Live = Live {
     name: "polygon",
     figure: "live-polygon",
     hint: "Count the Coriolis acceleration once, or three times: the polygon stays open at every angle. It closes with two.",
     controls: &[
-        Control::slider("crank", "crank angle φ", "°", [0.0, 360.0], 0.5, 60.0).playing(30.0),
-        Control::slider("factor", "times ω₄ v_rel", "", [0.0, 3.0], 1.0, 2.0),
+        Control::slider("crank", "crank angle φ", "°", [0.0, 360.0], 0.5, 60.0).typed(TURNS).playing(30.0),
+        Control::slider("factor", "times ω₄ v_rel", "", [0.0, 3.0], 1.0, 2.0).typed([-10.0, 10.0]),
     ],
     presets: &[
         Preset { name: "forgotten: 0", arguments: "factor=0" },
@@ -35,7 +38,7 @@ pub const LIVE: Live = Live {
 fn draw(settings: &Settings) -> Result<Answer, String> {
     let given = settings.arguments();
     let [ground, radius, speed] = ["ground", "radius", "speed"].map(|name| given.given_number(name));
-    let (ground, radius, drive, unit) = (ground?, radius?, Drive::steady(speed?), given.given("unit")?);
+    let (ground, radius, drive, unit) = (ground?, radius?, Drive::steady(speed?), given.given_word("unit", UNITS)?);
     let linkage = QuickReturn::new(ground, radius).map_err(|error| error.to_string())?;
     let (crank, factor) = (settings.value("crank")?, settings.value("factor")?);
     let position = linkage.at_crank_degrees(crank).map_err(|error| error.to_string())?;

@@ -1,7 +1,7 @@
 //! The wheel, at the right distance of its axes or another.
 
 use crate::answer::{Answer, Number};
-use crate::control::{Control, Drag, Live, Preset, Quantity, Settings};
+use crate::control::{Control, Drag, Live, Preset, Quantity, Settings, TURNS};
 use geneva_figures::stations;
 use geneva_kinematics::wheel::{Misplaced, Wheel};
 
@@ -11,10 +11,10 @@ pub const LIVE: Live = Live {
     hint: "Move the axes apart by one per cent: the velocity no longer begins at zero, and the pin enters with a blow. At the \
            right distance the blow is gone.",
     controls: &[
-        Control::slider("crank", "crank angle θ", "°", [-180.0, 180.0], 0.5, -30.0).playing(45.0),
-        Control::slider("stations", "stations N", "", [3.0, 24.0], 1.0, 4.0),
-        Control::slider("pins", "pins", "", [1.0, 6.0], 1.0, 1.0),
-        Control::slider("error", "centre distance wrong by", "%", [-5.0, 5.0], 0.1, 0.0),
+        Control::slider("crank", "crank angle θ", "°", [-180.0, 180.0], 0.5, -30.0).typed(TURNS).playing(45.0),
+        Control::slider("stations", "stations N", "", [3.0, 24.0], 1.0, 4.0).typed([3.0, 100.0]),
+        Control::slider("pins", "pins", "", [1.0, 6.0], 1.0, 1.0).typed([1.0, 50.0]),
+        Control::slider("error", "centre distance wrong by", "%", [-5.0, 5.0], 0.1, 0.0).typed([-50.0, 50.0]),
     ],
     presets: &[
         Preset { name: "four slots", arguments: "stations=4&pins=1&error=0&crank=-30" },

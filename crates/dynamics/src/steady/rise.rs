@@ -47,12 +47,16 @@ impl Engagement {
     /// As for [`Engagement::steady_state`]; [`Error::OutOfRange`] if `settled` is not between 0 and 1;
     /// [`Error::TooMany`] if [`MOST_CYCLES`] are not enough.
     pub fn rise(&self, settled: f64) -> Result<Rise, Error> {
+        self.rise_within(settled, MOST_CYCLES)
+    }
+
+    fn rise_within(&self, settled: f64, most: usize) -> Result<Rise, Error> {
         if !(settled > 0.0 && settled < 1.0) {
             return Err(Error::OutOfRange { name: "settled part", asked: settled, least: 0.0, most: 1.0 });
         }
         let steady = self.steady_state()?;
         let (mut cycles, mut time, mut square) = (Vec::new(), 0.0, 0.0);
-        while cycles.len() < MOST_CYCLES {
+        while cycles.len() < most {
             let passage = self.pass(square);
             let duration = passage.duration();
             let [peak, minimum] = passage.extremes().map(|extreme| Extreme { time: time + extreme.time, ..extreme });
@@ -71,17 +75,17 @@ impl Engagement {
                 return Ok(Rise { steady, cycles });
             }
         }
-        Err(Error::TooMany { name: "engagements", limit: MOST_CYCLES })
+        Err(Error::TooMany { name: "engagements", limit: most })
     }
 
-    /// Engagements from rest until the speed at the end is within a relative `settled` of the steady one, and the time,
-    /// in units of time.
+    /// Engagements from rest until the speed at the end is within a relative `settled` (between 0 and 1) of the steady one, and
+    /// the time, in units of time.
     ///
     /// # Errors
     ///
-    /// As for [`Engagement::rise`].
-    pub fn engagements_to_settle(&self, settled: f64) -> Result<(usize, f64), Error> {
-        let rise = self.rise(settled)?;
+    /// The errors of [`Engagement::rise`]; [`Error::TooMany`] if `most` engagements are not enough.
+    pub fn engagements_to_settle(&self, settled: f64, most: usize) -> Result<(usize, f64), Error> {
+        let rise = self.rise_within(settled, most)?;
         Ok((rise.cycles.len(), rise.cycles.last().map_or(0.0, |cycle| cycle.end)))
     }
 }

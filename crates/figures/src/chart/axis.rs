@@ -13,6 +13,9 @@ const SYMMETRIC_HEADROOM: f64 = 1.05;
 /// How far beyond an axis a value can lie, in lengths of the axis: enough for any line to leave the frame.
 const FAR: f64 = 50.0;
 
+/// Steps of an axis that have a mark each.
+const MOST_MARKS: usize = 100;
+
 /// How the values of an axis are spaced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scale {
@@ -135,11 +138,12 @@ impl Axis {
         Self::stepped(step, low, high)
     }
 
-    /// An axis from one multiple of a step to another, with a mark at each.
+    /// An axis from one multiple of a step to another, with a mark at each, or at each so many if there are too many.
     fn stepped(step: f64, low: i32, high: i32) -> Self {
         let digits = trimmed(step, 6);
         let decimals = digits.split_once('.').map_or(0, |(_, after)| after.len());
-        let marks = (low..=high).map(|k| step * f64::from(k)).collect();
+        let each = usize::try_from(i64::from(high) - i64::from(low)).map_or(1, |steps| steps / MOST_MARKS + 1);
+        let marks = (low..=high).step_by(each).map(|k| step * f64::from(k)).collect();
         Self::new(Scale::Linear, step * f64::from(low)..step * f64::from(high), marks, decimals)
     }
 
@@ -229,6 +233,16 @@ mod tests {
         }
         assert_eq!(Axis::symmetric(2.9).marks, [-6.0, -4.0, -2.0, 0.0, 2.0, 4.0, 6.0]);
         assert_eq!(Axis::of_angles(-27.0, 27.0, 4.0).range, -30.0..30.0);
+    }
+
+    #[test]
+    fn no_axis_has_more_marks_than_a_page_can_show() {
+        for (least, greatest) in [(1e300, 2e300), (-1e154, 1e154), (0.0, f64::INFINITY), (1.0, 1.0 + 1e-12), (0.0, 1e9)] {
+            let spanning = Axis::spanning(least, greatest, 5.0);
+            for axis in [Axis::from_zero(least, greatest, 4.0), Axis::of_angles(least, greatest, 4.0), spanning] {
+                assert!(axis.marks.len() <= MOST_MARKS + 1, "{least} {greatest}: {} marks", axis.marks.len());
+            }
+        }
     }
 
     #[test]

@@ -5,6 +5,7 @@
 
 use super::play::EntryContact;
 use super::sizes::Sizes;
+use crate::KinematicsError;
 
 /// How far the axes may be from their right distance, each way, until no clearance is left.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -18,37 +19,64 @@ pub struct CentreTolerance {
 /// Halvings of the interval in which a limit is.
 const STEPS: u32 = 24;
 
+/// The part of a limit that need not be known.
+const NEAR_ENOUGH: f64 = 1e-3;
+
 impl Sizes {
-    /// How far the axes may be from their right distance so that parts as sized keep clear of each other over a whole
-    /// turn, by the proven bound of [`clearance_at`](Self::clearance_at), and the pin comes into its slot without meeting
-    /// a corner. Both are zero without play.
+    /// How far the axes may be from their right distance so that parts as sized are proven to keep clear of each other over a
+    /// whole turn, and the pin comes into its slot without meeting a corner. Both are zero without play.
     ///
     /// Shafts that are loose in their bores are such an error too: they may bring the axes nearer, or take them farther
     /// apart, by the play of one bore.
     pub fn centre_tolerance(&self) -> CentreTolerance {
+        // Nobody waits for four thousand million crank angles.
+        self.centre_tolerance_within(u32::MAX).unwrap_or(CentreTolerance { nearer: 0.0, farther: 0.0 })
+    }
+
+    /// The errors of the axes as by [`centre_tolerance`](Self::centre_tolerance), from so many crank angles at most for each of
+    /// 48 distances.
+    ///
+    /// # Errors
+    ///
+    /// [`KinematicsError::TooManyAngles`] where the play is so small that more crank angles are needed.
+    pub fn centre_tolerance_within(&self, angles: u32) -> Result<CentreTolerance, KinematicsError> {
         let gap = self.slot_gap();
         // Nearer than this the pin is in the slot's end or the disc in its arc. Farther than this the pin passes beside the
         // driving wall.
         let nearest = self.locking_disc.map_or(gap, |_| gap.min(self.play.locking / 2.0));
         let farthest = gap / libm::sin(self.wheel.half_pitch_angle());
-        CentreTolerance { nearer: self.last_that_runs(-nearest), farther: self.last_that_runs(farthest) }
+        let last = |error| self.last_that_runs(error, angles);
+        Ok(CentreTolerance { nearer: last(-nearest)?, farther: last(farthest)? })
     }
 
     /// The size of the greatest error on the way from none to this one, in millimetres, with which the wheel runs. So short
     /// is the way that the clearances along it are straight lines or bent downwards: past the first error that does not
     /// do, none does.
-    fn last_that_runs(&self, error: f64) -> f64 {
+    fn last_that_runs(&self, error: f64, angles: u32) -> Result<f64, KinematicsError> {
+        if error == 0.0 {
+            return Ok(0.0);
+        }
         let (mut runs, mut fails) = (0.0, 1.0);
         for _ in 0..STEPS {
             let middle = (runs + fails) / 2.0;
-            if self.runs_with(middle * error) { runs = middle } else { fails = middle }
+            match self.runs_with(middle * error, angles) {
+                Ok(true) => runs = middle,
+                Ok(false) => fails = middle,
+                // The nearer to the limit, the more crank angles decide; what runs for certain is near enough.
+                Err(_) if fails - runs < NEAR_ENOUGH => break,
+                Err(error) => return Err(error),
+            }
         }
-        runs * error.abs()
+        Ok(runs * error.abs())
     }
 
-    fn runs_with(&self, error: f64) -> bool {
-        let clearance = self.clearance_at(self.centre_distance + error);
-        let is_clear = clearance.is_ok_and(|of| of.least().distance >= of.tolerance);
-        is_clear && self.entry(error).is_some_and(|entry| entry.contact == EntryContact::DrivingWall)
+    fn runs_with(&self, error: f64, angles: u32) -> Result<bool, KinematicsError> {
+        if self.entry(error).is_none_or(|entry| entry.contact != EntryContact::DrivingWall) {
+            return Ok(false);
+        }
+        match self.keeps_clear_at(self.centre_distance + error, angles) {
+            Err(error @ KinematicsError::TooManyAngles { .. }) => Err(error),
+            clear => Ok(clear.unwrap_or(false)),
+        }
     }
 }

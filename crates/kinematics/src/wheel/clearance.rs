@@ -20,6 +20,7 @@ use super::regions::{DiscRegion, WheelRegion};
 use super::sizes::Sizes;
 use crate::KinematicsError;
 use nalgebra::Vector2;
+use std::cell::Cell;
 use std::f64::consts::PI;
 
 type Point = Vector2<f64>;
@@ -94,13 +95,46 @@ impl Sizes {
         Assembly::new(self, self.centre_distance).clearance()
     }
 
-    /// The same with the axes at another distance, in millimetres.
+    /// The least distances of driver and wheel over a whole turn with the axes at another distance, in millimetres. The
+    /// tolerance is [`TOLERANCE`] times the right distance.
     ///
     /// # Errors
     ///
     /// [`KinematicsError::CentreDistance`] for a distance that is not finite and greater than the crank radius,
     /// [`KinematicsError::TooFarApart`] for more than ten times the right one.
     pub fn clearance_at(&self, centre_distance: f64) -> Result<Clearance, KinematicsError> {
+        Ok(self.assembly_at(centre_distance)?.clearance())
+    }
+
+    /// The least distances with the axes at another distance, in millimetres, as exactly as so many crank angles allow. The
+    /// tolerance is that of [`clearance_at`](Self::clearance_at), or 8 or 64 times as wide.
+    ///
+    /// # Errors
+    ///
+    /// The errors of [`clearance_at`](Self::clearance_at), and [`KinematicsError::TooManyAngles`] where the distances stay so
+    /// nearly the same over the turn that even the widest tolerance needs more crank angles.
+    pub fn clearance_within(&self, centre_distance: f64, angles: u32) -> Result<Clearance, KinematicsError> {
+        let wider = |times: f64| {
+            let assembly = self.assembly_at(centre_distance)?;
+            Assembly { tolerance: times * assembly.tolerance, ..assembly }.within(angles, f64::INFINITY)
+        };
+        let [wide, widest] = [wider(8.0), wider(64.0)];
+        wider(1.0).or(wide).or(widest)
+    }
+
+    /// Whether driver and wheel are proven to keep clear of each other over a whole turn with the axes at another distance, in
+    /// millimetres: no distance that is looked at, at so many crank angles at most, is below the tolerance ([`TOLERANCE`]
+    /// times the right distance), and none between them can be below zero.
+    ///
+    /// # Errors
+    ///
+    /// The errors of [`clearance_within`](Self::clearance_within).
+    pub(super) fn keeps_clear_at(&self, centre_distance: f64, angles: u32) -> Result<bool, KinematicsError> {
+        let clearance = self.assembly_at(centre_distance)?.within(angles, 0.0)?;
+        Ok(clearance.least().distance >= clearance.tolerance)
+    }
+
+    fn assembly_at(&self, centre_distance: f64) -> Result<Assembly<'_>, KinematicsError> {
         if !(centre_distance > self.crank_radius && centre_distance.is_finite()) {
             return Err(KinematicsError::CentreDistance { asked: centre_distance, crank_radius: self.crank_radius });
         }
@@ -108,7 +142,7 @@ impl Sizes {
         if centre_distance > most {
             return Err(KinematicsError::TooFarApart { asked: centre_distance, most });
         }
-        Ok(Assembly::new(self, centre_distance).clearance())
+        Ok(Assembly::new(self, centre_distance))
     }
 }
 
@@ -128,6 +162,10 @@ struct Assembly<'a> {
     edges: Vec<Point>,
     cuts: Vec<Point>,
     tolerance: f64,
+    /// A distance in millimetres that is enough: where no lesser one is possible, nothing is looked for.
+    enough: f64,
+    /// Crank angles that may still be looked at.
+    angles: Cell<u32>,
 }
 
 /// The slots within two pitches of the line of centres; others are farther from it than any part of the driver.
@@ -158,7 +196,16 @@ impl<'a> Assembly<'a> {
             edges,
             cuts,
             tolerance: TOLERANCE * sizes.centre_distance,
+            enough: f64::INFINITY,
+            angles: Cell::new(u32::MAX),
         }
+    }
+
+    /// The clearance from so many crank angles at most, where one of `enough` millimetres need not be known better.
+    fn within(self, angles: u32, enough: f64) -> Result<Clearance, KinematicsError> {
+        let limited = Self { enough, angles: Cell::new(angles), ..self };
+        let clearance = limited.clearance();
+        if limited.angles.get() == 0 { Err(KinematicsError::TooManyAngles { limit: angles }) } else { Ok(clearance) }
     }
 
     fn clearance(&self) -> Clearance {
@@ -288,7 +335,8 @@ impl<'a> Assembly<'a> {
         least
     }
 
-    /// The least value of a function of the crank angle that changes no faster than `speed` says between two angles.
+    /// The least value of a function of the crank angle that changes no faster than `speed` says between two angles; a value
+    /// below the tolerance will do where `enough` is one, and any where no angles are left.
     fn search(
         &self,
         contact: Contact,
@@ -304,11 +352,16 @@ impl<'a> Assembly<'a> {
         let first = |k: u32| (from + width * f64::from(k), from + width * f64::from(k + 1));
         let mut intervals: Vec<(f64, f64)> = (0..INTERVALS).map(first).collect();
         while let Some((from, to)) = intervals.pop() {
+            let is_settled = self.enough < f64::INFINITY && least.distance < self.tolerance;
+            if is_settled || self.angles.get() == 0 {
+                break;
+            }
+            self.angles.set(self.angles.get() - 1);
             let middle = (from + to) / 2.0;
             let here = at(middle);
             least = least.or(here);
             let bound = here.distance - speed(from, to) * (to - from) / 2.0;
-            if bound < least.distance - self.tolerance && from < middle && middle < to {
+            if bound < self.enough.min(least.distance - self.tolerance) && from < middle && middle < to {
                 intervals.extend([(middle, to), (from, middle)]);
             }
         }

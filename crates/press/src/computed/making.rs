@@ -269,7 +269,7 @@ mod tests {
     #[test]
     fn the_worked_design_is_the_figure_as_it_stands_at_first() {
         let live = geneva_live::by_name("design").expect("a figure");
-        let answer = live.answer(&Arguments::parse("")).expect("an answer");
+        let answer = live.answer(&Arguments::default()).expect("an answer");
         assert!(answer.figure.svg == stations::dimensions_on_a_page(&sizes().expect("fits")).svg, "another drawing");
         let shown = |name: &str| answer.numbers.iter().find(|number| number.name == name).expect("shown").value;
         let near = |value: f64, shown: f64| assert!((value / shown - 1.0).abs() < 1e-12, "{value} {shown}");

@@ -18,7 +18,7 @@ use geneva_live::{Answer, Arguments, Control, Kind, LIVE, Live, shown};
 /// numbers lead.
 struct Told {
     name: &'static str,
-    given: fn() -> anyhow::Result<String>,
+    given: fn() -> anyhow::Result<Arguments>,
     /// Quantities, and the claim that says the same of one setting.
     claims: &'static [(&'static str, &'static str)],
 }
@@ -26,7 +26,7 @@ struct Told {
 const TOLD: &[Told] = &[
     Told {
         name: "wheel",
-        given: || Ok(String::new()),
+        given: || Ok(Arguments::default()),
         claims: &[
             ("blow", "jazar.tangent-entry"),
             ("velocity", "jazar.eq-5.31"),
@@ -38,7 +38,7 @@ const TOLD: &[Told] = &[
     },
     Told {
         name: "design",
-        given: || Ok(String::new()),
+        given: || Ok(Arguments::default()),
         claims: &[
             ("centres", "jazar.centre-distance-ratio"),
             ("wheel", "jazar.wheel-radius-ratio"),
@@ -128,7 +128,7 @@ fn html(live: &Live, answer: &Answer) -> anyhow::Result<String> {
          data-do=\"back\" aria-label=\"One step back\">◂</button><button type=\"button\" data-do=\"forth\" aria-label=\"One step \
          forward\">▸</button><button type=\"button\" data-do=\"reset\">Reset</button>{} <a data-do=\"link\" \
          href=\"#fig-{}\">Link to this setting</a>{}</p>\n<dl aria-live=\"polite\">{}</dl>\n<div role=\"status\"><p \
-         class=\"message\"></p>\n<p class=\"stale\" hidden>There are no numbers for this setting. The drawing is still that of the \
+         class=\"ignored\"></p>\n<p class=\"message\"></p>\n<p class=\"stale\" hidden>There are no numbers for this setting. The drawing is still that of the \
          last one that was possible.</p></div>\n</form>",
         answer.figure.svg.trim_end(),
         escape(live.hint),
@@ -145,18 +145,17 @@ fn attributes(live: &Live) -> anyhow::Result<String> {
         .drag
         .map_or_else(String::new, |drag| format!(" data-drag=\"{} {} {}\"", drag.control, drag.at_right, drag.sense));
     let given = given(live.name)?;
-    let is_fixed = |pair: &&str| pair.split_once('=').is_some_and(|(name, _)| live.given.contains(&name));
-    let fixed: Vec<&str> = given.split('&').filter(is_fixed).collect();
-    Ok(format!(" data-live=\"{}\" data-given=\"{}\"{drag}", live.name, escape(&fixed.join("&"))))
+    let fixed = given.only(|name| live.given.contains(&name)).to_query();
+    Ok(format!(" data-live=\"{}\" data-given=\"{}\"{drag}", live.name, escape(&fixed)))
 }
 
 /// One control with its label, its number and its unit.
-fn row(live: &Live, control: &Control, given: &str, answer: &Answer) -> String {
-    let Control { name, label, unit, least, most, step, .. } = control;
+fn row(live: &Live, control: &Control, given: &Arguments, answer: &Answer) -> String {
+    let Control { name, label, unit, least, most, step, range: [lowest, highest], .. } = control;
     let id = format!("live-{}-{name}", live.name);
     let follower = answer.followers.iter().find(|(of, _)| of == name).map(|(_, value)| shown(*value));
     let at_first = follower.unwrap_or(control.preset).to_string();
-    let value = Arguments::parse(given).text(name).map_or(at_first, str::to_owned);
+    let value = given.text(name).map_or(at_first, str::to_owned);
     let (label, spoken) = (escape(label), escape(&format!("{label} {unit}")));
     match control.kind {
         Kind::Choice(choices) => {
@@ -176,7 +175,7 @@ fn row(live: &Live, control: &Control, given: &str, answer: &Answer) -> String {
             let range = format!("min=\"{least}\" max=\"{most}\" step=\"{step}\" value=\"{value}\"");
             format!(
                 "<label for=\"{id}\">{label}</label><input type=\"range\" id=\"{id}\" name=\"{name}\" {range}{play}><span><input \
-                 type=\"number\" data-box=\"{name}\" aria-label=\"{}\" step=\"any\" value=\"{value}\"> {}</span>",
+                 type=\"number\" data-box=\"{name}\" aria-label=\"{}\" min=\"{lowest}\" max=\"{highest}\" step=\"any\" value=\"{value}\"> {}</span>",
                 spoken.trim_end(),
                 escape(unit)
             )
@@ -194,33 +193,40 @@ fn told(name: &str) -> anyhow::Result<&'static Told> {
 }
 
 /// What the page gives a figure: data of a source, and where controls stand at first.
-fn given(name: &str) -> anyhow::Result<String> {
+fn given(name: &str) -> anyhow::Result<Arguments> {
     (told(name)?.given)()
 }
 
 /// The answer where all controls stand as at first.
 fn at_first(live: &'static Live) -> anyhow::Result<Answer> {
-    live.answer(&Arguments::parse(&given(live.name)?)).map_err(|message| anyhow!("{}: {message}", live.name))
+    live.answer(&given(live.name)?).map_err(|message| anyhow!("{}: {message}", live.name))
 }
 
 /// The linkage of the source's problem; its angle to the degree.
-fn lever() -> anyhow::Result<String> {
+fn lever() -> anyhow::Result<Arguments> {
     let at = Lever::printed().context("the printed data make no quick-return mechanism")?;
     let crank = at.position.crank.radians().to_degrees().rem_euclid(360.0).round();
     let (ground, radius, speed) = (at.linkage.ground(), at.linkage.crank(), at.drive.speed);
-    Ok(format!("ground={ground}&radius={radius}&speed={speed}&unit=m&crank={crank}"))
+    let numbers = [("ground", ground), ("radius", radius), ("speed", speed), ("crank", crank)];
+    let numbers = numbers.map(|(name, number)| (name, number.to_string()));
+    Ok(Arguments::of(numbers.into_iter().chain([("unit", "m".to_owned())])))
 }
 
 /// The run that stands for all, its ratio of inertias to three digits.
-fn example() -> anyhow::Result<String> {
+fn example() -> anyhow::Result<Arguments> {
     let parameters = crate::rows::parameters(crate::rows::example()?)?;
     let (follower, ratio) = (parameters.inertias().follower(), parameters.inertias().ratio());
     let (friction, torque) = (parameters.friction(), parameters.torque());
-    Ok(format!("follower={follower}&ratio={ratio:.3}&friction={friction}&torque={torque}"))
+    Ok(Arguments::of([
+        ("follower", follower.to_string()),
+        ("ratio", format!("{ratio:.3}")),
+        ("friction", friction.to_string()),
+        ("torque", torque.to_string()),
+    ]))
 }
 
 /// The tables of Appendix E, the inertias of the runs, and the cards of the program.
-fn runs() -> anyhow::Result<String> {
+fn runs() -> anyhow::Result<Arguments> {
     let columns = [Column::Friction, Column::Torque, Column::Peak, Column::Minimum, Column::Period];
     let row = |row: &geneva_ledger::meyer::runs::Row| {
         let cells = columns.map(|column| row.printed(column)).join(",");
@@ -233,15 +239,15 @@ fn runs() -> anyhow::Result<String> {
     };
     let headed = Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::IDEAL };
     let units = columns[2..].iter().map(|column| column.unit().to_string()).collect::<Vec<_>>();
-    Ok(format!(
-        "rows={}&inertias={}&headed={}&units={}&duration={}&delay={}&pi={}&interval={}",
-        rows.join(";"),
-        Mechanism::ALL.map(|mechanism| of(&Hypothesis::IDEAL, mechanism)).join(";"),
-        of(&headed, Mechanism::SIX_PIN),
-        units.join(","),
-        duration(),
-        delay(),
-        geneva_ledger::printed_value("meyer.listing.pi").context("the program has a π")?,
-        (1e6 * interval()).round() / 1e3
-    ))
+    let pi = geneva_ledger::printed_value("meyer.listing.pi").context("the program has a π")?;
+    Ok(Arguments::of([
+        ("rows", rows.join(";")),
+        ("inertias", Mechanism::ALL.map(|mechanism| of(&Hypothesis::IDEAL, mechanism)).join(";")),
+        ("headed", of(&headed, Mechanism::SIX_PIN)),
+        ("units", units.join(",")),
+        ("duration", duration().to_string()),
+        ("delay", delay().to_string()),
+        ("pi", pi.to_string()),
+        ("interval", ((1e6 * interval()).round() / 1e3).to_string()),
+    ]))
 }

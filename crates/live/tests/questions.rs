@@ -1,0 +1,205 @@
+//! No question makes a figure panic or stall: seeded random questions, possible, impossible and broken, to every figure.
+//!
+//! `GENEVA_FUZZ` sets how many questions are asked, `GENEVA_FUZZ_SEED` where the sequence starts; see CONTRIBUTING.md.
+
+use geneva_live::{LIVE, Live, answer};
+
+/// Questions in a normal test run: about two seconds without optimisation.
+const QUESTIONS: u64 = 400;
+
+/// Data for the figures that need some; only their form is that of a source.
+const GIVEN: [(&str, &str); 3] = [
+    ("polygon", "ground=0.31&radius=0.13&speed=7&unit=m"),
+    ("escapement", "follower=0.00013"),
+    (
+        "mistake",
+        "rows=4,0.21,0.31,151,43,0.0231;6,0.11,0.41,87,61,0.0113;3,0.33,0.17,93,11,0.0517&inertias=6,1.1e-5,1.3e-4;\
+         4,1.7e-5,1.3e-4;3,1.9e-5,1.7e-4&headed=6,2.1e-4,1.1e-5&units=1,1,0.001&duration=0.2&delay=0.00005&pi=3.1416",
+    ),
+];
+
+/// Values that are no numbers, or numbers that no mechanism has.
+const HOSTILE: [&str; 20] = [
+    "",
+    "x",
+    "nan",
+    "inf",
+    "-inf",
+    "1e300",
+    "-1e300",
+    "1e-300",
+    "1e-308",
+    "0",
+    "-0",
+    "-1",
+    "2.5",
+    "99999999999",
+    "1%26unit%3Dx%0A%0A%3Cimg%20src%3Dx%20onerror%3Dalert(1)%3E",
+    "%00",
+    "%1B%5B31m",
+    "%",
+    "3e+2",
+    "\u{202e}1",
+];
+
+/// A sequence of numbers that look random (splitmix64).
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    fn below(&mut self, count: usize) -> usize {
+        (self.next() % count.max(1) as u64) as usize
+    }
+
+    fn share(&mut self) -> f64 {
+        (self.next() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    fn one<T: Copy>(&mut self, of: &[T]) -> T {
+        of[self.below(of.len())]
+    }
+}
+
+/// A question to a figure: most of its settings possible, some at the ends of a range, a few hostile.
+fn question(live: &Live, random: &mut Random) -> String {
+    let given = GIVEN.iter().find(|(name, _)| *name == live.name).map_or("", |(_, given)| given);
+    let mut pairs: Vec<String> = given.split('&').filter(|pair| !pair.is_empty()).map(str::to_owned).collect();
+    let is_hostile = random.below(3) == 0;
+    for control in live.controls {
+        let [least, most] = if random.below(4) == 0 { control.range } else { [control.least, control.most] };
+        let value = least + (most - least) * random.share();
+        let value = match random.below(8) {
+            0 => continue,
+            1 => least,
+            2 => most,
+            3 => value,
+            _ => (value / control.step).round() * control.step,
+        };
+        let text = if is_hostile && random.below(4) == 0 { random.one(&HOSTILE).to_owned() } else { value.to_string() };
+        pairs.push(format!("{}={text}", control.name));
+    }
+    if is_hostile {
+        // The page's data spoiled, a name that is unknown, a name that is given twice.
+        let at = random.below(pairs.len() + 1);
+        match (random.below(4), pairs.get(at).and_then(|pair| pair.split_once('='))) {
+            (0, Some((name, _))) => pairs[at] = format!("{name}={}", random.one(&HOSTILE)),
+            (1, Some((name, value))) => {
+                let scaled = value.parse::<f64>().map_or(f64::NAN, |value| value * 10_f64.powf(80.0 * random.share() - 40.0));
+                pairs[at] = format!("{name}={scaled}");
+            }
+            (2, _) => pairs.push("unknown=1".to_owned()),
+            _ => {
+                let twice = pairs.get(at).cloned();
+                pairs.extend(twice);
+            }
+        }
+    }
+    let endings: Vec<String> = live.files.iter().map(|file| format!(".{}", file.name)).collect();
+    let ending = if random.below(10) == 0 { endings.get(random.below(3)).map_or("", String::as_str) } else { "" };
+    format!("{}{ending}?{}", live.name, pairs.join("&"))
+}
+
+/// What is wrong with an answer, if anything.
+fn fault(answer: &str) -> Option<&'static str> {
+    let Ok(read) = serde_json::from_str::<serde_json::Value>(answer) else { return Some("is no JSON") };
+    let has_control = |text: &str| text.contains(|c: char| c.is_control() && c != '\n');
+    if let Some(error) = read["error"].as_str() {
+        let is_poor = error.len() < 12 || error.contains('\n') || has_control(error) || error.len() > 400;
+        return is_poor.then_some("is an error without a reason, or not on one line");
+    }
+    if let Some(file) = read["file"].as_str() {
+        return file.contains("NaN").then_some("is a file with NaN");
+    }
+    let svg = read["svg"].as_str().unwrap_or_default();
+    if !svg.starts_with("<svg ") || svg.contains("NaN") || svg.contains("=\"inf") || has_control(svg) {
+        return Some("has no sound drawing");
+    }
+    let texts = read["numbers"].as_array().into_iter().flatten().map(|number| number["text"].as_str().unwrap_or("NaN"));
+    texts.into_iter().any(|text| text.contains("NaN") || text.contains("inf")).then_some("has a number that is none")
+}
+
+fn setting(name: &str, usual: u64) -> u64 {
+    std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(usual)
+}
+
+#[test]
+fn fuzz_questions() {
+    let (questions, seed) = (setting("GENEVA_FUZZ", QUESTIONS), setting("GENEVA_FUZZ_SEED", 1));
+    let (mut drawn, mut refused) = (0_u64, 0_u64);
+    for number in 0..questions {
+        let mut random = Random(seed.wrapping_add(number.wrapping_mul(0x1000)));
+        let live = LIVE[random.below(LIVE.len())];
+        let question = question(live, &mut random);
+        let start = std::time::Instant::now();
+        let answer = answer(&question);
+        let took = start.elapsed().as_millis();
+        if std::env::var_os("PRINT").is_some() { println!("Q {question}"); } let _ = took;
+        assert_eq!(fault(&answer), None, "question {number}: {question}\n{answer}");
+        *if answer.starts_with("{\"error\"") { &mut refused } else { &mut drawn } += 1;
+    }
+    println!("{questions} questions: {drawn} answered, {refused} refused");
+    assert!(drawn > questions / 4 && refused > questions / 10, "{drawn} answered, {refused} refused");
+}
+
+#[test]
+fn an_unknown_figure_or_argument_is_named_with_those_there_are() {
+    assert!(answer("weel?stations=4").starts_with("{\"error\":\"no figure `weel`: there are wheel, design"));
+    let text = answer("wheel?stashuns=4");
+    assert!(text.starts_with("{\"error\":\"no argument `stashuns`: there are crank, stations"), "{text}");
+}
+
+#[test]
+fn every_preset_and_every_end_of_a_control_is_answered_or_refused_with_a_reason() {
+    for live in LIVE {
+        let given = GIVEN.iter().find(|(name, _)| *name == live.name).map_or("", |(_, given)| given);
+        let [at_first, presets] = [vec![String::new()], live.presets.iter().map(|of| of.arguments.to_owned()).collect()];
+        let ends = live.controls.iter().flat_map(|control| {
+            [control.least, control.most, control.range[0], control.range[1], control.preset]
+                .map(|value| format!("{}={value}", control.name))
+        });
+        for setting in at_first.into_iter().chain(presets).chain(ends) {
+            let text = answer(&format!("{}?{given}&{setting}", live.name));
+            assert_eq!(fault(&text), None, "{}?{setting}: {text}", live.name);
+        }
+    }
+}
+
+#[test]
+fn every_hostile_value_of_every_control_is_refused() {
+    for live in LIVE {
+        let given = GIVEN.iter().find(|(name, _)| *name == live.name).map_or("", |(_, given)| given);
+        for control in live.controls {
+            let hostile = HOSTILE.iter().filter(|value| !["", "0", "-0", "-1", "2.5", "3e+2"].contains(value));
+            for value in hostile {
+                let text = answer(&format!("{}?{given}&{}={value}", live.name, control.name));
+                assert!(text.starts_with("{\"error\":") && fault(&text).is_none(), "{}={value}: {text}", control.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn broken_questions_are_answered_by_an_error() {
+    let long = "x".repeat(1 << 17);
+    for odd in ["", "?", "wheel?crank", "wheel?&&==&", "mistake?rows=;;;", "\u{0}", "wheel.exe?", &long] {
+        let text = answer(odd);
+        assert!(text.starts_with("{\"error\":") && fault(&text).is_none(), "{odd:.20}: {text}");
+    }
+}
+
+#[test]
+fn data_of_the_page_cannot_be_replaced() {
+    for (name, given) in GIVEN {
+        for pair in given.split('&') {
+            let text = answer(&format!("{name}?{given}&{pair}"));
+            assert!(text.contains("is given twice"), "{name} {pair}: {text}");
+        }
+    }
+}
