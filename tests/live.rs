@@ -1,6 +1,9 @@
 //! Is what a reader moves the same as what is tested? The module in the page against the library on this machine, and the
 //! controls by keyboard, pointer and address.
 
+mod addresses;
+mod module;
+
 use crate::browser::devtools::{Browser, Medium};
 use geneva_live::LIVE;
 use geneva_press::figures;
@@ -93,7 +96,7 @@ fn the_module_in_the_page_gives_the_same_characters_as_the_library() {
                 let answer = geneva_live::answer(&question);
                 let theirs = browser.evaluate(&format!("genevaLive({})", json!(question)));
                 assert!(theirs.as_str() == Some(&answer), "{name}?{setting} is answered otherwise in the page");
-                if !answer.contains("\nprogress\t") || setting.contains("late=1") && !setting.contains("reset=90") {
+                if !answer.contains("\"progress\":{") || setting.contains("late=1") && !setting.contains("reset=90") {
                     break;
                 }
             }
@@ -104,10 +107,14 @@ fn the_module_in_the_page_gives_the_same_characters_as_the_library() {
 /// The value of an expression about a figure's element `f` and its form `g`.
 fn of(browser: &mut Browser, name: &str, expression: &str) -> Value {
     browser.evaluate(&format!(
-        "(async () => {{ const f = document.querySelector('[data-live={name}]'), g = f.querySelector('form'); await \
-         genevaLive('x'); await new Promise(done => setTimeout(done, 80)); return {expression} }})()"
+        "(async () => {{ const f = document.querySelector('[data-live={name}]'), g = f.querySelector('form'); {SETTLED}; await \
+         settled(); return {expression} }})()"
     ))
 }
+
+/// A function of the page that waits until the figures have answered: twice, for the first answer may be to an earlier setting.
+const SETTLED: &str = "const settled = async () => { for (let k = 0; k < 2; k++) { await new Promise(done => setTimeout(done, 40)); \
+                       await genevaLive('x') } }";
 
 #[test]
 fn a_slider_goes_by_arrow_keys_and_the_page_stays() {
@@ -140,10 +147,12 @@ fn a_number_beyond_the_slider_is_computed_or_refused_as_at_the_command_line() {
     of(&mut browser, "wheel", &typed("stations", "30"));
     let title = of(&mut browser, "wheel", "f.querySelector('svg title').textContent");
     assert!(title.as_str().is_some_and(|title| title.contains("30 stations")), "{title}");
+    let message = "g.querySelector('.message').textContent";
+    of(&mut browser, "wheel", &typed("pins", "40"));
+    let refused = geneva_kinematics::wheel::Wheel::with_pins(30, 40).expect_err("too many").to_string();
+    assert_eq!(of(&mut browser, "wheel", message), json!(refused));
     of(&mut browser, "wheel", &typed("stations", "2"));
-    let message = of(&mut browser, "wheel", "g.querySelector('.message').textContent");
-    let refused = geneva_kinematics::wheel::Wheel::new(2).expect_err("too few").to_string();
-    assert_eq!(message, json!(refused));
+    assert_eq!(of(&mut browser, "wheel", message), json!("stations N 2: give 3 to 100"));
 }
 
 /// Types a number into the box of a control.
@@ -285,15 +294,17 @@ fn the_mistake_is_scored_as_the_ledger_scores_it() {
         ("reset=90&six=0", headed),
         ("reset=90&late=1", Hypothesis::as_run()),
     ] {
-        let answer = loop {
+        let answer: Value = loop {
             let answer = geneva_live::answer(&format!("mistake?{given}&{setting}"));
-            if !answer.contains("\nprogress\t") {
+            let answer: Value = serde_json::from_str(&answer).expect("JSON");
+            if answer["progress"].is_null() {
                 break answer;
             }
         };
         let number = |name: &str| -> f64 {
-            let line = answer.lines().find(|line| line.split('\t').nth(1) == Some(name)).expect("a number");
-            line.split('\t').nth(2).and_then(|value| value.parse().ok()).expect("digits")
+            let all = answer["numbers"].as_array().expect("numbers");
+            let number = all.iter().find(|number| number["name"] == name).expect("a number");
+            number["value"].as_f64().expect("a finite number")
         };
         let score = scores().iter().find(|score| score.hypothesis == hypothesis).expect("compared");
         assert_eq!(number("agree"), score.within_one() as f64, "{setting}");

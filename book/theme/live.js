@@ -1,8 +1,16 @@
 // Figures that a reader moves. The drawing and its numbers come from the module beside this script, which is the program of
-// the book itself; here are only the controls. The page's HTML has them all, hidden until this script runs.
+// the book itself. This script has only the controls. The page's HTML has them all, hidden until the script runs.
 (() => {
     const round = (value, step) => Number((Math.round(value / step) * step).toFixed(4));
-    let module;
+    // How long an answer may take, in milliseconds. The module refuses what takes it more than a tenth of a second.
+    const patience = 5000;
+    const svgSpace = 'http://www.w3.org/2000/svg';
+    // The elements and attributes of the book's drawings. A drawing with any other is not shown.
+    const elements = new Set('circle desc g line path svg text title tspan'.split(' '));
+    const attributes = new Set(('aria-labelledby class cx cy d dx dy fill fill-opacity fill-rule font-family font-size font-style ' +
+        'id opacity paint-order r role stroke stroke-dasharray stroke-linecap stroke-linejoin stroke-opacity stroke-width ' +
+        'text-anchor viewBox x x1 x2 xmlns y y1 y2').split(' '));
+    let module, thread, queue = Promise.resolve();
 
     // The module is text in a script, so that a page opened from disk can load it too; once, when it is first needed.
     const load = () => module ??= new Promise((done, failed) => {
@@ -10,56 +18,112 @@
             try {
                 const packed = Uint8Array.from(atob(text), character => character.charCodeAt(0));
                 const unpacked = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate-raw'));
-                const code = await WebAssembly.compile(await new Response(unpacked).arrayBuffer());
-                // It asks the system for nothing: what it could ask for is answered by zero.
-                const system = {};
-                for (const { module, name } of WebAssembly.Module.imports(code)) {
-                    (system[module] ??= {})[name] = () => 0;
-                }
-                const { exports } = await WebAssembly.instantiate(code, system);
-                exports._initialize?.();
-                done(question => {
-                    const bytes = new TextEncoder().encode(question);
-                    const room = exports.room(bytes.length);
-                    new Uint8Array(exports.memory.buffer, room, bytes.length).set(bytes);
-                    const length = exports.ask();
-                    return new TextDecoder().decode(new Uint8Array(exports.memory.buffer, exports.answer(), length));
-                });
+                done(await WebAssembly.compile(await new Response(unpacked).arrayBuffer()));
             } catch (error) {
                 failed(error);
             }
         };
         const script = document.createElement('script');
         script.src = 'data/live-module.js';
-        script.onerror = failed;
+        script.onerror = () => failed(new Error('its module does not load'));
         document.head.append(script);
     });
 
-    // An answer is lines of fields with tabs, an empty line, the caption, the drawing.
-    const parse = text => {
-        const end = text.indexOf('\n\n');
-        const lines = text.slice(0, end < 0 ? undefined : end).trim().split('\n').map(line => line.split('\t'));
-        const rest = end < 0 ? '' : text.slice(end + 2);
-        const cut = rest.indexOf('\n');
-        return { lines, caption: rest.slice(0, cut), svg: rest.slice(cut + 1) };
+    // What runs in the module's own thread: it gets the module, then questions one at a time.
+    const answering = () => {
+        let instance;
+        const start = async code => {
+            // It asks the system for nothing: each function that it could call gives zero.
+            const system = {};
+            for (const { module, name } of WebAssembly.Module.imports(code)) {
+                (system[module] ??= {})[name] = () => 0;
+            }
+            const { exports } = await WebAssembly.instantiate(code, system);
+            exports._initialize?.();
+            return exports;
+        };
+        onmessage = async ({ data: { code, question } }) => {
+            if (code) {
+                instance = start(code);
+                return;
+            }
+            try {
+                const exports = await instance;
+                const bytes = new TextEncoder().encode(question);
+                const room = exports.room(bytes.length);
+                new Uint8Array(exports.memory.buffer, room, bytes.length).set(bytes);
+                const length = exports.ask();
+                postMessage({ text: new TextDecoder().decode(new Uint8Array(exports.memory.buffer, exports.answer(), length)) });
+            } catch (error) {
+                postMessage({ failed: error.message });
+            }
+        };
+    };
+    const begun = code => {
+        const address = URL.createObjectURL(new Blob([`(${answering})()`], { type: 'text/javascript' }));
+        const worker = new Worker(address);
+        URL.revokeObjectURL(address);
+        worker.postMessage({ code });
+        return worker;
+    };
+    const answered = async question => {
+        const code = await load();
+        thread ??= begun(code);
+        return new Promise((done, failed) => {
+            const fail = why => {
+                // The next question gets a fresh module.
+                thread?.terminate();
+                thread = undefined;
+                failed(new Error(why));
+            };
+            const timer = setTimeout(() => fail(`no answer within ${patience / 1000} s`), patience);
+            thread.onmessage = ({ data: { text, failed: why } }) => {
+                clearTimeout(timer);
+                why === undefined ? done(text) : fail(why);
+            };
+            thread.onerror = event => {
+                clearTimeout(timer);
+                fail(event.message ?? 'its thread does not start');
+            };
+            thread.postMessage({ question });
+        });
+    };
+    // The text of an answer; questions are asked one after the other.
+    const ask = question => {
+        const answer = queue.then(() => answered(question));
+        queue = answer.catch(() => {});
+        return answer;
+    };
+
+    // The drawing as an element of this page.
+    const drawn = svg => {
+        const parsed = new DOMParser().parseFromString(svg, 'image/svg+xml').documentElement;
+        for (const element of [parsed, ...parsed.querySelectorAll('*')]) {
+            const strange = element.namespaceURI !== svgSpace || !elements.has(element.localName) ||
+                [...element.attributes].some(({ name, value }) => !attributes.has(name) || /url\(|:\/\//.test(value) && name !== 'xmlns');
+            if (strange) {
+                throw new Error('the drawing has parts that no drawing of this book has');
+            }
+        }
+        return document.importNode(parsed, true);
     };
 
     const begin = figure => {
         const form = figure.querySelector('form');
         const inputs = [...form.querySelectorAll('input[name], select')];
         const player = form.querySelector('[data-play]');
-        const message = form.querySelector('.message');
-        const stale = form.querySelector('.stale');
+        const [message, ignored, stale] = ['message', 'ignored', 'stale'].map(name => form.querySelector(`.${name}`));
+        const box = input => form.querySelector(`[data-box="${input.name}"]`);
         const follows = input => input.dataset.follows !== undefined;
         const first = Object.fromEntries(inputs.map(input => [input.name, follows(input) ? '' : input.value]));
         // Those that nobody has moved and that stand where the answer has them; values that a slider cannot stand at.
         const followers = new Set(inputs.filter(follows)), exact = new Map();
-        let pending = false, playing = false, seen = true, last = 0;
+        let busy = false, again = false, playing = false, seen = true, last = 0;
 
         const value = input => followers.has(input) ? '' : exact.get(input) ?? input.value;
-        const settings = () => inputs.map(input => `${input.name}=${value(input)}`).join('&');
-        const ask = (answer, ending = '') =>
-            answer(`${figure.dataset.live}${ending}?${figure.dataset.given}&${settings()}`);
+        const settings = () => new URLSearchParams(inputs.map(input => [input.name, value(input)]));
+        const question = (ending = '') =>
+            `${figure.dataset.live}${ending}?${[figure.dataset.given, settings()].filter(part => `${part}`).join('&')}`;
         const say = (text, wrong) => {
             message.textContent = text;
             message.classList.toggle('wrong', Boolean(wrong));
@@ -67,53 +131,73 @@
 
         const write = (input, value) => {
             input.value = value;
-            const box = form.querySelector(`[data-box="${input.name}"]`);
-            if (box && box !== document.activeElement) {
-                box.value = value;
+            const number = box(input);
+            if (number && number !== document.activeElement) {
+                number.value = value;
             }
         };
 
-        const show = text => {
-            const { lines, caption, svg } = parse(text);
-            const refused = lines[0][0] === 'error';
-            figure.classList.toggle('refused', refused);
-            stale.hidden = !refused;
-            if (refused) {
-                stop();
-                // No number stays that would seem to be of this setting.
-                form.querySelectorAll('output').forEach(output => output.value = '–');
-                return say(lines[0][1], true);
+        const refuse = why => {
+            stop();
+            figure.classList.add('refused');
+            stale.hidden = false;
+            // No number stays that would seem to be of this setting.
+            form.querySelectorAll('output').forEach(output => output.value = '–');
+            say(why, true);
+        };
+        const show = ({ error, numbers, followers: told, message: words, progress, caption, svg }) => {
+            if (error !== undefined) {
+                return refuse(error);
             }
-            followers.forEach(input => write(input, lines.find(line => line[0] === 'follower' && line[1] === input.name)[2]));
-            const told = Object.fromEntries(lines.filter(line => line[0] === 'number').map(line => [line[1], line[3]]));
-            form.querySelectorAll('output').forEach(output => output.value = told[output.name] ?? '–');
-            const progress = lines.find(line => line[0] === 'progress');
-            const words = lines.find(line => line[0] === 'message');
-            say(progress ? `${progress[1]} of ${progress[2]} runs` : words?.[1] ?? '', words);
-            figure.querySelector('.drawing').innerHTML = svg;
+            const drawing = drawn(svg);
+            figure.classList.remove('refused');
+            stale.hidden = true;
+            followers.forEach(input => write(input, told.find(({ name }) => name === input.name).value));
+            const texts = Object.fromEntries(numbers.map(({ name, text }) => [name, text]));
+            form.querySelectorAll('output').forEach(output => output.value = texts[output.name] ?? '–');
+            say(progress ? `${progress.done} of ${progress.all} runs` : words ?? '', words);
+            figure.querySelector('.drawing').replaceChildren(drawing);
             figure.querySelector('.says').textContent = caption;
-            if (progress) {
+            again ||= Boolean(progress);
+        };
+
+        const draw = async () => {
+            if (busy) {
+                again = true;
+                return;
+            }
+            busy = true;
+            try {
+                await load();
+            } catch (error) {
+                busy = false;
+                return say(`The figure cannot be moved here: ${error.message}.`, true);
+            }
+            await new Promise(requestAnimationFrame);
+            again = false;
+            try {
+                show(JSON.parse(await ask(question())));
+            } catch (error) {
+                refuse(`The figure has no answer for this setting: ${error.message}.`);
+            }
+            busy = false;
+            if (again) {
                 draw();
             }
         };
 
-        const draw = () => {
-            if (pending) {
-                return;
+        const save = async ending => {
+            let answer;
+            try {
+                answer = JSON.parse(await ask(question(`.${ending}`)));
+            } catch (error) {
+                answer = { error: `The file cannot be made: ${error.message}.` };
             }
-            pending = true;
-            load().then(answer => requestAnimationFrame(() => {
-                pending = false;
-                show(ask(answer));
-            }), error => say(`The figure cannot be moved here: ${error.message ?? 'its module does not load'}.`, true));
-        };
-
-        const save = (ending, text) => {
-            if (text.startsWith('error\t')) {
-                return say(text.slice(6), true);
+            if (answer.error !== undefined) {
+                return say(answer.error, true);
             }
             const link = document.createElement('a');
-            link.href = URL.createObjectURL(new Blob([text]));
+            link.href = URL.createObjectURL(new Blob([answer.file]));
             link.download = `${figure.dataset.live}.${ending}`;
             link.click();
             URL.revokeObjectURL(link.href);
@@ -139,12 +223,42 @@
         };
         const set = values => {
             for (const [name, value] of new URLSearchParams(values)) {
+                put(inputs.find(input => input.name === name), value);
+            }
+            moved();
+        };
+        // An address is anybody's: a value is taken if it is a number that can be typed in its control's box, or one of its
+        // choices. It is not told what the address says instead.
+        const isPossible = (input, value) => {
+            if (input.options) {
+                return [...input.options].some(option => option.value === value);
+            }
+            const { min, max } = box(input);
+            return value === '' ? follows(input)
+                : /^-?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(value) && Number(value) >= min && Number(value) <= max;
+        };
+        const address = values => {
+            const pairs = [...new URLSearchParams(values)], wrong = new Set();
+            let unknown = false;
+            for (const [name, value] of pairs) {
                 const input = inputs.find(input => input.name === name);
-                if (input) {
+                if (!input) {
+                    unknown = true;
+                } else if (pairs.filter(pair => pair[0] === name).length > 1 || !isPossible(input, value)) {
+                    wrong.add(input);
+                } else {
                     put(input, value);
                 }
             }
             moved();
+            const labels = [...wrong].map(input => {
+                const range = box(input) ? ` (${box(input).min} to ${box(input).max})` : '';
+                return `“${input.labels[0].textContent}”${range}`;
+            });
+            ignored.textContent = [
+                labels.length ? `The address has no possible value for ${labels.join(', ')}, and it was ignored.` : '',
+                unknown ? 'The address names something that this figure does not have, and it was ignored.' : '',
+            ].join(' ').trim();
         };
         const advance = by => {
             const span = player.max - player.min;
@@ -161,7 +275,7 @@
             const passed = (now - last) / 1000;
             // Who wants less motion sees one step in a second.
             if (!still.matches || passed >= 1) {
-                if (seen && !document.hidden && !pending && last) {
+                if (seen && !document.hidden && !busy && last) {
                     advance(player.dataset.play * Math.min(passed, still.matches ? 0.25 : 0.1));
                 }
                 last = now;
@@ -187,6 +301,7 @@
             reset: () => set(first),
         };
         form.addEventListener('input', ({ target }) => {
+            ignored.textContent = '';
             if (target.dataset.box !== undefined) {
                 const input = inputs.find(input => input.name === target.dataset.box);
                 if (target.value === '') {
@@ -203,6 +318,7 @@
         });
         form.addEventListener('click', event => {
             const { do: what, set: values, file } = event.target.dataset;
+            ignored.textContent = '';
             if (what && what !== 'link') {
                 if (what !== 'play') {
                     stop();
@@ -211,7 +327,7 @@
             } else if (values) {
                 set(values);
             } else if (file) {
-                load().then(answer => save(file, ask(answer, `.${file}`)));
+                save(file);
             }
         });
         form.addEventListener('submit', event => event.preventDefault());
@@ -250,7 +366,7 @@
             const [id, values] = location.hash.slice(1).split('?');
             if (id === figure.id && values) {
                 figure.scrollIntoView();
-                set(values);
+                address(values);
             }
         };
         addEventListener('hashchange', linked);
@@ -265,6 +381,6 @@
         begin(figure);
         near.observe(figure);
     });
-    // For tests, and for whoever wants to ask by himself.
-    globalThis.genevaLive = question => load().then(answer => answer(question));
+    // For tests, and for readers who want to ask from the console.
+    globalThis.genevaLive = ask;
 })();

@@ -73,7 +73,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     let engagement = Engagement::new(&parameters).map_err(words)?;
     let steady = engagement.steady_state().map_err(words)?;
     let figure = escapement::running(&engagement, share).map_err(|error| error.to_string())?;
-    let engagements = match engagement.engagements_to_settle(REACHED, MOST_ENGAGEMENTS) {
+    let engagements = match engagement.engagements_to_settle_within(REACHED, MOST_ENGAGEMENTS) {
         Err(Error::TooMany { .. }) => Number {
             text: format!("more than {MOST_ENGAGEMENTS}"),
             ..Number::new("engagements", MOST_ENGAGEMENTS as f64, 0, "")

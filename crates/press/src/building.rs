@@ -11,7 +11,7 @@ use mdbook_driver::MDBook;
 use mdbook_preprocessor::Preprocessor;
 use tempfile::TempDir;
 
-use crate::{libraries, minify, search};
+use crate::{libraries, minify, policy, search};
 
 /// Renders the book of the workspace `root` into the directory `out`, and returns the path of its first page.
 ///
@@ -29,6 +29,7 @@ pub fn build(root: &Path, out: &Path, preprocessor: impl Preprocessor + 'static)
     })?;
     search::index(&new)?;
     minify::trim(&new)?;
+    policy::add(&new)?;
     replace(&out, &new, old, beside)?;
     Ok(out.join("index.html"))
 }

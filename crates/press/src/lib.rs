@@ -10,6 +10,7 @@ mod edition;
 mod libraries;
 mod minify;
 pub mod pages;
+mod policy;
 pub mod readme;
 mod search;
 
@@ -33,6 +34,7 @@ pub mod live;
 mod tables;
 
 // What these need.
+mod base64;
 mod html;
 mod lookup;
 mod measurements;

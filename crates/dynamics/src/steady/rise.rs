@@ -83,8 +83,17 @@ impl Engagement {
     ///
     /// # Errors
     ///
+    /// The errors of [`Engagement::rise`].
+    pub fn engagements_to_settle(&self, settled: f64) -> Result<(usize, f64), Error> {
+        self.engagements_to_settle_within(settled, MOST_CYCLES)
+    }
+
+    /// Engagements and time as by [`Engagement::engagements_to_settle`], of so many engagements at most.
+    ///
+    /// # Errors
+    ///
     /// The errors of [`Engagement::rise`]; [`Error::TooMany`] if `most` engagements are not enough.
-    pub fn engagements_to_settle(&self, settled: f64, most: usize) -> Result<(usize, f64), Error> {
+    pub fn engagements_to_settle_within(&self, settled: f64, most: usize) -> Result<(usize, f64), Error> {
         let rise = self.rise_within(settled, most)?;
         Ok((rise.cycles.len(), rise.cycles.last().map_or(0.0, |cycle| cycle.end)))
     }

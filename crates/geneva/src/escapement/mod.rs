@@ -339,7 +339,7 @@ pub fn rise(engagement: &Engagement, steady: &SteadyState) -> Result<Option<(usi
     if least > 1.001 * MOST_CYCLES as f64 {
         return Ok(None);
     }
-    match engagement.engagements_to_settle(SETTLED, MOST_CYCLES) {
+    match engagement.engagements_to_settle(SETTLED) {
         Err(Error::TooMany { .. }) => Ok(None),
         result => result.map(Some),
     }

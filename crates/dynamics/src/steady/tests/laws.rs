@@ -127,7 +127,7 @@ fn the_rise_ends_where_each_definition_says() {
             let (loose, tight) = (time.expect("reached"), rise.until_entry_speed(1e-6).expect("reached"));
             assert!(loose > 0.0 && loose <= tight + steady.period, "{mechanism:?} {loose} {tight}");
         }
-        let (count, time) = engagement.engagements_to_settle(0.01, 1000).expect("a rise");
+        let (count, time) = engagement.engagements_to_settle(0.01).expect("a rise");
         assert_eq!(Some(time), rise.until_entry_speed(0.01));
         assert_eq!(rise.cycles[count - 1].end, time);
     }

@@ -1,0 +1,153 @@
+//! What a page may load and run: a Content-Security-Policy in each page.
+//!
+//! Scripts and styles that stand in a page are allowed by their hashes, so that text that finds its way into a page is never
+//! run as a script. Scripts, styles, fonts and pictures in files are allowed from the book's own place. (A hash for a
+//! script in a file needs subresource integrity, and browsers refuse that for a page that is opened from disk.) WebAssembly
+//! and a thread of its own are allowed where a figure moves. Nothing may be sent anywhere.
+
+use anyhow::{Context, ensure};
+use html5ever::tokenizer::states::RawKind;
+use html5ever::tokenizer::{
+    BufferQueue, EndTag, StartTag, Token, TokenSink, TokenSinkResult, Tokenizer, TokenizerOpts,
+};
+use sha2::{Digest, Sha256};
+use std::cell::RefCell;
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+use crate::base64::base64;
+
+/// The element behind which the policy stands.
+const BEFORE: &str = "<meta charset=\"UTF-8\">";
+
+/// Puts its policy into each page of a built book. The pages must not change afterwards.
+pub fn add(book: &Path) -> anyhow::Result<()> {
+    for entry in fs::read_dir(book).with_context(|| format!("cannot read {}", book.display()))? {
+        let path = entry.with_context(|| format!("cannot read {}", book.display()))?.path();
+        if path.is_dir() {
+            add(&path)?;
+        } else if path.extension().is_some_and(|kind| kind == "html") {
+            let page = fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
+            let guarded = guarded(&page).with_context(|| format!("{} cannot have a policy", path.display()))?;
+            fs::write(&path, guarded).with_context(|| format!("cannot write {}", path.display()))?;
+        }
+    }
+    Ok(())
+}
+
+/// A page with its policy, which is the first thing that a browser reads.
+fn guarded(page: &str) -> anyhow::Result<String> {
+    let (head, rest) = page.split_once(BEFORE).with_context(|| format!("it has no `{BEFORE}`"))?;
+    ensure!(!head.contains("<script"), "a script stands before `{BEFORE}`");
+    let policy = policy(&inline(page));
+    Ok(format!("{head}{BEFORE}<meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">{rest}"))
+}
+
+/// What stands in a page, and whether a figure of it moves.
+#[derive(Debug, Default)]
+struct Inline {
+    scripts: BTreeSet<String>,
+    styles: BTreeSet<String>,
+    moves: bool,
+}
+
+fn policy(inline: &Inline) -> String {
+    let hashes = |texts: &BTreeSet<String>| {
+        texts.iter().map(|text| format!(" 'sha256-{}'", base64(&Sha256::digest(text)))).collect::<String>()
+    };
+    let (module, thread) = if inline.moves { (" 'wasm-unsafe-eval'", "; worker-src blob:") } else { ("", "") };
+    format!(
+        "default-src 'none'; script-src 'self'{module}{}; style-src 'self'{}; style-src-attr 'unsafe-inline'; img-src 'self' \
+         data:; font-src 'self'; frame-src 'self'{thread}; base-uri 'none'; form-action 'none'",
+        hashes(&inline.scripts),
+        hashes(&inline.styles)
+    )
+}
+
+fn inline(page: &str) -> Inline {
+    let tokenizer = Tokenizer::new(Found::default(), TokenizerOpts::default());
+    let queue = BufferQueue::default();
+    queue.push_back(page.into());
+    // A page holds no script that would have to run while it is read.
+    let _ = tokenizer.feed(&queue);
+    tokenizer.end();
+    tokenizer.sink.0.into_inner().inline
+}
+
+#[derive(Default)]
+struct Found(RefCell<State>);
+
+#[derive(Default)]
+struct State {
+    inline: Inline,
+    /// The text of the script or style that is open.
+    open: Option<String>,
+}
+
+impl TokenSink for Found {
+    type Handle = ();
+
+    fn process_token(&self, token: Token, _: u64) -> TokenSinkResult<()> {
+        let mut state = self.0.borrow_mut();
+        match token {
+            Token::TagToken(tag) if tag.kind == StartTag => {
+                let has = |name: &str| tag.attrs.iter().any(|of| &*of.name.local == name);
+                state.inline.moves |= has("data-live");
+                let raw = match &*tag.name {
+                    "script" => RawKind::ScriptData,
+                    "style" => RawKind::Rawtext,
+                    _ => return TokenSinkResult::Continue,
+                };
+                state.open = (!has("src")).then(String::new);
+                return TokenSinkResult::RawData(raw);
+            }
+            Token::TagToken(tag) if tag.kind == EndTag && ["script", "style"].contains(&&*tag.name) => {
+                if let Some(text) = state.open.take().filter(|text| !text.is_empty()) {
+                    let inline = &mut state.inline;
+                    let texts = if &*tag.name == "script" { &mut inline.scripts } else { &mut inline.styles };
+                    texts.insert(text);
+                }
+            }
+            Token::CharacterTokens(text) => {
+                if let Some(open) = &mut state.open {
+                    open.push_str(&text);
+                }
+            }
+            _ => {}
+        }
+        TokenSinkResult::Continue
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scripts_and_styles_in_a_page_are_allowed_by_their_hashes() {
+        let page = "<html><head><meta charset=\"UTF-8\"><script>alert('Hello, world.');</script><script src=\"a.js\"></script>\
+                    <style>a{}</style></head><body><pre>&lt;script&gt;no&lt;/script&gt;</pre></body></html>";
+        let guarded = guarded(page).expect("a policy");
+        let policy = guarded.split("content=\"").nth(1).and_then(|rest| rest.split('"').next()).expect("a policy");
+        // The hash is the example of the specification, Content Security Policy Level 3, section 8.
+        let script = "script-src 'self' 'sha256-qznLcsROx4GACP2dm0UCKCzCG+HiZ1guq6ZZDob/Tng=';";
+        assert!(policy.contains(script), "{policy}");
+        assert_eq!(policy.matches("sha256-").count(), 2, "{policy}");
+        assert!(!policy.contains("wasm") && !policy.contains("worker"), "{policy}");
+        assert_eq!(guarded.replace(&format!("<meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">"), ""), page);
+    }
+
+    #[test]
+    fn a_module_is_allowed_where_a_figure_moves() {
+        let page = "<head><meta charset=\"UTF-8\"></head><figure data-live=\"wheel\"></figure>";
+        let guarded = guarded(page).expect("a policy");
+        assert!(guarded.contains("script-src 'self' 'wasm-unsafe-eval';") && guarded.contains("worker-src blob:"));
+    }
+
+    #[test]
+    fn a_page_without_a_place_for_its_policy_is_refused() {
+        assert!(guarded("<head></head>").is_err());
+        assert!(guarded("<script>a</script><meta charset=\"UTF-8\">").is_err());
+    }
+}

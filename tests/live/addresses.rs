@@ -1,0 +1,120 @@
+//! An address is anybody's: it moves controls within their ranges, and does nothing else.
+
+use super::{PAGES, SETTLED, browser, of, open};
+use crate::browser::devtools::{Browser, Medium};
+use serde_json::{Value, json};
+
+/// Values that are no number, or none that a control can have, as they stand in an address: most of them broke something once.
+const HOSTILE: [&str; 16] = [
+    "70%26unit%3Dm%0A%0Acaption%0A%3Cimg%20src%3Dx%20onerror%3D%22document.title%3D'ran'%22%3E%3C!--",
+    "1%26unit%3Dx%0A%0A%0A%3Cimg%20src=x%20onerror=document.title='ran'%3E",
+    "%3Cscript%3Edocument.title='ran'%3C/script%3E",
+    "%3Csvg%20onload=document.title='ran'%3E",
+    "javascript:document.title='ran'",
+    "1%26follower%3D1e-308",
+    "90%26duration%3D1000",
+    "1%261",
+    "NaN",
+    "Infinity",
+    "1e300",
+    "-1e300",
+    "1e-300%00",
+    "%0A%0A",
+    "0x10",
+    "1,5",
+];
+
+/// What the open page's figure shows, without the words about the address.
+const SHOWN: &str = "[[...g.querySelectorAll('[name]')].map(of => of.value).join(), [...g.querySelectorAll('[data-box]')].map(of => \
+                     of.value).join(), f.querySelector('.says').textContent, f.querySelector('svg').outerHTML]";
+
+/// Opens addresses of a figure's page one after the other, and gives what the figure shows and says of each.
+fn visit(browser: &mut Browser, name: &str, figure: &str, settings: &[String]) -> Vec<Value> {
+    let visited = of(
+        browser,
+        name,
+        &format!(
+            "(async () => {{ {SETTLED}; const all = []; for (const setting of {}) {{ location.hash = '#fig-{figure}?' + setting; await \
+             settled(); all.push({{ setting, shown: {SHOWN}, ignored: g.querySelector('.ignored').textContent, refused: \
+             f.classList.contains('refused') }}) }} return all }})()",
+            json!(settings)
+        ),
+    );
+    visited.as_array().expect("a list").clone()
+}
+
+#[test]
+fn no_value_in_an_address_does_anything_but_move_a_control_within_its_range() {
+    let Some(mut browser) = browser() else { return };
+    browser.show(1280, Medium::Light);
+    for (name, page) in PAGES {
+        let live = geneva_live::by_name(name).expect("a figure");
+        open(&mut browser, page, "");
+        let title = browser.evaluate("document.title");
+        let first = of(&mut browser, name, SHOWN);
+        let mut settings: Vec<String> = Vec::new();
+        for control in live.controls {
+            settings.extend(HOSTILE.iter().map(|value| format!("{}={value}", control.name)));
+            let [least, most] = control.range;
+            settings.push(format!("{}={}", control.name, least - 1.0));
+            settings.push(format!("{}={}", control.name, most + 1.0));
+            settings.push(format!("{0}={1}&{0}={1}", control.name, control.preset));
+        }
+        for given in live.given.iter().chain(&["onload", "innerHTML", "__proto__", ""]) {
+            settings.push(format!("{given}=1"));
+        }
+        browser.events();
+        for visited in visit(&mut browser, name, live.figure, &settings) {
+            let told = visited["ignored"].as_str().unwrap_or_default();
+            assert!(told.contains("it was ignored"), "{name}: nothing is said of {}", visited["setting"]);
+            assert!(visited["shown"] == first, "{name}: {} changes the figure", visited["setting"]);
+        }
+        assert_eq!(browser.evaluate("document.title"), title, "{name}: an address ran a script");
+        let events = browser.events();
+        let wrong = events.iter().find(|event| event["method"] == "Runtime.exceptionThrown");
+        assert!(wrong.is_none(), "{name}: {wrong:#?}");
+    }
+}
+
+#[test]
+fn the_addresses_that_ran_scripts_and_the_one_that_froze_open_the_figure_as_at_first() {
+    let Some(mut browser) = browser() else { return };
+    browser.show(1280, Medium::Light);
+    for (name, page, setting) in [
+        ("polygon", "quick-return", format!("crank={}", HOSTILE[0])),
+        ("polygon", "quick-return", format!("factor=2{}", &HOSTILE[1][1..])),
+        ("escapement", "terminal-speed", "friction=0.16%26follower%3D1e-308".to_owned()),
+        ("mistake", "mistake", "late=1&reset=90%26duration%3D1000".to_owned()),
+    ] {
+        let live = geneva_live::by_name(name).expect("a figure");
+        open(&mut browser, "about", "");
+        open(&mut browser, page, &format!("#fig-{}?{setting}", live.figure));
+        let shown = of(
+            &mut browser,
+            name,
+            "[document.title, g.querySelector('.ignored').textContent, f.querySelectorAll('img, script').length, \
+             f.classList.contains('refused')]",
+        );
+        assert!(!shown[0].as_str().is_some_and(|title| title.contains("ran")), "{page} {setting}");
+        assert!(shown[1].as_str().is_some_and(|told| told.contains("was ignored")), "{page} {setting}: {shown}");
+        assert_eq!([&shown[2], &shown[3]], [&json!(0), &json!(false)], "{page} {setting}");
+    }
+}
+
+#[test]
+fn own_links_open_again() {
+    let Some(mut browser) = browser() else { return };
+    browser.show(1280, Medium::Light);
+    for (name, page, control, typed) in
+        [("escapement", "terminal-speed", "torque", "3e+2"), ("wheel", "jazar", "error", "1e-1"), ("design", "making", "pin", "")]
+    {
+        open(&mut browser, page, "");
+        of(&mut browser, name, &super::typed(control, typed));
+        let shown = of(&mut browser, name, &format!("[g.querySelector('[data-do=link]').hash, {SHOWN}]"));
+        open(&mut browser, "about", "");
+        open(&mut browser, page, shown[0].as_str().expect("a link"));
+        let again = of(&mut browser, name, &format!("[g.querySelector('.ignored').textContent, {SHOWN}]"));
+        assert_eq!(again[0], json!(""), "{name} {}", shown[0]);
+        assert!(again[1][2] == shown[1][2] && again[1][3] == shown[1][3], "{name} {}", shown[0]);
+    }
+}

@@ -1,0 +1,183 @@
+//! The module in its own thread: what happens when it fails or never ends, and whether every figure works where it is served.
+
+use super::{PAGES, browser, of, open};
+use crate::browser::devtools::Medium;
+use serde_json::json;
+use std::io::{BufRead, BufReader, Write};
+use std::net::{TcpListener, TcpStream};
+use std::path::Path;
+
+/// A module with the interface of ours whose `ask` does nothing but this.
+fn module(ask: &[u8]) -> Vec<u8> {
+    let section = |kind: u8, content: &[u8]| [&[kind, content.len() as u8], content].concat();
+    let export = |name: &str, kind: u8, index: u8| [&[name.len() as u8], name.as_bytes(), &[kind, index]].concat();
+    // Two types: (i32) -> i32 and () -> i32; three functions, `room`, `ask` and `answer`; one page of memory.
+    let body = |code: &[u8]| [&[code.len() as u8 + 2, 0], code, &[0x0b]].concat();
+    let exports =
+        [vec![4], export("memory", 2, 0), export("room", 0, 0), export("ask", 0, 1), export("answer", 0, 2)].concat();
+    [
+        b"\0asm\x01\0\0\0".to_vec(),
+        section(1, &[2, 0x60, 1, 0x7f, 1, 0x7f, 0x60, 0, 1, 0x7f]),
+        section(3, &[3, 0, 1, 1]),
+        section(5, &[1, 0, 1]),
+        section(7, &exports),
+        section(10, &[vec![3], body(&[0x41, 0]), body(ask), body(&[0x41, 0])].concat()),
+    ]
+    .concat()
+}
+
+#[test]
+fn a_module_that_traps_or_never_ends_is_replaced_and_the_figure_says_so() {
+    let Some(mut browser) = browser() else { return };
+    browser.show(1280, Medium::Light);
+    // `unreachable`; `loop br 0 end i32.const 0`.
+    for (ask, why) in [(&[0x00][..], "unreachable"), (&[0x03, 0x40, 0x0c, 0, 0x0b, 0x41, 0], "no answer within 5 s")] {
+        open(&mut browser, "jazar", "");
+        // The first module is the broken one, all later ones are the book's own.
+        let shown = browser.evaluate(&format!(
+            "(async () => {{ const own = Worker; let made = 0; globalThis.Worker = class extends own {{ postMessage(message) {{ \
+             if (message.code) {{ made += 1 }} super.postMessage(message.code && made === 1 ? {{ code: broken }} : message) }} }}; \
+             const broken = await WebAssembly.compile(new Uint8Array({})); \
+             const f = document.querySelector('[data-live=wheel]'), g = f.querySelector('form'); \
+             const says = () => [g.querySelector('.message').textContent, g.querySelector('.stale').hidden, \
+             [...g.querySelectorAll('output')].map(of => of.value).join('')]; \
+             let frames = 0; const count = () => {{ frames += 1; requestAnimationFrame(count) }}; count(); \
+             const box = g.querySelector('[data-box=crank]'), type = value => {{ box.value = value; box.dispatchEvent(new Event('input', \
+             {{ bubbles: true }})) }}; \
+             const until = async is => {{ while (!is()) {{ await new Promise(done => setTimeout(done, 20)) }} }}; \
+             type(20); await until(() => f.classList.contains('refused')); const refused = says(), meanwhile = frames; \
+             type(21); await until(() => !f.classList.contains('refused')); \
+             return [refused, meanwhile, says(), made] }})()",
+            json!(module(ask))
+        ));
+        let (refused, after) = (&shown[0], &shown[2]);
+        assert!(refused[0].as_str().is_some_and(|told| told.contains(why)), "{shown}");
+        assert_eq!([&refused[1], &refused[2]], [&json!(false), &json!("––––––")], "{shown}");
+        assert!(shown[1].as_u64().is_some_and(|frames| frames > 1), "the page stood still: {shown}");
+        assert_eq!([&after[0], &after[1], &shown[3]], [&json!(""), &json!(true), &json!(2)], "{shown}");
+        assert!(after[2].as_str().is_some_and(|numbers| numbers.contains('°')), "{shown}");
+    }
+}
+
+#[test]
+fn a_drawing_with_parts_that_no_drawing_has_is_refused() {
+    let Some(mut browser) = browser() else { return };
+    browser.show(1280, Medium::Light);
+    open(&mut browser, "jazar", "");
+    of(&mut browser, "wheel", "1");
+    for part in [
+        "<script>document.title='ran'</script>",
+        "<image href='x' onerror=\"document.title='ran'\"/>",
+        "<g onclick=\"document.title='ran'\"/>",
+        "<a href=\"javascript:document.title='ran'\"><text>a</text></a>",
+        "<foreignObject><p xmlns='http://www.w3.org/1999/xhtml'>a</p></foreignObject>",
+        "<style>*{fill:red}</style>",
+        "<path fill='url(https://example.org)' d='M0 0'/>",
+        "<g>",
+    ] {
+        let shown = of(
+            &mut browser,
+            "wheel",
+            &format!(
+                "(async () => {{ const own = JSON.parse, before = f.querySelector('.drawing').innerHTML; JSON.parse = text => {{ \
+                 const answer = own(text); if (answer.svg) {{ answer.svg = answer.svg.replace('</svg>', {} + '</svg>') }} return \
+                 answer }}; const box = g.querySelector('[data-box=crank]'); box.value = 33; box.dispatchEvent(new Event('input', {{ \
+                 bubbles: true }})); await settled(); JSON.parse = own; return [f.classList.contains('refused'), before === \
+                 f.querySelector('.drawing').innerHTML, document.title.includes('ran')] }})()",
+                json!(part)
+            ),
+        );
+        assert_eq!(shown, json!([true, true, false]), "{part}");
+    }
+}
+
+/// Serves a folder on this machine, until the test ends, and gives the address.
+fn served(folder: &'static Path) -> String {
+    let listener = TcpListener::bind("127.0.0.1:0").expect("a port of this machine");
+    let address = format!("http://{}", listener.local_addr().expect("an address"));
+    std::thread::spawn(move || listener.incoming().flatten().for_each(|stream| drop(serve(folder, stream))));
+    address
+}
+
+fn serve(folder: &Path, mut stream: TcpStream) -> std::io::Result<()> {
+    let mut request = String::new();
+    let mut lines = BufReader::new(stream.try_clone()?);
+    lines.read_line(&mut request)?;
+    let mut line = String::new();
+    while lines.read_line(&mut line)? > 2 {
+        line.clear();
+    }
+    let path = request.split(' ').nth(1).unwrap_or("/").split(['?', '#']).next().unwrap_or_default();
+    let kind = match path.rsplit('.').next() {
+        Some("html") => "text/html",
+        Some("js") => "text/javascript",
+        Some("css") => "text/css",
+        Some("svg") => "image/svg+xml",
+        _ => "application/octet-stream",
+    };
+    let (status, body) = match std::fs::read(folder.join(path.trim_start_matches('/'))) {
+        Ok(body) => ("200 OK", body),
+        Err(_) => ("404 Not Found", Vec::new()),
+    };
+    write!(stream, "HTTP/1.1 {status}\r\nContent-Type: {kind}\r\nContent-Length: {}\r\nConnection: close\r\n\r\n", body.len())?;
+    stream.write_all(&body)
+}
+
+#[test]
+fn every_figure_moves_under_its_policy_from_disk_and_from_a_server() {
+    let Some(mut browser) = browser() else { return };
+    browser.show(1280, Medium::Light);
+    let book = crate::book_pages::book();
+    for place in [format!("file://{}", book.display()), served(book)] {
+        for (name, page) in PAGES {
+            browser.events();
+            browser.open(&format!("{place}/{page}.html"));
+            let shown = of(
+                &mut browser,
+                name,
+                "(async () => { const before = f.querySelector('.drawing').innerHTML; const box = [...g.querySelectorAll('[data-box]')] \
+                 .find(of => !of.closest('span').previousElementSibling.dataset.follows); box.value = Number(box.value) + \
+                 Number(box.closest('span').previousElementSibling.step); box.dispatchEvent(new Event('input', { bubbles: true })); \
+                 await settled(); await settled(); return [before !== f.querySelector('.drawing').innerHTML, \
+                 f.classList.contains('refused'), g.querySelector('.message').textContent] })()",
+            );
+            assert_eq!([&shown[0], &shown[1]], [&json!(true), &json!(false)], "{place} {page}: {shown}");
+            let violation = browser.events().into_iter().find(|event| event["method"] == "Log.entryAdded");
+            assert!(violation.is_none(), "{place} {page}: {violation:#?}");
+        }
+    }
+}
+
+#[test]
+fn no_page_runs_a_script_or_asks_for_anything_that_is_put_into_it() {
+    let Some(mut browser) = browser() else { return };
+    browser.show(1280, Medium::Light);
+    for page in crate::book_pages::names() {
+        open(&mut browser, page.trim_end_matches(".html"), "");
+        let ran = browser.evaluate(
+            "(async () => { const place = document.createElement('div'); document.querySelector('main').append(place); const blocked = \
+             []; document.addEventListener('securitypolicyviolation', event => blocked.push(event.effectiveDirective)); \
+             place.innerHTML = '<img src=\"data:,x\" onerror=\"window.ran=1\"><svg onload=\"window.ran=2\"></svg><iframe \
+             srcdoc=\"<script>parent.ran=3</script>\"></iframe><object data=\"data:text/html,x\"></object><a \
+             href=\"javascript:window.ran=4\">a</a><form action=\"https://example.org/\"><button>b</button></form>'; \
+             const script = document.createElement('script'); script.textContent = 'window.ran=5'; place.append(script); \
+             const far = document.createElement('script'); far.src = 'data:text/javascript,window.ran=6'; place.append(far); \
+             place.querySelector('button').click(); await new Promise(done => setTimeout(done, 20)); place.querySelector('a').click(); setTimeout('window.ran=7', 0); \
+             const base = document.createElement('base'); base.href = 'https://example.org/'; document.head.append(base); \
+             const reached = await fetch('data:,x').then(() => true, () => false); \
+             await new Promise(done => setTimeout(done, 60)); \
+             return [window.ran ?? null, reached, document.baseURI.startsWith('https:'), [...new Set(blocked)].sort()] })()",
+        );
+        assert_eq!([&ran[0], &ran[1], &ran[2]], [&json!(null), &json!(false), &json!(false)], "{page}: {ran}");
+        let blocked: Vec<&str> = ran[3].as_array().into_iter().flatten().filter_map(|of| of.as_str()).collect();
+        let asks = |event: &serde_json::Value| {
+            let url = event["params"]["request"]["url"].as_str().unwrap_or_default();
+            event["method"] == "Network.requestWillBeSent" && !url.starts_with("file:")
+        };
+        let asked = browser.events().into_iter().find(asks);
+        assert!(asked.is_none(), "{page}: {asked:#?}");
+        for directive in ["base-uri", "connect-src", "object-src", "script-src-attr", "script-src-elem"] {
+            assert!(blocked.contains(&directive), "{page}: {directive} is not blocked: {blocked:?}");
+        }
+    }
+}
