@@ -72,7 +72,11 @@ impl Browser {
             .args(["--headless", "--no-sandbox", "--disable-gpu", "--remote-debugging-pipe", "--hide-scrollbars"])
             .args(["--no-first-run", "--mute-audio", "--disable-background-networking", "--disable-component-update"])
             // A page that asks for something elsewhere is found out, and gets nothing; this machine serves pages in a test.
-            .args(["--disable-extensions", "--disable-sync", "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"])
+            .args([
+                "--disable-extensions",
+                "--disable-sync",
+                "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
+            ])
             .args(["--allow-file-access-from-files", "--font-render-hinting=none"])
             .arg(format!("--user-data-dir={}", profile.path().display()))
             .stdin(Stdio::piped())

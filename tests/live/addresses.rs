@@ -105,9 +105,11 @@ fn the_addresses_that_ran_scripts_and_the_one_that_froze_open_the_figure_as_at_f
 fn own_links_open_again() {
     let Some(mut browser) = browser() else { return };
     browser.show(1280, Medium::Light);
-    for (name, page, control, typed) in
-        [("escapement", "terminal-speed", "torque", "3e+2"), ("wheel", "jazar", "error", "1e-1"), ("design", "making", "pin", "")]
-    {
+    for (name, page, control, typed) in [
+        ("escapement", "terminal-speed", "torque", "3e+2"),
+        ("wheel", "jazar", "error", "1e-1"),
+        ("design", "making", "pin", ""),
+    ] {
         open(&mut browser, page, "");
         of(&mut browser, name, &super::typed(control, typed));
         let shown = of(&mut browser, name, &format!("[g.querySelector('[data-do=link]').hash, {SHOWN}]"));

@@ -110,9 +110,8 @@ fn encoded(text: &str) -> String {
 pub fn number(name: &str, text: &str) -> Result<f64, String> {
     let value: Option<f64> = text.trim().replace('−', "-").parse().ok();
     let value = value.filter(|value| value.is_finite());
-    let value = value.ok_or_else(|| {
-        format!("{name} `{}`: not a number; give one with a point before its decimals", quoted(text))
-    })?;
+    let value = value
+        .ok_or_else(|| format!("{name} `{}`: not a number; give one with a point before its decimals", quoted(text)))?;
     if value != 0.0 && !COMPUTABLE.contains(&value.abs()) {
         let (least, most) = (COMPUTABLE.start(), COMPUTABLE.end());
         return Err(format!("{name} `{}`: give zero, or a number of a size from {least:e} to {most:e}", quoted(text)));

@@ -21,7 +21,9 @@ pub const LIVE: Live = Live {
         Control::slider("radius", "crank radius", "mm", [5.0, 100.0], 0.5, 25.0).typed([0.1, 10_000.0]),
         Control::following("pin", "diameter of a pin", "mm", [1.0, 40.0], 0.1).typed([0.001, 10_000.0]),
         Control::following("play", "play", "mm", [0.0, 0.5], 0.01).typed([0.0, 1000.0]),
-        Control::slider("speed", "speed of the driver", "rpm", [1.0, 600.0], 1.0, 60.0).typed([0.001, 100_000.0]).playing(60.0),
+        Control::slider("speed", "speed of the driver", "rpm", [1.0, 600.0], 1.0, 60.0)
+            .typed([0.001, 100_000.0])
+            .playing(60.0),
         Control::slider("inertia", "inertia of wheel and table", "kg m²", [0.0, 0.05], 0.0005, 0.002).typed([0.0, 1e6]),
         Control::slider("friction", "friction torque on the wheel", "N m", [0.0, 5.0], 0.05, 0.1).typed([0.0, 1e6]),
         Control::slider("error", "axes too far apart by", "mm", [-1.0, 1.0], 0.01, 0.0).typed([-10_000.0, 10_000.0]),

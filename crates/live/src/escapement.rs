@@ -26,7 +26,8 @@ pub const LIVE: Live = Live {
         Control::slider("share", "time, of what is shown", "%", [0.0, 100.0], 0.25, 40.0).playing(8.0),
         Control::choice("mechanism", "mechanism", &["6 pins, 3 slots", "4 pins, 4 slots", "3 pins, 6 slots"], 1),
         Control::slider("friction", "friction μ", "", [0.0, 1.0], 0.01, 0.2).typed([0.0, 10.0]),
-        Control::slider("ratio", "inertia of the driver over the follower's", "", [0.02, 1.0], 0.01, 0.1).typed([0.001, 1000.0]),
+        Control::slider("ratio", "inertia of the driver over the follower's", "", [0.02, 1.0], 0.01, 0.1)
+            .typed([0.001, 1000.0]),
         Control::slider("torque", "torque K", "in lb", [0.05, 1.0], 0.01, 0.3).typed([0.001, 1e6]),
     ],
     presets: &[

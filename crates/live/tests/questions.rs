@@ -91,7 +91,8 @@ fn question(live: &Live, random: &mut Random) -> String {
         match (random.below(4), pairs.get(at).and_then(|pair| pair.split_once('='))) {
             (0, Some((name, _))) => pairs[at] = format!("{name}={}", random.one(&HOSTILE)),
             (1, Some((name, value))) => {
-                let scaled = value.parse::<f64>().map_or(f64::NAN, |value| value * 10_f64.powf(80.0 * random.share() - 40.0));
+                let scaled =
+                    value.parse::<f64>().map_or(f64::NAN, |value| value * 10_f64.powf(80.0 * random.share() - 40.0));
                 pairs[at] = format!("{name}={scaled}");
             }
             (2, _) => pairs.push("unknown=1".to_owned()),
@@ -140,7 +141,10 @@ fn fuzz_questions() {
         let start = std::time::Instant::now();
         let answer = answer(&question);
         let took = start.elapsed().as_millis();
-        if std::env::var_os("PRINT").is_some() { println!("Q {question}"); } let _ = took;
+        if std::env::var_os("PRINT").is_some() {
+            println!("Q {question}");
+        }
+        let _ = took;
         assert_eq!(fault(&answer), None, "question {number}: {question}\n{answer}");
         *if answer.starts_with("{\"error\"") { &mut refused } else { &mut drawn } += 1;
     }
@@ -159,7 +163,8 @@ fn an_unknown_figure_or_argument_is_named_with_those_there_are() {
 fn every_preset_and_every_end_of_a_control_is_answered_or_refused_with_a_reason() {
     for live in LIVE {
         let given = GIVEN.iter().find(|(name, _)| *name == live.name).map_or("", |(_, given)| given);
-        let [at_first, presets] = [vec![String::new()], live.presets.iter().map(|of| of.arguments.to_owned()).collect()];
+        let [at_first, presets] =
+            [vec![String::new()], live.presets.iter().map(|of| of.arguments.to_owned()).collect()];
         let ends = live.controls.iter().flat_map(|control| {
             [control.least, control.most, control.range[0], control.range[1], control.preset]
                 .map(|value| format!("{}={value}", control.name))

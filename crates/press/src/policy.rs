@@ -135,7 +135,10 @@ mod tests {
         assert!(policy.contains(script), "{policy}");
         assert_eq!(policy.matches("sha256-").count(), 2, "{policy}");
         assert!(!policy.contains("wasm") && !policy.contains("worker"), "{policy}");
-        assert_eq!(guarded.replace(&format!("<meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">"), ""), page);
+        assert_eq!(
+            guarded.replace(&format!("<meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">"), ""),
+            page
+        );
     }
 
     #[test]

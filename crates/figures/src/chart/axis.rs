@@ -237,7 +237,8 @@ mod tests {
 
     #[test]
     fn no_axis_has_more_marks_than_a_page_can_show() {
-        for (least, greatest) in [(1e300, 2e300), (-1e154, 1e154), (0.0, f64::INFINITY), (1.0, 1.0 + 1e-12), (0.0, 1e9)] {
+        for (least, greatest) in [(1e300, 2e300), (-1e154, 1e154), (0.0, f64::INFINITY), (1.0, 1.0 + 1e-12), (0.0, 1e9)]
+        {
             let spanning = Axis::spanning(least, greatest, 5.0);
             for axis in [Axis::from_zero(least, greatest, 4.0), Axis::of_angles(least, greatest, 4.0), spanning] {
                 assert!(axis.marks.len() <= MOST_MARKS + 1, "{least} {greatest}: {} marks", axis.marks.len());
