@@ -38,6 +38,13 @@ fn page_text(page: &str) -> String {
     std::fs::read_to_string(crate::book_pages::book().join(format!("{page}.html"))).expect("a page")
 }
 
+/// What the figure of a page is given with each question.
+fn given_on(page: &str) -> String {
+    let page = page_text(page);
+    let given = page.split("data-given=\"").nth(1).and_then(|rest| rest.split('"').next()).expect("what is given");
+    given.replace("&amp;", "&")
+}
+
 fn open(browser: &mut Browser, page: &str, rest: &str) {
     browser.open(&format!("file://{}/{page}.html{rest}", crate::book_pages::book().display()));
 }
@@ -284,9 +291,7 @@ fn pages_without_a_figure_that_moves_load_nothing_of_it() {
 #[test]
 fn the_mistake_is_scored_as_the_ledger_scores_it() {
     use geneva_ledger::meyer::runs::{Hypothesis, SixPin, scores};
-    let page = page_text("mistake");
-    let given = page.split("data-given=\"").nth(1).and_then(|rest| rest.split('"').next()).expect("what is given");
-    let given = given.replace("&amp;", "&");
+    let given = given_on("mistake");
     let headed = Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::WITHOUT_LAG };
     for (setting, hypothesis) in [
         ("own=1", Hypothesis::IDEAL),

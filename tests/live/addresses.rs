@@ -77,6 +77,44 @@ fn no_value_in_an_address_does_anything_but_move_a_control_within_its_range() {
 }
 
 #[test]
+fn fuzz_addresses() {
+    let Some(mut browser) = browser() else { return };
+    browser.show(1280, Medium::Light);
+    let setting = |name: &str, usual| std::env::var(name).ok().and_then(|text| text.parse().ok()).unwrap_or(usual);
+    let mut random = fastrand::Rng::with_seed(setting("GENEVA_FUZZ_SEED", 1));
+    for (name, page) in PAGES {
+        let live = geneva_live::by_name(name).expect("a figure");
+        let names: Vec<&str> =
+            live.controls.iter().map(|control| control.name).chain(live.given.iter().copied()).collect();
+        let mut one = || {
+            let mut text = String::new();
+            for _ in 0..random.usize(1..5) {
+                match random.usize(..3) {
+                    0 => text += &HOSTILE[random.usize(..HOSTILE.len())].replace('\'', "%27"),
+                    1 => text += &format!("{:.2}", 400.0 * random.f64() - 200.0),
+                    _ => text.extend(std::iter::repeat_with(|| random.char(' '..'\u{2100}')).take(4)),
+                }
+                text += [&format!("&{}=", names[random.usize(..names.len())]), "=", "&", "?", "#", "%", ""]
+                    [random.usize(..7)];
+            }
+            format!("{}={text}", names[random.usize(..names.len())])
+        };
+        let settings: Vec<String> = (0..setting("GENEVA_FUZZ", 100).div_ceil(5)).map(|_| one()).collect();
+        open(&mut browser, page, "");
+        let title = browser.evaluate("document.title");
+        for visited in visit(&mut browser, name, live.figure, &settings) {
+            let drawing = visited["shown"][3].as_str().unwrap_or_default();
+            assert!(drawing.starts_with("<svg") && !drawing.contains("NaN"), "{name}: {}", visited["setting"]);
+            assert!(!visited["shown"].to_string().contains("onerror"), "{name}: {}", visited["setting"]);
+        }
+        assert_eq!(browser.evaluate("document.title"), title, "{name}");
+        let events = browser.events();
+        let wrong = events.iter().find(|event| event["method"] == "Runtime.exceptionThrown");
+        assert!(wrong.is_none(), "{name}: {wrong:#?}");
+    }
+}
+
+#[test]
 fn the_addresses_that_ran_scripts_and_the_one_that_froze_open_the_figure_as_at_first() {
     let Some(mut browser) = browser() else { return };
     browser.show(1280, Medium::Light);

@@ -3,6 +3,7 @@
 use super::{PAGES, browser, of, open};
 use crate::browser::devtools::Medium;
 use serde_json::json;
+use std::collections::BTreeSet;
 use std::io::{BufRead, BufReader, Write};
 use std::net::{TcpListener, TcpStream};
 use std::path::Path;
@@ -57,6 +58,40 @@ fn a_module_that_traps_or_never_ends_is_replaced_and_the_figure_says_so() {
         assert_eq!([&after[0], &after[1], &shown[3]], [&json!(""), &json!(true), &json!(2)], "{shown}");
         assert!(after[2].as_str().is_some_and(|numbers| numbers.contains('°')), "{shown}");
     }
+}
+
+/// A list of words of the script that draws.
+fn words(script: &str, name: &str) -> BTreeSet<String> {
+    let list = script.split(&format!("const {name} = new Set(")).nth(1).and_then(|rest| rest.split(".split").next());
+    let list = list.expect("a list").replace(['(', ')', '\'', '+', '\n'], " ");
+    list.split_whitespace().map(str::to_owned).collect()
+}
+
+#[test]
+fn the_parts_that_a_drawing_may_have_are_those_that_drawings_have() {
+    let script = std::fs::read_to_string(crate::path("book/theme/live.js")).expect("a script");
+    let (mut elements, mut attributes) = (BTreeSet::new(), BTreeSet::new());
+    for (name, page) in PAGES {
+        let given = if super::moves() { super::given_on(page) } else { return };
+        for setting in super::grid(name) {
+            let answer = geneva_live::answer(&format!("{name}?{given}&{setting}"));
+            let answer: serde_json::Value = serde_json::from_str(&answer).expect("JSON");
+            let Some(svg) = answer["svg"].as_str() else { continue };
+            for tag in svg.split('<').skip(1).filter(|tag| !tag.starts_with('/')) {
+                let tag = tag.split('>').next().unwrap_or_default();
+                elements.extend(tag.split_whitespace().next().map(|name| name.trim_end_matches('/').to_owned()));
+                let pieces: Vec<&str> = tag.split('"').collect();
+                attributes.extend(
+                    pieces
+                        .iter()
+                        .step_by(2)
+                        .filter_map(|piece| Some(piece.trim_end().strip_suffix('=')?.rsplit(' ').next()?.to_owned())),
+                );
+            }
+        }
+    }
+    assert_eq!(elements, words(&script, "elements"));
+    assert_eq!(attributes, words(&script, "attributes"));
 }
 
 #[test]
