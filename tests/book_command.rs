@@ -54,7 +54,10 @@ fn files_that_it_did_not_write_are_refused_and_stay() {
         fs::write(out.join(file), text).expect("writable");
     }
     let said = refusal(inside(workspace.path(), &["book", "build", "--output", "out"]));
-    assert!(said.starts_with("error: ") && said.contains("`.git/`, `CNAME`; move it out, or choose another"), "{said}");
+    assert!(
+        said.starts_with("error: ") && said.contains("`.git/`, `CNAME`. Move the rest out, or choose another"),
+        "{said}"
+    );
     assert_eq!(names(&out), [".geneva-book", ".git", "CNAME", "index.html"]);
     assert!(out.join(".git/HEAD").is_file());
     assert_eq!(names(workspace.path()), ["book", "crates", "out"]);

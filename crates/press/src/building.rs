@@ -158,7 +158,7 @@ mod tests {
         mine.iter().for_each(|file| fs::write(file, "mine").unwrap());
         // This build would fail.
         let error = attempt(&root, "out", true).unwrap_err();
-        assert!(error.contains("`.git/`, `CNAME`, `MY_NOTES.txt`, `photos/`; move it out"), "{error}");
+        assert!(error.contains("`.git/`, `CNAME`, `MY_NOTES.txt`, `photos/`. Move the rest out"), "{error}");
         assert!(mine.iter().all(|file| fs::read(file).unwrap() == b"mine"));
         assert_eq!(fs::read(&first).unwrap(), page);
         assert_eq!(names(root.path()), ["book", "out"]);
@@ -171,7 +171,7 @@ mod tests {
         fs::write(root.path().join("out/index.html"), "<!-- Book generated using mdBook --> A trial").unwrap();
         fs::write(root.path().join("out/thesis.txt"), "mine").unwrap();
         let error = attempt(&root, "out", false).unwrap_err();
-        assert!(error.contains("did not write: `index.html`, `thesis.txt`; delete the folder or choose"), "{error}");
+        assert!(error.contains("did not write: `index.html`, `thesis.txt`. Delete them if"), "{error}");
         assert_eq!(names(&root.path().join("out")), ["index.html", "thesis.txt"]);
         assert_eq!(names(root.path()), ["book", "out"]);
     }

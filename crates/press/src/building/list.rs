@@ -58,12 +58,13 @@ pub fn refuse_foreign(folder: &Path) -> anyhow::Result<()> {
     let (folder, names) = (folder.display(), named(&foreign));
     if listed.is_some() {
         bail!(
-            "{folder} holds more than the book that was built there: {names}; move it out, or choose another output folder"
+            "{folder} holds more than the book that was built there: {names}. Move the rest out, or choose another output \
+             folder"
         );
     }
     bail!(
-        "{folder} holds files that this command did not write: {names}; delete the folder or choose another output \
-         folder, also if they are a book that plain mdBook or an earlier version built"
+        "{folder} holds files that this command did not write: {names}. Delete them if you do not need them, or choose \
+         another output folder. A book that plain mdBook or an earlier version built also counts"
     )
 }
 
@@ -225,7 +226,7 @@ mod tests {
         }
         fs::create_dir(out.join("empty")).unwrap();
         let said = refusal(&out);
-        assert!(said.contains("`empty/` and 1 more; move it out, or choose another output folder"), "{said}");
+        assert!(said.contains("`empty/` and 1 more. Move the rest out, or choose another output folder"), "{said}");
     }
 
     #[test]
@@ -234,7 +235,10 @@ mod tests {
         refuse_foreign(out.path()).unwrap();
         add(out.path(), "index.html");
         let said = refusal(out.path());
-        assert!(said.contains("did not write: `index.html`; delete the folder or choose another"), "{said}");
+        assert!(
+            said.contains("did not write: `index.html`. Delete them if you do not need them, or choose another"),
+            "{said}"
+        );
         // A folder in the list's place is no list.
         fs::create_dir(out.path().join(NAME)).unwrap();
         assert!(refusal(out.path()).contains("`.geneva-book/`"));

@@ -85,6 +85,19 @@ fn builds_at_once_end_one_by_one_or_are_refused() {
 }
 
 #[test]
+fn a_lock_counts_only_while_it_is_in_its_place() {
+    let (around, _) = around();
+    let path = around.path().join("lock");
+    let lock = File::create(&path).unwrap();
+    assert!(is_at(&lock, &path));
+    fs::rename(&path, around.path().join("other")).unwrap();
+    assert!(!is_at(&lock, &path));
+    File::create(&path).unwrap();
+    #[cfg(unix)]
+    assert!(!is_at(&lock, &path));
+}
+
+#[test]
 fn what_a_killed_build_left_is_cleared() {
     let (around, out) = around();
     book(&out, "old");
@@ -178,7 +191,9 @@ fn a_build_that_is_stopped_can_write_no_more() {
     let new = site.new_book();
     std::thread::scope(|scope| {
         scope.spawn(|| {
-            while fs::create_dir_all(new.join("css")).and_then(|()| fs::write(new.join("css/a"), "")).is_ok() {}
+            let write = || fs::create_dir_all(new.join("css")).and_then(|()| fs::write(new.join("css/a"), ""));
+            let begun = Instant::now();
+            while write().is_ok() && begun.elapsed() < Duration::from_secs(10) {}
         });
         site.paths.stop();
     });
