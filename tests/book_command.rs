@@ -50,7 +50,12 @@ fn files_that_it_did_not_write_are_refused_and_stay() {
     let workspace = small_workspace();
     let out = workspace.path().join("out");
     fs::create_dir_all(out.join(".git")).expect("writable");
-    for (file, text) in [("index.html", "old"), (".geneva-book", "index.html\n"), (".git/HEAD", ""), ("CNAME", "")] {
+    for (file, text) in [
+        ("index.html", "Book generated using mdBook: Small"),
+        (".geneva-book", "index.html\n"),
+        (".git/HEAD", ""),
+        ("CNAME", ""),
+    ] {
         fs::write(out.join(file), text).expect("writable");
     }
     let said = refusal(inside(workspace.path(), &["book", "build", "--output", "out"]));
