@@ -1,6 +1,6 @@
 //! Signals that end the program while it builds the book.
 
-/// Lets the signals that end a program clear up after a build of the book first. After that they end it as ever.
+/// Clears up after a build of the book when a signal ends the program, which then still dies of that signal.
 ///
 /// A signal that the program was told to ignore, as `nohup` does, stays ignored.
 #[cfg(unix)]
@@ -16,7 +16,7 @@ pub fn clear_up_first() -> anyhow::Result<()> {
     std::thread::spawn(move || {
         for signal in signals.forever() {
             building::abandon(|| {
-                // It fails for signals it does not know, and it knows these.
+                // It only fails for signals that it does not know.
                 let _ = emulate_default_handler(signal);
             });
         }
@@ -24,13 +24,13 @@ pub fn clear_up_first() -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Elsewhere there are none. What an ended build leaves, the next one clears.
+/// Does nothing on other systems, where the next build clears up.
 #[cfg(not(unix))]
 pub fn clear_up_first() -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Whether the program was started with a signal ignored, as far as the system tells: Linux does.
+/// Whether the program was started with a signal ignored. Only Linux tells.
 #[cfg(unix)]
 fn is_ignored(signal: i32) -> bool {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();

@@ -23,7 +23,7 @@ pub use site::abandon;
 pub struct Built {
     /// Its first page.
     pub first_page: PathBuf,
-    /// Folders with what somebody put into the output just as the books were exchanged; empty but for that.
+    /// Folders that hold files which somebody added to the old book just as it was replaced. Usually there are none.
     pub kept: Vec<PathBuf>,
 }
 

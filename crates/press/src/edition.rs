@@ -14,7 +14,7 @@ pub fn footer(book: &Path) -> String {
     )
 }
 
-/// The commit that the book is made from, and its date; the same whatever the settings of whoever builds it.
+/// The commit that the book is made from, and its date. The reader's own settings of git do not change what it says.
 fn commit(book: &Path) -> Option<String> {
     let mut git = Command::new("git");
     git.args(["--no-pager", "-c", "core.abbrev=7", "-c", "log.showSignature=false", "-c", "color.ui=false", "-C"]);

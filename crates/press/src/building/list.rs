@@ -71,14 +71,16 @@ pub fn refuse_foreign(folder: &Path) -> anyhow::Result<()> {
 /// The first few names, and how many more there are.
 fn named(names: &[String]) -> String {
     const FEW: usize = 4;
-    let mut text = names.iter().take(FEW).map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+    // A name may hold what a terminal takes for a command.
+    let shown = |name: &String| format!("`{}`", name.replace(char::is_control, "\u{fffd}"));
+    let mut text = names.iter().take(FEW).map(shown).collect::<Vec<_>>().join(", ");
     if names.len() > FEW {
         text.push_str(&format!(" and {} more", names.len() - FEW));
     }
     text
 }
 
-/// Removes the files on a folder's list, and the folder itself. Whether nothing is left of it.
+/// Removes the files on a folder's list, and the folder itself; returns whether nothing is left of it.
 ///
 /// Files that are not on the list stay, and so do the folders that hold them. The list goes last: if the removal is cut
 /// short, the next one can finish it.
@@ -227,6 +229,14 @@ mod tests {
         fs::create_dir(out.join("empty")).unwrap();
         let said = refusal(&out);
         assert!(said.contains("`empty/` and 1 more. Move the rest out, or choose another output folder"), "{said}");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_name_is_no_command_to_the_terminal() {
+        let (_around, out) = book(&["index.html"]);
+        add(&out, "\u{1b}[31mred");
+        assert!(refusal(&out).contains("`\u{fffd}[31mred`"));
     }
 
     #[test]

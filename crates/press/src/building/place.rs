@@ -53,7 +53,7 @@ fn standing(out: &Path, is_link: bool) -> anyhow::Result<PathBuf> {
     Ok(whole)
 }
 
-/// That the system would let a folder be moved out of its parent.
+/// Checks that the system would let a folder be moved out of its parent.
 #[cfg(unix)]
 fn may_be_moved(folder: &Path, parent: &Path) -> io::Result<()> {
     use rustix::fs::{Access, access};
@@ -65,7 +65,7 @@ fn may_be_moved(folder: &Path, parent: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Only a try would tell.
+/// Checks nothing: other systems only say so when the folder is moved.
 #[cfg(not(unix))]
 fn may_be_moved(_: &Path, _: &Path) -> io::Result<()> {
     Ok(())

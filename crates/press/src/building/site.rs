@@ -1,8 +1,8 @@
 //! The folder in which a book is put together: hidden, beside the output, and of one build at a time.
 //!
-//! It holds `lock`, which the build has locked until it ends, however it ends; `new`, in which the book grows; and, while
-//! books are exchanged, `old`. Nobody but a build writes into `new`. What is in `old` was at the output or is about to be
-//! there, so it is only ever removed by its list.
+//! It holds a file `lock` and two folders, `new` and `old`. The lock is held until the build ends, even if the build is
+//! killed. The new book grows in `new`, where only builds write, so everything in there may be removed. `old` is there
+//! while the books trade places. It holds what was at the output, so it is only ever removed by its list.
 
 use std::ffi::OsString;
 use std::fs::{self, File, TryLockError};
@@ -22,10 +22,10 @@ fn under_way() -> MutexGuard<'static, Vec<Paths>> {
     UNDER_WAY.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Clears up after all builds of this process, then calls `end`, which should end it.
+/// Clears up after all builds of this process, then calls `end`, which should end the process.
 ///
-/// For signals. Output folders are left as they were before. Builds that fail or finish in the meantime wait until `end`
-/// returns, so they have no time to report that their folder is gone.
+/// This is for signals. The output folders stay as they were. A build that fails because its folder is gone waits until
+/// `end` returns, so it does not report the failure.
 pub fn abandon(end: impl FnOnce()) {
     let mut builds = under_way();
     for paths in builds.drain(..) {
@@ -49,7 +49,7 @@ pub struct Site {
     paths: Paths,
     /// Locked as long as it is open.
     _lock: File,
-    /// What was found in place of an old book and is not the book's, and where it is now.
+    /// Folders that hold files which somebody added to an old book before it was removed.
     kept: Vec<PathBuf>,
 }
 
@@ -81,7 +81,7 @@ impl Site {
 
     /// Puts the new book, which is complete and has its list, in its place, and removes the old one.
     ///
-    /// Says where files are now that came into the output at the last moment, if any did.
+    /// Returns the folders that hold files which came into the output at the last moment.
     pub fn finish(mut self) -> anyhow::Result<Vec<PathBuf>> {
         // Let go before `self` is dropped, which asks for it again.
         let _builds = under_way();
@@ -160,7 +160,7 @@ impl Paths {
         bail!("another build into {} is under way: wait for it, or choose another output folder", self.out.display())
     }
 
-    /// That the output is absent, empty, or a book and nothing else.
+    /// Refuses an output that is there, unless it is empty or a book and nothing else.
     fn check(&self) -> anyhow::Result<()> {
         let Ok(there) = self.out.symlink_metadata() else { return Ok(()) };
         ensure!(there.is_dir(), "{} is not a folder: choose another output folder", self.out.display());
@@ -185,8 +185,8 @@ impl Paths {
         moved.with_context(|| format!("cannot put the new book in {}: choose another output folder", out.display()))
     }
 
-    /// Clears `new` and `old`. An old book goes back if there is none at the output; else it is removed, and what is not
-    /// on its list is kept: says where.
+    /// Clears `new` and `old`. If there is no book at the output, the old one goes back there. If there is one, the old one
+    /// is removed; files that are not on its list are kept in a folder, which is returned.
     fn settle(&self) -> anyhow::Result<Option<PathBuf>> {
         let (new, old) = (self.new_book(), self.old_book());
         let mut kept = None;
@@ -219,7 +219,7 @@ impl Paths {
         }
     }
 
-    /// Keeps the build of this process from writing: what it writes into `new` from now on fails.
+    /// Stops the build of this process: from now on it fails as soon as it writes into `new`.
     ///
     /// Pages make the folders that they are written to, so it is not enough to remove the folder. A file takes its place.
     fn stop(&self) {
@@ -236,7 +236,7 @@ impl Paths {
 
     /// Removes the folder, if nothing is left in it but the lock.
     fn release(&self) {
-        // If somebody keeps something there, it stays.
+        // If somebody has put something else there, the folder stays.
         let _ = fs::remove_file(self.folder.join("lock"));
         let _ = fs::remove_dir(&self.folder);
     }
