@@ -3,6 +3,7 @@
 //! Run as it is by a reader, with its output in a pipe. What a page looks like is pinned under
 //! `snapshots/command-line`; what must hold whatever it looks like is asserted.
 
+mod book_command;
 mod escapement_command;
 mod mimic_command;
 mod quick_return_command;
@@ -343,46 +344,6 @@ fn without_arguments_the_verdicts_are_summed_up_and_the_book_is_built() {
     let here = workspace.path().canonicalize().expect("it exists");
     let page = String::from_utf8(output.stdout).expect("UTF-8").replace(&*here.to_string_lossy(), "[workspace]");
     settings().bind(|| insta::assert_snapshot!("summary", page));
-}
-
-#[test]
-fn a_place_where_nothing_can_be_written_leaves_the_old_book() {
-    let workspace = small_workspace();
-    let inside = |arguments: &[&str]| {
-        let mut command = geneva(arguments);
-        command.current_dir(workspace.path());
-        command
-    };
-    assert!(inside(&["book", "--output", "out"]).output().expect("the program runs").status.success());
-    let page = workspace.path().join("out/index.html");
-    let old = fs::read(&page).expect("the book is there");
-
-    // Permissions do not stop every user; a file where a folder should be does.
-    fs::write(workspace.path().join("file"), "").expect("writable");
-    let said = refusal(inside(&["book", "--output", "file/book"]));
-    assert!(said.contains("file") && said.contains("choose another output directory"), "{said}");
-    let said = refusal(inside(&["book", "build", "--out", "file"]));
-    assert!(said.contains("file") && said.contains("choose another output directory"), "{said}");
-
-    // What is no build of the book stays, and so does the old book when the new one fails.
-    let said = refusal(inside(&["book", "--out", "book"]));
-    assert!(said.contains("choose another output directory"), "{said}");
-    fs::write(workspace.path().join("book/src/SUMMARY.md"), "- [Missing](missing.md)\n").expect("writable");
-    let said = refusal(inside(&["book", "--output", "out"]));
-    assert!(said.contains("missing.md"), "{said}");
-    assert_eq!(fs::read(&page).expect("the book is still there"), old);
-}
-
-#[test]
-fn outside_of_a_workspace_the_book_is_the_one_of_the_program() {
-    let elsewhere = tempfile::tempdir().expect("a temporary folder");
-    let mut command = geneva(&["book", "--output", "file/book"]);
-    fs::write(elsewhere.path().join("file"), "").expect("writable");
-    let said = refusal({
-        command.current_dir(elsewhere.path());
-        command
-    });
-    assert!(!said.contains("no book found"), "{said}");
 }
 
 #[test]

@@ -2,9 +2,10 @@
 
 use crate::arguments::{BookAction, BookArguments, BuildArguments};
 use crate::output::{Outcome, print};
-use crate::{progress, workspace};
+use crate::{progress, signals, workspace};
 use anyhow::Context;
-use geneva_press::{Geneva, building};
+use geneva_press::Geneva;
+use geneva_press::building::{self, Built};
 
 /// Builds the book or tests its chapters.
 pub fn run(wanted: BookArguments) -> anyhow::Result<Outcome> {
@@ -20,12 +21,16 @@ pub fn run(wanted: BookArguments) -> anyhow::Result<Outcome> {
 pub fn build(wanted: &BuildArguments) -> anyhow::Result<()> {
     let root = workspace::root()?;
     let out = wanted.output.clone().unwrap_or_else(|| root.join("target").join("book"));
-    let first_page = {
-        let _step = progress::step("building the book");
+    let Built { first_page, kept } = {
+        let _step = progress::step(format!("building the book in {}", out.display()));
+        signals::clear_up_first()?;
         building::build(&root, &out, Geneva)?
     };
     let folder = first_page.parent().unwrap_or(&out);
     print(&format!("The book is in {}\n", folder.display()))?;
+    for kept in kept {
+        print(&format!("Files that were added while the old book was being replaced are in {}\n", kept.display()))?;
+    }
     if wanted.open {
         opener::open(&first_page)
             .with_context(|| format!("no program opens {}: open it in a browser", first_page.display()))?;

@@ -19,6 +19,7 @@ mod output;
 mod preprocess;
 mod progress;
 mod quick_return;
+mod signals;
 mod summary;
 mod sweep;
 mod typed;

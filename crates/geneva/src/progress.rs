@@ -1,13 +1,14 @@
 //! What is going on, on a terminal.
 
 use indicatif::{ProgressBar, ProgressStyle};
+use std::borrow::Cow;
 use std::time::Duration;
 
 /// A step under way; its line on standard error vanishes when the value is dropped.
 pub struct Step(ProgressBar);
 
 /// Shows that a step has begun: a turning sign and its name on standard error, or nothing if that is no terminal.
-pub fn step(name: &'static str) -> Step {
+pub fn step(name: impl Into<Cow<'static, str>>) -> Step {
     let bar = ProgressBar::new_spinner().with_message(name);
     bar.enable_steady_tick(Duration::from_millis(100));
     Step(bar)

@@ -3,21 +3,20 @@
 use anyhow::Context;
 use std::path::{Path, PathBuf};
 
-/// The workspace around the current directory, or else the one in which the program was compiled.
+/// The workspace around the current directory.
 pub fn root() -> anyhow::Result<PathBuf> {
     let here = std::env::current_dir().context("there is no current directory: go to one that exists")?;
-    let compiled_in = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap_or(Path::new("/"));
-    find(&here, compiled_in).with_context(|| {
+    find(&here).map(Path::to_owned).with_context(|| {
         format!(
             "no book found: neither {} nor a folder above it holds book/book.toml and crates/ledger; \
-             go to the workspace of the book",
+             go to a folder of the project and try again",
             here.display()
         )
     })
 }
 
-fn find(here: &Path, otherwise: &Path) -> Option<PathBuf> {
-    here.ancestors().chain([otherwise]).find(|folder| is_workspace(folder)).map(Path::to_owned)
+fn find(here: &Path) -> Option<&Path> {
+    here.ancestors().find(|folder| is_workspace(folder))
 }
 
 fn is_workspace(folder: &Path) -> bool {
@@ -39,14 +38,13 @@ mod tests {
     }
 
     #[test]
-    fn it_is_looked_for_upwards_and_then_where_the_program_was_compiled() {
+    fn it_is_looked_for_upwards_and_nowhere_else() {
         let temporary = tempfile::tempdir().expect("a temporary folder");
-        let (near, far) = (temporary.path().join("near"), temporary.path().join("far"));
+        let near = temporary.path().join("near");
         workspace_in(&near);
-        workspace_in(&far);
-        assert_eq!(find(&near.join("book/src"), &far), Some(near.clone()));
-        assert_eq!(find(temporary.path(), &far), Some(far));
-        assert_eq!(find(temporary.path(), temporary.path()), None);
+        assert_eq!(find(&near.join("book/src")), Some(&*near));
+        assert_eq!(find(&near), Some(&*near));
+        assert_eq!(find(temporary.path()), None);
     }
 
     #[test]

@@ -1,37 +1,56 @@
 //! Building the book and testing its chapters, with mdBook as a library.
 //!
-//! A reader either has the old book or the new one: pages are rendered beside the output directory and
-//! moved over it when all of them are done.
+//! A reader has either the old book or the new one: pages are made in a hidden folder beside the output, and when all of
+//! them are done, the two trade places. Files that no build has written are never removed.
 
-use std::fs;
+mod exchange;
+mod list;
+mod place;
+mod site;
+
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, bail, ensure};
+use anyhow::Context;
 use mdbook_driver::MDBook;
 use mdbook_preprocessor::Preprocessor;
-use tempfile::TempDir;
 
 use crate::{libraries, minify, policy, search};
+use site::Site;
+pub use site::abandon;
 
-/// Renders the book of the workspace `root` into the directory `out`, and returns the path of its first page.
+/// A book that has been built.
+#[derive(Debug)]
+pub struct Built {
+    /// Its first page.
+    pub first_page: PathBuf,
+    /// Folders that hold files which somebody added to the old book just as it was replaced. Usually there are none.
+    pub kept: Vec<PathBuf>,
+}
+
+/// Renders the book of the workspace `root` into the folder `out`.
 ///
-/// `preprocessor` takes the place of the command of the same name in `book.toml`. `out` may be absent,
-/// empty, or an earlier build of this book; anything else is refused. When something fails, `out` is as it was.
-pub fn build(root: &Path, out: &Path, preprocessor: impl Preprocessor + 'static) -> anyhow::Result<PathBuf> {
+/// `preprocessor` takes the place of the command of the same name in `book.toml`. `out` may be absent, empty, or an
+/// earlier build and nothing else; anything else is refused before the build begins. When something fails, `out` is as
+/// it was.
+pub fn build(root: &Path, out: &Path, preprocessor: impl Preprocessor + 'static) -> anyhow::Result<Built> {
     let mut book = load(root, preprocessor)?;
-    let title = book.config.book.title.clone().unwrap_or_default();
-    let out = whole(out)?;
-    let old = standing(&out, &title)?;
-    let (beside, new) = beside(&out)?;
-    book.config.build.build_dir.clone_from(&new);
-    book.build().with_context(|| {
+    let out = place::find(out, &book.source_dir())?;
+    let site = Site::open(&out)?;
+    render(&mut book, &site.new_book()).with_context(|| {
         format!("the book in {} does not build; {} is as it was", book.root.display(), out.display())
     })?;
-    search::index(&new)?;
-    minify::trim(&new)?;
-    policy::add(&new)?;
-    replace(&out, &new, old, beside)?;
-    Ok(out.join("index.html"))
+    let kept = site.finish()?;
+    Ok(Built { first_page: out.join("index.html"), kept })
+}
+
+/// Makes all files of the book in the folder `new`.
+fn render(book: &mut MDBook, new: &Path) -> anyhow::Result<()> {
+    book.config.build.build_dir = new.to_owned();
+    book.build()?;
+    search::index(new)?;
+    minify::trim(new)?;
+    policy::add(new)?;
+    list::write(new)
 }
 
 /// Compiles and runs every Rust block of the book of the workspace `root`.
@@ -60,71 +79,14 @@ fn load(root: &Path, preprocessor: impl Preprocessor + 'static) -> anyhow::Resul
     Ok(book)
 }
 
-/// `out` as an absolute path, links resolved, its parent made when absent.
-fn whole(out: &Path) -> anyhow::Result<PathBuf> {
-    if let Ok(out) = out.canonicalize() {
-        return Ok(out);
-    }
-    let out = std::path::absolute(out).with_context(|| format!("not a path: `{}`", out.display()))?;
-    let (Some(parent), Some(name)) = (out.parent(), out.file_name()) else {
-        bail!("{} cannot be an output directory: name another", out.display());
-    };
-    fs::create_dir_all(parent)
-        .with_context(|| format!("cannot make {}: choose another output directory", parent.display()))?;
-    Ok(parent.canonicalize()?.join(name))
-}
-
-/// Whether something stands at `out`; an error unless it may be replaced.
-fn standing(out: &Path, title: &str) -> anyhow::Result<bool> {
-    if !out.exists() {
-        return Ok(false);
-    }
-    ensure!(out.is_dir(), "{} is not a directory: choose another output directory", out.display());
-    let empty = fs::read_dir(out)
-        .with_context(|| format!("cannot read {}: choose another output directory", out.display()))?
-        .next()
-        .is_none();
-    // A first page made by mdBook under this book's title: ours, whoever ran mdBook.
-    let ours = fs::read_to_string(out.join("index.html"))
-        .is_ok_and(|page| page.contains("Book generated using mdBook") && page.contains(title));
-    ensure!(
-        empty || ours,
-        "{} holds files and no build of this book; it stays as it is: empty it or choose another output directory",
-        out.display()
-    );
-    Ok(true)
-}
-
-/// A temporary directory on the file system of `out`, and the path of the new book in it.
-fn beside(out: &Path) -> anyhow::Result<(TempDir, PathBuf)> {
-    let parent = out.parent().with_context(|| format!("{} has no parent directory", out.display()))?;
-    let beside = tempfile::Builder::new().prefix(".geneva-book-").tempdir_in(parent).with_context(|| {
-        format!("cannot write in {}: choose another output directory; {} is as it was", parent.display(), out.display())
-    })?;
-    let new = beside.path().join("new");
-    Ok((beside, new))
-}
-
-/// Moves `new` to `out`; the old book waits in `beside` until that is done.
-fn replace(out: &Path, new: &Path, old: bool, beside: TempDir) -> anyhow::Result<()> {
-    let aside = beside.path().join("old");
-    if old {
-        fs::rename(out, &aside)
-            .with_context(|| format!("cannot move {} aside: choose another output directory", out.display()))?;
-    }
-    let Err(error) = fs::rename(new, out) else { return Ok(()) };
-    if old && fs::rename(&aside, out).is_err() {
-        let kept = beside.keep().join("old");
-        bail!("cannot move the new book to {}: {error}; the old one is in {}", out.display(), kept.display());
-    }
-    bail!("cannot move the new book to {}: {error}; choose another output directory", out.display());
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use anyhow::ensure;
     use mdbook_preprocessor::PreprocessorContext;
     use mdbook_preprocessor::book::Book;
+    use std::fs;
+    use tempfile::TempDir;
 
     /// Adds nothing, or fails.
     struct Still {
@@ -155,7 +117,8 @@ mod tests {
     }
 
     fn attempt(root: &TempDir, out: &str, fails: bool) -> Result<PathBuf, String> {
-        build(root.path(), &root.path().join(out), Still { fails }).map_err(|error| format!("{error:#}"))
+        let built = build(root.path(), &root.path().join(out), Still { fails });
+        built.map(|built| built.first_page).map_err(|error| format!("{error:#}"))
     }
 
     fn names(folder: &Path) -> Vec<String> {
@@ -170,12 +133,61 @@ mod tests {
         let root = workspace();
         let first = attempt(&root, "new/place/out", false).unwrap();
         assert!(first.is_file() && first.ends_with("new/place/out/index.html"));
-        let page = fs::read_to_string(&first).unwrap();
+        let (page, list) = (fs::read(&first).unwrap(), fs::read_to_string(first.with_file_name(list::NAME)).unwrap());
+        assert!(list.lines().any(|line| line == "chapter.html") && list.lines().any(|line| line.starts_with("css/")));
+
+        // A page of an older book goes away with it.
         fs::write(first.with_file_name("stale.html"), "").unwrap();
+        fs::write(first.with_file_name(list::NAME), format!("{list}stale.html\n")).unwrap();
         attempt(&root, "new/place/out", false).unwrap();
-        assert_eq!(fs::read_to_string(&first).unwrap(), page);
+        assert_eq!(fs::read(&first).unwrap(), page);
+        assert_eq!(fs::read_to_string(first.with_file_name(list::NAME)).unwrap(), list);
         assert!(!first.with_file_name("stale.html").exists());
         assert_eq!(names(&root.path().join("new/place")), ["out"]);
+    }
+
+    #[test]
+    fn files_of_others_in_the_output_stop_the_build_before_it_begins() {
+        let root = workspace();
+        let first = attempt(&root, "out", false).unwrap();
+        let out = first.parent().unwrap();
+        let page = fs::read(&first).unwrap();
+        for folder in [".git", "photos"] {
+            fs::create_dir(out.join(folder)).unwrap();
+        }
+        let mine = ["CNAME", "MY_NOTES.txt", ".git/HEAD", "photos/one.jpg"].map(|file| out.join(file));
+        mine.iter().for_each(|file| fs::write(file, "mine").unwrap());
+        // This build would fail.
+        let error = attempt(&root, "out", true).unwrap_err();
+        assert!(error.contains("`.git/`, `CNAME`, `MY_NOTES.txt`, `photos/`. Move the rest out"), "{error}");
+        assert!(mine.iter().all(|file| fs::read(file).unwrap() == b"mine"));
+        assert_eq!(fs::read(&first).unwrap(), page);
+        assert_eq!(names(root.path()), ["book", "out"]);
+    }
+
+    #[test]
+    fn a_page_with_the_phrases_of_the_book_is_no_book() {
+        let root = workspace();
+        fs::create_dir(root.path().join("out")).unwrap();
+        fs::write(root.path().join("out/index.html"), "<!-- Book generated using mdBook --> A trial").unwrap();
+        fs::write(root.path().join("out/thesis.txt"), "mine").unwrap();
+        let error = attempt(&root, "out", false).unwrap_err();
+        assert!(error.contains("did not write: `index.html`, `thesis.txt`. Delete them if"), "{error}");
+        assert_eq!(names(&root.path().join("out")), ["index.html", "thesis.txt"]);
+        assert_eq!(names(root.path()), ["book", "out"]);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_to_the_output_stays_a_link() {
+        let root = workspace();
+        fs::create_dir(root.path().join("real")).unwrap();
+        std::os::unix::fs::symlink("real", root.path().join("out")).unwrap();
+        for _ in 0..2 {
+            attempt(&root, "out", false).unwrap();
+            assert!(root.path().join("out").is_symlink() && root.path().join("real/index.html").is_file());
+        }
+        assert_eq!(names(root.path()), ["book", "out", "real"]);
     }
 
     #[test]
@@ -197,23 +209,20 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_this_book_is_not_replaced() {
-        let root = workspace();
-        let error = attempt(&root, "book", false).unwrap_err();
-        assert!(error.contains("holds files and no build of this book"), "{error}");
-        fs::write(root.path().join("index.html"), "<title>Mine</title>").unwrap();
-        assert!(attempt(&root, "", false).unwrap_err().contains("no build of this book"));
-        let error = attempt(&root, "index.html", false).unwrap_err();
-        assert!(error.contains("is not a directory"), "{error}");
-        assert_eq!(names(root.path()), ["book", "index.html"]);
-    }
-
-    #[test]
-    fn a_place_where_nothing_can_be_written_is_named() {
+    fn a_place_that_cannot_be_used_stops_the_build_before_it_begins() {
         let root = workspace();
         fs::write(root.path().join("file"), "").unwrap();
-        let error = attempt(&root, "file/out", false).unwrap_err();
-        assert!(error.contains("file") && error.contains("choose another output directory"), "{error}");
+        for (out, why) in [
+            ("book", "holds files that this command did not write: `book.toml`, `src/`"),
+            ("book/src/out", "is in the folder of the chapters"),
+            ("file", "is not a folder"),
+            ("file/out", "cannot make the folder"),
+        ] {
+            let error = attempt(&root, out, true).unwrap_err();
+            assert!(error.contains(why) && error.contains("choose another output folder"), "{error}");
+        }
+        assert_eq!(names(root.path()), ["book", "file"]);
+        assert_eq!(names(&root.path().join("book")), ["book.toml", "src"]);
     }
 
     #[test]

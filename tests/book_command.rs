@@ -1,0 +1,86 @@
+//! Does `geneva book` replace its own book and nothing else, however it ends?
+
+use crate::{geneva, refusal, small_workspace};
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+#[cfg(unix)]
+mod signals;
+
+/// A build in a workspace.
+fn inside(workspace: &Path, arguments: &[&str]) -> Command {
+    let mut command = geneva(arguments);
+    command.current_dir(workspace);
+    command
+}
+
+fn names(folder: &Path) -> Vec<String> {
+    let entries = fs::read_dir(folder).expect("a folder");
+    let mut names: Vec<_> =
+        entries.map(|entry| entry.expect("readable").file_name().to_string_lossy().into_owned()).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn a_place_where_nothing_can_be_written_leaves_the_old_book() {
+    let workspace = small_workspace();
+    let inside = |arguments: &[&str]| inside(workspace.path(), arguments);
+    assert!(inside(&["book", "--output", "out"]).output().expect("the program runs").status.success());
+    let page = workspace.path().join("out/index.html");
+    let old = fs::read(&page).expect("the book is there");
+
+    // Permissions do not stop every user; a file where a folder should be does.
+    fs::write(workspace.path().join("file"), "").expect("writable");
+    for output in ["file", "file/book", "book", ".", "/"] {
+        let said = refusal(inside(&["book", "build", "--out", output]));
+        assert!(said.contains("choose another output folder"), "{said}");
+    }
+
+    fs::write(workspace.path().join("book/src/SUMMARY.md"), "- [Missing](missing.md)\n").expect("writable");
+    let said = refusal(inside(&["book", "--output", "out"]));
+    assert!(said.contains("missing.md"), "{said}");
+    assert_eq!(fs::read(&page).expect("the book is still there"), old);
+    assert_eq!(names(workspace.path()), ["book", "crates", "file", "out"]);
+}
+
+#[test]
+fn files_that_it_did_not_write_are_refused_and_stay() {
+    let workspace = small_workspace();
+    let out = workspace.path().join("out");
+    fs::create_dir_all(out.join(".git")).expect("writable");
+    for (file, text) in [
+        ("index.html", "Book generated using mdBook: Small"),
+        (".geneva-book", "index.html\n"),
+        (".git/HEAD", ""),
+        ("CNAME", ""),
+    ] {
+        fs::write(out.join(file), text).expect("writable");
+    }
+    let said = refusal(inside(workspace.path(), &["book", "build", "--output", "out"]));
+    assert!(
+        said.starts_with("error: ") && said.contains("`.git/`, `CNAME`. Move the rest out, or choose another"),
+        "{said}"
+    );
+    assert_eq!(names(&out), [".geneva-book", ".git", "CNAME", "index.html"]);
+    assert!(out.join(".git/HEAD").is_file());
+    assert_eq!(names(workspace.path()), ["book", "crates", "out"]);
+}
+
+#[test]
+fn outside_of_a_workspace_nothing_is_built() {
+    let elsewhere = tempfile::tempdir().expect("a temporary folder");
+    for arguments in [&["book"][..], &["book", "build", "--output", "out"], &["book", "test"]] {
+        let said = refusal(inside(elsewhere.path(), arguments));
+        let here = elsewhere.path().canonicalize().expect("it exists");
+        assert!(said.contains("no book found") && said.contains(&*here.to_string_lossy()), "{said}");
+        assert!(said.contains("go to a folder of the project"), "{said}");
+    }
+    // The verdicts do not need the book.
+    let output = inside(elsewhere.path(), &[]).output().expect("the program runs");
+    assert_eq!(output.status.code(), Some(2));
+    let [said, page] = [output.stderr, output.stdout].map(|bytes| String::from_utf8(bytes).expect("UTF-8"));
+    assert!(said.contains("no book found") && page.lines().count() > 5 && !page.contains("The book is in"), "{said}");
+    assert!(names(elsewhere.path()).is_empty());
+}

@@ -1,0 +1,117 @@
+//! A build that a signal ends leaves nothing behind, and the old book as it was.
+
+use super::{inside, names};
+use crate::{refusal, small_workspace};
+use std::fs;
+use std::os::unix::process::ExitStatusExt;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+use tempfile::TempDir;
+
+const SIGNALS: [(&str, i32); 3] = [("HUP", 1), ("INT", 2), ("TERM", 15)];
+
+/// A workspace with so many chapters that a build takes a moment, and an old book in its folder `out`.
+fn workspace() -> TempDir {
+    const CHAPTERS: usize = 60;
+    let workspace = small_workspace();
+    let (source, out) = (workspace.path().join("book/src"), workspace.path().join("out"));
+    let summary: String = (0..CHAPTERS).map(|number| format!("- [Chapter {number}](c{number}.md)\n")).collect();
+    fs::write(source.join("SUMMARY.md"), summary).expect("writable");
+    for number in 0..CHAPTERS {
+        fs::write(source.join(format!("c{number}.md")), format!("# Chapter {number}\n\nText.\n")).expect("writable");
+    }
+    fs::create_dir(&out).expect("writable");
+    fs::write(out.join("index.html"), "old").expect("writable");
+    fs::write(out.join(".geneva-book"), "index.html\n").expect("writable");
+    workspace
+}
+
+/// Starts a build into `out`, and waits until its hidden folder holds `awaited`.
+#[track_caller]
+fn started(mut command: Command, workspace: &Path, awaited: &str) -> (Child, PathBuf) {
+    let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program runs");
+    let hidden = workspace.join(".out.geneva-build");
+    let begun = Instant::now();
+    while !hidden.join(awaited).exists() {
+        assert!(child.try_wait().expect("a child").is_none(), "it ended before {awaited} was there");
+        assert!(begun.elapsed() < Duration::from_secs(60), "{awaited} never came");
+        sleep(Duration::from_millis(1));
+    }
+    (child, hidden)
+}
+
+fn send(signal: &str, child: &Child) {
+    let status = Command::new("kill").args(["-s", signal, &child.id().to_string()]).status().expect("kill runs");
+    assert!(status.success());
+}
+
+fn build(workspace: &TempDir) -> Command {
+    inside(workspace.path(), &["book", "build", "--output", "out"])
+}
+
+/// Ends a build by a signal: it says nothing, leaves nothing, and does not touch the old book.
+#[track_caller]
+fn assert_is_ended(workspace: &TempDir, child: Child, (signal, number): (&str, i32)) {
+    send(signal, &child);
+    let output = child.wait_with_output().expect("it ends");
+    assert_eq!(output.status.signal(), Some(number), "{signal}: {output:?}");
+    assert!(output.stdout.is_empty() && output.stderr.is_empty(), "{signal}: {output:?}");
+    assert_eq!(names(workspace.path()), ["book", "crates", "out"], "{signal}");
+    assert_eq!(names(&workspace.path().join("out")), [".geneva-book", "index.html"], "{signal}");
+}
+
+#[test]
+fn a_signal_ends_the_build_and_nothing_is_left() {
+    let workspace = workspace();
+    for signal in SIGNALS {
+        let (child, _) = started(build(&workspace), workspace.path(), "lock");
+        assert_is_ended(&workspace, child, signal);
+    }
+    // Pages come late: one signal must do.
+    let (child, _) = started(build(&workspace), workspace.path(), "new/c3.html");
+    assert_is_ended(&workspace, child, SIGNALS[1]);
+}
+
+#[test]
+fn what_a_killed_build_leaves_is_cleared_by_the_next() {
+    let workspace = workspace();
+    let (mut child, hidden) = started(build(&workspace), workspace.path(), "lock");
+    child.kill().expect("it runs");
+    child.wait().expect("it ends");
+    assert!(hidden.join("lock").is_file());
+    fs::create_dir_all(hidden.join("new/css")).expect("writable");
+
+    let (child, _) = started(build(&workspace), workspace.path(), "lock");
+    let begun = Instant::now();
+    while hidden.join("new").exists() {
+        assert!(begun.elapsed() < Duration::from_secs(60), "it is not cleared");
+        sleep(Duration::from_millis(1));
+    }
+    assert_is_ended(&workspace, child, SIGNALS[0]);
+}
+
+#[test]
+fn a_second_build_at_the_same_time_is_refused() {
+    let workspace = workspace();
+    let (child, hidden) = started(build(&workspace), workspace.path(), "lock");
+    let said = refusal(build(&workspace));
+    assert!(said.contains("another build into") && said.contains("wait for it"), "{said}");
+    assert!(hidden.join("lock").is_file());
+    assert_is_ended(&workspace, child, SIGNALS[2]);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_signal_that_is_ignored_stays_ignored() {
+    let workspace = workspace();
+    let mut command = Command::new("sh");
+    command.args(["-c", "trap '' HUP; exec \"$0\" book build --output out", env!("CARGO_BIN_EXE_geneva")]);
+    command.current_dir(workspace.path());
+    let (mut child, hidden) = started(command, workspace.path(), "lock");
+    send("HUP", &child);
+    sleep(Duration::from_millis(300));
+    assert!(child.try_wait().expect("a child").is_none() && hidden.join("lock").is_file());
+    assert_is_ended(&workspace, child, SIGNALS[1]);
+}
