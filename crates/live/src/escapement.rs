@@ -1,6 +1,6 @@
 //! The escapement from rest to its steady motion.
 
-use crate::answer::{Answer, Number};
+use crate::answer::{Answer, Number, shown};
 use crate::control::{Control, Live, Preset, Quantity, Settings};
 use geneva_dynamics::existence::critical_friction;
 use geneva_dynamics::steady::Engagement;
@@ -63,10 +63,15 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     let limit = critical_friction(mechanism, inertias.ratio()).map_err(words)?;
     let critical = Number::new("critical", limit.friction, 3, "");
     let parameters = match Parameters::new(mechanism, inertias, torque, friction) {
-        Err(error @ Error::TooMuchFriction { angle, .. }) => {
+        Err(Error::TooMuchFriction { asked, limit, angle }) => {
             // Where it jams, and why.
             let figure = escapement::mechanism(&mechanism, -angle).map_err(|error| error.to_string())?;
-            let message = Some(error.to_string());
+            let message = Some(format!(
+                "friction μ {}: from {limit:.4} on, the equation of motion has no single solution {:.1}° from the line of \
+                 centres, where the drawing shows it. Give less friction, or a driver with more inertia.",
+                shown(asked),
+                angle.to_degrees()
+            ));
             return Ok(Answer { message, ..Answer::new(figure, [critical]) });
         }
         other => other.map_err(words)?,

@@ -1,8 +1,9 @@
 //! The wheel, at the right distance of its axes or another.
 
-use crate::answer::{Answer, Number};
-use crate::control::{Control, Drag, Live, Preset, Quantity, Settings, TURNS};
+use crate::answer::{Answer, Number, shown};
+use crate::control::{Control, Drag, Live, Preset, Quantity, Settings};
 use geneva_figures::stations;
+use geneva_kinematics::KinematicsError;
 use geneva_kinematics::wheel::{Misplaced, Wheel};
 
 pub const LIVE: Live = Live {
@@ -11,7 +12,7 @@ pub const LIVE: Live = Live {
     hint: "Move the axes apart by one per cent: the velocity no longer begins at zero, and the pin enters with a blow. At the \
            right distance the blow is gone.",
     controls: &[
-        Control::slider("crank", "crank angle θ", "°", [-180.0, 180.0], 0.5, -30.0).typed(TURNS).playing(45.0),
+        Control::slider("crank", "crank angle θ", "°", [-180.0, 180.0], 0.5, -30.0).playing(45.0),
         Control::slider("stations", "stations N", "", [3.0, 24.0], 1.0, 4.0).typed([3.0, 100.0]),
         Control::slider("pins", "pins", "", [1.0, 6.0], 1.0, 1.0).typed([1.0, 50.0]),
         Control::slider("error", "centre distance wrong by", "%", [-5.0, 5.0], 0.1, 0.0).typed([-50.0, 50.0]),
@@ -40,7 +41,15 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     let wheel =
         Wheel::with_pins(settings.count("stations")?, settings.count("pins")?).map_err(|error| error.to_string())?;
     let (error, crank) = (settings.value("error")? / 100.0, settings.value("crank")?.to_radians());
-    let misplaced = Misplaced::new(&wheel, error).map_err(|error| error.to_string())?;
+    let misplaced = Misplaced::new(&wheel, error).map_err(|error| match error {
+        KinematicsError::Misplaced { asked, least, most } => format!(
+            "centre distance wrong by {} %: the pin meets its slot from {:.2} % to {:.2} %; give a number between them",
+            shown(100.0 * asked),
+            100.0 * least,
+            100.0 * most
+        ),
+        other => other.to_string(),
+    })?;
     let figure = stations::running(&misplaced, crank).map_err(|error| error.to_string())?;
     let motion = misplaced.at(crank).map_err(|error| error.to_string())?;
     let numbers = [
