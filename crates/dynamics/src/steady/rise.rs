@@ -88,7 +88,7 @@ impl Engagement {
         self.engagements_to_settle_within(settled, MOST_CYCLES)
     }
 
-    /// Engagements and time as by [`Engagement::engagements_to_settle`], of so many engagements at most.
+    /// Engagements from rest as by [`Engagement::engagements_to_settle`], `most` of them at most, and the time, in units of time.
     ///
     /// # Errors
     ///
