@@ -117,7 +117,13 @@ pub struct Places {
 /// (the sum of their relative changes), then as the sources stand.
 pub fn slips() -> &'static [Places] {
     static SLIPS: OnceLock<Vec<Places>> = OnceLock::new();
-    SLIPS.get_or_init(collected)
+    SLIPS.get_or_init(|| collected(|_| true))
+}
+
+/// The slips that are made in this source, in the order of [`slips`]: the verdicts of the others are not derived for it.
+pub fn slips_in(work: Work) -> Vec<Places> {
+    let main = |slip: &Slip| claims().iter().find(|claim| claim.id == slip.id).map(|claim| claim.work);
+    collected(|slip| main(slip) == Some(work))
 }
 
 /// The slips of the documents with this consequence.
@@ -130,9 +136,10 @@ pub fn slip(id: &str) -> Option<&'static Places> {
     slips().iter().find(|places| places.slip.id == id)
 }
 
-fn collected() -> Vec<Places> {
+/// The slips that are wanted, with their places.
+fn collected(wanted: impl Fn(&Slip) -> bool) -> Vec<Places> {
     let mut found: Vec<Places> = Vec::new();
-    for judged in verdicts_where(|claim| claim.erratum.is_some()) {
+    for judged in verdicts_where(|claim| claim.erratum.as_ref().is_some_and(|erratum| wanted(&erratum.slip))) {
         let Some(erratum) = &judged.claim.erratum else { continue };
         match found.iter_mut().find(|places| places.slip.id == erratum.slip.id) {
             Some(places) => places.claims.push(judged),

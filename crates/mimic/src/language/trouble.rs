@@ -133,6 +133,22 @@ pub enum Trouble {
         /// The delay, in the unit of T.
         delay: f64,
     },
+    /// The delays of a run remember more values than there is room for.
+    #[error(
+        "at T = {time}: {delays} TDL, the longest of which goes back by {longest}, need room for more than {most} values, \
+         which is the most; give fewer or shorter delays, longer steps (DTMAX or DT) or an earlier FIN, or let each \
+         delay keep as many values as its third argument says (--delay-keeps as-asked)"
+    )]
+    DelaysFull {
+        /// When, in the unit of T.
+        time: f64,
+        /// How many delays there are.
+        delays: usize,
+        /// The longest delay, in the unit of T.
+        longest: f64,
+        /// The most values.
+        most: usize,
+    },
     /// All runs of a deck come to more than one answer can hold.
     #[error(
         "the first {runs} data sets come to {asked} {what}; all together can come to {most}: give fewer data sets, {way_out} or an \

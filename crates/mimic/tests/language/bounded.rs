@@ -143,3 +143,26 @@ fn long_and_deep_texts_end() {
         go(&text);
     }
 }
+
+#[test]
+fn texts_that_would_fill_the_memory_are_refused() {
+    let sets = |text: &str| {
+        let deck = Deck::read(text, Layout::Free).unwrap_or_else(|faults| panic!("{faults}"));
+        deck.data_sets().expect_err("too much").to_string()
+    };
+    let names = |from: usize| (from..from + 200).map(|number| format!("A{number}")).collect::<Vec<_>>().join(",");
+    let deck = |more: &str| format!(" CON({})\n{more} OUT(T)\n FIN(T,1.)\n END\n", names(0));
+    // Numbers on one card, on many cards, and in all sets together.
+    let numbers = "1. ".repeat(200);
+    let long = sets(&(deck("") + &"1. ".repeat(1_000_000)));
+    assert!(long.contains("one number more than card 1 has names"), "{long}");
+    let many = sets(&(deck(" PAR(X)\n") + &format!("{numbers}\n").repeat(3000)));
+    assert!(many.contains("the data have more than 500000 numbers up to here"), "{many}");
+    let repeated = sets(&(deck(" PAR(X)\n") + &numbers + "\n" + &"1.\n".repeat(5000)));
+    assert!(repeated.contains("card 2494") && repeated.contains("the sets have more than 500000 numbers"), "{repeated}");
+    // Lines, and faults.
+    let lines = Deck::read(&" A 1.\n".repeat(300_000), Layout::Free).expect_err("too many");
+    assert!(lines.to_string().ends_with("    ^") && lines.to_string().contains("at most 200000 lines"), "{lines}");
+    let faults = Deck::read(&format!(" {}\n", "$".repeat(900)).repeat(1000), Layout::Free).expect_err("too many");
+    assert!((50_000..51_000).contains(&faults.0.len()), "{}", faults.0.len());
+}

@@ -1,7 +1,7 @@
 //! Running: when a run ends, what is printed, how steps are set, and what stops it.
 
 use super::{deck, own, program, runs};
-use geneva_mimic::language::{Choices, DataSet, Program, Run, Trouble, print_out};
+use geneva_mimic::language::{Choices, DataSet, Plot, Program, RememberedPoints, Run, Trouble, line_plot, print_out};
 use geneva_mimic::{AtSmallestStep, Kept, Parameters};
 
 #[track_caller]
@@ -163,19 +163,19 @@ fn what_cannot_be_run_is_refused() {
 
 #[test]
 fn all_runs_together_have_a_bound_too() {
-    let text = " PAR(A)\n X A\n DT 1.E-6\n OUT(T,X,X,X)\n PLO(T,X)\n FIN(T,.8)\n END\n1.\n2.\n3.\n";
+    let text = " PAR(A)\n X A\n DT 1.E-6\n OUT(T,X,X,X)\n PLO(T,X)\n FIN(T,.25)\n END\n1.\n2.\n3.\n";
     let told = trouble(text);
     for words in [
-        "data set 2: the first 2 data sets come to 11200014 numbers to print; all together can come to 10000000",
+        "data set 2: the first 2 data sets come to 3500126 numbers to print, with the headings counted as 8 rows; all together can come to 3000000",
         "give fewer data sets, a longer DT, fewer names",
     ] {
         assert!(told.contains(words), "{told}");
     }
     // A run by itself has fewer rows the more it prints.
     let wide = text.replace("OUT(T,X,X,X)", &format!("OUT(T{})", ",X".repeat(96)));
-    assert!(trouble(&wide).contains("at most 100000 DT away (numbers in a row: 100)"), "{}", trouble(&wide));
+    assert!(trouble(&wide).contains("at most 30000 DT away (numbers in a row: 100)"), "{}", trouble(&wide));
     let open = wide.replace("FIN(T", "FIN(X-X+T");
-    assert!(trouble(&open).contains("100000 rows are printed and FIN is not reached"), "{}", trouble(&open));
+    assert!(trouble(&open).contains("30000 rows are printed and FIN is not reached"), "{}", trouble(&open));
 }
 
 #[test]
@@ -297,4 +297,50 @@ fn what_grows_without_bound_is_named() {
     assert!(told.contains("is too large") || told.contains("X has grown without bound"), "{told}");
     let told = trouble(" X FTR(T,0.)\n OUT(T,X)\n FIN(T,2.)\n END\n");
     assert!(told.contains("X has a time constant of zero"), "{told}");
+}
+
+#[test]
+fn a_deck_with_many_delays_is_held_to_a_number_of_steps_and_of_values() {
+    let deck = |delays: usize, dtmax: &str, more: &str| {
+        let cards: String = (0..delays).map(|number| format!(" Q{number} TDL(X,1000.{more})\n")).collect();
+        format!(" DT 1.\n DTMAX {dtmax}\n X INT(1.,0.)\n{cards} OUT(T,X)\n FIN(T,10.)\n END\n")
+    };
+    // More steps than so many delays may have are refused before the run.
+    let told = trouble(&deck(256, "1.E-5", ""));
+    for words in ["DTMAX is 1e-5", "more than 389105 steps", "with 1 integral and 256 TDL; give a longer DTMAX or an"] {
+        assert!(told.contains(words), "{told}");
+    }
+    // As many as are allowed need more room than there is.
+    let told = trouble(&deck(256, "5.E-5", ""));
+    for words in ["256 TDL, the longest of which goes back by 1000, need room for more than 8388608 values", "fewer or"] {
+        assert!(told.contains(words), "{told}");
+    }
+    let program = program(&deck(20, "5.E-5", ",100."));
+    let few = Choices { remembered: RememberedPoints::AsAsked, ..Choices::default() };
+    assert!(program.run(&DataSet::default(), &few).is_ok_and(|run| run.work.accepted >= 200_000));
+}
+
+#[test]
+fn runs_at_the_same_time_share_the_memory() {
+    let usual = Choices::default();
+    let shared = Choices { at_once: 1000, ..usual };
+    let set = DataSet::default();
+    let small = program(" A TDL(T*T,1.)\n OUT(T,A)\n FIN(T,2.)\n END\n");
+    assert_eq!(small.run(&set, &shared), small.run(&set, &usual));
+    let long = program(" A TDL(T*T,1.)\n DT 1.\n DTMAX .00002\n OUT(T,A)\n FIN(T,2.)\n END\n");
+    let told = long.run(&set, &shared).expect_err("no room").to_string();
+    assert!(told.contains("need room for more than 8388 values"), "{told}");
+    let rows = program(" A 1.\n DT 1.E-3\n OUT(T,A)\n FIN(T,10.)\n END\n");
+    assert!(rows.run(&set, &shared).is_err_and(|trouble| trouble.to_string().contains("at most 1500 DT away")));
+    assert!(rows.run(&set, &usual).is_ok());
+}
+
+#[test]
+fn a_plot_of_many_points_is_drawn_at_once() {
+    let points: Vec<Vec<f64>> = (0..200_000).map(|number| vec![f64::from(number), 1.0]).collect();
+    let plot = Plot { names: vec!["T".to_owned(), "X".to_owned()], scale: None, zero: None };
+    // Each point used to look at all others: minutes.
+    let start = std::time::Instant::now();
+    assert!(line_plot(&plot, &points).lines().count() > 50);
+    assert!(start.elapsed().as_secs() < 10);
 }
