@@ -1,7 +1,7 @@
 //! What is wrong in a source: one slip, in one place or in many.
 
 use crate::slugs::slugs;
-use crate::{Judged, Kind, Verdict, verdicts_where};
+use crate::{Judged, Kind, Verdict, Work, claims, verdicts_where};
 use std::cmp::Reverse;
 use std::sync::OnceLock;
 
@@ -245,6 +245,17 @@ mod tests {
         let mut places = slip(id).expect("a slip").clone();
         places.slip.consequence = consequence;
         places.faults().join("\n")
+    }
+
+    #[test]
+    fn the_slips_of_a_source_are_those_among_all() {
+        let ids = |slips: &mut dyn Iterator<Item = &Places>| -> Vec<(&str, usize)> {
+            slips.map(|places| (places.slip.id, places.claims.len())).collect()
+        };
+        for work in Work::ALL {
+            let expected = ids(&mut slips().iter().filter(|places| places.main().claim.work == *work));
+            assert_eq!(ids(&mut slips_in(*work).iter()), expected, "{work}");
+        }
     }
 
     #[test]

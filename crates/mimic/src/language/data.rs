@@ -113,7 +113,8 @@ impl Deck {
         let (constants, parameters): (Vec<_>, Vec<_>) = self.groups.iter().partition(|group| !group.each_run);
         let mut reader = Reader { deck: self, next: 0 };
         if self.data.iter().map(DataCard::weight).sum::<usize>() > MOST_NUMBERS {
-            let words = format!("the data have more than {MOST_NUMBERS} numbers up to here, which is the most; part them");
+            let words =
+                format!("the data have more than {MOST_NUMBERS} numbers up to here, which is the most; part them");
             return Err(reader.refuse(self.data.len() - 1, 0..1, words));
         }
         let names = self.parameters().len();

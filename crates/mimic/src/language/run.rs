@@ -5,7 +5,7 @@ use super::data::DataSet;
 use super::deck::Plot;
 use super::machine::{Line, Machine, Stop};
 use super::program::{Delay, FIRST_STEP, PlotCode, Program};
-use super::trouble::{RunError, Trouble};
+use super::trouble::{RunError, Trouble, told};
 use crate::{Cause, DelayLine, Extrapolation, IntegrationError, Interpolation, Parameters, Work};
 use core::cell::Cell;
 use nalgebra::SVector;
@@ -21,8 +21,8 @@ const MOST_WORK_OF_ALL: u64 = 300_000_000;
 const MOST_NUMBERS: u64 = 3_000_000;
 /// How many rows the names of a run's columns count for: each run holds its own.
 const NAMES_AS_ROWS: usize = 8;
-/// Most values that all delays of a run have room for: 128 megabytes.
-const MOST_REMEMBERED: usize = 1 << 23;
+/// Most values that all delays of a run have room for: eighty megabytes, and as much again for a moment when one grows.
+const MOST_REMEMBERED: usize = 5_000_000;
 /// Most integrals of a program, and most delays.
 const MOST_STATES: usize = 1024;
 const MOST_DELAYS: usize = 256;
@@ -113,7 +113,12 @@ impl Runs {
         self.numbers += ((run.rows.len() + NAMES_AS_ROWS) * program.numbers_in_a_row()) as u64;
         self.work += (run.work.accepted + run.work.rejected) * program.parts_of_a_step();
         for (asked, most, what, way_out) in [
-            (self.numbers, MOST_NUMBERS, "numbers to print, with the headings counted as 8 rows", "a longer DT, fewer names on OUT and PLO cards"),
+            (
+                self.numbers,
+                MOST_NUMBERS,
+                "numbers to print, with the headings counted as 8 rows",
+                "a longer DT, fewer names on OUT and PLO cards",
+            ),
             (self.work, MOST_WORK_OF_ALL, "steps of integrals and delays", "a larger tolerance"),
         ] {
             if number > 1 && asked > most {
@@ -287,9 +292,19 @@ impl Program {
             }
         }
         if smallest > largest {
-            let (_, has_card) = self.steps[1];
-            let without = if has_card { "" } else { "; without a card it is DT over 2 to the power 30: add one" };
-            return refused("DTMIN", smallest, format!("it must not be above DTMAX, which is {largest:?}{without}"));
+            let [_, (_, has_least), (_, has_most)] = self.steps;
+            let way_out = match (has_least, has_most) {
+                (false, _) => {
+                    "; without a card DTMIN is DT over 2 to the power 30: add a DTMIN card, or give a longer DTMAX"
+                }
+                (_, true) => "; give a smaller DTMIN or a longer DTMAX",
+                (_, false) => ", the value of DT, without a card; give a smaller DTMIN or a longer DT",
+            };
+            return refused(
+                "DTMIN",
+                smallest,
+                format!("it must not be above DTMAX, which is {}{way_out}", told(largest)),
+            );
         }
         let mut end: Option<f64> = None;
         for finish in self.finishes.iter().filter(|finish| finish.is_run_length) {
@@ -310,8 +325,9 @@ impl Program {
             && self.finishes.iter().all(|finish| finish.is_run_length)
         {
             let allowed = format!(
-                "to the end at T = {end:?} there would be more than {most_steps} steps, which is the most{}; give a \
+                "to the end at T = {} there would be more than {most_steps} steps, which is the most{}; give a \
                  longer {name} or an earlier FIN",
+                told(end),
                 self.what_steps_have(choices)
             );
             return refused(name, longest, allowed);

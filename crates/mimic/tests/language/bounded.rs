@@ -159,7 +159,10 @@ fn texts_that_would_fill_the_memory_are_refused() {
     let many = sets(&(deck(" PAR(X)\n") + &format!("{numbers}\n").repeat(3000)));
     assert!(many.contains("the data have more than 500000 numbers up to here"), "{many}");
     let repeated = sets(&(deck(" PAR(X)\n") + &numbers + "\n" + &"1.\n".repeat(5000)));
-    assert!(repeated.contains("card 2494") && repeated.contains("the sets have more than 500000 numbers"), "{repeated}");
+    assert!(
+        repeated.contains("card 2494") && repeated.contains("the sets have more than 500000 numbers"),
+        "{repeated}"
+    );
     // Lines, and faults.
     let lines = Deck::read(&" A 1.\n".repeat(300_000), Layout::Free).expect_err("too many");
     assert!(lines.to_string().ends_with("    ^") && lines.to_string().contains("at most 200000 lines"), "{lines}");
