@@ -4,7 +4,7 @@
 //! `snapshots/command-line`; what must hold whatever it looks like is asserted.
 
 mod escapement_command;
-mod limits;
+mod limits_command;
 mod mimic_command;
 mod quick_return_command;
 mod sweep_command;

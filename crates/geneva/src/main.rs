@@ -14,6 +14,8 @@ mod destination;
 mod errata;
 mod escapement;
 mod fields;
+#[cfg(test)]
+mod fuzz;
 mod input;
 mod mimic;
 mod output;

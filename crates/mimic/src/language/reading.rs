@@ -222,7 +222,7 @@ impl Reading {
         let text = text.trim();
         match text.strip_prefix('(').and_then(|text| text.strip_suffix(')')) {
             Some(inside) => {
-                self.deck.headings.push(inside.split(',').map(|word| word.trim().to_owned()).collect());
+                self.deck.headings.push(inside.split(',').map(|word| word.trim().replace('\t', " ")).collect());
                 self.headings.push((card, word.clone()));
             }
             None => {

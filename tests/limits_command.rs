@@ -285,3 +285,67 @@ fn messages_name_what_was_typed_and_what_to_do() {
         assert!(digits < Some(17), "{said}");
     }
 }
+
+#[test]
+fn fuzz_the_program_ends_with_a_known_code_and_says_why() {
+    // How such lines are made of all options stands in `crates/geneva/src/fuzz.rs`; here the program itself runs.
+    const COMMANDS: [&[&str]; 8] = [
+        &["claims", "--source", "pin"],
+        &["errata", "--source", "pin"],
+        &["coverage"],
+        &["wheel", "--stations", "6"],
+        &["quick-return", "--ground", "0.3", "--crank", "0.1"],
+        &["sweep", "--slots", "4", "--friction", "0.1"],
+        &["mimic", "run", "decay"],
+        &["mimic", "check"],
+    ];
+    const WORDS: [&str; 20] = [
+        "--format",
+        "json",
+        "csv",
+        "svg",
+        "--rpm",
+        "60",
+        "--crank-angle",
+        "--inertia-ratio",
+        "0.3",
+        "1e309",
+        "nan",
+        "--at",
+        "--output",
+        "out",
+        "--set",
+        "N=1",
+        "\u{1b}[2J",
+        "",
+        "--verdict",
+        "--threads",
+    ];
+    let tries: usize = std::env::var("GENEVA_FUZZ").map_or(40, |text| text.parse().expect("a number")).min(2000);
+    let seed: u64 = std::env::var("GENEVA_FUZZ_SEED").map_or(7, |text| text.parse().expect("a number"));
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let mut state = seed.max(1);
+    let mut below = |most: usize| {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 11) as usize % most
+    };
+    let mut codes = [0; 3];
+    for _ in 0..tries {
+        let mut line = COMMANDS[below(COMMANDS.len())].to_vec();
+        for _ in 0..below(6) {
+            line.push(WORDS[below(WORDS.len())]);
+        }
+        let output = inside(folder.path(), &line).stdin(Stdio::null()).output().expect("the program runs");
+        let code = output.status.code().and_then(|code| usize::try_from(code).ok()).filter(|code| *code < 3);
+        let code = code.unwrap_or_else(|| panic!("{line:?}: {output:?}"));
+        codes[code] += 1;
+        let (said, told) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+        assert_eq!(code == 2, !told.is_empty(), "{line:?}: {told}");
+        assert!(!told.contains("panicked") && !told.contains('\u{1b}') && !said.contains('\u{1b}'), "{line:?}: {told}");
+        let mut words = said.split(|sign: char| !sign.is_alphanumeric());
+        assert!(!words.any(|word| ["NaN", "inf"].contains(&word)), "{line:?}");
+    }
+    println!("{tries} processes: exit codes 0, 1, 2: {codes:?}");
+}
