@@ -56,6 +56,34 @@ fn only_regular_files_of_a_bounded_size_are_read() {
 }
 
 #[test]
+fn what_would_fill_the_memory_is_refused_before_it_is_made() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let stl = |stations: &'static str, play: &'static str| {
+        let words = ["wheel", "--stations", stations, "--crank-radius", "50", "--thickness", "8", "--format", "stl"];
+        [&words[..], &["--play", play]].concat()
+    };
+    for (stations, play) in [("6", "1e-12"), ("6", "1e-9"), ("1000", "0.01")] {
+        let said = refusal(geneva(&stl(stations, play)));
+        assert!(
+            said.contains("corners; at most 200000 are written; give a larger --play") && said.contains(play),
+            "{said}"
+        );
+    }
+    assert_eq!(
+        inside(folder.path(), &stl("6", "0.05")).stdout(Stdio::null()).status().expect("it runs").code(),
+        Some(0)
+    );
+    let angles: Vec<String> = (0..10_001).map(|number| format!("--at={number}")).collect();
+    let line: Vec<&str> = ["wheel", "--stations", "6"].into_iter().chain(angles.iter().map(String::as_str)).collect();
+    let said = refusal(geneva(&line));
+    assert!(said.contains("--at and --at-wheel are given 10001 times; at most 10000"), "{said}");
+    assert_eq!(geneva(&line[..line.len() - 1]).stdout(Stdio::null()).status().expect("it runs").code(), Some(0));
+    fs::write(folder.path().join("long"), "1 ".repeat(60_000)).expect("writable");
+    let said = refusal(inside(folder.path(), &["coverage", "--source", "pin", "--against", "long"]));
+    assert!(said.contains("long: line 1 has more than 100000 characters; give your copy"), "{said}");
+}
+
+#[test]
 fn an_empty_copy_is_asked_whether_it_is_one() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     fs::write(folder.path().join("empty"), "").expect("writable");

@@ -4,8 +4,13 @@
 use crate::arguments::CoverageArguments;
 use crate::input;
 use crate::output::{Outcome, count, heading, wrapped};
+use crate::printable::shown_path;
+use anyhow::bail;
 use geneva_ledger::{Entry, Line, Work, listed, numeric_tokens};
 use std::path::Path;
+
+/// Most characters of a line of a copy. No page has so many.
+const LONGEST_LINE: usize = 100_000;
 
 /// The coverage that is wanted, and whether a line differs.
 pub fn page(wanted: &CoverageArguments) -> anyhow::Result<(String, Outcome)> {
@@ -55,7 +60,15 @@ fn inventory(work: Work, lines: &[Line]) -> String {
 fn copy(work: Work, option: &str, file: &Path) -> anyhow::Result<String> {
     let bytes = input::file(file, &format!("a text file, your copy of {work}, to {option}"))?;
     // Digits are the same in every encoding that a copy is likely to have.
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+    let text = String::from_utf8_lossy(&bytes).into_owned();
+    if let Some((at, _)) = text.lines().enumerate().find(|(_, line)| line.len() > LONGEST_LINE) {
+        bail!(
+            "{}: line {} has more than {LONGEST_LINE} characters; give your copy of {work} with its lines, to {option}",
+            shown_path(file),
+            at + 1
+        );
+    }
+    Ok(text)
 }
 
 /// Compares the numbers of a text, line by line, with an inventory.

@@ -11,7 +11,7 @@ use super::token::Placed;
 use std::collections::HashSet;
 
 /// Most lines of a deck up to its END, and most faults that are collected.
-const MOST_CARDS: usize = 200_000;
+const MOST_CARDS: usize = 150_000;
 const MOST_FAULTS: usize = 50_000;
 /// Most lines of a deck and its data that can be shown in a message.
 const MOST_LINES: usize = MOST_CARDS + super::data::MOST_NUMBERS + 1;

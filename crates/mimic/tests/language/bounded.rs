@@ -233,7 +233,7 @@ fn texts_that_would_fill_the_memory_are_refused() {
     );
     // Lines, and faults.
     let lines = Deck::read(&" A 1.\n".repeat(300_000), Layout::Free).expect_err("too many");
-    assert!(lines.to_string().ends_with("    ^") && lines.to_string().contains("at most 200000 lines"), "{lines}");
+    assert!(lines.to_string().ends_with("    ^") && lines.to_string().contains("at most 150000 lines"), "{lines}");
     let faults = Deck::read(&format!(" {}\n", "$".repeat(900)).repeat(1000), Layout::Free).expect_err("too many");
     assert!((50_000..51_000).contains(&faults.0.len()), "{}", faults.0.len());
 }
