@@ -5,6 +5,7 @@
 
 mod book_command;
 mod escapement_command;
+mod limits_command;
 mod mimic_command;
 mod quick_return_command;
 mod sweep_command;
@@ -318,9 +319,10 @@ fn a_copy_with_other_numbers_differs() {
 #[test]
 fn a_copy_that_cannot_be_read_is_named() {
     let said = refusal(geneva(&["coverage", "--source", "pin", "--against", "no/such/copy.txt"]));
-    assert!(said.starts_with("error: cannot read no/such/copy.txt; --against wants a text file"), "{said}");
+    assert!(said.starts_with("error: cannot read no/such/copy.txt: "), "{said}");
+    assert!(said.ends_with("; give a text file, your copy of pin, to --against\n"), "{said}");
     let said = refusal(geneva(&["coverage", "--source", "pin", "--record", "no/such/copy.txt"]));
-    assert!(said.starts_with("error: cannot read no/such/copy.txt; --record wants a text file"), "{said}");
+    assert!(said.ends_with("; give a text file, your copy of pin, to --record\n"), "{said}");
 }
 
 #[test]

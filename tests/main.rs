@@ -13,6 +13,7 @@ mod live;
 mod mimic_decks;
 mod pin_over_the_engagement;
 mod snapshots;
+mod supply;
 mod tidy;
 
 use geneva_ledger::{Decimal, claims, numeric_tokens};

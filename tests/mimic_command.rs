@@ -127,7 +127,7 @@ fn the_runs_of_appendix_e_come_from_the_ledger() {
         assert_eq!(run["rows"].as_array().map(Vec::len), Some(401));
     }
     let told = refusal(geneva(&["mimic", "run", "decay", "--runs", "appendix-e"]));
-    assert!(told.contains("decay has 2 parameters; its runs have 6"), "{told}");
+    assert!(told.contains("the CON and PAR cards of decay ask for 2; give a deck that asks for 6"), "{told}");
 }
 
 #[test]
@@ -161,14 +161,14 @@ fn refusals_name_what_was_asked_and_a_way_out() {
     for (arguments, words) in [
         (
             &["mimic", "run", "no-such-deck"][..],
-            "no-such-deck: no such file, and no deck of this project; geneva mimic",
+            "'no-such-deck': no such file, and no deck of this project; geneva mimic",
         ),
         (&["mimic", "run", "escapment"], "no deck of this project; the nearest is escapement"),
         (&["mimic", "decks", "escapment"], "no deck of this project; the nearest is escapement; give one of"),
         (&["mimic", "run", "escapement", "--set", "MUU=.2"], "the nearest is MU; give another name"),
         (&["mimic", "run", "decay", "--set", "DTMX=.2"], "the nearest is DTMAX; give another name"),
         (&["mimic", "run", "-", "--data", "-"], "--data -: standard input has the deck already"),
-        (&["mimic", "decks", "none"], "none: no deck of this project; give one of escapement"),
+        (&["mimic", "decks", "none"], "'none': no deck of this project; give one of escapement"),
         (&["mimic", "run", "decay", "--set", "LEFT"], "no =; give a name, = and a number"),
         (&["mimic", "run", "decay", "--set", "NONE=2"], "--set NONE=2: decay has no single card"),
         (&["mimic", "run", "decay", "--set", "HALF=0"], "decay: card 8 (FIN(T,5.*HALF)): the run would end at T = 0"),

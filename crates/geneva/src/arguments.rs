@@ -2,13 +2,16 @@
 
 use crate::escapement::EscapementArguments;
 use crate::mimic::MimicArguments;
+use crate::printable::{escaped, shown};
 use crate::quick_return::QuickReturnArguments;
 use crate::sweep::SweepArguments;
 use crate::wheel::WheelArguments;
 use anyhow::bail;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::error::{ContextKind, ContextValue};
+use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use geneva_ledger::{Consequence, Verdict, Work};
+use std::ffi::OsString;
 use std::path::PathBuf;
 
 /// Derives the verdict on every claim of the sources, and builds the book.
@@ -42,6 +45,45 @@ pub struct Arguments {
     /// What to do; without it, verify and build.
     #[command(subcommand)]
     pub command: Option<Command>,
+}
+
+/// Reads a command line.
+///
+/// # Errors
+///
+/// What is wrong with it, or what asks for help or the version. Values are told back harmless for a terminal, and cut
+/// where they are long.
+pub fn parse(line: impl IntoIterator<Item = OsString>) -> Result<Arguments, clap::Error> {
+    let line: Vec<_> = line.into_iter().collect();
+    Arguments::try_parse_from(&line).map_err(|error| {
+        let harmless = line.iter().map(|word| escaped(&word.to_string_lossy()).into_owned());
+        // The same error with the same words, in which nothing is left that a terminal obeys.
+        let mut error = match Arguments::try_parse_from(harmless) {
+            Err(harmless) if harmless.kind() == error.kind() => harmless,
+            _ => Arguments::command().error(error.kind(), escaped(&plain(&error))),
+        };
+        let long: Vec<_> = error
+            .context()
+            .filter_map(|(kind, value)| match value {
+                ContextValue::String(typed) => Some((kind, shown(typed))),
+                _ => None,
+            })
+            .filter(|(_, shown)| shown.ends_with('…'))
+            .collect();
+        if !long.is_empty() {
+            error.insert(ContextKind::Suggested, ContextValue::None);
+        }
+        for (kind, shown) in long {
+            error.insert(kind, ContextValue::String(shown));
+        }
+        error
+    })
+}
+
+/// What an error says, in one line.
+fn plain(error: &clap::Error) -> String {
+    let text = error.render().to_string();
+    text.lines().next().unwrap_or_default().trim_start_matches("error: ").to_owned()
 }
 
 /// The commands.

@@ -2,11 +2,15 @@
 //! file that a copy asks for.
 
 use crate::arguments::CoverageArguments;
+use crate::input;
 use crate::output::{Outcome, count, heading, wrapped};
-use anyhow::Context;
+use crate::printable::shown_path;
+use anyhow::bail;
 use geneva_ledger::{Entry, Line, Work, listed, numeric_tokens};
-use std::fs;
 use std::path::Path;
+
+/// Most characters of a line of a copy. No page has so many.
+const LONGEST_LINE: usize = 100_000;
 
 /// The coverage that is wanted, and whether a line differs.
 pub fn page(wanted: &CoverageArguments) -> anyhow::Result<(String, Outcome)> {
@@ -54,19 +58,26 @@ fn inventory(work: Work, lines: &[Line]) -> String {
 
 /// The copy of a source that an option names.
 fn copy(work: Work, option: &str, file: &Path) -> anyhow::Result<String> {
-    let bytes = fs::read(file)
-        .with_context(|| format!("cannot read {}; {option} wants a text file, your copy of {work}", file.display()))?;
+    let bytes = input::file(file, &format!("a text file, your copy of {work}, to {option}"))?;
     // Digits are the same in every encoding that a copy is likely to have.
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+    let text = String::from_utf8_lossy(&bytes).into_owned();
+    if let Some((at, _)) = text.lines().enumerate().find(|(_, line)| line.len() > LONGEST_LINE) {
+        bail!(
+            "{}: line {} has more than {LONGEST_LINE} characters; give your copy of {work} with its lines, to {option}",
+            shown_path(file),
+            at + 1
+        );
+    }
+    Ok(text)
 }
 
 /// Compares the numbers of a text, line by line, with an inventory.
 fn compare(inventory: &[Line], text: &str) -> (String, Outcome) {
-    let copy: Vec<Vec<String>> = text.lines().map(numeric_tokens).collect();
-    let last = inventory.iter().map(|line| line.number as usize).max().unwrap_or(0).max(copy.len());
-    let (mut page, mut compared, mut differing) = (String::new(), 0, 0);
-    for number in 1..=last {
-        let found = copy.get(number - 1).map_or(&[][..], Vec::as_slice);
+    let mut copy = text.lines().map(numeric_tokens).fuse();
+    let lines = inventory.iter().map(|line| line.number as usize).max().unwrap_or(0).max(text.lines().count());
+    let (mut page, mut compared, mut differing, mut agreeing) = (String::new(), 0, 0, 0);
+    for number in 1..=lines {
+        let found = copy.next().unwrap_or_default();
         let expected = inventory.iter().find(|line| line.number as usize == number);
         if expected.is_none() && found.is_empty() {
             continue;
@@ -74,19 +85,21 @@ fn compare(inventory: &[Line], text: &str) -> (String, Outcome) {
         compared += 1;
         let ours = expected.map_or(&[][..], |line| &line.numbers);
         if found == ours {
+            // A line without numbers agrees with any text.
+            agreeing += usize::from(!found.is_empty());
             page += &format!("line {number:>4}  the same numbers\n");
             continue;
         }
         differing += 1;
         page += &format!("line {number:>4}  OTHER NUMBERS\n");
-        page += &wrapped("    in your copy:   ", &listed(found));
+        page += &wrapped("    in your copy:   ", &listed(&found));
         page += &wrapped("    in the ledger:  ", &listed(ours));
     }
     page += &match differing {
         0 => format!("{} compared: all have the ledger's numbers\n", count(compared, "line")),
-        _ if differing == compared => {
+        _ if agreeing == 0 => {
             format!(
-                "{} compared: none has the ledger's numbers; is it a copy of this source?\n",
+                "{} compared: no number agrees with the ledger; is it a copy of this source?\n",
                 count(compared, "line")
             )
         }
@@ -117,5 +130,17 @@ mod tests {
             assert_eq!(outcome, Outcome::Differs, "{copy}");
             assert_eq!(page.matches("OTHER NUMBERS").count(), differing, "{page}");
         }
+    }
+
+    #[test]
+    fn a_text_without_a_number_of_the_source_may_be_none_of_it() {
+        // A line of the source without numbers agrees with an empty file.
+        let inventory = [line(1, "1.5"), line(2, "none"), line(3, "2.5")];
+        for copy in ["", "\n\n\n", "7\n\n8\n"] {
+            let (page, _) = compare(&inventory, copy);
+            assert!(page.contains("no number agrees with the ledger; is it a copy of this source?"), "{page}");
+        }
+        let (page, _) = compare(&inventory, "1.5\n\n8\n");
+        assert!(page.contains("1 with other numbers"), "{page}");
     }
 }

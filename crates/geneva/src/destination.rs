@@ -5,8 +5,9 @@
 //! ended while it copies leaves something behind: the copy, named as the file with `.unfinished-` and some letters.
 
 use crate::output::{STANDARD_OUTPUT, UNWRITABLE};
-use anyhow::{Context, bail};
-use std::fs::{self, File};
+use crate::printable::in_words;
+use anyhow::{Context, anyhow, bail, ensure};
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Seek, Write};
 use std::path::{Path, PathBuf};
 
@@ -24,20 +25,34 @@ impl Destination {
         if asked == STANDARD_OUTPUT {
             return Ok(Self::Output);
         }
-        // A link stays a link; what it leads to is replaced.
-        let target = fs::canonicalize(asked).unwrap_or_else(|_| PathBuf::from(asked));
+        // A link stays a link; what it leads to is replaced, or made.
+        let target = followed(asked);
         match fs::metadata(&target) {
-            Ok(there) if there.is_file() => {}
+            Ok(there) if there.is_file() => {
+                // The system lets a file be replaced that may not be written, and whoever made it so did not want that.
+                // The mode counts for the superuser too.
+                ensure!(
+                    !there.permissions().readonly(),
+                    "--output {asked}: a file that is there and may not be written; give another, or - for standard output"
+                );
+                OpenOptions::new().write(true).open(&target).map_err(|error| unwritable(asked, &error))?;
+            }
             Ok(there) if there.is_dir() => {
                 bail!("--output {asked}: a folder; give a file in it, or - for standard output")
             }
             Ok(_) => bail!("--output {asked}: not a file that can be replaced; give another, or - for standard output"),
+            Err(_) if asked.ends_with(std::path::is_separator) => {
+                bail!("--output {asked}: a folder that is not there; give a file, or - for standard output")
+            }
             Err(_) if target.file_name().is_none() => {
                 bail!("--output '{asked}': no file; give one, or - for standard output")
             }
+            Err(_) if target.is_symlink() => {
+                bail!("--output {asked}: a link that leads nowhere; give a file, or - for standard output")
+            }
             Err(_) => {}
         }
-        let collected = tempfile::tempfile_in(folder(&target)).with_context(|| unwritable(asked))?;
+        let collected = tempfile::tempfile_in(folder(&target)).map_err(|error| unwritable(asked, &error))?;
         Ok(Self::File { target, collected })
     }
 
@@ -49,7 +64,7 @@ impl Destination {
                 result => result.map(|()| true).context(UNWRITABLE),
             },
             Self::File { target, collected } => {
-                collected.write_all(bytes).map(|()| true).with_context(|| unwritable(&target.to_string_lossy()))
+                collected.write_all(bytes).map(|()| true).map_err(|error| unwritable(&target.to_string_lossy(), &error))
             }
         }
     }
@@ -62,8 +77,7 @@ impl Destination {
                 _ => Ok(None),
             },
             Self::File { target, collected } => {
-                let named = unwritable(&target.to_string_lossy());
-                replace(&target, collected).context(named)?;
+                replace(&target, collected).map_err(|error| unwritable(&target.to_string_lossy(), &error))?;
                 Ok(Some(target))
             }
         }
@@ -73,13 +87,42 @@ impl Destination {
 /// That what was asked for is none of the files that are read: the answer would take the place of one.
 pub fn apart_from<'a>(asked: &str, inputs: impl IntoIterator<Item = &'a Path>) -> anyhow::Result<()> {
     let Some(target) = fs::canonicalize(asked).ok().filter(|_| asked != STANDARD_OUTPUT) else { return Ok(()) };
-    let own = inputs.into_iter().find(|input| fs::canonicalize(input).is_ok_and(|input| input == target));
+    let own = inputs.into_iter().find(|input| is_one_file(input, &target));
     match own {
         Some(own) => bail!(
             "--output {asked}: it would take the place of {}, which is read; give another file, or - for standard output",
             own.display()
         ),
         None => Ok(()),
+    }
+}
+
+/// Where a path leads: through links also to a file that is not there yet.
+fn followed(asked: &str) -> PathBuf {
+    /// More links in a row than any system follows.
+    const MOST_LINKS: usize = 40;
+    if let Ok(target) = fs::canonicalize(asked) {
+        return target;
+    }
+    let mut target = PathBuf::from(asked);
+    for _ in 0..MOST_LINKS {
+        let Ok(next) = fs::read_link(&target) else { break };
+        target = folder(&target).join(next);
+    }
+    target
+}
+
+/// Whether two paths are one file, be it under two names.
+fn is_one_file(one: &Path, other: &Path) -> bool {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::MetadataExt;
+        let number = |path: &Path| fs::metadata(path).ok().map(|there| (there.dev(), there.ino()));
+        number(one).is_some() && number(one) == number(other)
+    }
+    #[cfg(not(unix))]
+    {
+        fs::canonicalize(one).is_ok_and(|one| fs::canonicalize(other).is_ok_and(|other| one == other))
     }
 }
 
@@ -120,6 +163,9 @@ fn folder(target: &Path) -> &Path {
     target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-fn unwritable(target: &str) -> String {
-    format!("cannot write {target}; give another --output, in a folder that is there, or - for standard output")
+fn unwritable(target: &str, error: &io::Error) -> anyhow::Error {
+    let cause = in_words(error);
+    anyhow!(
+        "cannot write {target}: {cause}; give another --output, in a folder that is there, or - for standard output"
+    )
 }

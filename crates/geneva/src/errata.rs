@@ -4,7 +4,7 @@ use crate::arguments::{ErrataArguments, Format};
 use crate::claims::with_unit;
 use crate::fields;
 use crate::output::{count, field, heading, wrapped};
-use geneva_ledger::{Consequence, Judged, Places, Work, in_full, slips};
+use geneva_ledger::{Consequence, Judged, Places, Work, in_full, slips, slips_in, verdicts, verdicts_of};
 use geneva_press::records;
 use std::slice;
 
@@ -17,16 +17,24 @@ pub fn page(wanted: &ErrataArguments) -> anyhow::Result<String> {
         Some(consequence) => places.slip.consequence == consequence,
         None => wanted.all || places.slip.consequence != Consequence::Copy,
     };
-    let wanted_of = |places: &&Places| of_source(places) && of_consequence(places);
-    let slips: Vec<_> = slips().iter().filter(wanted_of).cloned().collect();
+    let all = wanted.source.map_or_else(|| slips().to_vec(), slips_in);
+    let first = all.first().cloned();
+    let slips: Vec<_> = all.into_iter().filter(|places| of_source(places) && of_consequence(places)).collect();
     match wanted.format {
         Format::Json => fields::json(&slips.iter().map(records::slip).collect::<Vec<_>>()),
         Format::Csv => {
-            fields::csv(geneva_ledger::slips().first().map(records::slip).as_ref(), slips.iter().map(records::slip))
+            // A source without slips has the header of the others.
+            let header = first.or_else(|| geneva_ledger::slips().first().cloned());
+            fields::csv(header.as_ref().map(records::slip).as_ref(), slips.iter().map(records::slip))
         }
         Format::Markdown => Ok(markdown(&slips, wanted.source.as_ref().map_or(Work::DOCUMENTS, slice::from_ref))),
         _ => Ok(text(&slips)),
     }
+}
+
+/// The verdicts on the claims of the source that is wanted, or on all.
+pub fn derived(wanted: &ErrataArguments) -> Vec<&'static Judged> {
+    wanted.source.map_or_else(|| verdicts().iter().collect(), verdicts_of)
 }
 
 /// The slips of each consequence, if there are any.

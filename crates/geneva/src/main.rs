@@ -14,26 +14,29 @@ mod destination;
 mod errata;
 mod escapement;
 mod fields;
+#[cfg(test)]
+mod fuzz;
+mod input;
 mod mimic;
 mod output;
 mod preprocess;
+mod printable;
 mod progress;
 mod quick_return;
 mod signals;
 mod summary;
 mod sweep;
+mod threads;
 mod typed;
 mod wheel;
 mod workspace;
 
 use arguments::{Arguments, Command, Output};
-use clap::Parser;
 use output::{Outcome, print};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let arguments = Arguments::parse();
-    match run(arguments) {
+    match arguments::parse(std::env::args_os()).map_or_else(|error| output::explain(&error), run) {
         Ok(outcome) => outcome.into(),
         Err(error) => {
             output::complain(&error);
@@ -49,7 +52,7 @@ fn run(arguments: Arguments) -> anyhow::Result<Outcome> {
             answer(&claims::page(&wanted)?, &wanted.to, as_recorded(claims::derived(&wanted)))
         }
         Some(Command::Errata(wanted)) => {
-            answer(&errata::page(&wanted)?, &wanted.to, as_recorded(geneva_ledger::verdicts()))
+            answer(&errata::page(&wanted)?, &wanted.to, as_recorded(errata::derived(&wanted)))
         }
         Some(Command::Coverage(wanted)) => {
             let (page, outcome) = coverage::page(&wanted)?;

@@ -1,6 +1,7 @@
 //! Printing: streams, colours, exit codes, lines of a readable length, and drawings without a page.
 
 use crate::destination::Destination;
+use crate::printable::{chain, escaped_lines};
 use anstream::adapter::strip_str;
 use anyhow::Context;
 use clap::builder::styling::{AnsiColor, Style};
@@ -43,6 +44,10 @@ impl From<Outcome> for ExitCode {
 /// What is told if standard output takes nothing.
 pub const UNWRITABLE: &str = "cannot write to standard output";
 
+// A standard output that is closed (`>&-`) cannot be told from one that nobody wants to see: the runtime opens /dev/null in
+// its place before `main`, for reading and writing, and so do others who give a program /dev/null, such as Python's
+// `subprocess.DEVNULL`. So it counts as /dev/null.
+
 /// Writes text to standard output, without its colours unless a terminal shows them and `NO_COLOR` is not set.
 ///
 /// A reader that has seen enough and closes the pipe is no error.
@@ -63,7 +68,9 @@ pub fn write(text: &str, asked: &str) -> anyhow::Result<()> {
         return print(text);
     }
     let mut destination = Destination::new(asked)?;
-    destination.add(strip_str(text).to_string().as_bytes())?;
+    for piece in strip_str(text) {
+        destination.add(piece.as_bytes())?;
+    }
     destination.finish()?;
     Ok(())
 }
@@ -72,7 +79,19 @@ pub fn write(text: &str, asked: &str) -> anyhow::Result<()> {
 pub fn complain(error: &anyhow::Error) {
     let red = AnsiColor::Red.on_default().bold();
     // Nobody is left to be told if this fails.
-    let _ = writeln!(anstream::stderr(), "{red}error:{red:#} {error:#}");
+    let _ = writeln!(anstream::stderr(), "{red}error:{red:#} {}", escaped_lines(&chain(error)));
+}
+
+/// Answers what asks for help or for the version, and says what is wrong with a command line.
+pub fn explain(error: &clap::Error) -> anyhow::Result<Outcome> {
+    let text = error.render();
+    if error.use_stderr() {
+        // Nobody is left to be told if this fails.
+        let _ = write!(anstream::stderr(), "{}", text.ansi());
+        return Ok(Outcome::Failed);
+    }
+    print(&text.ansi().to_string())?;
+    Ok(Outcome::AsRecorded)
 }
 
 /// How a verdict is coloured; the colour repeats what the word says.

@@ -2,7 +2,8 @@
 
 use crate::arguments::{PreprocessArguments, Question};
 use crate::output::{Outcome, print};
-use anyhow::{Context, ensure};
+use crate::printable::chain;
+use anyhow::{anyhow, ensure};
 use geneva_press::Geneva;
 use mdbook_preprocessor::{Preprocessor, parse_input};
 use std::io::{IsTerminal, stdin};
@@ -12,9 +13,16 @@ pub fn run(call: PreprocessArguments) -> anyhow::Result<Outcome> {
     if let Some(Question::Supports { renderer }) = call.question {
         return Ok(Outcome::as_recorded_if(Geneva.supports_renderer(&renderer)?));
     }
-    ensure!(!stdin().is_terminal(), "mdBook calls this command and hands it a book; to build the book: geneva book");
-    let (context, book) = parse_input(stdin().lock())
-        .context("what came in on standard input is no book of mdBook 0.5; to build the book: geneva book")?;
+    ensure!(
+        !stdin().is_terminal(),
+        "mdBook calls this command and hands it a book; to build the book, call `geneva book`"
+    );
+    let (context, book) = parse_input(stdin().lock()).map_err(|error| {
+        anyhow!(
+            "standard input is no book of mdBook 0.5 ({}). mdBook calls this command; to build the book, call `geneva book`",
+            chain(&error)
+        )
+    })?;
     print(&serde_json::to_string(&Geneva.run(&context, book)?)?)?;
     Ok(Outcome::AsRecorded)
 }

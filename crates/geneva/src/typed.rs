@@ -4,6 +4,7 @@
 //! The parser of an option hands over a number that the option may have. Where one number is possible only with another,
 //! the command says so.
 
+use crate::printable::shown;
 use geneva_kinematics::wheel::STATIONS;
 use std::num::NonZeroUsize;
 use std::ops::RangeInclusive;
@@ -16,44 +17,45 @@ const COMPUTABLE: RangeInclusive<f64> = 1e-30..=1e30;
 const MOST_DEGREES: f64 = 1e9;
 
 /// Most threads that may be asked for.
-const MOST_THREADS: usize = 1024;
+pub const MOST_THREADS: usize = 1024;
 
 /// A number above zero.
 pub fn positive(text: &str) -> Result<f64, String> {
-    above_zero(number(text).ok_or("not a number; give one above zero, with a point before its decimals")?)
+    above_zero(text, number(text).ok_or("not a number; give one above zero, with a point before its decimals")?)
 }
 
 /// A length in metres, above zero: the unit of all lengths of a quick-return mechanism.
 pub fn metres(text: &str) -> Result<f64, String> {
-    above_zero(number(text).ok_or("not a length; give metres above zero, with a point before the decimals")?)
+    above_zero(text, number(text).ok_or("not a length; give metres above zero, with a point before the decimals")?)
 }
 
 /// A length in millimetres, above zero: the unit of all lengths of a wheel.
 pub fn millimetres(text: &str) -> Result<f64, String> {
-    above_zero(number(text).ok_or("not a length; give millimetres above zero, with a point before the decimals")?)
+    above_zero(text, number(text).ok_or("not a length; give millimetres above zero, with a point before the decimals")?)
 }
 
 /// A number that is zero or more.
 pub fn zero_or_more(text: &str) -> Result<f64, String> {
     let value = number(text).ok_or("not a number; give zero or more, with a point before the decimals")?;
-    if value < 0.0 || !value.is_finite() {
-        return Err(format!("{} must be finite and not negative; give zero or more", as_typed(value)));
+    if value < 0.0 || value.is_nan() {
+        let most = COMPUTABLE.end();
+        return Err(format!("{} is not zero or more; give zero, or a number up to {most:e}", shown(text.trim())));
     }
     // A zero has no sign.
-    Ok(value + 0.0)
+    if value == 0.0 { Ok(0.0) } else { computable(text, value) }
 }
 
 /// Turns a minute in either sense, counter-clockwise above zero.
 pub fn turns_a_minute(text: &str) -> Result<f64, String> {
     let value = number(text).ok_or("not a speed; give turns a minute, with a point before the decimals")?;
-    if value == 0.0 || !value.is_finite() {
+    if value == 0.0 || value.is_nan() {
         return Err(
             "the crank must turn, or nothing moves; give turns a minute, above zero for counter-clockwise or below it \
              for clockwise"
                 .to_owned(),
         );
     }
-    computable(value)
+    computable(text, value)
 }
 
 /// An angle in degrees. Which are possible, the mechanism says.
@@ -69,7 +71,7 @@ pub fn finite_degrees(text: &str) -> Result<f64, String> {
     } else {
         Err(format!(
             "{} is no angle to compute with; give degrees between −{MOST_DEGREES:e} and {MOST_DEGREES:e}",
-            as_typed(value)
+            shown(text.trim())
         ))
     }
 }
@@ -105,23 +107,23 @@ pub fn number(text: &str) -> Option<f64> {
     text.trim().replace('−', "-").parse().ok()
 }
 
-/// `value`, if it is above zero and can be computed with.
-pub fn above_zero(value: f64) -> Result<f64, String> {
-    if value > 0.0 && value.is_finite() {
-        computable(value)
+/// `value`, which was typed so, if it is above zero and can be computed with.
+fn above_zero(text: &str, value: f64) -> Result<f64, String> {
+    if value > 0.0 {
+        computable(text, value)
     } else {
-        Err(format!("{} must be positive and finite; give a number above zero", as_typed(value)))
+        Err(format!("{} is not above zero; give a number above zero", shown(text.trim())))
     }
 }
 
-fn computable(value: f64) -> Result<f64, String> {
+fn computable(text: &str, value: f64) -> Result<f64, String> {
     if COMPUTABLE.contains(&value.abs()) {
         return Ok(value);
     }
     let (least, most) = (COMPUTABLE.start(), COMPUTABLE.end());
     Err(format!(
         "{} is too large or too small to compute with; give one that a machine can have, between {least:e} and {most:e}",
-        as_typed(value)
+        shown(text.trim())
     ))
 }
 
@@ -129,6 +131,14 @@ fn computable(value: f64) -> Result<f64, String> {
 pub fn as_typed(value: f64) -> String {
     let written = format!("{value:?}");
     written.strip_suffix(".0").map_or(written.clone(), str::to_owned)
+}
+
+/// A computed limit in a message, to six significant digits: never below it, so that what is said of it holds.
+pub fn rounded_up(limit: f64) -> String {
+    let nearest: f64 = format!("{limit:.5e}").parse().unwrap_or(limit);
+    let exponent = format!("{limit:e}").split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
+    let half = 0.5 * 10_f64.powi(exponent.unwrap_or(0) - 5);
+    as_typed(if nearest >= limit { nearest } else { format!("{:.5e}", limit + half).parse().unwrap_or(limit) })
 }
 
 /// The number that a reader would have typed: rounded to fifteen digits, which any number between typed ones may need.
@@ -148,16 +158,22 @@ mod tests {
         assert_eq!(number(" −7 "), Some(-7.0));
         assert_eq!(number("0,3"), None);
         assert_eq!([0.1 + 0.2, 3e-4 * 3.0, 0.0].map(rounded), [0.3, 9e-4, 0.0]);
+        let limits = [0.424_956_373_400_169_8, 0.424_956_9, 2.0, 1.6e-16, 0.999_999_9].map(rounded_up);
+        assert_eq!(limits, ["0.424957", "0.424957", "2", "1.6e-16", "1"]);
     }
 
     #[test]
     fn what_is_out_of_range_is_refused_with_the_range() {
         for (said, words) in [
             (positive("0"), "above zero"),
-            (positive("nan"), "NaN must be positive and finite"),
+            (positive("nan"), "nan is not above zero"),
+            (positive("1e309"), "1e309 is too large or too small"),
+            (zero_or_more("1E309"), "1E309 is too large or too small"),
+            (zero_or_more("-0.30"), "-0.30 is not zero or more; give zero, or a number up to 1e30"),
+            (positive(&"1".repeat(3000)), "1111…"),
             (positive("1e31"), "between 1e-30 and 1e30"),
             (metres("0,1"), "metres above zero, with a point before the decimals"),
-            (zero_or_more("-0.3"), "not negative"),
+            (zero_or_more("nan"), "nan is not zero or more"),
             (turns_a_minute("-0"), "the crank must turn"),
             (turns_a_minute("-1e-31"), "-1e-31 is too large or too small"),
         ] {

@@ -1,7 +1,7 @@
 //! What is wrong in a source: one slip, in one place or in many.
 
 use crate::slugs::slugs;
-use crate::{Judged, Kind, Verdict, verdicts_where};
+use crate::{Judged, Kind, Verdict, Work, claims, verdicts_where};
 use std::cmp::Reverse;
 use std::sync::OnceLock;
 
@@ -117,7 +117,13 @@ pub struct Places {
 /// (the sum of their relative changes), then as the sources stand.
 pub fn slips() -> &'static [Places] {
     static SLIPS: OnceLock<Vec<Places>> = OnceLock::new();
-    SLIPS.get_or_init(collected)
+    SLIPS.get_or_init(|| collected(|_| true))
+}
+
+/// The slips that are made in this source, in the order of [`slips`]: the verdicts of the others are not derived for it.
+pub fn slips_in(work: Work) -> Vec<Places> {
+    let main = |slip: &Slip| claims().iter().find(|claim| claim.id == slip.id).map(|claim| claim.work);
+    collected(|slip| main(slip) == Some(work))
 }
 
 /// The slips of the documents with this consequence.
@@ -130,9 +136,10 @@ pub fn slip(id: &str) -> Option<&'static Places> {
     slips().iter().find(|places| places.slip.id == id)
 }
 
-fn collected() -> Vec<Places> {
+/// The slips that are wanted, with their places.
+fn collected(wanted: impl Fn(&Slip) -> bool) -> Vec<Places> {
     let mut found: Vec<Places> = Vec::new();
-    for judged in verdicts_where(|claim| claim.erratum.is_some()) {
+    for judged in verdicts_where(|claim| claim.erratum.as_ref().is_some_and(|erratum| wanted(&erratum.slip))) {
         let Some(erratum) = &judged.claim.erratum else { continue };
         match found.iter_mut().find(|places| places.slip.id == erratum.slip.id) {
             Some(places) => places.claims.push(judged),
@@ -238,6 +245,17 @@ mod tests {
         let mut places = slip(id).expect("a slip").clone();
         places.slip.consequence = consequence;
         places.faults().join("\n")
+    }
+
+    #[test]
+    fn the_slips_of_a_source_are_those_among_all() {
+        let ids = |slips: &mut dyn Iterator<Item = &Places>| -> Vec<(&str, usize)> {
+            slips.map(|places| (places.slip.id, places.claims.len())).collect()
+        };
+        for work in Work::ALL {
+            let expected = ids(&mut slips().iter().filter(|places| places.main().claim.work == *work));
+            assert_eq!(ids(&mut slips_in(*work).iter()), expected, "{work}");
+        }
     }
 
     #[test]

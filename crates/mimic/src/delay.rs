@@ -134,6 +134,11 @@ impl<const CAPACITY: usize> DelayLine<CAPACITY> {
         Ok(Self { delay, initial, interpolation, extrapolation, entries: VecDeque::new(), forgotten: false })
     }
 
+    /// How many entries there is memory for: at least as many as there are.
+    pub fn room(&self) -> usize {
+        self.entries.capacity()
+    }
+
     /// Enters the value at a time later than that of all entries. On an error nothing is entered.
     ///
     /// # Errors

@@ -5,7 +5,7 @@ mod run;
 use crate::arguments::{Format, Output, formats, name_of};
 use crate::fields::{self, Field, Report, angle, number};
 use crate::output::count;
-use crate::typed::{self, as_typed};
+use crate::typed::{self, as_typed, rounded_up};
 use anyhow::{anyhow, bail, ensure};
 use clap::{Args, ValueEnum};
 use geneva_dynamics::existence::{critical_friction, least_margin};
@@ -142,9 +142,10 @@ fn parameters(wanted: &EscapementArguments) -> anyhow::Result<Parameters> {
     let inertias = Inertias::new(wanted.driver_inertia, wanted.follower_inertia)?;
     match Parameters::new(mechanism, inertias, wanted.torque, wanted.friction) {
         Err(Error::TooMuchFriction { asked, limit, angle }) => bail!(
-            "--friction {}: from {limit} on the mechanism may jam: the equation of motion has no single solution \
+            "--friction {}: from {} on the mechanism may jam: the equation of motion has no single solution \
              {:.2}° to either side of the line of centres; give less friction, or a driver with more inertia",
             as_typed(asked),
+            rounded_up(limit),
             angle.to_degrees()
         ),
         other => Ok(other?),

@@ -5,9 +5,12 @@ mod told;
 
 use crate::arguments::{Format, Output, formats};
 use crate::destination::apart_from;
-use crate::output::count;
-use crate::{progress, typed};
-use anyhow::{Context, anyhow, bail, ensure};
+use crate::input::{self, STANDARD_INPUT};
+use crate::printable::{shown, shown_path};
+use crate::progress;
+use crate::threads::Threads;
+use crate::typed::{self, as_typed};
+use anyhow::{anyhow, bail, ensure};
 use clap::{Args, Subcommand, ValueEnum};
 use geneva_ledger::meyer::runs::{Hypothesis, rows};
 use geneva_mimic::language::{
@@ -16,11 +19,7 @@ use geneva_mimic::language::{
 };
 use geneva_mimic::{AtSmallestStep, Interpolation, Kept};
 use rayon::prelude::*;
-use std::io::Read;
 use std::path::{Path, PathBuf};
-
-/// The name of standard input.
-const STANDARD: &str = "-";
 
 /// What to do with a deck.
 #[derive(Args, Debug)]
@@ -204,7 +203,7 @@ fn tolerance(text: &str) -> Result<f64, String> {
     if value < 1.0 {
         return Ok(value);
     }
-    Err(format!("{} must be below 1; give a part of each integral's size, such as 5e-6", typed::as_typed(value)))
+    Err(format!("{} must be below 1; give a part of each integral's size, such as 5e-6", shown(text.trim())))
 }
 
 /// What is wanted.
@@ -227,7 +226,12 @@ pub fn page(action: &Action) -> anyhow::Result<String> {
         Action::Decks { name: None, .. } => Ok(listed::decks()),
         Action::Decks { name: Some(name), .. } => deck_named(name).map(str::to_owned).ok_or_else(|| {
             let known = DECKS.map(|(name, _)| name);
-            anyhow!("{name}: no deck of this project{}; give one of {}", nearest(name, known), known.join(", "))
+            anyhow!(
+                "'{}': no deck of this project{}; give one of {}",
+                shown(name),
+                nearest(name, known),
+                known.join(", ")
+            )
         }),
         Action::Functions { .. } => Ok(listed::functions()),
     }
@@ -258,16 +262,13 @@ fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> String {
 
 /// The text of a file, or of standard input, and what that is called. A byte order mark is no part of it.
 fn text_of(path: &Path) -> anyhow::Result<(String, String)> {
-    let (name, bytes) = if path == Path::new(STANDARD) {
-        let mut bytes = Vec::new();
-        std::io::stdin().read_to_end(&mut bytes).context("standard input: cannot be read")?;
-        ("standard input".to_owned(), bytes)
+    let (name, bytes) = if path == Path::new(STANDARD_INPUT) {
+        ("standard input".to_owned(), input::standard_input()?)
     } else {
-        let bytes = std::fs::read(path).with_context(|| format!("{}: cannot be read", path.display()))?;
-        (path.display().to_string(), bytes)
+        let wanted = format!("a text file, or {STANDARD_INPUT} for standard input");
+        (shown_path(path), input::file(path, &wanted)?)
     };
-    let text = String::from_utf8(bytes).map_err(|_| anyhow!("{name}: no text; give cards in UTF-8"))?;
-    let text = text.strip_prefix('\u{feff}').map(str::to_owned).unwrap_or(text);
+    let text = input::text(&name, bytes)?;
     Ok((name, text))
 }
 
@@ -281,11 +282,12 @@ fn read(wanted: &DeckArguments) -> anyhow::Result<(String, Deck)> {
             })?;
             (name, listing)
         }
-        (Some(deck), None) if deck == STANDARD || Path::new(deck).exists() => text_of(Path::new(deck))?,
+        (Some(deck), None) if deck == STANDARD_INPUT || Path::new(deck).exists() => text_of(Path::new(deck))?,
         (Some(deck), None) => {
             let own = deck_named(deck).ok_or_else(|| {
                 anyhow!(
-                    "{deck}: no such file, and no deck of this project{}; geneva mimic decks lists them",
+                    "'{}': no such file, and no deck of this project{}; geneva mimic decks lists them",
+                    shown_path(Path::new(deck)),
                     nearest(deck, DECKS.map(|(name, _)| name))
                 )
             })?;
@@ -303,8 +305,10 @@ fn read(wanted: &DeckArguments) -> anyhow::Result<(String, Deck)> {
         let is_parameter = deck.parameters().contains(&set.as_str());
         ensure!(
             is_parameter || deck.set(set, *value),
-            "--set {set}={value}: {name} has no single card without a control variable that defines {set}, and no CON or \
+            "--set {}={}: {name} has no single card without a control variable that defines that name, and no CON or \
              PAR card that names it{}; give another name",
+            shown(set),
+            as_typed(*value),
             nearest(set, deck.parameters().into_iter().chain(deck.results()))
         );
     }
@@ -316,44 +320,61 @@ fn program(name: &str, deck: &Deck) -> anyhow::Result<Program> {
 }
 
 fn run(wanted: &RunArguments) -> anyhow::Result<String> {
-    let reads_both = wanted.data.as_deref() == Some(Path::new(STANDARD))
-        && (wanted.deck.deck.as_deref() == Some(STANDARD)
-            || wanted.deck.listing_in.as_deref() == Some(Path::new(STANDARD)));
+    let reads_both = wanted.data.as_deref() == Some(Path::new(STANDARD_INPUT))
+        && (wanted.deck.deck.as_deref() == Some(STANDARD_INPUT)
+            || wanted.deck.listing_in.as_deref() == Some(Path::new(STANDARD_INPUT)));
     ensure!(!reads_both, "--data -: standard input has the deck already; give a file for one of the two");
     let (name, mut deck) = read(&wanted.deck)?;
     if let Some(path) = &wanted.data {
         let (file, text) = text_of(path)?;
+        ensure!(
+            !text.trim().is_empty() || deck.parameters().is_empty(),
+            "--data {}: {} is empty; give as many numbers as the CON and PAR cards have names, {}",
+            shown_path(path),
+            if path == Path::new(STANDARD_INPUT) { "standard input" } else { "the file" },
+            deck.parameters().len()
+        );
         deck = deck.with_data(&file, &text);
     }
     let program = program(&name, &deck)?;
     let sets = data_sets(wanted, &name, &deck)?;
     let choices = choices(wanted);
-    let all = runs(&program, &sets, &choices).map_err(|RunError { number, trouble }| {
+    let told = |RunError { number, trouble }| {
         let of = if sets.len() > 1 { format!(", run {number} of {}", sets.len()) } else { String::new() };
         anyhow!("{name}{of}: {trouble}")
-    })?;
+    };
+    let all = if let [_] = sets[..] {
+        let _step = progress::step("running the deck");
+        program.runs(&sets, &choices).map_err(told)?
+    } else {
+        let threads = Threads::new(None)?;
+        threads.pool()?.install(|| runs(&program, &sets, &choices, threads.number)).map_err(told)?
+    };
     let _step = progress::step("writing the numbers");
     match wanted.format {
         Format::Json => told::json(&all),
         Format::Csv => told::csv(&all),
         Format::Svg => told::svg(&name, &all),
-        _ => Ok(told::print_outs(&name, &all)),
+        _ => told::print_outs(&name, &all),
     }
 }
 
-/// All runs, as many at a time as there are threads: no more are held than all may come to, and these.
-fn runs(program: &Program, sets: &[DataSet], choices: &Choices) -> Result<Vec<Run>, RunError> {
-    let step =
-        if sets.len() > 1 { progress::bar(sets.len(), "runs", false) } else { progress::step("running the deck") };
+/// All runs, as many at a time as there are threads, which share the memory that one run may have. A run that needs more
+/// of it is made again by itself.
+fn runs(program: &Program, sets: &[DataSet], choices: &Choices, threads: usize) -> Result<Vec<Run>, RunError> {
+    let step = progress::bar(sets.len(), "runs", false);
+    let shared = Choices { at_once: threads.max(1), ..*choices };
     let mut all = Runs::default();
-    for some in sets.chunks(rayon::current_num_threads().max(1)) {
+    for some in sets.chunks(shared.at_once) {
         let run = |set| {
-            let run = program.run(set, choices);
+            let run = program.run(set, &shared);
             step.add(1);
             run
         };
         let made: Vec<_> = some.par_iter().map(run).collect();
-        made.into_iter().try_for_each(|run| all.add(program, run))?;
+        for (set, run) in some.iter().zip(made) {
+            all.add(program, run.or_else(|_| program.run(set, choices)))?;
+        }
     }
     Ok(all.into_inner())
 }
@@ -366,9 +387,10 @@ fn data_sets(wanted: &RunArguments, name: &str, deck: &Deck) -> anyhow::Result<V
         let columns = Hypothesis::as_run().data_card(&rows()[0]).len();
         ensure!(
             names.len() == columns,
-            "--runs appendix-e: {name} has {}; its runs have {columns}: slots, angle at the start, friction, torque, \
-             inertias of follower and driver",
-            count(names.len(), "parameter")
+            "--runs appendix-e: each of these runs gives {columns} numbers (slots, angle at the start, friction, torque, \
+             inertias of follower and driver), and the CON and PAR cards of {name} ask for {}; give a deck that asks for \
+             {columns}, such as escapement",
+            names.len()
         );
         let card = |row| names.iter().cloned().zip(Hypothesis::as_run().data_card(row)).collect();
         rows().iter().map(|row| DataSet(card(row))).collect()

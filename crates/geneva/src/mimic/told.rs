@@ -1,8 +1,13 @@
 //! What is told of a deck and its runs.
 
 use crate::output::{count, heading, wrapped};
+use anyhow::ensure;
 use geneva_mimic::language::{Deck, Program, Run, When, print_out};
 use serde::ser::{Serialize, Serializer};
+use std::io::Write;
+
+/// Most bytes of a print-out: plots have more of them than the numbers that they show.
+const MOST_PRINTED: usize = 64_000_000;
 
 /// That nothing is wrong, and what the deck has.
 pub fn checked(name: &str, deck: &Deck, program: &Program) -> String {
@@ -51,11 +56,22 @@ fn width<'a>(program: &'a Program, part: fn(&'a geneva_mimic::language::Sorted) 
 }
 
 /// The print-outs of all runs.
-pub fn print_outs(name: &str, runs: &[Run]) -> String {
+pub fn print_outs(name: &str, runs: &[Run]) -> anyhow::Result<String> {
     let title =
         |at: usize| if runs.len() > 1 { format!("{name}, run {} of {}", at + 1, runs.len()) } else { name.to_owned() };
-    let pages: Vec<_> = runs.iter().enumerate().map(|(at, run)| print_out(run, &title(at))).collect();
-    pages.join("\n\n")
+    let mut pages = String::new();
+    for (at, run) in runs.iter().enumerate() {
+        pages += if at > 0 { "\n\n" } else { "" };
+        pages += &print_out(run, &title(at));
+        ensure!(
+            pages.len() <= MOST_PRINTED,
+            "{name}: the print-outs of the first {} have more than {} MB, which is the most; give fewer data sets, or \
+             --format csv",
+            count(at + 1, "run"),
+            MOST_PRINTED / 1_000_000
+        );
+    }
+    Ok(pages)
 }
 
 /// A list of names and numbers as a JSON object.
@@ -69,21 +85,28 @@ impl Serialize for Named<'_> {
 
 /// An array of objects, with a row to a line.
 pub fn json(runs: &[Run]) -> anyhow::Result<String> {
-    let mut objects = Vec::new();
-    for run in runs {
-        let rows: Result<Vec<_>, _> = run.rows.iter().map(serde_json::to_string).collect();
-        objects.push(format!(
-            "  {{\n    \"parameters\": {},\n    \"columns\": {},\n    \"steps\": {},\n    \"forced_steps\": {},\n    \
-             \"steps_longer_than_delay\": {},\n    \"rows\": [\n      {}\n    ]\n  }}",
+    // Written in one go: many rows as texts of their own would take several times the memory.
+    let mut page = b"[\n".to_vec();
+    for (at, run) in runs.iter().enumerate() {
+        write!(
+            page,
+            "{}  {{\n    \"parameters\": {},\n    \"columns\": {},\n    \"steps\": {},\n    \"forced_steps\": {},\n    \
+             \"steps_longer_than_delay\": {},\n    \"rows\": [\n      ",
+            if at > 0 { ",\n" } else { "" },
             serde_json::to_string(&Named(&run.parameters))?,
             serde_json::to_string(&run.columns)?,
             run.work.accepted,
             run.work.forced,
             run.longer_than_delay,
-            rows?.join(",\n      ")
-        ));
+        )?;
+        for (at, row) in run.rows.iter().enumerate() {
+            page.extend_from_slice(if at > 0 { b",\n      " } else { b"" });
+            serde_json::to_writer(&mut page, row)?;
+        }
+        page.extend_from_slice(b"\n    ]\n  }");
     }
-    Ok(format!("[\n{}\n]\n", objects.join(",\n")))
+    page.extend_from_slice(b"\n]\n");
+    Ok(String::from_utf8(page)?)
 }
 
 /// A row for each printed point: the run's number and parameters, and the columns.

@@ -127,16 +127,17 @@ fn impossible(wanted: &QuickReturnArguments, error: KinematicsError) -> anyhow::
     let (ground, crank) =
         (format!("--ground {}", as_typed(wanted.ground)), format!("--crank {}", as_typed(wanted.crank)));
     match error {
-        KinematicsError::Angle { name: "lever angle", asked } => {
-            KinematicsError::Angle { name: "--lever-angle", asked }.into()
+        KinematicsError::Angle { name, asked } => {
+            let option = if name == "lever angle" { "--lever-angle" } else { "--crank-angle" };
+            anyhow!("{option} {}: no finite angle; give an angle in degrees", as_typed(asked))
         }
-        KinematicsError::Angle { asked, .. } => KinematicsError::Angle { name: "--crank-angle", asked }.into(),
         KinematicsError::BeyondTheSwing { asked, limit, open } => anyhow!(
             "--lever-angle {}: the lever does not reach it; with {ground} and {crank} it swings {} −{limit}° and \
              {limit}°; give an angle there, or a --crank-angle ({} possible)",
             as_typed(asked),
             if open { "between, but not to," } else { "between" },
             if open { "all but 180° are" } else { "all are" },
+            limit = as_typed(limit),
         ),
         KinematicsError::OnlyFar { .. } => anyhow!(
             "--branch near: with {crank}, at least as long as {ground}, the lever's ray meets the crank's circle in \

@@ -37,9 +37,11 @@ impl Grid {
     /// The one that is wanted.
     pub fn new(wanted: &SweepArguments) -> anyhow::Result<Self> {
         let mechanisms = wanted.slots.iter().map(|count| Mechanism::new(*count)).collect::<Result<Vec<_>, _>>()?;
+        let again = wanted.slots.iter().enumerate().find(|(at, one)| wanted.slots[..*at].contains(one));
         ensure!(
-            mechanisms.iter().enumerate().all(|(at, one)| !mechanisms[..at].contains(one)),
-            "--slots: a number stands there twice; give each once"
+            again.is_none(),
+            "--slots: {} is given twice; give each number once",
+            again.map_or(0, |(_, slots)| *slots)
         );
         let axes =
             [wanted.friction.count(), wanted.inertia_ratio.count(), wanted.torque.count(), mechanisms.len() as u64];

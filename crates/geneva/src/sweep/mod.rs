@@ -10,12 +10,12 @@ use crate::arguments::Output;
 use crate::destination::Destination;
 use crate::fields;
 use crate::output::{count, print};
+use crate::printable::shown_path;
+use crate::threads::Threads;
 use crate::{progress, typed};
-use anyhow::Context;
 use clap::Args;
 use grid::Grid;
 use range::{Range, Spacing};
-use rayon::ThreadPoolBuilder;
 use rayon::prelude::*;
 use row::Status;
 use std::io::IsTerminal;
@@ -61,19 +61,23 @@ const BLOCK: usize = 16;
 /// Blocks that are held before they are written.
 const HELD: usize = 128;
 
-/// Computes and writes the rows that are wanted.
+/// Computes and writes the rows that are wanted, and says where they are.
 pub fn run(wanted: &SweepArguments) -> anyhow::Result<()> {
-    let grid = Grid::new(wanted)?;
-    let threads = wanted.threads.map_or(0, NonZeroUsize::get);
-    let pool = ThreadPoolBuilder::new().num_threads(threads).build();
-    let pool = pool.context("cannot start the threads; give fewer --threads")?;
-    let mut destination = Destination::new(&wanted.to.output)?;
-    let Some(tally) = pool.install(|| write(&grid, &mut destination))? else { return Ok(()) };
-    if let Some(file) = destination.finish()? {
-        let rows = count(grid.rows(), "row");
-        print(&format!("{}: {rows}, {}\n", file.display(), tally.words()))?;
+    match written(wanted)? {
+        Some(told) => print(&told),
+        None => Ok(()),
     }
-    Ok(())
+}
+
+/// Computes and writes the rows; what there is to say if they are in a file.
+pub fn written(wanted: &SweepArguments) -> anyhow::Result<Option<String>> {
+    let grid = Grid::new(wanted)?;
+    let pool = Threads::new(wanted.threads)?.pool()?;
+    let mut destination = Destination::new(&wanted.to.output)?;
+    let Some(tally) = pool.install(|| write(&grid, &mut destination))? else { return Ok(None) };
+    let file = destination.finish()?;
+    let rows = count(grid.rows(), "row");
+    Ok(file.map(|file| format!("{}: {rows}, {}\n", shown_path(&file), tally.words())))
 }
 
 /// All rows, in order; how many of which status, unless the reader has seen enough.

@@ -135,8 +135,9 @@ fn crank_radius(wheel: &AnyWheel, scale: Scale) -> anyhow::Result<f64> {
         Scale::CentreDistance(distance) => match wheel.centre_distance_ratio() {
             Some(ratio) => distance / ratio,
             None => bail!(
-                "--centre-distance {distance}: the axes of a spherical wheel cross, and have no distance; give \
-                 --crank-radius or --wheel-radius"
+                "--centre-distance {}: the axes of a spherical wheel cross, and have no distance; give \
+                 --crank-radius or --wheel-radius",
+                as_typed(distance)
             ),
         },
     })

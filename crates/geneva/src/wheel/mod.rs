@@ -116,8 +116,17 @@ pub struct WheelArguments {
     pub to: Output,
 }
 
+/// Most angles at which the motion is told at once.
+const MOST_INSTANTS: usize = 10_000;
+
 /// The crank angles in degrees at which the motion is to be told.
 fn instants(wanted: &WheelArguments, made: &Made) -> anyhow::Result<Vec<f64>> {
+    let asked = wanted.at.len() + wanted.at_wheel.len();
+    ensure!(
+        asked <= MOST_INSTANTS,
+        "--at and --at-wheel are given {asked} times; at most {MOST_INSTANTS} angles are told at once: give fewer, or none \
+         for --format csv, which has a row for each degree"
+    );
     let wheel = made.wheel.indexing();
     let most = 180.0 / f64::from(wheel.stations());
     let of_the_wheel = wanted.at_wheel.iter().map(|degrees| {

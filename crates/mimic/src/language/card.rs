@@ -2,7 +2,7 @@
 
 use super::control::{STEPS, WORDS};
 use super::expression::{Problems, expected};
-use super::fault::{Problem, nearest_to};
+use super::fault::{Problem, is_unprintable, nearest_to};
 use super::function::function_named;
 use super::token::{Placed, Token, tokens};
 use core::ops::Range;
@@ -87,9 +87,15 @@ pub(super) fn fields(card: &[char], layout: Layout) -> Result<Fields, Problems> 
         return Err(vec![(LONGEST..card.len(), Problem::TooLong { length: card.len(), most: LONGEST })]);
     }
     let (found, problems) = tokens(card, all);
-    // A heading may have any signs.
+    // A heading may have any signs that can be printed.
     let is_heading = found.first().and_then(Placed::name) == Some("HDR");
-    if !problems.is_empty() && !is_heading {
+    let unprintable = || card.iter().enumerate().filter(|(_, sign)| is_unprintable(**sign));
+    if is_heading {
+        let problems: Vec<_> = unprintable().map(|(at, sign)| (at..at + 1, Problem::Sign(*sign))).collect();
+        if !problems.is_empty() {
+            return Err(problems);
+        }
+    } else if !problems.is_empty() {
         return Err(problems);
     }
     if let Some(control) = control_card(&found) {

@@ -1,5 +1,7 @@
 //! Flat code: a list of instructions over a list of registers, run from the first to the last.
 
+use super::trouble::told;
+
 /// What an instruction does. A truth is 1, its opposite 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Operation {
@@ -187,23 +189,24 @@ impl Instruction {
 
     /// What made a number that is none out of numbers, in words.
     pub(super) fn reason(&self, registers: &[f64]) -> String {
-        let [a, b, ..] = self.from.map(|register| registers[register as usize]);
+        let [first, b, ..] = self.from.map(|register| registers[register as usize]);
+        let (a, other) = (told(first), told(b));
         match self.operation {
-            Operation::Divide if b == 0.0 => format!("{a:?} divided by zero"),
-            Operation::Divide => format!("{a:?} divided by {b:?} is too large"),
-            Operation::Remainder => format!("MOD of {a:?} and {b:?}"),
-            Operation::SquareRoot => format!("the square root of {a:?}"),
-            Operation::Logarithm => format!("the logarithm of {a:?}"),
-            Operation::Exponential => format!("e to the power {a:?} is too large"),
-            Operation::Power => format!("{a:?} to the power {b:?}"),
-            Operation::Multiply => format!("{a:?} times {b:?} is too large"),
+            Operation::Divide if b == 0.0 => format!("{a} divided by zero"),
+            Operation::Divide => format!("{a} divided by {other} is too large"),
+            Operation::Remainder => format!("MOD of {a} and {other}"),
+            Operation::SquareRoot => format!("the square root of {a}"),
+            Operation::Logarithm => format!("the logarithm of {a}"),
+            Operation::Exponential => format!("e to the power {a} is too large"),
+            Operation::Power => format!("{a} to the power {other}"),
+            Operation::Multiply => format!("{a} times {other} is too large"),
             Operation::Repeat => format!(
-                "IMP finds no value that its loop gives back: after {b} repetitions it gives back {a:?}, and what goes in \
+                "IMP finds no value that its loop gives back: after {b} repetitions it gives back {a}, and what goes in \
                  and what comes back must agree to {NEAR:e} of their size within {REPEATED} repetitions; begin nearer, or \
                  let it give back the middle of both, such as .5*(X+B)"
             ),
             Operation::Slope => "a difference quotient".to_owned(),
-            _ => format!("a value from {a:?} and {b:?} is too large"),
+            _ => format!("a value from {a} and {other} is too large"),
         }
     }
 }

@@ -8,6 +8,11 @@ use core::ops::Range;
 /// Most runs of one deck.
 const MOST_SETS: usize = 100_000;
 
+/// Most numbers that the data of a deck and all its sets may have.
+pub(super) const MOST_NUMBERS: usize = 500_000;
+/// Most numbers of a data card that are read: more than the names of any CON or PAR card.
+const MOST_ON_A_CARD: usize = super::card::LONGEST;
+
 /// The numbers of one data card, with their columns.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct DataCard {
@@ -34,7 +39,7 @@ impl DataCard {
         let mut numbers = Vec::new();
         let mut at = 0;
         let mut is_empty_place = true;
-        while at < signs.len() {
+        while at < signs.len() && numbers.len() <= MOST_ON_A_CARD {
             let parts = |sign: char| sign.is_whitespace() || sign == ',';
             let start = at;
             while at < signs.len() && !parts(signs[at]) {
@@ -53,7 +58,25 @@ impl DataCard {
                 }
             }
         }
+        numbers.shrink_to_fit();
         Some(Self { card, numbers })
+    }
+
+    /// Reads the cards on numbered lines. It stops when there are more numbers than a deck may have.
+    pub(super) fn read_all<'a>(lines: impl Iterator<Item = (usize, &'a str)>) -> Vec<Self> {
+        let mut numbers = 0;
+        let cards = lines.filter_map(|(number, line)| Self::read(number, line));
+        let bounded = cards.take_while(|card| {
+            let goes_on = numbers <= MOST_NUMBERS;
+            numbers += card.weight();
+            goes_on
+        });
+        bounded.collect()
+    }
+
+    /// How many numbers it counts for.
+    fn weight(&self) -> usize {
+        self.numbers.len().max(1)
     }
 }
 
@@ -61,7 +84,7 @@ impl DataCard {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct DataFile {
     name: String,
-    lines: Vec<String>,
+    text: String,
 }
 
 /// The numbers of one run, each under its name: those of the CON cards, then those of the PAR cards.
@@ -71,8 +94,8 @@ pub struct DataSet(pub Vec<(String, f64)>);
 impl Deck {
     /// Takes the data cards of another text in place of those behind the deck. Faults tell it by its name.
     pub fn with_data(mut self, name: &str, text: &str) -> Self {
-        self.data = text.lines().enumerate().filter_map(|(at, line)| DataCard::read(at + 1, line)).collect();
-        self.data_file = Some(DataFile { name: name.to_owned(), lines: text.lines().map(str::to_owned).collect() });
+        self.data = DataCard::read_all(text.lines().enumerate().map(|(at, line)| (at + 1, line)));
+        self.data_file = Some(DataFile { name: name.to_owned(), text: text.to_owned() });
         self
     }
 
@@ -89,11 +112,25 @@ impl Deck {
     pub fn data_sets(&self) -> Result<Vec<DataSet>, Faults> {
         let (constants, parameters): (Vec<_>, Vec<_>) = self.groups.iter().partition(|group| !group.each_run);
         let mut reader = Reader { deck: self, next: 0 };
+        if self.data.iter().map(DataCard::weight).sum::<usize>() > MOST_NUMBERS {
+            let words =
+                format!("the data have more than {MOST_NUMBERS} numbers up to here, which is the most; part them");
+            return Err(reader.refuse(self.data.len() - 1, 0..1, words));
+        }
+        let names = self.parameters().len();
         let constants = reader.read(&constants)?;
         let mut sets = Vec::new();
         while sets.is_empty() || (!parameters.is_empty() && reader.next < self.data.len()) {
             let own = reader.read(&parameters)?;
             sets.push(DataSet(constants.iter().cloned().chain(own).collect()));
+            let numbers = sets.len() * names;
+            if numbers > MOST_NUMBERS {
+                let words = format!(
+                    "with the CON names in every set, the sets have more than {MOST_NUMBERS} numbers up to here, which is \
+                     the most; part the data"
+                );
+                return Err(reader.refuse(reader.next - 1, 0..1, words));
+            }
             if sets.len() > MOST_SETS {
                 return Err(reader.refuse(reader.next, 0..1, format!("more than {MOST_SETS} sets; part the data")));
             }
@@ -159,8 +196,8 @@ impl Reader<'_> {
                          stand here",
                         group.card
                     );
-                    let line = file.lines.len().max(1);
-                    let end = file.lines.last().map_or(0, |line| line.trim_end().chars().count());
+                    let line = file.text.lines().count().max(1);
+                    let end = file.text.lines().last().map_or(0, |line| line.trim_end().chars().count());
                     self.fault(line, end..end + 1, words)
                 }
             });
@@ -195,7 +232,7 @@ impl Reader<'_> {
         Faults(vec![match &self.deck.data_file {
             None => self.deck.fault(card, columns, problem),
             Some(file) => {
-                let text = card.checked_sub(1).and_then(|at| file.lines.get(at)).cloned().unwrap_or_default();
+                let text = card.checked_sub(1).and_then(|at| file.text.lines().nth(at)).unwrap_or_default().to_owned();
                 Fault { file: Some(file.name.clone()), card, columns, text, problem }
             }
         }])

@@ -100,7 +100,7 @@ impl Deck {
         // From the first sign behind the fields on: parentheses are no part of the nodes.
         let start = [Some(&own.result), own.control.as_ref()].into_iter().flatten().map(|word| word.at.end).max();
         let text: String = text.chars().skip(start.unwrap_or(0)).collect();
-        text.trim_start_matches([' ', '\t', '=']).trim_end().to_owned()
+        text.trim_start_matches([' ', '\t', '=']).trim_end().replace('\t', " ")
     }
 
     /// Defines a name as a number, in place of its card: the only one that defines it, and under no control variable.

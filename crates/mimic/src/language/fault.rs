@@ -21,6 +21,9 @@ pub enum Problem {
         /// The most.
         most: usize,
     },
+    /// More cards than are read.
+    #[error("a deck has at most {0} lines up to its END, and this is one more; shorten it")]
+    TooManyCards(usize),
     /// Parentheses in parentheses without end.
     #[error("parentheses stand more than {0} deep; divide the expression by a further name")]
     TooDeep(usize),
@@ -178,6 +181,13 @@ fn circle(names: &[String]) -> String {
     format!("{}{more} → {first}", names[..names.len().min(MOST)].join(" → "))
 }
 
+/// Whether a printer or a terminal would obey a sign instead of printing it: control characters but the tab, and those
+/// that change the direction of writing.
+pub(super) fn is_unprintable(sign: char) -> bool {
+    let turns = matches!(sign, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    sign != '\t' && sign.is_control() || turns || matches!(sign, '\u{2028}' | '\u{2029}')
+}
+
 /// A problem, and where it is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fault {
@@ -206,8 +216,9 @@ impl fmt::Display for Fault {
         writeln!(f, "{}, column {}: {}", self.card, start + 1, self.problem)?;
         // A card as wide as a page shows the part in question.
         let cut = start.saturating_sub(60);
-        let shown: String =
-            self.text.chars().skip(cut).take(110).map(|sign| if sign == '\t' { ' ' } else { sign }).collect();
+        let shown = self.text.chars().skip(cut).take(110);
+        let shown: String = shown.map(|sign| if is_unprintable(sign) { '\u{fffd}' } else { sign }).collect();
+        let shown = shown.replace('\t', " ");
         let length = self.columns.len().clamp(1, 110 - (start - cut));
         write!(f, "    {}\n    {}{}", shown.trim_end(), " ".repeat(start - cut), "^".repeat(length))
     }

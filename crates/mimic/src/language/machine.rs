@@ -3,7 +3,7 @@
 use super::code::execute;
 use super::origin::Origin;
 use super::program::{Memory, More, Program, State, TIME};
-use super::trouble::Trouble;
+use super::trouble::{Trouble, told};
 use crate::step::Attempt;
 use crate::{Cause, DelayError, DelayLine, Parameters, System};
 use core::cell::Cell;
@@ -24,6 +24,8 @@ pub(super) struct Machine<'a> {
     pub(super) program: &'a Program,
     pub(super) registers: Vec<f64>,
     pub(super) lines: Vec<Line>,
+    /// Most entries that all lines may have memory for.
+    pub(super) room: usize,
     /// What the held registers had at the last point that was kept.
     pub(super) held: Vec<f64>,
     /// The last point that was kept, and how near to it nothing is located.
@@ -51,6 +53,8 @@ pub(super) struct Machine<'a> {
 pub(super) enum Stop {
     Finished,
     Delay(usize, DelayError),
+    /// The memory of all delays is used up.
+    Delays,
     Value(u32),
 }
 
@@ -116,6 +120,9 @@ impl<const D: usize> System<D> for Machine<'_> {
                 line.line.record(time, registers[of.feed as usize]).map_err(|error| Stop::Delay(of.card, error))?;
                 line.last = time;
             }
+        }
+        if self.lines.iter().map(|line| line.line.room()).sum::<usize>() > self.room {
+            return Err(Stop::Delays);
         }
         self.longer_than_delay += u64::from(is_long);
         for sample in &program.samples {
@@ -245,6 +252,10 @@ impl Machine<'_> {
             Cause::System(Stop::Delay(card, error)) => {
                 Trouble::Delay { time, card, text: program.card_text(card), error }
             }
+            Cause::System(Stop::Delays) => {
+                let longest = program.delays.iter().map(|of| self.registers[of.delay as usize]).fold(0.0, f64::max);
+                Trouble::DelaysFull { time, delays: program.delays.len(), longest, most: self.room }
+            }
             Cause::System(Stop::Value(register)) => {
                 let time = self.registers[TIME as usize];
                 Trouble::NonFinite { time, origin: program.origin(&self.registers, register), forced: 0 }
@@ -268,7 +279,7 @@ impl Machine<'_> {
         let program = self.program;
         let longest = parameters.largest_step;
         if longest < parameters.print_interval && 2.0 * time > longest * steps as f64 {
-            let reason = format!("most are as long as DTMAX, {longest:?}, allows");
+            let reason = format!("most are as long as DTMAX, {}, allows", told(longest));
             return Origin { card: 0, text: String::new(), reason };
         }
         // To locate a change takes less than a hundred steps.

@@ -2,6 +2,7 @@
 
 use super::code::Operation;
 use super::program::{Code, Program, TIME};
+use super::trouble::told;
 use core::fmt;
 
 /// The instruction that made it.
@@ -63,7 +64,7 @@ impl Program {
         }
         let value = registers[register as usize];
         let name = self.names.iter().find(|(_, of)| *of == register).map_or("a value", |(name, _)| name.as_str());
-        Origin { card: 0, text: String::new(), reason: format!("{name} is {value:?}") }
+        Origin { card: 0, text: String::new(), reason: format!("{name} is {}", told(value)) }
     }
 }
 

@@ -86,7 +86,7 @@ pub fn line_plot(plot: &Plot, points: &[Vec<f64>]) -> String {
     let across =
         (1..count).map(range).fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (l, h)| (low.min(l), high.max(h)));
     let fitting = |k: usize| if k == 0 { (range(0), DOWN) } else { (across, ACROSS) };
-    let chosen = |k: usize| {
+    let choose = |k: usize| {
         let ((low, high), places) = fitting(k);
         let zero = plot.zero.as_ref().and_then(|zero| zero.get(k).copied()).unwrap_or(low);
         let span = (high - zero) / places as f64;
@@ -94,6 +94,9 @@ pub fn line_plot(plot: &Plot, points: &[Vec<f64>]) -> String {
         let scale = plot.scale.as_ref().and_then(|scale| scale.get(k).copied()).filter(|scale| *scale != 0.0);
         (if zero.is_finite() { zero } else { 0.0 }, scale.unwrap_or(usual))
     };
+    // Once for all points: to find a range, every point is looked at.
+    let scales: Vec<(f64, f64)> = (0..count).map(choose).collect();
+    let chosen = |k: usize| scales[k];
     let place = |k: usize, value: f64, most: f64| {
         let (zero, scale) = chosen(k);
         libm::floor((value - zero) / scale + 0.5).clamp(0.0, most) as usize

@@ -1,6 +1,6 @@
 //! How cards are read into a deck.
 
-use super::card::{Fields, Layout, Word, fields, is_comment};
+use super::card::{Fields, LONGEST, Layout, Word, fields, is_comment};
 use super::control::reserved;
 use super::data::DataCard;
 use super::deck::{Deck, Group, Listed, PlotCards, Statement};
@@ -9,6 +9,12 @@ use super::fault::{Fault, Faults, Problem};
 use super::graph::Graph;
 use super::token::Placed;
 use std::collections::HashSet;
+
+/// Most lines of a deck up to its END, and most faults that are collected.
+const MOST_CARDS: usize = 150_000;
+const MOST_FAULTS: usize = 50_000;
+/// Most lines of a deck and its data that can be shown in a message.
+const MOST_LINES: usize = MOST_CARDS + super::data::MOST_NUMBERS + 1;
 
 impl Deck {
     /// Reads a deck and the data cards behind it.
@@ -29,16 +35,20 @@ impl Deck {
             has_print_card: false,
         };
         let mut ended = false;
-        for (number, line) in text.lines().enumerate() {
-            let card: Vec<char> = line.trim_end().chars().collect();
-            if ended {
-                reading.deck.data.extend(DataCard::read(number + 1, line));
-            } else if is_comment(&card, layout) {
-                reading.note_a_hidden_statement(number + 1, &card, layout);
+        let mut lines = text.lines().enumerate().map(|(at, line)| (at + 1, line));
+        while !ended && let Some((number, line)) = lines.next() {
+            if number > MOST_CARDS {
+                let fault = reading.deck.fault(number, 0..1, Problem::TooManyCards(MOST_CARDS));
+                return Err(Faults(reading.faults.into_iter().chain([fault]).collect()));
+            }
+            let card: Vec<char> = without_page_breaks(line.trim_end()).collect();
+            if is_comment(&card, layout) {
+                reading.note_a_hidden_statement(number, &card, layout);
             } else if !card.iter().all(|sign| sign.is_whitespace()) {
-                ended = reading.card(number + 1, &card, layout);
+                ended = reading.card(number, &card, layout);
             }
         }
+        reading.deck.data = DataCard::read_all(lines);
         reading.whole(ended);
         if !reading.faults.is_empty() {
             reading.add_what_else_is_wrong();
@@ -49,7 +59,7 @@ impl Deck {
 
     fn empty(text: &str) -> Self {
         Self {
-            cards: text.lines().map(str::to_owned).collect(),
+            cards: text.lines().take(MOST_LINES).map(|line| without_page_breaks(line).collect()).collect(),
             statements: Vec::new(),
             groups: Vec::new(),
             finishes: Vec::new(),
@@ -63,6 +73,11 @@ impl Deck {
             hidden_c: None,
         }
     }
+}
+
+/// The signs of a line. A page break, which a copy of a longer text may have, is a blank.
+fn without_page_breaks(line: &str) -> impl Iterator<Item = char> {
+    line.chars().map(|sign| if sign == '\u{c}' { ' ' } else { sign })
 }
 
 /// A deck while it is read.
@@ -81,7 +96,8 @@ struct Reading {
 
 impl Reading {
     fn all(&mut self, card: usize, problems: Problems) {
-        for (columns, problem) in problems {
+        let room = MOST_FAULTS.saturating_sub(self.faults.len());
+        for (columns, problem) in problems.into_iter().take(room) {
             let fault = self.deck.fault(card, columns, problem);
             self.faults.push(fault);
         }
@@ -91,7 +107,7 @@ impl Reading {
     fn card(&mut self, number: usize, card: &[char], layout: Layout) -> bool {
         match fields(card, layout) {
             Err(problems) => {
-                let (tokens, _) = super::token::tokens(card, 0..card.len());
+                let (tokens, _) = super::token::tokens(card, 0..card.len().min(LONGEST));
                 let first = tokens.first().and_then(Placed::name).unwrap_or("");
                 self.seen(first);
                 self.has_lost_output |= first == "OUT";
@@ -206,7 +222,7 @@ impl Reading {
         let text = text.trim();
         match text.strip_prefix('(').and_then(|text| text.strip_suffix(')')) {
             Some(inside) => {
-                self.deck.headings.push(inside.split(',').map(|word| word.trim().to_owned()).collect());
+                self.deck.headings.push(inside.split(',').map(|word| word.trim().replace('\t', " ")).collect());
                 self.headings.push((card, word.clone()));
             }
             None => {

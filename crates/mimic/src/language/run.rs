@@ -5,19 +5,24 @@ use super::data::DataSet;
 use super::deck::Plot;
 use super::machine::{Line, Machine, Stop};
 use super::program::{Delay, FIRST_STEP, PlotCode, Program};
-use super::trouble::{RunError, Trouble};
+use super::trouble::{RunError, Trouble, told};
 use crate::{Cause, DelayLine, Extrapolation, IntegrationError, Interpolation, Parameters, Work};
 use core::cell::Cell;
 use nalgebra::SVector;
 
 /// Most printed rows of a run.
 const MOST_ROWS: f64 = 1e6;
-/// Most steps of all integrals together.
+/// Most steps of a run, counted once for each integral and each delay.
 const MOST_WORK: u64 = 100_000_000;
-/// The same of all runs of a deck, and most numbers that all of them print: they are held in memory, and make some
-/// hundred megabytes of text.
+/// Most steps of all runs of a deck, counted in the same way.
 const MOST_WORK_OF_ALL: u64 = 300_000_000;
-const MOST_NUMBERS: u64 = 10_000_000;
+/// Most numbers that all runs of a deck print: they are held in memory, and so is the text that they make, some sixty
+/// megabytes.
+const MOST_NUMBERS: u64 = 3_000_000;
+/// How many rows the names of a run's columns count for: each run holds its own.
+const NAMES_AS_ROWS: usize = 8;
+/// Most values that all delays of a run have room for: eighty megabytes, and as much again for a moment when one grows.
+const MOST_REMEMBERED: usize = 5_000_000;
 /// Most integrals of a program, and most delays.
 const MOST_STATES: usize = 1024;
 const MOST_DELAYS: usize = 256;
@@ -46,6 +51,10 @@ pub struct Choices {
     pub extrapolation: Extrapolation,
     /// Which values a delay keeps. Default: all.
     pub remembered: RememberedPoints,
+    /// How many runs are made at the same time and share the memory for printed rows and for delays. Default: 1. A run
+    /// that has too little of it is refused, and may succeed by itself; the numbers of a run that succeeds do not depend
+    /// on it.
+    pub at_once: usize,
 }
 
 impl Default for Choices {
@@ -56,6 +65,7 @@ impl Default for Choices {
             interpolation: Interpolation::Linear,
             extrapolation: Extrapolation::Hold,
             remembered: RememberedPoints::All,
+            at_once: 1,
         }
     }
 }
@@ -100,11 +110,16 @@ impl Runs {
         let number = self.runs.len() + 1;
         let refused = |trouble| RunError { number, trouble };
         let run = run.map_err(refused)?;
-        self.numbers += (run.rows.len() * program.numbers_in_a_row()) as u64;
-        self.work += (run.work.accepted + run.work.rejected) * program.states.len().max(1) as u64;
+        self.numbers += ((run.rows.len() + NAMES_AS_ROWS) * program.numbers_in_a_row()) as u64;
+        self.work += (run.work.accepted + run.work.rejected) * program.parts_of_a_step();
         for (asked, most, what, way_out) in [
-            (self.numbers, MOST_NUMBERS, "numbers to print", "a longer DT, fewer names on OUT and PLO cards"),
-            (self.work, MOST_WORK_OF_ALL, "steps of integrals", "a larger tolerance"),
+            (
+                self.numbers,
+                MOST_NUMBERS,
+                "numbers to print, with the headings counted as 8 rows",
+                "a longer DT, fewer names on OUT and PLO cards",
+            ),
+            (self.work, MOST_WORK_OF_ALL, "steps of integrals and delays", "a larger tolerance"),
         ] {
             if number > 1 && asked > most {
                 return Err(refused(Trouble::TooMuch { runs: number, what, asked, most, way_out }));
@@ -140,10 +155,15 @@ impl Program {
         self.outputs.iter().map(Vec::len).sum::<usize>() + plotted + self.parameters.len()
     }
 
-    /// Most printed rows of a run.
-    fn most_rows(&self) -> f64 {
-        let each = self.numbers_in_a_row().max(1) as u64;
+    /// Most printed rows of a run that is one of so many at a time.
+    fn most_rows(&self, at_once: usize) -> f64 {
+        let each = (self.numbers_in_a_row() * at_once).max(1) as u64;
         ((MOST_NUMBERS / each).max(1) as f64).min(MOST_ROWS)
+    }
+
+    /// How much a step costs: its integrals and its delays.
+    fn parts_of_a_step(&self) -> u64 {
+        (self.states.len() + self.delays.len()).max(1) as u64
     }
 
     /// Runs the program with one set of numbers.
@@ -192,6 +212,7 @@ impl Program {
         let mut machine = Machine {
             program: self,
             lines: self.lines(&registers, choices)?,
+            room: MOST_REMEMBERED / choices.at_once.max(1),
             registers,
             held,
             kept: (0.0, Vec::new()),
@@ -271,35 +292,48 @@ impl Program {
             }
         }
         if smallest > largest {
-            let (_, has_card) = self.steps[1];
-            let without = if has_card { "" } else { "; without a card it is DT over 2 to the power 30: add one" };
-            return refused("DTMIN", smallest, format!("it must not be above DTMAX, which is {largest:?}{without}"));
+            let [_, (_, has_least), (_, has_most)] = self.steps;
+            let way_out = match (has_least, has_most) {
+                (false, _) => {
+                    "; without a card DTMIN is DT over 2 to the power 30: add a DTMIN card, or give a longer DTMAX"
+                }
+                (_, true) => "; give a smaller DTMIN or a longer DTMAX",
+                (_, false) => ", the value of DT, without a card; give a smaller DTMIN or a longer DT",
+            };
+            return refused(
+                "DTMIN",
+                smallest,
+                format!("it must not be above DTMAX, which is {}{way_out}", told(largest)),
+            );
         }
         let mut end: Option<f64> = None;
         for finish in self.finishes.iter().filter(|finish| finish.is_run_length) {
             let value = registers[finish.limit as usize];
-            if !(value > 0.0 && value / interval <= self.most_rows()) {
+            let most_rows = self.most_rows(choices.at_once);
+            if !(value > 0.0 && value / interval <= most_rows) {
                 let (card, text) = (finish.card, self.card_text(finish.card));
-                let (most, numbers) = (self.most_rows() as u64, self.numbers_in_a_row());
+                let (most, numbers) = (most_rows as u64, self.numbers_in_a_row());
                 return Err(Trouble::RunLength { card, text, value, most, numbers });
             }
             end = Some(end.map_or(value, |end| end.min(value)));
         }
-        // A step with many integrals takes longer.
-        let most_steps = (MOST_WORK / self.states.len().max(1) as u64).min(choices.integrator.most_steps);
+        // A step with many integrals or delays takes longer.
+        let most_steps = (MOST_WORK / self.parts_of_a_step()).min(choices.integrator.most_steps);
         // Another FIN may end the run before so many steps are made.
         let (longest, name) = if largest < interval { (largest, "DTMAX") } else { (interval, "DT") };
         if let Some(end) = end.filter(|end| end / longest > most_steps as f64)
             && self.finishes.iter().all(|finish| finish.is_run_length)
         {
             let allowed = format!(
-                "to the end at T = {end:?} there would be more than {most_steps} steps, which is the most; give a longer \
-                 {name} or an earlier FIN"
+                "to the end at T = {} there would be more than {most_steps} steps, which is the most{}; give a \
+                 longer {name} or an earlier FIN",
+                told(end),
+                self.what_steps_have(choices)
             );
             return refused(name, longest, allowed);
         }
         // A run whose end is not known before goes on until a value stops it, or rows without end do.
-        let run_length = end.unwrap_or(interval * (most_steps as f64).min(self.most_rows()));
+        let run_length = end.unwrap_or(interval * (most_steps as f64).min(self.most_rows(choices.at_once)));
         let parameters = Parameters {
             most_steps,
             print_interval: interval,
@@ -310,6 +344,14 @@ impl Program {
             ..choices.integrator
         };
         Ok((parameters, end.is_some()))
+    }
+
+    /// Why a run has fewer steps than any may have, in words; empty if it has as many.
+    fn what_steps_have(&self, choices: &Choices) -> String {
+        if MOST_WORK / self.parts_of_a_step() >= choices.integrator.most_steps {
+            return String::new();
+        }
+        format!(" with {} and {}", counted(self.states.len(), "integral"), counted(self.delays.len(), "TDL"))
     }
 
     fn lines(&self, registers: &[f64], choices: &Choices) -> Result<Vec<Line>, Trouble> {
@@ -357,6 +399,11 @@ impl Program {
     }
 }
 
+/// "1 integral", "2 integrals".
+fn counted(number: usize, thing: &str) -> String {
+    format!("{number} {thing}{}", if number == 1 || thing == "TDL" { "" } else { "s" })
+}
+
 fn plot_of(plot: &PlotCode, registers: &[f64]) -> Plot {
     let values = |of: &Option<Vec<u32>>| of.as_ref().map(|of| of.iter().map(|at| registers[*at as usize]).collect());
     Plot {
@@ -373,18 +420,18 @@ mod tests {
 
     #[test]
     fn all_runs_have_so_many_steps_together() {
-        let deck =
-            Deck::read(" X INT(1.,0.)\n Y INT(X,0.)\n OUT(T)\n FIN(T,.1)\n END\n", Layout::Free).expect("a deck");
-        let program = Program::new(&deck).expect("a program");
+        // Two integrals and two delays: a step counts four times.
+        let text = " X INT(1.,0.)\n Y INT(X,0.)\n A TDL(X,.1)\n B TDL(X,.2)\n OUT(T)\n FIN(T,.1)\n END\n";
+        let program = Program::new(&Deck::read(text, Layout::Free).expect("a deck")).expect("a program");
         let made = program.run(&DataSet::default(), &Choices::default()).expect("it runs");
-        let half = Work { accepted: MOST_WORK_OF_ALL / 8, rejected: MOST_WORK_OF_ALL / 8, ..made.work };
+        let half = Work { accepted: MOST_WORK_OF_ALL / 16, rejected: MOST_WORK_OF_ALL / 16, ..made.work };
         let mut runs = Runs::default();
         for _ in 0..2 {
             runs.add(&program, Ok(Run { work: half, ..made.clone() })).expect("as many as can be");
         }
         let told = runs.add(&program, Ok(made)).expect_err("more than can be").to_string();
         assert!(
-            told.contains("the first 3 data sets come to 30000000") && told.contains("steps of integrals;"),
+            told.contains("the first 3 data sets come to 30000000") && told.contains("steps of integrals and delays;"),
             "{told}"
         );
         assert_eq!(runs.into_inner().len(), 2);

@@ -1,6 +1,6 @@
 //! What stands on a card: names, numbers and signs, each with its columns.
 
-use super::fault::Problem;
+use super::fault::{Problem, is_unprintable};
 use core::ops::Range;
 
 /// A name, a number or a sign.
@@ -55,7 +55,7 @@ pub(super) fn tokens(card: &[char], columns: Range<usize>) -> (Vec<Placed>, Vec<
     let end = columns.end.min(card.len());
     while at < end {
         let sign = card[at];
-        if sign.is_whitespace() {
+        if sign.is_whitespace() && !is_unprintable(sign) {
             at += 1;
             continue;
         }

@@ -24,7 +24,7 @@ pub enum Trouble {
         most: usize,
     },
     /// DT, DTMIN or DTMAX out of their ranges.
-    #[error("{name} is {value:?}: {allowed}")]
+    #[error("{name} is {}: {allowed}", told(*.value))]
     Step {
         /// Which.
         name: &'static str,
@@ -36,7 +36,8 @@ pub enum Trouble {
     /// A run that ends before it begins, or too late.
     #[error(
         "card {card} ({text}): the run would end at T = {value}; it must be above zero, and at most {most} DT away \
-         (numbers in a row: {numbers}); give a longer DT, another FIN or fewer names on OUT and PLO cards"
+         (numbers in a row: {numbers}); give a longer DT, another FIN or fewer names on OUT and PLO cards",
+        value = told(*.value)
     )]
     RunLength {
         /// The FIN card.
@@ -51,7 +52,7 @@ pub enum Trouble {
         numbers: usize,
     },
     /// A value that is no number.
-    #[error("at T = {time}: {origin}{}", after_forced(*.forced))]
+    #[error("at T = {}: {origin}{}{}", told(*.time), after_forced(*.forced), way_out(*.time, origin))]
     NonFinite {
         /// When, in the unit of T.
         time: f64,
@@ -63,7 +64,9 @@ pub enum Trouble {
     /// A step that would have to be smaller than DTMIN.
     #[error(
         "at T = {time}: card {card} ({text}) changes too quickly: with a step of {step} the error of {name} is {excess:.1} \
-         times what is allowed; give a smaller DTMIN or a larger tolerance, or let such steps be kept"
+         times what is allowed; give a smaller DTMIN or a larger tolerance, or let such steps be kept",
+        time = told(*.time),
+        step = told(*.step)
     )]
     StepTooSmall {
         /// When, in the unit of T.
@@ -82,7 +85,8 @@ pub enum Trouble {
     /// Too many steps.
     #[error(
         "at T = {time}: {steps} steps are made and FIN is not reached; {origin}; give a larger tolerance, DTMIN, DTMAX \
-         or gap between switching on and off, or an earlier FIN"
+         or gap between switching on and off, or an earlier FIN",
+        time = told(*.time)
     )]
     TooManySteps {
         /// When, in the unit of T.
@@ -95,7 +99,8 @@ pub enum Trouble {
     /// The limit of printed rows is reached.
     #[error(
         "at T = {time}: {rows} rows are printed and FIN is not reached; give a longer DT or an earlier FIN, or print \
-             fewer names"
+             fewer names",
+        time = told(*.time)
     )]
     TooManyRows {
         /// When, in the unit of T.
@@ -104,7 +109,7 @@ pub enum Trouble {
         rows: u64,
     },
     /// A delay that does not work.
-    #[error("at T = {time}: card {card} ({text}): {error}")]
+    #[error("at T = {time}: card {card} ({text}): {error}", time = told(*.time))]
     Delay {
         /// When, in the unit of T.
         time: f64,
@@ -119,7 +124,9 @@ pub enum Trouble {
     #[error(
         "at T = {time}: card {card} ({text}): within the delay of {delay} there are more than {capacity} kept steps, and \
          as many values are remembered; give a larger tolerance or DTMIN, or let the delay keep as many values as its \
-         third argument says (--delay-keeps as-asked)"
+         third argument says (--delay-keeps as-asked)",
+        time = told(*.time),
+        delay = told(*.delay)
     )]
     DelayFull {
         /// When, in the unit of T.
@@ -132,6 +139,24 @@ pub enum Trouble {
         capacity: usize,
         /// The delay, in the unit of T.
         delay: f64,
+    },
+    /// The delays of a run remember more values than there is room for.
+    #[error(
+        "at T = {time}: {delays} TDL, the longest of which goes back by {longest}, need room for more than {most} values, \
+         which is the most; give fewer or shorter delays, longer steps (DTMAX or DT) or an earlier FIN, or let each \
+         delay keep as many values as its third argument says (--delay-keeps as-asked)",
+        time = told(*.time),
+        longest = told(*.longest)
+    )]
+    DelaysFull {
+        /// When, in the unit of T.
+        time: f64,
+        /// How many delays there are.
+        delays: usize,
+        /// The longest delay, in the unit of T.
+        longest: f64,
+        /// The most values.
+        most: usize,
     },
     /// All runs of a deck come to more than one answer can hold.
     #[error(
@@ -162,6 +187,22 @@ impl Trouble {
             Self::NonFinite { time, origin, .. } => Self::NonFinite { time, origin, forced: steps },
             other => other,
         }
+    }
+}
+
+/// A number in a message: eight significant digits, and a power of ten rather than a row of zeros.
+pub(super) fn told(value: f64) -> String {
+    let rounded: f64 = format!("{value:.7e}").parse().unwrap_or(value);
+    let text = format!("{rounded:?}");
+    text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
+}
+
+/// What to do about a value that is no number, where its origin does not say.
+fn way_out(time: f64, origin: &Origin) -> &'static str {
+    match time {
+        _ if origin.reason.contains("; ") => "",
+        0.0 => "; give other numbers on the cards or as data",
+        _ => "; give other numbers on the cards or as data, or end the run earlier with FIN",
     }
 }
 

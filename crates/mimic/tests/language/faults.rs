@@ -217,3 +217,21 @@ fn a_card_that_cannot_be_read_is_not_missing() {
     }
     assert!(faults_of(" X 1.\n").matches("the deck has no").count() == 3);
 }
+
+#[test]
+fn signs_that_a_terminal_obeys_are_refused_on_every_card() {
+    let cards = |card: &str| format!(" A 1.\n{card}\n OUT(T)\n FIN(T,1.)\n END\n");
+    for sign in ['\u{1b}', '\u{7}', '\0', '\u{7f}', '\u{9b}', '\u{b}', '\u{85}', '\u{202e}', '\u{2066}', '\u{2028}'] {
+        for card in [format!(" HDR({sign}[31mBAD)"), format!(" B{sign} 2."), format!(" OUT({sign}A)")] {
+            let told = faults_of(&cards(&card));
+            assert!(told.contains(&format!("the sign {sign:?} means nothing on a card")), "{card:?}: {told:?}");
+            // The quoted card keeps its columns, and nothing reaches a terminal.
+            assert!(!told.contains(sign) && told.contains('\u{fffd}'), "{told:?}");
+        }
+        // What cannot be read as a number is told in the same way.
+        let data = deck(&format!(" PAR(A)\n OUT(A)\n FIN(T,1.)\n END\n1{sign}2\n")).data_sets();
+        assert!(data.is_err_and(|faults| !faults.to_string().contains(sign)) || sign.is_whitespace(), "{sign:?}");
+    }
+    // Other letters are words of a heading, and a page break of a longer text is a blank.
+    assert!(Deck::read(" HDR(Zeit °)\n OUT(T)\n\u{c} FIN(T,1.)\n END\n", Layout::Free).is_ok());
+}

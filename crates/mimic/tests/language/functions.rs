@@ -158,7 +158,7 @@ fn an_implicit_value_is_the_one_that_its_loop_gives_back() {
     assert!((found - libm::cos(found + 0.7)).abs() <= 1e-12, "{found}");
     let program = super::program(" X IMP(0.,1.-X)\n OUT(X)\n FIN(T,.1)\n END\n");
     let told = program.run(&DataSet::default(), &Choices::default()).expect_err("no value").to_string();
-    let words = "after 1000 repetitions it gives back 0.0, and what goes in and what comes back must agree to 1e-12";
+    let words = "after 1000 repetitions it gives back 0, and what goes in and what comes back must agree to 1e-12";
     assert!(told.contains(words) && told.contains("begin nearer"), "{told}");
     let told = super::told(" X IMP(X,COS(X))\n OUT(X)\n FIN(T,.1)\n END\n");
     assert!(told.contains("begins with a number, or a name that its loop does not change"), "{told}");

@@ -1,7 +1,7 @@
 //! Running: when a run ends, what is printed, how steps are set, and what stops it.
 
 use super::{deck, own, program, runs};
-use geneva_mimic::language::{Choices, DataSet, Program, Run, Trouble, print_out};
+use geneva_mimic::language::{Choices, DataSet, Plot, Program, RememberedPoints, Run, Trouble, line_plot, print_out};
 use geneva_mimic::{AtSmallestStep, Kept, Parameters};
 
 #[track_caller]
@@ -72,20 +72,14 @@ fn a_tolerance_costs_steps_and_gives_accuracy() {
 fn what_stops_a_run_is_told_with_card_and_time() {
     for (text, words) in [
         // From the start on, at a point, on the way, in a chain of cards, and only where it is taken.
-        (
-            " A 0.\n X INT(1./A,0.)\n OUT(X)\n FIN(T,1.)\n END\n",
-            "at T = 0: card 2 (X INT(1./A,0.)): 1.0 divided by zero",
-        ),
-        (" Y SIN(T)/T\n OUT(Y)\n FIN(T,1.)\n END\n", "at T = 0: card 1 (Y SIN(T)/T): 0.0 divided by zero"),
-        (" Y 1./(T-.5)\n Z Y+1.\n OUT(Z)\n FIN(T,1.)\n END\n", "at T = 0.5: card 1 (Y 1./(T-.5)): 1.0 divided by zero"),
+        (" A 0.\n X INT(1./A,0.)\n OUT(X)\n FIN(T,1.)\n END\n", "at T = 0: card 2 (X INT(1./A,0.)): 1 divided by zero"),
+        (" Y SIN(T)/T\n OUT(Y)\n FIN(T,1.)\n END\n", "at T = 0: card 1 (Y SIN(T)/T): 0 divided by zero"),
+        (" Y 1./(T-.5)\n Z Y+1.\n OUT(Z)\n FIN(T,1.)\n END\n", "at T = 0.5: card 1 (Y 1./(T-.5)): 1 divided by zero"),
         (" Y SQR(.55-T)\n OUT(T,Y)\n FIN(T,1.)\n END\n", "card 1 (Y SQR(.55-T)): the square root of -0.0"),
-        (" Y LOG(-1.-T)\n OUT(Y)\n FIN(T,1.)\n END\n", "the logarithm of -1.0"),
+        (" Y LOG(-1.-T)\n OUT(Y)\n FIN(T,1.)\n END\n", "the logarithm of -1; give other numbers"),
         (" Y FSW(T-1.,0.,0.,1.)/T\n OUT(Y)\n FIN(T,1.)\n END\n", "at T = 0: card 1"),
         (" X INT(X**2,1.)\n OUT(X)\n FIN(T,2.)\n END\n", "card 1 (X INT(X**2,1.))"),
-        (
-            " X INT(1.,1./B)\n B 0.\n OUT(X)\n FIN(T,1.)\n END\n",
-            "at T = 0: card 1 (X INT(1.,1./B)): 1.0 divided by zero",
-        ),
+        (" X INT(1.,1./B)\n B 0.\n OUT(X)\n FIN(T,1.)\n END\n", "at T = 0: card 1 (X INT(1.,1./B)): 1 divided by zero"),
         (" X FTR(1.,B)\n B 0.\n OUT(X)\n FIN(T,1.)\n END\n", "card 1 (X FTR(1.,B))"),
     ] {
         let told = trouble(text);
@@ -93,7 +87,7 @@ fn what_stops_a_run_is_told_with_card_and_time() {
     }
     // Of two definitions it is the one that counts at the time.
     let text = " L FSW(T-.3,TRUE,TRUE,FALSE)\n M NOT(L)\n L Y 1./(T-.2)\n M Y 2.\n OUT(Y)\n FIN(T,1.)\n END\n";
-    assert!(trouble(text).contains("at T = 0.2: card 3 (L Y 1./(T-.2)): 1.0 divided by zero"), "{}", trouble(text));
+    assert!(trouble(text).contains("at T = 0.2: card 3 (L Y 1./(T-.2)): 1 divided by zero"), "{}", trouble(text));
     // A branch that is not taken may be what it likes.
     let text = " Y FSW(T,0.,0.,SIN(T)/T)\n OUT(Y)\n FIN(T,1.)\n END\n";
     assert!(runs(text)[0].rows.iter().all(|row| row[0].is_finite()));
@@ -119,15 +113,18 @@ fn a_step_below_dtmin_stops_a_run_that_is_to_be_stopped() {
 #[test]
 fn what_cannot_be_run_is_refused() {
     for (text, words) in [
-        (" DT -1.\n OUT(T)\n FIN(T,1.)\n END\n", "DT is -1.0: it must be above zero"),
-        (" DTMIN 1.\n DTMAX .5\n OUT(T)\n FIN(T,1.)\n END\n", "DTMIN is 1.0: it must not be above DTMAX, which is 0.5"),
+        (" DT -1.\n OUT(T)\n FIN(T,1.)\n END\n", "DT is -1: it must be above zero"),
+        (
+            " DTMIN 1.\n DTMAX .5\n OUT(T)\n FIN(T,1.)\n END\n",
+            "DTMIN is 1: it must not be above DTMAX, which is 0.5; give a smaller DTMIN or a longer DTMAX",
+        ),
         (
             " DTMAX 1.E-12\n OUT(T)\n FIN(T,1.)\n END\n",
-            "must not be above DTMAX, which is 1e-12; without a card it is DT over 2 to the power 30: add one",
+            "must not be above DTMAX, which is 1e-12; without a card DTMIN is DT over 2 to the power 30: add a DTMIN card",
         ),
         (
             " X INT(1.,0.)\n DTMAX 1.E-9\n OUT(T)\n FIN(T,1.)\n END\n",
-            "DTMAX is 1e-9: to the end at T = 1.0 there would be more than 10000000 steps, which is the most; give a \
+            "DTMAX is 1e-9: to the end at T = 1 there would be more than 10000000 steps, which is the most; give a \
              longer DTMAX or an earlier FIN",
         ),
         (
@@ -138,6 +135,15 @@ fn what_cannot_be_run_is_refused() {
             " X INT(-X,1.)\n DTMAX 1.E-9\n OUT(T,X)\n FIN(-X,1.)\n END\n",
             "10000000 steps are made and FIN is not reached; most are as long as DTMAX, 1e-9, allows; give a larger",
         ),
+        (
+            " DTMIN 5.4\n OUT(T)\n FIN(T,1.)\n END\n",
+            "DTMIN is 5.4: it must not be above DTMAX, which is 0.1, the value of DT, without a card; give a smaller DTMIN or",
+        ),
+        (
+            " X 1.E300*(T+1.E10)\n OUT(X)\n FIN(T,1.)\n END\n",
+            "1e300 times 10000000000 is too large; give other numbers on the cards or as data",
+        ),
+        (" OUT(T)\n FIN(T,-1.E-300)\n END\n", "the run would end at T = -1e-300; it must be above zero"),
         (" OUT(T)\n FIN(T,0.)\n END\n", "card 2 (FIN(T,0.)): the run would end at T = 0"),
         (" OUT(T)\n FIN(T,1.E9)\n END\n", "at most 1000000 DT away (numbers in a row: 1); give a longer DT"),
         (" X TDL(T,-1.)\n OUT(X)\n FIN(T,1.)\n END\n", "card 1 (X TDL(T,-1.)): delay -1.0"),
@@ -163,19 +169,19 @@ fn what_cannot_be_run_is_refused() {
 
 #[test]
 fn all_runs_together_have_a_bound_too() {
-    let text = " PAR(A)\n X A\n DT 1.E-6\n OUT(T,X,X,X)\n PLO(T,X)\n FIN(T,.8)\n END\n1.\n2.\n3.\n";
+    let text = " PAR(A)\n X A\n DT 1.E-6\n OUT(T,X,X,X)\n PLO(T,X)\n FIN(T,.25)\n END\n1.\n2.\n3.\n";
     let told = trouble(text);
     for words in [
-        "data set 2: the first 2 data sets come to 11200014 numbers to print; all together can come to 10000000",
+        "data set 2: the first 2 data sets come to 3500126 numbers to print, with the headings counted as 8 rows; all together can come to 3000000",
         "give fewer data sets, a longer DT, fewer names",
     ] {
         assert!(told.contains(words), "{told}");
     }
     // A run by itself has fewer rows the more it prints.
     let wide = text.replace("OUT(T,X,X,X)", &format!("OUT(T{})", ",X".repeat(96)));
-    assert!(trouble(&wide).contains("at most 100000 DT away (numbers in a row: 100)"), "{}", trouble(&wide));
+    assert!(trouble(&wide).contains("at most 30000 DT away (numbers in a row: 100)"), "{}", trouble(&wide));
     let open = wide.replace("FIN(T", "FIN(X-X+T");
-    assert!(trouble(&open).contains("100000 rows are printed and FIN is not reached"), "{}", trouble(&open));
+    assert!(trouble(&open).contains("30000 rows are printed and FIN is not reached"), "{}", trouble(&open));
 }
 
 #[test]
@@ -297,4 +303,51 @@ fn what_grows_without_bound_is_named() {
     assert!(told.contains("is too large") || told.contains("X has grown without bound"), "{told}");
     let told = trouble(" X FTR(T,0.)\n OUT(T,X)\n FIN(T,2.)\n END\n");
     assert!(told.contains("X has a time constant of zero"), "{told}");
+}
+
+#[test]
+fn a_deck_with_many_delays_is_held_to_a_number_of_steps_and_of_values() {
+    let deck = |delays: usize, dtmax: &str, more: &str| {
+        let cards: String = (0..delays).map(|number| format!(" Q{number} TDL(X,1000.{more})\n")).collect();
+        format!(" DT 1.\n DTMAX {dtmax}\n X INT(1.,0.)\n{cards} OUT(T,X)\n FIN(T,10.)\n END\n")
+    };
+    // More steps than so many delays may have are refused before the run.
+    let told = trouble(&deck(256, "1.E-5", ""));
+    for words in ["DTMAX is 1e-5", "more than 389105 steps", "with 1 integral and 256 TDL; give a longer DTMAX or an"] {
+        assert!(told.contains(words), "{told}");
+    }
+    // As many as are allowed need more room than there is.
+    let told = trouble(&deck(256, "5.E-5", ""));
+    for words in ["256 TDL, the longest of which goes back by 1000, need room for more than 5000000 values", "fewer or"]
+    {
+        assert!(told.contains(words), "{told}");
+    }
+    let program = program(&deck(20, "5.E-5", ",100."));
+    let few = Choices { remembered: RememberedPoints::AsAsked, ..Choices::default() };
+    assert!(program.run(&DataSet::default(), &few).is_ok_and(|run| run.work.accepted >= 200_000));
+}
+
+#[test]
+fn runs_at_the_same_time_share_the_memory() {
+    let usual = Choices::default();
+    let shared = Choices { at_once: 1000, ..usual };
+    let set = DataSet::default();
+    let small = program(" A TDL(T*T,1.)\n OUT(T,A)\n FIN(T,2.)\n END\n");
+    assert_eq!(small.run(&set, &shared), small.run(&set, &usual));
+    let long = program(" A TDL(T*T,1.)\n DT 1.\n DTMAX .00002\n OUT(T,A)\n FIN(T,2.)\n END\n");
+    let told = long.run(&set, &shared).expect_err("no room").to_string();
+    assert!(told.contains("need room for more than 5000 values"), "{told}");
+    let rows = program(" A 1.\n DT 1.E-3\n OUT(T,A)\n FIN(T,10.)\n END\n");
+    assert!(rows.run(&set, &shared).is_err_and(|trouble| trouble.to_string().contains("at most 1500 DT away")));
+    assert!(rows.run(&set, &usual).is_ok());
+}
+
+#[test]
+fn a_plot_of_many_points_is_drawn_at_once() {
+    let points: Vec<Vec<f64>> = (0..200_000).map(|number| vec![f64::from(number), 1.0]).collect();
+    let plot = Plot { names: vec!["T".to_owned(), "X".to_owned()], scale: None, zero: None };
+    // Each point used to look at all others: minutes.
+    let start = std::time::Instant::now();
+    assert!(line_plot(&plot, &points).lines().count() > 50);
+    assert!(start.elapsed().as_secs() < 10);
 }

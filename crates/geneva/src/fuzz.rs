@@ -1,0 +1,198 @@
+//! Random command lines: whatever is typed, there is an answer or a refusal in words, and no panic.
+//!
+//! The options come from the parser itself, so a new one is tried without being named here. `GENEVA_FUZZ` says how many
+//! lines are tried, and `GENEVA_FUZZ_SEED` which.
+
+use crate::arguments::{self, Arguments, Command};
+use crate::printable::is_obeyed;
+use crate::{claims, completions, coverage, errata, escapement, mimic, quick_return, sweep, wheel};
+use anstream::adapter::strip_str;
+use clap::CommandFactory;
+use geneva_ledger::Work;
+use geneva_mimic::language::DECKS;
+use std::ffi::OsString;
+
+/// Numbers that look random and are the same everywhere.
+struct Dice(u64);
+
+impl Dice {
+    fn below(&mut self, most: usize) -> usize {
+        // Marsaglia's xorshift.
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        ((self.0 >> 11) % most.max(1) as u64) as usize
+    }
+
+    fn pick<T: Clone>(&mut self, all: &[T]) -> T {
+        all[self.below(all.len())].clone()
+    }
+}
+
+/// A number that the environment gives, or a usual one.
+fn given(variable: &str, usual: u64) -> u64 {
+    std::env::var(variable).map_or(usual, |text| text.parse().unwrap_or_else(|_| panic!("{variable}={text}")))
+}
+
+/// Values that are seldom right, and those of other options.
+const STRANGE: [&str; 36] = [
+    "",
+    " ",
+    "0",
+    "-0",
+    "-1",
+    "1e-30",
+    "1e30",
+    "1e31",
+    "1e-31",
+    "1e308",
+    "1e309",
+    "1e-320",
+    "nan",
+    "-inf",
+    "−7",
+    "0,3",
+    "1e",
+    "0x10",
+    "-",
+    "--",
+    "?",
+    "A=1",
+    "=",
+    "T=1e300",
+    "1:2",
+    "1:2:10000001",
+    "0:1:3:log",
+    ":::",
+    "4,4",
+    "3,,6",
+    "x\u{1b}[31m",
+    "\u{7}",
+    "\u{202e}",
+    "a\nb",
+    "９",
+    "/",
+];
+
+/// Values that are often right.
+const USUAL: [&str; 16] =
+    ["3", "4", "6", "8", "0.1", "0.3", "2", "10", "45", "-30", "90", "60", "0.05", "0.1:0.4:3", "1:8:4:log", "X=1."];
+
+/// A file for rows in a folder that is taken away.
+fn file(folder: &tempfile::TempDir) -> String {
+    folder.path().join("rows.csv").to_string_lossy().into_owned()
+}
+
+/// A random command line, most of it as the parser wants it.
+fn line(dice: &mut Dice, root: &clap::Command) -> Vec<String> {
+    let mut line = vec!["geneva".to_owned()];
+    let mut command = root;
+    while command.has_subcommands() {
+        let all: Vec<_> =
+            command.get_subcommands().filter(|of| !["book", "preprocess"].contains(&of.get_name())).collect();
+        command = dice.pick(&all);
+        line.push(command.get_name().to_owned());
+    }
+    // What an argument without a name is.
+    let decks = DECKS.iter().map(|(name, _)| (*name).to_owned()).chain(["no-deck".to_owned()]).collect::<Vec<_>>();
+    let is_strange = dice.below(3) == 0;
+    for argument in command.get_arguments() {
+        let (name, is_required) = (argument.get_long(), argument.is_required_set());
+        if ["help", "version", "output"].contains(&name.unwrap_or_default()) || dice.below(4) != 0 && !is_required {
+            continue;
+        }
+        let possible: Vec<_> = argument.get_possible_values().iter().map(|value| value.get_name().to_owned()).collect();
+        let value = match dice.below(10) {
+            0 if is_strange => dice.pick(&STRANGE).to_owned(),
+            1 if is_strange => dice.pick(&USUAL).repeat(40),
+            _ if !possible.is_empty() => dice.pick(&possible),
+            _ if name.is_none() => dice.pick(&decks),
+            _ => dice.pick(&USUAL).to_owned(),
+        };
+        line.extend(name.map(|name| format!("--{name}")));
+        if argument.get_action().takes_values() {
+            line.push(value);
+        }
+    }
+    if is_strange && dice.below(4) == 0 {
+        let at = 1 + dice.below(line.len());
+        line.insert(at, dice.pick(&STRANGE).to_owned());
+    }
+    line
+}
+
+/// What a command answers, without printing it; none if it takes too long for this.
+fn answered(arguments: Arguments, folder: &tempfile::TempDir) -> Option<anyhow::Result<String>> {
+    let quick = |source: Option<Work>| source.is_some_and(|source| source.slug() == "pin");
+    Some(match arguments.command? {
+        Command::Claims(wanted) if quick(wanted.source) => claims::page(&wanted),
+        Command::Errata(wanted) if quick(wanted.source) => errata::page(&wanted),
+        Command::Coverage(wanted) => coverage::page(&wanted).map(|(page, _)| page),
+        Command::Wheel(wanted) => wheel::page(&wanted),
+        Command::QuickReturn(wanted) => quick_return::page(&wanted),
+        Command::Escapement(wanted) => escapement::page(&wanted),
+        Command::Sweep(mut wanted) => {
+            wanted.to.output = file(folder);
+            wanted.threads = None;
+            sweep::written(&wanted).and_then(|_| Ok(std::fs::read_to_string(file(folder))?))
+        }
+        Command::Mimic(wanted) => mimic::page(&wanted.action),
+        Command::Completions { shell } => completions::script(shell),
+        _ => return None,
+    })
+}
+
+/// Tells the line that was tried, if it panics.
+struct Tried(String);
+
+impl Drop for Tried {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            eprintln!("tried: {}", self.0);
+        }
+    }
+}
+
+#[test]
+fn fuzz_command_lines_are_answered_or_refused_in_words() {
+    let lines = given("GENEVA_FUZZ", 1000);
+    let mut dice = Dice(given("GENEVA_FUZZ_SEED", 0x5eed).max(1));
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let root = Arguments::command();
+    let (mut answers, mut refusals, mut misread, mut skipped) = (0, 0, 0, 0);
+    for _ in 0..lines {
+        let line = line(&mut dice, &root);
+        let tried = Tried(format!("{line:?}"));
+        let told = match arguments::parse(line.iter().map(OsString::from)) {
+            Err(error) => {
+                misread += 1;
+                error.render().to_string()
+            }
+            Ok(arguments) => match answered(arguments, &folder) {
+                None => {
+                    skipped += 1;
+                    continue;
+                }
+                Some(Ok(page)) => {
+                    answers += 1;
+                    let page = strip_str(&page).to_string();
+                    let is_number = |word: &str| !["NaN", "inf", "-inf", "−inf", "nan", "infinity"].contains(&word);
+                    let mut words = page.split([' ', ',', ':', '"', '\n', '(', ')', '[', ']']);
+                    assert!(words.all(is_number), "{}", tried.0);
+                    page.replace("\r\n", "\n")
+                }
+                Some(Err(error)) => {
+                    refusals += 1;
+                    let told = crate::printable::escaped_lines(&crate::printable::chain(&error)).into_owned();
+                    assert!(told.len() < 6000 && !told.contains("os error"), "{}: {told}", tried.0);
+                    told
+                }
+            },
+        };
+        assert!(!told.trim().is_empty(), "{}: {told:?}", tried.0);
+        let obeyed = told.chars().find(|sign| is_obeyed(*sign) && !"\n\t".contains(*sign));
+        assert_eq!(obeyed, None, "{}: {told:?}", tried.0);
+    }
+    println!("{lines} lines: {answers} answers, {refusals} refusals, {misread} misread, {skipped} skipped");
+    assert!(answers > lines / 20 && refusals > lines / 50 && misread > lines / 20);
+}
