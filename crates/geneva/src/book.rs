@@ -32,7 +32,7 @@ pub fn build(wanted: &BuildArguments) -> anyhow::Result<()> {
         print(&format!("Files that were added while the old book was being replaced are in {}\n", kept.display()))?;
     }
     if wanted.open {
-        opener::open(&first_page)
+        open::that_detached(&first_page)
             .with_context(|| format!("no program opens {}: open it in a browser", first_page.display()))?;
     } else {
         print(&format!("Open {} in a browser.\n", first_page.display()))?;

@@ -81,8 +81,6 @@ fn degrees(angle: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use ::dxf::Drawing;
-    use ::dxf::entities::EntityType;
     use geneva_kinematics::wheel::{Choices, Loop, Scale, Wheel};
     use nalgebra::Vector2;
 
@@ -91,21 +89,86 @@ mod tests {
         Sizes::new(wheel, Scale::CrankRadius(50.0), &Choices::default()).unwrap()
     }
 
-    /// An edge as a reader finds it: counter-clockwise if it is an arc.
-    fn read(entity: &EntityType) -> Edge {
-        let point = |p: &::dxf::Point| Vector2::new(p.x, p.y);
-        match entity {
-            EntityType::Line(line) => Edge::Line { from: point(&line.p1), to: point(&line.p2) },
-            EntityType::Circle(circle) => {
-                Edge::Arc { centre: point(&circle.center), radius: circle.radius, start: 0.0, sweep: 2.0 * PI }
-            }
-            EntityType::Arc(arc) => {
-                let sweep = (arc.end_angle - arc.start_angle).rem_euclid(360.0);
-                let [start, sweep] = [arc.start_angle, sweep].map(f64::to_radians);
-                Edge::Arc { centre: point(&arc.center), radius: arc.radius, start, sweep }
-            }
-            other => panic!("{other:?}"),
+    /// A record of the file: what begins it, and the groups that follow, as the reference of release 12 describes them.
+    struct Record {
+        kind: String,
+        groups: Vec<(u16, String)>,
+    }
+
+    impl Record {
+        fn text(&self, code: u16) -> &str {
+            let mut found = self.groups.iter().filter(|(of, _)| *of == code);
+            let (Some((_, text)), None) = (found.next(), found.next()) else {
+                panic!("{} does not have one group {code}: {:?}", self.kind, self.groups)
+            };
+            text
         }
+
+        fn number(&self, code: u16) -> f64 {
+            let text = self.text(code);
+            // A reader takes a number without a point for a whole one.
+            assert!(text.contains('.'), "{text}");
+            text.parse().unwrap()
+        }
+
+        fn point(&self, first: u16) -> Vector2<f64> {
+            assert_eq!(self.number(first + 20), 0.0);
+            Vector2::new(self.number(first), self.number(first + 10))
+        }
+
+        /// Counter-clockwise if it is an arc.
+        fn edge(&self) -> Edge {
+            match self.kind.as_str() {
+                "LINE" => Edge::Line { from: self.point(10), to: self.point(11) },
+                "CIRCLE" => {
+                    Edge::Arc { centre: self.point(10), radius: self.number(40), start: 0.0, sweep: 2.0 * PI }
+                }
+                "ARC" => {
+                    let [start, end] = [50, 51].map(|code| self.number(code));
+                    assert!([start, end].iter().all(|angle| (0.0..=360.0).contains(angle)), "{start} {end}");
+                    let [start, sweep] = [start, (end - start).rem_euclid(360.0)].map(f64::to_radians);
+                    Edge::Arc { centre: self.point(10), radius: self.number(40), start, sweep }
+                }
+                other => panic!("{other}"),
+            }
+        }
+    }
+
+    /// The records of a file by their sections: header, tables, entities.
+    fn sections(text: &str) -> Vec<(String, Vec<Record>)> {
+        let lines: Vec<&str> = text.lines().collect();
+        let mut records: Vec<Record> = Vec::new();
+        for pair in lines.chunks(2) {
+            let [code, value] = pair else { panic!("a code without its value: {pair:?}") };
+            let (code, value) = (code.trim().parse().unwrap(), (*value).to_owned());
+            match (code, records.last_mut()) {
+                (0, _) => records.push(Record { kind: value, groups: Vec::new() }),
+                (_, Some(record)) => record.groups.push((code, value)),
+                (_, None) => panic!("{code} before any record"),
+            }
+        }
+        assert_eq!(records.pop().map(|last| last.kind).as_deref(), Some("EOF"));
+        let mut sections: Vec<(String, Vec<Record>)> = Vec::new();
+        let mut is_open = false;
+        for record in records {
+            match record.kind.as_str() {
+                "SECTION" => {
+                    assert!(!is_open, "a section in a section");
+                    // A header has no records of its own: its groups follow its name.
+                    let name = record.groups[0].clone();
+                    assert_eq!(name.0, 2);
+                    sections.push((name.1, vec![Record { groups: record.groups[1..].to_vec(), ..record }]));
+                    is_open = true;
+                }
+                "ENDSEC" => is_open = false,
+                _ => {
+                    assert!(is_open, "{} outside of a section", record.kind);
+                    sections.last_mut().unwrap().1.push(record);
+                }
+            }
+        }
+        assert!(!is_open);
+        sections
     }
 
     #[track_caller]
@@ -131,26 +194,36 @@ mod tests {
     }
 
     #[test]
-    fn another_reader_finds_the_same_lines_and_arcs() {
+    fn a_reader_of_the_format_finds_the_same_lines_and_arcs() {
         for (stations, pins) in [(3, 1), (4, 4), (6, 1), (6, 2), (12, 2), (60, 1)] {
             let sizes = sizes(stations, pins);
             for layout in [Layout::Assembled, Layout::Apart] {
-                let text = dxf(&sizes, layout);
-                let drawing = Drawing::load(&mut text.as_bytes()).unwrap();
-                assert_eq!(drawing.header.default_drawing_units, ::dxf::enums::Units::Millimeters);
+                let sections = sections(&dxf(&sizes, layout));
+                let names: Vec<_> = sections.iter().map(|(name, _)| name.as_str()).collect();
+                assert_eq!(names, ["HEADER", "TABLES", "ENTITIES"]);
+                let header: Vec<_> = sections[0].1[0].groups.iter().map(|(code, of)| (*code, of.as_str())).collect();
+                // Release 12, and 4 for millimetres.
+                assert_eq!(header, [(9, "$ACADVER"), (1, "AC1009"), (9, "$INSUNITS"), (70, "4")]);
+
+                let tables = &sections[1].1;
+                let layers: Vec<_> = tables.iter().filter(|of| of.kind == "LAYER").map(|of| of.text(2)).collect();
+                assert_eq!(layers, Layer::ALL.map(Layer::name));
+                for (table, name) in [("LTYPE", "CONTINUOUS"), ("LAYER", layers[0])] {
+                    let at = tables.iter().position(|of| of.kind == "TABLE" && of.text(2) == table).unwrap();
+                    let rows: Vec<_> = tables[at + 1..].iter().take_while(|of| of.kind != "ENDTAB").collect();
+                    assert_eq!(tables[at].text(70), rows.len().to_string());
+                    assert!(rows.iter().all(|row| row.kind == table) && rows[0].text(2) == name);
+                }
+
                 let written: Vec<(Layer, Edge)> = loops(&sizes, layout)
                     .into_iter()
                     .flat_map(|(layer, of): (Layer, Loop)| of.edges.into_iter().map(move |edge| (layer, edge)))
                     .collect();
-                let found: Vec<_> = drawing.entities().collect();
+                let found = &sections[2].1[1..];
                 assert_eq!(found.len(), written.len());
-                for (entity, (layer, edge)) in found.into_iter().zip(&written) {
-                    assert_eq!(entity.common.layer, layer.name());
-                    same(&read(&entity.specific), edge, sizes.centre_distance);
-                }
-                let layers: Vec<_> = drawing.layers().map(|layer| layer.name.clone()).collect();
-                for layer in Layer::ALL {
-                    assert!(layers.contains(&layer.name().to_owned()), "{layers:?}");
+                for (entity, (layer, edge)) in found.iter().zip(&written) {
+                    assert_eq!(entity.text(8), layer.name());
+                    same(&entity.edge(), edge, sizes.centre_distance);
                 }
             }
         }
