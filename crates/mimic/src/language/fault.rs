@@ -24,6 +24,9 @@ pub enum Problem {
     /// More cards than are read.
     #[error("a deck has at most {0} lines up to its END, and this is one more; shorten it")]
     TooManyCards(usize),
+    /// More on the cards than is read.
+    #[error("the cards up to here have more than {0} names, numbers and signs, which is the most; shorten the deck")]
+    TooManyWords(usize),
     /// Parentheses in parentheses without end.
     #[error("parentheses stand more than {0} deep; divide the expression by a further name")]
     TooDeep(usize),
@@ -227,6 +230,9 @@ impl fmt::Display for Fault {
 /// All that is wrong with a deck, in the order of its cards.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub struct Faults(pub Vec<Fault>);
+
+/// Most faults that are collected of cards, and of what does not fit together.
+pub(super) const MOST_FAULTS: usize = 50_000;
 
 /// Most faults that are told in words, the first ones; the others are counted.
 pub(super) const MOST_TOLD: usize = 50;

@@ -3,6 +3,7 @@
 use super::control::{GIVEN, STEPS};
 use super::deck::{Deck, Statement};
 use super::expression::{Expression, Node};
+use super::fault::MOST_FAULTS;
 use super::fault::{Fault, MOST_TOLD, Problem, but_near, nearest_to};
 use super::function::{FUNCTIONS, Kind};
 use super::sorting::{circle, components};
@@ -118,8 +119,10 @@ impl<'a> Graph<'a> {
     }
 
     pub(super) fn fault(&mut self, card: usize, columns: core::ops::Range<usize>, problem: Problem) {
-        let fault = self.deck.fault(card, columns, problem);
-        self.faults.push(fault);
+        if self.faults.len() < MOST_FAULTS {
+            let fault = self.deck.fault(card, columns, problem);
+            self.faults.push(fault);
+        }
     }
 
     /// Who defines what, and that no two do without a control variable each.

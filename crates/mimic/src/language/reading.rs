@@ -5,14 +5,14 @@ use super::control::reserved;
 use super::data::DataCard;
 use super::deck::{Deck, Group, Listed, PlotCards, Statement};
 use super::expression::{Expression, Node, Problems, expected, expression, list};
-use super::fault::{Fault, Faults, Problem};
+use super::fault::{Fault, Faults, MOST_FAULTS, Problem};
 use super::graph::Graph;
 use super::token::Placed;
 use std::collections::HashSet;
 
-/// Most lines of a deck up to its END, and most faults that are collected.
-const MOST_CARDS: usize = 150_000;
-const MOST_FAULTS: usize = 50_000;
+/// Most lines of a deck up to its END, and most names, numbers and signs on them.
+const MOST_CARDS: usize = 110_000;
+const MOST_WORDS: usize = 910_000;
 /// Most lines of a deck and its data that can be shown in a message.
 const MOST_LINES: usize = MOST_CARDS + super::data::MOST_NUMBERS + 1;
 
@@ -36,12 +36,19 @@ impl Deck {
         };
         let mut ended = false;
         let mut lines = text.lines().enumerate().map(|(at, line)| (at + 1, line));
+        let mut words = 0;
         while !ended && let Some((number, line)) = lines.next() {
-            if number > MOST_CARDS {
-                let fault = reading.deck.fault(number, 0..1, Problem::TooManyCards(MOST_CARDS));
+            let card: Vec<char> = without_page_breaks(line.trim_end()).collect();
+            words += if is_comment(&card, layout) { 0 } else { words_on(&card) };
+            let too_large = if number > MOST_CARDS {
+                Some(Problem::TooManyCards(MOST_CARDS))
+            } else {
+                (words > MOST_WORDS).then_some(Problem::TooManyWords(MOST_WORDS))
+            };
+            if let Some(problem) = too_large {
+                let fault = reading.deck.fault(number, 0..1, problem);
                 return Err(Faults(reading.faults.into_iter().chain([fault]).collect()));
             }
-            let card: Vec<char> = without_page_breaks(line.trim_end()).collect();
             if is_comment(&card, layout) {
                 reading.note_a_hidden_statement(number, &card, layout);
             } else if !card.iter().all(|sign| sign.is_whitespace()) {
@@ -78,6 +85,14 @@ impl Deck {
 /// The signs of a line. A page break, which a copy of a longer text may have, is a blank.
 fn without_page_breaks(line: &str) -> impl Iterator<Item = char> {
     line.chars().map(|sign| if sign == '\u{c}' { ' ' } else { sign })
+}
+
+/// How many names, numbers and signs are on a card, of those that can be read.
+fn words_on(card: &[char]) -> usize {
+    let is_word = |sign: char| sign.is_alphanumeric() || sign == '.';
+    let readable = &card[..card.len().min(LONGEST)];
+    let begins = |(at, sign): &(usize, &char)| !is_word(**sign) || *at == 0 || !is_word(readable[*at - 1]);
+    readable.iter().enumerate().filter(|(_, sign)| !sign.is_whitespace()).filter(begins).count()
 }
 
 /// A deck while it is read.

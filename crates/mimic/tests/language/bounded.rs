@@ -233,7 +233,12 @@ fn texts_that_would_fill_the_memory_are_refused() {
     );
     // Lines, and faults.
     let lines = Deck::read(&" A 1.\n".repeat(300_000), Layout::Free).expect_err("too many");
-    assert!(lines.to_string().ends_with("    ^") && lines.to_string().contains("at most 150000 lines"), "{lines}");
+    assert!(lines.to_string().ends_with("    ^") && lines.to_string().contains("at most 110000 lines"), "{lines}");
+    let words =
+        Deck::read(&format!(" A 1.{}\n", "+1.*T".repeat(100)).repeat(3000), Layout::Free).expect_err("too many");
+    assert!(words.to_string().contains("more than 910000 names, numbers and signs"), "{words}");
+    let unknown = Deck::read(&format!(" OUT({})\n", ["B"; 400].join(",")).repeat(500), Layout::Free).expect_err("no B");
+    assert!(unknown.0.len() < 60_000, "{}", unknown.0.len());
     let faults = Deck::read(&format!(" {}\n", "$".repeat(900)).repeat(1000), Layout::Free).expect_err("too many");
     assert!((50_000..51_000).contains(&faults.0.len()), "{}", faults.0.len());
 }
