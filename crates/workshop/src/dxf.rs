@@ -120,9 +120,7 @@ mod tests {
         fn edge(&self) -> Edge {
             match self.kind.as_str() {
                 "LINE" => Edge::Line { from: self.point(10), to: self.point(11) },
-                "CIRCLE" => {
-                    Edge::Arc { centre: self.point(10), radius: self.number(40), start: 0.0, sweep: 2.0 * PI }
-                }
+                "CIRCLE" => Edge::Arc { centre: self.point(10), radius: self.number(40), start: 0.0, sweep: 2.0 * PI },
                 "ARC" => {
                     let [start, end] = [50, 51].map(|code| self.number(code));
                     assert!([start, end].iter().all(|angle| (0.0..=360.0).contains(angle)), "{start} {end}");
