@@ -73,7 +73,7 @@ impl Axis {
     pub fn spanning(least: f64, greatest: f64, steps: f64) -> Self {
         let step = round_step((greatest - least) / steps);
         let low = libm::floor(least / step + 1e-9) as i32;
-        let high = (libm::ceil(greatest / step - 1e-9) as i32).max(low + 1);
+        let high = (libm::ceil(greatest / step - 1e-9) as i32).max(low.saturating_add(1));
         Self::stepped(step, low, high)
     }
 
@@ -134,7 +134,7 @@ impl Axis {
 
     fn in_steps(step: f64, least: f64, greatest: f64) -> Self {
         let low = libm::floor(least / step + 1e-9).min(0.0) as i32;
-        let high = (libm::ceil(greatest / step - 1e-9) as i32).max(low + 1);
+        let high = (libm::ceil(greatest / step - 1e-9) as i32).max(low.saturating_add(1));
         Self::stepped(step, low, high)
     }
 
