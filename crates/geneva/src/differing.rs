@@ -23,10 +23,11 @@ fn page(differing: &[&Judged]) -> String {
     let mut page = format!("{red}error:{red:#} {} {are} not as recorded\n", count(differing.len(), "claim"));
     for judged in differing.iter().take(MOST) {
         let (claim, at) = (judged.claim, judged.claim.stated_at);
-        page += &format!("  {}: on record {}, derived {}\n", claim.id, claim.expected, judged.verdict);
         if judged.verdict == claim.expected {
-            // Then something else contradicts the record.
+            page += &format!("  {}: {} as on record, but\n", claim.id, claim.expected);
             judged.faults.iter().for_each(|fault| page += &wrapped("    ", fault));
+        } else {
+            page += &format!("  {}: on record {}, derived {}\n", claim.id, claim.expected, judged.verdict);
         }
         page += &format!("    {}:{}\n", at.file(), at.line());
     }
