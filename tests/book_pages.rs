@@ -14,17 +14,25 @@ const HEAVIEST_PAGE: usize = 350_000;
 const HEAVIEST_MOVER: usize = 350_000;
 const HEAVIEST_FIGURE: usize = 40_000;
 
-/// The book, built once for all tests of this program.
+/// The book, built once for all tests of this program. If it does not build, one test says why.
+#[track_caller]
 pub(crate) fn book() -> &'static Path {
-    static BOOK: OnceLock<(TempDir, PathBuf)> = OnceLock::new();
-    &BOOK.get_or_init(built).1
+    static BOOK: OnceLock<Option<(TempDir, PathBuf)>> = OnceLock::new();
+    let mut reason = None;
+    let book = BOOK.get_or_init(|| built().map_err(|why| reason = Some(why)).ok());
+    match (book, reason) {
+        (Some((_, out)), _) => out,
+        (None, Some(reason)) => panic!("the book does not build: {reason}"),
+        (None, None) => panic!("the book does not build: another test says why"),
+    }
 }
 
-fn built() -> (TempDir, PathBuf) {
+fn built() -> Result<(TempDir, PathBuf), String> {
     let folder = TempDir::new().expect("a folder");
     let out = folder.path().join("book");
-    geneva_press::building::build(&crate::path("."), &out, geneva_press::Geneva).expect("the book builds");
-    (folder, out)
+    geneva_press::building::build(&crate::path("."), &out, geneva_press::Geneva)
+        .map_err(|error| format!("{error:#}"))?;
+    Ok((folder, out))
 }
 
 /// All files of a built book by their path in it.
@@ -253,7 +261,7 @@ fn what_moves_figures_is_not_too_heavy() {
 
 #[test]
 fn two_builds_give_the_same_bytes() {
-    let (_folder, again) = built();
+    let (_folder, again) = built().expect("the book builds");
     let (first, second) = (contents(book()), contents(&again));
     assert_eq!(first.keys().collect::<Vec<_>>(), second.keys().collect::<Vec<_>>());
     for (name, bytes) in &first {

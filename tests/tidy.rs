@@ -143,7 +143,10 @@ fn a_snapshot_is_reviewed_before_it_is_kept() {
     for entry in ["series", "drawings", "ledger", "command-line"] {
         for file in std::fs::read_dir(crate::path("snapshots").join(entry)).expect("an area of snapshots") {
             let name = file.expect("readable").file_name().to_string_lossy().into_owned();
-            assert!(name.ends_with(".snap"), "snapshots/{entry}/{name} is not a reviewed snapshot");
+            assert!(
+                name.ends_with(".snap"),
+                "snapshots/{entry}/{name} is not a reviewed snapshot: `cargo insta review` or delete it; git ignores it"
+            );
         }
     }
 }

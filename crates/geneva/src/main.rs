@@ -11,6 +11,7 @@ mod claims;
 mod completions;
 mod coverage;
 mod destination;
+mod differing;
 mod errata;
 mod escapement;
 mod fields;
@@ -49,10 +50,12 @@ fn run(arguments: Arguments) -> anyhow::Result<Outcome> {
     match arguments.command {
         None => verify_and_build(),
         Some(Command::Claims(wanted)) => {
-            answer(&claims::page(&wanted)?, &wanted.to, as_recorded(claims::derived(&wanted)))
+            output::write(&claims::page(&wanted)?, &wanted.to.output)?;
+            Ok(as_recorded(claims::derived(&wanted)))
         }
         Some(Command::Errata(wanted)) => {
-            answer(&errata::page(&wanted)?, &wanted.to, as_recorded(errata::derived(&wanted)))
+            output::write(&errata::page(&wanted)?, &wanted.to.output)?;
+            Ok(as_recorded(errata::derived(&wanted)))
         }
         Some(Command::Coverage(wanted)) => {
             let (page, outcome) = coverage::page(&wanted)?;
@@ -95,7 +98,9 @@ fn verify_and_build() -> anyhow::Result<Outcome> {
     Ok(as_recorded(verdicts))
 }
 
-/// Whether each of these verdicts is the one on record.
+/// Whether each of these verdicts is the one on record. Those that differ are named on standard error.
 fn as_recorded<'a>(verdicts: impl IntoIterator<Item = &'a geneva_ledger::Judged>) -> Outcome {
+    let verdicts: Vec<_> = verdicts.into_iter().collect();
+    differing::tell(verdicts.iter().copied());
     Outcome::as_recorded_if(verdicts.into_iter().all(geneva_ledger::Judged::holds))
 }

@@ -8,6 +8,7 @@ use crate::{
 };
 use geneva_kinematics::{Identity, prove};
 use std::marker::PhantomData;
+use std::panic::Location;
 use std::sync::Arc;
 
 /// What a source says in one place, how it is checked, and the verdict on record.
@@ -35,6 +36,8 @@ pub struct Claim {
     pub reading: Option<&'static str>,
     /// What is wrong, if something is.
     pub erratum: Option<Erratum>,
+    /// The line of our code that states the claim.
+    pub stated_at: &'static Location<'static>,
 }
 
 /// The sort of a claim.
@@ -81,6 +84,7 @@ impl Place {
     }
 
     /// A printed number with its unit.
+    #[track_caller]
     pub fn value(
         self,
         id: &'static str,
@@ -93,30 +97,36 @@ impl Place {
     }
 
     /// An equation or a formula.
+    #[track_caller]
     pub fn equation(self, id: &'static str, printed: &'static str, meaning: &'static str) -> Unchecked<Test> {
         self.claim(Kind::Equation, id, printed, meaning)
     }
 
     /// A formula of which the claim is a sentence: that it is of a kind, has a sign, stands for a quantity.
+    #[track_caller]
     pub fn formula(self, id: &'static str, printed: &'static str, meaning: &'static str) -> Unchecked<Choice> {
         self.claim(Kind::Equation, id, printed, meaning)
     }
 
     /// A figure, or what a text says of one.
+    #[track_caller]
     pub fn figure(self, id: &'static str, printed: &'static str, meaning: &'static str) -> Unchecked<Choice> {
         self.claim(Kind::Figure, id, printed, meaning)
     }
 
     /// A sentence that can be checked.
+    #[track_caller]
     pub fn statement(self, id: &'static str, printed: &'static str, meaning: &'static str) -> Unchecked<Choice> {
         self.claim(Kind::Statement, id, printed, meaning)
     }
 
     /// Sizes of a mechanism that is built as an example, of which the claim is that it works.
+    #[track_caller]
     pub fn example(self, id: &'static str, printed: &'static str, meaning: &'static str) -> Unchecked<Choice> {
         self.claim(Kind::Example, id, printed, meaning)
     }
 
+    #[track_caller]
     fn claim<R: ?Sized>(
         self,
         kind: Kind,
@@ -136,6 +146,7 @@ impl Place {
             expected: Verdict::Reproduced,
             reading: None,
             erratum: None,
+            stated_at: Location::caller(),
         };
         Unchecked { claim, routes: PhantomData }
     }

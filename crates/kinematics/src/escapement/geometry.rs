@@ -24,7 +24,8 @@ pub struct Mechanism {
 /// A mechanism that does not exist, or an angle at which its first pin is in no slot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum EscapementError {
-    /// For so many slots no whole number of pins has one always engaged and the follower at rest at each hand-over.
+    /// For a follower with this many slots, no whole number of pins keeps one always engaged and the follower at rest at
+    /// each hand-over.
     Slots(u32),
     /// What the wheel refuses.
     Wheel(KinematicsError),
@@ -35,8 +36,8 @@ impl fmt::Display for EscapementError {
         match self {
             Self::Slots(asked) => write!(
                 f,
-                "{asked} slots: each pin comes and goes along its slot only with 3, 4 or 6 slots (6, 4 or 3 pins), where \
-                 2 n / (n - 2) is a whole number above 2; give one of these"
+                "a follower with {asked} slots: each pin comes and goes along its slot only with 3, 4 or 6 slots (6, 4 or \
+                 3 pins), where 2 n / (n - 2) is a whole number above 2; give one of these numbers of slots"
             ),
             Self::Wheel(error) => error.fmt(f),
         }
@@ -89,7 +90,8 @@ impl Mechanism {
     /// All that are possible, by rising number of slots.
     pub const ALL: [Self; 3] = [Self::SIX_PIN, Self::FOUR_PIN, Self::THREE_PIN];
 
-    /// The mechanism of so many slots.
+    /// The mechanism whose follower has this many **slots**. The constants are named by the driver's pins, so `new(6)` is
+    /// [`Mechanism::THREE_PIN`] and `new(3)` is [`Mechanism::SIX_PIN`].
     ///
     /// # Errors
     ///

@@ -1,0 +1,80 @@
+//! What is told beside an answer when a verdict is not the one on record.
+
+use crate::output::{count, wrapped};
+use anstream::eprint;
+use clap::builder::styling::AnsiColor;
+use geneva_ledger::Judged;
+
+/// At most this many claims are named.
+const MOST: usize = 10;
+
+/// Names the claims that differ from the record on standard error, if there are any.
+pub fn tell<'a>(verdicts: impl IntoIterator<Item = &'a Judged>) {
+    let differing: Vec<_> = verdicts.into_iter().filter(|judged| !judged.holds()).collect();
+    if !differing.is_empty() {
+        eprint!("{}", page(&differing));
+    }
+}
+
+/// A line or two for each claim: what is on record, what is derived, and where it is stated.
+fn page(differing: &[&Judged]) -> String {
+    let red = AnsiColor::Red.on_default().bold();
+    let are = if differing.len() == 1 { "is" } else { "are" };
+    let mut page = format!("{red}error:{red:#} {} {are} not as recorded\n", count(differing.len(), "claim"));
+    for judged in differing.iter().take(MOST) {
+        let (claim, at) = (judged.claim, judged.claim.stated_at);
+        if judged.verdict == claim.expected {
+            page += &format!("  {}: {} as on record, but\n", claim.id, claim.expected);
+            judged.faults.iter().for_each(|fault| page += &wrapped("    ", fault));
+        } else {
+            page += &format!("  {}: on record {}, derived {}\n", claim.id, claim.expected, judged.verdict);
+        }
+        page += &format!("    {}:{}\n", at.file(), at.line());
+    }
+    if let Some(more) = differing.len().checked_sub(MOST).filter(|more| *more > 0) {
+        page += &format!("  and {more} more\n");
+    }
+    page + &wrapped("", REMEDY)
+}
+
+const REMEDY: &str = "Compare the printed characters with the source. If they are right, either the calculation or the \
+                      verdict on record is wrong. `geneva` without arguments shows what each check found.";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use geneva_ledger::{Evidence, Place, Work, judge};
+
+    /// A claim that no source makes, with these digits for seven thirds.
+    fn judged(printed: &'static str) -> Judged {
+        let claim = Place::new(Work::Pin, "Nowhere, line 1")
+            .value("pin.made-up", printed, "mm", "seven thirds")
+            .by(Evidence::ClosedForm, || 7.0 / 3.0)
+            .by(Evidence::LimitCase, || 7.0 / 3.0);
+        judge(Box::leak(Box::new(claim)))
+    }
+
+    #[test]
+    fn a_claim_that_differs_is_named_with_both_verdicts_and_its_file() {
+        let page = page(&[&judged("2.43")]);
+        for part in [
+            "1 claim is not as recorded\n",
+            "  pin.made-up: on record reproduced, derived not-reproduced\n",
+            "differing.rs:",
+            "Compare the printed characters",
+        ] {
+            assert!(page.contains(part), "{part} is not in:\n{page}");
+        }
+    }
+
+    #[test]
+    fn ten_are_named_and_the_others_counted() {
+        let one = judged("2.43");
+        for (all, more) in [(10, None), (11, Some("  and 1 more\n"))] {
+            let page = page(&vec![&one; all]);
+            assert_eq!(page.matches("pin.made-up").count(), MOST, "{page}");
+            assert_eq!(page.contains(" more\n"), more.is_some(), "{page}");
+            assert!(more.is_none_or(|more| page.contains(more)), "{page}");
+        }
+    }
+}
