@@ -3,9 +3,10 @@
 //! The second route of chapter II's statements: nothing here uses the solution by integrals. One motion stands for all
 //! torques of a group, those of a row are it with other scales: see [`Group::scale`].
 
-use super::runs::{Hypothesis, Row, series, steps};
-use geneva_dynamics::Parameters;
-use std::sync::OnceLock;
+use super::runs::steps::Course;
+use super::runs::{Hypothesis, Row, series};
+use geneva_dynamics::{Coefficients, Parameters};
+use std::sync::{Arc, OnceLock};
 
 /// The runs of one mechanism with one friction.
 pub struct Group {
@@ -44,7 +45,8 @@ pub struct Motion {
     /// The escapement.
     pub parameters: Parameters,
     /// The driver's angles from the line of centres, the same in each engagement.
-    pub angles: Vec<f64>,
+    pub angles: Arc<[f64]>,
+    course: Course,
     /// The engagements, in order.
     pub engagements: Vec<Engagement>,
 }
@@ -82,8 +84,9 @@ impl Motion {
     /// So many engagements from rest, at least one.
     pub fn from_rest(parameters: &Parameters, engagements: usize) -> Self {
         let reset = 2.0 * parameters.mechanism().engagement_half_angle();
-        let angles = steps::angles(parameters, reset, STEPS);
-        let mut motion = Self { parameters: *parameters, angles, engagements: Vec::new() };
+        let course = Course::of_engagement(parameters, reset, STEPS);
+        let angles = Arc::clone(&course.angles);
+        let mut motion = Self { parameters: *parameters, angles, course, engagements: Vec::new() };
         motion.enter(0.0, 0.0);
         for _ in 1..engagements {
             motion.go_on();
@@ -100,8 +103,9 @@ impl Motion {
 
     /// Adds an engagement with this square of the speed at its start, which is at this time.
     fn enter(&mut self, square: f64, start: f64) {
-        let squares = steps::squares(&self.parameters, &self.angles, square);
-        let slopes: Vec<f64> = self.angles.iter().zip(&squares).map(|(angle, u)| self.slope(*angle, *u)).collect();
+        let squares = self.course.squares(square);
+        let slopes: Vec<f64> =
+            self.course.coefficients().iter().zip(&squares).map(|(terms, u)| slope(terms, *u)).collect();
         let mut times = vec![start];
         for k in 1..squares.len() {
             let step = self.angles[k] - self.angles[k - 1];
@@ -109,12 +113,6 @@ impl Motion {
             times.push(times[k - 1] + step * root_mean(piece));
         }
         self.engagements.push(Engagement { squares, times });
-    }
-
-    /// du/dθ, which is twice the acceleration.
-    fn slope(&self, angle: f64, square: f64) -> f64 {
-        let found = self.parameters.acceleration(angle, square.max(0.0).sqrt());
-        found.map_or(f64::NAN, |acceleration| 2.0 * acceleration.value)
     }
 
     /// The engagement that repeats itself.
@@ -214,6 +212,12 @@ impl Engagement {
     pub fn duration(&self) -> f64 {
         self.finish() - self.times.first().copied().unwrap_or(f64::NAN)
     }
+}
+
+/// du/dθ, which is twice the acceleration.
+fn slope(terms: &Coefficients<f64>, square: f64) -> f64 {
+    let found = terms.acceleration(square.max(0.0).sqrt());
+    found.map_or(f64::NAN, |acceleration| 2.0 * acceleration.value)
 }
 
 /// The mean of 1/√u over a step, with u by the cubic through two values and, between them, the two slopes per step.
