@@ -237,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    #[should_panic(expected = "divi")]
+    #[should_panic(expected = "must not be zero")]
     fn a_pole_on_the_grid_stops_the_proof() {
         let _ = prove(&WithPole);
     }
