@@ -6,6 +6,7 @@
 use super::runs::steps::Course;
 use super::runs::{Hypothesis, Row, series};
 use geneva_dynamics::{Coefficients, Parameters};
+use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
 
 /// The runs of one mechanism with one friction.
@@ -41,6 +42,7 @@ pub fn groups() -> &'static [Group] {
 }
 
 /// A start from rest until an engagement repeats the one before.
+#[derive(Clone)]
 pub struct Motion {
     /// The escapement.
     pub parameters: Parameters,
@@ -68,8 +70,24 @@ const MOST: usize = 200;
 const REPEATED: f64 = 1e-12;
 
 impl Motion {
-    /// From rest. None if it does not come to repeat itself.
-    pub fn of(parameters: &Parameters) -> Option<Self> {
+    /// From rest; that of a group of runs is not made again. None if it does not come to repeat itself.
+    pub fn repeating(parameters: &Parameters) -> Option<Cow<'static, Self>> {
+        let known = groups().iter().map(|group| &group.motion).find(|motion| motion.parameters == *parameters);
+        known.map(Cow::Borrowed).or_else(|| Self::of(parameters).map(Cow::Owned))
+    }
+
+    /// The motion with these parameters, for so many engagements more than this one takes to repeat itself.
+    pub fn going_on(&self, parameters: &Parameters, more: usize) -> Self {
+        if *parameters != self.parameters {
+            return Self::from_rest(parameters, self.engagements.len() + more);
+        }
+        let mut motion = self.clone();
+        (0..more).for_each(|_| motion.go_on());
+        motion
+    }
+
+    /// The same, made now.
+    fn of(parameters: &Parameters) -> Option<Self> {
         let mut motion = Self::from_rest(parameters, 1);
         for _ in 0..MOST {
             let last = motion.engagements.last()?;

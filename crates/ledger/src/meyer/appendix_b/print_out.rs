@@ -6,8 +6,10 @@ use crate::meyer::runs::choice::weakest;
 use crate::meyer::runs::{Constants, Hypothesis, Row, deck, duration, interval, rows, usual};
 use geneva_dynamics::program::Line;
 use geneva_dynamics::steady::Printed;
+use geneva_mimic::Work;
 use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named, print_out};
-use std::sync::OnceLock;
+use std::collections::HashMap;
+use std::sync::{LazyLock, Mutex, OnceLock};
 
 pub fn claims() -> Vec<Claim> {
     [columns(), vec![output()]].concat()
@@ -154,7 +156,18 @@ const OUTPUT: [&str; 5] = ["HDR", "OUT", "PLO", "SCA", "ZER"];
 
 /// Whether a deck prints otherwise and takes the same steps if it has no cards of a kind, nor those that belong to them.
 /// FIN, without which no run would end, is put off instead.
-fn prints_alone(kind: &str) -> Option<bool> {
+fn prints_alone(kind: &'static str) -> Option<bool> {
+    static FOUND: LazyLock<Mutex<HashMap<&str, Option<bool>>>> = LazyLock::new(Mutex::default);
+    if let Some(found) = FOUND.lock().ok()?.get(kind) {
+        return *found;
+    }
+    let found = prints_otherwise_without(kind);
+    FOUND.lock().ok()?.insert(kind, found);
+    found
+}
+
+fn prints_otherwise_without(kind: &str) -> Option<bool> {
+    static WHOLE: OnceLock<Option<(Work, String)>> = OnceLock::new();
     let text = deck_named("escapement")?;
     let plot = text.lines().find(|line| line.contains("PLO("))?;
     let scaled = text
@@ -179,6 +192,7 @@ fn prints_alone(kind: &str) -> Option<bool> {
         _ => "*",
     });
     let without: Vec<&str> = without.collect();
-    let [(steps, print), (other_steps, other_print)] = [run(&scaled)?, run(&without.join("\n"))?];
-    Some(steps == other_steps && print != other_print)
+    let (steps, print) = WHOLE.get_or_init(|| run(&scaled)).as_ref()?;
+    let (other_steps, other_print) = run(&without.join("\n"))?;
+    Some(*steps == other_steps && *print != other_print)
 }

@@ -11,6 +11,7 @@ use std::convert::Infallible;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 /// The driver's angles that steps lead to, with what the equation of motion asks of each and of the middle between two.
+#[derive(Clone)]
 pub struct Course {
     /// The driver's angles from the line of centres, or how far it has turned.
     pub angles: Arc<[f64]>,
@@ -101,6 +102,21 @@ fn slope(terms: &Coefficients<f64>, square: f64) -> f64 {
 /// Least speed, duration and greatest speed of the engagement that repeats itself, for a torque and a follower of one;
 /// none if the steps are too long for the equation.
 pub fn cycle(parameters: &Parameters, reset: f64, steps: u32) -> Option<[f64; 3]> {
+    type Known = Mutex<HashMap<(Mechanism, [u64; 3], u32), Option<[f64; 3]>>>;
+    static KNOWN: OnceLock<Known> = OnceLock::new();
+    // The rows of a table begin the search for their data with the same trials.
+    let numbers = [parameters.inertias().ratio(), parameters.friction(), reset].map(f64::to_bits);
+    let key = (parameters.mechanism(), numbers, steps);
+    let known = KNOWN.get_or_init(Known::default);
+    if let Some(found) = known.lock().ok()?.get(&key) {
+        return *found;
+    }
+    let found = cycle_of(parameters, reset, steps);
+    known.lock().ok()?.insert(key, found);
+    found
+}
+
+fn cycle_of(parameters: &Parameters, reset: f64, steps: u32) -> Option<[f64; 3]> {
     let ratio = Inertias::new(parameters.inertias().ratio(), 1.0).ok()?;
     let unit = Parameters::new(parameters.mechanism(), ratio, 1.0, parameters.friction()).ok()?;
     let course = Course::of_engagement(&unit, reset, steps);
