@@ -24,6 +24,7 @@ impl Sign {
     }
 
     /// The sign of a number; plus for zero and for what is not a number.
+    #[inline]
     pub fn from_number(number: f64) -> Self {
         if number < 0.0 { Self::Minus } else { Self::Plus }
     }

@@ -44,6 +44,7 @@ pub use tolerance::{TOLERANCES, Tolerance};
 pub use verdict::{Truth, Verdict};
 pub use work::Work;
 
+use std::collections::HashMap;
 use std::panic::resume_unwind;
 use std::sync::OnceLock;
 use std::thread::{available_parallelism, scope};
@@ -56,7 +57,15 @@ pub fn claims() -> &'static [Claim] {
 
 /// The claim with this id.
 pub fn claim(id: &str) -> Option<&'static Claim> {
-    claims().iter().find(|claim| claim.id == id)
+    Some(&claims()[number(id)?])
+}
+
+/// The number of the claim with this id among [`claims`].
+fn number(id: &str) -> Option<usize> {
+    static NUMBERS: OnceLock<HashMap<&str, usize>> = OnceLock::new();
+    // An id that were there twice would be the first claim's.
+    let numbers = || claims().iter().enumerate().rev().map(|(number, claim)| (claim.id, number)).collect();
+    NUMBERS.get_or_init(numbers).get(id).copied()
 }
 
 /// All verdicts, derived once and kept, in the order of [`claims`]. Shared out among the machine's processors.
@@ -78,7 +87,7 @@ fn verdicts_where(wanted: impl Fn(&Claim) -> bool) -> Vec<&'static Judged> {
 
 /// The derived verdict of the claim with this id.
 pub fn verdict(id: &str) -> Option<&'static Judged> {
-    Some(judged(claims().iter().position(|claim| claim.id == id)?))
+    Some(judged(number(id)?))
 }
 
 /// The verdict on the claim of this number, derived when it is first asked for.

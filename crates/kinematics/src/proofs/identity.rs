@@ -1,6 +1,7 @@
 //! An identity between rational functions, proven at more points than its degree allows it to fail at.
 
 use super::expression::{self, Built, Expression};
+use super::numerator::Numerator;
 use crate::scalars::surd::Surd;
 use dashu_ratio::{RBig, Relaxed};
 use num_traits::Zero;
@@ -86,7 +87,14 @@ impl std::error::Error for Refutation {}
 ///
 /// [`Refutation`] with the first point of the grid at which the sides differ.
 pub fn prove<const V: usize>(identity: &(impl Identity<V> + ?Sized)) -> Result<Proof, Refutation> {
-    on_a_grid(identity.difference(from_fn(Expression::variable)), V, value)
+    let difference = identity.difference(from_fn(Expression::variable));
+    let steps = difference.steps();
+    let mut numerator = Numerator::of(&steps, V);
+    on_a_grid(difference, V, |at, changed| match numerator.is_zero_at(at, changed) {
+        Some(true) => RBig::ZERO,
+        // The difference itself, or the division by zero.
+        Some(false) | None => value(&steps, &point(at)),
+    })
 }
 
 /// Proves or refutes an identity in which √D stands, as [`prove`] does, with the root kept exact.
@@ -95,7 +103,9 @@ pub fn prove<const V: usize>(identity: &(impl Identity<V> + ?Sized)) -> Result<P
 ///
 /// [`Refutation`]; its difference is the part without the root, or what stands before the root if that part is zero.
 pub fn prove_with_root<const D: u32, const V: usize>(identity: &impl IdentityWithRoot<V>) -> Result<Proof, Refutation> {
-    on_a_grid(identity.difference(Expression::root(), from_fn(Expression::variable)), V, value_with_root::<D>)
+    let difference = identity.difference(Expression::root(), from_fn(Expression::variable));
+    let steps = difference.steps();
+    on_a_grid(difference, V, |at, _| value_with_root::<D>(&steps, &point(at)))
 }
 
 fn value(steps: &[Built<usize>], at: &[Relaxed]) -> RBig {
@@ -110,34 +120,40 @@ fn value_with_root<const D: u32>(steps: &[Built<usize>], at: &[Relaxed]) -> RBig
 }
 
 /// Looks for a point of the grid at which the `value` of `difference` is not zero; there are none if the bound of its
-/// degree is a bound.
+/// degree is a bound. From point to point the first variable changes, and the others as the digits of a number do; the
+/// last that has changed is told to `value`.
 fn on_a_grid(
     difference: Expression,
     variables: usize,
-    value: fn(&[Built<usize>], &[Relaxed]) -> RBig,
+    mut value: impl FnMut(&[usize], usize) -> RBig,
 ) -> Result<Proof, Refutation> {
-    let (steps, degrees) = (difference.steps(), difference.degrees(variables));
+    let degrees = difference.degrees(variables);
     let points = degrees.iter().map(|degree| *degree as usize + 1).product();
-    for index in 0..points {
-        let mut rest = index;
-        let coordinate = |degree: &u32| {
-            let side = *degree as usize + 1;
-            let k = rest % side;
-            rest /= side;
-            abscissa(k)
-        };
-        let at: Vec<Relaxed> = degrees.iter().map(coordinate).collect();
-        let difference = value(&steps, &at);
+    let mut at = vec![LEAST; variables];
+    let mut changed = variables.saturating_sub(1);
+    for _ in 0..points {
+        let difference = value(&at, changed);
         if !difference.is_zero() {
-            return Err(Refutation { at: at.into_iter().map(Relaxed::canonicalize).collect(), difference });
+            return Err(Refutation { at: at.into_iter().map(RBig::from).collect(), difference });
+        }
+        for (variable, degree) in degrees.iter().enumerate() {
+            changed = variable;
+            if at[variable] < LEAST + *degree as usize {
+                at[variable] += 1;
+                break;
+            }
+            at[variable] = LEAST;
         }
     }
     Ok(Proof { degrees, points })
 }
 
-/// The k-th value: 2, 3, 4 … Whole numbers keep the fractions short; zero and one are where formulas have their poles.
-fn abscissa(k: usize) -> Relaxed {
-    Relaxed::from(k + 2)
+/// The values of a variable are 2, 3, 4 …: whole numbers keep the fractions short; zero and one are where formulas have
+/// their poles.
+const LEAST: usize = 2;
+
+fn point(at: &[usize]) -> Vec<Relaxed> {
+    at.iter().map(|value| Relaxed::from(*value)).collect()
 }
 
 #[cfg(test)]
@@ -179,5 +195,50 @@ mod tests {
     #[test]
     fn a_root_is_not_taken_for_a_whole_number() {
         assert!(prove_with_root::<2, 1>(&RootForOne).is_err());
+    }
+
+    /// Fractions over each other's denominators, and what cancels among them.
+    struct Fractions {
+        wrong: i64,
+    }
+
+    impl Identity<3> for Fractions {
+        /// 1/x + y/(x z) = (z + y) z / (x z²), and x/(y/z) (y/z) = x.
+        fn difference(&self, [x, y, z]: [Expression; 3]) -> Expression {
+            let sides = 1 / x + y / (x * z) - (z + y) * z / (x * z * (z + self.wrong));
+            sides * sides + x / (y / z) * (y / z) - x
+        }
+    }
+
+    #[test]
+    fn numerators_in_whole_numbers_are_zero_where_the_fractions_are() {
+        assert!(prove(&Fractions { wrong: 0 }).is_ok());
+        let refutation = prove(&Fractions { wrong: 1 }).expect_err("another denominator");
+        assert_eq!(refutation.at, [2, 2, 2].map(RBig::from));
+        for wrong in [0, 1, -3] {
+            let steps = Fractions { wrong }.difference(from_fn(Expression::variable)).steps();
+            let mut numerator = Numerator::of(&steps, 3);
+            for k in 0..64 {
+                let at = [k % 4 + 1, k / 4 % 4 + 1, k / 16 + 1];
+                // A divisor of zero is told, not divided by.
+                let expected = (wrong + at[2] as i64 != 0).then(|| value(&steps, &point(&at)).is_zero());
+                assert_eq!(numerator.is_zero_at(&at, 2), expected, "{wrong} {at:?}");
+            }
+        }
+    }
+
+    /// Nothing, with a pole on the grid.
+    struct WithPole;
+
+    impl Identity<1> for WithPole {
+        fn difference(&self, [x]: [Expression; 1]) -> Expression {
+            x / (x - 3) - x / (x - 3)
+        }
+    }
+
+    #[test]
+    #[should_panic(expected = "must not be zero")]
+    fn a_pole_on_the_grid_stops_the_proof() {
+        let _ = prove(&WithPole);
     }
 }

@@ -3,3 +3,4 @@
 pub(crate) mod degree;
 pub(crate) mod expression;
 pub(crate) mod identity;
+mod numerator;

@@ -3,6 +3,8 @@
 use super::*;
 use geneva_kinematics::wheel::Phase;
 use geneva_kinematics::{Field, Rational, rational};
+use std::collections::HashMap;
+use std::sync::OnceLock;
 
 const C: Place = at("Ex. (c)");
 
@@ -102,8 +104,14 @@ fn part(alpha: f64, sign: f64) -> f64 {
 
 /// Whether that is the locked part of the turn, for all numbers of stations.
 fn is_the_locked_part(sign: f64) -> Finding {
+    // Asked for with either sign.
+    static LOCKED: OnceLock<HashMap<u32, f64>> = OnceLock::new();
+    let locked = LOCKED.get_or_init(|| wheels().iter().map(|wheel| (wheel.stations(), locked_part(wheel))).collect());
     for_all_stations(
-        |wheel| agrees(part(180.0 / f64::from(wheel.stations()), sign), locked_part(wheel)),
+        |wheel| {
+            let stations = wheel.stations();
+            locked.get(&stations).is_some_and(|locked| agrees(part(180.0 / f64::from(stations), sign), *locked))
+        },
         "the part in which the wheel is locked",
     )
 }

@@ -195,10 +195,16 @@ fn holds(wheel: &Wheel, journal: f64, sides: &[f64]) -> bool {
 
 /// The point of the journal at this angle from the line of centres, from the wheel's axis.
 fn on_the_journal(wheel: &Wheel, journal: f64, angle: f64) -> Vector2<f64> {
-    Vector2::new(wheel.centre_distance_ratio(), 0.0) - Turn::from_radians(angle).direction() * journal
+    on_a_journal(wheel.centre_distance_ratio(), journal, angle)
+}
+
+/// The same with the driver's axis so far from the wheel's.
+fn on_a_journal(axis: f64, journal: f64, angle: f64) -> Vector2<f64> {
+    Vector2::new(axis, 0.0) - Turn::from_radians(angle).direction() * journal
 }
 
 /// The angle at the driver's axis from the line of centres to where the journal comes out of the wheel.
 fn end_of_the_arc(wheel: &Wheel, journal: f64) -> f64 {
-    halved(0.0, PI, |angle| on_the_journal(wheel, journal, angle).norm() < wheel.wheel_radius_ratio()).0
+    let (axis, rim) = (wheel.centre_distance_ratio(), wheel.wheel_radius_ratio());
+    halved(0.0, PI, |angle| on_a_journal(axis, journal, angle).norm() < rim).0
 }

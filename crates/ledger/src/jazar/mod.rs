@@ -226,7 +226,16 @@ fn turned_clockwise(wheel: &Wheel, angle: f64) -> nalgebra::Vector2<f64> {
 fn halved(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> (f64, f64) {
     for _ in 0..HALVINGS {
         let middle = (low + high) / 2.0;
-        if holds(middle) { low = middle } else { high = middle }
+        // Between neighbouring numbers there is none, and nothing changes any more.
+        let last = middle == low || middle == high;
+        if holds(middle) {
+            low = middle
+        } else {
+            high = middle
+        }
+        if last {
+            break;
+        }
     }
     (low, high)
 }

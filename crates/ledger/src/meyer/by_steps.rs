@@ -3,9 +3,11 @@
 //! The second route of chapter II's statements: nothing here uses the solution by integrals. One motion stands for all
 //! torques of a group, those of a row are it with other scales: see [`Group::scale`].
 
-use super::runs::{Hypothesis, Row, series, steps};
-use geneva_dynamics::Parameters;
-use std::sync::OnceLock;
+use super::runs::steps::Course;
+use super::runs::{Hypothesis, Row, series};
+use geneva_dynamics::{Coefficients, Parameters};
+use std::borrow::Cow;
+use std::sync::{Arc, OnceLock};
 
 /// The runs of one mechanism with one friction.
 pub struct Group {
@@ -40,11 +42,13 @@ pub fn groups() -> &'static [Group] {
 }
 
 /// A start from rest until an engagement repeats the one before.
+#[derive(Clone)]
 pub struct Motion {
     /// The escapement.
     pub parameters: Parameters,
     /// The driver's angles from the line of centres, the same in each engagement.
-    pub angles: Vec<f64>,
+    pub angles: Arc<[f64]>,
+    course: Course,
     /// The engagements, in order.
     pub engagements: Vec<Engagement>,
 }
@@ -66,8 +70,24 @@ const MOST: usize = 200;
 const REPEATED: f64 = 1e-12;
 
 impl Motion {
-    /// From rest. None if it does not come to repeat itself.
-    pub fn of(parameters: &Parameters) -> Option<Self> {
+    /// From rest; that of a group of runs is not made again. None if it does not come to repeat itself.
+    pub fn repeating(parameters: &Parameters) -> Option<Cow<'static, Self>> {
+        let known = groups().iter().map(|group| &group.motion).find(|motion| motion.parameters == *parameters);
+        known.map(Cow::Borrowed).or_else(|| Self::of(parameters).map(Cow::Owned))
+    }
+
+    /// The motion with these parameters, for so many engagements more than this one takes to repeat itself.
+    pub fn going_on(&self, parameters: &Parameters, more: usize) -> Self {
+        if *parameters != self.parameters {
+            return Self::from_rest(parameters, self.engagements.len() + more);
+        }
+        let mut motion = self.clone();
+        (0..more).for_each(|_| motion.go_on());
+        motion
+    }
+
+    /// The same, made now.
+    fn of(parameters: &Parameters) -> Option<Self> {
         let mut motion = Self::from_rest(parameters, 1);
         for _ in 0..MOST {
             let last = motion.engagements.last()?;
@@ -82,8 +102,9 @@ impl Motion {
     /// So many engagements from rest, at least one.
     pub fn from_rest(parameters: &Parameters, engagements: usize) -> Self {
         let reset = 2.0 * parameters.mechanism().engagement_half_angle();
-        let angles = steps::angles(parameters, reset, STEPS);
-        let mut motion = Self { parameters: *parameters, angles, engagements: Vec::new() };
+        let course = Course::of_engagement(parameters, reset, STEPS);
+        let angles = Arc::clone(&course.angles);
+        let mut motion = Self { parameters: *parameters, angles, course, engagements: Vec::new() };
         motion.enter(0.0, 0.0);
         for _ in 1..engagements {
             motion.go_on();
@@ -100,8 +121,9 @@ impl Motion {
 
     /// Adds an engagement with this square of the speed at its start, which is at this time.
     fn enter(&mut self, square: f64, start: f64) {
-        let squares = steps::squares(&self.parameters, &self.angles, square);
-        let slopes: Vec<f64> = self.angles.iter().zip(&squares).map(|(angle, u)| self.slope(*angle, *u)).collect();
+        let squares = self.course.squares(square);
+        let slopes: Vec<f64> =
+            self.course.coefficients().iter().zip(&squares).map(|(terms, u)| slope(terms, *u)).collect();
         let mut times = vec![start];
         for k in 1..squares.len() {
             let step = self.angles[k] - self.angles[k - 1];
@@ -109,12 +131,6 @@ impl Motion {
             times.push(times[k - 1] + step * root_mean(piece));
         }
         self.engagements.push(Engagement { squares, times });
-    }
-
-    /// du/dθ, which is twice the acceleration.
-    fn slope(&self, angle: f64, square: f64) -> f64 {
-        let found = self.parameters.acceleration(angle, square.max(0.0).sqrt());
-        found.map_or(f64::NAN, |acceleration| 2.0 * acceleration.value)
     }
 
     /// The engagement that repeats itself.
@@ -214,6 +230,12 @@ impl Engagement {
     pub fn duration(&self) -> f64 {
         self.finish() - self.times.first().copied().unwrap_or(f64::NAN)
     }
+}
+
+/// du/dθ, which is twice the acceleration.
+fn slope(terms: &Coefficients<f64>, square: f64) -> f64 {
+    let found = terms.acceleration(square.max(0.0).sqrt());
+    found.map_or(f64::NAN, |acceleration| 2.0 * acceleration.value)
 }
 
 /// The mean of 1/√u over a step, with u by the cubic through two values and, between them, the two slopes per step.

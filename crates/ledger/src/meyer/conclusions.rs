@@ -49,7 +49,7 @@ fn off_by_steps(friction: f64) -> Vec<f64> {
     let of = |group: &Group| {
         let at = &group.motion.parameters;
         let later = Parameters::new(at.mechanism(), at.inertias(), at.torque(), at.friction() * friction).ok()?;
-        let later = Motion::from_rest(&later, group.motion.engagements.len() + 20);
+        let later = group.motion.going_on(&later, 20);
         Some(group.motion.steady()?.duration() / later.engagements.last()?.duration() - 1.0)
     };
     groups().iter().filter_map(of).collect()
@@ -99,7 +99,7 @@ fn by_integrals(at: &Parameters) -> Option<[f64; 3]> {
 
 /// The same.
 fn by_steps(at: &Parameters) -> Option<[f64; 3]> {
-    let motion = Motion::of(at)?;
+    let motion = Motion::repeating(at)?;
     let steady = motion.steady()?;
     let peak = motion.greatest(steady, |_, speed| speed).value;
     Some([peak, motion.least(steady)?.value, steady.duration()])

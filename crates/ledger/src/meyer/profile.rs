@@ -152,7 +152,7 @@ fn scales_by_integrals(parameters: &Parameters) -> Option<[f64; 3]> {
 
 /// The same.
 fn scales_by_steps(parameters: &Parameters) -> Option<[f64; 3]> {
-    let motion = Motion::of(parameters)?;
+    let motion = Motion::repeating(parameters)?;
     let (first, steady) = (motion.engagements.first()?, motion.steady()?);
     let peak = motion.greatest(steady, |_, speed| speed).value;
     let middle = f64::midpoint(peak, motion.least(steady)?.value);

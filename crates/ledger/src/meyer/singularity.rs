@@ -10,7 +10,7 @@ use geneva_dynamics::{Coefficients, Pose};
 use geneva_kinematics::Mechanism;
 use geneva_kinematics::escapement::pins_needed;
 use nalgebra::Complex;
-use std::sync::OnceLock;
+use std::sync::{LazyLock, OnceLock};
 
 const FLAW: &str = "Line after Eq. (1-18)";
 const END: Place = at("Paragraph before the substitutions of Eq. (1-19)");
@@ -358,11 +358,12 @@ fn consistent_signs(c: &Coefficients<f64>) -> usize {
 /// How often the left side of the equation from rest passes E, along accelerations of either sign from 10⁻⁸ to 10⁸.
 fn passages(c: &Coefficients<f64>) -> usize {
     let excess = |angular_acceleration: f64| c.a * angular_acceleration + (c.d * angular_acceleration).abs() > c.e;
-    let forwards = (-200..=200).map(|k| libm::pow(10.0, f64::from(k) / 25.0));
+    static FORWARDS: LazyLock<Vec<f64>> =
+        LazyLock::new(|| (-200..=200).map(|k| libm::pow(10.0, f64::from(k) / 25.0)).collect());
     let one_way = |way: f64| {
-        let above: Vec<bool> =
-            forwards.clone().map(|angular_acceleration| excess(way * angular_acceleration)).collect();
-        above.windows(2).filter(|pair| pair[0] != pair[1]).count()
+        let mut above = FORWARDS.iter().map(|angular_acceleration| excess(way * angular_acceleration));
+        let mut before = above.next();
+        above.filter(|now| before.replace(*now) != Some(*now)).count()
     };
     one_way(1.0) + one_way(-1.0)
 }

@@ -38,7 +38,8 @@ fn unit(slots: u32) -> f64 {
 impl Fit {
     /// By the formula crate.
     pub fn by_wheel(slots: u32) -> Self {
-        let of = |quantity: fn(&Wheel) -> f64| Wheel::new(slots).map_or(f64::NAN, |wheel| quantity(&wheel));
+        let wheel = Wheel::new(slots);
+        let of = |quantity: fn(&Wheel) -> f64| wheel.as_ref().map_or(f64::NAN, quantity);
         Self {
             slots: of(|wheel| f64::from(wheel.stations())),
             crank: unit(slots),

@@ -253,8 +253,9 @@ fn extremes(stated: Stated, acceleration: impl Fn(&Wheel, f64) -> f64) -> Findin
     // The internal part is where an internal wheel is driven: the rest of the turn.
     let turning_points = |wheel: &Wheel, from: f64, to: f64| {
         let at = |step: u32| acceleration(wheel, from + (to - from) * f64::from(step) / 720.0);
-        let rises = |step: u32| at(step + 1) > at(step);
-        (1..720).filter(|step| rises(*step) != rises(step - 1)).count()
+        let all: Vec<f64> = (0..=720).map(at).collect();
+        let rises: Vec<bool> = all.windows(2).map(|pair| pair[1] > pair[0]).collect();
+        rises.windows(2).filter(|pair| pair[0] != pair[1]).count()
     };
     let all = ANY.filter_map(|slots| Wheel::new(slots).ok()).map(|wheel| {
         let end = wheel.engagement_half_angle();

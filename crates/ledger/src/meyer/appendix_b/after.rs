@@ -7,7 +7,7 @@ use super::program;
 use super::reset::reset;
 use super::*;
 use crate::meyer::appendix_d::{OTHER_ANGLE, along_the_slots, of_the_pins};
-use crate::meyer::runs::steps::squares_along;
+use crate::meyer::runs::steps::Course;
 use crate::meyer::runs::{Hypothesis, Row, duration, interval, rows};
 use geneva_dynamics::program::Program;
 use geneva_dynamics::steady::Engagement;
@@ -271,7 +271,7 @@ fn square_after(parameters: &Parameters, turned: f64, steps: u32) -> Option<f64>
         angles.min_by(|a, b| a.abs().total_cmp(&b.abs())).unwrap_or(f64::NAN)
     };
     let all: Vec<f64> = (0..=steps).map(|k| turned * f64::from(k) / f64::from(steps)).collect();
-    squares_along(parameters, &all, 0.0, engaged).last().copied()
+    Course::along(parameters, all, engaged).squares(0.0).last().copied()
 }
 
 /// Whether what is printed at each interval of a run grows from line to line: the angle, or the speed. In all runs.

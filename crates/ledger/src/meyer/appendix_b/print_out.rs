@@ -6,7 +6,10 @@ use crate::meyer::runs::choice::weakest;
 use crate::meyer::runs::{Constants, Hypothesis, Row, deck, duration, interval, rows, usual};
 use geneva_dynamics::program::Line;
 use geneva_dynamics::steady::Printed;
+use geneva_mimic::Work;
 use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named, print_out};
+use std::collections::HashMap;
+use std::sync::{LazyLock, Mutex, OnceLock};
 
 pub fn claims() -> Vec<Claim> {
     [columns(), vec![output()]].concat()
@@ -17,24 +20,8 @@ fn columns() -> Vec<Claim> {
     let of = |id: &'static str, printed: &'static str, meaning: &'static str| {
         at("Appendix B, program")
             .statement(id, printed, meaning)
-            .by(ByProgram, move |stated| {
-                in_all_runs(characters(id), stated, |row| {
-                    let lines = Hypothesis::as_run().program(row)?.run(&usual()).ok()?.lines;
-                    let of = |line: &Line| {
-                        ([line.time, line.turned, line.speed, line.acceleration, line.follower_speed], line.angle)
-                    };
-                    Some(lines.iter().map(of).collect())
-                })
-            })
-            .by(Evidence::Quadrature, move |stated| {
-                in_all_runs(characters(id), stated, |row| {
-                    let lines = Hypothesis::WITHOUT_LAG.engagement(row)?.run(interval(), duration()).ok()?;
-                    let of = |line: &Printed| {
-                        ([line.time, line.turned, line.speed, line.acceleration, line.follower_speed], line.angle)
-                    };
-                    Some(lines.iter().map(of).collect())
-                })
-            })
+            .by(ByProgram, move |stated| in_all_runs(characters(id), stated, by_program()))
+            .by(Evidence::Quadrature, move |stated| in_all_runs(characters(id), stated, by_integrals()))
             .but_not("the driver's velocity and acceleration the other way round")
     };
     vec![
@@ -52,6 +39,32 @@ fn columns() -> Vec<Claim> {
     ]
 }
 
+/// The five printed quantities of a line, in the order of the columns, and the driver's angle.
+type Columns = ([f64; 5], f64);
+
+/// The lines of all rows by the program, run once; none for a row of which there is no run.
+fn by_program() -> &'static [Option<Vec<Columns>>] {
+    static RUNS: OnceLock<Vec<Option<Vec<Columns>>>> = OnceLock::new();
+    let of = |line: &Line| ([line.time, line.turned, line.speed, line.acceleration, line.follower_speed], line.angle);
+    let run = |row: &Row| {
+        let lines = Hypothesis::as_run().program(row)?.run(&usual()).ok()?.lines;
+        Some(lines.iter().map(of).collect())
+    };
+    RUNS.get_or_init(|| rows().iter().map(run).collect())
+}
+
+/// The same by the solution over the angle.
+fn by_integrals() -> &'static [Option<Vec<Columns>>] {
+    static RUNS: OnceLock<Vec<Option<Vec<Columns>>>> = OnceLock::new();
+    let of =
+        |line: &Printed| ([line.time, line.turned, line.speed, line.acceleration, line.follower_speed], line.angle);
+    let run = |row: &Row| {
+        let lines = Hypothesis::WITHOUT_LAG.engagement(row)?.run(interval(), duration()).ok()?;
+        Some(lines.iter().map(of).collect())
+    };
+    RUNS.get_or_init(|| rows().iter().map(run).collect())
+}
+
 /// The words for the five printed quantities: in the heading, and in the program.
 const WORDS: [[&str; 2]; 5] =
     [["TIME", "T"], ["DISPL", "THETA"], ["VEL", "1DX"], ["ACCEL", "2DX"], ["PHIDOT", "PHIDOT"]];
@@ -60,31 +73,32 @@ const WORDS: [[&str; 2]; 5] =
 /// others one is the rate of another and the third that of the second, by the trapezoids between the lines but for a
 /// fifth of all change, and the last is the second by the transmission ratio of the mechanism by coordinates. Where an
 /// angle is reset, the acceleration jumps.
-fn in_all_runs(words: &str, stated: Stated, run: impl Fn(&Row) -> Option<Vec<([f64; 5], f64)>>) -> Finding {
+fn in_all_runs(words: &str, stated: Stated, runs: &[Option<Vec<Columns>>]) -> Finding {
+    let interval = interval();
     let words: Vec<&str> = words.split(',').collect();
     let place = |quantity: usize| words.iter().position(|word| WORDS[quantity].contains(word));
-    let named = |row: &Row, line: &([f64; 5], f64)| {
+    let named = |row: &Row, line: &Columns| {
         let [time, turned, speed, acceleration, follower] =
             [0, 1, 2, 3, 4].map(|k| place(k).map_or(f64::NAN, |at| line.0[at]));
         let [speed, acceleration] = stated.pick([speed, acceleration], [acceleration, speed]);
         let ratio = PinKinematics::new(&row.mechanism, line.1).turning() / DRIVER.0;
         ([time, turned, speed, acceleration], follower - ratio * speed)
     };
-    let holds = |row: &Row| {
-        let lines: Vec<_> = run(row)?.iter().map(|line| named(row, line)).collect();
+    let holds = |(row, run): (&Row, &Option<Vec<Columns>>)| {
+        let lines: Vec<_> = run.as_ref()?.iter().map(|line| named(row, line)).collect();
         let steps = |of: usize| lines.windows(2).map(move |pair| (pair[1].0[of] - pair[0].0[of], pair));
         let is_rate = |of: usize| {
             let (mut changed, mut missed) = (0.0, 0.0);
             for (change, pair) in steps(of) {
                 changed += change.abs();
-                missed += (change - interval() * (pair[0].0[of + 1] + pair[1].0[of + 1]) / 2.0).abs();
+                missed += (change - interval * (pair[0].0[of + 1] + pair[1].0[of + 1]) / 2.0).abs();
             }
             missed < changed / 5.0
         };
-        let even = steps(0).all(|(step, _)| agrees(step, interval()));
+        let even = steps(0).all(|(step, _)| agrees(step, interval));
         Some(even && is_rate(1) && is_rate(2) && lines.iter().all(|line| line.1.abs() < 1e-3 * (1.0 + line.0[2].abs())))
     };
-    let (found, all) = (rows().iter().filter(|row| holds(row) == Some(true)).count(), rows().len());
+    let (found, all) = (rows().iter().zip(runs).filter(|of| holds(*of) == Some(true)).count(), rows().len());
     Finding::new(found == all, format!("the columns are what they are called in {found} of {all} runs"))
 }
 
@@ -142,7 +156,18 @@ const OUTPUT: [&str; 5] = ["HDR", "OUT", "PLO", "SCA", "ZER"];
 
 /// Whether a deck prints otherwise and takes the same steps if it has no cards of a kind, nor those that belong to them.
 /// FIN, without which no run would end, is put off instead.
-fn prints_alone(kind: &str) -> Option<bool> {
+fn prints_alone(kind: &'static str) -> Option<bool> {
+    static FOUND: LazyLock<Mutex<HashMap<&str, Option<bool>>>> = LazyLock::new(Mutex::default);
+    if let Some(found) = FOUND.lock().ok()?.get(kind) {
+        return *found;
+    }
+    let found = prints_otherwise_without(kind);
+    FOUND.lock().ok()?.insert(kind, found);
+    found
+}
+
+fn prints_otherwise_without(kind: &str) -> Option<bool> {
+    static WHOLE: OnceLock<Option<(Work, String)>> = OnceLock::new();
     let text = deck_named("escapement")?;
     let plot = text.lines().find(|line| line.contains("PLO("))?;
     let scaled = text
@@ -167,6 +192,7 @@ fn prints_alone(kind: &str) -> Option<bool> {
         _ => "*",
     });
     let without: Vec<&str> = without.collect();
-    let [(steps, print), (other_steps, other_print)] = [run(&scaled)?, run(&without.join("\n"))?];
-    Some(steps == other_steps && print != other_print)
+    let (steps, print) = WHOLE.get_or_init(|| run(&scaled)).as_ref()?;
+    let (other_steps, other_print) = run(&without.join("\n"))?;
+    Some(*steps == other_steps && *print != other_print)
 }

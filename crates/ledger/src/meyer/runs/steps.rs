@@ -3,40 +3,98 @@
 //! u = θ'² as a function of the angle has twice the acceleration for its derivative.
 
 use super::*;
-use geneva_dynamics::Sign;
+use geneva_dynamics::{Coefficients, Pose, Sign};
 use geneva_mimic::runge_kutta_step;
 use nalgebra::Vector1;
+use std::collections::HashMap;
 use std::convert::Infallible;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-/// The angles of an engagement that starts at entry and lasts for a turn of `reset` radians.
-pub fn angles(parameters: &Parameters, reset: f64, steps: u32) -> Vec<f64> {
-    let (start, step) = (-parameters.mechanism().engagement_half_angle(), reset / f64::from(steps));
-    (0..=steps).map(|k| start + step * f64::from(k)).collect()
+/// The driver's angles that steps lead to, with what the equation of motion asks of each and of the middle between two.
+#[derive(Clone)]
+pub struct Course {
+    /// The driver's angles from the line of centres, or how far it has turned.
+    pub angles: Arc<[f64]>,
+    ends: Vec<Coefficients<f64>>,
+    middles: Vec<Coefficients<f64>>,
 }
 
-/// u at these angles, from its value at the first.
-pub fn squares(parameters: &Parameters, angles: &[f64], first: f64) -> Vec<f64> {
-    squares_along(parameters, angles, first, |angle| angle)
+/// Angles, and how the mechanism stands at them and in the middle between two: the same for all frictions, inertias and
+/// torques.
+struct Poses {
+    angles: Arc<[f64]>,
+    ends: Vec<Pose<f64>>,
+    middles: Vec<Pose<f64>>,
 }
 
-/// u where the driver has turned so far, from its value at the first: `engaged` gives the angle of the pin in its slot.
-pub fn squares_along(parameters: &Parameters, turned: &[f64], first: f64, engaged: impl Fn(f64) -> f64) -> Vec<f64> {
-    let mut squares = vec![first];
-    for ends in turned.windows(2) {
-        let state = Vector1::new(squares[squares.len() - 1]);
-        let rate = |angle: f64, state: &Vector1<f64>| -> Result<_, Infallible> {
-            Ok(Vector1::new(slope(parameters, engaged(angle), state[0])))
-        };
-        let slope = Vector1::new(slope(parameters, engaged(ends[0]), state[0]));
-        let Ok(next) = runge_kutta_step(rate, ends[0], ends[1], &state, &slope);
-        squares.push(next[0]);
+impl Poses {
+    fn along(parameters: &Parameters, angles: Vec<f64>, engaged: impl Fn(f64) -> f64) -> Self {
+        let pose = |angle: f64| parameters.pose(engaged(angle));
+        let ends = angles.iter().map(|angle| pose(*angle)).collect();
+        let middles = angles.windows(2).map(|pair| pose(pair[0] + (pair[1] - pair[0]) / 2.0)).collect();
+        Self { angles: angles.into(), ends, middles }
     }
-    squares
+
+    /// Those of an engagement that starts at entry and lasts for a turn of `reset` radians, found once.
+    fn engagement(parameters: &Parameters, reset: f64, steps: u32) -> Arc<Self> {
+        type Known = Mutex<HashMap<(Mechanism, u64, u32), Arc<Poses>>>;
+        static KNOWN: OnceLock<Known> = OnceLock::new();
+        let mechanism = parameters.mechanism();
+        let of = || {
+            let (start, step) = (-mechanism.engagement_half_angle(), reset / f64::from(steps));
+            let angles = (0..=steps).map(|k| start + step * f64::from(k)).collect();
+            Arc::new(Self::along(parameters, angles, |angle| angle))
+        };
+        let mut known = KNOWN.get_or_init(Known::default).lock().unwrap_or_else(PoisonError::into_inner);
+        Arc::clone(known.entry((mechanism, reset.to_bits(), steps)).or_insert_with(of))
+    }
+
+    fn course(&self, parameters: &Parameters) -> Course {
+        let (ratio, friction, drive) = (parameters.inertias().ratio(), parameters.friction(), parameters.drive());
+        let all = |poses: &[Pose<f64>]| {
+            poses.iter().map(|pose| Coefficients::of_pose(pose, &ratio, &friction, &drive)).collect()
+        };
+        Course { angles: Arc::clone(&self.angles), ends: all(&self.ends), middles: all(&self.middles) }
+    }
+}
+
+impl Course {
+    /// Through an engagement that starts at entry and lasts for a turn of `reset` radians.
+    pub fn of_engagement(parameters: &Parameters, reset: f64, steps: u32) -> Self {
+        Poses::engagement(parameters, reset, steps).course(parameters)
+    }
+
+    /// Where the driver has turned so far: `engaged` gives the angle of the pin in its slot.
+    pub fn along(parameters: &Parameters, turned: Vec<f64>, engaged: impl Fn(f64) -> f64) -> Self {
+        Poses::along(parameters, turned, engaged).course(parameters)
+    }
+
+    /// What the equation of motion asks of each angle.
+    pub fn coefficients(&self) -> &[Coefficients<f64>] {
+        &self.ends
+    }
+
+    /// u at the angles, from its value at the first.
+    pub fn squares(&self, first: f64) -> Vec<f64> {
+        let mut squares = Vec::with_capacity(self.angles.len());
+        squares.push(first);
+        let mut state = first;
+        for ((angles, ends), middle) in self.angles.windows(2).zip(self.ends.windows(2)).zip(&self.middles) {
+            let rate = |angle: f64, state: &Vector1<f64>| -> Result<_, Infallible> {
+                let terms = if angle == angles[1] { &ends[1] } else { middle };
+                Ok(Vector1::new(slope(terms, state[0])))
+            };
+            let first = Vector1::new(slope(&ends[0], state));
+            let Ok(next) = runge_kutta_step(rate, angles[0], angles[1], &Vector1::new(state), &first);
+            state = next[0];
+            squares.push(state);
+        }
+        squares
+    }
 }
 
 /// du/dθ.
-fn slope(parameters: &Parameters, angle: f64, square: f64) -> f64 {
-    let terms = parameters.coefficients(angle);
+fn slope(terms: &Coefficients<f64>, square: f64) -> f64 {
     let speed = square.max(0.0).sqrt();
     2.0 * terms.acceleration_with(&speed, Sign::from_number(terms.sign_switching_function(&speed)))
 }
@@ -44,31 +102,46 @@ fn slope(parameters: &Parameters, angle: f64, square: f64) -> f64 {
 /// Least speed, duration and greatest speed of the engagement that repeats itself, for a torque and a follower of one;
 /// none if the steps are too long for the equation.
 pub fn cycle(parameters: &Parameters, reset: f64, steps: u32) -> Option<[f64; 3]> {
+    type Known = Mutex<HashMap<(Mechanism, [u64; 3], u32), Option<[f64; 3]>>>;
+    static KNOWN: OnceLock<Known> = OnceLock::new();
+    // The rows of a table begin the search for their data with the same trials.
+    let numbers = [parameters.inertias().ratio(), parameters.friction(), reset].map(f64::to_bits);
+    let key = (parameters.mechanism(), numbers, steps);
+    let known = KNOWN.get_or_init(Known::default);
+    if let Some(found) = known.lock().ok()?.get(&key) {
+        return *found;
+    }
+    let found = cycle_of(parameters, reset, steps);
+    known.lock().ok()?.insert(key, found);
+    found
+}
+
+fn cycle_of(parameters: &Parameters, reset: f64, steps: u32) -> Option<[f64; 3]> {
     let ratio = Inertias::new(parameters.inertias().ratio(), 1.0).ok()?;
     let unit = Parameters::new(parameters.mechanism(), ratio, 1.0, parameters.friction()).ok()?;
-    let angles = angles(&unit, reset, steps);
-    let squares = repeated(&unit, &angles)?;
+    let course = Course::of_engagement(&unit, reset, steps);
+    let squares = repeated(&course)?;
     let least = squares.windows(3).map(|w| lowest(w[0], w[1], w[2]));
     let least = squares.iter().copied().chain(least).fold(f64::INFINITY, f64::min);
     // The greatest stands upside down.
     let greatest = squares.windows(3).map(|w| -lowest(-w[0], -w[1], -w[2]));
     let greatest = squares.iter().copied().chain(greatest).fold(0.0, f64::max);
-    let found = [least.sqrt(), duration(&unit, &angles, &squares), greatest.sqrt()];
+    let found = [least.sqrt(), duration(&course, &squares), greatest.sqrt()];
     found.iter().all(|number| number.is_finite()).then_some(found)
 }
 
 /// The squares of the engagement that ends as it starts.
 ///
 /// One engagement takes u to nearly a multiple of u and a constant. Two of them tell both, and so what repeats itself.
-fn repeated(parameters: &Parameters, angles: &[f64]) -> Option<Vec<f64>> {
+fn repeated(course: &Course) -> Option<Vec<f64>> {
     let mut first = 1.0;
     for _ in 0..MOST_TRIALS {
-        let squares = squares(parameters, angles, first);
+        let squares = course.squares(first);
         let once = *squares.last()?;
         if (once - first).abs() <= 1e-12 * first {
             return Some(squares);
         }
-        let twice = *self::squares(parameters, angles, once).last()?;
+        let twice = *course.squares(once).last()?;
         let (angular_acceleration, next_gain) = (once - first, twice - once);
         first = once + next_gain / (1.0 - next_gain / angular_acceleration);
     }
@@ -79,8 +152,9 @@ fn repeated(parameters: &Parameters, angles: &[f64]) -> Option<Vec<f64>> {
 const MOST_TRIALS: u32 = 50;
 
 /// ∫ dθ / √u by Simpson's rule, with u in the middle of a step by the cubic through values and slopes.
-fn duration(parameters: &Parameters, angles: &[f64], squares: &[f64]) -> f64 {
-    let slopes: Vec<_> = angles.iter().zip(squares).map(|(angle, u)| slope(parameters, *angle, *u)).collect();
+fn duration(course: &Course, squares: &[f64]) -> f64 {
+    let angles = &course.angles;
+    let slopes: Vec<_> = course.ends.iter().zip(squares).map(|(terms, u)| slope(terms, *u)).collect();
     (1..angles.len())
         .map(|k| {
             let (step, a, b) = (angles[k] - angles[k - 1], squares[k - 1], squares[k]);
