@@ -3,6 +3,7 @@
 use crate::slugs::slugs;
 use crate::{Judged, Kind, Verdict, Work, claims, verdicts_where};
 use std::cmp::Reverse;
+use std::collections::BTreeMap;
 use std::sync::OnceLock;
 
 /// What is wrong in one place, and the slip that it comes from.
@@ -131,9 +132,11 @@ pub fn slips_of(consequence: Consequence) -> impl Iterator<Item = &'static Place
     slips().iter().filter(move |places| places.is_of_a_document() && places.slip.consequence == consequence)
 }
 
-/// The slip of this id with its places.
+/// The slip of this id with its places: the verdicts on no other claims are derived for it.
 pub fn slip(id: &str) -> Option<&'static Places> {
-    slips().iter().find(|places| places.slip.id == id)
+    static FOUND: OnceLock<BTreeMap<&str, OnceLock<Option<Places>>>> = OnceLock::new();
+    let all = || claims().iter().filter_map(|claim| Some((claim.erratum?.slip.id, OnceLock::new()))).collect();
+    FOUND.get_or_init(all).get(id)?.get_or_init(|| collected(|slip| slip.id == id).pop()).as_ref()
 }
 
 /// The slips that are wanted, with their places.
@@ -256,6 +259,9 @@ mod tests {
             let expected = ids(&mut slips().iter().filter(|places| places.main().claim.work == *work));
             assert_eq!(ids(&mut slips_in(*work).iter()), expected, "{work}");
         }
+        let one_by_one: Vec<&Places> = slips().iter().filter_map(|places| slip(places.slip.id)).collect();
+        assert_eq!(ids(&mut one_by_one.into_iter()), ids(&mut slips().iter()));
+        assert!(slip("no-slip").is_none());
     }
 
     #[test]

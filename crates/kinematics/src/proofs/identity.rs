@@ -232,7 +232,7 @@ mod tests {
 
     impl Identity<1> for WithPole {
         fn difference(&self, [x]: [Expression; 1]) -> Expression {
-            x / (x - 3) - x / (x - 3)
+            x / (x - 3) - 1 / (x - 3) * x
         }
     }
 

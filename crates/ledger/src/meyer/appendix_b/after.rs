@@ -13,6 +13,7 @@ use geneva_dynamics::program::Program;
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
+use std::sync::OnceLock;
 
 const AFTER: Place = at("Appendix B, paragraphs after the program");
 
@@ -110,7 +111,8 @@ fn angle() -> Vec<Claim> {
                 "the driver's angle grows as long as the program runs",
             )
             .by(Evidence::RungeKutta, |stated| {
-                grows(stated, |hypothesis, row| {
+                static GROWING: OnceLock<[usize; 2]> = OnceLock::new();
+                grows(stated, &GROWING, |hypothesis, row| {
                     let program =
                         Program { reset: hypothesis.angle(row.mechanism), ..Program::of(&hypothesis.parameters(row)?) };
                     let integrator = geneva_mimic::Parameters::new(interval(), duration());
@@ -119,7 +121,8 @@ fn angle() -> Vec<Claim> {
                 })
             })
             .by(Evidence::Quadrature, |stated| {
-                grows(stated, |hypothesis, row| {
+                static GROWING: OnceLock<[usize; 2]> = OnceLock::new();
+                grows(stated, &GROWING, |hypothesis, row| {
                     let lines = hypothesis.engagement(row)?.run(interval(), duration()).ok()?;
                     Some(lines.iter().map(|line| [line.turned, line.speed]).collect())
                 })
@@ -274,13 +277,19 @@ fn square_after(parameters: &Parameters, turned: f64, steps: u32) -> Option<f64>
     Course::along(parameters, all, engaged).squares(0.0).last().copied()
 }
 
-/// Whether what is printed at each interval of a run grows from line to line: the angle, or the speed. In all runs.
-fn grows(stated: Stated, run: impl Fn(&Hypothesis, &Row) -> Option<Vec<[f64; 2]>>) -> Finding {
-    let grows = |lines: Vec<[f64; 2]>| {
-        let printed = lines.into_iter().map(|[angle, speed]| stated.pick(angle, speed)).collect::<Vec<_>>();
-        printed.windows(2).all(|pair| pair[0] < pair[1])
-    };
-    let growing = rows().iter().filter(|row| run(&Hypothesis::WITHOUT_LAG, row).is_some_and(grows)).count();
+/// Whether what is printed at each interval of a run grows from line to line: the angle, or the speed. In all runs,
+/// each made once for both.
+fn grows(
+    stated: Stated,
+    growing: &OnceLock<[usize; 2]>,
+    run: impl Fn(&Hypothesis, &Row) -> Option<Vec<[f64; 2]>>,
+) -> Finding {
+    let growing = growing.get_or_init(|| {
+        let runs: Vec<_> = rows().iter().filter_map(|row| run(&Hypothesis::WITHOUT_LAG, row)).collect();
+        [0, 1].map(|of| runs.iter().filter(|lines| lines.windows(2).all(|pair| pair[0][of] < pair[1][of])).count())
+    });
+    let [angle, speed] = *growing;
+    let growing = stated.pick(angle, speed);
     Finding::new(growing == rows().len(), format!("it grows from line to line in {growing} of {} runs", rows().len()))
 }
 

@@ -101,12 +101,19 @@ impl Truth {
 
 /// Whether lines agree with the equation of motion, all over the engagements of the three mechanisms.
 pub fn by_coefficients<const N: usize>(pairs: impl Fn(&Letters, &Truth) -> [(f64, f64); N]) -> Finding {
-    let holds = Mechanism::ALL.iter().all(|mechanism| {
-        (-9..=9).all(|k| {
-            let x = mechanism.engagement_half_angle() * f64::from(k) / 10.0;
-            let pairs = pairs(&at(*mechanism, x), &Truth::at(*mechanism, x));
-            pairs.iter().all(|(a, b)| vanishes((a - b) / a.abs().max(b.abs()).max(1.0)))
-        })
+    // The program's lines are computed once for all that is asked of them.
+    static AT: OnceLock<Vec<(Letters, Truth)>> = OnceLock::new();
+    let all = AT.get_or_init(|| {
+        let of = |mechanism: Mechanism| {
+            (-9..=9).map(move |k| {
+                let x = mechanism.engagement_half_angle() * f64::from(k) / 10.0;
+                (at(mechanism, x), Truth::at(mechanism, x))
+            })
+        };
+        Mechanism::ALL.into_iter().flat_map(of).collect()
+    });
+    let holds = all.iter().all(|(letters, truth)| {
+        pairs(letters, truth).iter().all(|(a, b)| vanishes((a - b) / a.abs().max(b.abs()).max(1.0)))
     });
     let how = if holds { "agrees" } else { "differs" };
     Finding::new(holds, format!("{how} at 19 angles of each mechanism"))
