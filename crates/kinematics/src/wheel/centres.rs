@@ -34,7 +34,8 @@ impl Sizes {
     }
 
     /// The errors of the axes as by [`centre_tolerance`](Self::centre_tolerance), from so many crank angles at most for each of
-    /// 48 distances.
+    /// 48 distances. Where these do not decide the last part of a limit, it is told too small, by a thousandth of the play's own
+    /// limit at most.
     ///
     /// # Errors
     ///

@@ -118,8 +118,7 @@ impl Sizes {
             let assembly = self.assembly_at(centre_distance)?;
             Assembly { tolerance: times * assembly.tolerance, ..assembly }.within(angles, f64::INFINITY)
         };
-        let [wide, widest] = [wider(8.0), wider(64.0)];
-        wider(1.0).or(wide).or(widest)
+        wider(1.0).or_else(|_| wider(8.0)).or_else(|_| wider(64.0))
     }
 
     /// Whether driver and wheel are proven to keep clear of each other over a whole turn with the axes at another distance, in
