@@ -1,8 +1,8 @@
 //! The same motion by other routes: the ideal escapement, and steps of time.
 
 use super::*;
-use crate::steady::Engagement;
 use approx::assert_relative_eq;
+use geneva_dynamics::steady::Engagement;
 use nalgebra::Vector2;
 use ode_solvers::dop_shared::OutputType;
 use ode_solvers::{Dop853, System};

@@ -1,6 +1,10 @@
 //! The program against itself and against the mechanism.
 
-use super::*;
+mod readings;
+
+use geneva_dynamics::program::{Contact, Program};
+use geneva_dynamics::{Error, Inertias, Parameters};
+use geneva_kinematics::Mechanism;
 
 fn parameters(mechanism: Mechanism, ratio: f64, friction: f64) -> Parameters {
     Parameters::new(mechanism, Inertias::new(ratio, 1.0).unwrap(), 1.0, friction).unwrap()

@@ -1,13 +1,15 @@
 //! The escapement with real joints against vectors, against the ideal one, and at the ends of its range.
 
+mod contact_proofs;
+mod equation_proofs;
 mod laws;
 mod limits;
 mod routes;
 mod steadiness;
 mod vectors;
 
-use super::{Escapement, Joints};
-use crate::{Inertias, Parameters};
+use geneva_dynamics::joints::{Escapement, Joints};
+use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
 
 /// An escapement with torque one and a follower's inertia of one.

@@ -1,9 +1,9 @@
 //! Where there is one solution, where there is none, and what is said of it.
 
 use super::*;
-use crate::joints::{STEPS, largest_pin_radius};
-use crate::{Error, Sign, existence};
 use approx::assert_relative_eq;
+use geneva_dynamics::joints::{Reach, STEPS, largest_pin_radius};
+use geneva_dynamics::{Error, Sign, existence};
 
 #[test]
 fn the_margin_goes_over_to_the_ideal_one() {
@@ -47,9 +47,14 @@ fn the_arm_on_the_follower_is_least_on_the_line_of_centres() {
             let parameters = parameters(mechanism, 1.0, spread.between(0.0, 0.35));
             let Ok(escapement) = Escapement::new(&parameters, spread.joints()) else { continue };
             let arm = |angle: f64, flank| {
-                let reach = escapement.place(angle).reach;
-                let sense = Sign::from_number(reach.sliding(&escapement.joints().pin_radius, flank));
-                escapement.arms(&reach, flank, sense).follower
+                let (joints, friction) = (escapement.joints(), parameters.friction());
+                let reach = Reach::of_pose(&parameters.pose(angle));
+                let sense = Sign::from_number(reach.sliding(&joints.pin_radius, flank));
+                // A journal bears the whole force of the contact.
+                let journal = |radius: f64| joints.bearing_friction * radius * (1.0 + friction * friction).sqrt();
+                let (driver, follower) = (journal(joints.driver_journal), journal(joints.follower_journal));
+                let arms = reach.arms(&joints.pin_radius, &friction, flank, sense);
+                arms.with_journals(&driver, &follower, flank).follower
             };
             let least = arm(0.0, Sign::Plus);
             let angle = mechanism.engagement_half_angle() * spread.between(-1.0, 1.0);
@@ -60,7 +65,7 @@ fn the_arm_on_the_follower_is_least_on_the_line_of_centres() {
             let turn = escapement.reversal_angle();
             let pin = escapement.joints().pin_radius;
             for (angle, flank) in [(-turn, Sign::Plus), (turn, Sign::Minus)] {
-                let sliding = escapement.place(angle).reach.sliding(&pin, flank);
+                let sliding = Reach::of_pose(&parameters.pose(angle)).sliding(&pin, flank);
                 assert!(sliding.abs() < 1e-14, "{mechanism:?} {pin} {sliding}");
             }
         }
@@ -83,14 +88,27 @@ fn a_driver_that_jams_is_refused_with_the_angle() {
 fn beyond_the_limit_there_are_two_accelerations_or_none() {
     let limit = existence::critical_friction(Mechanism::FOUR_PIN, 0.06).expect("sound").friction;
     let parameters = parameters(Mechanism::FOUR_PIN, 0.06, 0.98 * limit);
-    let jammed = Escapement::assembled(&parameters, Joints::journals(0.2, 0.2)).expect("sizes in range");
-    let least = jammed.least_margin();
-    assert!(least.margin < 0.0 && least.flank == Sign::Minus, "{least:?}");
+    let jammed = Joints::journals(0.2, 0.2);
+    let Err(Error::Jams { margin, angle }) = Escapement::new(&parameters, jammed) else { panic!("it jams") };
+    assert!(margin < 0.0, "{margin}");
+    // With ever more friction in the journals it is the trailing flank that comes to it.
+    let (mut sound, mut least) = (0.0, None);
+    let mut jams = 0.2;
+    for _ in 0..40 {
+        let middle = f64::midpoint(sound, jams);
+        match Escapement::new(&parameters, Joints::journals(0.2, middle)) {
+            Ok(escapement) => (sound, least) = (middle, Some(escapement.least_margin())),
+            Err(_) => jams = middle,
+        }
+    }
+    let least = least.expect("a sound one between them");
+    assert!(least.margin > 0.0 && least.margin < 1e-9 && least.flank == Sign::Minus, "{least:?}");
     // Where the follower is to be driven on, the pin can be wedged on the trailing flank as well.
-    assert_eq!(vectors::solutions(&jammed, -least.angle.abs(), 1.0), 2);
+    let flanks = |angle: f64, speed: f64| vectors::solutions(&parameters, &jammed, angle, speed);
+    assert_eq!(flanks(-angle.abs(), 1.0), Sign::BOTH);
     // Behind the line of centres and at speed the follower is to be held back, and no force can do it.
-    assert_eq!(vectors::solutions(&jammed, least.angle.abs(), 10.0), 0);
-    assert_eq!(vectors::solutions(&jammed, 0.0, 1.0), 1);
+    assert_eq!(flanks(angle.abs(), 10.0), []);
+    assert_eq!(flanks(0.0, 1.0).len(), 1);
 }
 
 #[test]

@@ -1,9 +1,9 @@
 //! What is said of the timer against differences, energies and starts near the steady speed.
 
-use super::*;
-use crate::steady::Engagement;
-use crate::{Inertias, Parameters, existence};
 use approx::assert_relative_eq;
+use geneva_dynamics::steady::Engagement;
+use geneva_dynamics::timer::{Accelerations, Sensitivities, Settling};
+use geneva_dynamics::{Error, Inertias, Parameters, existence};
 use geneva_kinematics::Mechanism;
 
 fn escapement(mechanism: Mechanism, driver: f64, follower: f64, torque: f64, friction: f64) -> Parameters {
@@ -86,7 +86,7 @@ fn accelerations_are_the_slopes_of_the_speeds() {
     for of in samples() {
         let found = Accelerations::new(&of).expect("accelerations");
         let lines = Engagement::new(&of).and_then(|of| of.steady_cycle(40_000)).expect("a cycle");
-        let strongest = |speed: fn(&crate::steady::Printed) -> f64| {
+        let strongest = |speed: fn(&geneva_dynamics::steady::Printed) -> f64| {
             let slopes = lines.windows(2).map(|w| (speed(&w[1]) - speed(&w[0])) / (w[1].time - w[0].time));
             slopes.fold(0.0_f64, |most, slope| if slope.abs() > most.abs() { slope } else { most })
         };

@@ -1,8 +1,8 @@
 //! The loads against a fine scan, against laws of mechanics, and at their limits.
 
-use super::{Load, Peak, WheelLoads};
-use crate::Error;
 use approx::{assert_abs_diff_eq, assert_relative_eq};
+use geneva_dynamics::Error;
+use geneva_dynamics::wheel_loads::{Load, Peak, WheelLoads};
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::internal_wheel::InternalWheel;
@@ -37,8 +37,7 @@ fn frictions(wheel: &dyn Indexing) -> Vec<f64> {
     frictions
 }
 
-fn scan(loads: &WheelLoads<'_, dyn Indexing>, of: fn(&Load) -> f64, steps: i32) -> (f64, f64) {
-    let end = loads.wheel.engagement_half_angle();
+fn scan(loads: &WheelLoads<'_, dyn Indexing>, end: f64, of: fn(&Load) -> f64, steps: i32) -> (f64, f64) {
     let values = (-steps..=steps).map(|k| of(&loads.at(end * (f64::from(k) / f64::from(steps))).expect("engaged")));
     values.fold((f64::NEG_INFINITY, f64::INFINITY), |(most, least), value| (most.max(value), least.min(value)))
 }
@@ -54,7 +53,7 @@ fn every_peak_is_that_of_a_fine_scan() {
             let found = [loads.wheel_torque(), loads.pin_moment(), loads.crank_torque()];
             for (kind, (of, found)) in kinds.into_iter().zip(found).enumerate() {
                 let told = format!("{} stations, friction {friction}, load {kind}", wheel.stations());
-                let (most, least) = scan(&loads, of, 1500);
+                let (most, least) = scan(&loads, wheel.engagement_half_angle(), of, 1500);
                 let value = |peak: Peak| of(&loads.at(peak.angle).expect("engaged"));
                 assert_relative_eq!(value(found.driving), found.driving.value, max_relative = 1e-9);
                 assert!(found.driving.value >= most * (1.0 - 1e-12), "{told}: {} below {most}", found.driving.value);

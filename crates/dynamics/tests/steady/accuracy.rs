@@ -1,8 +1,8 @@
 //! Whether the tolerance that is asked for is met, from one end of the parameters to the other.
 
 use super::escapement;
-use crate::existence;
-use crate::steady::Engagement;
+use geneva_dynamics::existence;
+use geneva_dynamics::steady::Engagement;
 use geneva_kinematics::Mechanism;
 
 /// The finest, for comparison: ten times finer than what is tested against it.

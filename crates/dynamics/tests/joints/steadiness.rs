@@ -1,9 +1,9 @@
 //! The steady motion: its method's order, its balance of work, and what it is made of.
 
 use super::*;
-use crate::Error;
-use crate::joints::Passage;
 use approx::assert_relative_eq;
+use geneva_dynamics::Error;
+use geneva_dynamics::joints::Passage;
 
 fn samples() -> Vec<Escapement> {
     let sizes = [

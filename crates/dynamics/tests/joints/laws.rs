@@ -1,9 +1,9 @@
 //! What follows for the timer: which sizes slow it down, and how speed scales with the torque.
 
 use super::*;
-use crate::Error;
-use crate::joints::{Varied, effects, series};
 use approx::assert_relative_eq;
+use geneva_dynamics::Error;
+use geneva_dynamics::joints::{Varied, effects, series};
 
 #[test]
 fn a_thicker_pin_speeds_the_timer_up_and_everything_else_slows_it_down() {

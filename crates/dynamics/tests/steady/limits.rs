@@ -1,9 +1,8 @@
 //! The ends of the range: hardly any friction, nearly too much, very different inertias, impossible requests.
 
 use super::escapement;
-use crate::Error;
-use crate::existence;
-use crate::steady::{Engagement, TOLERANCES};
+use geneva_dynamics::steady::{Engagement, TOLERANCES};
+use geneva_dynamics::{Error, existence};
 use geneva_kinematics::Mechanism;
 use std::f64::consts::PI;
 

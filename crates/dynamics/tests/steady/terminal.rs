@@ -1,9 +1,9 @@
 //! The entry speed and the period alone, against the steady state with its extremes.
 
 use super::{escapement, samples};
-use crate::Error;
-use crate::existence;
-use crate::steady::Engagement;
+use geneva_dynamics::Error;
+use geneva_dynamics::existence;
+use geneva_dynamics::steady::Engagement;
 use geneva_kinematics::Mechanism;
 use std::f64::consts::PI;
 

@@ -1,13 +1,18 @@
 //! The steady motion against other routes to it, and at the ends of its range.
 
 mod accuracy;
+mod circle;
+mod exponential;
+mod largest_printed;
 mod laws;
 mod limits;
+mod proofs;
+mod quadrature;
 mod routes;
 mod terminal;
 
-use super::Engagement;
-use crate::{Inertias, Parameters};
+use geneva_dynamics::steady::Engagement;
+use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
 
 /// An escapement with torque one and a follower's inertia of one.

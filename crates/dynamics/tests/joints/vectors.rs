@@ -1,7 +1,7 @@
 //! The instant from vectors: positions, velocities and forces, and a linear system instead of the closed formulas.
 
 use super::*;
-use crate::Sign;
+use geneva_dynamics::Sign;
 use geneva_kinematics::Turn;
 use nalgebra::{Matrix3, Vector2, Vector3};
 
@@ -36,8 +36,7 @@ struct Instant {
 }
 
 impl Instant {
-    fn new(escapement: &Escapement, angle: f64, speed: f64, flank: Sign) -> Self {
-        let (parameters, joints) = (escapement.parameters(), escapement.joints());
+    fn new(parameters: &Parameters, joints: &Joints, angle: f64, speed: f64, flank: Sign) -> Self {
         let Turn { cos, sin } = Turn::from_radians(angle);
         let pin = Vector2::new(cos, sin);
         let reach = pin - Vector2::new(parameters.mechanism().centre_distance_ratio(), 0.0);
@@ -80,14 +79,16 @@ impl Instant {
 
 /// θ'' from the vectors alone, by the flank that the normal force agrees with.
 pub fn angular_acceleration(escapement: &Escapement, angle: f64, speed: f64) -> f64 {
-    let [leading, trailing] = Sign::BOTH.map(|flank| Instant::new(escapement, angle, speed, flank).solution);
+    let (parameters, joints) = (escapement.parameters(), escapement.joints());
+    let solution = |flank| Instant::new(parameters, &joints, angle, speed, flank).solution;
+    let [leading, trailing] = Sign::BOTH.map(solution);
     if leading[2] >= 0.0 { leading[0] } else { trailing[0] }
 }
 
-/// How many flanks agree with the normal force that they lead to.
-pub fn solutions(escapement: &Escapement, angle: f64, speed: f64) -> usize {
-    let agrees = |flank: &Sign| flank.of(Instant::new(escapement, angle, speed, *flank).solution[2]) >= 0.0;
-    Sign::BOTH.iter().filter(|flank| agrees(flank)).count()
+/// The flanks that agree with the normal force that they lead to, of an escapement that may jam.
+pub fn solutions(parameters: &Parameters, joints: &Joints, angle: f64, speed: f64) -> Vec<Sign> {
+    let agrees = |flank: &Sign| flank.of(Instant::new(parameters, joints, angle, speed, *flank).solution[2]) >= 0.0;
+    Sign::BOTH.into_iter().filter(agrees).collect()
 }
 
 /// Escapements, angles and speeds of all kinds, with the instant on the flank that the normal force agrees with.
@@ -106,7 +107,7 @@ fn for_instants(mut check: impl FnMut(&Escapement, f64, &Instant, Sign)) {
             let speed = spread.between(0.0, 4.0);
             let sound: Vec<_> = Sign::BOTH
                 .into_iter()
-                .map(|flank| (flank, Instant::new(&escapement, angle, speed, flank)))
+                .map(|flank| (flank, Instant::new(&parameters, &joints, angle, speed, flank)))
                 .filter(|(flank, instant)| flank.of(instant.solution[2]) >= 0.0)
                 .collect();
             assert_eq!(sound.len(), 1, "{escapement:?} {angle} {speed}");

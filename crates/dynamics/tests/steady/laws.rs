@@ -1,11 +1,11 @@
 //! Laws that the motion obeys whatever its numbers are.
 
 use super::{escapement, samples};
-use crate::Error;
-use crate::similarity::Scaling;
-use crate::steady::Engagement;
-use crate::{Inertias, Parameters};
 use approx::assert_relative_eq;
+use geneva_dynamics::Error;
+use geneva_dynamics::similarity::Scaling;
+use geneva_dynamics::steady::Engagement;
+use geneva_dynamics::{Inertias, Parameters};
 use geneva_kinematics::Mechanism;
 
 #[test]
@@ -112,7 +112,7 @@ fn the_rise_ends_where_each_definition_says() {
             last = cycle.end;
         }
         // The difference of squares falls by the multiplier, in the end.
-        let gap = |cycle: &super::super::Cycle| steady.entry_speed.powi(2) - cycle.end_speed.powi(2);
+        let gap = |cycle: &geneva_dynamics::steady::Cycle| steady.entry_speed.powi(2) - cycle.end_speed.powi(2);
         let near = rise.cycles.windows(2).find(|pair| gap(&pair[0]) < 1e-3 * steady.entry_speed.powi(2)).expect("near");
         let factor = gap(&near[1]) / gap(&near[0]);
         assert!((factor / steady.multiplier - 1.0).abs() < 0.02, "{factor} {}", steady.multiplier);

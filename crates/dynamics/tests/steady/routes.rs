@@ -4,8 +4,8 @@
 //! [`Parameters`] alone, and the first the sign with which it is to be taken.
 
 use super::{escapement, samples};
-use crate::steady::Engagement;
-use crate::{Parameters, Sign};
+use geneva_dynamics::steady::Engagement;
+use geneva_dynamics::{Parameters, Sign};
 use geneva_kinematics::Mechanism;
 use geneva_mimic::{AtSmallestStep, Kept};
 use nalgebra::Vector2;
