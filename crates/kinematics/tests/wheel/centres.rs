@@ -1,7 +1,7 @@
 //! Is the tolerance of the centre distance that of the outlines, looked at point by point?
 
 use super::assembly::{Point, between, marched, sized};
-use crate::wheel::{Choices, EntryContact, Play, Sizes};
+use geneva_kinematics::wheel::{Choices, EntryContact, Play, Sizes};
 use std::f64::consts::PI;
 
 /// Least distance of the driver from the wheel over half the engagement and in the dwell, with the axes wrong by so much
@@ -13,7 +13,7 @@ fn seen(sizes: &Sizes, error: f64) -> f64 {
     let instants = (0..=40).map(|step| end * f64::from(step) / 40.0);
     let apart = |theta: f64, phi: f64| {
         let wheel = outline.wheel.outer.placed(phi, Point::zeros());
-        let on_driver = |of: &crate::wheel::Loop| of.placed(PI - theta, axis);
+        let on_driver = |of: &geneva_kinematics::wheel::Loop| of.placed(PI - theta, axis);
         let pins = outline.pins.iter().map(|pin| between(&wheel, &on_driver(pin)));
         pins.chain(outline.disc.iter().map(|disc| between(&wheel, &on_driver(&disc.outer))))
             .fold(f64::INFINITY, f64::min)
@@ -67,8 +67,9 @@ fn no_smaller_error_fails_and_no_greater_one_runs() {
 fn loose_bores_leave_something_of_it() {
     for stations in (3..=9).chain([14, 30, 60]) {
         for pins in 1..=6 {
-            let Ok(wheel) = crate::wheel::Wheel::with_pins(stations, pins) else { continue };
-            let sizes = Sizes::new(wheel, crate::wheel::Scale::CrankRadius(25.0), &Choices::default()).unwrap();
+            let Ok(wheel) = geneva_kinematics::wheel::Wheel::with_pins(stations, pins) else { continue };
+            let sizes =
+                Sizes::new(wheel, geneva_kinematics::wheel::Scale::CrankRadius(25.0), &Choices::default()).unwrap();
             let nearer = sizes.centre_tolerance().nearer;
             assert!(sizes.play.bore < 0.9 * nearer, "{stations} {pins}: {:?}, {nearer}", sizes.play);
         }

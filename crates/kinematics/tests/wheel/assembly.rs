@@ -1,9 +1,11 @@
 //! Do the closed forms and the search agree with the outlines themselves, looked at point by point?
 //!
 //! Points on the edges of one part and their distances from the edges of the other, at many crank angles; the wheel's
-//! angle from [`Wheel::at`](crate::wheel::Wheel::at), insides by counting crossings of a ray. Nothing here uses the regions or the search.
+//! angle from [`Wheel::at`], insides by counting crossings of a ray. Nothing here uses the regions or the search.
 
-use crate::wheel::{Choices, Crescent, Edge, Entry, EntryContact, Face, LockingDisc, Loop, Play, Scale, Sizes, Wheel};
+use geneva_kinematics::wheel::{
+    Choices, Crescent, Edge, Entry, EntryContact, Face, LockingDisc, Loop, Play, Scale, Sizes, Wheel,
+};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
@@ -16,7 +18,7 @@ pub(super) fn sized(stations: u32, pins: u32, choices: &Choices) -> Sizes {
     Sizes::new(Wheel::with_pins(stations, pins).unwrap(), Scale::CentreDistance(100.0), choices).unwrap()
 }
 
-fn from_edge(edge: &Edge, p: &Point) -> f64 {
+pub(super) fn from_edge(edge: &Edge, p: &Point) -> f64 {
     match *edge {
         Edge::Line { from, to } => {
             let along = to - from;
