@@ -1,4 +1,4 @@
-//! Is what is claimed of the sign and of the single solution proven?
+//! Are the sign of the bars and the single solution proven?
 
 use crate::proving::holds;
 use geneva_dynamics::Sign;

@@ -1,4 +1,4 @@
-//! Are the least margin and the critical friction those of a scan, and is what they refuse refused?
+//! Does a scan find the same least margin and critical friction, and are impossible values named?
 
 use geneva_dynamics::Pose;
 use geneva_dynamics::existence::{

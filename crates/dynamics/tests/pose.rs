@@ -1,4 +1,4 @@
-//! Is a pose that of the pin in its slot, and does it move as its angle does?
+//! Does a pose have the rates of the pin in its slot, and does it move as its angle does?
 
 use geneva_dynamics::Pose;
 use geneva_kinematics::{Jet, Rational, Turn, pin_slot, rational, wheel};

@@ -1,4 +1,4 @@
-//! Do a sign and the number that it is of agree?
+//! Do a sign and its number agree?
 
 use geneva_dynamics::Sign;
 

@@ -1,4 +1,4 @@
-//! Is nothing divided by zero in the equation of motion?
+//! Does the equation of motion never divide by zero?
 
 use crate::proving::holds;
 use geneva_dynamics::singularity::{AtOne, BoundAsSquare, OffTheSingularity, SingularAngle, StartAtEntry};

@@ -4,7 +4,7 @@ use crate::problems::{LOGISTIC, SPRING, run};
 use geneva_mimic::{Kept, Parameters, integrate};
 use nalgebra::Vector2;
 
-/// The grid itself, for runs of more points than can be made.
+/// The grid, compiled here by itself: a run of so many points would take too long.
 #[allow(dead_code)]
 #[path = "../src/grid.rs"]
 mod source;

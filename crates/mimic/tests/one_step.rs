@@ -1,4 +1,4 @@
-//! Is one step the classical one, when is the system asked, and what is made of its two results?
+//! Is one step the classical one, when does it ask the system, and what does a run make of its two results?
 
 use geneva_mimic::{
     AtSmallestStep, Cause, IntegrationError, Kept, Outcome, Parameters, Stopped, System, integrate, runge_kutta_step,

@@ -1,4 +1,4 @@
-//! Are the arms and the sliding of a pin of finite radius those of vectors?
+//! Do vectors give the arms and the sliding of a pin of finite radius?
 
 use crate::proving::holds;
 use geneva_dynamics::Sign;

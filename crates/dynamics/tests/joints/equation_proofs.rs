@@ -1,4 +1,4 @@
-//! Is the flank known beforehand, and is the thesis's equation the one without sizes?
+//! Is the flank known beforehand, and does the equation without sizes become the equation of the thesis?
 
 use crate::proving::holds;
 use geneva_dynamics::Sign;

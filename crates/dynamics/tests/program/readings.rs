@@ -1,4 +1,4 @@
-//! Is what a ruler reads off a run what the solver has?
+//! Does a ruler read off a run what the solver computes?
 
 use geneva_dynamics::program::{Line, Printout, Program, Readings};
 use geneva_dynamics::steady::Engagement;

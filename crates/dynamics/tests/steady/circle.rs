@@ -1,11 +1,11 @@
-//! Has the circle of the steady motion the pose of the mechanism?
+//! Does the circle of the steady motion give the pose of the mechanism?
 
 use geneva_dynamics::Pose;
 use geneva_kinematics::{Mechanism, Turn};
 use source::Circle;
 use std::f64::consts::PI;
 
-/// The variable, compiled here by itself: the crate does not give it away.
+/// The variable, compiled here by itself because the crate keeps it private.
 #[allow(dead_code)]
 #[path = "../../src/steady/circle.rs"]
 mod source;

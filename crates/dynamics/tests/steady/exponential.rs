@@ -1,6 +1,6 @@
 //! Are exponentials of many numbers at once right to the last places?
 
-/// The function, compiled here by itself: the crate does not give it away.
+/// The function, compiled here by itself because the crate keeps it private.
 #[path = "../../src/steady/exponential.rs"]
 mod source;
 

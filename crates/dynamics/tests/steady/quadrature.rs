@@ -1,6 +1,6 @@
 //! Does the Gauss-Legendre rule integrate what it should, and how fast does its error fall?
 
-/// The rule, compiled here by itself: the crate does not give it away.
+/// The rule, compiled here by itself because the crate keeps it private.
 #[allow(dead_code)]
 #[path = "../../src/steady/quadrature.rs"]
 mod source;

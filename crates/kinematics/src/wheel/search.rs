@@ -1,4 +1,4 @@
-//! The least value of a function that changes no faster than is known.
+//! The least value of a function whose greatest rate is known.
 //!
 //! Within an interval the value is at least the value in the middle less half the interval times the greatest rate in it.
 //! Intervals are halved until none can hold a value below the least that was found, less the tolerance.

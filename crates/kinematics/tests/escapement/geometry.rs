@@ -1,4 +1,4 @@
-//! Are the three escapements all there are, and have they the sizes of wheels without dwell?
+//! Are there only three escapements, and do they have the sizes of wheels without dwell?
 
 use geneva_kinematics::escapement::{EscapementError, Mechanism, pins_needed, possible};
 use geneva_kinematics::wheel::Phase;

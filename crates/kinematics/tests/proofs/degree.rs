@@ -1,4 +1,4 @@
-//! Are the bounds of an expression's degrees as low as they should be?
+//! Are the bounds on the degrees of an expression as low as they should be?
 
 use geneva_kinematics::{Expression, Turn};
 

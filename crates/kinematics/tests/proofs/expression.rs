@@ -1,4 +1,4 @@
-//! Have a formula and its expression one value?
+//! Do a formula and its expression have one value?
 
 use geneva_kinematics::{Expression, pin_slot, rational};
 

@@ -1,4 +1,4 @@
-//! Which positions has the lever, on which branch, and where does it reverse?
+//! Which positions does the lever have, on which branch, and where does it reverse?
 
 use geneva_kinematics::quick_return::{Branch, QuickReturn};
 use geneva_kinematics::{KinematicsError, Turn};

@@ -1,9 +1,9 @@
-//! Are the sines of twice the working precision those of 200 bits?
+//! Do the sines of twice the working precision agree with 200 bits?
 
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
 
-/// The numbers and the table, compiled here by themselves: the crate does not give them away.
+/// The numbers and the table, compiled here by themselves because the crate keeps them private.
 #[allow(dead_code)]
 #[path = "../../src/wheel/accurate/double.rs"]
 mod double;

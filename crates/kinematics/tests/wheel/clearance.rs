@@ -1,4 +1,4 @@
-//! Is no crank angle nearer than the search for the least clearance says?
+//! Are driver and wheel anywhere nearer than the search for the least clearance says?
 
 use super::assembly::{Point, from_edge};
 use geneva_kinematics::wheel::{Choices, Crescent, Edge, LockingDisc, Scale, Sizes, TOLERANCE, Wheel};
@@ -6,7 +6,7 @@ use source::{Search, greatest_speed_ratio};
 use std::cell::Cell;
 use std::f64::consts::PI;
 
-/// The search, compiled here by itself: the crate does not give it away.
+/// The search, compiled here by itself because the crate keeps it private.
 #[allow(dead_code)]
 #[path = "../../src/wheel/search.rs"]
 mod source;

@@ -1,4 +1,4 @@
-//! Which wheels can be built, and are their sizes those of a pin in a slot?
+//! Which wheels can be built, and do they have the sizes of a pin in a slot?
 
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::pin_slot::PinSlot;

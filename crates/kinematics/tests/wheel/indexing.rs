@@ -1,4 +1,4 @@
-//! Is the pin in its slot that of the vector diagrams?
+//! Do the vector diagrams give the same pin in its slot?
 
 use geneva_kinematics::Turn;
 use geneva_kinematics::indexing::Indexing;

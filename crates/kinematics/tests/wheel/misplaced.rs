@@ -1,4 +1,4 @@
-//! What does a wheel do whose axes are at a wrong distance?
+//! How does a wheel move when its axes are at a wrong distance?
 
 use geneva_kinematics::wheel::{Misplaced, Wheel};
 

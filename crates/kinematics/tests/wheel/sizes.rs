@@ -1,4 +1,4 @@
-//! Do the default sizes run clear, and is what does not fit refused in words?
+//! Do the default sizes run clear, and do errors say what does not fit?
 
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, SizesError, Wheel};

@@ -1,4 +1,4 @@
-//! What single instructions do: switches, limits, truths, and numbers that are none.
+//! What single instructions do: switches, limits, truths, and values that are not numbers.
 
 use super::{last, program};
 use geneva_mimic::language::{Choices, DataSet, FUNCTIONS};
@@ -21,10 +21,10 @@ fn refused(expression: &str) -> String {
     run.expect_err(expression).to_string()
 }
 
-/// No number.
+/// An expression without a value.
 const NONE: &str = "SQR(-1.)";
 
-/// That a number that is none reaches the result and is told.
+/// That a value that is not a number reaches the result, where the run names it.
 #[track_caller]
 fn hides_nothing(expression: &str) {
     let told = refused(expression);

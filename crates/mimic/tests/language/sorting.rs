@@ -5,7 +5,7 @@ use geneva_mimic::language::{Choices, DataSet, When};
 use source::{circle, components};
 use std::time::Instant;
 
-/// The order itself, for chains that are longer than a deck can be.
+/// The order, compiled here by itself: no deck may be so long.
 #[allow(dead_code)]
 #[path = "../../src/language/sorting.rs"]
 mod source;
