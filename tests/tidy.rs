@@ -66,6 +66,38 @@ fn every_file_says_what_it_is_about_and_is_not_too_long() {
     }
 }
 
+/// The manifest in a folder of the project.
+fn manifest(folder: &str) -> Table {
+    let path = crate::path(folder).join("Cargo.toml");
+    std::fs::read_to_string(path).expect("a manifest").parse().expect("TOML")
+}
+
+#[test]
+fn a_library_whose_tests_are_elsewhere_has_none_of_its_own() {
+    let mut elsewhere = Vec::new();
+    for entry in std::fs::read_dir(crate::path("crates")).expect("the crates") {
+        let package = entry.expect("readable").file_name().to_string_lossy().into_owned();
+        let library = manifest(&format!("crates/{package}")).get("lib").and_then(|lib| lib.get("test")?.as_bool());
+        if library != Some(false) {
+            continue;
+        }
+        for (path, text) in crate::files(&format!("crates/{package}/src"), &[".rs"]) {
+            for word in ["#[test]", "cfg(test)"] {
+                assert!(
+                    !text.contains(word),
+                    "{}: this test never runs; move it to crates/{package}/tests",
+                    path.display()
+                );
+            }
+        }
+        elsewhere.push(package);
+    }
+    // With tests of their own, these optimised libraries would be compiled twice.
+    for package in ["dynamics", "kinematics", "mimic"] {
+        assert!(elsewhere.iter().any(|name| name == package), "crates/{package}/Cargo.toml: [lib] needs test = false");
+    }
+}
+
 #[test]
 fn nothing_is_switched_off_or_left_unfinished() {
     // Built from pieces, or this file would find itself.
@@ -110,7 +142,7 @@ fn formulas_use_no_mathematics_of_the_platform() {
         "exp2", "log2", "log10", "sinh", "cosh", "tanh",
     ];
     // Modules of tests alone: what they compute is compared, not pinned.
-    let tests = ["program/tests.rs", "judge_tests.rs", "drawn.rs", "clearance.rs", "figures/src/checks.rs"];
+    let tests = ["judge_tests.rs", "drawn.rs", "stations/clearance.rs", "figures/src/checks.rs"];
     for package in [
         "crates/kinematics/src",
         "crates/dynamics/src",

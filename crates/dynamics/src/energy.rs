@@ -130,39 +130,3 @@ impl Identity<3> for MomentArmIsSliding {
         distance * place.y - (moving.x * moving.x + moving.y * moving.y).rate() / 2
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::proving::holds;
-    use geneva_kinematics::{Rational, rational};
-
-    #[test]
-    fn energy_gives_the_equation_of_motion() {
-        for normal in Sign::BOTH {
-            for sliding in Sign::BOTH {
-                holds("energy balance", &EnergyBalance { normal, sliding });
-            }
-        }
-        holds("growth of kinetic energy", &GrowthOfKineticEnergy);
-        holds("R² of the pin", &SquareOfTheSlot);
-        holds("moment arm is sliding", &MomentArmIsSliding);
-        for speed in [true, false] {
-            holds("pose of the pin", &PoseOfThePin { speed });
-        }
-    }
-
-    #[test]
-    fn a_pair_of_any_length_gives_the_same_coefficients() {
-        let (distance, radius) = (rational(9, 1), rational(5, 1));
-        let crank = Turn::<Rational>::from_half_tangent(&rational(2, 7));
-        let ratio = distance.clone() / radius.clone();
-        let scale = radius / distance;
-        let pair = Turn { cos: crank.cos.clone() * scale.clone(), sin: crank.sin.clone() * scale };
-        let [inertia, friction, drive] = [rational(1, 3), rational(2, 5), rational(7, 2)];
-        assert_eq!(
-            Coefficients::of_pose(&pose_of_pair(&pair), &inertia, &friction, &drive),
-            Coefficients::new(&ratio, &crank, &inertia, &friction, &drive)
-        );
-    }
-}

@@ -68,19 +68,3 @@ impl Identity<6> for SolutionsMeet {
         first - second + 2 * coefficients.sign_switching_function(&speed) / product
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::proving::holds;
-
-    #[test]
-    fn the_sign_and_the_single_solution_are_proven() {
-        holds("solutions meet", &SolutionsMeet);
-        for sign in Sign::BOTH {
-            holds("solution", &SolutionOfOneSign(sign));
-            holds("sign", &SignDecider(sign));
-            holds("slope", &Slope(sign));
-        }
-    }
-}

@@ -137,22 +137,3 @@ fn numerator<S: Field + Copy>(i: S, b: S, h: S) -> S {
     let (alpha, beta, gamma) = constants(i, b);
     alpha / h - beta + gamma * h
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::proving::holds;
-
-    #[test]
-    fn the_algebra_of_existence_is_proven() {
-        holds("R² in h", &HalfEngagement { radius: true });
-        holds("a sin θ in h", &HalfEngagement { radius: false });
-        holds("margin", &Margin);
-        holds("critical numerator", &CriticalNumerator);
-        holds("critical derivative", &CriticalDerivative);
-        holds("convexity", &Convexity);
-        holds("κ below two", &KappaBelowTwo);
-        holds("factors", &ConvexityFactors);
-        holds("margin derivative", &MarginDerivative);
-    }
-}

@@ -27,8 +27,6 @@ pub mod line_contact;
 mod parameters;
 pub mod pose;
 pub mod program;
-#[cfg(test)]
-mod proving;
 mod sign;
 pub mod similarity;
 pub mod singularity;

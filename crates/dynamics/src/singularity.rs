@@ -69,18 +69,3 @@ impl Identity<5> for StartAtEntry {
         torque / follower / (a + d) - torque / driver
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::proving::holds;
-
-    #[test]
-    fn nothing_is_divided_by_zero() {
-        holds("θ∞", &SingularAngle);
-        holds("(a − 1)²", &BoundAsSquare);
-        holds("a = 1", &AtOne);
-        holds("positive", &OffTheSingularity);
-        holds("start at entry", &StartAtEntry);
-    }
-}

@@ -239,6 +239,3 @@ fn root(rate: impl Fn(f64) -> f64, from: f64, until: f64) -> f64 {
         if rate(middle) > 0.0 { low = middle } else { high = middle }
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -85,33 +85,3 @@ impl Identity<2> for JerkRoot {
         c * c - 4 * gamma * c + gamma * gamma - 6 - (w * w - 3 * gamma * gamma - 6)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::prove;
-
-    #[test]
-    fn every_step_to_the_ratios_and_their_peaks_is_proven() {
-        let mut proofs = vec![prove(&BracesArePositive), prove(&EntryAcceleration), prove(&JerkRate), prove(&JerkRoot)];
-        proofs.extend(Quantity::ALL.map(|quantity| prove(&Implemented(quantity))));
-        for proof in proofs {
-            println!("{}", proof.expect("an identity"));
-        }
-    }
-
-    /// The external wheel's velocity, a false neighbour, is refuted.
-    struct External;
-
-    impl Identity<2> for External {
-        fn difference(&self, [m, half]: [Expression; 2]) -> Expression {
-            let crank = Turn::from_half_tangent(&half);
-            Quantity::Velocity.of_the_path(&path(m, &crank)) - m * (crank.cos - m) / (1 + m * m - 2 * m * crank.cos)
-        }
-    }
-
-    #[test]
-    fn the_external_wheel_moves_otherwise() {
-        assert!(prove(&External).is_err());
-    }
-}

@@ -160,36 +160,3 @@ fn moving([p, q, distance, driver]: [Expression; 4]) -> (PinMotion<Expression>, 
     let square = motion.position.dot(&motion.position);
     (motion, square)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{Rational, Surd, prove, rational};
-
-    #[test]
-    fn all_identities_of_the_pin_are_proven() {
-        let proofs = [
-            prove(&LawOfCosines),
-            prove(&LawOfSines),
-            prove(&SlidesAlongTheSlot),
-            prove(&SlotPointMovesAcross),
-            prove(&PinSpeed),
-            prove(&SlotPointSpeed),
-            prove(&SlidingSpeed),
-            prove(&VelocityRatio),
-        ];
-        for proof in proofs {
-            println!("{}", proof.expect("an identity"));
-        }
-        println!("{}", prove(&StandstillOfFourSlots).expect("an identity"));
-    }
-
-    #[test]
-    fn the_only_possible_ratio_of_four_slots_is_the_root_of_two() {
-        type WithTwo = Surd<Rational, 2>;
-        assert_eq!(four_slot_entry_misfit(&WithTwo::root()), WithTwo::integer(0));
-        // The other positive root, k = 1, puts the pivot on the crank circle: no mechanism.
-        assert_eq!(four_slot_entry_misfit(&rational(1, 1)), rational(0, 1));
-        assert_ne!(four_slot_entry_misfit(&rational(2, 1)), rational(0, 1));
-    }
-}

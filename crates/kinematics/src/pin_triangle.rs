@@ -58,17 +58,3 @@ pub fn solve(mechanism: &PinSlot, from_line_of_centres: &Turn<f64>, driver_speed
         follower_speed: slot_point_speed / slot_radius,
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn on_the_line_of_centres_the_pin_drives_across_the_slot() {
-        let mechanism = PinSlot::new(1.0, 3.0).expect("possible");
-        let solution = solve(&mechanism, &Turn::from_radians(0.0), 2.0);
-        approx::assert_relative_eq!(solution.slot_radius, 2.0);
-        approx::assert_relative_eq!(solution.follower_speed, 1.0);
-        approx::assert_abs_diff_eq!(solution.sliding_speed, 0.0, epsilon = 1e-15);
-    }
-}

@@ -92,34 +92,3 @@ impl Identity<2> for JerkBound {
 fn braces(square: Expression, w: Expression) -> Expression {
     1 + 2 * square - 6 * (1 + square) * w + w * w
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::prove;
-
-    #[test]
-    fn every_step_to_the_ratios_and_their_peaks_is_proven() {
-        let mut proofs = vec![prove(&EntryAcceleration), prove(&BracesAtEntry), prove(&BracesRoot), prove(&JerkBound)];
-        proofs.extend(Quantity::ALL.map(|quantity| prove(&Implemented(quantity))));
-        for proof in proofs {
-            println!("{}", proof.expect("an identity"));
-        }
-    }
-
-    /// The planar wheel's acceleration at entry, tan α, a false neighbour, is refuted.
-    struct PlanarEntry;
-
-    impl Identity<1> for PlanarEntry {
-        fn difference(&self, [half]: [Expression; 1]) -> Expression {
-            let alpha = Turn::from_half_tangent(&half);
-            let entry = Turn { cos: Expression::ZERO, sin: -Expression::ONE };
-            acceleration_ratio(&(alpha.sin / alpha.cos), &entry) - alpha.sin / alpha.cos
-        }
-    }
-
-    #[test]
-    fn entry_is_softer_than_that_of_a_planar_wheel() {
-        assert!(prove(&PlanarEntry).is_err());
-    }
-}

@@ -29,16 +29,3 @@ impl Identity<2> for JerkBound {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::prove;
-
-    #[test]
-    fn the_jerk_never_exceeds_that_on_the_line_of_centres() {
-        for plus in [true, false] {
-            println!("{}", prove(&JerkBound { plus }).expect("an identity"));
-        }
-    }
-}

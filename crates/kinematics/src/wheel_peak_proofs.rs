@@ -85,25 +85,3 @@ fn quadratic(cosine: Expression, gamma: Expression) -> Expression {
 fn gamma(sine: Expression) -> Expression {
     (1 + sine * sine) / (2 * sine)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::prove;
-
-    #[test]
-    fn every_step_to_the_peak_is_proven() {
-        let proofs = [
-            prove(&Condition),
-            prove(&Pythagoras),
-            prove(&Quadratic),
-            prove(&Roots { plus: true }),
-            prove(&Roots { plus: false }),
-            prove(&BelowOne),
-            prove(&InsideTheEngagement),
-        ];
-        for proof in proofs {
-            println!("{}", proof.expect("an identity"));
-        }
-    }
-}

@@ -220,35 +220,3 @@ impl Identity<4> for UnsteadyAcceleration {
         wheel_velocity(ratio, &moving).rate() - unsteady_acceleration(&ratio, &crank, &speed, &angular_acceleration)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{prove, prove_with_root};
-
-    #[test]
-    fn every_step_to_the_ratios_is_proven() {
-        let mut proofs = vec![
-            prove(&LoopClosure { along: true }),
-            prove(&LoopClosure { along: false }),
-            prove(&SlotEliminated),
-            prove_with_root::<2, 2>(&TangentDifferentiated),
-            prove_with_root::<2, 2>(&VelocityOfFour),
-            prove_with_root::<2, 3>(&UnsteadyAccelerationOfFour),
-            prove_with_root::<2, 2>(&AccelerationOfFour { negative: true }),
-            prove(&UnsteadyAcceleration),
-            prove(&OddAcceleration),
-        ];
-        for quantity in Quantity::ALL {
-            proofs.extend([prove(&Printed(quantity)), prove(&Implemented(quantity))]);
-        }
-        for proof in proofs {
-            println!("{}", proof.expect("an identity"));
-        }
-    }
-
-    #[test]
-    fn the_lost_sign_is_refuted() {
-        assert!(prove_with_root::<2, 2>(&AccelerationOfFour { negative: false }).is_err());
-    }
-}

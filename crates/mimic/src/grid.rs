@@ -34,27 +34,3 @@ impl Grid {
         if index <= self.whole { index as f64 * self.interval } else { self.end }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn times(interval: f64, end: f64) -> Vec<f64> {
-        let grid = Grid::new(interval, end);
-        (0..=grid.last).map(|index| grid.time(index)).collect()
-    }
-
-    #[test]
-    fn a_run_length_within_rounding_of_a_multiple_is_that_multiple() {
-        assert_eq!(times(0.1, 0.3 + 1e-7).last(), Some(&(0.3 + 1e-7)));
-        assert_eq!(Grid::new(5e-4, 0.2).last, 400);
-    }
-
-    #[test]
-    fn extreme_sizes_give_a_grid_too() {
-        assert_eq!(times(f64::MAX, f64::MAX), [0.0, f64::MAX]);
-        assert_eq!(times(f64::MAX * 0.7, f64::MAX).last(), Some(&f64::MAX));
-        assert_eq!(times(f64::MAX, f64::MIN_POSITIVE), [0.0, f64::MIN_POSITIVE]);
-        assert_eq!(Grid::new(1e-12, 1.0).last, 1_000_000_000_000);
-    }
-}

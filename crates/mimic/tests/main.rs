@@ -6,6 +6,7 @@ mod delay_line;
 mod errors;
 mod grid;
 mod language;
+mod one_step;
 mod problems;
 mod steps;
 mod switches;

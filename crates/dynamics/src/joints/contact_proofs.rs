@@ -126,22 +126,3 @@ impl Identity<5> for PowerLost {
         arms.driver - ratio * arms.follower - self.flank.times(self.sliding).of(lost)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::proving::holds;
-
-    #[test]
-    fn the_arms_and_the_sliding_are_those_of_the_vectors() {
-        for flank in Sign::BOTH {
-            holds("sliding", &Sliding::Along(flank));
-            holds("no parting", &Sliding::Across(flank));
-            for sliding in Sign::BOTH {
-                holds("follower", &ContactMoment { axis: Axis::Follower, flank, sliding });
-                holds("driver", &ContactMoment { axis: Axis::Driver, flank, sliding });
-                holds("power", &PowerLost { flank, sliding });
-            }
-        }
-    }
-}

@@ -91,22 +91,3 @@ impl Identity<8> for GoesOverToMeyer {
         inertia * angular_acceleration + arms.driver / arms.follower * moment - drive - meyer
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::proving::holds;
-
-    #[test]
-    fn the_flank_is_told_beforehand_and_the_ideal_is_the_thesis() {
-        holds("similarity", &Similarity::Gain);
-        holds("similarity of the flank", &Similarity::Flank);
-        holds("solution", &SolutionObeys);
-        holds("flank", &FlankDecider);
-        for flank in Sign::BOTH {
-            for sliding in Sign::BOTH {
-                holds("ideal", &GoesOverToMeyer { flank, sliding });
-            }
-        }
-    }
-}

@@ -61,9 +61,6 @@ mod existence;
 mod passage;
 mod steady;
 
-#[cfg(test)]
-mod tests;
-
 pub use contact::{Arms, Reach};
 pub use effects::{Effect, Varied, effects, series};
 pub use equation::{Escapement, Motion, Power, Terms};

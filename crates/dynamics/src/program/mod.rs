@@ -227,6 +227,3 @@ impl System<2> for Motion {
         }
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -92,30 +92,3 @@ impl Circle {
         sin / (cos + libm::hypot(sin, cos))
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::Pose;
-    use geneva_kinematics::Turn;
-
-    #[test]
-    fn the_circle_has_the_pose_of_the_mechanism() {
-        for mechanism in Mechanism::ALL {
-            let circle = Circle::of(mechanism);
-            for step in 0..=300 {
-                let angle = PI * f64::from(step) / 300.0;
-                let (w, pose) =
-                    (circle.at_angle(angle), Pose::new(&mechanism.centre_distance_ratio(), &Turn::from_radians(angle)));
-                let place = circle.place(w);
-                assert!((circle.angle(w) - angle).abs() < 2e-15 * (1.0 + angle), "{mechanism:?} {angle}");
-                assert!((place.rho - pose.velocity_ratio()).abs() < 2e-13 * circle.radius, "{mechanism:?} {angle}");
-                assert!((place.k - pose.cross / pose.square).abs() < 2e-13 * circle.radius, "{mechanism:?} {angle}");
-                let rate = -place.k * place.angular_velocity();
-                assert!((rate - pose.acceleration_ratio()).abs() < 2e-12 * circle.radius, "{mechanism:?} {angle}");
-            }
-            assert!((circle.angle(circle.exit) - mechanism.engagement_half_angle()).abs() < 1e-15);
-            assert!(circle.place(circle.exit).rho.abs() < 1e-15 * circle.radius);
-        }
-    }
-}

@@ -26,9 +26,6 @@ mod run;
 mod steady_state;
 mod subinterval;
 
-#[cfg(test)]
-mod tests;
-
 pub use engagement::{Engagement, MOST_SUBINTERVALS, TOLERANCE, TOLERANCES};
 pub use extremes::Extreme;
 pub use passage::Passage;

@@ -171,6 +171,3 @@ impl Settling {
         self.engagements(part) * self.period
     }
 }
-
-#[cfg(test)]
-mod tests;

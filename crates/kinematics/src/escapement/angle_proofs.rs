@@ -114,36 +114,3 @@ impl Identity<3> for AngleStep {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{pin_slot, prove, rational};
-
-    #[test]
-    fn every_line_is_proven_but_the_printed_slip() {
-        for step in AngleStep::ALL {
-            match prove(&step) {
-                Ok(proof) => println!("{step:?}: {proof}"),
-                Err(refutation) => {
-                    println!("{step:?}: {refutation}");
-                    assert_eq!(step, AngleStep::CosineSubstituted(Form::Printed));
-                }
-            }
-        }
-        assert!(prove(&AngleStep::CosineSubstituted(Form::Printed)).is_err());
-    }
-
-    #[test]
-    fn the_crossing_is_the_pin_of_the_other_formulas() {
-        let [half_theta, half_phi] = [0, 1].map(Expression::variable);
-        let (theta, phi) = (Turn::from_half_tangent(&half_theta), Turn::from_half_tangent(&half_phi));
-        let Crossing { crank_radius, slot_radius, pin } = Crossing::new(&theta, &phi);
-        let ratio = 1 / crank_radius;
-        let place = pin_slot::pin_from_pivot(&ratio, &theta) * crank_radius - pin;
-        let square = pin_slot::slot_radius_squared(&ratio, &theta) * crank_radius.squared() - slot_radius.squared();
-        for zero in [place.x, place.y, square] {
-            assert_eq!(zero.at(&[rational(1, 3), rational(1, 4)]), rational(0, 1));
-        }
-    }
-}

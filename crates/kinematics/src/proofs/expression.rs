@@ -227,26 +227,3 @@ impl Field for Expression {
         f64::NAN
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{pin_slot, rational};
-
-    #[test]
-    fn nothing_is_lost_by_adding_zero_or_multiplying_by_one() {
-        let y = 1 / Expression::variable(0);
-        assert_eq!(y + 0, y);
-        assert_eq!(1 * y, y);
-        assert_eq!(y * Expression::ZERO, Expression::ZERO);
-    }
-
-    #[test]
-    fn a_formula_and_its_expression_have_one_value() {
-        let [ratio, half] = [0, 1].map(Expression::variable);
-        let formula = pin_slot::velocity_ratio(&ratio, &crate::Turn::from_half_tangent(&half));
-        let at = [rational(7, 3), rational(-2, 5)];
-        let expected = pin_slot::velocity_ratio(&at[0], &crate::Turn::from_half_tangent(&at[1]));
-        assert_eq!(formula.at(&at), expected);
-    }
-}

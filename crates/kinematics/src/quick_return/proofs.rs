@@ -195,35 +195,3 @@ fn steady(p: Expression, x: Expression, driver: Expression) -> PolarRates<Expres
     let (ground, crank) = placed(p, x);
     polar_rates(&ground, &Expression::ONE, &crank, &Drive::steady(driver)).expect("the pin is off the pivot")
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::prove;
-
-    #[test]
-    fn the_scalar_equations_hold() {
-        assert!(prove(&LawOfSinesAtThePin).is_ok() && prove(&LeverAsProjections).is_ok());
-        assert!(prove(&AlongTheLever).is_ok() && prove(&AcrossTheLever).is_ok());
-        for part in [Part::Across, Part::Along] {
-            assert!(prove(&ResolvedSpeed { by: ResolvedBy::AngleAtPin, part }).is_ok(), "{part:?}");
-            assert!(prove(&ResolvedSpeed { by: ResolvedBy::AngleAtAxis, part }).is_err(), "{part:?}");
-        }
-    }
-
-    #[test]
-    fn coriolis_counts_twice_and_nothing_else_will_do() {
-        for coriolis in -2..5 {
-            assert_eq!(prove(&TermsOfTheAcceleration { coriolis }).is_ok(), coriolis == 2, "{coriolis}");
-        }
-    }
-
-    #[test]
-    fn diagrams_and_series_give_one_motion() {
-        use Compared::*;
-        for compared in [LeverSpeed, LeverAcceleration, Sliding, SlidingAcceleration, Coriolis] {
-            let proof = prove(&DiagramAgainstSeries(compared));
-            assert!(proof.is_ok(), "{compared:?}: {proof:?}");
-        }
-    }
-}

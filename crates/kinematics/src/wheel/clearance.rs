@@ -17,6 +17,7 @@
 //! far play lets it turn besides is another question ([`play`](super::play)).
 
 use super::regions::{DiscRegion, WheelRegion};
+use super::search::{Least, Search, greatest_speed_ratio};
 use super::sizes::Sizes;
 use crate::KinematicsError;
 use nalgebra::Vector2;
@@ -85,8 +86,6 @@ impl Nearest {
 pub const TOLERANCE: f64 = 2e-6;
 /// The greatest distance of the axes that is looked at, over the right one.
 const FARTHEST: f64 = 10.0;
-/// Intervals of the engagement to begin with.
-const INTERVALS: u32 = 16;
 
 impl Sizes {
     /// The least distances of driver and wheel over a whole turn, the parts as sized. The tolerance is [`TOLERANCE`]
@@ -252,12 +251,7 @@ impl<'a> Assembly<'a> {
         if from >= self.engaged {
             return 0.0;
         }
-        let k = self.distance / self.sizes.crank_radius;
-        let ratio = |theta: f64| {
-            let cosine = libm::cos(theta);
-            (k * cosine - 1.0) / (1.0 + k * k - 2.0 * k * cosine)
-        };
-        ratio(from).max(-ratio(to))
+        greatest_speed_ratio(self.distance / self.sizes.crank_radius, from, to)
     }
 
     /// The least distance of a pin in no slot, so far ahead of the first, between two crank angles of the first.
@@ -345,111 +339,9 @@ impl<'a> Assembly<'a> {
         distance: impl Fn(f64) -> f64,
         speed: impl Fn(f64, f64) -> f64,
     ) -> Nearest {
-        let at = |crank_angle: f64| Nearest { distance: distance(crank_angle), crank_angle, contact };
-        let mut least = known.map_or(at(from), |known| known.or(at(from))).or(at(to));
-        let width = (to - from) / f64::from(INTERVALS);
-        let first = |k: u32| (from + width * f64::from(k), from + width * f64::from(k + 1));
-        let mut intervals: Vec<(f64, f64)> = (0..INTERVALS).map(first).collect();
-        while let Some((from, to)) = intervals.pop() {
-            let is_settled = self.enough < f64::INFINITY && least.distance < self.tolerance;
-            if is_settled || self.angles.get() == 0 {
-                break;
-            }
-            self.angles.set(self.angles.get() - 1);
-            let middle = (from + to) / 2.0;
-            let here = at(middle);
-            least = least.or(here);
-            let bound = here.distance - speed(from, to) * (to - from) / 2.0;
-            if bound < self.enough.min(least.distance - self.tolerance) && from < middle && middle < to {
-                intervals.extend([(middle, to), (from, middle)]);
-            }
-        }
-        least
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::wheel::{Choices, LockingDisc, Scale, Wheel};
-
-    /// Wheels with their own crescents, and with one that is too shallow: there the least distance is somewhere inside
-    /// the engagement.
-    fn assemblies() -> Vec<Sizes> {
-        let mut all = Vec::new();
-        for (stations, pins) in [(3, 1), (3, 6), (4, 2), (5, 3), (6, 1), (7, 2), (12, 1), (60, 2)] {
-            let wheel = Wheel::with_pins(stations, pins).unwrap();
-            let sizes = Sizes::new(wheel, Scale::CentreDistance(100.0), &Choices::default()).unwrap();
-            all.push(sizes);
-            if let Some(LockingDisc { radius, crescent }) = sizes.locking_disc {
-                let centre = 1.5 * crescent.centre;
-                let crescent = super::super::Crescent::through_edges(radius, crescent.half_angle, centre);
-                all.push(Sizes { locking_disc: Some(LockingDisc { radius, crescent }), ..sizes });
-            }
-        }
-        all
-    }
-
-    #[test]
-    fn no_crank_angle_is_nearer_than_is_said() {
-        let mut inside = 0;
-        for sizes in assemblies() {
-            let assembly = Assembly::new(&sizes, sizes.centre_distance);
-            let clearance = assembly.clearance();
-            let Some((disc, said)) = assembly.disc.as_ref().zip(clearance.crescent) else { continue };
-            let share = said.crank_angle / assembly.engaged;
-            inside += u32::from(share > 0.001 && share < 0.999);
-            let mut seen = f64::INFINITY;
-            for step in 0..=20_000 {
-                let theta = assembly.engaged * f64::from(step) / 20_000.0;
-                seen = seen.min(assembly.disc_distance(disc, theta));
-            }
-            assert!(seen >= said.distance - clearance.tolerance, "{seen} {said:?}");
-            assert!(said.distance >= seen - 1e-3, "{seen} {said:?}");
-        }
-        assert!(inside >= 4, "{inside} have their least distance inside the engagement");
-    }
-
-    #[test]
-    fn distances_change_no_faster_than_is_said() {
-        for sizes in assemblies() {
-            let assembly = Assembly::new(&sizes, sizes.centre_distance);
-            let Some(disc) = &assembly.disc else { continue };
-            for step in 0..400 {
-                let width = assembly.engaged / 400.0;
-                let (from, to) = (width * f64::from(step), width * f64::from(step + 1));
-                let (one, other) = (assembly.disc_distance(disc, from), assembly.disc_distance(disc, to));
-                let most = disc.radius + assembly.speed_ratio(from, to) * assembly.wheel.rim;
-                assert!((one - other).abs() <= most * width, "{from}: {one} {other}");
-            }
-        }
-    }
-
-    #[test]
-    fn the_speed_ratio_is_the_wheels() {
-        for sizes in assemblies() {
-            let assembly = Assembly::new(&sizes, sizes.centre_distance);
-            for share in [0.0, 0.3, 0.7, 0.99] {
-                let (from, to) = (share * assembly.engaged, (share + 0.01) * assembly.engaged);
-                let most = assembly.speed_ratio(from, to);
-                for within in [0.0, 0.4, 1.0] {
-                    let speed =
-                        sizes.wheel.velocity_ratio((from + within * (to - from)).min(assembly.engaged)).unwrap();
-                    assert!(speed.abs() <= most * (1.0 + 1e-9) + 1e-12, "{speed} {most}");
-                }
-            }
-        }
-    }
-    #[test]
-    fn no_dip_is_narrow_enough_to_be_missed() {
-        let sizes = assemblies().swap_remove(0);
-        let assembly = Assembly::new(&sizes, sizes.centre_distance);
-        let speed = 80.0;
-        for k in 0..500 {
-            let (place, depth) = (f64::from(k) * 0.002 + 0.000_3, 0.01);
-            let distance = |theta: f64| 1.0 - (depth - speed * f64::abs(theta - place)).max(0.0);
-            let found = assembly.search(Contact::Crescent, 0.0, 1.0, None, distance, |_, _| speed);
-            assert!(found.distance <= 1.0 - depth + assembly.tolerance, "{place}: {found:?}");
-        }
+        let search = Search { tolerance: self.tolerance, enough: self.enough, places: &self.angles };
+        let known = known.map(|known| Least { value: known.distance, place: known.crank_angle });
+        let Least { value, place } = search.least(from, to, known, distance, speed);
+        Nearest { distance: value, crank_angle: place, contact }
     }
 }

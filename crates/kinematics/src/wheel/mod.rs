@@ -22,6 +22,7 @@ mod motion;
 mod outline;
 mod play;
 mod regions;
+mod search;
 mod sizes;
 
 pub use centres::CentreTolerance;
@@ -37,9 +38,3 @@ pub use motion::{acceleration_ratio, jerk_ratio, unsteady_acceleration};
 pub use outline::{Edge, Face, Loop, Outline};
 pub use play::{Entry, EntryContact};
 pub use sizes::{Choices, LockingDisc, Play, Scale, Sizes};
-
-#[cfg(test)]
-mod tests {
-    mod assembly;
-    mod centres;
-}

@@ -36,18 +36,3 @@ pub fn unsteady_acceleration<S: Field>(ratio: &S, crank: &Turn<S>, driver_speed:
     driver_acceleration.clone() * velocity_ratio(ratio, crank)
         + driver_speed.clone() * driver_speed.clone() * acceleration_ratio(ratio, crank)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{Jet, Rational, rational};
-
-    #[test]
-    fn each_ratio_is_the_derivative_of_the_one_before() {
-        let (ratio, crank) = (rational(7, 4), Turn::<Rational>::from_half_tangent(&rational(1, 5)));
-        let moving = crank.moving::<3>(rational(1, 1));
-        let velocity = velocity_ratio(&Jet::constant(ratio.clone()), &moving);
-        assert_eq!(velocity.derivative(1), Some(acceleration_ratio(&ratio, &crank)));
-        assert_eq!(velocity.derivative(2), Some(jerk_ratio(&ratio, &crank)));
-    }
-}

@@ -98,25 +98,3 @@ pub enum When {
     /// At every evaluation of the derivatives.
     Always,
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn each_group_stands_behind_what_it_needs() {
-        let needs = [vec![1, 2], vec![2], vec![], vec![0, 4], vec![5], vec![3], vec![6]];
-        let found = components(&needs);
-        assert_eq!(found, [vec![2], vec![1], vec![0], vec![3, 4, 5], vec![6]]);
-        assert_eq!(circle(&found[3], &needs), [3, 4, 5]);
-        assert_eq!(circle(&found[4], &needs), [6]);
-    }
-
-    #[test]
-    fn a_long_chain_is_no_deep_stack() {
-        let many = 200_000;
-        let needs: Vec<_> = (0..many).map(|node| if node + 1 < many { vec![node + 1] } else { vec![] }).collect();
-        let found = components(&needs);
-        assert!(found.len() == many && found[0] == [many - 1] && found[many - 1] == [0]);
-    }
-}

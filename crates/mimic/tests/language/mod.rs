@@ -2,6 +2,7 @@
 
 mod bounded;
 mod cards;
+mod code;
 mod decks;
 mod escapement;
 mod faults;
@@ -10,6 +11,8 @@ mod memory;
 mod native;
 mod running;
 mod sorting;
+mod steps;
+mod tokens;
 
 use geneva_mimic::language::{Choices, DataSet, Deck, Layout, Program, Run, deck_named};
 

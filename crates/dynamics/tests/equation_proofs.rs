@@ -1,0 +1,15 @@
+//! Are the sign of the bars and the single solution proven?
+
+use crate::proving::holds;
+use geneva_dynamics::Sign;
+use geneva_dynamics::equation_proofs::{SignDecider, Slope, SolutionOfOneSign, SolutionsMeet};
+
+#[test]
+fn the_sign_and_the_single_solution_are_proven() {
+    holds("solutions meet", &SolutionsMeet);
+    for sign in Sign::BOTH {
+        holds("solution", &SolutionOfOneSign(sign));
+        holds("sign", &SignDecider(sign));
+        holds("slope", &Slope(sign));
+    }
+}

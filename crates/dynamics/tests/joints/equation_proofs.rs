@@ -1,0 +1,18 @@
+//! Is the flank known beforehand, and does the equation without sizes become the equation of the thesis?
+
+use crate::proving::holds;
+use geneva_dynamics::Sign;
+use geneva_dynamics::joints::equation_proofs::{FlankDecider, GoesOverToMeyer, Similarity, SolutionObeys};
+
+#[test]
+fn the_flank_is_told_beforehand_and_the_ideal_is_the_thesis() {
+    holds("similarity", &Similarity::Gain);
+    holds("similarity of the flank", &Similarity::Flank);
+    holds("solution", &SolutionObeys);
+    holds("flank", &FlankDecider);
+    for flank in Sign::BOTH {
+        for sliding in Sign::BOTH {
+            holds("ideal", &GoesOverToMeyer { flank, sliding });
+        }
+    }
+}

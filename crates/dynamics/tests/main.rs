@@ -1,0 +1,22 @@
+//! The equation of motion, the steady state and the loads, against exact proofs, other routes and laws of mechanics. The
+//! files and folders are named after the modules that they test.
+
+mod energy;
+mod equation;
+mod equation_proofs;
+mod existence;
+mod existence_proofs;
+mod forces;
+mod joints;
+mod likelihood;
+mod line_contact;
+mod parameters;
+mod pose;
+mod program;
+mod proving;
+mod sign;
+mod similarity;
+mod singularity;
+mod steady;
+mod timer;
+mod wheel_loads;

@@ -1,0 +1,130 @@
+//! What is said of the timer against differences, energies and starts near the steady speed.
+
+use approx::assert_relative_eq;
+use geneva_dynamics::steady::Engagement;
+use geneva_dynamics::timer::{Accelerations, Sensitivities, Settling};
+use geneva_dynamics::{Error, Inertias, Parameters, existence};
+use geneva_kinematics::Mechanism;
+
+fn escapement(mechanism: Mechanism, driver: f64, follower: f64, torque: f64, friction: f64) -> Parameters {
+    let inertias = Inertias::new(driver, follower).expect("inertias");
+    Parameters::new(mechanism, inertias, torque, friction).expect("an escapement")
+}
+
+fn samples() -> Vec<Parameters> {
+    let of = |mechanism| {
+        [(0.08, 0.2), (0.7, 0.3)].map(|(driver, friction)| escapement(mechanism, driver, 1.3, 2.0, friction))
+    };
+    Mechanism::ALL.into_iter().flat_map(of).collect()
+}
+
+fn mean_speed(of: &Parameters) -> f64 {
+    Engagement::new(of).and_then(|engagement| engagement.steady_state()).expect("steady").mean_speed
+}
+
+#[test]
+fn a_small_change_of_each_quantity_changes_the_mean_speed_as_its_power_says() {
+    for of in samples() {
+        let found = Sensitivities::new(&of).expect("sensitivities");
+        let inertias = of.inertias();
+        let changed = |torque: f64, friction: f64, driver: f64, follower: f64| {
+            mean_speed(&escapement(
+                of.mechanism(),
+                inertias.driver() * driver,
+                inertias.follower() * follower,
+                of.torque() * torque,
+                of.friction() * friction,
+            ))
+        };
+        let (more, less) = (1.0 + 1e-4, 1.0 - 1e-4);
+        let both = [
+            (found.torque, changed(more, 1.0, 1.0, 1.0) / changed(less, 1.0, 1.0, 1.0)),
+            (found.friction, changed(1.0, more, 1.0, 1.0) / changed(1.0, less, 1.0, 1.0)),
+            (found.driver_inertia, changed(1.0, 1.0, more, 1.0) / changed(1.0, 1.0, less, 1.0)),
+            (found.follower_inertia, changed(1.0, 1.0, 1.0, more) / changed(1.0, 1.0, 1.0, less)),
+        ];
+        for (power, quotient) in both {
+            assert_relative_eq!(power, libm::log(quotient) / libm::log(more / less), epsilon = 1e-6);
+        }
+        // Both inertias together count as less torque.
+        assert_relative_eq!(found.driver_inertia + found.follower_inertia, -found.torque, epsilon = 1e-15);
+        assert!(found.friction < 0.0, "friction brakes");
+    }
+    let free = escapement(Mechanism::FOUR_PIN, 1.0, 1.0, 1.0, 0.0);
+    assert!(matches!(Sensitivities::new(&free), Err(Error::NoTerminalSpeed { .. })));
+    let limit = existence::critical_friction(Mechanism::FOUR_PIN, 1.0).expect("a limit").friction;
+    let near = escapement(Mechanism::FOUR_PIN, 1.0, 1.0, 1.0, limit * (1.0 - 1e-5));
+    assert!(matches!(Sensitivities::new(&near), Err(Error::TooMuchFriction { .. })));
+}
+
+#[test]
+fn the_cycle_starts_and_ends_at_the_speed_of_the_steady_state() {
+    for of in samples() {
+        let engagement = Engagement::new(&of).expect("an engagement");
+        let steady = engagement.steady_state().expect("steady");
+        let lines = engagement.steady_cycle(500).expect("a cycle");
+        assert_eq!(lines.len(), 501);
+        let (first, last) = (lines[0], lines[500]);
+        for line in [first, last] {
+            assert_relative_eq!(line.speed, steady.entry_speed, max_relative = 1e-9);
+        }
+        assert_relative_eq!(last.turned, engagement.reset(), max_relative = 1e-9);
+        assert_relative_eq!(last.time, steady.period, max_relative = 1e-12);
+        let speeds = lines.iter().map(|line| line.speed);
+        let (low, high) = speeds.fold((f64::INFINITY, 0.0_f64), |(low, high), s| (low.min(s), high.max(s)));
+        assert!(low >= steady.minimum.speed * (1.0 - 1e-9) && low < steady.minimum.speed * 1.001);
+        assert!(high <= steady.peak.speed * (1.0 + 1e-9) && high > steady.peak.speed * 0.99);
+        // The angle by Simpson's rule over the speed.
+        let step = steady.period / 500.0;
+        let sum: f64 = lines.windows(3).step_by(2).map(|w| w[0].speed + 4.0 * w[1].speed + w[2].speed).sum();
+        assert_relative_eq!(sum * step / 3.0, engagement.reset(), max_relative = 1e-5);
+    }
+}
+
+#[test]
+fn accelerations_are_the_slopes_of_the_speeds() {
+    for of in samples() {
+        let found = Accelerations::new(&of).expect("accelerations");
+        let lines = Engagement::new(&of).and_then(|of| of.steady_cycle(40_000)).expect("a cycle");
+        let strongest = |speed: fn(&geneva_dynamics::steady::Printed) -> f64| {
+            let slopes = lines.windows(2).map(|w| (speed(&w[1]) - speed(&w[0])) / (w[1].time - w[0].time));
+            slopes.fold(0.0_f64, |most, slope| if slope.abs() > most.abs() { slope } else { most })
+        };
+        assert_relative_eq!(found.driver.value, strongest(|line| line.speed), max_relative = 2e-3);
+        assert_relative_eq!(found.follower.value, strongest(|line| line.follower_speed), max_relative = 2e-3);
+        // N R = I_f φ'', and R is between the centre distance less the crank and its value at entry.
+        let least = of.inertias().follower() * found.follower.value.abs();
+        assert!(found.normal_moment.value.abs() * (of.mechanism().centre_distance_ratio() + 1.0) > least);
+        assert!(found.jump > 0.0, "the pin leaves braking the follower and enters driving it");
+    }
+}
+
+#[test]
+fn an_energy_balance_gives_the_same_greatest_normal_force() {
+    // N R = I_f φ'', with φ'' from the differences of the follower's kinetic energy over its angle.
+    let of = escapement(Mechanism::FOUR_PIN, 0.06, 1.0, 1.0, 0.25);
+    let found = Accelerations::new(&of).expect("accelerations").normal_moment;
+    let lines = Engagement::new(&of).and_then(|of| of.steady_cycle(40_000)).expect("a cycle");
+    let by_energy = lines.windows(2).map(|w| {
+        let middle = (w[0].angle + w[1].angle) / 2.0;
+        let energy = (w[1].follower_speed * w[1].follower_speed - w[0].follower_speed * w[0].follower_speed) / 2.0;
+        let (pose, turned) = (of.pose(middle), w[1].angle - w[0].angle);
+        energy / (pose.velocity_ratio() * turned) / pose.square.sqrt()
+    });
+    let strongest = by_energy.fold(0.0_f64, |most, n| if n.abs() > most.abs() { n } else { most });
+    assert_relative_eq!(found.value, strongest, max_relative = 3e-3);
+}
+
+#[test]
+fn the_count_of_engagements_is_that_of_a_start_near_the_steady_speed() {
+    let of = escapement(Mechanism::THREE_PIN, 0.1, 1.0, 1.0, 0.2);
+    let (engagement, settling) = (Engagement::new(&of).expect("one"), Settling::new(&of).expect("settles"));
+    let steady = engagement.steady_state().expect("steady").entry_speed;
+    let mut speed = steady * (1.0 + 1e-4);
+    let mut count = 0;
+    while (speed / steady - 1.0).abs() > 1e-6 {
+        speed = engagement.return_map(speed).expect("handed over");
+        count += 1;
+    }
+    assert_eq!(f64::from(count), settling.engagements(0.01).ceil());
+}

@@ -1,0 +1,23 @@
+//! The motion of wheels, escapements and levers, against exact proofs, other routes and other people's numbers. The files
+//! and folders are named after the modules that they test; `accuracy` compares with 240 bits.
+
+mod accuracy;
+mod escapement;
+mod indexing;
+mod internal_wheel;
+mod internal_wheel_proofs;
+mod oracle;
+mod pin_proofs;
+mod pin_slot;
+mod pin_triangle;
+mod pin_vectors;
+mod proofs;
+mod quick_return;
+mod relative_motion;
+mod scalars;
+mod spherical_wheel;
+mod spherical_wheel_proofs;
+mod wheel;
+mod wheel_jerk_proofs;
+mod wheel_peak_proofs;
+mod wheel_proofs;

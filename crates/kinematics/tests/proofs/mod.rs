@@ -1,0 +1,5 @@
+//! Exact proofs: degrees, expressions, identities.
+
+mod degree;
+mod expression;
+mod identity;

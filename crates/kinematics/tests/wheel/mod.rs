@@ -1,0 +1,13 @@
+//! The external wheel: motion, sizes, outlines and clearances.
+
+mod accurate;
+mod assembly;
+mod centres;
+mod clearance;
+mod cycle;
+mod extremes;
+mod geometry;
+mod indexing;
+mod misplaced;
+mod motion;
+mod sizes;
