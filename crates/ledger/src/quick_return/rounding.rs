@@ -7,7 +7,8 @@ pub const RATE: Slip = Slip {
     id: "quick-return.pin-speed",
     reason: "The rate of the crank is used with the three digits it was printed with, and three or four digits are \
              printed of what follows. The centripetal acceleration of the pin takes its square, and the last three \
-             results are found from that; for these the rounded length of the lever counts as well.",
+             results are found from that; for these the rounded length of the lever and the rounding of each step \
+             count as well.",
     witness: "The loop closure differentiated by power series gives the corrected digits too.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Result,
@@ -18,7 +19,8 @@ pub const RATE: Slip = Slip {
 pub const LENGTH: Slip = Slip {
     id: "quick-return.lever-speed",
     reason: "The length of the lever is used with the two digits it was printed with, and three or four digits are \
-             printed of the lever's angular velocity and of what follows from that.",
+             printed of the lever's angular velocity and of what follows from that. The rounded rate of the crank alone \
+             would spoil the first two of these three as well, but not the Coriolis acceleration.",
     witness: "The loop closure differentiated by power series gives the corrected digits too.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Result,
@@ -66,6 +68,32 @@ mod tests {
         for (id, value) in reached {
             assert!(rounds(id, value), "{id}: {value}");
         }
+    }
+
+    #[test]
+    fn of_these_the_rounded_rate_alone_spoils_the_first_two_as_well() {
+        let alone = steps(printed("quick-return.driver-rate"), position_of(|position| position.pin_distance));
+        let spoiled = |(id, value): &(&'static str, f64)| (slip_of(id) == LENGTH).then(|| rounds(id, *value));
+        assert_eq!(alone.iter().filter_map(spoiled).collect::<Vec<_>>(), [true, true, false]);
+    }
+
+    #[test]
+    fn six_accelerations_are_wrong_in_the_last_digit_and_three_in_the_last_two() {
+        let names = ["pin-normal", "lever-normal", "coriolis", "sliding-acceleration", "lever-tangential"];
+        let ids = names.map(|name| format!("quick-return.{name}")).into_iter();
+        let both: Vec<_> = ids
+            .chain(["quick-return.lever-acceleration".to_owned()])
+            .map(|id| {
+                let judged = crate::verdict(&id).expect("a claim");
+                let corrected = judged.corrected().expect("a correction");
+                let printed: Vec<char> = judged.claim.printed.chars().rev().collect();
+                let right: Vec<char> = corrected.chars().rev().collect();
+                assert_eq!(printed[2..], right[2..], "{id}");
+                (printed[0] != right[0], printed[1] != right[1])
+            })
+            .collect();
+        assert!(both.iter().all(|(last, _)| *last), "{both:?}");
+        assert_eq!(both.iter().filter(|(_, before)| *before).count(), 3, "{both:?}");
     }
 
     #[test]

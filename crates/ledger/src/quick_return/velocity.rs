@@ -1,7 +1,6 @@
 //! The velocities: a triangle with its right angle between lever and slot.
 
 use super::*;
-use geneva_kinematics::prove;
 use geneva_kinematics::quick_return::proofs::{Part, ResolvedBy, ResolvedSpeed};
 
 const PIN: Place = at("Solution, velocity, part (a)");
