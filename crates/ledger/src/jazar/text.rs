@@ -178,21 +178,20 @@ fn infinite_deceleration() -> Claim {
         })
         .but_not("it is decelerated at the beginning and accelerated at the end")
         .read_as(
-            "Where a pin that crosses the slot's line twice is nearer to the wheel's axis. At the other crossing the \
-             wheel would be thrown back at first.",
+            "By the size of the wheel's speed: as the pin enters it jumps up from rest, as the pin leaves down to rest.",
         )
 }
 
-/// Whether the wheel's speed jumps from zero up as the pin enters and down to zero as it leaves; or the other way.
+/// Whether the size of the wheel's speed jumps from zero up as the pin enters and down to zero as it leaves; or the other
+/// way.
 fn jumps(stated: Stated, speed: impl Fn(&Wheel, f64, f64) -> f64) -> Finding {
     let sign = stated.pick(1.0, -1.0);
     for_all_stations(
         |wheel| {
-            let nearer = |(_, crank): &(f64, f64)| crank.abs() < wheel.engagement_half_angle();
-            crossings(wheel, &[0.25, 0.5, 0.75]).filter(nearer).all(|(ratio, crank)| {
-                let speed = speed(wheel, ratio, crank);
-                let jump = if crank < 0.0 { speed - 0.0 } else { 0.0 - speed };
-                jump * crank * sign < 0.0
+            crossings(wheel, &[0.25, 0.5, 0.75]).all(|(ratio, crank)| {
+                let size = speed(wheel, ratio, crank).abs();
+                let jump = if crank < 0.0 { size } else { -size };
+                !vanishes(size) && jump * crank * sign < 0.0
             })
         },
         "the jump of the wheel's speed as the pin enters and as it leaves",
