@@ -11,7 +11,7 @@ pub const RATE: Slip = Slip {
              count as well.",
     witness: "The loop closure differentiated by power series gives the corrected digits too.",
     origin: Origin::Arithmetic,
-    consequence: Consequence::Result,
+    consequence: Consequence::Number,
     changes: "Five results change in the third or fourth digit, the lever's angular acceleration among them.",
 };
 
@@ -23,7 +23,7 @@ pub const LENGTH: Slip = Slip {
              would spoil the first two of these three as well, but not the Coriolis acceleration.",
     witness: "The loop closure differentiated by power series gives the corrected digits too.",
     origin: Origin::Arithmetic,
-    consequence: Consequence::Result,
+    consequence: Consequence::Number,
     changes: "Three results change by one or two units of their last digit, the lever's angular velocity among them.",
 };
 
