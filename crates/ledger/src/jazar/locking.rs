@@ -113,11 +113,11 @@ pub(super) fn most_stations() -> Claim {
             "with very many stations the arcs that lock the wheel become too short",
         )
         .missing(
-            "The text does not say by what measure an arc is too short, and the measures disagree. In wheel radii the \
-             arcs get shorter and shorter from four stations on. In crank radii, or by the angle that they embrace, they \
-             grow; and with any number of stations they lock, whichever way the wheel is pushed. In wheel radii the arcs \
-             of a spherical wheel get as short, though the handout says that it keeps its locking: no measure that we \
-             tried makes both sentences true",
+            "The text does not say by what measure an arc is too short, and the measures disagree. With a journal of six to \
+             nine tenths of the crank radius the arcs get shorter and shorter in wheel radii, from four stations on. In \
+             crank radii, or by the angle that they embrace, they grow; and with any number of stations they lock, \
+             whichever way the wheel is pushed. In wheel radii the arcs of a spherical wheel get as short, though the \
+             handout says that it keeps its locking: no measure that we tried makes both sentences true",
         )
 }
 

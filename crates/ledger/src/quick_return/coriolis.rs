@@ -44,7 +44,7 @@ pub fn claims() -> Vec<Claim> {
             .by(Series, || series(|rates| 2.0 * (rates.turning * rates.sliding).abs() * radius(rates)))
             .rounded(|| 2.0 * printed("quick-return.lever-speed") * printed("quick-return.sliding-speed"))
             .expecting(Verdict::FromRounded)
-            .affected_by(rounding::LENGTH),
+            .affected_by(rounding::STEPS),
         SENSE
             .statement(
                 "quick-return.coriolis-direction",

@@ -27,7 +27,7 @@ fn pin() -> Vec<Claim> {
             .by(Series, || series(|rates| libm::hypot(rates.sliding, rates.turning) * radius(rates)))
             .rounded(|| printed("quick-return.driver-rate") * printed("quick-return.crank"))
             .expecting(Verdict::FromRounded)
-            .affected_by(rounding::RATE),
+            .affected_by(rounding::STEPS),
     ]
 }
 
@@ -71,7 +71,7 @@ fn across() -> Vec<Claim> {
             .by(Series, || series(|rates| rates.turning))
             .rounded(|| printed("quick-return.lever-point-speed") / printed("quick-return.lever-length"))
             .expecting(Verdict::FromRounded)
-            .affected_by(rounding::LENGTH),
+            .affected_by(rounding::STEPS),
     ]
 }
 
