@@ -6,7 +6,7 @@
 //! Most identities have the variables p = R cos φ, q = R sin φ, l and the driver's angular velocity ω. The crank pair
 //! (p, q) then carries its own length R, and everything is a polynomial over r²: few points suffice for a proof.
 
-use crate::pin_vectors::{self, PinMotion};
+use crate::pin_vectors::{self, PinMotion, quarter_turn};
 use crate::{Expression, Field, Identity, Turn, pin_slot};
 use nalgebra::Vector2;
 
@@ -49,6 +49,68 @@ impl Identity<4> for SlidesAlongTheSlot {
     fn difference(&self, variables: [Expression; 4]) -> Expression {
         let (motion, _) = moving(variables);
         motion.sliding_velocity.perp(&motion.position)
+    }
+}
+
+/// The pin's velocity is the sum of that of the slot's point and that along the slot: v_P = v_P′ + v_{P/S}, a component.
+///
+/// On the left is the velocity on the pin's circle, ω R at right angles to the crank. On the right are the closed
+/// formulas of [`pin_slot`]: the follower's angular velocity times OP turned by a quarter, and r ṙ over r² times OP. In
+/// crank radii, with a driver of speed one. Variables: k and the tangent of φ/2.
+pub struct VelocityTriangle {
+    /// Whether to compare along the line of centres or across it.
+    pub first: bool,
+}
+
+impl Identity<2> for VelocityTriangle {
+    fn difference(&self, [ratio, half]: [Expression; 2]) -> Expression {
+        let Driven { place, velocity, square, turning, theta } = Driven::new(ratio, half);
+        // θ shrinks at the speed of the driver, and r ṙ with it.
+        let sliding = -pin_slot::sliding_product(&ratio, &theta) / square;
+        let sum = quarter_turn(&place) * turning + place * sliding;
+        if self.first { velocity.x - sum.x } else { velocity.y - sum.y }
+    }
+}
+
+/// The slot's point runs on a circle about the follower's pivot: r v_P′ = r² ω_S, both counter-clockwise positive.
+///
+/// v_P′ is what the pin's velocity has across the slot, ω_S the closed formula of [`pin_slot`]. In crank radii, with a
+/// driver of speed one. Variables: k and the tangent of φ/2.
+pub struct SlotPointOnItsCircle;
+
+impl Identity<2> for SlotPointOnItsCircle {
+    fn difference(&self, [ratio, half]: [Expression; 2]) -> Expression {
+        let Driven { place, velocity, square, turning, .. } = Driven::new(ratio, half);
+        place.perp(&velocity) - square * turning
+    }
+}
+
+/// The pin on its circle, and the follower's angular velocity by its closed formula.
+struct Driven {
+    /// From the follower's pivot to the pin.
+    place: Vector2<Expression>,
+    /// Velocity of the pin on its circle.
+    velocity: Vector2<Expression>,
+    /// r².
+    square: Expression,
+    /// Angular velocity of the follower, counter-clockwise positive.
+    turning: Expression,
+    /// The crank angle from the line of centres.
+    theta: Turn<Expression>,
+}
+
+impl Driven {
+    /// In crank radii, with a driver of speed one, for k and the tangent of φ/2.
+    fn new(ratio: Expression, half: Expression) -> Self {
+        let crank = Turn::from_half_tangent(&half);
+        let theta = crank.supplement();
+        Self {
+            place: pin_place(Expression::ONE, ratio, &crank),
+            velocity: quarter_turn(&crank.direction()),
+            square: pin_slot::slot_radius_squared(&ratio, &theta),
+            turning: -pin_slot::velocity_ratio(&ratio, &theta),
+            theta,
+        }
     }
 }
 

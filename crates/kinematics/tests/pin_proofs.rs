@@ -1,5 +1,7 @@
 //! Are the identities of the pin and its slot proven?
 
+use geneva_kinematics::pin_proofs::SlotPointOnItsCircle;
+use geneva_kinematics::pin_proofs::VelocityTriangle;
 use geneva_kinematics::pin_proofs::{
     LawOfCosines, LawOfSines, PinSpeed, SlidesAlongTheSlot, SlidingSpeed, SlotPointMovesAcross, SlotPointSpeed,
     StandstillOfFourSlots, VelocityRatio, four_slot_entry_misfit,
@@ -17,6 +19,9 @@ fn all_identities_of_the_pin_are_proven() {
         prove(&SlotPointSpeed),
         prove(&SlidingSpeed),
         prove(&VelocityRatio),
+        prove(&VelocityTriangle { first: true }),
+        prove(&VelocityTriangle { first: false }),
+        prove(&SlotPointOnItsCircle),
     ];
     for proof in proofs {
         println!("{}", proof.expect("an identity"));

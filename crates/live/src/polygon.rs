@@ -11,7 +11,8 @@ const UNITS: &[&str] = &["m", "mm", "in"];
 pub const LIVE: Live = Live {
     name: "polygon",
     figure: "live-polygon",
-    hint: "Count the Coriolis acceleration once, or three times: the polygon stays open at every angle. It closes with two.",
+    hint: "Count the Coriolis acceleration once, or three times: the polygon stays open, but where there is no such \
+           acceleration. With two it closes at every angle.",
     controls: &[
         Control::slider("crank", "crank angle φ", "°", [0.0, 360.0], 0.5, 60.0).typed(TURNS).playing(30.0),
         Control::slider("factor", "times ω₄ v_rel", "", [0.0, 3.0], 1.0, 2.0).typed([-10.0, 10.0]),

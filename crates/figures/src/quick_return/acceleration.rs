@@ -54,6 +54,11 @@ pub fn acceleration_diagram(
         ("direction", "deg"),
     ];
     let value = |name: &str| diagram.value_of(name);
+    let [normal, turned] = [
+        format!("the normal acceleration of the lever's point P4, {}", value("a-lever-normal")),
+        format!("the Coriolis acceleration, {}", value("a-coriolis")),
+    ];
+    let [second, third] = if laid.order == Order::First { [turned, normal] } else { [normal, turned] };
     let words = Words::new(
         "quick-return-acceleration",
         format!(
@@ -61,15 +66,15 @@ pub fn acceleration_diagram(
             degrees(instant.lever_angle)
         ),
         format!(
-            "Five steps, to scale. 1: from the pole, the pin's normal acceleration, {}, and its tangential one, {}. 2 \
-             and 3: the normal acceleration of the lever's point P4, {}, and the Coriolis acceleration, {}. 4: two \
+            "Five steps, to scale. 1: from the pole, the pin's normal acceleration, {}, and its tangential one, {}. 2: \
+             {}. 3: {}. 4: two \
              dashed lines of known direction, one across the lever, one along it. 5: they meet and close the polygon \
              with the tangential acceleration of P4, {}, and that of P2 relative to P4, {}; the normal one of P2 \
              relative to P4 is zero. The lever's angular acceleration is {}{}.",
             value("a-pin-normal"),
             value("a-pin-tangential"),
-            value("a-lever-normal"),
-            value("a-coriolis"),
+            second,
+            third,
             value("a-lever-tangential"),
             value("a-sliding"),
             written(alpha_4.abs(), "rad/s²"),

@@ -10,7 +10,7 @@
 
 use super::motion::{Drive, Motion};
 use super::series::{PolarRates, polar_rates};
-use crate::pin_vectors::quarter_turn;
+use crate::pin_vectors::{path, quarter_turn};
 use crate::{Expression, Identity, Turn};
 use nalgebra::Vector2;
 
@@ -118,10 +118,30 @@ impl Identity<3> for AcrossTheLever {
     }
 }
 
-/// The pin's acceleration is the sum of its terms, with so many times ψ̇ × v between them. Two makes it true.
+/// The pin's velocity is that of the lever's point and that of sliding: R ω across the crank = ψ̇ × r + ṙ e, a component.
 ///
-/// The left side is the second derivative of R e(φ), first component. Variables: p, x, ω, ω̇.
+/// The right side is from power series. Variables: p, x, ω.
+pub struct TermsOfTheVelocity {
+    /// Whether to compare along the line of centres or across it.
+    pub first: bool,
+}
+
+impl Identity<3> for TermsOfTheVelocity {
+    fn difference(&self, [p, x, driver]: [Expression; 3]) -> Expression {
+        let rates = steady(p, x, driver);
+        let pin = quarter_turn(&Vector2::new(p, Expression::ONE)) * driver;
+        let sum = quarter_turn(&rates.position) * rates.turning + rates.position * rates.sliding;
+        component(pin - sum, self.first)
+    }
+}
+
+/// The pin's acceleration is the sum of its terms in a straight slot, with so many times ψ̇ × v between them. Two makes it
+/// true.
+///
+/// The left side is the second derivative of R e(φ), a component of it. Variables: p, x, ω, ω̇.
 pub struct TermsOfTheAcceleration {
+    /// Whether to compare along the line of centres or across it.
+    pub first: bool,
     /// How many times ψ̇ × v is counted.
     pub coriolis: i64,
 }
@@ -130,15 +150,80 @@ impl Identity<4> for TermsOfTheAcceleration {
     fn difference(&self, [p, x, speed, acceleration]: [Expression; 4]) -> Expression {
         let drive = Drive { speed, acceleration };
         let (ground, crank) = placed(p, x);
-        let pin = crank.speeding_up(speed, acceleration).cos.coefficient(2) * 2;
+        let pin = crank.speeding_up(speed, acceleration).direction().map(|series| series.coefficient(2) * 2);
         let rates = polar_rates(&ground, &Expression::ONE, &crank, &drive).expect("the pin is off the pivot");
         let across = quarter_turn(&rates.position);
-        let normal = rates.position.x * rates.turning * rates.turning;
-        let tangential = across.x * rates.turning_rate;
-        let relative = rates.position.x * rates.sliding_rate;
-        let coriolis = self.coriolis * across.x * rates.turning * rates.sliding;
-        pin - (tangential - normal + relative + coriolis)
+        let normal = -(rates.position * (rates.turning * rates.turning));
+        let tangential = across * rates.turning_rate;
+        let relative = rates.position * rates.sliding_rate;
+        let coriolis = across * (self.coriolis * rates.turning * rates.sliding);
+        component(pin - (tangential + normal + relative + coriolis), self.first)
     }
+}
+
+/// The terms of the acceleration in a slot of any shape: the follower turns at will, at Ω with the angular acceleration Ω̇,
+/// and the pin's acceleration as seen from it, normal and tangential together, is what it is. Two makes it true.
+///
+/// (a_2ⁿ + a_2ᵗ) = (a_4ⁿ + a_4ᵗ) + (a_relⁿ + a_relᵗ + c Ω × v_rel), a component. The left side is that of a crank of
+/// speed one with the angular acceleration ω̇; what is seen from the follower is the power series of the pin's place, turned
+/// back. Variables: p, x, ω̇, Ω, Ω̇.
+pub struct TermsInAnySlot {
+    /// Whether to compare along the line of centres or across it.
+    pub first: bool,
+    /// How many times Ω × v_rel is counted.
+    pub coriolis: i64,
+}
+
+impl Identity<5> for TermsInAnySlot {
+    fn difference(&self, variables: [Expression; 5]) -> Expression {
+        let InAnySlot { turning, relative, rest } = InAnySlot::new(variables);
+        component(rest - quarter_turn(&relative) * (self.coriolis * turning), self.first)
+    }
+}
+
+/// The Coriolis acceleration has the magnitude c Ω v_rel, squared: what the pin's acceleration has beside that of the
+/// follower's point and that seen from the follower. Two makes it true, or minus two. Variables: as above.
+pub struct CoriolisMagnitude {
+    /// How many times Ω v_rel is counted.
+    pub coriolis: i64,
+}
+
+impl Identity<5> for CoriolisMagnitude {
+    fn difference(&self, variables: [Expression; 5]) -> Expression {
+        let InAnySlot { turning, relative, rest } = InAnySlot::new(variables);
+        let product = self.coriolis * turning;
+        rest.dot(&rest) - product * product * relative.dot(&relative)
+    }
+}
+
+/// The motion of a pin on a crank of speed one, seen from a follower that turns at will.
+struct InAnySlot {
+    /// Ω.
+    turning: Expression,
+    /// v_rel.
+    relative: Vector2<Expression>,
+    /// The pin's acceleration, less that of the follower's point and that seen from the follower.
+    rest: Vector2<Expression>,
+}
+
+impl InAnySlot {
+    /// For the variables p, x, ω̇, Ω, Ω̇.
+    fn new([p, x, acceleration, turning, growth]: [Expression; 5]) -> Self {
+        let (ground, crank) = placed(p, x);
+        let path = path(&Expression::ONE, &ground, &crank.speeding_up(Expression::ONE, acceleration));
+        let back = Turn { cos: Expression::ONE, sin: Expression::ZERO }.speeding_up(-turning, -growth);
+        let seen = Vector2::new(back.cos * path.x - back.sin * path.y, back.sin * path.x + back.cos * path.y);
+        let place = Vector2::new(x, Expression::ONE);
+        let arm = Vector2::new(p, Expression::ONE);
+        let pin = quarter_turn(&arm) * acceleration - arm;
+        let point = quarter_turn(&place) * growth - place * (turning * turning);
+        let rest = pin - point - seen.map(|series| series.coefficient(2) * 2);
+        Self { turning, relative: seen.map(|series| series.rate()), rest }
+    }
+}
+
+fn component(vector: Vector2<Expression>, first: bool) -> Expression {
+    if first { vector.x } else { vector.y }
 }
 
 /// What of the motion is compared.

@@ -1,6 +1,9 @@
 //! Do the scalar equations hold, and do diagrams and series give one motion?
 
 use geneva_kinematics::prove;
+use geneva_kinematics::quick_return::proofs::CoriolisMagnitude;
+use geneva_kinematics::quick_return::proofs::TermsInAnySlot;
+use geneva_kinematics::quick_return::proofs::TermsOfTheVelocity;
 use geneva_kinematics::quick_return::proofs::{
     AcrossTheLever, AlongTheLever, Compared, DiagramAgainstSeries, LawOfSinesAtThePin, LeverAsProjections, Part,
     ResolvedBy, ResolvedSpeed, TermsOfTheAcceleration,
@@ -19,7 +22,18 @@ fn the_scalar_equations_hold() {
 #[test]
 fn coriolis_counts_twice_and_nothing_else_will_do() {
     for coriolis in -2..5 {
-        assert_eq!(prove(&TermsOfTheAcceleration { coriolis }).is_ok(), coriolis == 2, "{coriolis}");
+        for first in [true, false] {
+            assert_eq!(prove(&TermsOfTheAcceleration { first, coriolis }).is_ok(), coriolis == 2, "{coriolis}");
+            assert_eq!(prove(&TermsInAnySlot { first, coriolis }).is_ok(), coriolis == 2, "{coriolis}");
+        }
+        assert_eq!(prove(&CoriolisMagnitude { coriolis }).is_ok(), coriolis.abs() == 2, "{coriolis}");
+    }
+}
+
+#[test]
+fn the_velocity_has_two_terms_in_both_components() {
+    for first in [true, false] {
+        assert!(prove(&TermsOfTheVelocity { first }).is_ok());
     }
 }
 

@@ -147,7 +147,7 @@ fn comparisons() -> Vec<Claim> {
             .but_not("they rise")
             .read_as(
                 "Gentler: the wheel's peak velocity, its peak acceleration and the jump of its acceleration at entry \
-                 all fall, for the same speed of the driver.",
+                 all fall, for the same speed of the driver, by which the handout normalises its own curves.",
             ),
         DURATION
             .statement(

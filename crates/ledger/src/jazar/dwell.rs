@@ -1,8 +1,8 @@
 //! The worked example, part (c): how long the output stands still.
 
 use super::*;
+use geneva_kinematics::rational;
 use geneva_kinematics::wheel::Phase;
-use geneva_kinematics::{Field, Rational, rational};
 use std::collections::HashMap;
 use std::sync::OnceLock;
 
@@ -46,20 +46,17 @@ pub fn claims() -> Vec<Claim> {
             .by(Series, || six(entry_crank) / example_speed())
             .right(ClosedForm, dwell_seconds, LimitCase, || seconds(six(locked_part)))
             .in_error(MOVING_PART),
-        division(),
-        C.value("jazar.ex-c.dwell-seconds", "0.0555", "s", "duration of the dwell, cut off behind the last place")
-            .by(ClosedForm, || {
-                let unit = unit_of_the_decimal().approximate();
-                libm::floor(seconds(part(printed("jazar.ex-b.alpha"), -1.0)) / unit) * unit
-            })
-            .by(OtherPlaceInSource, || {
-                long_division(decimal("jazar.ex-c.dwell-seconds").places() as usize)
-                    .iter()
-                    .rev()
-                    .fold(0.0, |behind, digit| (f64::from(*digit) + behind) / 10.0)
+        C.value("jazar.ex-c.dwell-seconds", "0.0555", "s", "duration of the dwell, as a decimal")
+            .by(ClosedForm, || seconds(part(printed("jazar.ex-b.alpha"), -1.0)))
+            .by(LimitCase, || {
+                long_division(20).iter().rev().fold(0.0, |behind, digit| (f64::from(*digit) + behind) / 10.0)
             })
             .right(ClosedForm, dwell_seconds, LimitCase, || seconds(six(locked_part)))
-            .in_error(MOVING_PART),
+            .in_error(MOVING_PART)
+            .read_as(
+                "The decimal is cut off behind its last place, as long division leaves it; rounded, the fraction before \
+                 it ends in a 6.",
+            ),
     ]
 }
 
@@ -80,21 +77,6 @@ fn formula() -> Claim {
         },
     )
     .corrected(r"\lambda = \frac{180 + 2\alpha}{360}", MOVING_PART)
-}
-
-fn division() -> Claim {
-    C.value("jazar.ex-c.division", "0.0555", "s", "the fraction before it as a decimal")
-        .by(ClosedForm, || printed("jazar.ex-c.dwell"))
-        .by(LimitCase, || long_division(20).iter().rev().fold(0.0, |behind, digit| (f64::from(*digit) + behind) / 10.0))
-        .expecting(Verdict::Truncated)
-        .affected_by(Slip {
-            id: "",
-            reason: "The decimal is cut off, not rounded.",
-            witness: "Long division goes on with the same digit without end.",
-            origin: Origin::Arithmetic,
-            consequence: Consequence::Number,
-            changes: "The last digit of the decimal that stands beside the fraction.",
-        })
 }
 
 /// (180 ± 2α)/360 for α in degrees.
@@ -129,10 +111,6 @@ fn seconds(part: f64) -> f64 {
 
 fn dwell_seconds() -> f64 {
     example().and_then(|wheel| wheel.dwell_time(example_speed())).unwrap_or(f64::NAN)
-}
-
-fn unit_of_the_decimal() -> Rational {
-    decimal("jazar.ex-c.dwell-seconds").unit_in_last_place()
 }
 
 /// So many digits of the printed fraction behind its point, by long division.

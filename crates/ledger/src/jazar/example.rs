@@ -112,7 +112,10 @@ fn velocity() -> Vec<Claim> {
             .by(OtherPlaceInSource, || 2.0 * PI / printed("jazar.ex-c.cycle")),
         D.value("jazar.ex-d.peak", "37.70", "rad/s", "peak angular velocity of the wheel")
             .by(ClosedForm, || example_speed() * six(peak_velocity))
-            .by(Series, || example_speed() * six(|w| by_series(w, 0.0)[1])),
+            .by(
+                Series, // By time, with as many turns in a second as the source counts advances.
+                || six(|wheel| at_speed(wheel, 0.0, 2.0 * PI * printed("jazar.ex-a.advances"))[1]),
+            ),
         absolute_senses(),
         senses(),
     ]

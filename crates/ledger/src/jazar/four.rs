@@ -13,8 +13,9 @@ const LOOP: Place = at("Eq. (5.25)");
 pub(super) const LOST_SIGN: Slip = Slip {
     id: "jazar.eq-5.29",
     reason: "The display before it has a minus sign in front of this term; here it is lost, and the wheel would first \
-             slow down and then speed up. Nothing in the source is computed without the sign, and where the equation \
-             is made general it is there. So it is put down to the copy; whether the handout has it cannot be told.",
+             slow down and then speed up. Where the equation is made general the sign is there, and nothing that the \
+             copy shows is computed without it. So it is put down to the copy. Whether the handout has it cannot be \
+             told; if it has not, the curve of Fig. 5.30, which is not in the copy, may be upside down.",
     witness: "Eq. (5.32) of the same source has the sign, and gives the corrected form for four stations.",
     origin: Origin::Copy,
     consequence: Consequence::Copy,
@@ -161,7 +162,7 @@ fn accelerations() -> Vec<Claim> {
                 at_instants(|wheel, t| {
                     let (speed, angular_acceleration) = (1.5, 0.75);
                     let printed = angular_acceleration * printed_5_28(t) - speed * speed * printed_5_29(t);
-                    (unsteady_by_duals(wheel, t, speed, angular_acceleration), printed)
+                    (unsteady_by_duals(wheel, t, speed, angular_acceleration)[0], printed)
                 })
             }),
         at("Sentence before Eq. (5.29)")
@@ -178,8 +179,8 @@ fn accelerations() -> Vec<Claim> {
                 // What has vanished is the difference that the driver's acceleration makes.
                 let gone = stated.pick(stated.count(), 2);
                 at_instants(|wheel, t| {
-                    let [unsteady, steady] =
-                        [0.75, 0.0].map(|angular_acceleration| unsteady_by_duals(wheel, t, 1.0, angular_acceleration));
+                    let [unsteady, steady] = [0.75, 0.0]
+                        .map(|angular_acceleration| unsteady_by_duals(wheel, t, 1.0, angular_acceleration)[0]);
                     (unsteady - steady, term(unsteady_terms(0.75, t), gone))
                 })
             })

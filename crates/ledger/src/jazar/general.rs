@@ -32,26 +32,35 @@ fn sizes() -> Vec<Claim> {
         RATIOS
             .statement(
                 "jazar.wheel-radius-ratio",
-                r"1/\tan \alpha",
-                "1/tan α is the outside diameter of the wheel over the diameter of the pin's circle",
+                r"\text{outside diameter}: 1/\tan \alpha",
+                "the second ratio, of the outside diameter of the wheel to the pin radius",
             )
             .by(Vectors, |stated| {
                 for_all_stations(
                     |wheel| {
-                        let (diameter, alpha) = (2.0 * entry(wheel).norm(), wheel.half_pitch_angle());
-                        let said = value(stated.characters(), &Letters::from([("alpha".to_owned(), alpha)]));
-                        agrees(diameter / stated.pick(2.0, 1.0), said)
+                        let (radius, alpha) = (entry(wheel).norm(), wheel.half_pitch_angle());
+                        let (Some(radii), Some(said)) = (radii(stated), ratio(stated, alpha)) else { return false };
+                        agrees(f64::from(radii) * radius, said)
                     },
                     "the rim is where the pin enters",
                 )
             })
-            .by(ExactIdentity, |stated| {
-                prove(&RimByPythagoras { above: stated.count(), over: stated.pick(2, 1) }).into()
+            .by(ExactIdentity, |stated| match radii(stated) {
+                Some(radii) => prove(&RimByPythagoras { above: stated.count(), radii: i64::from(radii) }).into(),
+                None => Finding::new(false, "neither a radius nor a diameter"),
             })
-            .but_not("it is that diameter over the radius of the pin's circle")
-            .read_as(
-                "The second ratio, of which the text names only the outside diameter, has the diameter of the pin's \
-                 circle for its other term.",
+            .corrected(
+                r"\text{outside radius}: 1/\tan \alpha",
+                Slip {
+                    id: "",
+                    reason: "1/tan α is the outside radius of the wheel over the pin radius, the only other length that \
+                             the sentence names. The diameter over it is twice as much. The ratio would be right for the \
+                             diameter of the pin's circle, but the handout never mentions that diameter.",
+                    witness: "The handout itself says of the wheel of four that its outer radius is r, and tan 45° is one.",
+                    origin: Origin::Misprint,
+                    consequence: Consequence::Wording,
+                    changes: "",
+                },
             ),
         at("Sentence before Eq. (5.30)")
             .equation("jazar.alpha-radians", r"\alpha = \pi/N", "α in radians")
@@ -148,13 +157,28 @@ impl Identity<1> for Tangent {
     }
 }
 
-/// Pythagoras at entry: the square of the rim's diameter over `over` is that of `above` over tan α.
+/// How many outside radii the length is of which the characters give the ratio.
+fn radii(stated: Stated) -> Option<u32> {
+    match stated.characters().split_once(':')?.0 {
+        r"\text{outside radius}" => Some(1),
+        r"\text{outside diameter}" => Some(2),
+        _ => None,
+    }
+}
+
+/// The ratio that the characters give, for this α.
+fn ratio(stated: Stated, alpha: f64) -> Option<f64> {
+    let (_, formula) = stated.characters().split_once(':')?;
+    Some(value(formula, &Letters::from([("alpha".to_owned(), alpha)])))
+}
+
+/// Pythagoras at entry: the square of so many outside radii, in crank radii, is that of `above` over tan α.
 /// Variable: tangent of α/2.
 struct RimByPythagoras {
     /// What stands above the tangent.
     above: u32,
-    /// With what the diameter is compared, in crank radii.
-    over: i64,
+    /// How many outside radii.
+    radii: i64,
 }
 
 impl Identity<1> for RimByPythagoras {
@@ -162,8 +186,7 @@ impl Identity<1> for RimByPythagoras {
         let alpha = Turn::from_half_tangent(&half);
         let distance = 1 / alpha.sin;
         let tangent = alpha.sin / alpha.cos;
-        4 * (distance * distance - 1) / (self.over * self.over)
-            - i64::from(self.above * self.above) / (tangent * tangent)
+        self.radii * self.radii * (distance * distance - 1) - i64::from(self.above * self.above) / (tangent * tangent)
     }
 }
 

@@ -16,11 +16,12 @@ mod spherical;
 mod symbols;
 mod text;
 
+pub use locking::LockingArcs;
 pub use symbols::SYMBOLS;
 
 use crate::agreement::{agrees, same, vanishes};
 use crate::by_id::{characters, decimal, printed, rounds};
-use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Verdict, Work};
+use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Work};
 use geneva_kinematics::KinematicsError;
 use geneva_kinematics::pin_slot::pin_from_pivot;
 use geneva_kinematics::wheel::{STATIONS, Wheel};
@@ -46,7 +47,7 @@ pub fn claims() -> Vec<Claim> {
         curves::claims(),
         duration::claims(),
         general::claims(),
-        vec![spherical::angulated()],
+        spherical::claims(),
         example::claims(),
         peak::claims(),
     ]
@@ -168,17 +169,18 @@ fn by_duals(wheel: &Wheel, crank: f64) -> [f64; 4] {
     [angle, first, second, third]
 }
 
-/// Angular acceleration of the wheel by dual numbers, for a driver of this speed and angular acceleration.
-fn unsteady_by_duals(wheel: &Wheel, crank: f64, speed: f64, angular_acceleration: f64) -> f64 {
+/// Angular acceleration of the wheel and its rate of change by dual numbers, for a driver of this speed and angular
+/// acceleration.
+fn unsteady_by_duals(wheel: &Wheel, crank: f64, speed: f64, angular_acceleration: f64) -> [f64; 2] {
     let sine = libm::sin(wheel.half_pitch_angle());
-    let (_, _, acceleration, _) = num_dual::third_derivative(
+    let (_, _, acceleration, rate) = num_dual::third_derivative(
         |time| {
             let (s, c) = (time * speed + time * time * (angular_acceleration / 2.0) + crank).sin_cos();
             (s * sine / (-c * sine + 1.0)).atan()
         },
         0.0,
     );
-    acceleration
+    [acceleration, rate]
 }
 
 /// Distance of the pin from the wheel's axis in crank radii, and the wheel's angle, by the law of cosines alone.

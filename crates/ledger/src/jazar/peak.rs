@@ -237,14 +237,12 @@ fn numbers() -> Vec<Claim> {
             .but_not("360 × 2π: revolutions per minute"),
         E.value("jazar.ex-e.peak", "1,950", "rad/s²", "peak angular acceleration of the wheel")
             .by(ClosedForm, || printed("jazar.ex-e.ratio") * example_speed() * example_speed())
-            .by(OtherPlaceInSource, || {
-                printed("jazar.ex-e.ratio") * printed("jazar.ex-d.driver-speed") * printed("jazar.ex-d.driver-speed")
-            })
+            .by(Series, || printed("jazar.ex-e.ratio") * acceleration_by_time() / six_pair(peak_by_series).1)
             .right(
                 ClosedForm,
                 || example().and_then(|w| w.peaks(example_speed())).map_or(f64::NAN, |peaks| peaks.1),
                 Series,
-                || example_speed() * example_speed() * six_pair(peak_by_series).1,
+                acceleration_by_time,
             )
             .in_error(WRONG_RATIO),
     ]
@@ -257,6 +255,13 @@ fn driver_speed(stated: Stated) -> f64 {
 
 pub(super) fn six_pair(pair: fn(&Wheel) -> (f64, f64)) -> (f64, f64) {
     example().map_or((f64::NAN, f64::NAN), |wheel| pair(&wheel))
+}
+
+/// The size of the greatest acceleration of the wheel of six by time, for a driver with as many turns in a second as the
+/// source counts advances: the square of its speed comes from the power series.
+fn acceleration_by_time() -> f64 {
+    let (angle, _) = six_pair(peak_by_series);
+    six(|wheel| at_speed(wheel, angle, 2.0 * PI * printed("jazar.ex-a.advances"))[2].abs())
 }
 
 /// Whether the tallest of points at whole degrees tells an extreme: its angle to half a degree, its size as rounded to

@@ -4,32 +4,65 @@ use super::*;
 use geneva_kinematics::{Expression, Identity, angular_velocity, prove};
 use nalgebra::{Vector2, Vector3};
 
-/// The claim on the shafts of spherical wheels.
-pub fn angulated() -> Claim {
-    at("Sentences on spherical mechanisms")
+const SENTENCES: Place = at("Sentences on spherical mechanisms");
+
+/// The claims on spherical wheels.
+pub fn claims() -> Vec<Claim> {
+    vec![angulated(), locking()]
+}
+
+fn angulated() -> Claim {
+    SENTENCES
         .statement(
             "jazar.spherical-shafts",
             "between angulated shafts",
             "with its axis at an angle to the driver's, a wheel is moved on by a station, and is at rest at both ends",
         )
         .by(Vectors, |stated| {
-            let angles = stated.pick(vec![60.0, 90.0, 120.0], vec![0.0]);
-            let indexed = |stations: u32| angles.iter().all(|angle: &f64| indexes(stations, angle.to_radians()));
+            let indexed = |stations: u32| {
+                ANGLES.iter().all(|angle| indexes(stations, angle.to_radians(), stated.pick(false, true)))
+            };
             let failing = STATIONS.clone().find(|stations| !indexed(*stations));
             let but = failing.map_or(String::new(), |stations| format!("; not with {stations}"));
             Finding::new(
                 failing.is_none(),
-                format!("shafts at {angles:?}°: the pin enters and leaves along meridians a station apart{but}"),
+                format!("shafts at {ANGLES:?}°: the pin enters and leaves along meridians a station apart{but}"),
             )
         })
-        .by(ExactIdentity, |stated| prove(&RestAtTheEnds { parallel: stated.pick(false, true) }).into())
-        .but_not("between parallel shafts, by pins on the same sphere")
-        .read_as("For these angles of the shafts and all numbers of stations that are tried elsewhere.")
+        .by(ExactIdentity, |stated| {
+            let quarter = stated.pick(false, true);
+            let [rest, step]: [Finding; 2] =
+                [prove(&RestAtTheEnds { quarter }).into(), prove(&StepOfAStation { quarter }).into()];
+            Finding::new(rest.holds && step.holds, format!("{}; {}", rest.how, step.how))
+        })
+        .but_not("and it takes half of the driver's turn at every angle between the shafts")
+        .read_as(
+            "Between shafts at 60°, 90° and 120° for all numbers of stations that are tried elsewhere; by proof at any \
+             angle at which the pin finds room.",
+        )
 }
 
+fn locking() -> Claim {
+    SENTENCES
+        .statement(
+            "jazar.spherical-locking",
+            "without losing positive locking",
+            "a spherical wheel can have many stations and still be locked between two advances",
+        )
+        .missing(
+            "The text does not say what is lost in a planar wheel and kept here. If it is the length of the arcs in wheel \
+             radii, a spherical wheel with axes at right angles loses as much; if it is that an arc locks at all, a \
+             planar wheel does not lose it",
+        )
+}
+
+/// The angles between the shafts that are tried, in degrees.
+const ANGLES: [f64; 3] = [60.0, 90.0, 120.0];
+
 /// Whether a pin on a sphere about the point where the axes meet, on a circle about the driver's, moves a wheel on by one
-/// of so many stations: at two places it moves along a meridian of the wheel, and these are a station apart.
-fn indexes(stations: u32, between_the_axes: f64) -> bool {
+/// of so many stations: at two places it moves along a meridian of the wheel, and these are a station apart. If `half`,
+/// also whether these places are half a turn of the driver apart.
+fn indexes(stations: u32, between_the_axes: f64, half_a_turn: bool) -> bool {
     let (tilt, upright) = libm::sincos(between_the_axes);
     let half = PI / f64::from(stations);
     // How far the pins are from the driver's axis, so that the two meridians touch their circle.
@@ -47,23 +80,59 @@ fn indexes(stations: u32, between_the_axes: f64) -> bool {
         let across = pin.x * velocity.y - pin.y * velocity.x;
         (libm::atan2(pin.y, pin.x), across)
     });
-    sine > 0.0 && ends.iter().all(|(_, across)| vanishes(*across)) && agrees((ends[1].0 - ends[0].0).abs(), 2.0 * half)
+    let rests = sine > 0.0 && ends.iter().all(|(_, across)| vanishes(*across));
+    rests && agrees((ends[1].0 - ends[0].0).abs(), 2.0 * half) && (!half_a_turn || vanishes(turn))
 }
 
-/// A quarter of a turn from the middle, the wheel of shafts at right angles is at rest: the rate of the direction in which
-/// the pin is seen along the wheel's axis. For parallel shafts that direction is the driver's own.
-///
-/// Variable: the tangent of a quarter of the angle between two slots.
+/// A pin at the angle ρ from the driver's axis, and the crank angle θ from the place nearest to the wheel's axis.
+struct Pin {
+    /// The direction in which it is seen along the wheel's axis, but for the scale of the first coordinate.
+    seen: Vector2<Jet<Expression, 2>>,
+    /// sin ρ.
+    sine: Expression,
+    /// sin Σ and cos Σ of the angle between the shafts, over the scale.
+    shafts: Turn<Expression>,
+}
+
+impl Pin {
+    /// For the tangents of ρ/2 and θ/2: the wheel is at rest at ±θ between shafts at the angle Σ with
+    /// tan Σ = tan ρ / cos θ. Where the crank is then, or a quarter of a turn from the middle.
+    fn new([half_rho, half_theta]: [Expression; 2], quarter: bool) -> Self {
+        let [rho, theta] = [half_rho, half_theta].map(|half| Turn::from_half_tangent(&half));
+        let shafts = Turn { cos: rho.cos * theta.cos, sin: rho.sin };
+        let at = if quarter { Turn { cos: Expression::ZERO, sin: Expression::ONE } } else { theta };
+        let crank = at.moving::<2>(Expression::ONE);
+        let along = Jet::constant(shafts.sin * rho.cos) - Jet::constant(shafts.cos * rho.sin) * crank.cos;
+        Self { seen: Vector2::new(along, Jet::constant(rho.sin) * crank.sin), sine: rho.sin, shafts }
+    }
+}
+
+/// The wheel is at rest at θ: the rate of the direction in which the pin is seen along the wheel's axis. Variables: the
+/// tangents of ρ/2 and θ/2.
 struct RestAtTheEnds {
-    parallel: bool,
+    quarter: bool,
 }
 
-impl Identity<1> for RestAtTheEnds {
-    fn difference(&self, [half]: [Expression; 1]) -> Expression {
-        let alpha = Turn::from_half_tangent(&half);
-        let crank = Turn { cos: Expression::ZERO, sin: Expression::ONE }.moving::<2>(Expression::ONE);
-        let along = if self.parallel { Jet::constant(alpha.sin) * crank.cos } else { Jet::constant(alpha.cos) };
-        let seen = Vector2::new(along, Jet::constant(alpha.sin) * crank.sin);
-        angular_velocity(&seen).map_or(Expression::ONE, |rate| rate.value())
+impl Identity<2> for RestAtTheEnds {
+    fn difference(&self, variables: [Expression; 2]) -> Expression {
+        let pin = Pin::new(variables, self.quarter);
+        angular_velocity(&pin.seen).map_or(Expression::ONE, |rate| rate.value())
+    }
+}
+
+/// The pin is then seen at the angle α from the middle with sin α sin Σ = sin ρ, squared: pins on a circle with
+/// sin ρ = sin (π/N) sin Σ move the wheel by 2π/N. Variables: as above.
+struct StepOfAStation {
+    quarter: bool,
+}
+
+impl Identity<2> for StepOfAStation {
+    fn difference(&self, variables: [Expression; 2]) -> Expression {
+        let Pin { seen, sine, shafts } = Pin::new(variables, self.quarter);
+        let [x, y] = [seen.x.value(), seen.y.value()].map(|coordinate| coordinate * coordinate);
+        let [sine, tilt] = [sine * sine, shafts.sin * shafts.sin];
+        // The square of the scale.
+        let whole = tilt + shafts.cos * shafts.cos;
+        y * tilt - sine * (x + y * whole)
     }
 }

@@ -1,6 +1,7 @@
 //! What the text says of Geneva wheels before the first equation.
 
 use super::*;
+use crate::tolerance::CLOSURE;
 use geneva_kinematics::pin_proofs::four_slot_entry_misfit;
 use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::wheel::Phase;
@@ -37,19 +38,20 @@ fn one_direction() -> Claim {
         .by(Series, |stated| {
             for_all_stations(
                 |wheel| {
-                    let reach = stated.pick(wheel.engagement_half_angle(), PI);
-                    within(reach).all(|t| by_series(wheel, t)[1] >= 0.0)
+                    let end = wheel.engagement_half_angle();
+                    let advances = |t: f64| by_series(wheel, t)[1] > stated.pick(-1.0, 1.0) * CLOSURE.relative;
+                    within(end).chain([-end, end]).all(advances)
                 },
                 "φ̇ ≥ 0 while the pin is in the slot",
             )
         })
         .by(Vectors, |stated| {
             for_all_stations(
-                |wheel| never_goes_back(wheel, stated.pick(wheel.engagement_half_angle(), PI)),
+                |wheel| never_goes_back(wheel, stated.pick(-1.0, 1.0) * CLOSURE.relative),
                 "the angle never falls over two turns",
             )
         })
-        .but_not("nor does a lever whose slot the pin never leaves")
+        .but_not("nor does it ever stand still")
 }
 
 fn slider_crank() -> Claim {
@@ -176,21 +178,20 @@ fn infinite_deceleration() -> Claim {
         })
         .but_not("it is decelerated at the beginning and accelerated at the end")
         .read_as(
-            "Where a pin that crosses the slot's line twice is nearer to the wheel's axis. At the other crossing the \
-             wheel would be thrown back at first.",
+            "By the size of the wheel's speed: as the pin enters it jumps up from rest, as the pin leaves down to rest.",
         )
 }
 
-/// Whether the wheel's speed jumps from zero up as the pin enters and down to zero as it leaves; or the other way.
+/// Whether the size of the wheel's speed jumps from zero up as the pin enters and down to zero as it leaves; or the other
+/// way.
 fn jumps(stated: Stated, speed: impl Fn(&Wheel, f64, f64) -> f64) -> Finding {
     let sign = stated.pick(1.0, -1.0);
     for_all_stations(
         |wheel| {
-            let nearer = |(_, crank): &(f64, f64)| crank.abs() < wheel.engagement_half_angle();
-            crossings(wheel, &[0.25, 0.5, 0.75]).filter(nearer).all(|(ratio, crank)| {
-                let speed = speed(wheel, ratio, crank);
-                let jump = if crank < 0.0 { speed - 0.0 } else { 0.0 - speed };
-                jump * crank * sign < 0.0
+            crossings(wheel, &[0.25, 0.5, 0.75]).all(|(ratio, crank)| {
+                let size = speed(wheel, ratio, crank).abs();
+                let jump = if crank < 0.0 { size } else { -size };
+                !vanishes(size) && jump * crank * sign < 0.0
             })
         },
         "the jump of the wheel's speed as the pin enters and as it leaves",
@@ -314,14 +315,15 @@ fn speeds_up_then_slows_down() -> Claim {
         .read_as("Smoothly: the speed does not jump. That the acceleration does, at both ends, the source says itself.")
 }
 
-/// Whether the angle of a slot, in which the pin is within `reach` of the line of centres, never falls over two turns.
-fn never_goes_back(wheel: &Wheel, reach: f64) -> bool {
+/// Whether the wheel's angle rises by more than this from each of a hundred places of two turns to the next.
+fn never_goes_back(wheel: &Wheel, least: f64) -> bool {
+    let reach = wheel.engagement_half_angle();
     let at = |crank: f64| libm::atan2(libm::sin(crank), wheel.centre_distance_ratio() - libm::cos(crank));
     let angle = |step: i32| {
         let (turns, crank) = (step.div_euclid(50), PI * (f64::from(step.rem_euclid(50)) - 25.0) / 25.0);
         f64::from(turns) * (at(reach) - at(-reach)) + at(crank.clamp(-reach, reach))
     };
-    (1..100).all(|step| angle(step - 1) <= angle(step) + crate::tolerance::CLOSURE.relative)
+    (1..100).all(|step| angle(step) - angle(step - 1) > least)
 }
 
 /// Centre distances over crank radius, and crank angles at which the pin meets a slot at ±α under an angle: these parts

@@ -1,18 +1,22 @@
 //! Letters and arrows: what the copy made of them, and what they stand for.
 //!
 //! Greek letters have become Latin ones, and arrows have become letters. A letter, with its index if it has one, names one
-//! thing in all its places; then nothing is wrong with it, and the claim says what it names. An arrow cannot be told from
-//! the letter that stands for it, and what its angle is measured from is lost.
+//! thing in all its places; then nothing is wrong with it, and the claim says what it names. A letter for an arrow says
+//! nothing. One rule holds for all of these: what the arrow was follows from the rest of the text, if of all arrows that
+//! could be there only one makes the printed numbers right.
 
 use super::*;
 
 /// Letters where arrows are needed.
 pub const ARROWS: Slip = Slip {
     id: "pin.mark-f",
-    reason: "The copy has the letters d, f and i for arrows. With the arrows before the velocities it is lost what \
-             their angles count from: two of them from the horizontal to the left, that of the slot's point from the \
-             vertical. Which way the arrows pointed cannot be told without the drawing.",
-    witness: "The angles of the crank and of the slot alone give the same directions.",
+    reason: "The copy has the letters d, f and i for three arrows. The text settles each of them without the drawing: it \
+             gives the sense of the driver and the angle of the crank, and all other senses follow. An arrow before an \
+             angle points up or down, to the left or to the right, and its angle counts from the horizontal or the \
+             vertical. Of these eight arrows only one fits the printed angles.",
+    witness: "The angles of the crank and of the slot alone give the same directions. A public page that continues the \
+              problem prints the arrows of the sliding velocity and of the wheel, and they are the same; it prints no \
+              velocity of the slot's point.",
     origin: Origin::Copy,
     consequence: Consequence::Copy,
     changes: "",
@@ -133,24 +137,21 @@ pub fn mark_d() -> Claim {
         )
         .by(Jet, |stated| {
             at_the_instant(|_, motion| {
-                arrow_of_two([heading(&motion.pin_velocity), heading(&motion.sliding_velocity)], stated)
+                only_arrow(&TWO, [heading(&motion.pin_velocity), heading(&motion.sliding_velocity)], stated)
             })
         })
         .by(ClosedForm, |stated| {
             // Across the crank, and from the pin to O.
             let slot = triangle(|t| t.angle_at_pivot).to_degrees();
-            arrow_of_two([printed("pin.crank-angle") + 90.0, slot + 180.0], stated)
+            let found = only_arrow(&TWO, [printed("pin.crank-angle") + 90.0, slot + 180.0], stated);
+            Finding::new(found.holds && stated.characters().ends_with(continued::SLIDING), found.how)
         })
-        .corrected("an arrow; the angles are from the horizontal to the left", ARROWS)
+        .corrected("an arrow down and to the left, with the angle from the horizontal", ARROWS)
 }
 
-/// Whether both velocities point as printed if the arrow is ↙ and the angles from the left; or without an arrow.
-fn arrow_of_two([pin, sliding]: [f64; 2], stated: Stated) -> Finding {
-    let from = stated.pick(180.0, 0.0);
-    let angles = [pin - from, sliding - from];
-    let holds = rounds("pin.pin-velocity-direction", angles[0]) && rounds("pin.sliding-velocity-direction", angles[1]);
-    Finding::new(holds, format!("{:.1}° and {:.1}° beyond {from}° from the right", angles[0], angles[1]))
-}
+/// The claims whose angles have the first arrow before them, and the second.
+const TWO: [&str; 2] = ["pin.pin-velocity-direction", "pin.sliding-velocity-direction"];
+const ONE: [&str; 1] = ["pin.slot-point-velocity-direction"];
 
 pub fn mark_f() -> Claim {
     at("Solution, components of the velocity")
@@ -159,22 +160,90 @@ pub fn mark_f() -> Claim {
             "f",
             "the arrow before the angle of the slot point's velocity, which says what the angle is measured from",
         )
-        .by(Jet, |stated| at_the_instant(|_, motion| arrow_of_one(heading(&motion.slot_point_velocity), stated)))
+        .by(Jet, |stated| at_the_instant(|_, motion| only_arrow(&ONE, [heading(&motion.slot_point_velocity)], stated)))
         .by(ClosedForm, |stated| {
             // Across the slot, clockwise about O.
-            arrow_of_one(270.0 + triangle(|t| t.angle_at_pivot).to_degrees(), stated)
+            only_arrow(&ONE, [270.0 + triangle(|t| t.angle_at_pivot).to_degrees()], stated)
         })
-        .corrected("an arrow; the angle is from the vertical", ARROWS)
+        .corrected("an arrow down and to the right, with the angle from the vertical", ARROWS)
 }
 
-/// Whether the velocity points as printed if the arrow is ↘ and the angle from the vertical; or without an arrow.
-fn arrow_of_one(direction: f64, stated: Stated) -> Finding {
-    let from = stated.pick(270.0, 0.0);
-    let angle = direction - from;
-    Finding::new(
-        rounds("pin.slot-point-velocity-direction", angle),
-        format!("{angle:.1}° beyond {from}° from the right"),
-    )
+pub fn follower_sense() -> Claim {
+    at("Solution, angular velocity of the wheel")
+        .statement("pin.follower-sense", "i", "the arrow that says in which sense the wheel turns")
+        .by(Jet, |stated| at_the_instant(|_, motion| turns(motion.follower_speed, stated)))
+        .by(OtherPlaceInSource, |stated| {
+            // The pin goes round O in the sense in which its velocity is across OP, by the printed angles.
+            let velocity = printed("pin.crank-angle") + 90.0;
+            let found = turns(sine(velocity - printed("pin.angle-at-pivot")), stated);
+            Finding::new(found.holds && stated.characters().ends_with(continued::SENSE), found.how)
+        })
+        .corrected("an arrow that turns clockwise", ARROWS)
+}
+
+/// An arrow before an angle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Arrow {
+    up: bool,
+    right: bool,
+    from_the_horizontal: bool,
+}
+
+impl Arrow {
+    /// The arrow that the words tell of; none if they tell of none, as a letter does.
+    fn read(words: &str) -> Option<Self> {
+        let either = |one: &str, other: &str| match (words.contains(one), words.contains(other)) {
+            (true, false) => Some(true),
+            (false, true) => Some(false),
+            _ => None,
+        };
+        Some(Self {
+            up: either("up", "down")?,
+            right: either("right", "left")?,
+            from_the_horizontal: either("horizontal", "vertical")?,
+        })
+    }
+
+    /// All eight.
+    fn all() -> impl Iterator<Item = Self> {
+        (0..8).map(|k| Self { up: k & 1 == 1, right: k & 2 == 2, from_the_horizontal: k & 4 == 4 })
+    }
+
+    /// The angle that is printed behind the arrow for a direction in degrees, counter-clockwise from the right; outside of
+    /// 0° to 90° if the arrow points elsewhere.
+    fn angle(self, heading: f64) -> f64 {
+        // Turned over so that the arrow points up and to the right.
+        let heading = if self.right { heading } else { 180.0 - heading };
+        let heading = if self.up { heading } else { -heading }.rem_euclid(360.0);
+        if self.from_the_horizontal { heading } else { 90.0 - heading }
+    }
+
+    /// Whether it makes all these printed angles right, for these directions.
+    fn fits(self, ids: &[&str], headings: &[f64]) -> bool {
+        ids.iter().zip(headings).all(|(id, heading)| rounds(id, self.angle(*heading)))
+    }
+}
+
+/// Whether the arrow that is told of fits the printed angles of these claims, and no other does.
+fn only_arrow<const N: usize>(ids: &[&str; N], headings: [f64; N], stated: Stated) -> Finding {
+    let fitting: Vec<Arrow> = Arrow::all().filter(|arrow| arrow.fits(ids, &headings)).collect();
+    let pointing = headings.map(|heading| format!("{heading:.1}°")).join(" and ");
+    let Some(arrow) = Arrow::read(stated.characters()) else {
+        return Finding::new(false, "a letter, which points nowhere");
+    };
+    let holds = fitting == [arrow];
+    Finding::new(holds, format!("pointing at {pointing} from the right; of eight arrows {} fits", fitting.len()))
+}
+
+/// Whether the wheel turns in the sense that is told, by an angular velocity that is positive counter-clockwise.
+fn turns(speed: f64, stated: Stated) -> Finding {
+    let words = stated.characters();
+    let said = match (words.contains("clockwise"), words.contains("counter-clockwise")) {
+        (true, counter) => counter,
+        (false, _) => return Finding::new(false, "a letter, which turns no way"),
+    };
+    let found = if speed > 0.0 { "counter-clockwise" } else { "clockwise" };
+    Finding::new((speed > 0.0) == said, format!("the pin goes round the axis of the wheel {found}"))
 }
 
 /// The angle between two vectors in degrees, from 0° to 180°.
@@ -192,4 +261,37 @@ pub fn dimension(id: &str) -> Option<Dimension> {
     });
     let above = parts.next()??;
     parts.try_fold(above, |quotient, below| Some(quotient / below?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Erratum, Verdict, judge};
+
+    #[test]
+    fn every_other_arrow_is_refused() {
+        let word = |is: bool, one: &'static str, other: &'static str| if is { one } else { other };
+        let arrows = Arrow::all().map(|arrow| {
+            format!(
+                "an arrow {} and to the {}, with the angle from the {}",
+                word(arrow.up, "up", "down"),
+                word(arrow.right, "right", "left"),
+                word(arrow.from_the_horizontal, "horizontal", "vertical")
+            )
+        });
+        let words: Vec<&'static str> = arrows.map(|words| &*words.leak()).collect();
+        for (claim, all) in [
+            (mark_d as fn() -> Claim, words.clone()),
+            (mark_f, words),
+            (follower_sense, vec!["an arrow that turns clockwise", "an arrow that turns counter-clockwise"]),
+        ] {
+            let right = claim().right_characters();
+            let holds = |corrected: &&&'static str| {
+                let erratum = Erratum { corrected, slip: ARROWS };
+                let judged = judge(Box::leak(Box::new(Claim { erratum: Some(erratum), ..claim() })));
+                judged.verdict == Verdict::Corrected && judged.faults.is_empty()
+            };
+            assert_eq!(all.iter().filter(holds).copied().collect::<Vec<_>>(), [right]);
+        }
+    }
 }

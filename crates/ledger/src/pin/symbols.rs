@@ -10,9 +10,9 @@ pub const SYMBOLS: &[Symbol] = &[
     Symbol { printed: "v", ours: r"\omega", meaning: "angular velocity with the index of a disk, printed V as well" },
     Symbol { printed: "v", ours: r"v", meaning: "speed with the index of a point" },
     Symbol { printed: "v", ours: r"\vec{v}", meaning: "velocity, printed upright" },
-    Symbol { printed: "d", ours: r"\swarrow", meaning: "arrow of a direction, before its angle (inferred)" },
-    Symbol { printed: "f", ours: r"\searrow", meaning: "arrow of a direction, before its angle (inferred)" },
-    Symbol { printed: "i", ours: r"\circlearrowright", meaning: "arrow of a sense of rotation (inferred)" },
+    Symbol { printed: "d", ours: r"\swarrow", meaning: "arrow before an angle that counts from the horizontal" },
+    Symbol { printed: "f", ours: r"\searrow", meaning: "arrow before an angle that counts from the vertical" },
+    Symbol { printed: "i", ours: r"\circlearrowright", meaning: "arrow of a sense of rotation" },
     Symbol { printed: r"1 \overline{2}", ours: r"\sqrt{2}", meaning: "a root" },
 ];
 

@@ -1,8 +1,9 @@
 //! The velocity triangle: v_P = v_P′ + v_{P/S}.
 
 use super::*;
-use geneva_kinematics::pin_proofs::{PinSpeed, SlidesAlongTheSlot, SlidingSpeed, SlotPointSpeed};
+use geneva_kinematics::pin_proofs::{PinSpeed, SlidingSpeed, SlotPointOnItsCircle, SlotPointSpeed, VelocityTriangle};
 use geneva_kinematics::pin_vectors::quarter_turn;
+use geneva_kinematics::prove;
 use nalgebra::Vector2;
 
 const PIN: Place = at("Solution, velocity of the pin");
@@ -52,7 +53,11 @@ fn triangle_of_velocities() -> Vec<Claim> {
                 r"\text{v}_{P}=\text{v}_{P'}+\text{v}_{P/S}",
                 "velocity of the pin: that of the slot's point and that along the slot",
             )
-            .proven(SlidesAlongTheSlot)
+            .by(ExactIdentity, || {
+                // Along the line of centres and across it.
+                let [one, other]: [Finding; 2] = [true, false].map(|first| prove(&VelocityTriangle { first }).into());
+                Finding::new(one.holds && other.holds, format!("{}; {}", one.how, other.how))
+            })
             .by(AutomaticDerivative, || {
                 from_duals(|crank| {
                     let [[distance, sliding, _], [slot, turning, _]] = crank.polar();
@@ -155,12 +160,12 @@ fn wheel() -> Vec<Claim> {
                 r"v_{P'}=r \mathrm{v}_{S}",
                 "speed of the slot's point from the wheel's angular velocity",
             )
-            .proven(SlotPointSpeed)
+            .proven(SlotPointOnItsCircle)
             .by(AutomaticDerivative, || {
-                // What the pin's velocity has across the slot, against the distance times the slot's rate.
+                // The speed of a point that the wheel carries, against its distance times the slot's rate.
                 from_duals(|crank| {
-                    let ([place, velocity, _], [[distance, ..], [_, turning, _]]) = (crank.pin_motion(), crank.polar());
-                    meets(place.perp(&velocity) / place.norm(), distance * turning)
+                    let ([_, velocity, _], [[distance, ..], [_, turning, _]]) = (crank.point_motion(), crank.polar());
+                    meets(velocity.norm(), distance * turning.abs())
                 })
             })
             .read_as(OF_A_DISK),
@@ -169,10 +174,7 @@ fn wheel() -> Vec<Claim> {
             .by(ClosedForm, || triangle(|t| t.follower_speed))
             .by(Jet, || vectors(|motion| motion.follower_speed.abs()))
             .rounded(|| printed("pin.slot-point-speed") / printed("pin.radius")),
-        WHEEL.statement("pin.follower-sense", "i", "sense in which the wheel turns, by an arrow").missing(
-            "the copy has the letter i for the arrow, which does not say which way it pointed; the computation says \
-             clockwise, against the driver",
-        ),
+        signs::follower_sense(),
     ]
 }
 

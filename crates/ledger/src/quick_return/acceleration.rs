@@ -2,7 +2,7 @@
 
 use super::*;
 use geneva_kinematics::quick_return::proofs::{AcrossTheLever, AlongTheLever};
-use rounding::{LENGTH, RATE};
+use rounding::STEPS;
 
 const PIN_NORMAL: Place = at("Solution, acceleration, normal of P2");
 const PIN_TANGENTIAL: Place = at("Solution, acceleration, tangential of P2");
@@ -70,7 +70,7 @@ fn known() -> Vec<Claim> {
                     * printed("quick-return.crank")
             })
             .expecting(Verdict::FromRounded)
-            .affected_by(RATE),
+            .affected_by(STEPS),
         PIN_TANGENTIAL
             .formula(
                 "quick-return.pin-tangential",
@@ -139,7 +139,7 @@ fn known() -> Vec<Claim> {
                     * printed("quick-return.lever-length")
             })
             .expecting(Verdict::FromRounded)
-            .affected_by(LENGTH),
+            .affected_by(STEPS),
         SLIDING_NORMAL
             .equation(
                 "quick-return.sliding-normal",
@@ -228,7 +228,7 @@ fn found() -> Vec<Claim> {
                     - printed("quick-return.lever-normal")
             })
             .expecting(Verdict::FromRounded)
-            .affected_by(RATE),
+            .affected_by(STEPS),
         LEVER_TANGENTIAL
             .equation(
                 "quick-return.lever-tangential-equation",
@@ -254,7 +254,7 @@ fn found() -> Vec<Claim> {
                     - printed("quick-return.coriolis")
             })
             .expecting(Verdict::FromRounded)
-            .affected_by(RATE),
+            .affected_by(STEPS),
         LEVER
             .equation(
                 "quick-return.lever-acceleration-equation",
@@ -279,7 +279,7 @@ fn found() -> Vec<Claim> {
             .by(Series, || series(|rates| rates.turning_rate.abs()))
             .rounded(|| printed("quick-return.lever-tangential") / printed("quick-return.lever-length"))
             .expecting(Verdict::FromRounded)
-            .affected_by(RATE),
+            .affected_by(STEPS),
         LEVER
             .statement(
                 "quick-return.lever-acceleration-sense",

@@ -1,7 +1,7 @@
 //! The Coriolis term: how large it is, which way it points, and what the text says of its factors.
 
 use super::*;
-use geneva_kinematics::quick_return::proofs::TermsOfTheAcceleration;
+use geneva_kinematics::quick_return::proofs::CoriolisMagnitude;
 
 const CORIOLIS: Place = at("Solution, acceleration, Coriolis");
 const SENSE: Place = at("Solution, acceleration, direction of Coriolis");
@@ -14,7 +14,7 @@ pub fn claims() -> Vec<Claim> {
                 r"2\omega_4 v_{P2/P4}",
                 "magnitude of the Coriolis acceleration; its factors are at right angles",
             )
-            .proven(TermsOfTheAcceleration { coriolis: 2 })
+            .proven(CoriolisMagnitude { coriolis: 2 })
             .by(AutomaticDerivative, || {
                 from_duals(|crank| {
                     let [[_, sliding, _], [_, turning, _]] = crank.polar();
@@ -44,7 +44,7 @@ pub fn claims() -> Vec<Claim> {
             .by(Series, || series(|rates| 2.0 * (rates.turning * rates.sliding).abs() * radius(rates)))
             .rounded(|| 2.0 * printed("quick-return.lever-speed") * printed("quick-return.sliding-speed"))
             .expecting(Verdict::FromRounded)
-            .affected_by(rounding::LENGTH),
+            .affected_by(rounding::STEPS),
         SENSE
             .statement(
                 "quick-return.coriolis-direction",

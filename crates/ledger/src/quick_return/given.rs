@@ -1,7 +1,7 @@
 //! What the problem gives and asks.
 
 use super::*;
-use geneva_kinematics::quick_return::proofs::{Compared, DiagramAgainstSeries, TermsOfTheAcceleration};
+use geneva_kinematics::quick_return::proofs::{TermsInAnySlot, TermsOfTheAcceleration, TermsOfTheVelocity};
 
 const DATA: Place = at("Problem, 1st paragraph");
 const VELOCITY: Place = at("Problem, part (a), equation");
@@ -38,7 +38,7 @@ pub fn claims() -> Vec<Claim> {
                 r"v_{P_2} = v_{P_4} + v_{P_2P_4}",
                 "velocity of the pin: that of the lever's point under it and that relative to the lever",
             )
-            .proven(DiagramAgainstSeries(Compared::Sliding))
+            .by(ExactIdentity, || both_components(|first| TermsOfTheVelocity { first }))
             .by(AutomaticDerivative, || {
                 from_duals(|crank| {
                     let ([_, pin, _], [_, lever, _]) = (crank.pin_motion(), crank.point_motion());
@@ -90,12 +90,7 @@ pub fn claims() -> Vec<Claim> {
 pub fn accelerations(place: Place, id: &'static str, printed: &'static str) -> Claim {
     place
         .equation(id, printed, "acceleration of the pin: that of the lever's point and the rest, seen without turning")
-        .by(Series, || {
-            at_the_instant(|instant| {
-                let speed = instant.drive.speed;
-                Some(alike(&components(&instant.by_series()?), &(-instant.arm() * (speed * speed))))
-            })
-        })
+        .by(ExactIdentity, || both_components(|first| TermsOfTheAcceleration { first, coriolis: 2 }))
         .by(AutomaticDerivative, || {
             from_duals(|crank| {
                 let [[_, sliding, outwards], [_, turning, _]] = crank.polar();
@@ -110,7 +105,7 @@ pub fn accelerations(place: Place, id: &'static str, printed: &'static str) -> C
 pub fn components_of_all(place: Place, id: &'static str, printed: &'static str) -> Claim {
     place
         .equation(id, printed, "the same by normal, tangential and Coriolis components")
-        .proven(TermsOfTheAcceleration { coriolis: 2 })
+        .by(ExactIdentity, || both_components(|first| TermsInAnySlot { first, coriolis: 2 }))
         .by(AutomaticDerivative, || {
             from_duals(|crank| {
                 let Parted { accelerations, .. } = parted(crank);

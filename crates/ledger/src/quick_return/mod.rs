@@ -21,11 +21,10 @@ use crate::agreement::{agrees, coincide, meets, same, vanishes};
 use crate::by_id::{interval, printed, rounds};
 use crate::duals::{Crank, Time, advance, path, turned};
 use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Verdict, Work};
-use geneva_kinematics::KinematicsError;
-use geneva_kinematics::Turn;
 use geneva_kinematics::pin_vectors::quarter_turn;
 use geneva_kinematics::quick_return::series::{PolarRates, polar_rates};
 use geneva_kinematics::quick_return::{Branch, Drive, Motion, Position, QuickReturn};
+use geneva_kinematics::{Identity, KinematicsError, Turn, prove};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
@@ -152,6 +151,12 @@ fn nowhere() -> Finding {
 /// Two vectors that must agree, by their components.
 fn alike(a: &Vector2<f64>, b: &Vector2<f64>) -> Finding {
     Finding::new(coincide(a, b), format!("({:.3}, {:.3}) against ({:.3}, {:.3})", a.x, a.y, b.x, b.y))
+}
+
+/// Whether both components of a vector equation are proven, the first along the line of centres.
+fn both_components<const V: usize, I: Identity<V>>(equation: impl Fn(bool) -> I) -> Finding {
+    let [along, across]: [Finding; 2] = [true, false].map(|first| prove(&equation(first)).into());
+    Finding::new(along.holds && across.holds, format!("{}; {}", along.how, across.how))
 }
 
 /// A quantity of the position at the printed instant.

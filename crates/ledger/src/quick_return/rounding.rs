@@ -1,34 +1,24 @@
-//! Two rounded numbers that the solution goes on with, and which of its results each of them spoils.
+//! The numbers that the solution goes on with are rounded, and which of its results that spoils.
 
 use super::*;
 
-/// The rate of the crank with the three digits that it is printed with.
-pub const RATE: Slip = Slip {
+/// Every step rounded, and the next one computed from it.
+pub const STEPS: Slip = Slip {
     id: "quick-return.pin-speed",
-    reason: "The rate of the crank is used with the three digits it was printed with, and three or four digits are \
-             printed of what follows. The centripetal acceleration of the pin takes its square, and the last three \
-             results are found from that; for these the rounded length of the lever counts as well.",
+    reason: "The solution rounds each step to the digits that it prints and goes on with the rounded number: the rate of \
+             the crank with three digits, the length of the lever with two, the speeds with three. Three or four digits \
+             are printed of what follows. No rounding of one step alone gives all of these results: the rate gives the \
+             pin's, and the length is enough to spoil the lever's angular velocity.",
     witness: "The loop closure differentiated by power series gives the corrected digits too.",
     origin: Origin::Arithmetic,
-    consequence: Consequence::Result,
-    changes: "Five results change in the third or fourth digit, the lever's angular acceleration among them.",
-};
-
-/// The length of the lever with the two digits that it is printed with.
-pub const LENGTH: Slip = Slip {
-    id: "quick-return.lever-speed",
-    reason: "The length of the lever is used with the two digits it was printed with, and three or four digits are \
-             printed of the lever's angular velocity and of what follows from that.",
-    witness: "The loop closure differentiated by power series gives the corrected digits too.",
-    origin: Origin::Arithmetic,
-    consequence: Consequence::Result,
-    changes: "Three results change by one or two units of their last digit, the lever's angular velocity among them.",
+    consequence: Consequence::Number,
+    changes: "Eight results change in their last digits, the lever's angular velocity and acceleration among them.",
 };
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Decimal, claims};
+    use crate::{claims, verdict};
 
     /// Results of the solution's steps, unrounded, from a rate of the crank and a length of the lever.
     fn steps(rate: f64, length: f64) -> [(&'static str, f64); 8] {
@@ -49,65 +39,62 @@ mod tests {
         ]
     }
 
-    fn slip_of(id: &str) -> Slip {
-        let claim = claims().iter().find(|claim| claim.id == id).expect("a claim");
-        claim.erratum.expect("an erratum").slip
+    /// Which of the printed results come from a rate and a length.
+    fn come_from(rate: f64, length: f64) -> Vec<&'static str> {
+        steps(rate, length).into_iter().filter(|(id, value)| rounds(id, *value)).map(|(id, _)| id).collect()
     }
 
     fn rate() -> f64 {
         Instant::printed().expect("a mechanism").drive.speed
     }
 
+    fn length() -> f64 {
+        position_of(|position| position.pin_distance)
+    }
+
     #[test]
-    fn what_the_slip_of_the_length_reaches_comes_from_the_rounded_length_alone() {
-        let alone = steps(rate(), printed("quick-return.lever-length"));
-        let reached: Vec<_> = alone.into_iter().filter(|(id, _)| slip_of(id) == LENGTH).collect();
-        assert_eq!(reached.len(), 3);
-        for (id, value) in reached {
-            assert!(rounds(id, value), "{id}: {value}");
+    fn the_slip_reaches_what_the_steps_compute() {
+        let reached = claims().iter().filter(|claim| claim.erratum.is_some_and(|erratum| erratum.slip == STEPS));
+        let mut reached: Vec<_> = reached.map(|claim| claim.id).collect();
+        let mut computed: Vec<_> = steps(rate(), length()).into_iter().map(|(id, _)| id).collect();
+        reached.sort_unstable();
+        computed.sort_unstable();
+        assert_eq!(reached, computed);
+        // And without a rounding none of these is right as printed.
+        assert!(come_from(rate(), length()).is_empty());
+    }
+
+    #[test]
+    fn no_rounding_alone_gives_all_and_two_of_them_do_not_either() {
+        let [rounded_rate, rounded_length] = ["quick-return.driver-rate", "quick-return.lever-length"].map(printed);
+        let by_rate = come_from(rounded_rate, length());
+        assert!(["quick-return.pin-speed", "quick-return.pin-normal"].iter().all(|id| by_rate.contains(id)));
+        let by_length = come_from(rate(), rounded_length);
+        assert!(by_length.contains(&"quick-return.lever-speed"));
+        for found in [by_rate, by_length, come_from(rounded_rate, rounded_length)] {
+            assert!(found.len() < 8, "{found:?}");
         }
     }
 
     #[test]
-    fn the_pins_own_results_come_from_the_rounded_rate_alone() {
-        let alone = steps(printed("quick-return.driver-rate"), position_of(|position| position.pin_distance));
-        for (id, value) in [alone[0], alone[2]] {
-            assert!(slip_of(id) == RATE && rounds(id, value), "{id}: {value}");
-        }
-    }
-
-    #[test]
-    fn the_last_three_results_are_mended_by_the_rate_and_not_by_the_length() {
-        // Of the printed numbers that each is computed from, those that one slip reached are put right.
-        let right = steps(rate(), position_of(|position| position.pin_distance));
-        let value =
-            |id: &str| right.iter().find(|(name, _)| *name == id).map_or_else(|| printed(id), |(_, value)| *value);
-        let last = |mended: Slip| {
-            let taken = |id: &str| if slip_of(id) == mended { value(id) } else { printed(id) };
-            let (length, beta) = (printed("quick-return.lever-length"), printed("quick-return.angle-at-pin"));
-            let normal = taken("quick-return.pin-normal");
-            let sliding = normal * cosine(beta) - taken("quick-return.lever-normal");
-            let tangential = normal * sine(beta) - taken("quick-return.coriolis");
-            let length = if mended == LENGTH { position_of(|position| position.pin_distance) } else { length };
-            let ids = ["sliding-acceleration", "lever-tangential", "lever-acceleration"];
-            ids.map(|id| format!("quick-return.{id}")).into_iter().zip([sliding, tangential, tangential / length])
-        };
-        for (id, found) in last(RATE) {
-            assert_eq!(slip_of(&id), RATE);
-            let (wrong, left) = (printed(&id) - value(&id), found - value(&id));
-            assert!(left.abs() < wrong.abs(), "{id}: {found} for {}", value(&id));
-        }
-        for (id, found) in last(LENGTH) {
-            let wrong = printed(&id) - value(&id);
-            assert!(found - value(&id) > wrong, "{id}: {found} for {}", value(&id));
-        }
-        // Two of the three come out right to the last digit as soon as the rate is.
-        let right_to_the_digit = |(id, found): &(String, f64)| {
-            let digits: Decimal =
-                claims().iter().find(|claim| claim.id == id).expect("a claim").printed.parse().expect("a number");
-            let places = 10f64.powi(digits.places() as i32);
-            (found * places).round() == (value(id) * places).round()
-        };
-        assert_eq!(last(RATE).filter(right_to_the_digit).count(), 2);
+    fn six_accelerations_are_wrong_in_the_last_digit_and_three_in_the_last_two() {
+        let names = [
+            "pin-normal",
+            "lever-normal",
+            "coriolis",
+            "sliding-acceleration",
+            "lever-tangential",
+            "lever-acceleration",
+        ];
+        let wrong = names.map(|name| {
+            let judged = verdict(&format!("quick-return.{name}")).expect("a claim");
+            let corrected = judged.corrected().expect("a correction");
+            let [printed, right] =
+                [judged.claim.printed, &corrected].map(|digits| digits.chars().rev().collect::<Vec<_>>());
+            assert_eq!(printed[2..], right[2..], "{name}");
+            [printed[0] != right[0], printed[1] != right[1]]
+        });
+        assert!(wrong.iter().all(|[last, _]| *last), "{wrong:?}");
+        assert_eq!(wrong.iter().filter(|[_, before]| *before).count(), 3, "{wrong:?}");
     }
 }

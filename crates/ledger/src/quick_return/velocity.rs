@@ -1,7 +1,6 @@
 //! The velocities: a triangle with its right angle between lever and slot.
 
 use super::*;
-use geneva_kinematics::prove;
 use geneva_kinematics::quick_return::proofs::{Part, ResolvedBy, ResolvedSpeed};
 
 const PIN: Place = at("Solution, velocity, part (a)");
@@ -28,7 +27,7 @@ fn pin() -> Vec<Claim> {
             .by(Series, || series(|rates| libm::hypot(rates.sliding, rates.turning) * radius(rates)))
             .rounded(|| printed("quick-return.driver-rate") * printed("quick-return.crank"))
             .expecting(Verdict::FromRounded)
-            .affected_by(rounding::RATE),
+            .affected_by(rounding::STEPS),
     ]
 }
 
@@ -72,7 +71,7 @@ fn across() -> Vec<Claim> {
             .by(Series, || series(|rates| rates.turning))
             .rounded(|| printed("quick-return.lever-point-speed") / printed("quick-return.lever-length"))
             .expecting(Verdict::FromRounded)
-            .affected_by(rounding::LENGTH),
+            .affected_by(rounding::STEPS),
     ]
 }
 

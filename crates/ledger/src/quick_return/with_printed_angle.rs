@@ -26,9 +26,11 @@ pub struct WithPrintedAngle {
     pub lever_acceleration: f64,
 }
 
-/// The same computation with the printed angle throughout, unrounded.
+/// The equations as they are printed, unrounded: the two of the velocities with the angle that is printed there, the two of
+/// the accelerations with β.
 pub fn with_printed_angle() -> WithPrintedAngle {
     let angle = Turn::from_degrees(printed("quick-return.crank-angle"));
+    let beta = Turn::from_radians(position_of(Position::angle_at_pin));
     let length = position_of(|position| position.pin_distance);
     let (speed, normal) =
         (diagram(|motion| motion.velocities.pin_velocity.norm()), diagram(|motion| motion.pin_normal.norm()));
@@ -36,15 +38,42 @@ pub fn with_printed_angle() -> WithPrintedAngle {
     let lever_speed = lever_point_speed / length;
     let lever_normal = lever_speed * lever_point_speed;
     let coriolis = 2.0 * lever_speed * sliding_speed;
-    let lever_tangential = normal * angle.sin - coriolis;
+    let lever_tangential = normal * beta.sin - coriolis;
     WithPrintedAngle {
         lever_point_speed,
         sliding_speed,
         lever_speed,
         lever_normal,
         coriolis,
-        sliding_acceleration: normal * angle.cos - lever_normal,
+        sliding_acceleration: normal * beta.cos - lever_normal,
         lever_tangential,
         lever_acceleration: lever_tangential / length,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::by_id::right_side;
+    use crate::tex::{Letters, name, value};
+
+    #[test]
+    fn the_accelerations_are_those_of_the_printed_equations() {
+        let (with, beta) = (with_printed_angle(), position_of(Position::angle_at_pin));
+        let letters = [
+            ("A_{P2}^n", diagram(|motion| motion.pin_normal.norm())),
+            ("A_{P4}^n", with.lever_normal),
+            (r"\omega_4", with.lever_speed),
+            ("v_{P2/P4}", with.sliding_speed),
+            (r"\beta", beta),
+        ];
+        let letters = letters.map(|(tex, value)| (name(tex).expect("a name"), value));
+        for (id, found) in [
+            ("quick-return.sliding-acceleration-equation", with.sliding_acceleration),
+            ("quick-return.lever-tangential-equation", with.lever_tangential),
+        ] {
+            let printed = value(&right_side(id).replace(r"\ldots", r"\beta"), &Letters::from(letters.clone()));
+            assert!(agrees(printed, found), "{id}: {printed} against {found}");
+        }
     }
 }

@@ -39,11 +39,7 @@ const TOLD: &[Told] = &[
     Told {
         name: "design",
         given: || Ok(Arguments::default()),
-        claims: &[
-            ("centres", "jazar.centre-distance-ratio"),
-            ("wheel", "jazar.wheel-radius-ratio"),
-            ("index", "jazar.duration"),
-        ],
+        claims: &[("centres", "jazar.centre-distance-ratio"), ("index", "jazar.duration")],
     },
     Told {
         name: "polygon",

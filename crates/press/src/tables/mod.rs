@@ -1,6 +1,7 @@
 //! Tables of computed numbers, beside those of the ledger: by name, or for a range of wheels.
 
 mod joints;
+mod locking;
 mod mimic;
 mod quick_return;
 mod rise_times;
@@ -21,6 +22,7 @@ type Draw = fn() -> anyhow::Result<Table>;
 const TABLES: &[(&str, Draw)] = &[
     ("quick-return-terms", quick_return::terms),
     ("quick-return-branches", quick_return::branches),
+    ("jazar-locking-arcs", locking::arcs),
     ("runs-hypotheses", runs::hypotheses),
     ("runs-columns", runs::by_column),
     ("runs-delays", runs::delays),

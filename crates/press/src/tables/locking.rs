@@ -1,0 +1,28 @@
+//! How long the arcs are that lock a wheel, by three measures, planar and spherical.
+
+use crate::html::{Cells, Table, table};
+use crate::numbers::fixed;
+use geneva_kinematics::wheel::Wheel;
+use geneva_ledger::jazar::LockingArcs;
+
+/// The journal's radius in crank radii.
+const JOURNAL: f64 = 0.8;
+
+/// The arcs of wheels with few stations and with many.
+pub fn arcs() -> anyhow::Result<Table> {
+    let rows = [4, 8, 12, 30, 100, 1000].map(|stations| {
+        let wheel = Wheel::new(stations)?;
+        let mut row = vec![stations.to_string()];
+        for arcs in [LockingArcs::planar(&wheel, JOURNAL), LockingArcs::spherical(&wheel, JOURNAL)] {
+            row.extend([fixed(arcs.in_wheel_radii, 3), fixed(arcs.in_crank_radii, 3)]);
+            row.push(format!("{}°", fixed(arcs.angle.to_degrees(), 0)));
+        }
+        Ok(row)
+    });
+    let caption = format!(
+        "The locking arcs, planar (p) and spherical with axes at right angles (s), for a locking disc of {JOURNAL} crank radii"
+    );
+    let head =
+        ["Stations", "p, in wheel radii", "in crank radii", "angle", "s, in wheel radii", "in crank radii", "angle"];
+    table(&caption, Cells::Numbers, &head, rows)
+}
