@@ -38,7 +38,7 @@ pub use inventory::{Entry, Line, Symbol, in_full, listed, numeric_tokens};
 pub use inventory_file::{Fault, Malformed};
 pub use judge::{Judged, judge};
 pub use printed::{Decimal, Mark, Marked, Unreadable};
-pub use slip::{Consequence, Erratum, Origin, Places, Slip, slip, slips, slips_in, slips_of};
+pub use slip::{Consequence, Erratum, FELT, Origin, Places, Slip, slip, slips, slips_in, slips_of};
 pub use stated::{Stated, another, numbers_in};
 pub use tolerance::{TOLERANCES, Tolerance};
 pub use verdict::{Truth, Verdict};

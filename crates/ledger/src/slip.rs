@@ -45,14 +45,22 @@ pub enum Origin {
     Concept,
 }
 
+/// The least relative deviation of an answer that counts as a wrong result: half a per cent.
+///
+/// Rounding to two digits can change any number by that much or more: half a unit of the second digit is at least 0.5 in 99.
+/// What is wrong by less is wrong in its last digits, and no data of two digits would show it.
+pub const FELT: f64 = 0.005;
+
 /// What a slip does, the gravest first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Consequence {
-    /// An answer, a table or a curve is wrong.
+    /// An answer, a number in a table or a curve is wrong, by [`FELT`] or more.
     Result,
-    /// Something that the source concludes is false.
+    /// Something that the source concludes is false: the claim is among [`Work::conclusions`].
     Conclusion,
-    /// A printed number that is no answer is wrong, and no answer with it.
+    /// A sentence that describes something is false; the source concludes nothing false from it.
+    Remark,
+    /// A printed number is wrong, and no answer is wrong by [`FELT`] or more.
     Number,
     /// A displayed equation is false; nothing after it uses it so.
     Derivation,
@@ -67,6 +75,7 @@ slugs!(Origin { Copy = "copy", Misprint = "misprint", Arithmetic = "arithmetic",
 slugs!(Consequence {
     Result = "result",
     Conclusion = "conclusion",
+    Remark = "remark",
     Number = "number",
     Derivation = "derivation",
     Wording = "wording",
@@ -89,9 +98,10 @@ impl Consequence {
     /// What it means, for readers.
     pub fn meaning(self) -> &'static str {
         match self {
-            Self::Result => "an answer, a table or a curve is wrong",
+            Self::Result => "an answer, a number in a table or a curve is wrong, by half a per cent or more",
             Self::Conclusion => "something that the source concludes is false",
-            Self::Number => "a printed number that is no answer is wrong, and no answer with it",
+            Self::Remark => "a sentence that describes something is false; the source concludes nothing false from it",
+            Self::Number => "a printed number is wrong, and no answer is wrong by half a per cent or more",
             Self::Derivation => "a displayed equation is false; nothing after it uses it so",
             Self::Wording => "a label, a reference, a unit or a name is wrong",
             Self::Copy => "a character of the copy is wrong; nothing is said of the original",
@@ -176,10 +186,7 @@ impl Places {
 
     /// Their deviations from what is right, relative to that.
     fn changes(&self) -> impl Iterator<Item = f64> {
-        self.wrong_numbers().filter_map(|judged| {
-            let (printed, right) = (judged.printed_number()?, judged.right_value?);
-            Some(((printed - right) / right).abs())
-        })
+        self.wrong_numbers().filter_map(change)
     }
 
     /// The largest of these deviations; none if no number is wrong.
@@ -198,35 +205,42 @@ impl Places {
         let kinds: Vec<_> = self.claims.iter().map(|judged| judged.claim.kind).collect();
         let is = |consequence| slip.consequence == consequence;
         let (copy, result, number) = (is(Consequence::Copy), is(Consequence::Result), is(Consequence::Number));
+        let main = self.main().claim;
+        let changed = self.greatest_change();
         fault(copy != (slip.origin == Origin::Copy), "a slip of the copy is one by origin and by consequence");
-        fault(!copy && !result && !number && self.wrong_numbers().next().is_some(), "a printed number changes");
-        fault(number && self.wrong_numbers().next().is_none(), "no printed number changes");
+        fault(!copy && !result && !number && changed.is_some(), "a printed number changes");
+        fault(number && changed.is_none(), "no printed number changes");
         // A problem says which numbers are its answers; the tables and curves of a thesis are all of them its results.
-        let asked = self.main().claim.work.answers();
-        let changed = self.wrong_numbers().find(|judged| asked.contains(&judged.claim.id));
-        fault(number && changed.is_some(), "an answer changes");
+        let asked = main.work.answers();
+        let answers = self.wrong_numbers().filter(|judged| asked.contains(&judged.claim.id));
+        let felt = |change: f64| change >= FELT;
+        let felt_in_an_answer = answers.filter_map(change).any(felt);
+        fault(number && felt_in_an_answer, "an answer changes by half a per cent or more");
         fault(
-            result && !asked.is_empty() && changed.is_none() && !kinds.contains(&Kind::Figure),
-            "no answer and no figure changes",
+            result && !asked.is_empty() && !felt_in_an_answer && !kinds.contains(&Kind::Figure),
+            "no answer changes by half a per cent or more, and no figure",
         );
         // On a page that gives a formula to its readers, the formula is the answer.
-        let answers = |kind: &Kind| match kind {
+        let shows = |kind: &Kind| match kind {
             Kind::Figure | Kind::Example => true,
             Kind::Equation => !self.is_of_a_document(),
             Kind::Value | Kind::Statement => false,
         };
         fault(
-            result && self.wrong_numbers().next().is_none() && !kinds.iter().any(answers),
-            "no printed number and no figure changes",
+            result && !changed.is_some_and(felt) && !kinds.iter().any(shows),
+            "no printed number changes by half a per cent or more, and no figure",
         );
+        let sentence = |judged: &&Judged| {
+            matches!(judged.claim.kind, Kind::Statement | Kind::Figure) && judged.verdict == Verdict::Corrected
+        };
+        let concluded = main.work.conclusions().iter().any(|(id, _)| *id == main.id);
         fault(
-            is(Consequence::Conclusion)
-                && !self
-                    .claims
-                    .iter()
-                    .any(|judged| judged.claim.kind == Kind::Statement && judged.verdict == Verdict::Corrected),
+            (is(Consequence::Conclusion) || is(Consequence::Remark))
+                && !self.claims.iter().copied().any(|judged| sentence(&judged)),
             "no statement is corrected",
         );
+        fault(is(Consequence::Conclusion) && !concluded, "the source is not known to conclude it");
+        fault(is(Consequence::Remark) && concluded, "the source concludes it");
         fault(is(Consequence::Derivation) && !kinds.contains(&Kind::Equation), "it is in no equation");
         let told = matches!(slip.consequence, Consequence::Result | Consequence::Conclusion);
         fault(told && slip.changes.is_empty(), "nothing is said of what it changes");
@@ -237,6 +251,12 @@ impl Places {
         );
         faults
     }
+}
+
+/// The deviation of a printed number from the right one, relative to that.
+fn change(judged: &Judged) -> Option<f64> {
+    let (printed, right) = (judged.printed_number()?, judged.right_value?);
+    Some(((printed - right) / right).abs())
 }
 
 #[cfg(test)]
@@ -265,12 +285,35 @@ mod tests {
     }
 
     #[test]
-    fn a_result_is_an_answer_and_another_number_is_none() {
+    fn a_result_is_an_answer_that_is_wrong_by_more_than_its_last_digits() {
         let found = faults_as("pin.slot-point-speed", Consequence::Result);
-        assert!(found.contains("but no answer and no figure changes"), "{found}");
-        let found = faults_as("quick-return.pin-speed", Consequence::Number);
+        assert!(found.contains("but no answer changes by half a per cent or more"), "{found}");
+        // An answer, but wrong in its last digits alone.
+        let found = faults_as("quick-return.pin-speed", Consequence::Result);
+        assert!(found.contains("but no answer changes by half a per cent or more"), "{found}");
+        let found = faults_as("meyer.app-a.three-slots.centre", Consequence::Result);
+        assert!(found.contains("but no printed number changes by half a per cent or more"), "{found}");
+        let found = faults_as("jazar.ex-c.formula", Consequence::Number);
         assert!(found.contains("but an answer changes"), "{found}");
         let found = faults_as("quick-return.lever-point-speed-equation", Consequence::Number);
         assert!(found.contains("but no printed number changes"), "{found}");
+    }
+
+    #[test]
+    fn a_conclusion_is_drawn_by_the_source_and_a_remark_is_not() {
+        let found = faults_as("meyer.conclusion.three", Consequence::Remark);
+        assert!(found.contains("but the source concludes it"), "{found}");
+        let found = faults_as("wild.probsee.steps", Consequence::Conclusion);
+        assert!(found.contains("but the source is not known to conclude it"), "{found}");
+        let found = faults_as("quick-return.lever-point-speed-equation", Consequence::Remark);
+        assert!(found.contains("but no statement is corrected"), "{found}");
+        assert!(faults_as("meyer.spring-rate", Consequence::Number).contains("but no printed number changes"));
+    }
+
+    #[test]
+    fn rounding_to_two_digits_can_change_any_number_by_as_much() {
+        // Half a unit of the second digit, over the greatest number of that size.
+        let least = (10..=99).map(|digits| 0.5 / (f64::from(digits) + 0.5)).fold(f64::INFINITY, f64::min);
+        assert!(least >= FELT && least < 1.01 * FELT, "{least}");
     }
 }

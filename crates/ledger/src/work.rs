@@ -115,6 +115,15 @@ impl Work {
         }
     }
 
+    /// What the source concludes and a slip may make false: the claim, and what shows that it is a conclusion and no
+    /// remark, its place or the words before it.
+    pub fn conclusions(self) -> &'static [(&'static str, &'static str)] {
+        match self {
+            Self::Meyer1973 => meyer::CONCLUSIONS,
+            Self::Pin | Self::QuickReturn | Self::Jazar2003 | Self::Wild => &[],
+        }
+    }
+
     /// The source's letters and ours.
     pub fn symbols(self) -> &'static [Symbol] {
         match self {

@@ -59,6 +59,16 @@ fn an_answer_is_a_claim_of_its_source() {
 }
 
 #[test]
+fn a_conclusion_is_a_statement_of_its_source() {
+    for work in Work::ALL {
+        for (id, shown) in work.conclusions() {
+            let found = claim(id).filter(|claim| claim.work == *work && claim.kind == Kind::Statement);
+            assert!(found.is_some() && !shown.is_empty(), "{work}: no statement {id} is concluded");
+        }
+    }
+}
+
+#[test]
 fn what_a_slip_does_is_not_contradicted_by_its_places() {
     let faults: Vec<_> = slips().iter().flat_map(|slip| slip.faults()).collect();
     assert!(faults.is_empty(), "{}", faults.join("\n"));

@@ -113,7 +113,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
             "In displays and words",
             "Errata in displays and words",
             "What is wrong in the sources and changes no result and no conclusion. [Errata](errata.md) has what does.",
-            Records::Slips(&[Consequence::Number, Consequence::Derivation, Consequence::Wording]),
+            Records::Slips(&[Consequence::Remark, Consequence::Number, Consequence::Derivation, Consequence::Wording]),
         ),
         Page { records: Records::Slips(&[Consequence::Copy]), ..below("errata-copy", "Characters of the copies") },
         chapter(RECORDS, "method", "How it is checked"),

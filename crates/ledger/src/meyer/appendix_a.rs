@@ -173,7 +173,7 @@ fn corrected_centre(claim: Claim) -> Claim {
                      have been misread.",
             witness: "The hand-over drawn with the roots exact.",
             origin: Origin::Arithmetic,
-            consequence: Consequence::Result,
+            consequence: Consequence::Number,
             changes: "The last digit of one centre distance; nothing is computed from it.",
         },
     )

@@ -10,6 +10,7 @@ mod appendix_c;
 mod appendix_d;
 mod by_steps;
 mod combinations;
+mod concluded;
 mod conclusions;
 mod energy;
 mod friction;
@@ -37,6 +38,7 @@ mod study;
 mod summary;
 mod symbols;
 
+pub use concluded::CONCLUSIONS;
 pub use symbols::SYMBOLS;
 
 use crate::agreement::{agrees, same, vanishes};

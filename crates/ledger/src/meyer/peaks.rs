@@ -27,7 +27,7 @@ const PEAKS_AT_ENTRY: Slip = Slip {
              that.",
     witness: "Every mechanism and friction is gone through by steps of the angle.",
     origin: Origin::Concept,
-    consequence: Consequence::Conclusion,
+    consequence: Consequence::Remark,
     changes: "With four and three pins the peaks of the driver's speed do not mark where a pin enters, and the \
               follower turns while the driver is fastest.",
 };
@@ -43,7 +43,7 @@ const EXTREMES_ON_CENTRES: Slip = Slip {
              not.",
     witness: "Every mechanism and friction is gone through by steps of the angle.",
     origin: Origin::Concept,
-    consequence: Consequence::Conclusion,
+    consequence: Consequence::Remark,
     changes: "The follower goes on to gain speed past the line of centres, and the driver gains some before it.",
 };
 

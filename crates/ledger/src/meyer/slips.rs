@@ -136,7 +136,7 @@ pub const NO_SINGULARITY: Slip = Slip {
              acceleration fits, or two do. The lighter the driver beside the follower, the less friction this takes.",
     witness: "Solutions of Eq. (1-19) were counted on either side of the limit.",
     origin: Origin::Concept,
-    consequence: Consequence::Conclusion,
+    consequence: Consequence::Remark,
     changes: "The friction has a limit, which depends on the mechanism and on the ratio of the inertias; the thesis \
               has none.",
 };

@@ -88,7 +88,7 @@ pub fn of_parameters() -> Vec<Claim> {
                     witness: "The periods of the four-pin table, to a unit of their last place, are those of inertias \
                               so large.",
                     origin: Origin::Concept,
-                    consequence: Consequence::Conclusion,
+                    consequence: Consequence::Remark,
                     changes: "The tables are not of parts like those described: discs as thick would have to be more \
                               than three times as wide for the greatest.",
                 },

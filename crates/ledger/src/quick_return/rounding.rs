@@ -10,7 +10,7 @@ pub const RATE: Slip = Slip {
              results are found from that; for these the rounded length of the lever counts as well.",
     witness: "The loop closure differentiated by power series gives the corrected digits too.",
     origin: Origin::Arithmetic,
-    consequence: Consequence::Result,
+    consequence: Consequence::Number,
     changes: "Five results change in the third or fourth digit, the lever's angular acceleration among them.",
 };
 
@@ -21,7 +21,7 @@ pub const LENGTH: Slip = Slip {
              printed of the lever's angular velocity and of what follows from that.",
     witness: "The loop closure differentiated by power series gives the corrected digits too.",
     origin: Origin::Arithmetic,
-    consequence: Consequence::Result,
+    consequence: Consequence::Number,
     changes: "Three results change by one or two units of their last digit, the lever's angular velocity among them.",
 };
 

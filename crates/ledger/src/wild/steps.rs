@@ -32,7 +32,7 @@ pub fn claims() -> Vec<Claim> {
             .corrected(
                 "3 to 18 steps per turn of the wheel",
                 Slip {
-                    consequence: Consequence::Conclusion,
+                    consequence: Consequence::Remark,
                     origin: Origin::Misprint,
                     ..slip(
                         "One pin moves the wheel once in a turn of the driver, by one slot. So 3 to 18 is the number of \
