@@ -18,7 +18,7 @@ impl Engagement {
     ///
     /// Of two motions the one that is faster at entry is faster at every angle, so the departures fall from engagement
     /// to engagement, and the first one without a departure is the last that has to be looked at. Meyer 1973, chapter II,
-    /// lets the rise time end with the "steady state velocity profile".
+    /// lets the rise end when the profile of the driver's velocity is the steady one.
     ///
     /// # Errors
     ///

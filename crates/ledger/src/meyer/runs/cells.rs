@@ -10,7 +10,7 @@ use std::sync::OnceLock;
 
 /// The four results of a row.
 const RESULTS: [(Column, &str, &str, &str); 4] = [
-    (Column::Peak, "max", "greatest speed of the driver in the run, as printed", "rad/sec"),
+    (Column::Peak, "max", "greatest speed of the driver in the run", "rad/sec"),
     (Column::Minimum, "min", "least speed of the driver in the run's steady cycle", "rad/sec"),
     (Column::Rise, "rise", "rise time of the run, from rest to its terminal velocity", "sec"),
     (Column::Period, "period", "time between two peaks of the run", "sec"),
