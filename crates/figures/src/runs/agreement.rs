@@ -69,7 +69,7 @@ pub fn agreement(hypotheses: &[Compared; 2], unit: &str, others: &str) -> Figure
         format!(
             "Two panels with logarithmic axes, printed numbers to the right, computed ones upwards, and a diagonal. \
              Left, computed with {}: four pins lie on the diagonal, six and three pins off it to either side; {} are \
-             within one unit. Right, {}: all lie on the diagonal; {} are within one unit.",
+             within one unit. Right, {}: all lie on the diagonal or close to it; {} are within one unit.",
             before.name,
             before.count(),
             after.name,

@@ -1,8 +1,8 @@
 //! The parametric graphs, Figs. 9 to 11, and what the general statements on them say of the torque.
 
 use super::profile::lost;
-use super::runs::{Column, Hypothesis, Row, series};
-use super::study::steady;
+use super::runs::{Column, Hypothesis, Row, rise_times, series};
+use super::terms::{Start, starts};
 use super::*;
 use crate::Evidence::Quadrature;
 use crate::Stated;
@@ -29,31 +29,34 @@ fn more_torque() -> Claim {
             "more torque, more speed and less rise time",
         )
         .by(Quadrature, |stated| {
-            let sign = stated.pick(1.0, -1.0);
-            let found: Vec<bool> = series()
-                .flat_map(|own| own.windows(2))
-                .map(|pair| {
-                    let Some([weak, strong]) = starts(&pair[0]).zip(starts(&pair[1])).map(<[Start; 2]>::from) else {
-                        return false;
-                    };
-                    let faster = sign * (strong.speed - weak.speed) > 0.0;
-                    let shorter = |k: usize| sign * (weak.times[k] - strong.times[k]) > 0.0;
-                    faster && (0..weak.times.len()).all(shorter)
-                })
-                .collect();
-            let right = found.iter().filter(|right| **right).count();
+            let pairs: Vec<_> = series().flat_map(|own| own.windows(2)).collect();
+            let goes = |pair: &&&[Row]| {
+                let [weak, strong] = [&pair[0], &pair[1]].map(start);
+                let (Some(weak), Some(strong)) = (weak, strong) else { return false };
+                let shorter = (0..2).all(|k| strong.rise_times[k] < weak.rise_times[k]);
+                let [torque, velocity] = [pair[1].torque() / pair[0].torque(), strong.velocity / weak.velocity];
+                shorter && stated.pick(velocity > 1.0, (velocity / torque - 1.0).abs() < 1e-6)
+            };
+            let right = pairs.iter().filter(goes).count();
+            let printed = rise_times::with_more_torque();
             Finding::new(
-                !found.is_empty() && right == found.len(),
+                !pairs.is_empty() && right == pairs.len(),
                 format!(
-                    "so it is for {right} of {} pairs of neighbouring rows, whether the rise ends with the first \
-                     minimum, with an entry or with a peak within one per cent",
-                    found.len()
+                    "so it is for {right} of {} pairs of neighbouring rows; of the rise times that Appendix E prints, \
+                     {} of {} go up with the torque and {} stay",
+                    pairs.len(),
+                    printed.up,
+                    printed.pairs,
+                    printed.equal
                 ),
             )
         })
-        .by(ExactIdentity, |stated| scaling(stated.pick(1, -1)))
-        .but_not("the greater the torque, the greater the rise time, and the lower the terminal velocity")
-        .read_as("With all else kept.")
+        .by(ExactIdentity, |stated| scaling(stated.pick(1, 2)))
+        .but_not("the lower the rise time, and in proportion the greater the terminal velocity")
+        .read_as(
+            "Of the mechanisms, with all else kept. The rise times of Appendix E, which the graphs sum up, do not always \
+             go so themselves.",
+        )
 }
 
 fn least_rise_time() -> Claim {
@@ -69,7 +72,7 @@ fn least_rise_time() -> Claim {
             let found: Vec<f64> = series()
                 .filter_map(|own| {
                     let strongest = own.last()?;
-                    let times = |factor| Some(Start::of(&with(strongest, factor, 1.0)?)?.times);
+                    let times = |factor| Some(Start::by_integrals(&with(strongest, factor, 1.0)?)?.rise_times);
                     let (strong, stronger) = (times(1e6)?, times(4e6)?);
                     Some(strong.into_iter().zip(stronger).map(|(a, b)| libm::log(b / a) / libm::log(4.0)))
                 })
@@ -77,19 +80,16 @@ fn least_rise_time() -> Claim {
                 .collect();
             let holds = found.iter().all(|found| (found - power).abs() < 1e-6);
             Finding::new(
-                holds && found.len() == 3 * series().count(),
+                holds && found.len() == 2 * series().count(),
                 format!(
                     "a million times the torque of the tables and four times as much: the rise time goes as the power \
-                     {:.6} of it, with every mechanism and friction",
+                     {:.6} of it, with every mechanism and friction of the runs",
                     found.first().copied().unwrap_or(f64::NAN)
                 ),
             )
         })
         .by(ExactIdentity, |stated| scaling(stated.pick(1, 0)))
-        .read_as(
-            "From some torque on more torque does not shorten the rise, whether it ends with the first minimum, or \
-             with an entry or a peak within one per cent of the steady one.",
-        )
+        .read_as("From some torque on more torque does not shorten the rise.")
         .corrected(
             "fall without end, as the inverse of the root of the torque, so that every increase reduces it",
             Slip {
@@ -116,10 +116,9 @@ fn graphs() -> Vec<Claim> {
                 "the rise time that is drawn ends at 99 per cent of the terminal velocity",
             )
             .missing(
-                "The curves are not in the copy, and of which velocity it is 99 per cent is not said. The text has \
-                 another definition, the first minimum. Neither that nor any of the readings of the axis that were \
-                 tried gives more than a minority of the rise times of Appendix E, of which the figures are the \
-                 summary",
+                "The curves are not in the copy, and of which velocity it is 99 per cent is not said: that at each angle \
+                 and the average of peak and minimum give different times. No definition that was tried gives more than \
+                 a minority of the rise times of Appendix E, of which the figures are the summary",
             ),
         lost("meyer.fig-10", "Fig. 10", "rise time and terminal velocity over torque, four pins", "FIGURE 10"),
         study::of_axis(),
@@ -135,49 +134,30 @@ fn almost_linear() -> Claim {
             "over the torque the terminal velocity is nearly a straight line",
         )
         .by(OtherPlaceInSource, |stated| {
-            let fits = series().map(|own| {
-                let speed = |row: &Row| f64::midpoint(row.number(Column::Peak), row.number(Column::Minimum));
-                let points: Vec<_> = own.iter().map(|row| (row.torque(), speed(row))).collect();
-                explained_by_line(&points, stated)
+            let found = series().map(|own| {
+                let velocity = |row: &Row| f64::midpoint(row.number(Column::Peak), row.number(Column::Minimum));
+                let points: Vec<_> = own.iter().map(|row| (row.torque(), velocity(row))).collect();
+                misses_of_line(&points, stated)
             });
-            straight(&fits.collect::<Vec<_>>(), "printed")
+            straight(found.flatten().collect(), "printed")
         })
         .by(Quadrature, |stated| {
-            let fits = steady().chunk_by(|(a, _), (b, _)| {
+            let groups = starts().chunk_by(|(a, _), (b, _)| {
                 a.mechanism == b.mechanism && a.printed(Column::Friction) == b.printed(Column::Friction)
             });
-            let fits = fits.map(|own| {
+            let found = groups.map(|own| {
                 let torques: Vec<f64> = own.iter().map(|(row, _)| row.torque()).collect();
-                let speeds: Vec<f64> = own.iter().map(|(_, state)| state.mean_of_extremes()).collect();
-                explained_by_projection(&torques, speeds, stated)
+                let velocities: Vec<f64> = own.iter().map(|(_, start)| start.velocity).collect();
+                misses_by_projection(&torques, &velocities, stated)
             });
-            straight(&fits.collect::<Vec<_>>(), "computed")
+            straight(found.flatten().collect(), "computed")
         })
         .but_not("the terminal velocity is almost proportional to the driving torque")
         .read_as(
-            "Over the torques of each graph a straight line, which need not start at zero, accounts for 99 per cent or \
-             more of the variance of the velocities: the measure on the axes of Figs. 10 and 11.",
+            "Almost: over the torques of each graph the best straight line, which need not start at zero, misses each \
+             velocity by less than a twentieth. The source has no measure of the word. That one is this project's, and \
+             any from 3 to 16 per cent gives the same verdict.",
         )
-}
-
-/// A start from rest as far as rise times go.
-struct Start {
-    /// The average terminal velocity of the source: the mean of peak and minimum.
-    speed: f64,
-    /// Until the first minimum, an entry within one per cent of the steady one, a peak within one per cent.
-    times: [f64; 3],
-}
-
-impl Start {
-    fn of(engagement: &Engagement) -> Option<Self> {
-        let rise = engagement.rise(1e-6).ok()?;
-        let times = [engagement.first_minimum().ok()??.time, rise.until_entry_speed(0.01)?, rise.until_peak(0.01)?];
-        Some(Self { speed: rise.steady.mean_of_extremes(), times })
-    }
-}
-
-fn starts(row: &Row) -> Option<Start> {
-    Start::of(&Hypothesis::IDEAL.engagement(row)?)
 }
 
 /// A row's mechanism with as many times its torque and its friction.
@@ -188,26 +168,31 @@ pub fn with(row: &Row, torque: f64, friction: f64) -> Option<Engagement> {
     Engagement::with_tolerance(&changed, 1e-11).ok()
 }
 
-/// Relative changes of three quantities in each group of runs, for each set of factors of torque, friction and the two
+/// Relative changes of some quantities in each group of runs, for each set of factors of torque, friction and the two
 /// inertias.
-pub type Responses = Vec<Vec<[f64; 3]>>;
+pub type Responses<const N: usize> = Vec<Vec<[f64; N]>>;
 
 /// Those to these sets of factors; not numbers where the quantities cannot be found.
-pub fn responses(factors: &[[f64; 4]], of: fn(&Parameters) -> Option<[f64; 3]>) -> Responses {
+pub fn responses<const N: usize>(factors: &[[f64; 4]], of: fn(&Parameters) -> Option<[f64; N]>) -> Responses<N> {
     let before: Vec<_> = series()
         .filter_map(|own| {
             let at = Hypothesis::IDEAL.parameters(own.first()?)?;
             Some((at, of(&at)?))
         })
         .collect();
-    let response = |[torque, friction, driver, follower]: &[f64; 4], at: &Parameters, before: &[f64; 3]| {
+    let response = |[torque, friction, driver, follower]: &[f64; 4], at: &Parameters, before: &[f64; N]| {
         let inertias = Inertias::new(at.inertias().driver() * driver, at.inertias().follower() * follower).ok()?;
         let changed = Parameters::new(at.mechanism(), inertias, at.torque() * torque, at.friction() * friction).ok()?;
         let after = of(&changed)?;
         Some(std::array::from_fn(|k| (after[k] / before[k] - 1.0).abs()))
     };
-    let all = |set: &[f64; 4]| before.iter().map(|(at, old)| response(set, at, old).unwrap_or([f64::NAN; 3])).collect();
+    let all = |set: &[f64; 4]| before.iter().map(|(at, old)| response(set, at, old).unwrap_or([f64::NAN; N])).collect();
     factors.iter().map(all).collect()
+}
+
+/// The start of a row.
+fn start(row: &Row) -> Option<Start> {
+    starts().iter().find(|(other, _)| *other == row).map(|(_, start)| *start)
 }
 
 /// Whether κ² times the torque only makes all speeds κ^p times as large, and all times shorter by as much.
@@ -236,19 +221,25 @@ impl Identity<8> for Scaled {
     }
 }
 
-/// Whether a line accounts for 99 per cent of the variance in all twelve groups.
-fn straight(parts: &[f64], speeds: &str) -> Finding {
-    let [least, most] =
-        parts.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], part| [low.min(*part), high.max(*part)]);
+/// By how much a line may miss a velocity, relative to it.
+const ALMOST: f64 = 0.05;
+
+/// Whether the lines of all groups almost meet all velocities, from how far they miss each of them.
+fn straight(misses: Vec<f64>, velocities: &str) -> Finding {
+    let most = misses.iter().map(|miss| miss.abs()).fold(0.0, f64::max);
+    let complete = misses.len() == starts().len() && misses.iter().all(|miss| miss.is_finite());
     Finding::new(
-        parts.len() == series().count() && least >= 0.99,
-        format!("of the variance of the {speeds} velocities in {} groups {least:.3} to {most:.3}", parts.len()),
+        complete && most < ALMOST,
+        format!(
+            "of {} {velocities} velocities the line misses each by at most {:.1} per cent",
+            misses.len(),
+            100.0 * most
+        ),
     )
 }
 
-/// The part of the variance of the ordinates for which the best line accounts: any line, or one through the origin.
-/// Less than zero if it is worse than their mean.
-fn explained_by_line(points: &[(f64, f64)], stated: Stated) -> f64 {
+/// By how much the best line misses the ordinates, relative to them: any line, or one through the origin.
+fn misses_of_line(points: &[(f64, f64)], stated: Stated) -> Vec<f64> {
     let count = points.len() as f64;
     let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;
     let (x, y, xx, xy) = (mean(|p| p.0), mean(|p| p.1), mean(|p| p.0 * p.0), mean(|p| p.0 * p.1));
@@ -259,25 +250,21 @@ fn explained_by_line(points: &[(f64, f64)], stated: Stated) -> f64 {
         },
         (xy / xx, 0.0),
     );
-    let left: f64 = points.iter().map(|(at, value)| value - start - slope * at).map(|off| off * off).sum();
-    let all: f64 = points.iter().map(|(_, value)| (value - y) * (value - y)).sum();
-    1.0 - left / all
+    points.iter().map(|(at, value)| (start + slope * at) / value - 1.0).collect()
 }
 
 /// The same: what is left of the ordinates when their components along the abscissae, and along a constant if the line
 /// need not start at zero, are taken off.
-fn explained_by_projection(abscissae: &[f64], ordinates: Vec<f64>, stated: Stated) -> f64 {
+fn misses_by_projection(abscissae: &[f64], ordinates: &[f64], stated: Stated) -> Vec<f64> {
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let without = |of: &[f64], along: &[f64]| -> Vec<f64> {
         let part = dot(of, along) / dot(along, along);
         of.iter().zip(along).map(|(a, b)| a - part * b).collect()
     };
     let constant = vec![1.0; ordinates.len()];
-    let about_mean = without(&ordinates, &constant);
-    let [direction, rest] =
-        stated.pick([without(abscissae, &constant), about_mean.clone()], [abscissae.to_vec(), ordinates]);
-    let left = without(&rest, &direction);
-    1.0 - dot(&left, &left) / dot(&about_mean, &about_mean)
+    let [direction, rest] = stated
+        .pick([without(abscissae, &constant), without(ordinates, &constant)], [abscissae.to_vec(), ordinates.to_vec()]);
+    without(&rest, &direction).iter().zip(ordinates).map(|(left, value)| -left / value).collect()
 }
 
 #[cfg(test)]
@@ -287,9 +274,9 @@ mod tests {
 
     #[test]
     fn no_reading_of_the_axis_nor_of_the_text_gives_most_of_the_rise_times() {
-        for (definition, found) in runs::rise_times::explained() {
-            let counts = found.map(|of| of.within_one.iter().sum::<usize>());
-            assert!(counts.iter().all(|count| 2 * count < rows().len()), "{}: {counts:?}", definition.name);
+        for tried in rise_times::explained() {
+            let counts = [&tried.as_run, &tried.ideal].map(|of| of.within_one.iter().sum::<usize>());
+            assert!(counts.iter().all(|count| 2 * count < rows().len()), "{} {:?}: {counts:?}", tried.name, tried.part);
         }
         // Nor does the time at which 99 per cent of the average terminal velocity are first reached.
         for of in [Hypothesis::IDEAL, Hypothesis::WITHOUT_LAG] {
@@ -306,16 +293,32 @@ mod tests {
     }
 
     #[test]
-    fn a_line_accounts_for_all_of_a_line_and_little_of_a_parabola() {
+    fn a_line_meets_a_line_and_misses_a_parabola() {
         for (stated, start) in [(Stated::right(""), 3.0), (Stated::wrong(""), 0.0)] {
             let points: Vec<(f64, f64)> = (1..6).map(|k| (f64::from(k), start + 2.0 * f64::from(k))).collect();
             let (x, y): (Vec<f64>, Vec<f64>) = points.iter().copied().unzip();
-            assert!((explained_by_line(&points, stated) - 1.0).abs() < 1e-12);
-            assert!((explained_by_projection(&x, y, stated) - 1.0).abs() < 1e-12);
+            for misses in [misses_of_line(&points, stated), misses_by_projection(&x, &y, stated)] {
+                assert!(misses.len() == 5 && misses.iter().all(|miss| miss.abs() < 1e-12));
+            }
         }
-        let bent: Vec<(f64, f64)> = (-3..4).map(|k| (f64::from(k), f64::from(k * k))).collect();
+        let bent: Vec<(f64, f64)> = (1..8).map(|k| (f64::from(k), f64::from(k * k))).collect();
         let (x, y): (Vec<f64>, Vec<f64>) = bent.iter().copied().unzip();
-        assert!(explained_by_line(&bent, Stated::right("")).abs() < 1e-12);
-        assert!(explained_by_projection(&x, y, Stated::right("")).abs() < 1e-12);
+        let right = Stated::right("");
+        let misses = misses_of_line(&bent, right);
+        assert!(misses.iter().zip(misses_by_projection(&x, &y, right)).all(|(a, b)| (a - b).abs() < 1e-12));
+        assert!(misses.iter().any(|miss| miss.abs() > 0.1));
+    }
+
+    #[test]
+    fn any_threshold_between_three_and_sixteen_per_cent_gives_the_same_verdict() {
+        let most = |stated: Stated| {
+            series().map(move |own| {
+                let velocity = |row: &Row| f64::midpoint(row.number(Column::Peak), row.number(Column::Minimum));
+                let points: Vec<_> = own.iter().map(|row| (row.torque(), velocity(row))).collect();
+                misses_of_line(&points, stated).iter().map(|miss| miss.abs()).fold(0.0, f64::max)
+            })
+        };
+        assert!(most(Stated::right("")).all(|miss| miss < 0.03));
+        assert!(most(Stated::wrong("")).all(|miss| miss > 0.16));
     }
 }

@@ -37,6 +37,7 @@ mod spring;
 mod study;
 mod summary;
 mod symbols;
+pub mod terms;
 
 pub use concluded::CONCLUSIONS;
 pub use symbols::SYMBOLS;

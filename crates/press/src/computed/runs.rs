@@ -7,11 +7,14 @@ use crate::rows::score;
 use anyhow::Context;
 use geneva_dynamics::likelihood::Law;
 use geneva_kinematics::Mechanism;
-use geneva_ledger::meyer::runs::rise_times::{Group, explained, groups};
+use geneva_ledger::meyer::runs::rise_times::{
+    Group, OF_A_PART, Tried, explained, groups, with_more_friction, with_more_torque,
+};
 use geneva_ledger::meyer::runs::{
     Column, EXPLAINED, Fit, Hypothesis, Reading, Row, Run, Score, delays, interval, rows, scores,
 };
-use geneva_ledger::{Judged, Verdict};
+use geneva_ledger::meyer::terms::MISSING;
+use geneva_ledger::{Decimal, Judged, Verdict};
 
 /// The numbers of the chapter on the runs.
 pub const NUMBERS: &[(&str, Number)] = &[
@@ -51,14 +54,54 @@ pub const NUMBERS: &[(&str, Number)] = &[
         let off = |judged: &&Judged| Some((judged.computed? - judged.printed_number()?).abs());
         Ok(fixed(data("friction")?.iter().filter_map(off).fold(0.0, f64::max), 3))
     }),
-    ("rise.most", || {
-        let counts = explained().into_iter().flat_map(|(_, both)| both.map(|of| of.within_one.iter().sum::<usize>()));
-        Ok(counts.max().unwrap_or(0).to_string())
+    ("rise.tried", || Ok(explained().len().to_string())),
+    ("rise.most", || Ok(most_explained(|_| true).to_string())),
+    ("rise.most.own-part", || Ok(most_explained(|tried| tried.part == Some(MISSING)).to_string())),
+    ("rise.chance", || Ok(fixed(explained().iter().map(|tried| tried.as_run.by_chance).fold(0.0, f64::max), 0))),
+    ("rise.profile", || own_meaning(0)),
+    ("rise.average", || own_meaning(1)),
+    ("rise.torque.pairs", || Ok(with_more_torque().pairs.to_string())),
+    ("rise.torque.up", || Ok(with_more_torque().up.to_string())),
+    ("rise.torque.equal", || Ok(with_more_torque().equal.to_string())),
+    ("rise.friction.pairs", || Ok(with_more_friction().pairs.to_string())),
+    ("rise.friction.up", || Ok(with_more_friction().up.to_string())),
+    ("rise.friction.equal", || Ok(with_more_friction().equal.to_string())),
+    ("runs.to-one-unit", || {
+        let only_to_a_unit = |row: &&Row| -> anyhow::Result<usize> {
+            let mut count = 0;
+            for column in ["max", "min", "period"] {
+                let judged = judged(&format!("meyer.app-e.{}.{column}", row.slug()))?;
+                let exact = judged.claim.printed.parse::<Decimal>().ok().zip(judged.computed);
+                let rounds = exact.is_some_and(|(printed, computed)| printed.is_rounding_of(computed));
+                count += usize::from(judged.verdict == Verdict::ReproducedInError && !rounds);
+            }
+            Ok(count)
+        };
+        Ok(rows().iter().map(|row| only_to_a_unit(&row)).sum::<anyhow::Result<usize>>()?.to_string())
+    }),
+    ("runs.in-error", || {
+        let all = rows().iter().flat_map(|row| ["max", "min", "period"].map(|column| (row, column)));
+        let verdicts = all.map(|(row, column)| Ok(judged(&format!("meyer.app-e.{}.{column}", row.slug()))?.verdict));
+        let verdicts = verdicts.collect::<anyhow::Result<Vec<_>>>()?;
+        Ok(verdicts.iter().filter(|verdict| **verdict == Verdict::ReproducedInError).count().to_string())
     }),
     ("rise.groups", || Ok(groups().len().to_string())),
     ("rise.groups.without", || Ok(groups().iter().filter(|group| !group.possible).count().to_string())),
     ("rise.groups.but-for-one", || Ok(groups().iter().filter(|group| bears_one_number(group)).count().to_string())),
 ];
+
+/// The most rows that any of these definitions explains, as run or for the mechanism.
+fn most_explained(wanted: fn(&Tried) -> bool) -> usize {
+    let own = explained().iter().filter(|tried| wanted(tried));
+    own.map(|tried| tried.as_run.rows().max(tried.ideal.rows())).max().unwrap_or(0)
+}
+
+/// How many rows a reading of the thesis's own definition explains, as run.
+fn own_meaning(reading: usize) -> anyhow::Result<String> {
+    let is_it = |tried: &&Tried| tried.name == OF_A_PART[reading].name && tried.part == Some(MISSING);
+    let tried = explained().iter().find(is_it).context("a definition that was not tried")?;
+    Ok(tried.as_run.rows().to_string())
+}
 
 /// How many rows have this verdict on a datum.
 fn found(datum: &str, verdict: Verdict) -> anyhow::Result<String> {

@@ -3,10 +3,14 @@
 use super::{Number, least, most};
 use crate::numbers::{fixed, signed};
 use crate::rows::{engagement, example, parameters};
-use crate::tables::timer::{DAY, oiled, settling_times};
+use crate::tables::timer::{DAY, lighter_times, oiled, settling_times};
+use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::timer::{Accelerations, Sensitivities};
+use geneva_dynamics::{Inertias, Parameters};
+use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::Hypothesis;
 use geneva_ledger::meyer::runs::choice::{strongest, weakest};
+use geneva_ledger::meyer::terms::MISSING;
 
 /// The numbers of this chapter.
 pub const NUMBERS: &[(&str, Number)] = &[
@@ -21,6 +25,17 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("timer.oil.most", || Ok(per_cent(most(&oil()?)))),
     ("timer.settling.least", || Ok(fixed(1e3 * least(&settling_times()?), 0))),
     ("timer.settling.most", || Ok(format!("{}&nbsp;ms", fixed(1e3 * most(&settling_times()?), 0)))),
+    ("timer.lighter.gain", || Ok(format!("{}&nbsp;%", fixed(100.0 * (1.0 - least(&lighter_times()?)), 0)))),
+    ("timer.lighter.cost", || Ok(fixed(most(&lighter_times()?), 1))),
+    ("timer.over-torque.six", || over_torque(Mechanism::SIX_PIN)),
+    ("timer.over-torque.four", || over_torque(Mechanism::FOUR_PIN)),
+    ("timer.over-torque.three", || over_torque(Mechanism::THREE_PIN)),
+    ("timer.rise.most", || Ok(format!("{}&nbsp;%", fixed(100.0 * most(&rise_changes()?), 1)))),
+    ("timer.rise.runs", || {
+        let changes = rise_changes()?;
+        Ok(changes.iter().filter(|change| **change > PER_CENT).count().to_string())
+    }),
+    ("timer.rise.of", || Ok(rise_changes()?.len().to_string())),
     ("timer.force.least", || Ok(fixed(least(&forces()?), 0))),
     ("timer.force.most", || Ok(fixed(most(&forces()?), 0))),
     ("timer.average.least", || Ok(fixed(least(&averages()?), 1))),
@@ -43,6 +58,38 @@ fn frictions() -> anyhow::Result<Vec<f64>> {
 /// How many times as fast each is with half the friction.
 fn oil() -> anyhow::Result<Vec<f64>> {
     weakest().map(|row| oiled(&parameters(row)?)).collect()
+}
+
+/// The power of the friction over that of the torque, from the least to the greatest of a mechanism.
+fn over_torque(mechanism: Mechanism) -> anyhow::Result<String> {
+    let own = weakest().filter(|row| row.mechanism == mechanism);
+    let quotients = own.map(|row| {
+        let found = Sensitivities::new(&parameters(row)?)?;
+        Ok(-found.friction / found.torque)
+    });
+    let quotients = quotients.collect::<anyhow::Result<Vec<_>>>()?;
+    Ok(format!("{:.2} to {:.2}", least(&quotients), most(&quotients)))
+}
+
+const PER_CENT: f64 = 0.01;
+
+/// The greatest relative change of the rise time, until the velocity is the steady one at each angle, by one per cent more
+/// of friction or of an inertia, for each mechanism and friction.
+fn rise_changes() -> anyhow::Result<Vec<f64>> {
+    let rise = |of: &Parameters| Ok::<_, anyhow::Error>(Engagement::new(of)?.until_profile(MISSING)?);
+    weakest()
+        .map(|row| {
+            let own = parameters(row)?;
+            let (before, inertias, more) = (rise(&own)?, own.inertias(), 1.0 + PER_CENT);
+            let mut changes = Vec::new();
+            for (friction, driver, follower) in [(more, 1.0, 1.0), (1.0, more, 1.0), (1.0, 1.0, more)] {
+                let inertias = Inertias::new(inertias.driver() * driver, inertias.follower() * follower)?;
+                let changed = Parameters::new(own.mechanism(), inertias, own.torque(), own.friction() * friction)?;
+                changes.push((rise(&changed)? / before - 1.0).abs());
+            }
+            Ok(most(&changes))
+        })
+        .collect()
 }
 
 /// The greatest force on the pin over that of the spring at the crank radius.

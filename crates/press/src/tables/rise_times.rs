@@ -1,29 +1,66 @@
-//! The printed rise times against definitions, and against the law of similarity.
+//! The printed rise times against definitions, and against the law of similarity; the terms of the thesis.
 
 use crate::html::{Cells, Table, escape, table};
-use geneva_ledger::meyer::runs::rise_times::{Misread, explained, groups as all_groups};
+use crate::numbers::fixed;
+use geneva_ledger::claims;
+use geneva_ledger::meyer::runs::rise_times::{
+    EVENTS, Misread, OF_A_PART, PARTS, Tried, explained, groups as all_groups,
+};
+use geneva_ledger::meyer::terms::{MISSING, TERMS};
 
-/// How many rows each definition explains.
+/// How many rows each definition explains, with each part of the velocity that may be missing.
 pub fn definitions() -> anyhow::Result<Table> {
-    let explained = explained();
-    let rows = explained.iter().map(|(definition, [as_run, ideal])| {
-        let all = |counts: &[usize; 3]| counts.iter().sum::<usize>().to_string();
-        let mut row = vec![escape(definition.name), all(&as_run.within_one)];
-        row.extend(as_run.within_one.map(|count| count.to_string()));
-        row.push(format!("{:.2} to {:.2}", as_run.range[0], as_run.range[1]));
-        row.push(all(&ideal.within_one));
+    let rows = OF_A_PART.iter().map(|definition| {
+        let own: Vec<&Tried> = explained().iter().filter(|tried| tried.name == definition.name).collect();
+        let ideal = own.iter().find(|tried| tried.part == Some(MISSING));
+        let mut row = vec![escape(definition.name)];
+        row.extend(own.iter().map(|tried| tried.as_run.rows().to_string()));
+        row.push(fixed(own.iter().map(|tried| tried.as_run.by_chance).fold(0.0, f64::max), 0));
+        row.push(ideal.map_or_else(String::new, |tried| tried.ideal.rows().to_string()));
         Ok(row)
     });
+    let part = |part: f64| format!("{}&nbsp;%", 100.0 * part);
+    let parts = PARTS.map(part);
+    let ideal = format!("the mechanism, <br>{}", part(MISSING));
+    let mut head = vec!["Time from rest until what is near the steady one"];
+    head.extend(parts.iter().map(String::as_str));
+    head.extend(["by chance, <br>at most", &ideal]);
+    let caption = "Printed rise times, of 49, explained to one unit of the last place by the runs as they were, if so much \
+                   of the steady velocity may be missing; how many chance would explain; and how many the mechanism does";
+    table(caption, Cells::NamedNumbers, &head, rows)
+}
+
+/// How many rows each other event of a start explains.
+pub fn events() -> anyhow::Result<Table> {
+    let rows =
+        EVENTS.iter().filter_map(|event| explained().iter().find(|tried| tried.name == event.name)).map(|tried| {
+            let mut row = vec![escape(tried.name), tried.as_run.rows().to_string()];
+            row.extend(tried.as_run.within_one.map(|count| count.to_string()));
+            row.push(fixed(tried.as_run.by_chance, 0));
+            row.push(tried.ideal.rows().to_string());
+            Ok(row)
+        });
     let head = [
         "Time from rest until",
         "As run, <br>of 49",
         "six <br>pins",
         "four <br>pins",
         "three <br>pins",
-        "printed <br>over computed",
+        "by <br>chance",
         "The mechanism, <br>of 49",
     ];
-    table("Rise times explained to one unit of the last place, by definition", Cells::NamedNumbers, &head, rows)
+    table("Printed rise times explained by other events of a start", Cells::NamedNumbers, &head, rows)
+}
+
+/// The words of the thesis on which claims turn.
+pub fn terms() -> anyhow::Result<Table> {
+    let rows = TERMS.iter().map(|term| {
+        let used = claims().iter().filter(|claim| term.is_used_by(claim.id)).count();
+        let meaning = escape(term.meaning);
+        Ok(vec![escape(term.word), meaning, escape(term.rests_on), used.to_string()])
+    });
+    let head = ["Word", "Meaning", "Rests on", "Claims"];
+    table("Words of the thesis on which verdicts turn: one meaning for all its claims", Cells::Words, &head, rows)
 }
 
 /// Printed rise times times √K: equal within a group, were they defined by the motion alone.

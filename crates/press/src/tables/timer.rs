@@ -17,22 +17,34 @@ const PARTS: [f64; 7] = [1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0];
 /// A motion counts as settled when a small difference is down to this part of itself.
 const SETTLED: f64 = 0.01;
 
-/// The example with so many times less inertia of its follower.
-fn lighter(part: f64) -> anyhow::Result<(Inertias, Settling)> {
-    let own = parameters(example()?)?;
+/// A row's mechanism with so many times less inertia of its follower.
+fn lighter(row: &Row, part: f64) -> anyhow::Result<(Inertias, Settling)> {
+    let own = parameters(row)?;
     let inertias = Inertias::new(own.inertias().driver(), own.inertias().follower() / part)?;
     Ok((inertias, Settling::new(&Parameters::new(own.mechanism(), inertias, own.torque(), own.friction())?)?))
 }
 
 /// How long each of the compared followers takes to settle, in seconds.
 pub fn settling_times() -> anyhow::Result<Vec<f64>> {
-    PARTS.iter().map(|part| Ok(lighter(*part)?.1.time(SETTLED))).collect()
+    PARTS.iter().map(|part| Ok(lighter(example()?, *part)?.1.time(SETTLED))).collect()
+}
+
+/// How long each of the lighter followers takes to settle over the one as run, with every mechanism and friction.
+pub fn lighter_times() -> anyhow::Result<Vec<f64>> {
+    let mut times = Vec::new();
+    for row in weakest() {
+        let as_run = lighter(row, 1.0)?.1.time(SETTLED);
+        for part in &PARTS[1..] {
+            times.push(lighter(row, *part)?.1.time(SETTLED) / as_run);
+        }
+    }
+    Ok(times)
 }
 
 /// How fast four pins settle, with followers of another size, down to a part.
 pub fn settling() -> anyhow::Result<Table> {
     let rows = PARTS.map(|part| {
-        let (inertias, settling) = lighter(part)?;
+        let (inertias, settling) = lighter(example()?, part)?;
         let name = if part > 1.0 { format!("1/{part}") } else { "as run".to_owned() };
         Ok(vec![
             name,

@@ -1,0 +1,323 @@
+//! The words on which claims of this source turn: one meaning for each, the one that its own words bear best, and the
+//! function by which all claims measure it.
+//!
+//! Where the source leaves two readings equally near, both are measured, and a verdict needs both to agree.
+
+use super::by_steps::{self, Motion};
+use super::runs::{Hypothesis, Row, rows};
+use geneva_dynamics::steady::{Cycle, Engagement};
+use std::sync::OnceLock;
+
+/// A word of the source with its meaning.
+#[derive(Clone, Copy, Debug)]
+pub struct Term {
+    /// The word.
+    pub word: &'static str,
+    /// Characters by which a claim is known to speak of it; none if the word is too common for that.
+    pub known_by: &'static [&'static str],
+    /// What it means.
+    pub meaning: &'static str,
+    /// Where the source says so, or says what is nearest to it.
+    pub rests_on: &'static str,
+    /// The function that measures it, if anything does.
+    pub measure: &'static str,
+    /// The claims that use it; one that ends in a star stands for all that begin so.
+    pub claims: &'static [&'static str],
+}
+
+impl Term {
+    /// Whether a claim is among those that use the term.
+    pub fn is_used_by(&self, id: &str) -> bool {
+        self.claims.iter().any(|known| stands_for(known, id))
+    }
+}
+
+/// Whether an id, or the start of some with a star behind it, stands for this one.
+fn stands_for(known: &str, id: &str) -> bool {
+    known.strip_suffix('*').map_or(known == id, |start| id.starts_with(start))
+}
+
+/// The terms, in the order in which the source first uses them.
+pub const TERMS: [Term; 8] = [
+    Term {
+        word: "terminal velocity",
+        known_by: &["terminal velocit"],
+        meaning: "the velocity in the motion that repeats itself from engagement to engagement; as one number the mean of \
+                  its peak and its minimum",
+        rests_on: "introduction, which calls it steady state too; chapter II, paragraph on the rise time, for the average",
+        measure: "terms::Start::velocity",
+        claims: &[
+            "meyer.abstract.terminal",
+            "meyer.abstract.fifty",
+            "meyer.list-of-figures",
+            "meyer.scales",
+            "meyer.fig-9",
+            "meyer.fig-10",
+            "meyer.fig-11",
+            "meyer.fig-10.rise-axis",
+            "meyer.more-torque",
+            "meyer.less-friction",
+            "meyer.no-friction",
+            "meyer.almost-linear",
+            "meyer.conclusion.timing",
+            "meyer.conclusion.three",
+            "meyer.conclusion.the-three",
+            "meyer.page-of-definition",
+            "meyer.app-e.*",
+        ],
+    },
+    Term {
+        word: "rise time",
+        known_by: &["rise time"],
+        meaning: "the time from rest until the terminal velocity is reached, to one per cent. Of which velocity is left \
+                  open, so both readings count: the velocity at each angle from then on, and the average of peak and \
+                  minimum of an engagement, counted to its end",
+        rests_on: "introduction, which defines it; axes of Figs. 10 and 11, for the one per cent; chapter II, paragraph on \
+                   the rise time, for the steady state velocity profile and for the average",
+        measure: "terms::Start::rise_times",
+        claims: &[
+            "meyer.abstract.fifty",
+            "meyer.list-of-figures",
+            "meyer.scales",
+            "meyer.fig-8.rise",
+            "meyer.first-minimum",
+            "meyer.fig-9",
+            "meyer.fig-10",
+            "meyer.fig-11",
+            "meyer.fig-10.rise-axis",
+            "meyer.more-torque",
+            "meyer.least-rise-time",
+            "meyer.less-friction",
+            "meyer.small-variations",
+            "meyer.not-fast-enough",
+            "meyer.app-e.*",
+        ],
+    },
+    Term {
+        word: "can be used, or works, as a timing device",
+        known_by: &["timing device", "timing application", "timing mechanism"],
+        meaning: "started from rest, it comes to a terminal velocity; how accurate it is, is not asked",
+        rests_on: "abstract, which draws the one from the other; chapter II, first paragraph",
+        measure: "conclusions::settles",
+        claims: &["meyer.conclusion.timing", "meyer.conclusion.three", "meyer.always-engaged"],
+    },
+    Term {
+        word: "singularity",
+        known_by: &["singularit"],
+        meaning: "an angle at which the equation of motion, as it is written, divides by zero",
+        rests_on: "chapter I, paragraphs behind Eq. (1-18)",
+        measure: "in meyer/singularity.rs",
+        claims: &["meyer.possible-flaw", "meyer.singularity.*"],
+    },
+    Term {
+        word: "any of the three mechanisms",
+        known_by: &["any of the three mechanisms"],
+        meaning: "what is said of the curves of Fig. 8 is said of all runs",
+        rests_on: "chapter II, sentence behind Fig. 8",
+        measure: "runs::rows",
+        claims: &[
+            "meyer.shape",
+            "meyer.scales",
+            "meyer.first-minimum",
+            "meyer.peaks-at-*",
+            "meyer.still-at-entry",
+            "meyer.driver-slows",
+            "meyer.driver-increases",
+            "meyer.extremes-on-centres",
+            "meyer.follower-decreases",
+        ],
+    },
+    Term {
+        word: "is a maximum, is a minimum, coincides",
+        known_by: &[],
+        meaning: "within one unit of the tables' speeds, 1 rad/s, of the greatest or the least speed of the cycle",
+        rests_on: "Appendix E, whose speeds have no decimals",
+        measure: "terms::is_there",
+        claims: &["meyer.peaks-at-*", "meyer.driver-increases", "meyer.extremes-on-centres"],
+    },
+    Term {
+        word: "almost",
+        known_by: &["almost"],
+        meaning: "a straight line misses each velocity by less than a twentieth; the source has no measure of it",
+        rests_on: "no place: the measure is this project's. Any between the greatest miss of the lines and the least of \
+                   those through the origin gives the same verdict",
+        measure: "general_statements::straight",
+        claims: &["meyer.almost-linear"],
+    },
+    Term {
+        word: "seriously, small",
+        known_by: &["seriously"],
+        meaning: "left open: the source has no measure of it, and those that suggest themselves disagree",
+        rests_on: "Conclusion 2",
+        measure: "",
+        claims: &["meyer.small-variations"],
+    },
+];
+
+/// The part of the terminal velocity that may be missing at the end of the rise: the axes of Figs. 10 and 11 have 99 per
+/// cent of it.
+pub const MISSING: f64 = 0.01;
+
+/// A start from rest, as the terms measure it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Start {
+    /// The average terminal velocity, in rad/s: the mean of peak and minimum of the steady motion.
+    pub velocity: f64,
+    /// The rise times in s: until the velocity is the steady one at each angle, and until the average of peak and minimum
+    /// of an engagement is, each to one per cent.
+    pub rise_times: [f64; 2],
+}
+
+impl Start {
+    /// By the solution over the angle.
+    pub fn by_integrals(of: &Engagement) -> Option<Self> {
+        let (rise, first) = (of.rise(1e-6).ok()?, of.first_minimum().ok()??);
+        let velocity = rise.steady.mean_of_extremes();
+        let average = |cycle: &Cycle| {
+            // From rest the least speed of the first engagement is none of its minima.
+            let minimum = if cycle.start == 0.0 && first.time < cycle.end { first.speed } else { cycle.minimum.speed };
+            f64::midpoint(cycle.peak.speed, minimum)
+        };
+        let average = rise.cycles.iter().find(|cycle| is_near(average(cycle), velocity))?.end;
+        Some(Self { velocity, rise_times: [of.until_profile(MISSING).ok()?, average] })
+    }
+
+    /// By equal steps of the angle.
+    pub fn by_steps(motion: &Motion) -> Option<Self> {
+        let steady = motion.steady()?;
+        let average = |of: &by_steps::Engagement| {
+            let peak = motion.greatest(of, |_, speed| speed).value;
+            Some(f64::midpoint(peak, motion.least(of)?.value))
+        };
+        let velocity = average(steady)?;
+        let is_it = |of: &&by_steps::Engagement| average(of).is_some_and(|average| is_near(average, velocity));
+        Some(Self { velocity, rise_times: [last_departure(motion)?, motion.engagements.iter().find(is_it)?.finish()] })
+    }
+}
+
+/// Whether a velocity is the steady one to one per cent.
+fn is_near(velocity: f64, steady: f64) -> bool {
+    (velocity / steady - 1.0).abs() <= MISSING
+}
+
+/// The time at which a motion in steps last departs by one per cent from the steady speed at the same angle.
+fn last_departure(motion: &Motion) -> Option<f64> {
+    let steady = &motion.steady()?.squares;
+    for engagement in motion.engagements.iter().rev() {
+        let off = |k: usize| ((engagement.squares[k] / steady[k]).sqrt() - 1.0).abs();
+        let Some(last) = (0..steady.len()).rev().find(|k| off(*k) > MISSING) else { continue };
+        let times = &engagement.times;
+        if last + 1 == times.len() {
+            return times.last().copied();
+        }
+        let share = (off(last) - MISSING) / (off(last) - off(last + 1));
+        return Some(times[last] + share * (times[last + 1] - times[last]));
+    }
+    None
+}
+
+/// The starts of all rows by the solution over the angle, for the mechanisms as they are.
+pub fn starts() -> &'static [(&'static Row, Start)] {
+    static STARTS: OnceLock<Vec<(&Row, Start)>> = OnceLock::new();
+    let of = |row| Some((row, Start::by_integrals(&Hypothesis::IDEAL.engagement(row)?)?));
+    STARTS.get_or_init(|| rows().iter().filter_map(of).collect())
+}
+
+/// Whether a speed, in rad/s, is at the place of an extreme from which it differs by so much: to one unit of the tables'
+/// speeds, which have no decimals.
+pub fn is_there(departure: f64) -> bool {
+    departure.abs() <= 1.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::by_steps::groups;
+    use super::*;
+    use crate::{Check, claims};
+
+    /// What a claim says, all in one.
+    fn text(claim: &crate::Claim) -> String {
+        let neighbour = match &claim.check {
+            Check::Statement { neighbour, .. } => neighbour.unwrap_or_default(),
+            Check::Missing { reason } => reason,
+            _ => "",
+        };
+        let corrected = claim.erratum.map_or("", |erratum| erratum.corrected);
+        [claim.printed, claim.meaning, claim.reading.unwrap_or_default(), neighbour, corrected].join(" ").to_lowercase()
+    }
+
+    #[test]
+    fn a_claim_that_uses_a_term_is_listed_and_each_that_is_listed_exists() {
+        let own: Vec<_> = claims().iter().filter(|claim| claim.id.starts_with("meyer.")).collect();
+        for term in &TERMS {
+            let speaks = |claim: &&&crate::Claim| term.known_by.iter().any(|word| text(claim).contains(word));
+            let unlisted = own.iter().filter(speaks).filter(|claim| !term.is_used_by(claim.id));
+            let unlisted: Vec<_> = unlisted.map(|claim| claim.id).collect();
+            assert!(unlisted.is_empty(), "not listed, but they speak of “{}”: {}", term.word, unlisted.join(", "));
+            for known in term.claims {
+                let exists = own.iter().any(|claim| stands_for(known, claim.id));
+                assert!(exists, "{}: no claim {known}", term.word);
+            }
+        }
+    }
+
+    #[test]
+    fn claims_measure_a_term_by_its_function_and_by_nothing_else() {
+        // What would measure a rise or an average terminal velocity otherwise, and the files whose question it is: which
+        // run Fig. 8 shows, which definition the column could have, and the minimum of which the text speaks.
+        let elsewhere = [
+            ("until_", &["terms.rs", "rise_times.rs"][..]),
+            (
+                "first_minimum",
+                &["terms.rs", "rise_times.rs", "choice.rs", "profile.rs", "motion.rs", "lagged.rs", "cells.rs"],
+            ),
+            ("mean_of_extremes", &["terms.rs", "rise_times.rs"]),
+            (".mean_speed", &["rise_times.rs"]),
+            ("engagements_to_settle", &[]),
+        ];
+        let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src/meyer");
+        for folder in [folder.clone(), folder.join("runs")] {
+            for entry in std::fs::read_dir(folder).expect("a folder") {
+                let path = entry.expect("readable").path();
+                let Some(name) = path.file_name().and_then(|name| name.to_str()).filter(|name| name.ends_with(".rs"))
+                else {
+                    continue;
+                };
+                let text = std::fs::read_to_string(&path).expect("readable");
+                let code = text.split("#[cfg(test)]").next().unwrap_or_default();
+                let code: Vec<_> = code.lines().filter(|line| !line.trim_start().starts_with("//")).collect();
+                for (call, allowed) in elsewhere {
+                    let calls = code.iter().any(|line| line.contains(call));
+                    assert!(!calls || allowed.contains(&name), "{name} calls {call}: measure the term by terms.rs");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn both_routes_give_the_same_rise_times_and_velocities() {
+        assert_eq!(starts().len(), rows().len());
+        for group in groups() {
+            let row = &group.rows[0];
+            let solved = starts().iter().find(|(other, _)| *other == row).expect("a start").1;
+            let stepped = Start::by_steps(&group.motion).expect("a start");
+            let pairs = [
+                (solved.velocity, stepped.velocity),
+                (solved.rise_times[0], stepped.rise_times[0]),
+                (solved.rise_times[1], stepped.rise_times[1]),
+            ];
+            for (a, b) in pairs {
+                assert!((a / b - 1.0).abs() < 1e-4, "{}: {solved:?} {stepped:?}", row.slug());
+            }
+        }
+    }
+
+    #[test]
+    fn no_verdict_on_a_rise_time_hangs_on_which_of_the_readings_is_taken() {
+        // The abstract's fifty milliseconds are too few by both, and the recommendation's are too many by both.
+        for reading in [0, 1] {
+            let times = || starts().iter().map(|(_, start)| start.rise_times[reading]);
+            assert!(times().fold(0.0, f64::max) > 0.0505 && times().all(|time| time > 0.01), "{reading}");
+        }
+    }
+}
