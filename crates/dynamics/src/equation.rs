@@ -98,6 +98,16 @@ impl<S: Field> Coefficients<S> {
         (self.e.clone() - both * speed.clone() * speed.clone()) / (self.a.clone() + sign.of(self.d.clone()))
     }
 
+    /// [A (E − B θ'²) + C D θ'² − `size`] / (A² − D²), with the size of the [switching
+    /// function](Self::sign_switching_function): the acceleration, in radians per square of the unit of time, in one
+    /// formula for both signs of the bars. It is the one solution where A > |D|.
+    pub fn acceleration_in_one_formula(&self, speed: &S, size: &S) -> S {
+        let square = speed.clone() * speed.clone();
+        let [a, b, c, d] = [&self.a, &self.b, &self.c, &self.d].map(Clone::clone);
+        let above = a.clone() * (self.e.clone() - b * square.clone()) + c * d.clone() * square - size.clone();
+        above / (a.clone() * a - d.clone() * d)
+    }
+
     /// A C θ'² + D (E − B θ'²), per square of the unit of time: where A > |D|, its sign is the sign of what stands
     /// between the bars.
     pub fn sign_switching_function(&self, speed: &S) -> S {
@@ -207,6 +217,23 @@ mod tests {
                 Err(error) => assert!(a <= d.abs() * (1.0 + 1e-15), "{error}"),
             }
         }
+    }
+
+    #[test]
+    fn one_formula_has_the_solution_of_either_sign() {
+        let zero = rational(0, 1);
+        let mut signs = [0; 2];
+        for (coefficients, speed) in samples() {
+            let size = if coefficients.d < zero { -coefficients.d.clone() } else { coefficients.d.clone() };
+            if coefficients.a > size {
+                let switching = coefficients.sign_switching_function(&speed);
+                let size = if switching < zero { -switching.clone() } else { switching.clone() };
+                let (value, sign) = &solutions(&coefficients, &speed)[0];
+                assert_eq!(coefficients.acceleration_in_one_formula(&speed, &size), *value, "{coefficients:?} {speed}");
+                signs[usize::from(*sign == Sign::Minus)] += 1;
+            }
+        }
+        assert!(signs.iter().all(|count| *count > 1000), "{signs:?}");
     }
 
     #[test]
