@@ -98,6 +98,16 @@ impl<S: Field> Coefficients<S> {
         (self.e.clone() - both * speed.clone() * speed.clone()) / (self.a.clone() + sign.of(self.d.clone()))
     }
 
+    /// [A (E − B θ'²) + C D θ'² − `size`] / (A² − D²), with the size of the [switching
+    /// function](Self::sign_switching_function): the acceleration, in radians per square of the unit of time, in one
+    /// formula for both signs of the bars. It is the one solution where A > |D|.
+    pub fn acceleration_in_one_formula(&self, speed: &S, size: &S) -> S {
+        let square = speed.clone() * speed.clone();
+        let [a, b, c, d] = [&self.a, &self.b, &self.c, &self.d].map(Clone::clone);
+        let above = a.clone() * (self.e.clone() - b * square.clone()) + c * d.clone() * square - size.clone();
+        above / (a.clone() * a - d.clone() * d)
+    }
+
     /// A C θ'² + D (E − B θ'²), per square of the unit of time: where A > |D|, its sign is the sign of what stands
     /// between the bars.
     pub fn sign_switching_function(&self, speed: &S) -> S {

@@ -41,6 +41,21 @@ impl Identity<6> for SignDecider {
     }
 }
 
+/// The solution of either sign is [one formula](Coefficients::acceleration_in_one_formula) with the size of the switching
+/// function: that function with this sign before it. Variables: A + D, A − D, B, C, E, θ'.
+pub struct InOneFormula(
+    /// The sign of the bars, which is the sign of the switching function.
+    pub Sign,
+);
+
+impl Identity<6> for InOneFormula {
+    fn difference(&self, [plus, minus, b, c, e, speed]: [Expression; 6]) -> Expression {
+        let coefficients = of_slopes([plus, minus, b, c, e]);
+        let size = self.0.of(coefficients.sign_switching_function(&speed));
+        coefficients.acceleration_in_one_formula(&speed, &size) - coefficients.acceleration_with(&speed, self.0)
+    }
+}
+
 /// On one piece the left side grows by A + S D per unit of θ''. Variables: A, B, C, D, E, θ', θ'' and its growth.
 pub struct Slope(
     /// The sign of the bars.

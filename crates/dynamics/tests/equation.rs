@@ -74,6 +74,23 @@ fn floating_point_takes_the_same_side() {
 }
 
 #[test]
+fn one_formula_has_the_solution_of_either_sign() {
+    let zero = rational(0, 1);
+    let mut signs = [0; 2];
+    for (coefficients, speed) in samples() {
+        let size = if coefficients.d < zero { -coefficients.d.clone() } else { coefficients.d.clone() };
+        if coefficients.a > size {
+            let switching = coefficients.sign_switching_function(&speed);
+            let size = if switching < zero { -switching.clone() } else { switching.clone() };
+            let (value, sign) = &solutions(&coefficients, &speed)[0];
+            assert_eq!(coefficients.acceleration_in_one_formula(&speed, &size), *value, "{coefficients:?} {speed}");
+            signs[usize::from(*sign == Sign::Minus)] += 1;
+        }
+    }
+    assert!(signs.iter().all(|count| *count > 1000), "{signs:?}");
+}
+
+#[test]
 fn what_cannot_be_solved_is_said() {
     let sound = Coefficients { a: 2.0, b: 1.0, c: -1.0, d: 1.0, e: 3.0 };
     for speed in [-1.0, f64::NAN, f64::INFINITY] {

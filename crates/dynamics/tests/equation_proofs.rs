@@ -1,5 +1,6 @@
 //! Are the sign of the bars and the single solution proven?
 
+use geneva_dynamics::equation_proofs::InOneFormula;
 use crate::proving::holds;
 use geneva_dynamics::Sign;
 use geneva_dynamics::equation_proofs::{SignDecider, Slope, SolutionOfOneSign, SolutionsMeet};
@@ -10,6 +11,7 @@ fn the_sign_and_the_single_solution_are_proven() {
     for sign in Sign::BOTH {
         holds("solution", &SolutionOfOneSign(sign));
         holds("sign", &SignDecider(sign));
+        holds("one formula", &InOneFormula(sign));
         holds("slope", &Slope(sign));
     }
 }

@@ -3,7 +3,7 @@
 use crate::{Claim, Decimal, Finding, claim, numeric_tokens};
 
 /// The claim with this id. The ids stand in the ledger's own text: one that no claim has is a mistake there, which must
-/// not pass for a number or a verdict.
+/// not pass for a number or a verdict. The panic ends the claim that asks, and no other: see [`judge`](crate::judge).
 pub(crate) fn named(id: &str) -> &'static Claim {
     claim(id).unwrap_or_else(|| panic!("no claim has the id {id}"))
 }
@@ -20,24 +20,24 @@ pub(crate) fn in_display(lines: &[&str], own: &str, tex: &str) -> String {
     lines.iter().map(line).collect::<Vec<_>>().join(" ")
 }
 
-/// What stands right of the first equals sign in the claim with this id.
+/// What stands right of the first equals sign in the claim with this id; nothing, which has no value, if there is none.
 pub(crate) fn right_side(id: &str) -> &'static str {
-    characters(id).split_once('=').map_or_else(|| panic!("{id} is no equation"), |(_, right)| right)
+    characters(id).split_once('=').map_or("", |(_, right)| right)
 }
 
-/// The number printed in the claim with this id, with its digits.
-pub(crate) fn decimal(id: &str) -> Decimal {
-    characters(id).parse().unwrap_or_else(|unreadable| panic!("{id}: {unreadable}"))
+/// The number printed in the claim with this id, with its digits; none if they make no number.
+pub(crate) fn decimal(id: &str) -> Option<Decimal> {
+    characters(id).parse().ok()
 }
 
-/// The number printed in the claim with this id.
+/// The number printed in the claim with this id; not a number if the characters make none.
 pub(crate) fn printed(id: &str) -> f64 {
-    decimal(id).to_f64()
+    decimal(id).map_or(f64::NAN, |decimal| decimal.to_f64())
 }
 
 /// Whether the number printed in the claim with this id is a rounding of this one.
 pub(crate) fn rounds(id: &str, number: f64) -> bool {
-    decimal(id).is_rounding_of(number)
+    decimal(id).is_some_and(|decimal| decimal.is_rounding_of(number))
 }
 
 /// All whole numbers in the characters printed in the claim with this id, in their order.
@@ -45,16 +45,19 @@ pub(crate) fn numbers(id: &str) -> Vec<u32> {
     numeric_tokens(characters(id)).iter().filter_map(|token| token.parse().ok()).collect()
 }
 
-/// The interval that the digits printed in the claim with this id leave open: half a unit of the last place either way.
+/// The interval that the digits printed in the claim with this id leave open: half a unit of the last place either way;
+/// not numbers if the characters make none.
 pub(crate) fn interval(id: &str) -> [f64; 2] {
-    decimal(id).interval()
+    decimal(id).map_or([f64::NAN; 2], |decimal| decimal.interval())
 }
 
 /// Whether the right characters of the claim hold, read and evaluated; and the printed ones do not, if they are
 /// corrected.
 pub(crate) fn reads(id: &str) -> Finding {
     let claim = named(id);
-    let Some(reader) = claim.check.reader() else { panic!("the characters of {id} are not read") };
+    let Some(reader) = claim.check.reader() else {
+        return Finding::not_evaluated(format!("the ledger has no reader for the characters of {id}"));
+    };
     let right = (reader.holds)(claim.right_characters()) == Some(true);
     match &claim.erratum {
         None => Finding::new(right, "the printed characters, read and evaluated wherever they must hold"),

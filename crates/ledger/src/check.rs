@@ -117,6 +117,9 @@ pub struct Finding {
     pub holds: bool,
     /// How that was found, in a clause.
     pub how: String,
+    /// Whether it could be evaluated. What could not is neither right nor wrong: whatever the record says, a claim with
+    /// such a finding differs from it.
+    pub evaluated: bool,
 }
 
 impl Check {
@@ -154,7 +157,12 @@ impl<R: ?Sized> Clone for Route<R> {
 impl Finding {
     /// It holds if `holds`, found so.
     pub fn new(holds: bool, how: impl Into<String>) -> Self {
-        Self { holds, how: how.into() }
+        Self { holds, how: how.into(), evaluated: true }
+    }
+
+    /// It could not be evaluated, and why.
+    pub fn not_evaluated(why: impl Into<String>) -> Self {
+        Self { holds: false, how: why.into(), evaluated: false }
     }
 }
 
@@ -162,6 +170,7 @@ impl From<Result<Proof, Refutation>> for Finding {
     fn from(result: Result<Proof, Refutation>) -> Self {
         match result {
             Ok(proof) => Self::new(true, proof.to_string()),
+            Err(refutation) if refutation.difference.is_none() => Self::not_evaluated(refutation.to_string()),
             Err(refutation) => Self::new(false, refutation.to_string()),
         }
     }

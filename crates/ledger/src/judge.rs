@@ -1,7 +1,11 @@
 //! The verdict on a claim, derived.
 
 use crate::tolerance::{PROGRAM, ROUTES, STEPS};
-use crate::{Check, Choice, Claim, Decimal, Erratum, Evidence, Finding, Number, Route, Stated, Test, Truth, Verdict};
+use crate::{
+    Check, Choice, Claim, Decimal, Decision, Erratum, Evidence, Finding, Number, Route, Stated, Test, Truth, Verdict,
+};
+use std::any::Any;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// A claim with its derived verdict and what was found on the way.
 #[derive(Clone, Debug)]
@@ -25,6 +29,20 @@ pub struct Judged {
 }
 
 impl Judged {
+    /// Nothing found yet.
+    fn undecided(claim: &'static Claim) -> Self {
+        Self {
+            claim,
+            verdict: Verdict::NotReproducible,
+            computed: None,
+            witnessed: None,
+            from_rounded: None,
+            right_value: None,
+            findings: Vec::new(),
+            faults: Vec::new(),
+        }
+    }
+
     /// Whether the claim stands as recorded: the verdict is the expected one and nothing contradicts it.
     pub fn holds(&self) -> bool {
         self.verdict == self.claim.expected && self.faults.is_empty()
@@ -62,17 +80,24 @@ impl Judged {
 }
 
 /// Derives the verdict on a claim.
+///
+/// No claim takes the others down: a check that stops with a panic is a fault of its own claim, which says with what.
 pub fn judge(claim: &'static Claim) -> Judged {
-    let mut judged = Judged {
-        claim,
-        verdict: Verdict::NotReproducible,
-        computed: None,
-        witnessed: None,
-        from_rounded: None,
-        right_value: None,
-        findings: Vec::new(),
-        faults: Vec::new(),
-    };
+    // Nothing half-made is seen afterwards: what a check keeps for later is kept only when it is whole.
+    catch_unwind(AssertUnwindSafe(|| derived(claim))).unwrap_or_else(|panic| {
+        let faults = vec![format!("the check stopped: {}", words(&*panic))];
+        Judged { verdict: Verdict::NotReproduced, faults, ..Judged::undecided(claim) }
+    })
+}
+
+/// What a panic says.
+fn words(panic: &(dyn Any + Send)) -> &str {
+    let owned = panic.downcast_ref::<String>().map(String::as_str);
+    owned.or_else(|| panic.downcast_ref::<&str>().copied()).unwrap_or("without a word")
+}
+
+fn derived(claim: &'static Claim) -> Judged {
+    let mut judged = Judged::undecided(claim);
     match &claim.check {
         Check::Number { computed, witness, from_rounded, resolution, right } => {
             judged.from_rounded = from_rounded.as_ref().map(|run| run());
@@ -84,11 +109,15 @@ pub fn judge(claim: &'static Claim) -> Judged {
                 judged.right_value = judged.computed;
             }
         }
-        Check::Equation { printed, corrected, witness, .. } => {
-            equation(&mut judged, printed, corrected.as_deref(), witness)
+        Check::Equation { printed, corrected, decide, witness, .. } => {
+            equation(&mut judged, [Some(&*printed.run), corrected.as_deref()], decide.as_deref(), witness)
         }
         Check::Statement { first, witness, neighbour } => statement(&mut judged, first, witness, *neighbour),
         Check::Missing { .. } => {}
+    }
+    for (form, finding) in judged.findings.iter().filter(|(_, finding)| !finding.evaluated) {
+        judged.verdict = Verdict::NotReproduced;
+        judged.faults.push(format!("{form}, it cannot be evaluated: {}", finding.how));
     }
     match (&claim.erratum, judged.verdict.needs_erratum()) {
         (None, true) => judged.faults.push(format!("{} without an erratum", judged.verdict)),
@@ -165,8 +194,16 @@ fn correction_passes(erratum: &Erratum, value: f64) -> bool {
     erratum.corrected.parse::<Decimal>().is_ok_and(|corrected| corrected.is_rounding_of(value))
 }
 
-fn equation(judged: &mut Judged, printed: &Route<Test>, corrected: Option<&Test>, witness: &Route<Test>) {
-    let (as_printed, correction, witnessed) = ((printed.run)(), corrected.map(|run| run()), (witness.run)());
+/// An equation as printed and as corrected. Where its characters decide, they are those of the claim at hand.
+fn equation(judged: &mut Judged, forms: [Option<&Test>; 2], decide: Option<&Decision>, witness: &Route<Test>) {
+    let claim = judged.claim;
+    let characters = [Some(claim.printed), claim.erratum.as_ref().map(|erratum| erratum.corrected)];
+    let [as_printed, correction] = [0, 1].map(|form| match (forms[form], decide, characters[form]) {
+        (Some(_), Some(decide), Some(characters)) => Some(decide(characters)),
+        (run, ..) => run.map(|run| run()),
+    });
+    let as_printed = as_printed.unwrap_or_else(|| Finding::not_evaluated("there is no check of it"));
+    let witnessed = (witness.run)();
     judged.verdict = verdict(as_printed.holds, correction.as_ref().map(|finding| finding.holds));
     if as_printed.holds && correction.is_some() {
         judged.faults.push("a correction is on record, but the printed form holds".to_owned());

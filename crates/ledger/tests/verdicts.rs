@@ -1,8 +1,8 @@
 //! Does every claim stand as recorded, and would it be noticed if it did not?
 
 use geneva_ledger::{
-    Check, Choice, Claim, Decimal, Erratum, Evidence, Finding, Kind, Number, Route, Test, Verdict, Work, another,
-    claim, claims, judge, numbers_in, slips, verdicts,
+    Check, Choice, Claim, Decimal, Erratum, Evidence, Finding, Judged, Kind, Number, Place, Route, Test, Verdict, Work,
+    another, claim, claims, judge, numbers_in, slips, verdicts,
 };
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -116,10 +116,8 @@ fn a_wrong_digit_in_a_number_is_noticed() {
 }
 
 /// Sentences with a number that may be another, and why.
-const NOT_TOLD: [(&str, &str); 6] = [
-    ("meyer.contents", "without the pages of the copy only their order can be seen, as its reading says"),
-    ("meyer.list-of-figures", "the same"),
-    ("meyer.steel", "steels differ by more than its last digit; the density is tested to one per cent"),
+const NOT_TOLD: [(&str, &str); 4] = [
+    ("meyer.steel", "steels differ by more than its last digit, as its reading says"),
     ("meyer.conclusion.the-three", "other pairs of pins and slots work as well, as the correction beside it says"),
     ("wild.openscad.cut", "sizes that somebody chose: wheels of other sizes clear the disc as well"),
     ("wild.cosmo.cut", "clearances that somebody chose: with larger ones the wheel clears the disc as well"),
@@ -194,10 +192,10 @@ fn a_wrong_route_is_noticed() {
                     broken.push(with(&computed, &witness, Some([one, number(other.evidence)])));
                 }
             }
-            Check::Equation { printed, corrected, decide, witness, reader } => {
+            Check::Equation { printed, corrected, witness, reader, .. } => {
                 let with = |printed: &Route<Test>, corrected, witness: &Route<Test>| {
                     let [printed, witness] = [printed, witness].map(Route::clone);
-                    Check::Equation { printed, corrected, decide: decide.clone(), witness, reader: reader.clone() }
+                    Check::Equation { printed, corrected, decide: None, witness, reader: reader.clone() }
                 };
                 let (first, second) = (fails(printed.evidence), fails(witness.evidence));
                 broken.push(with(&printed, corrected.clone(), &second));
@@ -221,6 +219,76 @@ fn a_wrong_route_is_noticed() {
             assert!(!judged.holds(), "{} stands with a wrong route: {check:?}", claim.id);
         }
     }
+}
+
+/// What spoils a formula: a name that stands for nothing, a brace too many or too few, nothing at all, a division by zero.
+fn spoils(formula: &str) -> [String; 6] {
+    let sides = |left: &str, right: &str| format!("{left} = {right}");
+    [
+        sides(r"\zeta", formula),
+        format!("{formula}{{"),
+        format!("}}{formula}"),
+        String::new(),
+        sides(formula, r"\frac{1}{0}"),
+        sides(formula, r"\frac{1}{1 - 1}"),
+    ]
+}
+
+#[test]
+fn a_formula_that_cannot_be_evaluated_is_a_fault_of_its_own_claim_and_ends_nothing() {
+    let (mut not_evaluated, mut judged) = (0, 0);
+    for claim in claims() {
+        let Check::Equation { decide, reader, .. } = &claim.check else { continue };
+        let mut first = true;
+        for spoiled in spoils(claim.right_characters()) {
+            if let Some(reader) = reader {
+                assert_ne!((reader.holds)(&spoiled), Some(true), "{}: {spoiled}", claim.id);
+            }
+            let Some(finding) = decide.as_ref().map(|decide| decide(&spoiled)) else { continue };
+            assert!(!finding.holds, "{}: {spoiled}", claim.id);
+            // A line of a longer display may be empty, and the display is only false then.
+            if finding.evaluated {
+                continue;
+            }
+            not_evaluated += 1;
+            if std::mem::take(&mut first) {
+                let found = judge(with_printed(claim, spoiled.clone()));
+                assert!(!found.holds() && !has_stopped(&found), "{}: {spoiled}: {:?}", claim.id, found.faults);
+                judged += 1;
+            }
+        }
+    }
+    assert!(not_evaluated > 300 && judged > 50, "{not_evaluated} were not evaluated, {judged} judged");
+}
+
+#[test]
+fn no_characters_end_the_program() {
+    // What a check cannot deal with is a fault of its claim: the judge comes back, for whatever is printed.
+    let mut stopped = 0;
+    for claim in claims() {
+        for printed in ["", "0", "-", "4,", "1/0", r"\frac{}{0} = ^", "999999999999999999999", "1.5708, 1.0472 and one"]
+        {
+            let judged = judge(with_printed(claim, printed.to_owned()));
+            stopped += usize::from(has_stopped(&judged));
+            assert!(!has_stopped(&judged) || !judged.holds(), "{}: {printed}", claim.id);
+        }
+    }
+    println!("{stopped} checks stopped");
+}
+
+#[test]
+fn a_check_that_stops_is_a_fault_of_its_own_claim() {
+    let stopping = Place::new(Work::Pin, "nowhere")
+        .value("made-up", "1", "", "a number")
+        .by(Evidence::ClosedForm, || panic!("made to stop"))
+        .by(Evidence::Jet, || 1.0);
+    let judged = judge(Box::leak(Box::new(stopping)));
+    assert_eq!(judged.faults, ["the check stopped: made to stop"]);
+    assert!(!judged.holds());
+}
+
+fn has_stopped(judged: &Judged) -> bool {
+    judged.faults.iter().any(|fault| fault.starts_with("the check stopped"))
 }
 
 fn with_printed(claim: &Claim, printed: String) -> &'static Claim {

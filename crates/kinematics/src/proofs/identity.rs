@@ -51,13 +51,13 @@ pub struct Proof {
     pub points: usize,
 }
 
-/// A point where the two sides differ, exactly.
+/// A point where the two sides differ, exactly, or where one of them has no value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refutation {
     /// The values of the variables.
     pub at: Vec<RBig>,
-    /// Left side minus right side there.
-    pub difference: RBig,
+    /// Left side minus right side there; none if something is divided by zero there.
+    pub difference: Option<RBig>,
 }
 
 impl fmt::Display for Proof {
@@ -70,7 +70,10 @@ impl fmt::Display for Proof {
 impl fmt::Display for Refutation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let at: Vec<_> = self.at.iter().map(RBig::to_string).collect();
-        write!(f, "fails at ({}): the sides differ by {}", at.join(", "), self.difference)
+        match &self.difference {
+            Some(difference) => write!(f, "fails at ({}): the sides differ by {difference}", at.join(", ")),
+            None => write!(f, "has no value at ({}): something is divided by zero there", at.join(", ")),
+        }
     }
 }
 
@@ -80,24 +83,24 @@ impl std::error::Error for Refutation {}
 ///
 /// The difference's expression tells the degree of its numerator, at most. A polynomial of degree at most d in a
 /// variable that vanishes at d + 1 values of it vanishes for all; over several variables the same holds on the product
-/// grid. The values are the whole numbers from 2 up; an identity must have no pole there (a division by zero stops the
-/// proof with a panic, as any division by zero of a rational does).
+/// grid. The values are the whole numbers from 2 up; an identity must have no pole there.
 ///
 /// # Errors
 ///
-/// [`Refutation`] with the first point of the grid at which the sides differ.
+/// [`Refutation`] with the first point of the grid at which the sides differ, or at which something is divided by zero.
 pub fn prove<const V: usize>(identity: &(impl Identity<V> + ?Sized)) -> Result<Proof, Refutation> {
     let difference = identity.difference(from_fn(Expression::variable));
     let steps = difference.steps();
     let mut numerator = Numerator::of(&steps, V);
     on_a_grid(difference, V, |at, changed| match numerator.is_zero_at(at, changed) {
-        Some(true) => RBig::ZERO,
-        // The difference itself, or the division by zero.
-        Some(false) | None => value(&steps, &point(at)),
+        Some(true) => Some(RBig::ZERO),
+        Some(false) => Some(value(&steps, &point(at))),
+        None => None,
     })
 }
 
-/// Proves or refutes an identity in which √D stands, as [`prove`] does, with the root kept exact.
+/// Proves or refutes an identity in which √D stands, as [`prove`] does, with the root kept exact. A pole on the grid stops
+/// the proof with a panic, as any division by zero of a rational does.
 ///
 /// # Errors
 ///
@@ -105,7 +108,7 @@ pub fn prove<const V: usize>(identity: &(impl Identity<V> + ?Sized)) -> Result<P
 pub fn prove_with_root<const D: u32, const V: usize>(identity: &impl IdentityWithRoot<V>) -> Result<Proof, Refutation> {
     let difference = identity.difference(Expression::root(), from_fn(Expression::variable));
     let steps = difference.steps();
-    on_a_grid(difference, V, |at, _| value_with_root::<D>(&steps, &point(at)))
+    on_a_grid(difference, V, |at, _| Some(value_with_root::<D>(&steps, &point(at))))
 }
 
 fn value(steps: &[Built<usize>], at: &[Relaxed]) -> RBig {
@@ -119,21 +122,21 @@ fn value_with_root<const D: u32>(steps: &[Built<usize>], at: &[Relaxed]) -> RBig
     if plain.is_zero() { value.rooted.canonicalize() } else { plain }
 }
 
-/// Looks for a point of the grid at which the `value` of `difference` is not zero; there are none if the bound of its
-/// degree is a bound. From point to point the first variable changes, and the others as the digits of a number do; the
+/// Looks for a point of the grid at which the `value` of `difference` is not zero or is none; there are none if the bound
+/// of its degree is a bound. From point to point the first variable changes, and the others as the digits of a number do; the
 /// last that has changed is told to `value`.
 fn on_a_grid(
     difference: Expression,
     variables: usize,
-    mut value: impl FnMut(&[usize], usize) -> RBig,
+    mut value: impl FnMut(&[usize], usize) -> Option<RBig>,
 ) -> Result<Proof, Refutation> {
     let degrees = difference.degrees(variables);
-    let points = degrees.iter().map(|degree| *degree as usize + 1).product();
+    let points = degrees.iter().fold(1_usize, |points, degree| points.saturating_mul(*degree as usize + 1));
     let mut at = vec![LEAST; variables];
     let mut changed = variables.saturating_sub(1);
     for _ in 0..points {
         let difference = value(&at, changed);
-        if !difference.is_zero() {
+        if !difference.as_ref().is_some_and(Zero::is_zero) {
             return Err(Refutation { at: at.into_iter().map(RBig::from).collect(), difference });
         }
         for (variable, degree) in degrees.iter().enumerate() {

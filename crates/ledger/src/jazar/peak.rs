@@ -272,7 +272,7 @@ fn reads(curve: impl Fn(&Wheel, f64) -> f64, extreme: impl Fn(&Wheel) -> (f64, f
     let points = (0..=last).map(|degrees| (degrees, curve(&wheel, f64::from(degrees).to_radians())));
     let (degrees, read) = points.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, f64::NAN));
     let (angle, size) = extreme(&wheel);
-    let places = decimal("jazar.ex-e.ratio").places() as usize;
+    let places = decimal("jazar.ex-e.ratio").map_or(0, |ratio| ratio.places() as usize);
     let as_printed = |number: f64| format!("{number:.places$}");
     Finding::new(
         (angle.to_degrees() - f64::from(degrees)).abs() <= 0.5 && as_printed(read) == as_printed(size),

@@ -11,6 +11,9 @@ use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
 
 const LETTERS: Place = at("Appendix D, line after the 1st equation");
+/// A speed at which the driver is slowed down somewhere.
+const FAST: f64 = 3.0;
+
 const SIGN: Place = at("Appendix D, lines after the 2nd equation");
 
 pub fn claims() -> Vec<Claim> {
@@ -187,25 +190,23 @@ fn equations() -> Vec<Claim> {
             "the driver starts in the direction of the torque",
         )
         .by(ClosedForm, |stated| {
-            let way = stated.pick(1.0, -1.0);
-            let holds = poses().all(|(_, c)| c.acceleration(0.0).is_ok_and(|found| found.value * way > 0.0));
-            Finding::new(holds, "the acceleration from rest, at 63 poses")
+            let speed = stated.pick(0.0, FAST);
+            let holds = poses().all(|(_, c)| c.acceleration(speed).is_ok_and(|found| found.value > 0.0));
+            Finding::new(holds, format!("the acceleration at the speed {speed}, at 63 poses"))
         })
         .by(LimitCase, |stated| {
-            // The left side from rest, along accelerations of this sign: does it come to E anywhere?
-            let way = stated.pick(1.0, -1.0);
+            // The left side, along positive accelerations: does it come from below E to E?
+            let square = stated.pick(0.0, FAST * FAST);
             let reaches = |c: &Coefficients<f64>| {
-                (0..=600).any(|k| {
-                    let angular_acceleration = way * libm::pow(10.0, f64::from(k) / 100.0 - 3.0);
-                    c.a * angular_acceleration + (c.d * angular_acceleration).abs() >= c.e
-                })
+                let left = |angular_acceleration: f64| {
+                    c.a * angular_acceleration + c.b * square + (c.c * square + c.d * angular_acceleration).abs()
+                };
+                let powers = (0..=600).map(|k| libm::pow(10.0, f64::from(k) / 100.0 - 3.0));
+                left(0.0) < c.e && powers.into_iter().any(|angular_acceleration| left(angular_acceleration) >= c.e)
             };
-            Finding::new(
-                poses().all(|(_, c)| reaches(&c)),
-                "the left side was followed along accelerations of this sign",
-            )
+            Finding::new(poses().all(|(_, c)| reaches(&c)), "the left side was followed along positive accelerations")
         })
-        .but_not("it starts against the torque")
+        .but_not("and so it always goes on, however fast it turns")
         .read_as("at the start, with less friction than the critical one, A > |D|, or with any: D is zero there"),
         starting(
             ("meyer.app-d.outside", "Appendix D, 3rd equation"),

@@ -1,6 +1,6 @@
 //! Which numbers of pins and slots an escapement can have: Eq. (1-3), its table and the remarks on it.
 
-use super::geometry::every;
+use super::geometry::{all_rest_with_a_slot_more, every};
 use super::hand_over::Drawn;
 use super::*;
 use geneva_kinematics::escapement::entry_proofs::{EntryTriangle, PinsAndSlots};
@@ -112,7 +112,7 @@ fn combinations() -> Vec<Claim> {
         at("Sentence before the table of Eq. (1-3)")
             .statement("meyer.only-three", "only three", "three combinations of whole numbers, and no more")
             .by(ExactIdentity, |stated| {
-                let Finding { holds, how } = prove(&PinsAndSlots::Factors).into();
+                let Finding { holds, how, .. } = prove(&PinsAndSlots::Factors).into();
                 let found = possible().len();
                 Finding::new(
                     holds && found == stated.pick(stated.count() as usize, 4),
@@ -141,30 +141,35 @@ fn remarks() -> Vec<Claim> {
         REMARK
             .statement("meyer.fewer-pins", "m decreases", "the more slots, the fewer pins")
             .by(LimitCase, |stated| {
-                let compare: fn(&Rational, &Rational) -> bool = stated.pick(|a, b| a > b, |a, b| a < b);
+                // More pins before than behind; and no more than in inverse proportion.
                 let holds = (3..1000).all(|n| {
-                    pins_needed(n).zip(pins_needed(n + 1)).is_some_and(|(fewer, more)| compare(&fewer, &more))
+                    pins_needed(n).zip(pins_needed(n + 1)).is_some_and(|(more, fewer)| {
+                        more > fewer && stated.pick(true, more * whole(n) == fewer * whole(n + 1))
+                    })
                 });
                 Finding::new(holds, "from each number of slots to the next, 3 to 1000")
             })
             .by(Series, |stated| {
                 // m = 2n/(n − 2) as a series in n.
-                let slope = |slots: f64| {
+                let pins = |slots: f64| {
                     let n = Jet::<f64, 2>::variable(slots);
-                    (Jet::constant(2.0) * n / (n - Jet::constant(2.0))).rate()
+                    Jet::constant(2.0) * n / (n - Jet::constant(2.0))
                 };
-                let sign = stated.pick(-1.0, 1.0);
-                let holds = (1..=1000).all(|k| sign * slope(2.0 + f64::from(k) / 10.0) > 0.0);
+                let holds = (1..=1000).all(|k| {
+                    let slots = 2.0 + f64::from(k) / 10.0;
+                    let of = pins(slots);
+                    of.rate() < 0.0 && stated.pick(true, agrees(of.rate(), -of.value() / slots))
+                });
                 Finding::new(
                     holds,
-                    format!("dm/dn is {:.2} for three slots and {:.4} for twenty", slope(3.0), slope(20.0)),
+                    format!("dm/dn is {:.2} for three slots and {:.4} for twenty", pins(3.0).rate(), pins(20.0).rate()),
                 )
             })
-            .but_not("m increases"),
+            .but_not("m decreases in inverse proportion"),
         REMARK
             .statement("meyer.two-pins", "2", "after three pins come two, for slots without end")
             .by(ExactIdentity, |stated| {
-                let Finding { holds, how } = prove(&PinsAndSlots::NeverTwo).into();
+                let Finding { holds, how, .. } = prove(&PinsAndSlots::NeverTwo).into();
                 let above = [1_000, 1_000_000, 1_000_000_000].map(|n| {
                     pins_needed(n)
                         .map_or(f64::NAN, |pins| (pins - whole(stated.pick(stated.count(), 1))).to_f64().value())
@@ -194,25 +199,22 @@ fn remarks() -> Vec<Claim> {
             .by(ExactIdentity, |stated| {
                 let along: fn(&HandOver) -> bool =
                     |at| [&at.leaving, &at.entering].iter().all(|pin| is_zero(&pin.beside) && is_zero(&pin.across));
-                let across: fn(&HandOver) -> bool =
-                    |at| [&at.leaving, &at.entering].iter().all(|pin| is_zero(&pin.beside) && is_zero(&pin.outward));
-                exactly(stated.pick(along, across), "place and velocity of both pins are on that line")
+                let found = exactly(along, "place and velocity of both pins are on that line");
+                Finding::new(found.holds && stated.pick(true, all_rest_with_a_slot_more()), found.how)
             })
             .by(Vectors, |stated| {
                 let parts = Mechanism::ALL.into_iter().flat_map(|at| {
-                    let drawn = Drawn::new(at.pins(), at.slots());
+                    let drawn = Drawn::new(at.pins(), at.slots() + stated.pick(0, 1));
                     [drawn.half(), -drawn.half()].map(|end| {
                         // A step of the pin along its path, by its places alone.
                         let step = 1e-6;
                         let (here, there) = (drawn.place(end), drawn.place(end + step));
-                        let line = here.normalize();
-                        let off = stated.pick(line.perp(&(there - here)), line.dot(&(there - here)));
-                        off / step
+                        here.normalize().perp(&(there - here)) / step
                     })
                 });
                 every(parts, |part| part.abs() < 1e-5, "part of a small step of the pin that is off that line")
             })
-            .but_not("the path crosses the centre line at right angles"),
+            .but_not("so it does if the follower has a slot more"),
     ]
 }
 

@@ -19,12 +19,10 @@ pub fn six() -> Claim {
             "six parameters",
             "the equation of motion with its geometry has six parameters",
         )
-        .by(RungeKutta, |stated| count_that_matter(stated.pick(stated.count() as usize, 7), &Quantity::ALL))
-        .by(Dimension, |stated| count_that_may_enter(stated.pick(stated.count() as usize, 7), &Quantity::ALL))
-        .but_not("seven parameters, the radius of the pins' circle one of them")
-        .read_as(
-            "A parameter: a quantity that stands on the program's card and changes the motion if it alone is changed.",
-        )
+        .by(RungeKutta, |stated| count_that_matter(stated, &Quantity::ALL))
+        .by(Dimension, |stated| count_that_may_enter(stated, &Quantity::ALL))
+        .but_not("six, of which no two can be put into one")
+        .read_as(PARAMETER)
 }
 
 /// The claims of the paragraph after the list.
@@ -61,19 +59,17 @@ pub fn after_the_list() -> Vec<Claim> {
                 "four parameters",
                 "for each of the three mechanisms four parameters are left: friction, torque and two inertias",
             )
-            .by(RungeKutta, |stated| {
-                count_that_matter(stated.pick(stated.count() as usize, 5), &Quantity::OF_A_MECHANISM)
-            })
-            .by(Dimension, |stated| {
-                count_that_may_enter(stated.pick(stated.count() as usize, 5), &Quantity::OF_A_MECHANISM)
-            })
-            .but_not("five parameters, the radius of the pins' circle one of them")
+            .by(RungeKutta, |stated| count_that_matter(stated, &Quantity::OF_A_MECHANISM))
+            .by(Dimension, |stated| count_that_may_enter(stated, &Quantity::OF_A_MECHANISM))
+            .but_not("four, of which no two can be put into one")
             .read_as(PARAMETER),
     ]
 }
 
 /// What a parameter is.
-const PARAMETER: &str = "A parameter: a quantity that changes the motion if it alone is changed.";
+const PARAMETER: &str = "A parameter: a quantity that the program is given and that changes the motion if it alone is \
+                         changed. (The torque and the inertias count by their ratios only, so that two numbers would do \
+                         for these three.)";
 
 /// A quantity that the motion might depend on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -105,36 +101,51 @@ impl Quantity {
     }
 }
 
-/// Whether so many of the quantities change the motion if each alone is changed: the speed at the end of an engagement
-/// from rest, by Newton's laws, in steps; for each of the three mechanisms.
-fn count_that_matter(said: usize, quantities: &[Quantity]) -> Finding {
-    let changing = |at: &Mechanism| {
-        let speed = |changed: Option<Quantity>| {
-            let times = |quantity| if changed == Some(quantity) { 1.02 } else { 1.0 };
-            let slots = f64::from(at.slots()) * times(Quantity::Slots);
-            let radius = 1.5 * times(Quantity::Radius);
-            let pair = Newton {
-                radius,
-                distance: radius / libm::sin(PI / slots),
-                friction: 0.25 * times(Quantity::Friction),
-                driver: 0.75 * times(Quantity::Driver),
-                follower: 1.25 * times(Quantity::Follower),
-            };
-            let half = at.engagement_half_angle() * times(Quantity::EntryAngle);
-            let torque = 0.5 * times(Quantity::Torque);
-            pair.engagement(half, 0.0, &|_| torque, 200).map_or(f64::NAN, |passage| passage.end)
+/// Whether so many of the quantities change the motion if each alone is changed, or change it each in a way of its own: the
+/// speeds at the end of engagements that begin with five speeds, and how long they take, by Newton's laws, in steps; for
+/// each of the three mechanisms.
+fn count_that_matter(stated: Stated, quantities: &[Quantity]) -> Finding {
+    const STEP: f64 = 1e-3;
+    let motion = |at: &Mechanism, changed: Quantity, by: f64| {
+        let times = |quantity| if changed == quantity { 1.0 + by } else { 1.0 };
+        let slots = f64::from(at.slots()) * times(Quantity::Slots);
+        let radius = 1.5 * times(Quantity::Radius);
+        let pair = Newton {
+            radius,
+            distance: radius / libm::sin(PI / slots),
+            friction: 0.25 * times(Quantity::Friction),
+            driver: 0.75 * times(Quantity::Driver),
+            follower: 1.25 * times(Quantity::Follower),
         };
-        let changes = |quantity: &&Quantity| !(speed(Some(**quantity)) / speed(None) - 1.0).abs().le(&1e-9);
-        quantities.iter().filter(changes).copied().collect::<Vec<_>>()
+        let half = at.engagement_half_angle() * times(Quantity::EntryAngle);
+        let torque = 0.5 * times(Quantity::Torque);
+        let passages = [0.0, 0.25, 0.5, 1.0, 2.0].map(|entry| pair.engagement(half, entry, &|_| torque, 100));
+        passages
+            .into_iter()
+            .flat_map(|of| of.map_or([f64::NAN; 2], |passage| [passage.end, passage.duration]))
+            .collect()
     };
-    let found: Vec<_> = Mechanism::ALL.iter().map(changing).collect();
-    let holds = found.len() == 3 && found.iter().all(|changing| changing.len() == said);
-    Finding::new(holds, format!("of {quantities:?} these change an engagement: {:?}", found[0]))
+    let counted = |at: &Mechanism| {
+        let changes = |quantity: &Quantity| -> Vec<f64> {
+            let [more, less]: [Vec<f64>; 2] = [STEP, -STEP].map(|by| motion(at, *quantity, by));
+            more.iter().zip(&less).map(|(more, less)| libm::log(more / less) / (2.0 * STEP)).collect()
+        };
+        let columns: Vec<Vec<f64>> = quantities.iter().map(changes).collect();
+        let alone = columns.iter().filter(|column| column.iter().any(|change| change.abs() > 1e-6)).count();
+        let matrix = nalgebra::DMatrix::from_fn(columns[0].len(), columns.len(), |row, column| columns[column][row]);
+        stated.pick(alone, matrix.rank(1e-4))
+    };
+    let found = Mechanism::ALL.map(|at| counted(&at));
+    Finding::new(
+        found.iter().all(|count| *count == stated.count() as usize),
+        format!("of {quantities:?} so many change an engagement, for each mechanism: {found:?}"),
+    )
 }
 
 /// Whether so many of the quantities may enter a relation with speeds and accelerations of angles, by their dimensions:
-/// those without which the matrix of exponents has the same rank.
-fn count_that_may_enter(said: usize, quantities: &[Quantity]) -> Finding {
+/// those without which the matrix of exponents has the same rank. Or whether so many products of them may, whose unit is a
+/// power of the time.
+fn count_that_may_enter(stated: Stated, quantities: &[Quantity]) -> Finding {
     let motion = [Exponents::ANGULAR_SPEED, Exponents::ANGULAR_ACCELERATION];
     let rank_without = |left_out: Option<Quantity>| {
         let kept =
@@ -142,10 +153,13 @@ fn count_that_may_enter(said: usize, quantities: &[Quantity]) -> Finding {
         rank(&kept.chain(motion).collect::<Vec<_>>())
     };
     let full = rank_without(None);
-    let entering: Vec<_> = quantities.iter().filter(|quantity| rank_without(Some(**quantity)) == full).collect();
+    let entering: Vec<_> =
+        quantities.iter().copied().filter(|quantity| rank_without(Some(*quantity)) == full).collect();
+    let timeless = |quantity: &Quantity| Exponents { time: 0, ..quantity.dimension() };
+    let products = entering.len() - rank(&entering.iter().map(timeless).collect::<Vec<_>>());
     Finding::new(
-        entering.len() == said,
-        format!("rank {full}; in a product without unit, of {quantities:?} there may be {entering:?}"),
+        stated.pick(entering.len(), products) == stated.count() as usize,
+        format!("rank {full}; of {quantities:?} there may be {entering:?}, in {products} products"),
     )
 }
 

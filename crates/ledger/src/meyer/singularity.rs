@@ -1,22 +1,24 @@
 //! Why a denominator is never zero, and what that does not say: the text between Eqs. (1-18) and (1-19).
+//!
+//! A *singularity* has one meaning here, that of the paragraph: a place where something that the equation, as it is
+//! written, divides by is zero, so that the equation would not be valid. Solved for the acceleration it divides by more.
 
 use super::instants::moments;
 use super::reading::{Letters, Moment};
-use super::slips::NO_SINGULARITY;
 use super::*;
-use geneva_dynamics::existence::critical_friction;
+use geneva_dynamics::existence::least_margin;
 use geneva_dynamics::singularity::{AtOne, BoundAsSquare, SingularAngle};
 use geneva_dynamics::{Coefficients, Pose};
 use geneva_kinematics::Mechanism;
 use geneva_kinematics::escapement::pins_needed;
 use nalgebra::Complex;
-use std::sync::{LazyLock, OnceLock};
 
-const FLAW: &str = "Line after Eq. (1-18)";
+const FLAW: Place = at("Line after Eq. (1-18)");
 const END: Place = at("Paragraph before the substitutions of Eq. (1-19)");
-/// Driver's inertia over the follower's, for the question how much friction there can be: a light driver, and like
-/// discs.
-const INERTIA_RATIOS: [f64; 2] = [0.1, 1.0];
+/// What the word means in the paragraph.
+const SINGULARITY: &str = "A singularity as the paragraph has it: a place where something that Eq. (1-18), as it is \
+                           written, divides by is zero, so that the equation would not be valid there. That it has one \
+                           solution for the acceleration is more, and is not said.";
 
 pub fn claims() -> Vec<Claim> {
     [quantity(), bounds(), slots()].concat()
@@ -24,13 +26,53 @@ pub fn claims() -> Vec<Claim> {
 
 fn quantity() -> Vec<Claim> {
     vec![
-        no_other_flaw(
+        FLAW.statement(
             "meyer.possible-flaw",
-            FLAW,
-            "the equation of motion has one possible flaw, the denominator that is looked at",
             "one possible flaw",
-            "two possible flaws, of which the other is A ≤ |D|",
-        ),
+            "the equation of motion, as it is written, divides by one thing that could be zero",
+        )
+        .by(OtherPlaceInSource, |stated| {
+            let solved = stated.pick(None, Some("meyer.app-b.solved"));
+            let displays = ["meyer.eq-1-18.first-line", "meyer.eq-1-18.second-line"].into_iter().chain(solved);
+            let found: Option<Vec<_>> = displays.map(|id| divisors(super::named(id).right_characters())).collect();
+            let Some(found) = found else { return Finding::new(false, "a denominator cannot be read") };
+            // All powers of the pin's distance are one thing.
+            let [powers, others] = [true, false].map(|of| found.iter().flatten().filter(|power| **power == of).count());
+            Finding::new(
+                (usize::from(powers > 0) + others) as u32 == stated.count(),
+                format!(
+                    "of the denominators that are not constant {powers} are powers of the pin's distance, {others} are not"
+                ),
+            )
+        })
+        .by(Vectors, |stated| {
+            let places = ratios().filter(|ratio| *ratio >= 1.0).flat_map(|ratio| {
+                (-36..=36).map(move |k| PinKinematics::driven(ratio, f64::from(k) * PI / 36.0, (1.0, 0.0)))
+            });
+            let (mut at_the_axis, mut elsewhere) = (false, false);
+            for seen in places {
+                // By Newton's laws: what multiplies θ'' and θ'², and friction on either flank.
+                let [with_gain, with_square] = [seen.turning(), seen.turning_rate()];
+                let arm = seen.place.normalize().dot(&seen.velocity) / seen.radius();
+                let factors = [with_gain * with_gain, with_gain * with_square, with_gain * arm, with_square * arm];
+                if seen.radius() < 1e-6 {
+                    at_the_axis = true;
+                } else {
+                    elsewhere |= factors.iter().any(|factor| !factor.is_finite());
+                    // Solved, with the least inertia of the driver: a divisor that passes through zero.
+                    let least = inertia_ratios().map(|(_, ratio)| ratio).fold(f64::INFINITY, f64::min);
+                    let margin = least + factors[0] - factors[2].abs();
+                    elsewhere |= stated.pick(false, margin <= 0.0);
+                }
+            }
+            let found = u32::from(at_the_axis) + u32::from(elsewhere);
+            Finding::new(
+                found == stated.count(),
+                format!("the terms grow without bound where the pin is on the follower's axis; elsewhere: {elsewhere}"),
+            )
+        })
+        .but_not("solved for the acceleration it divides by nothing else that could be zero, either")
+        .read_as(SINGULARITY),
         at("Display after Eq. (1-18)")
             .statement(
                 "meyer.singularity.quantity",
@@ -103,7 +145,7 @@ fn bounds() -> Vec<Claim> {
                 let square = characters("meyer.singularity.square");
                 let found: Vec<f64> = ratios().filter(|ratio| allows(square, *ratio) == Some(true)).collect();
                 Finding::new(
-                    found == [stated.pick(stated.number(), 2.0)],
+                    found == [stated.pick(stated.number(), NEXT_RATIO)],
                     format!("the last inequality holds for {found:?}"),
                 )
             })
@@ -115,11 +157,11 @@ fn bounds() -> Vec<Claim> {
                 };
                 let found: Vec<f64> = ratios().filter(|ratio| vanishes(nearest(ratio))).collect();
                 Finding::new(
-                    found == [stated.pick(stated.number(), 2.0)],
+                    found == [stated.pick(stated.number(), NEXT_RATIO)],
                     format!("of 80 distances of the axes the pin comes onto the follower's axis at {found:?}"),
                 )
             })
-            .but_not("only the ratio two"),
+            .but_not("only the next greater ratio that was tried, seventeen sixteenths"),
     ]
 }
 
@@ -161,13 +203,13 @@ fn slots() -> Vec<Claim> {
         END.statement("meyer.singularity.ruled-out", "previously ruled out", "two slots are ruled out by Eq. (1-3)")
             .by(ClosedForm, |stated| {
                 let right = right_side("meyer.eq-1-3");
-                let letters = [named(("n", stated.pick(2.0, 4.0)))].into();
+                let letters = [named(("n", stated.pick(2.0, 3.0)))].into();
                 let pins = reading::value(right, &letters);
                 let ruled_out = !(pins.is_finite() && pins >= 1.0 && agrees(pins, pins.round()));
                 Finding::new(ruled_out, format!("Eq. (1-3), read and evaluated, gives {pins} pins"))
             })
             .by(LimitCase, |stated| {
-                let slots = stated.pick(2, 4);
+                let slots = stated.pick(2, 3);
                 let fits = |pins: &u32| vanishes(PI / f64::from(*pins) + PI / f64::from(slots) - PI / 2.0);
                 let found = (1..=1000).find(fits);
                 Finding::new(
@@ -175,78 +217,96 @@ fn slots() -> Vec<Claim> {
                     format!("of 1 to 1000 pins the angles at the hand-over make a right angle for {found:?}"),
                 )
             })
-            .but_not("four slots are"),
+            .but_not("three slots are"),
         END.statement(
             "meyer.singularity.conclusion",
             "contains no singularities",
-            "the quantity that Eq. (1-18) divides by is zero nowhere",
+            "what Eq. (1-18) divides by is zero nowhere in the three mechanisms",
         )
         .by(ClosedForm, |stated| {
             let of = |ratio: f64, angle: f64| 1.0 + ratio * ratio - 2.0 * ratio * libm::cos(angle);
-            let least = Mechanism::ALL.map(|mechanism| {
-                let ratio = stated.pick(mechanism.centre_distance_ratio(), 1.0);
-                (-180..=180).map(|k| of(ratio, f64::from(k) * PI / 180.0)).fold(f64::INFINITY, f64::min)
+            let least = inertia_ratios().map(|(mechanism, inertia)| {
+                let ratio = mechanism.centre_distance_ratio();
+                let as_written =
+                    (-180..=180).map(|k| of(ratio, f64::from(k) * PI / 180.0)).fold(f64::INFINITY, f64::min);
+                let solved = least_margin(mechanism, inertia, MUCH_FRICTION).map_or(f64::NAN, |least| least.margin);
+                stated.pick(as_written, solved)
             });
-            Finding::new(
-                least.iter().all(|least| !vanishes(*least)),
-                format!("its least values for three, four and six slots are {least:.3?}"),
-            )
+            let least: Vec<f64> = least.collect();
+            Finding::new(least.iter().all(|least| *least > 0.0), format!("its least values are {least:.3?}"))
         })
         .by(Vectors, |stated| {
             let nearest = Mechanism::ALL.map(|mechanism| {
-                let axis = Vector2::new(stated.pick(mechanism.centre_distance_ratio(), 1.0), 0.0);
+                let axis = Vector2::new(mechanism.centre_distance_ratio(), 0.0);
                 let place = |k: u32| Turn::from_radians(2.0 * PI * f64::from(k) / 720.0).direction();
                 (0..720).map(|k| (place(k) - axis).norm()).fold(f64::INFINITY, f64::min)
             });
+            // Whether the driver feels an inertia above zero on either flank of the slot, all over the engagements.
+            let positive = inertia_ratios().all(|(mechanism, inertia)| {
+                (-99..=99).all(|k| {
+                    let angle = mechanism.engagement_half_angle() * f64::from(k) / 100.0;
+                    let seen = PinKinematics::driven(mechanism.centre_distance_ratio(), angle, (1.0, 0.0));
+                    let (turning, sliding) = (seen.turning(), seen.place.normalize().dot(&seen.velocity));
+                    let friction = MUCH_FRICTION * turning * sliding / seen.radius();
+                    inertia + turning * turning > friction.abs()
+                })
+            });
             Finding::new(
-                nearest.iter().all(|distance| !vanishes(*distance)),
+                nearest.iter().all(|distance| !vanishes(*distance)) && stated.pick(true, positive),
                 format!("a pin comes as near to the follower's axis as {nearest:.3?} radii"),
             )
         })
-        .but_not("it is zero nowhere with the axes one radius of the pins apart, either")
-        .read_as("A singularity as the paragraph has it: a zero of what is divided by."),
+        .but_not("solved for the acceleration, it divides by nothing that is zero anywhere, whatever the friction")
+        .read_as(SINGULARITY),
     ]
 }
 
-/// The place that has the equation of motion without a flaw but for one denominator.
-fn no_other_flaw(
-    id: &'static str,
-    locator: &'static str,
-    meaning: &'static str,
-    printed: &'static str,
-    corrected: &'static str,
-) -> Claim {
-    at(locator)
-        .statement(id, printed, meaning)
-        .by(ClosedForm, |stated| {
-            // From rest, each sign of the friction tried out: which frictions leave one acceleration at all angles.
-            static SINGLE: OnceLock<Vec<Vec<bool>>> = OnceLock::new();
-            let limit = |mechanism: Mechanism, inertia: f64| {
-                let quotients =
-                    angles(mechanism).map(|at| factors(mechanism, inertia, at, 1.0)).map(|c| c.a / c.d.abs());
-                quotients.fold(f64::INFINITY, f64::min)
-            };
-            let holds = below(SINGLE.get_or_init(|| single(consistent_signs)), |mechanism, inertia| {
-                stated.pick(limit(mechanism, inertia), f64::INFINITY)
-            });
-            let bound = stated.pick("those below the least A/|D| of a friction of one", "all");
-            Finding::new(
-                holds,
-                format!("of 40 frictions {bound} leave one acceleration from rest at each of 100 angles"),
-            )
+/// More than the critical friction of each mechanism with the inertias of its runs.
+const MUCH_FRICTION: f64 = 1.0;
+
+/// The three mechanisms, each with the driver's inertia over the follower's in its runs.
+pub fn inertia_ratios() -> impl Iterator<Item = (Mechanism, f64)> {
+    let ids = |pins: u32| match pins {
+        3 => ["meyer.app-e.3-pin.driver", "meyer.app-e.3-pin.follower"],
+        4 => ["meyer.app-e.4-pin.driver", "meyer.app-e.4-pin.follower"],
+        _ => ["meyer.fig-11.driver", "meyer.fig-11.follower"],
+    };
+    Mechanism::ALL.into_iter().map(move |mechanism| {
+        let [driver, follower] = ids(mechanism.pins()).map(printed);
+        (mechanism, driver / follower)
+    })
+}
+
+/// For each denominator of a display that is not constant, whether it is a power of the square of the pin's distance; none
+/// if one cannot be read.
+fn divisors(display: &str) -> Option<Vec<bool>> {
+    let pieces = reading::pieces(display);
+    // Where the group in braces ends that begins at a piece.
+    let end = |start: usize| {
+        let mut depth = 0;
+        (start..pieces.len()).find(|at| {
+            depth += i32::from(pieces[*at].text == "{") - i32::from(pieces[*at].text == "}");
+            depth == 0
         })
-        .by(LimitCase, |stated| {
-            // The left side of Eq. (1-19) over the acceleration: how often it passes E.
-            static SINGLE: OnceLock<Vec<Vec<bool>>> = OnceLock::new();
-            let critical = |mechanism: Mechanism, inertia: f64| {
-                critical_friction(mechanism, inertia).map_or(f64::NAN, |critical| critical.friction)
-            };
-            let holds = below(SINGLE.get_or_init(|| single(passages)), |mechanism, inertia| {
-                stated.pick(critical(mechanism, inertia), f64::INFINITY)
-            });
-            Finding::new(holds, "how often the left side passes E was counted along 800 accelerations at 100 angles")
-        })
-        .corrected(corrected, NO_SINGULARITY)
+    };
+    let mut found = Vec::new();
+    for at in (0..pieces.len()).filter(|at| pieces[*at].text == r"\frac") {
+        let start = end(at + 1)? + 1;
+        let below = display.get(pieces.get(start)?.start..pieces[end(start)?].end)?;
+        let values: Vec<[f64; 2]> = moments()
+            .iter()
+            .map(|moment| [reading::value(below, moment.letters()), instants::letters_of(moment)("square")])
+            .collect();
+        if values.iter().flatten().any(|value| !value.is_finite()) {
+            return None;
+        }
+        let is_power =
+            |power: i32| values.iter().all(|[value, square]| agrees(*value, libm::pow(*square, power.into())));
+        if values.iter().any(|[value, _]| !agrees(*value, values[0][0])) {
+            found.push((1..=4).any(is_power));
+        }
+    }
+    Some(found)
 }
 
 /// One of the four inequalities; all are one statement.
@@ -257,6 +317,9 @@ fn bound(id: &'static str, locator: &'static str, meaning: &'static str, printed
 fn named((name, value): (&str, f64)) -> (String, f64) {
     (name.to_owned(), value)
 }
+
+/// The least of these ratios that is greater than one.
+const NEXT_RATIO: f64 = 1.0625;
 
 /// Ratios of the axes' distance to the pins' radius, from 1/16 to 5.
 fn ratios() -> impl Iterator<Item = f64> {
@@ -313,57 +376,4 @@ fn only_for_two(display: &str) -> Option<bool> {
 fn factors(mechanism: Mechanism, inertia: f64, angle: f64, friction: f64) -> Coefficients<f64> {
     let pose = Pose::new(&mechanism.centre_distance_ratio(), &Turn::from_radians(angle));
     Coefficients::of_pose(&pose, &inertia, &friction, &1.0)
-}
-
-fn angles(mechanism: Mechanism) -> impl Iterator<Item = f64> {
-    (0..100).map(move |k| mechanism.engagement_half_angle() * f64::from(k) / 100.0)
-}
-
-/// Frictions from below any limit to above it.
-fn frictions() -> impl Iterator<Item = f64> {
-    (1..=40).map(|k| f64::from(k) * 0.153)
-}
-
-/// Each mechanism with each ratio of the inertias.
-fn mechanisms() -> impl Iterator<Item = (Mechanism, f64)> {
-    Mechanism::ALL.into_iter().flat_map(|mechanism| INERTIA_RATIOS.map(|inertia| (mechanism, inertia)))
-}
-
-/// For each of them and each friction, whether a way of counting the accelerations from rest finds one at all angles.
-fn single(count: fn(&Coefficients<f64>) -> usize) -> Vec<Vec<bool>> {
-    let of = |(mechanism, inertia): (Mechanism, f64)| {
-        let one = |friction: f64| angles(mechanism).all(|at| count(&factors(mechanism, inertia, at, friction)) == 1);
-        frictions().map(one).collect()
-    };
-    mechanisms().map(of).collect()
-}
-
-/// Whether there is a single acceleration below this friction of a mechanism and not above it.
-fn below(single: &[Vec<bool>], bound: impl Fn(Mechanism, f64) -> f64) -> bool {
-    mechanisms().zip(single).all(|((mechanism, inertia), single)| {
-        let bound = bound(mechanism, inertia);
-        frictions().zip(single).all(|(friction, single)| *single == (friction < bound))
-    })
-}
-
-/// How many accelerations from rest obey the equation with the sign that their own friction has.
-fn consistent_signs(c: &Coefficients<f64>) -> usize {
-    let obeys = |sign: f64| {
-        let angular_acceleration = c.e / (c.a + sign * c.d);
-        sign * c.d * angular_acceleration > 0.0
-    };
-    if c.d == 0.0 { 1 } else { [1.0, -1.0].iter().filter(|sign| obeys(**sign)).count() }
-}
-
-/// How often the left side of the equation from rest passes E, along accelerations of either sign from 10⁻⁸ to 10⁸.
-fn passages(c: &Coefficients<f64>) -> usize {
-    let excess = |angular_acceleration: f64| c.a * angular_acceleration + (c.d * angular_acceleration).abs() > c.e;
-    static FORWARDS: LazyLock<Vec<f64>> =
-        LazyLock::new(|| (-200..=200).map(|k| libm::pow(10.0, f64::from(k) / 25.0)).collect());
-    let one_way = |way: f64| {
-        let mut above = FORWARDS.iter().map(|angular_acceleration| excess(way * angular_acceleration));
-        let mut before = above.next();
-        above.filter(|now| before.replace(*now) != Some(*now)).count()
-    };
-    one_way(1.0) + one_way(-1.0)
 }

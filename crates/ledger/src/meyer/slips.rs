@@ -128,17 +128,17 @@ pub const ONE_AS_L: Slip = Slip {
     changes: "",
 };
 
-/// The denominator of Eq. (1-18) is not the only one that may become zero.
-pub const NO_SINGULARITY: Slip = Slip {
-    id: "meyer.possible-flaw",
-    reason: "What is shown is that 1 + a² − 2a cos θ is never zero. But solved for the acceleration the equation is \
-             divided by A + D or A − D, and with enough friction one of them is zero somewhere: from there on no \
-             acceleration fits, or two do. The lighter the driver beside the follower, the less friction this takes.",
-    witness: "Solutions of Eq. (1-19) were counted on either side of the limit.",
+/// The equation with its bars is said to have no solution for the acceleration.
+pub const SOLVED_WITH_BARS: Slip = Slip {
+    id: "meyer.app-b.cannot-be-solved",
+    reason: "Where A > |D|, as in all runs of the thesis, θ'' = [A(E − Bθ'²) + CDθ'² − |ACθ'² + D(E − Bθ'²)|]/(A² − D²): \
+             the left side of the equation then grows with θ'' throughout, and the formula is the solution of whichever \
+             sign the bars have. No sign has to be known, and no acceleration of a moment before.",
+    witness: "With the factors from the mechanism by coordinates and Newton's laws, the formula gives the acceleration of \
+              these laws.",
     origin: Origin::Concept,
     consequence: Consequence::Remark,
-    changes: "The friction has a limit, which depends on the mechanism and on the ratio of the inertias; the thesis \
-              has none.",
+    changes: "The sign S, the old acceleration and the delay line of the program are not needed.",
 };
 
 /// The greatest printed speed is taken for the greatest.

@@ -6,7 +6,7 @@
 
 use super::number::Number;
 use super::tree::Function;
-use super::{Display, Illegible, Moment};
+use super::{Display, Moment};
 use crate::Finding;
 use geneva_kinematics::{Expression, Field, Identity, prove};
 use std::collections::{HashMap, HashSet};
@@ -45,18 +45,21 @@ const VARIABLES: usize = 9;
 /// Proves an equation for both signs of what stands between bars, or refutes it; with it, that what is given for half
 /// powers is their value.
 ///
-/// What cannot be read is neither right nor wrong. Characters and letters stand in the ledger's own text: a display that
-/// its letters do not suffice for is a mistake there, which must not pass for a slip of the source.
+/// What cannot be read or evaluated is neither right nor wrong: characters that make no formula, a name that stands for
+/// nothing, a division by zero. It must not pass for a slip of the source, so the finding says that it was not evaluated.
 pub fn decide(tex: &str, letters: Exact) -> Finding {
     let (mut parts, mut conditions) = (Vec::new(), Vec::new());
     for moment in [1, -1].map(letters) {
-        let display = Display::read_line(tex).and_then(|display| display.differences(&moment));
-        parts.extend(display.unwrap_or_else(|illegible: Illegible| panic!("{tex}: {illegible}")));
+        match Display::read_line(tex).and_then(|display| display.differences(&moment)) {
+            Ok(differences) => parts.extend(differences),
+            Err(illegible) => return Finding::not_evaluated(illegible.to_string()),
+        }
         conditions.extend(moment.conditions());
     }
     let findings: Vec<Finding> = without_repetition(parts).map(zero).collect();
     let given = || without_repetition(conditions).map(zero);
-    let refuted = findings.iter().find(|finding| !finding.holds).cloned();
+    let not_evaluated = findings.iter().find(|finding| !finding.evaluated);
+    let refuted = not_evaluated.or_else(|| findings.iter().find(|finding| !finding.holds)).cloned();
     refuted.or_else(|| given().find(|finding: &Finding| !finding.holds)).unwrap_or_else(|| {
         let how: Vec<_> = findings.into_iter().map(|finding| finding.how).collect();
         Finding::new(true, how.join("; "))

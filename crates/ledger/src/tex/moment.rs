@@ -186,8 +186,10 @@ impl<N: Number> Moment<N> {
         }
         match node {
             Node::Number(digits, places) => {
+                let unit =
+                    10_i64.checked_pow(*places).ok_or_else(|| Illegible(format!("{places} places of a number")))?;
                 let number = N::integer(*digits);
-                Ok(Value::Number(if *places == 0 { number } else { number / N::integer(10i64.pow(*places)) }))
+                Ok(Value::Number(if *places == 0 { number } else { number / N::integer(unit) }))
             }
             Node::Name(name) => self.of_name(name),
             Node::Of(Function::Rate(by), of) => match &**of {

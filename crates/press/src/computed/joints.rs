@@ -17,6 +17,10 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("joints.pin.most", || Ok(per_cent(most(&with(pin())?)))),
     ("joints.journals.least", || Ok(fixed(100.0 * least(&slower()?), 0))),
     ("joints.journals.most", || Ok(per_cent(most(&slower()?)))),
+    ("joints.friction", || Ok(parameters(weakest(comparable(Mechanism::FOUR_PIN))?)?.friction().to_string())),
+    ("joints.driver-over-follower.4", || driver_over_follower(Mechanism::FOUR_PIN)),
+    ("joints.driver-over-follower.3", || driver_over_follower(Mechanism::THREE_PIN)),
+    ("joints.driver-over-follower.6", || driver_over_follower(Mechanism::SIX_PIN)),
     ("joints.both", || Ok(per_cent(most(&with(both())?.map(f64::abs))))),
 ];
 
@@ -49,4 +53,15 @@ fn with(joints: Joints) -> anyhow::Result<[f64; 3]> {
         *change = found.first().map_or(f64::NAN, |effect| effect.mean_speed - 1.0);
     }
     Ok(changes)
+}
+
+/// How many times as much of the mean speed the driver's journal takes as the follower's, alone.
+fn driver_over_follower(mechanism: Mechanism) -> anyhow::Result<String> {
+    let alone = [
+        Joints { driver_journal: JOURNALS.0, bearing_friction: JOURNALS.1, ..Joints::IDEAL },
+        Joints { follower_journal: JOURNALS.0, bearing_friction: JOURNALS.1, ..Joints::IDEAL },
+    ];
+    let found = effects(&parameters(weakest(comparable(mechanism))?)?, alone.map(|joints| (0.0, joints)))?;
+    let lost: Vec<f64> = found.iter().map(|effect| 1.0 - effect.mean_speed).collect();
+    Ok(fixed(lost.first().zip(lost.get(1)).map_or(f64::NAN, |(driver, follower)| driver / follower), 1))
 }

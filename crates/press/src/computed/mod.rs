@@ -6,6 +6,7 @@ mod jazar;
 mod joints;
 pub mod making;
 mod mimic;
+mod mistake;
 mod never_printed;
 mod pin;
 mod program;
@@ -29,6 +30,7 @@ const ALL: &[&[(&str, Number)]] = &[
     joints::NUMBERS,
     making::NUMBERS,
     mimic::NUMBERS,
+    mistake::NUMBERS,
     never_printed::NUMBERS,
     pin::NUMBERS,
     program::NUMBERS,

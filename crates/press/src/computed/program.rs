@@ -24,6 +24,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("program.no-delay.minima", || without_delay(Column::Minimum)),
     ("program.no-delay.periods", || without_delay(Column::Period)),
     ("program.no-delay.peaks", || without_delay(Column::Peak)),
+    ("program.long-steps", long_steps),
     ("program.backwards-after", || Ok(super::degrees(turned_when_backwards(&deck::as_listed())?))),
     ("program.three-at-the-reset", || Ok(format!("{:.2}", ratio_at_the_reset(Mechanism::THREE_PIN)))),
     ("program.six-at-the-reset", || Ok(format!("{:.2}", -ratio_at_the_reset(Mechanism::SIX_PIN)))),
@@ -35,6 +36,18 @@ const OLD_ACCELERATION: &str = "TDL(ACCEL,DT/10.,100.)";
 /// The escapement's deck as it stands.
 fn own() -> anyhow::Result<Program> {
     Ok(Program::new(&deck::deck(&[]).context("there is no such deck")?)?)
+}
+
+/// What part of the steps is longer than the delay, from the least to the greatest of all runs of the deck with the
+/// thesis's numbers, in per cent.
+fn long_steps() -> anyhow::Result<String> {
+    let program = Program::new(&deck::deck(&deck::as_listed()).context("the deck has no such name")?)?;
+    let parts = rows().iter().map(|row| {
+        let run = program.run(&deck::data(&program, row), &Choices::default())?;
+        Ok(100.0 * run.longer_than_delay as f64 / run.work.accepted as f64)
+    });
+    let parts = parts.collect::<anyhow::Result<Vec<f64>>>()?;
+    Ok(format!("{:.0} to {:.0}&nbsp;%", super::least(&parts), super::most(&parts)))
 }
 
 /// The names in the circle that the deck has without its delay.

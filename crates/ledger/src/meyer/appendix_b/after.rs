@@ -2,7 +2,7 @@
 
 use super::contact::{SMALL_TIME, in_force, listed};
 use super::example::first_derivative;
-use super::listing::long_enough;
+use super::print_out::last_line;
 use super::program;
 use super::reset::reset;
 use super::*;
@@ -300,11 +300,18 @@ fn end() -> Vec<Claim> {
             .by(OtherPlaceInSource, |stated| {
                 let listed = printed("meyer.listing.run-length");
                 Finding::new(
-                    stated.number() * stated.pick(1.0, 0.5) == listed,
+                    agrees(stated.number() + stated.pick(0.0, interval()), listed),
                     format!("the program ends at {listed} s"),
                 )
             })
-            .by(OtherPlaceInSource, |stated| long_enough(stated.number() * stated.pick(1.0, 0.5)))
-            .but_not("it ends at half of that"),
+            .by(Evidence::Program, |stated| {
+                let end = last_line(duration()).unwrap_or(f64::NAN);
+                let said = stated.number() + stated.pick(0.0, interval());
+                Finding::new(
+                    (end - said).abs() < 1e-9,
+                    format!("the last line of the program's first run is that of {end:.4} s"),
+                )
+            })
+            .but_not("it ends a printed line later"),
     ]
 }

@@ -1,5 +1,6 @@
 //! The demonstration: a vibration with damping, and the name of its first derivative.
 
+use super::program::as_formula;
 use super::*;
 use crate::meyer::letters;
 use crate::meyer::reading::{self, By, Letters, Moment};
@@ -85,7 +86,7 @@ fn lines() -> Vec<Claim> {
                 let [before, after] = [-STEP, STEP].map(|time| vibration(time)["x'"]);
                 first_acceleration(stated, (after - before) / (2.0 * STEP))
             })
-            .but_not("it comes from them the other way round"),
+            .but_not("it comes from the place alone"),
         first_derivative(
             ("meyer.app-b.method.name", at("Appendix B, paragraph on the steps")),
             "name of the first derivative",
@@ -97,8 +98,8 @@ fn lines() -> Vec<Claim> {
 /// Whether the example's line for the second derivative, put right, gives this number from A and B.
 fn first_acceleration(stated: Stated, right: f64) -> Finding {
     let start = vibration(0.0);
-    let [speed, place] = stated.pick(["x'", "x"], ["x", "x'"]);
-    let letters = [("M", start["m"]), ("C", start["c"]), ("K", start["k"]), ("1DX", start[speed]), ("X", start[place])];
+    let speed = stated.pick(start["x'"], 0.0);
+    let letters = [("M", start["m"]), ("C", start["c"]), ("K", start["k"]), ("1DX", speed), ("X", start["x"])];
     let line = named("meyer.app-b.example.second").right_characters();
     let formula = as_formula(line.split_once('=').map_or("", |(_, formula)| formula));
     let found = reading::value(&formula, &letters.map(|(name, value)| (name.to_owned(), value)).into());
@@ -170,25 +171,6 @@ fn vibrates_from([speed, place]: [&str; 2], line: &str) -> Option<bool> {
     let rate = reading::holds(&format!(r"\frac{{d}}{{dt}} {result} = {of}"), &moments)?;
     let start = reading::holds(&format!("{result} = {from}"), &[Moment::of(letters(0.0))])?;
     Some(rate && start)
-}
-
-/// A line of the program as a formula: its names are words, and its stars are left out.
-fn as_formula(line: &str) -> String {
-    let mut formula = String::new();
-    let mut word = String::new();
-    for c in line.chars().chain([' ']) {
-        if c.is_ascii_alphanumeric() {
-            word.push(c);
-            continue;
-        }
-        let is_name = word.contains(|c: char| c.is_ascii_alphabetic());
-        formula += &if is_name { format!(r"\text{{{word}}}") } else { std::mem::take(&mut word) };
-        word.clear();
-        if c != '*' {
-            formula.push(c);
-        }
-    }
-    formula
 }
 
 /// A display whose second derivative has one dot for two.

@@ -1,13 +1,15 @@
 //! The program line by line: its constants, its factors, and the angle it resets.
 //!
-//! The text of the program is not printed here. What its lines compute is a fact, and [`program`] computes it too.
+//! The text of the program is not printed here. What single cards compute is a fact: the name and the formula of each, as
+//! its card has them, and [`program`] computes it too.
 
 use super::cards::{begins_at_the_rim, begins_in_line};
-use super::contact::{delay_explains, parts_of_the_interval};
-use super::program::{self, SPEED, by_coefficients};
+use super::contact::{LATE, is_late_by, parts_of_the_interval};
+use super::print_out::last_line;
+use super::program::{self, SPEED, as_on_the_card, by_coefficients};
 use super::reset::reset;
 use super::*;
-use crate::meyer::runs::{self, Column};
+use crate::meyer::runs;
 use crate::meyer::spring::no_rate;
 use geneva_kinematics::Mechanism;
 
@@ -35,8 +37,14 @@ fn constants() -> Vec<Claim> {
             .by(ClosedForm, |stated| {
                 let holds = Mechanism::ALL
                     .iter()
-                    .all(|mechanism| vanishes(program::at(*mechanism, start_angle(*mechanism, stated))["H"]));
-                Finding::new(holds, "the line of H, read and evaluated there, is zero: a pin enters along its slot")
+                    .all(|mechanism| {
+                        let start = start_angle(*mechanism, stated);
+                        vanishes(program::at(*mechanism, start)["H"]) && program::at(*mechanism, start + 0.01)["H"] > 0.0
+                    });
+                Finding::new(
+                    holds,
+                    "the line of H, read and evaluated, is zero there and positive behind it: a pin enters along its slot",
+                )
             })
             .by(LimitCase, |stated| {
                 // The reset angle starts at X0 and ends as far on the other side.
@@ -46,7 +54,7 @@ fn constants() -> Vec<Claim> {
                 });
                 Finding::new(holds, "the angle from one pin to the next takes it as far to the other side")
             })
-            .but_not("it is read in degrees"),
+            .but_not("it is positive"),
         PROGRAM
             .value("meyer.listing.pi", "3.1416", "", "half a turn, in the program's ratio of the centre distance")
             .by(ClosedForm, || PI)
@@ -70,12 +78,16 @@ fn constants() -> Vec<Claim> {
             .by(OtherPlaceInSource, |stated| {
                 let told = parts_of_the_interval("meyer.app-b.delay");
                 Finding::new(
-                    told == Some(stated.pick(stated.number(), 1.0)),
+                    told == Some(stated.number() * stated.pick(1.0, 2.0)),
                     format!("the text divides the interval by {}", told.unwrap_or(f64::NAN)),
                 )
             })
-            .by(Evidence::RungeKutta, delay_explains)
-            .but_not("it is that of a whole print interval before"),
+            .by(Evidence::Program, |stated| {
+                let told = parts_of_the_interval("meyer.app-b.delay").unwrap_or(f64::NAN);
+                is_late_by(stated.number() * stated.pick(1.0, 2.0), told)
+            })
+            .but_not("it is that of a twentieth of the interval before")
+            .read_as(LATE),
         PROGRAM.statement("meyer.listing.delay-third", "100.", "the third number of the delay").missing(
             "What the third number of TDL is for is not said anywhere. The tables do not depend on it: they come out alike \
              if a hundred values are kept, and if all are",
@@ -101,27 +113,29 @@ fn constants() -> Vec<Claim> {
         PROGRAM
             .statement("meyer.listing.run-length", ".2", "time at which a run ends, in seconds")
             .by(OtherPlaceInSource, |stated| {
-                let said =
-                    characters("meyer.app-b.run-length").split(' ').next().and_then(|number| number.parse().ok());
-                let same = said == Some(stated.number() * stated.pick(1.0, 0.5));
-                Finding::new(same, format!("the text says {} s", said.unwrap_or(f64::NAN)))
+                let told = told_length();
+                let said = stated.number() + stated.pick(0.0, runs::interval());
+                Finding::new(agrees(told, said), format!("the text says {told} s"))
             })
-            .by(OtherPlaceInSource, |stated| long_enough(stated.number() * stated.pick(1.0, 0.5)))
-            .but_not("it ends at half of that"),
+            .by(Evidence::Program, |stated| {
+                let end = last_line(stated.number() + stated.pick(0.0, runs::interval())).unwrap_or(f64::NAN);
+                Finding::new(
+                    (end - told_length()).abs() < 1e-9,
+                    format!("with it the last line of the program's first run is that of {end:.4} s"),
+                )
+            })
+            .but_not("it ends a printed line later"),
     ]
 }
 
 /// The angle at the start of a run.
 fn start_angle(mechanism: Mechanism, stated: Stated) -> f64 {
-    let radians = -mechanism.engagement_half_angle();
-    stated.pick(radians, radians.to_degrees())
+    mechanism.engagement_half_angle() * stated.pick(-1.0, 1.0)
 }
 
-/// Whether a run of this length, in s, shows what the tables give of it: the rise, and a period after it.
-pub fn long_enough(length: f64) -> Finding {
-    let needed = |row: &runs::Row| row.number(Column::Rise) + row.number(Column::Period);
-    let longest = runs::rows().iter().map(needed).fold(0.0, f64::max);
-    Finding::new(length >= longest, format!("the longest rise of Appendix E and a period after it take {longest:.3} s"))
+/// The length of a run that the text tells, in s.
+fn told_length() -> f64 {
+    characters("meyer.app-b.run-length").split(' ').next().and_then(|number| number.parse().ok()).unwrap_or(f64::NAN)
 }
 
 fn factors() -> Vec<Claim> {
@@ -129,7 +143,7 @@ fn factors() -> Vec<Claim> {
         line(
             "meyer.listing.g",
             "the ratio a, Eq. (1-2); with the printed 3.1416 it is off by less than five millionths",
-            "G",
+            "G 1./SIN(3.1416/N)",
             program::G,
             || {
                 let rounded =
@@ -141,42 +155,46 @@ fn factors() -> Vec<Claim> {
                 Finding::new(near && found.holds, found.how)
             },
         ),
-        line("meyer.listing.h", "a cos θ − 1", "H", program::H, || {
+        line("meyer.listing.h", "a cos θ − 1", "H (G*COS(X))-1.", program::H, || {
             by_coefficients(|lines, at| [(lines["H"], at.pose.numerator)])
         }),
-        line("meyer.listing.i", "a sin θ", "I", program::I, || {
+        line("meyer.listing.i", "a sin θ", "I G*SIN(X)", program::I, || {
             by_coefficients(|lines, at| [(lines["I"], at.pose.cross)])
         }),
-        line("meyer.listing.j", "1 − a²", "J", program::J, || {
+        line("meyer.listing.j", "1 − a²", "J 1.-(G*G)", program::J, || {
             by_coefficients(|lines, at| [(lines["J"], at.pose.shape)])
         }),
-        line("meyer.listing.l", "1 + a² − 2 a cos θ", "L", program::L, || {
+        line("meyer.listing.l", "1 + a² − 2 a cos θ", "L 1.+(G*G)-(2.*G*COS(X))", program::L, || {
             by_coefficients(|lines, at| [(lines["L"], at.pose.square)])
         }),
         line(
             "meyer.listing.a",
             "A, with the driver's inertia above the line and with the square",
-            "A",
+            "A IC/IW+((H*H)/(L*L))",
             program::A,
             || by_coefficients(|lines, at| [(lines["A"], at.coefficients.a)]),
         ),
-        line("meyer.listing.b", "B", "B", program::B, || {
+        line("meyer.listing.b", "B", "B (I*J*H)/(L*L*L)", program::B, || {
             by_coefficients(|lines, at| [(lines["B"], at.coefficients.b)])
         }),
-        line("meyer.listing.c", "C", "C", program::C, || {
+        line("meyer.listing.c", "C", "C (I*I*U*J)/(L*L*L)", program::C, || {
             by_coefficients(|lines, at| [(lines["C"], at.coefficients.c)])
         }),
-        line("meyer.listing.d", "D", "D", program::D, || {
+        line("meyer.listing.d", "D", "D (I*U*H)/(L*L)", program::D, || {
             by_coefficients(|lines, at| [(lines["D"], at.coefficients.d)])
         }),
-        line("meyer.listing.e", "E", "E", program::E, || {
+        line("meyer.listing.e", "E", "E K/IW", program::E, || {
             by_coefficients(|lines, at| [(lines["E"], at.coefficients.e)])
         }),
-        line("meyer.listing.f", "F, with the acceleration of a moment before", "F", program::F, || {
-            by_coefficients(|lines, at| [(lines["F"], at.coefficients.between_the_bars(&SPEED, &at.acceleration))])
-        }),
+        line(
+            "meyer.listing.f",
+            "F, with the acceleration of a moment before",
+            "F (C*1DX*1DX)+(D*OLD2DX)",
+            program::F,
+            || by_coefficients(|lines, at| [(lines["F"], at.coefficients.between_the_bars(&SPEED, &at.acceleration))]),
+        ),
         PROGRAM
-            .formula("meyer.listing.s", "S", "S, by the sign of F; plus one where F is zero")
+            .formula("meyer.listing.s", "S FSW(F,-1.,1.,1.)", "S, by the sign of F; plus one where F is zero")
             .by(ClosedForm, |stated| by_coefficients(|lines, at| [(switched(lines["F"], stated), at.sign.of(1.0))]))
             .by(Vectors, |stated| {
                 equal(
@@ -188,16 +206,18 @@ fn factors() -> Vec<Claim> {
     ]
 }
 
-/// What the line of S picks by the sign of a number, from its values for less than nothing, nothing and more.
+/// What the card of S picks by the sign of a number: one of its three values, for less than nothing, nothing and more.
 fn switched(number: f64, stated: Stated) -> f64 {
-    let [less, nothing, more] = stated.pick([-1.0, 1.0, 1.0], [1.0, -1.0, -1.0]);
-    if number < 0.0 {
+    let values = stated.characters().rsplit(['(', ')', ',']).filter_map(|value| value.trim().parse::<f64>().ok());
+    let [more, nothing, less] = values.collect::<Vec<_>>()[..] else { return f64::NAN };
+    let picked = if number < 0.0 {
         less
     } else if number > 0.0 {
         more
     } else {
         nothing
-    }
+    };
+    stated.pick(picked, -picked)
 }
 
 fn motion() -> Vec<Claim> {
@@ -205,7 +225,7 @@ fn motion() -> Vec<Claim> {
         line(
             "meyer.listing.acceleration",
             "the driver's acceleration, as derived in this appendix",
-            "2DX",
+            "2DX (E-(B+(S*C))*(1DX*1DX))/(A+(S*D))",
             program::ACCELERATION,
             || by_coefficients(|lines, at| [(lines["2DX"], at.acceleration)]),
         ),
@@ -231,12 +251,16 @@ fn motion() -> Vec<Claim> {
             "meyer.listing.fold",
             PROGRAM,
             "the angle in the slot: the driver's angle modulo a quarter of a turn, plus the angle at the start",
-            "MOD",
+            "X (MOD(THETA,1.5708))+X0",
             "the modulus 2π/m: 1.5708 for four pins only, 1.0472 for six and 2.0944 for three",
         ),
-        line("meyer.listing.phidot", "the follower's speed, Eq. (1-7)", "PHIDOT", program::FOLLOWER_SPEED, || {
-            by_coefficients(|lines, at| [(lines["PHIDOT"], at.pose.velocity_ratio() * SPEED)])
-        }),
+        line(
+            "meyer.listing.phidot",
+            "the follower's speed, Eq. (1-7)",
+            "PHIDOT (H*1DX)/L",
+            program::FOLLOWER_SPEED,
+            || by_coefficients(|lines, at| [(lines["PHIDOT"], at.pose.velocity_ratio() * SPEED)]),
+        ),
     ]
 }
 
@@ -253,7 +277,11 @@ fn line(
     said: &'static str,
     first: fn() -> Finding,
 ) -> Claim {
-    PROGRAM.equation(id, printed, meaning).by(ClosedForm, first).read(Vectors, program::holds).saying(said)
+    PROGRAM
+        .equation(id, printed, meaning)
+        .by(ClosedForm, move || as_on_the_card(id, program::holds, first()))
+        .read(Vectors, program::holds)
+        .saying(said)
 }
 
 /// π by Machin's series.

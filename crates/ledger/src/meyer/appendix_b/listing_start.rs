@@ -1,6 +1,6 @@
 //! The program's lines for the start: P, Q, R, V and the first acceleration.
 
-use super::program::{self, by_coefficients};
+use super::program::{self, as_on_the_card, by_coefficients, holds_from_rest};
 use super::*;
 use crate::meyer::letters::start_of_program;
 use crate::meyer::reading::{Letters, decide};
@@ -11,27 +11,37 @@ const PROGRAM: Place = at("Appendix B, program, lines of SMT");
 
 pub fn claims() -> Vec<Claim> {
     vec![
-        line("meyer.listing.p", "P is L at the start", "P", program::P, ClosedForm, || {
+        line("meyer.listing.p", "P is L at the start", "P 1.+(G*G)-(2.*G*COS(X0))", program::P, ClosedForm, || {
             by_coefficients(|lines, at| [(at_the_angle("P", lines), at.pose.square)])
         }),
-        line("meyer.listing.q", "Q is H at the start, which is zero", "Q", program::Q, ClosedForm, || {
-            by_coefficients(|lines, at| [(at_the_angle("Q", lines), at.pose.numerator)])
-        }),
+        line(
+            "meyer.listing.q",
+            "Q is H at the start, which is zero",
+            "Q (G*COS(X0))-1.",
+            program::Q,
+            ClosedForm,
+            || by_coefficients(|lines, at| [(at_the_angle("Q", lines), at.pose.numerator)]),
+        ),
         line(
             "meyer.listing.r",
             "R is A at the start, which is the ratio of the inertias",
-            "R",
+            "R (IC/IW)+((Q*Q)/(P*P))",
             program::R,
             ClosedForm,
             || by_coefficients(|lines, at| [(at_the_angle("R", lines), at.coefficients.a)]),
         ),
-        line("meyer.listing.v", "V is the size of D at the start, which is zero", "V", program::V, ClosedForm, || {
-            by_coefficients(|lines, at| [(at_the_angle("V", lines), at.coefficients.d.abs())])
-        }),
+        line(
+            "meyer.listing.v",
+            "V is the size of D at the start, which is zero",
+            "V ABS((U*G*Q*SIN(X0))/(P*P))",
+            program::V,
+            ClosedForm,
+            || by_coefficients(|lines, at| [(at_the_angle("V", lines), at.coefficients.d.abs())]),
+        ),
         line(
             "meyer.listing.start",
             "the first acceleration; with V = 0 it is the torque over the driver's inertia, whatever the friction",
-            "2DX",
+            "2DX E/(R+V)",
             program::START,
             ExactIdentity,
             || decide(program::START, start_of_program),
@@ -73,7 +83,11 @@ fn line(
     evidence: Evidence,
     first: fn() -> Finding,
 ) -> Claim {
-    PROGRAM.equation(id, printed, meaning).by(evidence, first).read(Vectors, holds_from_rest).saying(said)
+    PROGRAM
+        .equation(id, printed, meaning)
+        .by(evidence, move || as_on_the_card(id, holds_from_rest, first()))
+        .read(Vectors, holds_from_rest)
+        .saying(said)
 }
 
 /// What a line of the start computes if the start is at the angle of the others.

@@ -53,7 +53,14 @@ fn by_program() -> &'static [Option<Vec<Columns>>] {
     RUNS.get_or_init(|| rows().iter().map(run).collect())
 }
 
-/// The same by the solution over the angle.
+/// The time of the last line of the first run by the program, if runs end at this time, in s.
+pub fn last_line(end: f64) -> Option<f64> {
+    let integrator = geneva_mimic::Parameters { run_length: end, ..usual() };
+    let lines = Hypothesis::as_run().program(rows().first()?)?.run(&integrator).ok()?.lines;
+    lines.last().map(|line| line.time)
+}
+
+/// The lines of all rows by the solution over the angle.
 fn by_integrals() -> &'static [Option<Vec<Columns>>] {
     static RUNS: OnceLock<Vec<Option<Vec<Columns>>>> = OnceLock::new();
     let of =

@@ -37,6 +37,53 @@ pub fn named(line: &str) -> (String, &str) {
     (name.trim().trim_start_matches(r"\text{").trim_end_matches('}').to_owned(), formula)
 }
 
+/// A formula of a card in the letters of mathematics: its names are words, its stars are left out, SIN, COS and ABS are
+/// functions, and the rounded π is π, which is a claim of its own.
+pub fn as_formula(card: &str) -> String {
+    let (mut formula, mut word) = (String::new(), String::new());
+    // For each bracket that is open, whether it closes the bars of ABS.
+    let (mut open, mut is_size) = (Vec::new(), false);
+    for c in card.chars().chain([' ']) {
+        if c.is_ascii_alphanumeric() {
+            word.push(c);
+            continue;
+        }
+        let is_name = word.contains(|c: char| c.is_ascii_alphabetic());
+        match word.as_str() {
+            "SIN" | "COS" => formula += &format!(r"\{}", word.to_lowercase()),
+            "ABS" => is_size = true,
+            _ if is_name => formula += &format!(r"\text{{{word}}}"),
+            _ => formula += &word,
+        }
+        word.clear();
+        match c {
+            '*' => {}
+            '(' => {
+                formula += if is_size { r"\left| " } else { "(" };
+                open.push(std::mem::take(&mut is_size));
+            }
+            ')' => formula += if open.pop() == Some(true) { r" \right|" } else { ")" },
+            _ => formula.push(c),
+        }
+    }
+    formula.replace(characters("meyer.listing.pi"), r"\pi ")
+}
+
+/// Whether a printed card says what it must: the name before the blank is the formula behind it, wherever this holds.
+pub fn card_says(id: &str, holds: fn(&str) -> Option<bool>) -> bool {
+    let card = characters(id).split_once(' ');
+    card.is_some_and(|(name, formula)| holds(&format!("{} = {}", as_formula(name), as_formula(formula))) == Some(true))
+}
+
+/// What was found, unless the printed card says something else.
+pub fn as_on_the_card(id: &str, holds: fn(&str) -> Option<bool>, found: Finding) -> Finding {
+    if card_says(id, holds) {
+        found
+    } else {
+        Finding::new(false, "the printed card, read and evaluated, says something else")
+    }
+}
+
 /// Evaluates a line, and adds what it computes to the letters.
 fn run(line: &str, letters: &mut Letters) {
     let (name, formula) = named(line);

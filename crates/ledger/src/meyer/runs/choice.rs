@@ -38,7 +38,7 @@ pub fn of_fig_8() -> Option<Vec<&'static Row>> {
 }
 
 fn that_may_be_of_fig_8(hypothesis: &Hypothesis) -> Option<Vec<&'static Row>> {
-    let printed = crate::by_id::decimal("meyer.fig-8.rise");
+    let printed = crate::by_id::decimal("meyer.fig-8.rise")?;
     let mut fitting = Vec::new();
     for row in rows_of(Mechanism::FOUR_PIN) {
         let first = hypothesis.engagement(row)?.first_minimum().ok()??;
@@ -55,7 +55,7 @@ mod tests {
 
     #[test]
     fn two_runs_may_be_that_of_fig_8_and_the_table_gives_both_another_rise_time() {
-        let printed = crate::by_id::decimal("meyer.fig-8.rise");
+        let printed = crate::by_id::decimal("meyer.fig-8.rise").expect("a number");
         for hypothesis in [Hypothesis::WITHOUT_LAG, Hypothesis::IDEAL] {
             let fitting = that_may_be_of_fig_8(&hypothesis).expect("solved");
             assert_eq!(fitting.len(), 2);

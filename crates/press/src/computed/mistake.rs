@@ -1,0 +1,18 @@
+//! Of the mistake to be made again: how many cells of the tables come within one unit with three settings of the figure.
+
+use super::Number;
+use crate::rows::score;
+use geneva_ledger::meyer::runs::{EXPLAINED, Hypothesis, Reset, rows};
+
+/// The numbers of the page.
+pub const NUMBERS: &[(&str, Number)] = &[
+    ("mistake.cells", || Ok((EXPLAINED.len() * rows().len()).to_string())),
+    ("mistake.quarter-turn", || within_one(&Hypothesis::WITHOUT_LAG)),
+    ("mistake.own-angles", || within_one(&Hypothesis { reset: Reset::OfTheMechanism, ..Hypothesis::WITHOUT_LAG })),
+    ("mistake.as-run", || within_one(&Hypothesis::as_run())),
+];
+
+/// How many cells come within one unit of the last place.
+fn within_one(hypothesis: &Hypothesis) -> anyhow::Result<String> {
+    Ok(score(hypothesis)?.within_one().to_string())
+}
