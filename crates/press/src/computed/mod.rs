@@ -5,6 +5,7 @@ mod front;
 mod jazar;
 mod joints;
 pub mod making;
+mod method;
 mod mimic;
 mod never_printed;
 mod pin;
@@ -28,6 +29,7 @@ const ALL: &[&[(&str, Number)]] = &[
     jazar::NUMBERS,
     joints::NUMBERS,
     making::NUMBERS,
+    method::NUMBERS,
     mimic::NUMBERS,
     never_printed::NUMBERS,
     pin::NUMBERS,
