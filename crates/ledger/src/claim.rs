@@ -83,6 +83,11 @@ impl Place {
         Self { work, locator }
     }
 
+    /// The locator that it gives its claims.
+    pub const fn locator(self) -> &'static str {
+        self.locator
+    }
+
     /// A printed number with its unit.
     #[track_caller]
     pub fn value(
@@ -359,6 +364,12 @@ impl Claim {
     #[must_use]
     pub fn in_error(self, slip: Slip) -> Self {
         self.expecting(Verdict::ReproducedInError).affected_by(slip)
+    }
+
+    /// The same, with the right digits written down: they want another place than the printed ones have.
+    #[must_use]
+    pub fn in_error_for(self, corrected: &'static str, slip: Slip) -> Self {
+        self.expecting(Verdict::ReproducedInError).with_erratum(Erratum { corrected, slip })
     }
 
     /// Records that the claim is a place of a slip of which the right number tells whether it changes anything here.

@@ -139,7 +139,9 @@ fn number(judged: &mut Judged, computed: &Route<Number>, witness: &Route<Number>
             return;
         }
     };
-    let stated = claim.erratum.as_ref().filter(|erratum| !erratum.corrected.is_empty());
+    // Where a slip gives the printed number, a correction is of the right one, and is looked at beside that.
+    let of_another = matches!(&claim.check, Check::Number { right: Some(_), .. });
+    let stated = claim.erratum.as_ref().filter(|erratum| !erratum.corrected.is_empty() && !of_another);
     let correction = stated.map(|erratum| correction_passes(erratum, value));
     judged.verdict = if printed.is_rounding_of(value) {
         Verdict::Reproduced
@@ -180,6 +182,10 @@ fn disagreement(judged: &mut Judged, [first, witness]: [Evidence; 2], [value, wi
 fn put_right(judged: &mut Judged, routes: &[Route<Number>; 2], resolution: Option<f64>) {
     let [right, witnessed] = routes.each_ref().map(|route| (route.run)());
     judged.right_value = Some(right);
+    let stated = judged.claim.erratum.as_ref().filter(|erratum| !erratum.corrected.is_empty());
+    if stated.is_some_and(|erratum| !correction_passes(erratum, right)) {
+        judged.faults.push(format!("the correction is not the right number, {right}"));
+    }
     let Ok(printed) = judged.claim.printed.parse::<Decimal>() else { return };
     disagreement(judged, routes.each_ref().map(|route| route.evidence), [right, witnessed], &printed);
     let comes_out = !matches!(judged.verdict, Verdict::Corrected | Verdict::NotReproduced);

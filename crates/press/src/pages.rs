@@ -141,7 +141,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
             "ledger-wild",
             "Elsewhere: single statements",
             "The ledger of what is said elsewhere",
-            "Single statements of public pages and programs, with what was found of each. [In the wild](wild.md) tells of \
+            "Statements of public pages and programs, with what was found of each. [In the wild](wild.md) tells of \
              them.\n\n## Where they were read\n\n{{elsewhere-addresses}}",
             Records::Claims(vec![whole(Work::Wild, "statements elsewhere")]),
         ),

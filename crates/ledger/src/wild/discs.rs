@@ -1,7 +1,7 @@
 //! The locking disc: the wheel's arcs in which it turns, and the cut through which the wheel's horns pass.
 
 use super::fit::{ANY, tried};
-use super::models::{SHIPPED, macro_sizes, whole};
+use super::models::{SHIPPED, macro_sizes, size, whole};
 use super::*;
 use crate::agreement::agrees;
 use crate::by_id::characters;
@@ -10,21 +10,16 @@ use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::pin_from_pivot;
 use nalgebra::Vector2;
 
-const MACRO: Place = at(page!("https://github.com/FreeCAD/FreeCAD-documentation/blob/HEAD/wiki/Macro_Geneva_Wheel.md"));
-const WINDOW: Place =
-    at(page!("https://github.com/FreeCAD/FreeCAD-documentation/blob/HEAD/wiki/Macro_Geneva_Wheel_GUI.md"));
-const OPENSCAD: Place = at(page!("https://github.com/tllilleh/openscad-geneva-drive/blob/HEAD/geneva-drive.scad"));
-const WORKBENCH: Place = at(page!("https://github.com/iplayfast/GearWorkBench/blob/HEAD/genevaWheel.py"));
-const GENERATOR: Place =
-    at(page!("https://github.com/SindiSekkas/geneva-drive-generator/blob/HEAD/src/geneva/params.ts"));
-const COSMO: Place = at(page!("https://github.com/ascii-dresden/ascii-cosmo/blob/HEAD/openscad/geneva_drive.scad"));
-
 /// Wheel and locking disc as they are drawn, lengths in millimetres.
 #[derive(Clone, Copy)]
 struct Drawn {
     slots: u32,
     /// Of the pin's centre from the driver's axis.
     crank: f64,
+    /// Distance of the axes.
+    centres: f64,
+    /// Of the pin's centre from the wheel's axis as it comes to the slot, half a pitch from the line of centres.
+    mouth: f64,
     /// Radius of the wheel.
     rim: f64,
     /// The wheel's arc in which the disc turns while the wheel rests: how far its centre is from the driver's axis,
@@ -45,10 +40,13 @@ pub fn claims() -> Vec<Claim> {
         arc(GENERATOR, "wild.generator.arc"),
         arc(WINDOW, "wild.freecad-window.arc"),
         centre(WINDOW, "wild.freecad-window.arc-centre"),
+        arc(MACRO, "wild.freecad.arc"),
+        arc(WORKBENCH, "wild.gear-workbench.arc"),
         centre(WORKBENCH, "wild.gear-workbench.arc-centre"),
         freecad(),
         freecad_arcs(),
         cosmo(),
+        sdfx(),
     ]
 }
 
@@ -93,30 +91,39 @@ const EDGES: &str = "The edges of the cut stand where the pin enters and leaves,
      takes it. The cut meets the disc's rim at right angles.";
 
 impl Drawn {
-    fn centres(&self) -> f64 {
-        self.crank / libm::sin(PI / f64::from(self.slots))
+    /// A wheel that fits a crank, with this rim, with nothing cut out of the disc.
+    fn fitting(slots: u32, crank: f64, rim: f64, arc: [f64; 2], disc: f64) -> Self {
+        let pitch = PI / f64::from(slots);
+        let (centres, mouth) = (crank / libm::sin(pitch), crank / libm::tan(pitch));
+        Self { slots, crank, centres, mouth, rim, arc, disc, cut: [0.0; 2] }
     }
 
-    /// The same with the cut of radius b z/a.
+    /// The crank's angle from the line of centres as the pin comes to the slot.
+    fn entry(&self) -> f64 {
+        let [a, c, m] = [self.crank, self.centres, self.mouth];
+        libm::acos((a * a + c * c - m * m) / (2.0 * a * c))
+    }
+
+    /// The same with the cut whose edges stand where the pin enters and leaves: for a wheel that fits, of radius b z/a.
     fn with_clear_cut(self) -> Self {
-        let (c, b) = (self.centres(), self.crank / libm::tan(PI / f64::from(self.slots)));
-        Self { cut: [c * self.disc / self.crank, b * self.disc / self.crank], ..self }
+        let entry = self.entry();
+        Self { cut: [self.disc / libm::cos(entry), self.disc * libm::tan(entry)], ..self }
     }
 
-    /// The same with a cut of the radius of a wheel that fits, about the wheel's axis.
+    /// The same with a cut about the wheel's axis, of the radius of the slots' mouths.
     fn with_wheel_for_cut(self) -> Self {
-        Self { cut: [self.centres(), self.crank / libm::tan(PI / f64::from(self.slots))], ..self }
+        Self { cut: [self.centres, self.mouth], ..self }
     }
 
     /// The deepest that a tip of the wheel's horns comes into the disc that is left, below zero outside. In the driver's
     /// plane, by coordinates: crank angles, the wheel's angle by the formula crate.
     fn by_crank(&self) -> f64 {
-        let (c, pitch) = (self.centres(), PI / f64::from(self.slots));
+        let (c, pitch) = (self.centres, PI / f64::from(self.slots));
         // A tip is where the rim meets the arc, half a pitch from the slot.
         let [from, radius] = self.arc;
         let along = (self.rim * self.rim + (c - from) * (c - from) - radius * radius) / (2.0 * (c - from));
         let tip = libm::acos(along / self.rim);
-        let end = PI / 2.0 - pitch;
+        let end = self.entry();
         let at = |step: u32, side: f64| {
             let crank = end * (f64::from(step) / 720.0 - 1.0);
             let pin = pin_from_pivot(&(c / self.crank), &Turn::from_radians(crank));
@@ -133,14 +140,14 @@ impl Drawn {
     /// The same by triangles, from the pin's place in its slot: of the two axes and the pin, and of the tip and two of them.
     fn by_triangles(&self) -> f64 {
         let square = |x: f64| x * x;
-        let (c, a, r) = (self.centres(), self.crank, self.rim);
+        let (c, a, r) = (self.centres, self.crank, self.rim);
         let beside = |near: f64, far: f64, across: f64| {
             libm::acos((square(near) + square(far) - square(across)) / (2.0 * near * far))
         };
         // Of the tip from the slot, at the wheel's axis.
         let tip = PI / f64::from(self.slots) - beside(r, c - self.arc[0], self.arc[1]);
         let across = |far: f64, angle: f64| square(r) + square(far) - 2.0 * r * far * libm::cos(angle);
-        let (deepest, mouth) = (c - a, (square(c) - square(a)).sqrt());
+        let (deepest, mouth) = (c - a, self.mouth);
         let at = |step: u32, side: f64| {
             // About as many steps to each crank angle.
             let pin = deepest + (mouth - deepest) * square(f64::from(step) / 1440.0);
@@ -179,7 +186,7 @@ fn freecad_wheels() -> [Drawn; 2] {
     [(crank, crank / tangent), (rim * tangent, rim)].map(|(crank, rim)| {
         let radius = crank - 1.5 * pin;
         let arc = [towards_the_wheel(characters("wild.freecad.arcs"), radius, rim), radius];
-        Drawn { slots, crank, rim, arc, disc: radius - tolerance, cut: [0.0; 2] }
+        Drawn::fitting(slots, crank, rim, arc, radius - tolerance)
     })
 }
 
@@ -206,7 +213,7 @@ fn freecad() -> Claim {
         )
     };
     MACRO
-        .figure(
+        .example(
             "wild.freecad.cut",
             "m = c, R = b",
             "circle that is cut out of the locking disc: distance of its centre from the driver's axis, and radius",
@@ -229,7 +236,7 @@ fn freecad() -> Claim {
 fn freecad_arcs() -> Claim {
     let said = |stated: Stated, wheel: &Drawn| towards_the_wheel(stated.characters(), wheel.arc[1], wheel.rim);
     MACRO
-        .figure(
+        .example(
             "wild.freecad.arcs",
             "x = y - b/2",
             "place of the centre of the wheel's arcs at rest, from the driver's axis; the wheel's axis is at -c",
@@ -237,8 +244,8 @@ fn freecad_arcs() -> Claim {
         .by(ClosedForm, move |stated| {
             rests(freecad_wheels().map(|wheel| {
                 // What is left of the wheel on the line of centres, and what the disc leaves room for.
-                let left = wheel.centres() - said(stated, &wheel) - wheel.arc[1];
-                wheel.centres() - wheel.disc - left
+                let left = wheel.centres - said(stated, &wheel) - wheel.arc[1];
+                wheel.centres - wheel.disc - left
             }))
         })
         .by(Vectors, move |stated| {
@@ -249,7 +256,7 @@ fn freecad_arcs() -> Claim {
                     let angle = f64::from(step) / 100.0;
                     Vector2::new(radius * libm::cos(angle) + from, radius * libm::sin(angle))
                 };
-                let inside = |place: &Vector2<f64>| (place - Vector2::new(wheel.centres(), 0.0)).norm() <= wheel.rim;
+                let inside = |place: &Vector2<f64>| (place - Vector2::new(wheel.centres, 0.0)).norm() <= wheel.rim;
                 let gaps = (-157..=157).map(place).filter(inside).map(|place| place.norm() - wheel.disc);
                 gaps.fold(f64::NEG_INFINITY, f64::max)
             });
@@ -285,7 +292,7 @@ fn cosmo() -> Claim {
         let fitting = 16.0 * 3f64.sqrt();
         let rim = stated.characters().rsplit(", ").next().unwrap_or_default();
         let rim = stated.pick(value(rim, &Letters::from([("b".to_owned(), fitting)])), fitting);
-        Drawn { slots: 6, crank: 16.0, rim, arc: [0.0, 11.225], disc: 11.125, cut: [0.0; 2] }.with_wheel_for_cut()
+        Drawn::fitting(6, 16.0, rim, [0.0, 11.225], 11.125).with_wheel_for_cut()
     };
     COSMO
         .example(
@@ -304,7 +311,7 @@ fn openscad() -> Claim {
         let (rim, slots) = (stated.number(), whole(stated.numbers().last().copied().unwrap_or(f64::NAN)));
         let crank = rim * libm::tan(PI / f64::from(slots));
         let (arc, disc) = ([0.0, crank - 7.5], crank - 7.75);
-        let wheel = Drawn { slots, crank, rim, arc, disc, cut: [0.0; 2] };
+        let wheel = Drawn::fitting(slots, crank, rim, arc, disc);
         stated.pick(wheel.with_clear_cut(), wheel.with_wheel_for_cut())
     };
     OPENSCAD
@@ -313,4 +320,38 @@ fn openscad() -> Claim {
         .by(ClosedForm, move |stated| Drawn::clears(drawn(stated).by_triangles()))
         .read_as("The wheel clears the disc.")
         .but_not("it does so with a cut of the wheel's radius about the wheel's axis")
+}
+
+/// The first example of the program with its clearance; its wheel is smaller than the one that fits.
+fn sdfx() -> Claim {
+    let drawn = |stated: Stated| {
+        let [disc, radius, rim, arc] =
+            ["disc", "cut", "rim", "arc"].map(|name| size(characters("wild.sdfx.cut"), name));
+        let wheel = characters("wild.sdfx.example");
+        let [centres, mouth] = ["centres", "driven radius"].map(|name| size(wheel, name));
+        let slots = whole(Stated::right(wheel).number());
+        let square = centres * centres + mouth * mouth - 2.0 * centres * mouth * libm::cos(PI / f64::from(slots));
+        let drawn =
+            Drawn { slots, crank: square.sqrt(), centres, mouth, rim, arc: [0.0, arc], disc, cut: [centres, radius] };
+        stated.pick(drawn.with_clear_cut(), drawn)
+    };
+    SDFX_EXAMPLE
+        .example(
+            "wild.sdfx.cut",
+            "disc 20.0 - 0.1, cut 40.0 + 0.1, rim 40.0 - 0.1, arc 20.0 + 0.1",
+            "radii of the first example with its clearance: the locking disc, the circle about the wheel's axis that is cut out \
+             of it, the wheel's rim, and the arcs in which the disc turns",
+        )
+        .by(Vectors, move |stated| Drawn::clears(drawn(stated).by_crank()))
+        .by(ClosedForm, move |stated| Drawn::clears(drawn(stated).by_triangles()))
+        .read_as("The pin is where the program puts it, and the wheel starts with a jump. The horns must clear the disc.")
+        .corrected(
+            "a cut whose edges stand where the pin enters and leaves",
+            slip(
+                "The circle of the wheel's radius about the wheel's axis is where the rim is in the middle of a move. The disc \
+                 turns on, and the horns come inside it on both sides of the middle.",
+                "The triangles of the axes, the pin and the tip of a horn.",
+                "The tips of the horns run into the disc by 0.05 mm, though the clearance is 0.1 mm on either side.",
+            ),
+        )
 }

@@ -11,12 +11,6 @@ use crate::agreement::vanishes;
 use crate::tex::{Moment, holds};
 use nalgebra::Vector2;
 
-const EXTERNAL: Place = at(page!("https://mechamechanisms.com/external-geneva-and-epicyclic-gear-mechanism-1"));
-const INTERNAL: Place = at(page!("https://mechamechanisms.com/internal-geneva-and-epicyclic-gear-mechanism-1"));
-
-/// The numbers of slots for which the printed ratio is a whole number.
-const WHOLE: [u32; 3] = [3, 4, 6];
-
 /// Radii of the crank and of the pin's arm on the pinion, in the greatest distance of the pin.
 const ARMS: [f64; 2] = [0.71, 0.29];
 
@@ -25,25 +19,47 @@ type Moving = fn(&Fit) -> f64;
 
 pub fn claims() -> Vec<Claim> {
     vec![
-        gears(EXTERNAL, "wild.mecha-external.gears", |fit| fit.moving),
-        reach(EXTERNAL, "wild.mecha-external.reach"),
+        gears(MECHA_EXTERNAL, "wild.mecha-external.gears", LEAST[0], |fit| fit.moving),
+        reach(MECHA_EXTERNAL, "wild.mecha-external.reach"),
         // An internal wheel is driven on the rest of the turn.
-        gears(INTERNAL, "wild.mecha-internal.gears", |fit| fit.resting),
-        reach(INTERNAL, "wild.mecha-internal.reach"),
+        gears(MECHA_INTERNAL, "wild.mecha-internal.gears", LEAST[1], |fit| fit.resting),
+        MECHA_INTERNAL
+            .value("wild.mecha-internal.teeth", "80", "", "teeth of the fixed gear for four slots, with a pinion of 20")
+            .by(ClosedForm, || 20.0 * least(&by_turns(&Fit::by_wheel(4), |fit| fit.resting)))
+            .by(Vectors, || 20.0 * least(&by_places(&Fit::by_vectors(4), |fit| fit.resting)))
+            .read_as("The least ratio with which the mechanism works."),
+        reach(MECHA_INTERNAL, "wild.mecha-internal.reach"),
     ]
 }
 
-fn gears(place: Place, id: &'static str, moving: Moving) -> Claim {
+/// The corrected forms for an external and for an internal wheel: k is the least number that makes the ratio whole.
+const LEAST: [&str; 2] = [r"\frac{Z_g}{Z_p} = k \frac{2 n}{n - 2}", r"\frac{Z_g}{Z_p} = k \frac{2 n}{n + 2}"];
+
+/// A ratio that need not be whole; of an internal wheel it is also that of an external one.
+const FRACTION: Slip = slip(
+    WHOLE_TURNS,
+    "The pin by coordinates, for all ratios in twelfths: it must be on its way along the slot as it leaves and as it comes to \
+     the next one.",
+    "Right for three, four and six slots. For five the formula gives 10/3, and the pin comes back to its place in every third \
+     turn only: they want the ratio 10.",
+);
+
+const WHOLE_TURNS: &str = "The pinion must make a whole number of turns against the crank while the wheel moves, and a whole \
+     number in a turn of the crank. The first asks for a multiple of the printed ratio with an external wheel, and of \
+     2n/(n + 2) with an internal one. The second asks for a whole number.";
+
+fn gears(place: Place, id: &'static str, corrected: &'static str, moving: Moving) -> Claim {
     place
         .equation(id, r"\frac{Z_g}{Z_p} = \frac{2 n}{n - 2}", "teeth of the fixed gear over those of the pinion")
-        .evaluated(ClosedForm, move |tex| of_the_whole(tex, |slots| by_turns(&Fit::by_wheel(slots), moving)))
+        .evaluated(ClosedForm, move |tex| works(tex, |slots| by_turns(&Fit::by_wheel(slots), moving), moving))
         .read(Vectors, move |tex| {
-            Some(of_the_whole(tex, |slots| by_places(&Fit::by_vectors(slots), moving)).holds)
+            Some(works(tex, |slots| by_places(&Fit::by_vectors(slots), moving), moving).holds)
         })
         .read_as(
-            "For the wheels for which the ratio is a whole number. The page shows one of four slots. With any other ratio the \
-             pin does not come back to its place in the next turn: five slots want the ratio 10.",
+            "The formula is given for n slots, so it is tried for 3 to 60. The page shows four, for which it is right. It \
+             works if it gives the least ratio with which the mechanism does.",
         )
+        .corrected(corrected, FRACTION)
 }
 
 fn reach(place: Place, id: &'static str) -> Claim {
@@ -52,16 +68,28 @@ fn reach(place: Place, id: &'static str) -> Claim {
     })
 }
 
-/// Whether an equation gives a ratio with which the mechanism works, for the wheels for which the printed one is whole and
-/// for no other.
-fn of_the_whole(tex: &str, working: impl Fn(u32) -> Vec<f64>) -> Finding {
-    let gives = |slots: u32, ratio: f64| {
-        holds(tex, &[Moment::default().with([("Z_g", 20.0 * ratio), ("Z_p", 20.0), ("n", f64::from(slots))])])
+/// For which wheels an equation gives the least ratio with which the mechanism works.
+fn works(tex: &str, working: impl Fn(u32) -> Vec<f64>, moving: Moving) -> Finding {
+    let gives = |slots: u32| {
+        // Turns of the pinion against the crank in a move, which the least ratio makes whole; k times as many as the least
+        // fraction has.
+        let (fit, ratio) = (Fit::by_wheel(slots), least(&working(slots)));
+        let turns = libm::round(ratio * moving(&fit) / (2.0 * PI));
+        let letters = [("Z_g", 20.0 * ratio), ("Z_p", 20.0), ("n", f64::from(slots)), ("k", turns)];
+        holds(tex, &[Moment::default().with(letters)])
     };
-    let works = |slots: &u32| working(*slots).into_iter().any(|ratio| gives(*slots, ratio) == Some(true));
-    let found: Vec<u32> = ANY.filter(works).collect();
-    let how = counted(ANY, |slots| Some(found.contains(&slots))).how;
-    Finding::new(found == WHOLE, how)
+    counted(ANY, gives)
+}
+
+/// The least of some ratios, in ascending order; not a number if there is none.
+fn least(ratios: &[f64]) -> f64 {
+    ratios.first().copied().unwrap_or(f64::NAN)
+}
+
+/// The least ratio with which an external wheel of so many slots works.
+#[cfg(test)]
+pub(super) fn least_ratio(slots: u32) -> f64 {
+    least(&by_turns(&Fit::by_wheel(slots), |fit| fit.moving))
 }
 
 /// Ratios of teeth that let the pin leave as it came, and come back: whole numbers that give whole turns in a move, for up
@@ -105,9 +133,8 @@ mod tests {
             for ratios in found {
                 assert_eq!(ratios.first().map(|ratio| libm::round(*ratio)), least, "{slots} slots");
             }
-            assert_eq!(WHOLE.contains(&slots), (2 * slots).is_multiple_of(slots - 2), "{slots} slots");
+            // As the reasons say.
+            assert_eq!([3, 4, 6].contains(&slots), (2 * slots).is_multiple_of(slots - 2), "{slots} slots");
         }
-        // As the reading says.
-        assert_eq!(libm::round(by_turns(&Fit::by_wheel(5), moves[0])[0]), 10.0);
     }
 }

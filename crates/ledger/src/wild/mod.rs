@@ -3,23 +3,30 @@
 //! No document that is mirrored, but single statements: of each its address and the day on which a stored copy of it
 //! was read. Formulas are set as they say, in the letters of the page. Where a page can be read in two ways it is read
 //! in the way in which it is right, if there is one. The files go by what is stated: how long the driver turns, the
-//! sizes, the motion, wheels that are shipped as examples.
+//! sizes, what a letter stands for, the motion, wheels that are shipped as examples. What a program builds is an example,
+//! whether it works or not; what it or a page says is a statement. The pages of which every formula was taken are listed
+//! in [`TAKEN_WHOLE`].
 
 mod discs;
 mod epicyclic;
 mod fit;
+mod labels;
 mod models;
 mod motion;
+mod pages;
 mod ratios;
 mod sizes;
 mod steps;
+mod textbook;
 mod turning;
 
+pub use pages::TAKEN_WHOLE;
 pub use ratios::ratio;
 
 use crate::{Claim, Consequence, Evidence, Finding, Origin, Place, Slip, Stated, Work};
 use Evidence::{AutomaticDerivative, ClosedForm, Jet as Series, Vectors};
 use fit::{Fit, formula, number};
+use pages::*;
 use std::f64::consts::PI;
 
 /// What stands between an address and the day in a locator.
@@ -28,7 +35,10 @@ const AS_READ: &str = ", as read on ";
 /// The locator of a page: its address, and when a stored copy of it was read.
 macro_rules! page {
     ($address:literal) => {
-        concat!($address, ", as read on 2026-11-22")
+        page!($address, "2026-11-22")
+    };
+    ($address:literal, $day:literal) => {
+        concat!($address, ", as read on ", $day)
     };
 }
 use page;
@@ -46,10 +56,12 @@ pub const SUBJECTS: &[Subject] = &[
     ("How long a wheel moves and rests", turning::claims),
     ("How many steps there are", steps::claims),
     ("Sizes", sizes::claims),
+    ("What a letter stands for", labels::claims),
     ("Wheels that programs build", models::claims),
     ("The locking disc", discs::claims),
     ("How a wheel moves", motion::claims),
     ("A pin on a pinion", epicyclic::claims),
+    ("A textbook problem, continued", textbook::claims),
 ];
 
 /// All statements, by what they are about.
@@ -60,6 +72,11 @@ pub fn claims() -> Vec<Claim> {
 /// The address of the page on which a statement stands, and the day on which it was read, from the claim's locator.
 pub fn read(locator: &str) -> Option<(&str, &str)> {
     locator.split_once(AS_READ)
+}
+
+/// Whether every formula of the page at this address was taken, and not only single statements.
+pub fn is_taken_whole(address: &str) -> bool {
+    TAKEN_WHOLE.iter().filter_map(|place| read(place.locator())).any(|(known, _)| known == address)
 }
 
 /// The slip of a claim that is found in the page's own formula or number.
@@ -81,6 +98,16 @@ mod tests {
             let digits = day.split('-').map(str::len).collect::<Vec<_>>();
             assert!(digits == [4, 2, 2] && day.starts_with("20"), "{}: {day}", claim.id);
         }
+    }
+
+    #[test]
+    fn what_is_taken_whole_is_a_page_of_some_statements() {
+        for place in TAKEN_WHOLE {
+            let (address, _) = read(place.locator()).expect("an address and a day");
+            assert!(is_taken_whole(address));
+            assert!(claims().iter().any(|claim| claim.locator == place.locator()), "{address}");
+        }
+        assert!(!is_taken_whole("https://unseel.com/engineering/geneva-drive"));
     }
 
     #[test]
@@ -109,6 +136,8 @@ mod tests {
             ("firgelli-form.speed", "twice", times(six.centres / six.crank, 0), "2"),
             ("oxiphysics.speed", "less than one half", times(libm::ceil(20.0 / on_the_line) / 20.0, 2), "0.45"),
             ("oxiphysics.speed", "it is one", times(six.crank / (six.centres - six.crank), 0), "1"),
+            ("mecha-external.gears", "ratio 10", times(epicyclic::least_ratio(5), 0), "10"),
+            ("mecha-internal.gears", "ratio 10", times(epicyclic::least_ratio(5), 0), "10"),
         ];
         let changes = |id: &str| crate::slip(id).map_or("", |places| places.slip.changes);
         for (id, words, computed, expected) in said {
@@ -116,13 +145,18 @@ mod tests {
             assert!(changes(&id).contains(words), "{id}: {}", changes(&id));
             assert_eq!(computed, expected, "{id}: {words}");
         }
-        for (id, words) in [("wild.freecad.cut", "by 0.17 mm"), ("wild.freecad.arcs", "up to 2.66 mm")] {
+        for (id, words) in [
+            ("wild.freecad.cut", "by 0.17 mm"),
+            ("wild.freecad.arcs", "up to 2.66 mm"),
+            ("wild.sdfx.cut", "by 0.05 mm"),
+            ("wild.cherry-pitter.cam", "17°"),
+        ] {
             let judged = crate::verdict(id).expect("a claim");
             assert!(judged.findings.iter().any(|(_, found)| found.how.contains(words)), "{:?}", judged.findings);
             assert!(changes(id).contains(words), "{id}");
         }
         // Rounded as their reading says.
-        for (id, right) in [("wild.unseel.six", "67"), ("wild.unseel.eight", "62")] {
+        for (id, right) in [("wild.unseel.six", "67"), ("wild.unseel.eight", "62.5")] {
             let judged = crate::verdict(id).expect("a claim");
             assert_eq!(judged.corrected().as_deref(), Some(right), "{id}");
         }

@@ -1,26 +1,16 @@
 //! Wheels that are shipped as examples, with sizes that can be measured, and what their drawings say.
 //!
-//! Nobody says of an example that it is right. But it is built, and what it then does can be told. A wheel fits its
+//! No page says of an example that it is right. But it is built, and what it then does can be told. A wheel fits its
 //! driver if the pin's centre comes to the rim where the slot is, half a pitch from the line of centres, and the wheel
 //! is at rest then. Examples are counted apart from what is stated.
 
+use super::fit::{ANY, counted};
 use super::*;
 use crate::agreement::vanishes;
 use crate::tex::{Letters, value};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::{pin_from_pivot, velocity_ratio};
 use nalgebra::Vector2;
-
-const MACRO: Place = at(page!("https://github.com/FreeCAD/FreeCAD-documentation/blob/HEAD/wiki/Macro_Geneva_Wheel.md"));
-const DRIFT: Place = at(page!(
-    "https://github.com/D-sorganization/UpstreamDrift/blob/HEAD/src/engines/physics_engines/mujoco/python/\
-     mujoco_humanoid_golf/linkage_mechanisms/special_mechanisms.py"
-));
-const MODEL3D: Place = at(page!("https://github.com/unixpickle/model3d/tree/HEAD/examples/experiments/geneva_drive"));
-const CADBUILDR: Place = at(page!("https://github.com/cadbuildr/geneva-drive/blob/HEAD/src/geneva_drive/main.py"));
-const SDFX: Place = at(page!("https://github.com/deadsy/sdfx/blob/HEAD/examples/geneva/main.go"));
-const COUNTER: Place = at(page!("https://github.com/FidelioScorpio/SCAD_auto_counter/blob/HEAD/geneva.scad"));
-const PITTER: Place = at(page!("https://github.com/edtechd/cherry-pitter/blob/HEAD/part_geneva_wheel.py"));
 
 const TWICE: &str = "The pin's velocity against the slot's direction, by coordinates.";
 const EXAMPLE: &str = "The sizes are an example, taken to be of a wheel whose pin enters along the slot. The page does not \
@@ -36,7 +26,19 @@ struct Drawn {
 }
 
 pub fn claims() -> Vec<Claim> {
-    vec![freecad(), pin_diameter(), drift(), model3d(), cadbuildr(), sdfx(), counter(), pitter(), pitter_arcs()]
+    vec![
+        freecad(),
+        freecad_count(),
+        drift(),
+        model3d(),
+        cadbuildr(),
+        sdfx(),
+        counter(),
+        pitter(),
+        pitter_crank(),
+        pitter_arcs(),
+        pitter_cam(),
+    ]
 }
 
 impl Drawn {
@@ -122,7 +124,7 @@ fn in_tex(formula: &str) -> String {
 }
 
 /// The size behind this name in characters that name several, parted by commas; not a number if none has it.
-fn size(characters: &str, name: &str) -> f64 {
+pub(super) fn size(characters: &str, name: &str) -> f64 {
     let formula = characters.split([':', ',']).find_map(|part| part.trim().strip_prefix(name));
     formula.map_or(f64::NAN, |formula| value(&in_tex(formula), &Letters::new()))
 }
@@ -164,39 +166,42 @@ fn freecad() -> Claim {
 /// The macro's p and tolerance t, as shipped.
 pub(super) const SHIPPED: [f64; 2] = [4.0, 0.01];
 
-fn pin_diameter() -> Claim {
+fn freecad_count() -> Claim {
+    // How many slots are cut, and what is between two of them in degrees.
+    let cut = |stated: Stated, slots: u32| {
+        let (count, pitch) = stated.characters().split_once(", ").unwrap_or_default();
+        let count = count.strip_prefix("range(").and_then(|count| count.strip_suffix(')')).unwrap_or_default();
+        let letters = Letters::from([("n".to_owned(), f64::from(slots))]);
+        (whole(value(count, &letters)), value(pitch, &letters))
+    };
     MACRO
-        .statement("wild.freecad.pin", r"p = \text{Drive Pin Diameter}", "what the length p is")
-        .by(Vectors, |stated| {
-            // The drawn pin is a cylinder of radius p: two opposite points of it.
-            let [p, _] = SHIPPED;
-            let [one, other] = [0.0, PI].map(|angle| Vector2::new(libm::cos(angle), libm::sin(angle)) * p);
-            let (width, said) = ((one - other).norm(), stated.pick(2.0, 1.0) * p);
-            Finding::new(
-                crate::agreement::agrees(width, said),
-                format!("the pin is {width:.1} across, said to be {said:.1}"),
-            )
+        .example("wild.freecad.count", "range(6), 60", "how many slots are cut for n slots, and how many degrees apart")
+        .by(ClosedForm, move |stated| {
+            counted(ANY, |slots| {
+                let (count, pitch) = cut(stated, slots);
+                Some(count == slots && vanishes(pitch.to_radians() - Fit::by_wheel(slots).step))
+            })
         })
-        .by(Evidence::OtherPlaceInSource, |stated| {
-            // The drawn slot reaches p + t to either side: the tolerance should be what is left beside the pin.
-            let [p, t] = SHIPPED;
-            let left = p + t - stated.pick(1.0, 0.5) * p;
-            Finding::new(
-                vanishes(left - t),
-                format!("{left:.2} are left on either side of the pin, the tolerance is {t:.2}"),
-            )
+        .by(Vectors, move |stated| {
+            counted(ANY, |slots| {
+                // Every direction of a slot must be cut, and nothing else.
+                let (count, pitch) = cut(stated, slots);
+                let direction = |angle: f64| Vector2::new(libm::cos(angle), libm::sin(angle));
+                let cuts: Vec<_> = (0..count).map(|at| direction(f64::from(at) * pitch.to_radians())).collect();
+                let wanted = |at: u32| direction(f64::from(at) * 2.0 * PI / f64::from(slots));
+                let is_cut = |at: u32| cuts.iter().any(|cut| vanishes((cut - wanted(at)).norm()));
+                Some(cuts.len() == slots as usize && (0..slots).all(is_cut))
+            })
         })
+        .read_as("The macro asks for the number of slots, so it is tried for 3 to 60.")
         .corrected(
-            r"p = \text{Drive Pin Radius}",
-            Slip {
-                consequence: Consequence::Wording,
-                origin: Origin::Misprint,
-                ..slip(
-                    "The program makes a cylinder with p for its radius.",
-                    "The version with a window says radius.",
-                    "",
-                )
-            },
+            "range(n), 360/n",
+            slip(
+                "The loops that cut slots and arcs have the number and the angle of six in them, not the number that is asked \
+                 for.",
+                "The directions of all slots, one by one.",
+                "A wheel of any other number of slots gets six. The version with a window cuts as many as are asked for.",
+            ),
         )
 }
 
@@ -272,7 +277,7 @@ fn cadbuildr() -> Claim {
 
 fn sdfx() -> Claim {
     example(
-        SDFX,
+        SDFX_EXAMPLE,
         "wild.sdfx.example",
         "6 slots: centres 50.0, driven radius 40.0",
         "first example of the program, which puts the pin where it meets the mouth of the slot",
@@ -319,15 +324,69 @@ fn counter() -> Claim {
 
 fn pitter() -> Claim {
     let drawn = Drawn { slots: 6, crank: 30.0, centres: 60.0, rim: f64::NAN };
-    PITTER
+    PITTER_WHEEL
         .value("wild.cherry-pitter.rim", "52", "mm", "radius of a wheel of six slots, for a centre distance of 60 mm")
         .by(ClosedForm, move || drawn.with_fitting_rim().rim)
         .by(Vectors, move || drawn.fitting().rim)
 }
 
+fn pitter_crank() -> Claim {
+    PITTER_DRIVER
+        .value(
+            "wild.cherry-pitter.crank",
+            "30",
+            "mm",
+            "distance of the pin from the driver's axis, for axes 60 mm apart",
+        )
+        .by(ClosedForm, || 60.0 * libm::sin(PI / 6.0))
+        .by(Vectors, || {
+            let fit = Fit::by_vectors(6);
+            60.0 * fit.crank / fit.centres
+        })
+}
+
+fn pitter_cam() -> Claim {
+    let sizes = |stated: Stated| ["cam radius", "cut width"].map(|name| size(stated.characters(), name));
+    let found = |edge: f64| {
+        let entry = Fit::by_wheel(6).moving / 2.0;
+        let (arc, past) = (360.0 - 2.0 * edge.to_degrees(), (entry - edge).to_degrees());
+        Finding::new(
+            (edge - entry).abs() < 1e-3,
+            format!(
+                "the cam keeps an arc of {arc:.1}°; as the pin enters, it reaches {past:.0}° past the line of centres"
+            ),
+        )
+    };
+    PITTER_DRIVER
+        .example(
+            "wild.cherry-pitter.cam",
+            "cam radius 22.0, cut width 30.0",
+            "what is cut out of the locking cam, of which the drawing says that it keeps an arc of 240°",
+        )
+        .by(ClosedForm, move |stated| {
+            let [radius, width] = sizes(stated);
+            found(libm::asin(width / 2.0 / radius))
+        })
+        .by(Vectors, move |stated| {
+            // Places on the cam's rim, from the pin's direction on, until one is no longer inside the box.
+            let [radius, width] = sizes(stated);
+            let steps = (0..=18_000_u32).map(|step| f64::from(step) * PI / 18_000.0);
+            found(steps.take_while(|angle| radius * libm::sin(*angle) < width / 2.0).last().unwrap_or(f64::NAN))
+        })
+        .corrected(
+            "cam radius 22.0, cut width 22 √3",
+            slip(
+                "The cut must reach to where the pin enters, 60° to either side of the pin. The box is narrower.",
+                "Places all along the cam's rim, by coordinates.",
+                "The cam keeps 274° instead of 240°: as the pin enters, the cam still reaches 17° past the line of centres and \
+                 holds the wheel.",
+            ),
+        )
+}
+
 fn pitter_arcs() -> Claim {
-    PITTER
-        .figure(
+    PITTER_WHEEL
+        .example(
             "wild.cherry-pitter.arcs",
             "i * 60 for slots and arcs",
             "the wheel's locking arcs have the directions of its slots",

@@ -9,20 +9,6 @@ use geneva_kinematics::pin_slot::{pin_from_pivot, velocity_ratio};
 use geneva_kinematics::wheel::{Wheel, entry_acceleration};
 use geneva_kinematics::{Jet, Turn, angular_velocity};
 
-const MISCELLANEOUS: Place = at(page!("https://www.firgelliauto.com/en-pt/blogs/mechanisms/miscellaneous-form"));
-const RIGID: Place =
-    at(page!("https://github.com/cool-japan/oxiphysics/blob/HEAD/crates/oxiphysics-rigid/src/mechanism_rigid.rs"));
-const CONSTRAINTS: Place = at(page!(
-    "https://github.com/cool-japan/oxiphysics/blob/HEAD/crates/oxiphysics-constraints/src/mechanism/types.rs"
-));
-const COSMO: Place = at(page!("https://github.com/ascii-dresden/ascii-cosmo/blob/HEAD/openscad/geneva_drive.scad"));
-const STYLE_SHEET: Place = at(page!("https://github.com/SAPTARSHI-coder/EaseMotion-css/pull/49683"));
-const KMODDL: Place = at(page!("http://kmoddl.library.cornell.edu/tutorials/06/"));
-const SPECTRA: Place = at(page!("http://spectraquest.com/simulators/details/kad-gm/"));
-const WIKISUM: Place = at(page!("https://wikisum.wiki/wiki/Geneva_drive"));
-const SOURCEBOOK: Place =
-    at(page!("https://fliphtml5.com/zroi/ibdn/Mechanisms_And_Mechanical_Devices_Sourcebook_-_3rd_ed/484"));
-
 const TWICE: &str =
     "Dual numbers differentiate the direction of the pin and give the corrected form for 3 to 60 slots.";
 

@@ -3,41 +3,57 @@
 use super::fit::ANY;
 use super::*;
 
-const CALCULATOR: Place = at(page!(
-    "https://www.firgelliauto.com/blogs/engineering-calculators/geneva-mechanism-calculator-indexing-time-and-geometry"
-));
-const INDEXING: Place =
-    at(page!("https://www.firgelliauto.com/en-nz/blogs/engineering-calculators/geneva-mechanism-calculator-indexing"));
-const DRIVE: Place = at(page!("https://www.firgelliauto.com/blogs/mechanisms/geneva-drive"));
-const RIGID: Place =
-    at(page!("https://github.com/cool-japan/oxiphysics/blob/HEAD/crates/oxiphysics-rigid/src/mechanism_rigid.rs"));
-const CONSTRAINTS: Place = at(page!(
-    "https://github.com/cool-japan/oxiphysics/blob/HEAD/crates/oxiphysics-constraints/src/mechanism/types.rs"
-));
-const EDGE: Place =
-    at(page!("https://www.engineersedge.com/mechanics_machines/geneva_mechanism_design_equations__14919.htm"));
-const SIMULATOR: Place = at(page!("https://mechsimulator.com/tools/geneva-mechanism"));
-const MACRO: Place = at(page!("https://github.com/FreeCAD/FreeCAD-documentation/blob/HEAD/wiki/Macro_Geneva_Wheel.md"));
-const WINDOW: Place =
-    at(page!("https://github.com/FreeCAD/FreeCAD-documentation/blob/HEAD/wiki/Macro_Geneva_Wheel_GUI.md"));
-const OPENSCAD: Place = at(page!("https://github.com/tllilleh/openscad-geneva-drive/blob/HEAD/geneva-drive.scad"));
-const WORKBENCH: Place = at(page!("https://github.com/iplayfast/GearWorkBench/blob/HEAD/genevaWheel.py"));
-const GENERATOR: Place =
-    at(page!("https://github.com/SindiSekkas/geneva-drive-generator/blob/HEAD/src/geneva/params.ts"));
-const GENEVA_GEN: Place = at(page!("https://github.com/benbrandt22/genevaGen/blob/HEAD/genevaController.js"));
-const COSMO: Place = at(page!("https://github.com/ascii-dresden/ascii-cosmo/blob/HEAD/openscad/geneva_drive.scad"));
-const COUNTER: Place = at(page!("https://github.com/FidelioScorpio/SCAD_auto_counter/blob/HEAD/geneva.scad"));
-const ANVILATE: Place = at(page!("https://github.com/clay-good/anvilate/blob/HEAD/src/anvilate/analysis/geneva.py"));
-const STYLE_SHEET: Place = at(page!("https://github.com/SAPTARSHI-coder/EaseMotion-css/pull/49683"));
-const TINKERCAD: Place = at(page!("https://github.com/champierre/geneva-drive-en/blob/HEAD/slides.md"));
-const SDFX: Place = at(page!("https://github.com/deadsy/sdfx/blob/HEAD/obj/geneva.go"));
-const COMPASS: Place = at(page!("http://mingyu.co.uk/blog/compass-and-straightedge-geneva-drive/"));
-
 const TWICE: &str =
     "The foot of the driver's axis on the slot's line, by coordinates, gives the corrected form for 3 to 60 slots.";
 
 pub fn claims() -> Vec<Claim> {
-    [wrong(), oxiphysics(), right(), generators(), of_four()].concat()
+    [wrong(), oxiphysics(), right(), generators(), both_ways(), slots(), of_four()].concat()
+}
+
+/// Centre distance, crank and wheel radius in the programs that take both ways, from the crank or from the wheel.
+fn both_ways() -> Vec<Claim> {
+    let centres =
+        |place, id, printed, letters: fit::Letters| formula(place, id, printed, "centre distance", ANY, letters);
+    let by_crank = |fit: &Fit| vec![("c", fit.centres), ("a", fit.crank), ("n", fit.slots)];
+    let by_rim = |fit: &Fit| vec![("c", fit.centres), ("b", fit.rim), ("n", fit.slots)];
+    let both = |fit: &Fit| vec![("a", fit.crank), ("b", fit.rim), ("c", fit.centres)];
+    let crank = |place, id| {
+        formula(place, id, r"a = \sqrt{c^2 - b^2}", "crank radius, if the wheel's radius is given", ANY, both)
+    };
+    let rim = |place, id| {
+        formula(place, id, r"b = \sqrt{c^2 - a^2}", "wheel radius, if the crank radius is given", ANY, both)
+    };
+    vec![
+        formula(MACRO, "wild.freecad.centres", r"c = \sqrt{a^2 + b^2}", "centre distance", ANY, both)
+            .read_as("The two radii are those of a wheel that fits. Of others see the example."),
+        rim(MACRO, "wild.freecad.keep-crank-rim"),
+        crank(MACRO, "wild.freecad.keep-rim-crank"),
+        centres(WINDOW, "wild.freecad-window.keep-rim", r"c = b/\cos(\pi/n)", by_rim),
+        crank(WINDOW, "wild.freecad-window.keep-rim-crank"),
+        centres(WORKBENCH, "wild.gear-workbench.centres", r"c = a/\sin(\pi/n)", by_crank),
+        centres(GENERATOR, "wild.generator.centres", r"c = a/\sin(\pi/n)", by_crank),
+        rim(GENERATOR, "wild.generator.rim"),
+        centres(GENERATOR, "wild.generator.keep-rim", r"c = b/\cos(\pi/n)", by_rim),
+        crank(GENERATOR, "wild.generator.keep-rim-crank"),
+    ]
+}
+
+/// How long the slots are, from the wheel's rim to the deepest place of the pin's centre.
+fn slots() -> Vec<Claim> {
+    let slot = |place, id| {
+        let meaning = "length of a slot, from the wheel's rim to the deepest place of the pin's centre";
+        formula(place, id, r"s = a + b - c", meaning, ANY, |fit| {
+            vec![("s", fit.rim - fit.deepest), ("a", fit.crank), ("b", fit.rim), ("c", fit.centres)]
+        })
+    };
+    vec![
+        slot(MACRO, "wild.freecad.slot"),
+        slot(WINDOW, "wild.freecad-window.slot"),
+        slot(WORKBENCH, "wild.gear-workbench.slot"),
+        slot(GENERATOR, "wild.generator.slot"),
+        slot(OPENSCAD, "wild.openscad.slot"),
+        slot(SDFX, "wild.sdfx.slot"),
+    ]
 }
 
 /// The letters of the calculator's centre distance.
@@ -180,6 +196,15 @@ fn right() -> Vec<Claim> {
             ANY,
             |fit| vec![(r"r_{driven}", fit.rim), ("c", fit.centres), ("n", fit.slots)],
         ),
+        ANVILATE
+            .statement(
+                "wild.anvilate.equal",
+                "at n = 4 equal, then the driven radius is larger",
+                "how the wheel's radius and the crank's compare",
+            )
+            .by(ClosedForm, |stated| compared(stated, Fit::by_wheel))
+            .by(Vectors, |stated| compared(stated, Fit::by_vectors))
+            .but_not("then the driven radius is smaller"),
         formula(
             EDGE,
             "wild.engineers-edge.ratio",
@@ -214,6 +239,21 @@ fn right() -> Vec<Claim> {
         )
         .read_as("The radius is the one that fits the centre distance. Of other radii see the example."),
     ]
+}
+
+/// Whether the two radii are equal for the number of slots that is said, and the wheel's is larger for more; or smaller.
+fn compared(stated: Stated, by: fn(u32) -> Fit) -> Finding {
+    let equal = stated.count();
+    let difference = |slots: u32| (by(slots).rim - by(slots).crank) / by(slots).crank;
+    let then = |slots: u32| stated.pick(1.0, -1.0) * difference(slots) > 1e-3;
+    Finding::new(
+        crate::agreement::vanishes(difference(equal)) && ANY.filter(|slots| *slots > equal).all(then),
+        format!(
+            "with four slots they differ by {:.3} crank radii, with five by {:.3}",
+            difference(4).abs(),
+            difference(5)
+        ),
+    )
 }
 
 /// Programs that draw the parts.
@@ -265,14 +305,6 @@ fn generators() -> Vec<Claim> {
         formula(WORKBENCH, "wild.gear-workbench.rim", r"b = \sqrt{c^2 - a^2}", "wheel radius", ANY, |fit| {
             vec![("b", fit.rim), ("c", fit.centres), ("a", fit.crank)]
         }),
-        formula(
-            GENERATOR,
-            "wild.generator.slot",
-            r"s = a + b - c",
-            "length of a slot, from the wheel's rim to the deepest place of the pin's centre",
-            ANY,
-            |fit| vec![("s", fit.rim - fit.deepest), ("a", fit.crank), ("b", fit.rim), ("c", fit.centres)],
-        ),
         formula(
             GENEVA_GEN,
             "wild.geneva-gen.rim",

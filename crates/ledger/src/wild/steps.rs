@@ -6,10 +6,6 @@ use crate::by_id::numbers;
 use geneva_kinematics::wheel::Wheel;
 use std::ops::RangeInclusive;
 
-const PROBSEE: Place = at(page!("https://probsee.com/p/Geneva_drive"));
-const STATEMASTER: Place = at(page!("http://www.statemaster.com/encyclopedia/Geneva-drive"));
-const ANVILATE: Place = at(page!("https://github.com/clay-good/anvilate/blob/HEAD/src/anvilate/analysis/geneva.py"));
-
 pub fn claims() -> Vec<Claim> {
     vec![
         PROBSEE
@@ -51,12 +47,101 @@ pub fn claims() -> Vec<Claim> {
             ANY,
             |fit| vec![(r"\phi", fit.step), ("n", fit.slots)],
         ),
+        formula(ANVILATE, "wild.anvilate.index", r"\phi = 360^{\circ}/n", STEP, ANY, |fit| {
+            vec![(r"\phi", fit.step), ("n", fit.slots)]
+        }),
+        formula(CALCULATOR, "wild.firgelli-time.step", r"\theta_{index} = 360^{\circ}/n", STEP, ANY, |fit| {
+            vec![(r"\theta_{index}", fit.step), ("n", fit.slots)]
+        }),
+        formula(
+            CALCULATOR,
+            "wild.firgelli-time.speed",
+            r"\omega_{geneva} = \omega_{driver}/n",
+            "speed of the wheel, by the speed of the driver: RPM on the page",
+            ANY,
+            |fit| {
+                // Turns of the wheel in a time, over the turns of the driver: a step in the time of a move and a rest.
+                let driver = 50.0 + fit.slots;
+                let speed = driver * fit.step / (fit.moving + fit.resting);
+                vec![(r"\omega_{geneva}", speed), (r"\omega_{driver}", driver), ("n", fit.slots)]
+            },
+        )
+        .read_as("The mean speed over many steps."),
+        formula(INDEXING, "wild.firgelli-indexing.step", r"\theta = 360^{\circ}/n", STEP, ANY, |fit| {
+            vec![(r"\theta", fit.step), ("n", fit.slots)]
+        }),
+        formula(
+            INDEXING,
+            "wild.firgelli-indexing.cycle",
+            r"T_{cycle} = 60/\mathrm{RPM}",
+            "time of a move and a rest in seconds",
+            ANY,
+            |fit| {
+                let rpm = 7.0 + fit.slots;
+                let cycle = (fit.moving + fit.resting) / (2.0 * PI * rpm / 60.0);
+                vec![(r"T_{cycle}", cycle), (r"\mathrm{RPM}", rpm)]
+            },
+        ),
+        fewest(ANVILATE, "wild.anvilate.least", "n ≥ 3", 1).but_not("two slots will do"),
+        fewest(WORKBENCH, "wild.gear-workbench.least", "n >= 3", 1).but_not("two slots will do"),
+        fewest(GENERATOR, "wild.generator.least", "n at least 3", 1).but_not("two slots will do"),
+        fewest(SDFX, "wild.sdfx.least", "> 2", 1)
+            .but_not("two slots will do")
+            .read_as("What the message of the program says of the sectors. The program itself lets two pass."),
+        fewest(MECHANICS, "wild.mechanics.least", "N > 4", 0).corrected(
+            "N > 2",
+            Slip {
+                consequence: Consequence::Remark,
+                ..slip(
+                    "Wheels of three and of four slots work, and all formulas of the page hold for them.",
+                    "The pin by coordinates comes into a slot and leaves it with three slots, and never with two.",
+                    "The commonest wheel has four slots, and the page leaves it out.",
+                )
+            },
+        ),
+        ANVILATE
+            .statement("wild.anvilate.more", "more slots", "more slots let the wheel move for a larger part of the cycle")
+            .by(ClosedForm, |stated| more(Fit::by_wheel, stated))
+            .by(Vectors, |stated| more(Fit::by_vectors, stated))
+            .but_not("more slots let it move for a smaller part"),
         ANVILATE
             .statement("wild.anvilate.fewer", "fewer slots", "fewer slots give a longer rest")
             .by(ClosedForm, |stated| fewer(Fit::by_wheel, stated))
             .by(Vectors, |stated| fewer(Fit::by_vectors, stated))
             .but_not("fewer slots give a shorter rest"),
     ]
+}
+
+const STEP: &str = "what the wheel turns in each step";
+
+/// How few slots a wheel can have, by a number and a sign of inequality. A neighbour says so many less.
+fn fewest(place: Place, id: &'static str, printed: &'static str, less: u32) -> Claim {
+    place
+        .statement(id, printed, "how few slots a wheel can have")
+        .by(ClosedForm, move |stated| least(stated, less, |slots| Wheel::new(slots).is_ok()))
+        .by(Vectors, move |stated| {
+            // The pin comes into the slot: the driver turns by some angle while it is there.
+            least(stated, less, |slots| Fit::by_vectors(slots).moving > 1e-6)
+        })
+}
+
+/// Whether the least number of slots is what is said; or what a neighbour says, so many less.
+fn least(stated: Stated, less: u32, works: impl Fn(u32) -> bool) -> Finding {
+    let above = stated.characters().contains('>') && !stated.characters().contains(">=");
+    let said = stated.count() + u32::from(above);
+    let said = stated.pick(said, said.saturating_sub(less));
+    let found = (1..=60).find(|slots| works(*slots) && (*slots..=60).all(&works));
+    Finding::new(found == Some(said), format!("wheels of {} to 60 slots work", found.unwrap_or(0)))
+}
+
+/// Whether each slot more makes the move longer; or shorter.
+fn more(by: fn(u32) -> Fit, stated: Stated) -> Finding {
+    let longer = |slots: u32| by(slots).moving - by(slots - 1).moving;
+    let holds = (4..=60).all(|slots| longer(slots) * stated.pick(1.0, -1.0) > 0.0);
+    Finding::new(
+        holds,
+        format!("{:.1} degrees of the driver more with four slots than with three", longer(4).to_degrees()),
+    )
 }
 
 /// How many pins are tried; there is never room for so many.

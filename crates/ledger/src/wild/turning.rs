@@ -2,26 +2,7 @@
 
 use super::fit::ANY;
 use super::*;
-
-const CALCULATOR: Place = at(page!(
-    "https://www.firgelliauto.com/blogs/engineering-calculators/geneva-mechanism-calculator-indexing-time-and-geometry"
-));
-const MISCELLANEOUS: Place = at(page!("https://www.firgelliauto.com/en-pt/blogs/mechanisms/miscellaneous-form"));
-const EXTERNAL: Place = at(page!("https://www.firgelliauto.com/es/blogs/mechanisms/geneva-drive-external"));
-const DRIVE: Place = at(page!("https://www.firgelliauto.com/blogs/mechanisms/geneva-drive"));
-const UNSEEL: Place = at(page!("https://unseel.com/engineering/geneva-drive"));
-const STAR: Place = at(page!("https://everything2.com/title/Geneva+star"));
-const MECHANICS: Place = at(page!(
-    "https://github.com/DannyHsuC10/Mechanics/blob/HEAD/Mechanical_Principle/Other_components/\
-     Periodic_motion_mechanism/Periodic_motion_mechanism.md"
-));
-const ANVILATE: Place = at(page!("https://github.com/clay-good/anvilate/blob/HEAD/src/anvilate/analysis/geneva.py"));
-const ARTOBOLEVSKY: Place = at(page!("https://www.dmg-lib.org/dmglib/main/portal.jsp?id=19274023"));
-const RIGID: Place =
-    at(page!("https://github.com/cool-japan/oxiphysics/blob/HEAD/crates/oxiphysics-rigid/src/mechanism_rigid.rs"));
-const LINKAGE: Place = at(page!("https://github.com/MHSGhali/Linkage-Design/blob/HEAD/src/joints.c"));
-const STYLE_SHEET: Place = at(page!("https://github.com/SAPTARSHI-coder/EaseMotion-css/pull/48586"));
-const PITTER: Place = at(page!("https://github.com/edtechd/cherry-pitter/blob/HEAD/part_geneva_driver.py"));
+use crate::Decimal;
 
 const TWICE: &str = "The pin's place at entry, by coordinates, gives the corrected form for 3 to 60 slots.";
 
@@ -93,19 +74,19 @@ fn unseel() -> Vec<Claim> {
     let dwell = |id, printed, slots: u32, meaning| {
         number(UNSEEL, id, printed, "%", meaning, slots, |fit| 100.0 * fit.resting / (2.0 * PI))
     };
-    let wrong = |id, printed, slots: u32, meaning| {
+    let wrong = |id, printed, slots: u32, rounded: &'static str, meaning| {
         // A half goes down, also one that arithmetic has made a little larger.
         let taken = |fit: &Fit| libm::ceil(100.0 * (1.0 - fit.step / (2.0 * PI)) - 0.5 - 1e-9);
         let right = |fit: &Fit| 100.0 * fit.resting / (2.0 * PI);
         number(UNSEEL, id, printed, "%", meaning, slots, taken)
             .right(ClosedForm, move || right(&Fit::by_wheel(slots)), Vectors, move || right(&Fit::by_vectors(slots)))
-            .read_as("Rounded to whole per cents, a half down. So is the right number.")
-            .in_error(MORE_SLOTS)
+            .read_as("Rounded to whole per cents, a half down.")
+            .in_error_for(rounded, MORE_SLOTS)
     };
     vec![
         dwell("wild.unseel.four", "75", 4, "rest of a wheel of four slots, as a part of the cycle"),
-        wrong("wild.unseel.six", "83", 6, "rest of a wheel of six slots, as a part of the cycle"),
-        wrong("wild.unseel.eight", "87", 8, "rest of a wheel of eight slots, as a part of the cycle"),
+        wrong("wild.unseel.six", "83", 6, "", "rest of a wheel of six slots, as a part of the cycle"),
+        wrong("wild.unseel.eight", "87", 8, "62.5", "rest of a wheel of eight slots, as a part of the cycle"),
     ]
 }
 
@@ -171,9 +152,7 @@ fn oxiphysics() -> Vec<Claim> {
             ),
         ),
         formula(
-            at(page!(
-                "https://github.com/cool-japan/oxiphysics/blob/HEAD/crates/oxiphysics-constraints/src/mechanism/types.rs"
-            )),
+            CONSTRAINTS,
             "wild.oxiphysics.right-half-angle",
             r"\alpha = \pi/2 - \pi/n",
             "what the driver turns from the entry of the pin to the line of centres, in another module of the library",
@@ -181,6 +160,28 @@ fn oxiphysics() -> Vec<Claim> {
             |fit| vec![(r"\alpha", fit.moving / 2.0), ("n", fit.slots)],
         ),
     ]
+}
+
+/// The letters of times and angles, for a driver of speed 3.
+fn times(fit: &Fit) -> Vec<(&'static str, f64)> {
+    let speed = 3.0;
+    let times = [(r"t_{on}", fit.moving / speed), (r"t_{off}", fit.resting / speed), ("t", 2.0 * PI / speed)];
+    [&times[..], &[(r"\theta_{off}", fit.resting), (r"\omega", speed), ("N", fit.slots)]].concat()
+}
+
+/// Whether numbers of slots, each with a part of the cycle behind it, are those of wheels that move for that part; or rest.
+fn parts(stated: Stated, by: fn(u32) -> Fit) -> Finding {
+    let numbers = stated.decimals();
+    let fits = |pair: &[Decimal]| {
+        let [slots, part] = pair else { return false };
+        let fit = by(slots.to_f64() as u32);
+        part.is_rounding_of(stated.pick(fit.moving, fit.resting) / (2.0 * PI))
+    };
+    let all = numbers.chunks(2).filter(|pair| fits(pair)).count();
+    Finding::new(
+        all == 3 && numbers.len() == 6,
+        format!("{all} of the {} parts are those in which the wheel moves", numbers.len() / 2),
+    )
 }
 
 fn fractions() -> Vec<Claim> {
@@ -201,6 +202,18 @@ fn fractions() -> Vec<Claim> {
             ANY,
             |fit| vec![("f", fit.resting / (2.0 * PI)), ("n", fit.slots)],
         ),
+        ANVILATE
+            .statement(
+                "wild.anvilate.moving",
+                "a 4-slot at 0.25, a 6-slot at 0.333, an 8-slot at 0.375",
+                "part of the cycle in which wheels of four, six and eight slots move",
+            )
+            .by(ClosedForm, |stated| parts(stated, Fit::by_wheel))
+            .by(Vectors, |stated| parts(stated, Fit::by_vectors))
+            .but_not("these are the parts in which they rest"),
+        number(ANVILATE, "wild.anvilate.four", "75", "%", "rest of a wheel of four slots", 4, |fit| {
+            100.0 * fit.resting / (2.0 * PI)
+        }),
         number(ANVILATE, "wild.anvilate.six", "66.7", "%", "rest of a wheel of six slots", 6, |fit| {
             100.0 * fit.resting / (2.0 * PI)
         }),
@@ -209,19 +222,87 @@ fn fractions() -> Vec<Claim> {
         }),
         formula(
             MECHANICS,
+            "wild.mechanics.half-pitch",
+            r"\frac{2 \pi}{2 N} = \theta",
+            "half of the angle from slot to slot",
+            ANY,
+            |fit| vec![(r"\theta", fit.step / 2.0), ("N", fit.slots)],
+        ),
+        formula(
+            MECHANICS,
             "wild.mechanics.on",
-            r"\theta_{on} = \pi (1 - \frac{2}{N})",
+            r"\theta_{on} = 2 (\frac{\pi}{2} - \theta) = \pi - \frac{2 \pi}{N} = \pi (1 - \frac{2}{N})",
             "what the driver turns while the wheel turns",
             ANY,
-            |fit| vec![(r"\theta_{on}", fit.moving), ("N", fit.slots)],
+            |fit| vec![(r"\theta_{on}", fit.moving), (r"\theta", fit.step / 2.0), ("N", fit.slots)],
+        ),
+        formula(
+            MECHANICS,
+            "wild.mechanics.off",
+            r"\theta_{off} = 2 \pi - \pi (1 - \frac{2}{N}) = \pi (2 - (1 - \frac{2}{N})) = \pi (1 + \frac{2}{N})",
+            "what the driver turns while the wheel rests",
+            ANY,
+            |fit| vec![(r"\theta_{off}", fit.resting), ("N", fit.slots)],
+        ),
+        formula(
+            MECHANICS,
+            "wild.mechanics.ratio",
+            r"\frac{t_{on}}{\theta_{off}} = \frac{\pi (1 - \frac{2}{N})}{\pi (1 + \frac{2}{N})}",
+            "time of a move to what is printed behind the colon, as a quotient",
+            ANY,
+            times,
+        )
+        .corrected(
+            r"\frac{t_{on}}{t_{off}} = \frac{\pi (1 - \frac{2}{N})}{\pi (1 + \frac{2}{N})}",
+            Slip {
+                consequence: Consequence::Wording,
+                origin: Origin::Misprint,
+                ..slip(
+                    "A time is set beside an angle. The time of a rest is meant: the two times are as the two angles.",
+                    TWICE,
+                    "Nothing: the two times that follow are right.",
+                )
+            },
+        ),
+        formula(
+            MECHANICS,
+            "wild.mechanics.speed",
+            r"\omega = \frac{t}{2 \pi}",
+            "speed of the driver, with the time t of a turn",
+            ANY,
+            times,
+        )
+        .read_as(
+            "The page doesn't say what ω is; it is the letter of an angular velocity. What is printed is its inverse, the time \
+             of a radian, and the next lines use that rightly.",
+        )
+        .corrected(
+            r"\omega = \frac{2 \pi}{t}",
+            Slip {
+                consequence: Consequence::Wording,
+                origin: Origin::Misprint,
+                ..slip(
+                    "An angular velocity is an angle over a time. The printed quotient is the time of a radian.",
+                    TWICE,
+                    "Nothing: the next lines have the quotient and not the letter.",
+                )
+            },
+        ),
+        formula(
+            MECHANICS,
+            "wild.mechanics.on-time",
+            r"t_{on} = \frac{t}{2 \pi} (\pi (1 - \frac{2}{N})) = \frac{t}{2} - \frac{t}{N}",
+            "time for which the wheel turns, of the time of a turn of the driver",
+            ANY,
+            times,
         ),
         formula(
             MECHANICS,
             "wild.mechanics.off-time",
-            r"t_{off} = \frac{t}{2} + \frac{t}{N}",
+            r"t_{off} = \frac{t}{2 \pi} (\pi (1 + \frac{2}{N})) = \frac{t}{2} + \frac{t}{N}",
             "time for which the wheel rests, of the time of a turn of the driver",
             ANY,
-            |fit| vec![(r"t_{off}", fit.resting / 3.0), ("t", 2.0 * PI / 3.0), ("N", fit.slots)],
+            times,
         ),
     ]
 }
@@ -237,7 +318,7 @@ fn others() -> Vec<Claim> {
             |fit| vec![(r"\theta_{dwell}", fit.resting), ("N", fit.slots)],
         ),
         formula(
-            EXTERNAL,
+            FIRGELLI_EXTERNAL,
             "wild.firgelli-external.sweep",
             r"\theta_{sweep} = 180^{\circ} - 360^{\circ}/n",
             "what the driver turns while the wheel turns",
@@ -245,7 +326,7 @@ fn others() -> Vec<Claim> {
             |fit| vec![(r"\theta_{sweep}", fit.moving), ("n", fit.slots)],
         ),
         formula(
-            EXTERNAL,
+            FIRGELLI_EXTERNAL,
             "wild.firgelli-external.ratio",
             r"x = \frac{180 + 360/n}{180 - 360/n}",
             "time of a rest over the time of a move",
@@ -264,7 +345,7 @@ fn others() -> Vec<Claim> {
             |fit| vec![(r"\alpha", fit.moving / 2.0), ("n", fit.slots)],
         ),
         number(
-            STYLE_SHEET,
+            STYLE_SHEET_MEASURED,
             "wild.style-sheet.moving",
             "24.9",
             "%",
@@ -275,9 +356,16 @@ fn others() -> Vec<Claim> {
         .read_to(|| 100.0 / 800.0)
         .read_as("One instant of 800 more or less.")
         .expecting(crate::Verdict::ReadOff),
-        number(PITTER, "wild.cherry-pitter.dwell", "240", "°", "arc that locks a wheel of six slots", 6, |fit| {
-            fit.resting.to_degrees()
-        }),
+        number(
+            PITTER_DRIVER,
+            "wild.cherry-pitter.dwell",
+            "240",
+            "°",
+            "arc of the locking cam: what the driver turns while a wheel of six rests",
+            6,
+            |fit| fit.resting.to_degrees(),
+        )
+        .read_as("The arc that the mechanism wants. Of the cam as it is built see the example."),
     ]
 }
 

@@ -5,6 +5,7 @@ mod front;
 mod jazar;
 mod joints;
 pub mod making;
+mod method;
 mod mimic;
 mod mistake;
 mod never_printed;
@@ -29,6 +30,7 @@ const ALL: &[&[(&str, Number)]] = &[
     jazar::NUMBERS,
     joints::NUMBERS,
     making::NUMBERS,
+    method::NUMBERS,
     mimic::NUMBERS,
     mistake::NUMBERS,
     never_printed::NUMBERS,

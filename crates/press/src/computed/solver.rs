@@ -1,6 +1,6 @@
 //! Of the chapter on the solver: what it takes, from the record.
 
-use super::Number;
+use super::{Number, least, most};
 use crate::measurements::{Measurement, integrators};
 use anyhow::Context;
 
@@ -8,7 +8,50 @@ use anyhow::Context;
 pub const NUMBERS: &[(&str, Number)] = &[
     ("solver.escapements", || Ok(each()?.1.to_string())),
     ("solver.steady-state", || Ok(format!("{:.0} µs", each()?.0))),
+    ("solver.missed-by", || Ok(digits(least(&missed()?)))),
+    ("solver.located.error.least", || Ok(digits(least(&located(error)?)))),
+    ("solver.located.error.most", || Ok(digits(most(&located(error)?)))),
+    ("solver.located.work.least", || Ok(format!("{:.1}", 1.0 / most(&located(evaluations)?)))),
+    ("solver.located.work.most", || Ok(format!("{:.1}", 1.0 / least(&located(evaluations)?)))),
 ];
+
+/// The library's methods, as written down at first.
+const METHODS: [&str; 2] = ["dopri5", "dop853"];
+
+fn error(of: &Measurement) -> Option<f64> {
+    of.true_error
+}
+
+fn evaluations(of: &Measurement) -> Option<f64> {
+    of.evaluations.map(|count| count as f64)
+}
+
+/// How many times larger than the tolerance the errors of the library's methods are, written down as at first.
+fn missed() -> anyhow::Result<Vec<f64>> {
+    let all = integrators()?.into_iter().filter(|one| METHODS.contains(&one.contestant.as_str()));
+    all.map(|one| Ok(one.true_error.context("no error")? / one.tolerance.parse::<f64>()?)).collect()
+}
+
+/// What the library's methods have without located switches over what they have with them, at the same tolerances.
+fn located(quantity: fn(&Measurement) -> Option<f64>) -> anyhow::Result<Vec<f64>> {
+    let all = integrators()?;
+    let of = |contestant: &str, tolerance: &str| {
+        let found = all.iter().find(|one| one.contestant == contestant && one.tolerance == tolerance);
+        found.and_then(quantity).with_context(|| format!("no {contestant} at {tolerance}"))
+    };
+    let plain = all.iter().filter(|one| METHODS.contains(&one.contestant.as_str()));
+    let ratio = |one: &Measurement| {
+        let with = of(&format!("{}-located", one.contestant), &one.tolerance)?;
+        Ok(of(&one.contestant, &one.tolerance)? / with)
+    };
+    plain.map(ratio).collect()
+}
+
+/// A number to two digits, as whole tens or hundreds.
+fn digits(number: f64) -> String {
+    let unit = libm::pow(10.0, libm::floor(libm::log10(number)) - 1.0);
+    format!("{:.0}", unit * (number / unit).round())
+}
 
 /// Microseconds for the steady state of one escapement, and how many were found.
 fn each() -> anyhow::Result<(f64, u32)> {
@@ -16,4 +59,33 @@ fn each() -> anyhow::Result<(f64, u32)> {
     let found = integrators()?.into_iter().find(is_asked).context("no such measurement in the record")?;
     let runs = found.runs.context("a measurement without runs")?;
     Ok((1e3 * found.milliseconds / f64::from(runs), runs))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_the_chapter_says_of_the_record_is_so() {
+        let all = integrators().expect("read");
+        let times = |of: &dyn Fn(&Measurement) -> bool| -> Vec<f64> {
+            all.iter().filter(|one| one.runs.is_some() && of(one)).map(|one| one.milliseconds).collect()
+        };
+        let own = times(&|one| one.contestant == "angle-run");
+        let others = times(&|one| !one.contestant.starts_with("angle"));
+        assert!(most(&own) < least(&others), "at its finest faster than the others at their coarsest");
+        assert!(most(&own) < 1.5 * least(&own), "more precision costs it little");
+        // The least time for an error that is small enough.
+        let time = |contestant: &str| {
+            let fine =
+                |one: &Measurement| one.contestant == contestant && one.true_error.is_some_and(|error| error < 1e-7);
+            least(&times(&fine))
+        };
+        let methods = ["dopri5", "dop853", "dopri5-located", "dop853-located"];
+        assert!(
+            methods.iter().all(|method| time(method) < time("mimic")),
+            "the program is the slowest at a high precision"
+        );
+        assert_eq!([2552.0, 31.05].map(digits), ["2600", "31"]);
+    }
 }

@@ -10,6 +10,7 @@ use std::collections::BTreeSet;
 /// The numbers of the chapter.
 pub const NUMBERS: &[(&str, Number)] = &[
     ("wild.addresses", || Ok(addresses(|_| true).to_string())),
+    ("wild.addresses-whole", || Ok(addresses(is_of_a_page_taken_whole).to_string())),
     ("wild.addresses-wrong", || Ok(addresses(|judged| is_statement(judged) && is_wrong(judged)).to_string())),
     ("wild.statements", || Ok(count(is_statement))),
     ("wild.right", || Ok(count(|judged| is_statement(judged) && judged.truth() == Truth::Right))),
@@ -32,6 +33,11 @@ fn is_statement(judged: &Judged) -> bool {
 
 fn is_wrong(judged: &Judged) -> bool {
     judged.truth() == Truth::Wrong
+}
+
+/// Whether it is on a page of which every formula was taken.
+fn is_of_a_page_taken_whole(judged: &Judged) -> bool {
+    wild::read(judged.claim.locator).is_some_and(|(address, _)| wild::is_taken_whole(address))
 }
 
 /// How many pages and programs have such a statement or example.

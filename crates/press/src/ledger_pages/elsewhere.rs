@@ -36,7 +36,7 @@ fn is_example(judged: &Judged) -> bool {
     judged.claim.kind == Kind::Example
 }
 
-/// Each address, and how many of its statements and of its examples are right and wrong.
+/// Each address, how much of it was taken, and how many of its statements and of its examples are right and wrong.
 pub fn addresses() -> anyhow::Result<Table> {
     let mut all: Vec<(&str, [usize; 4])> = Vec::new();
     for judged in lookup::of_work(Work::Wild) {
@@ -48,9 +48,11 @@ pub fn addresses() -> anyhow::Result<Table> {
         all[at].1[2 * usize::from(is_example(judged)) + usize::from(judged.truth() == Truth::Wrong)] += 1;
     }
     let count = |number: usize| if number == 0 { "–".to_owned() } else { number.to_string() };
-    let rows =
-        all.into_iter().map(|(address, counts)| Ok([vec![linked_page(address)], counts.map(count).into()].concat()));
-    let head = ["Page or program", "Right", "Wrong", "Examples right", "Examples wrong"];
+    let rows = all.into_iter().map(|(address, counts)| {
+        let taken = if wild::is_taken_whole(address) { "every formula" } else { "single statements" };
+        Ok([vec![linked_page(address), taken.to_owned()], counts.map(count).into()].concat())
+    });
+    let head = ["Page or program", "Taken from it", "Right", "Wrong", "Examples right", "Examples wrong"];
     table("Where it was read", Cells::Words, &head, rows)
 }
 

@@ -4,6 +4,7 @@ mod joints;
 mod locking;
 mod mimic;
 mod quick_return;
+pub mod readings;
 mod rise_times;
 mod runs;
 pub mod solver;
@@ -46,6 +47,7 @@ const TABLES: &[(&str, Draw)] = &[
     ("timer-sensitivity", timer::sensitivity),
     ("timer-accelerations", timer::accelerations),
     ("timer-mean-speed", timer::mean_speed),
+    ("readings", readings::readings),
 ];
 
 /// The table of this name.

@@ -1,0 +1,145 @@
+//! A public page that goes on with the textbook problem of this book's first chapter: it asks for the wheel's acceleration.
+//!
+//! It repeats what it needs of the first problem, whose copy has lost its arrows. Its stored text ends before the result.
+
+use super::*;
+use crate::Evidence::OtherPlaceInSource;
+use crate::by_id::printed;
+use crate::pin::Instant;
+use geneva_kinematics::Turn;
+use geneva_kinematics::pin_triangle::TriangleSolution;
+use geneva_kinematics::pin_vectors::PinMotion;
+use nalgebra::Vector2;
+
+pub fn claims() -> Vec<Claim> {
+    vec![
+        value("wild.holooly.speed", "4.08", "rad/s", "angular speed of the wheel", |t| t.follower_speed, |motion| {
+            motion.follower_speed.abs()
+        }),
+        HOLOOLY
+            .statement("wild.holooly.sense", "an arrow that turns clockwise", "sense in which the wheel turns")
+            .by(ClosedForm, |stated| {
+                // Positive against the driver, which turns counterclockwise.
+                sense(stated, -by_triangle(|t| t.follower_speed))
+            })
+            .by(Vectors, |stated| sense(stated, by_vectors(|motion| motion.follower_speed)))
+            .but_not("it turns counterclockwise"),
+        value("wild.holooly.angle", "42.4", "°", "angle of the slot from the line of centres", |t| {
+            t.angle_at_pivot.to_degrees()
+        }, |motion| libm::atan2(motion.position.y.abs(), motion.position.x.abs()).to_degrees()),
+        value("wild.holooly.sliding", "477", "mm/s", "speed of the pin along the slot", |t| t.sliding_speed, |motion| {
+            motion.sliding_velocity.norm()
+        }),
+        HOLOOLY
+            .statement(
+                "wild.holooly.sliding-direction",
+                "a mark that points down to the left",
+                "direction of the pin's velocity along the slot",
+            )
+            .by(ClosedForm, |stated| {
+                // Towards the wheel's axis, which is down to the left of the pin.
+                let towards = by_triangle(|t| t.sliding_speed) * stated.pick(1.0, -1.0);
+                Finding::new(towards > 0.0, "the pin slides towards the wheel's axis")
+            })
+            .by(Vectors, |stated| {
+                let x = by_vectors(|motion| motion.sliding_velocity.x);
+                let y = by_vectors(|motion| motion.sliding_velocity.y);
+                let seen = stated.pick(-1.0, 1.0);
+                Finding::new(x * seen > 0.0 && y * seen > 0.0, format!("the sliding velocity is ({x:.0}, {y:.0}) mm/s"))
+            })
+            .but_not("it slides up and to the right"),
+        value("wild.holooly.radius", "37.1", "mm", "distance of the pin from the wheel's axis", |t| t.slot_radius, |motion| {
+            motion.position.norm()
+        }),
+        HOLOOLY
+            .value("wild.holooly.crank", "500", "mm", "crank radius, in the product that gives the pin's acceleration")
+            .by(OtherPlaceInSource, || {
+                printed("wild.holooly.pin-acceleration") / (printed("pin.driver-speed") * printed("pin.driver-speed"))
+            })
+            .by(OtherPlaceInSource, || printed("pin.crank-radius"))
+            .corrected(
+                "50",
+                Slip {
+                    origin: Origin::Misprint,
+                    consequence: Consequence::Number,
+                    ..slip(
+                        "500 mm times the square of 10 rad/s is 50,000 mm/s², ten times the printed product. With the crank \
+                         radius of the problem, 50 mm, the product is right.",
+                        "The crank radius of the problem that the page goes on with.",
+                        "Nothing that is printed after it.",
+                    )
+                },
+            ),
+        HOLOOLY
+            .value("wild.holooly.pin-acceleration", "5000", "mm/s²", "acceleration of the pin")
+            .by(ClosedForm, || {
+                Instant::printed().map_or(f64::NAN, |instant| {
+                    instant.mechanism.crank_radius() * instant.driver_speed * instant.driver_speed
+                })
+            })
+            .by(Vectors, || {
+                // The pin's velocity turns with the driver.
+                printed("pin.driver-speed") * by_vectors(|motion| motion.pin_velocity.norm())
+            }),
+        HOLOOLY
+            .value(
+                "wild.holooly.direction",
+                "0",
+                "°",
+                "angle of the pin's acceleration below the horizontal, to the right as its mark shows",
+            )
+            .by(ClosedForm, || 180.0 - printed("pin.crank-angle"))
+            .by(Vectors, || {
+                // Towards the driver's axis.
+                let axis = Instant::printed().map_or(f64::NAN, |instant| instant.mechanism.centre_distance());
+                let x = by_vectors(|motion| motion.position.x);
+                let y = by_vectors(|motion| motion.position.y);
+                let towards = Vector2::new(axis - x, -y);
+                -Turn { cos: towards.x / towards.norm(), sin: towards.y / towards.norm() }.degrees()
+            })
+            .corrected(
+                "30",
+                Slip {
+                    origin: Origin::Misprint,
+                    consequence: Consequence::Number,
+                    ..slip(
+                        "The acceleration points to the driver's axis, 30° below the horizontal. A digit is lost: a degree sign \
+                         stands before the 0.",
+                        "The pin and the driver's axis by coordinates.",
+                        "Not known: the stored text ends before the direction is used.",
+                    )
+                },
+            ),
+    ]
+}
+
+/// A number by the triangle of the first problem and by its vectors.
+fn value(
+    id: &'static str,
+    digits: &'static str,
+    unit: &'static str,
+    meaning: &'static str,
+    triangle: fn(&TriangleSolution) -> f64,
+    vectors: fn(&PinMotion<f64>) -> f64,
+) -> Claim {
+    HOLOOLY
+        .value(id, digits, unit, meaning)
+        .by(ClosedForm, move || by_triangle(triangle))
+        .by(Vectors, move || by_vectors(vectors))
+}
+
+/// A quantity of the first problem's instant by its triangle; not a number if there is no such position.
+fn by_triangle(quantity: fn(&TriangleSolution) -> f64) -> f64 {
+    Instant::printed().map_or(f64::NAN, |instant| quantity(&instant.by_triangle()))
+}
+
+/// A quantity of the first problem's instant by vectors; not a number if there is no such position.
+fn by_vectors(quantity: fn(&PinMotion<f64>) -> f64) -> f64 {
+    Instant::printed().ok().and_then(|instant| instant.by_vectors()).map_or(f64::NAN, |motion| quantity(&motion))
+}
+
+/// Whether a wheel of this angular velocity, counterclockwise positive, turns clockwise; or counterclockwise.
+fn sense(stated: Stated, turning: f64) -> Finding {
+    let against = turning * stated.pick(-1.0, 1.0) > 0.0;
+    Finding::new(against, format!("the wheel turns {}", if turning < 0.0 { "clockwise" } else { "counterclockwise" }))
+}

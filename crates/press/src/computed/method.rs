@@ -1,0 +1,77 @@
+//! Of how it is checked: the misprints that were made, the equations with a neighbour by hand, and what readings overturned.
+
+use super::Number;
+use crate::lookup::of_documents;
+use crate::tables::readings::{READINGS, SENTENCES};
+use anyhow::Context;
+use geneva_ledger::{Check, Kind};
+use std::collections::BTreeMap;
+
+/// Made by the test of the misprints, which fails if it is not as the ledger has it.
+const MISPRINTS: &str = include_str!("../../../../book/records/misprints.csv");
+
+/// The numbers of the page.
+pub const NUMBERS: &[(&str, Number)] = &[
+    ("method.misprints.refuted", || misprints("refuted")),
+    ("method.misprints.unreadable", || misprints("unreadable")),
+    ("method.misprints.harmless", || misprints("harmless")),
+    ("method.neighbours-by-hand", || Ok(neighbours_by_hand().to_string())),
+    ("method.readings.last", || Ok(last()?.0.to_string())),
+    ("method.readings.last-of", || Ok(last()?.1.to_string())),
+    ("method.readings.last-part", || Ok(one_in(last()?))),
+    ("method.readings.last-sentences", || Ok(last()?.2.to_string())),
+    ("method.readings.again", || Ok(again().to_string())),
+];
+
+/// A number of the record of misprints.
+fn misprints(name: &str) -> anyhow::Result<String> {
+    let lines = MISPRINTS.lines().filter_map(|line| line.split_once(','));
+    let found = lines.into_iter().find_map(|(known, number)| (known == name).then(|| number.to_owned()));
+    found.with_context(|| format!("the record of misprints has no line `{name}`"))
+}
+
+/// How many equations of the documents are checked like a statement, with a false form that is made by hand.
+fn neighbours_by_hand() -> usize {
+    let by_hand = |check: &Check| matches!(check, Check::Statement { .. });
+    of_documents().filter(|judged| judged.claim.kind == Kind::Equation && by_hand(&judged.claim.check)).count()
+}
+
+/// Of the last reading that counted what it went through: statements and figures overturned, those gone through, and
+/// sentences of the book to change.
+fn last() -> anyhow::Result<(usize, usize, usize)> {
+    let counted = READINGS.iter().rev().find_map(|reading| {
+        // Those of the pages elsewhere were gone through, but not counted.
+        let here = |id: &str| !id.starts_with("wild.");
+        let of = reading.overturned.iter().filter(|(id, kind)| here(id) && SENTENCES.contains(kind)).count();
+        Some((of, reading.gone_through?, reading.sentences?))
+    });
+    counted.context("no reading has counted what it went through")
+}
+
+/// A part as one in so many.
+fn one_in((part, all, _): (usize, usize, usize)) -> String {
+    (all as f64 / part.max(1) as f64).round().to_string()
+}
+
+/// How many claims more than one reading has overturned.
+fn again() -> usize {
+    let mut times: BTreeMap<&str, usize> = BTreeMap::new();
+    for (id, _) in READINGS.iter().flat_map(|reading| reading.overturned) {
+        *times.entry(id).or_default() += 1;
+    }
+    times.values().filter(|times| **times > 1).count()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_record_of_misprints_has_its_lines() {
+        for name in ["refuted", "unreadable", "harmless"] {
+            assert!(misprints(name).expect("a line").parse::<usize>().is_ok_and(|number| number > 0), "{name}");
+        }
+        assert!(misprints("made up").is_err());
+        assert!(again() > 3 && neighbours_by_hand() > 0);
+    }
+}

@@ -1,0 +1,170 @@
+//! What hostile readings have overturned: each reading with the claims whose answer it changed.
+
+use crate::html::{Cells, Table, table};
+use geneva_ledger::Kind;
+
+/// A reading of the ledger and of the book by someone who set out to refute them.
+pub struct Reading {
+    /// Its day and what was read.
+    pub what: &'static str,
+    /// Claims on record then, those on pages elsewhere among them.
+    pub claims: usize,
+    /// The claims of which the answer to "is it right?" changed because of it, with their kinds.
+    pub overturned: &'static [(&'static str, Kind)],
+    /// Statements and figures that it went through one by one; none if they were not counted.
+    pub gone_through: Option<usize>,
+    /// Sentences of the book that it found false or saying too much; none if they were not counted.
+    pub sentences: Option<usize>,
+}
+
+/// All readings so far, in their order. A claim that is no longer in the ledger is still listed here.
+pub const READINGS: &[Reading] = &[
+    Reading {
+        what: "First, 22 November 2026: all four sources, in two rounds",
+        claims: 662,
+        overturned: &[
+            ("quick-return.acceleration-in-a-frame", Kind::Equation),
+            ("quick-return.coriolis-direction", Kind::Statement),
+            ("jazar.fig-5.30", Kind::Figure),
+            ("jazar.ex-c.division", Kind::Value),
+            ("jazar.ex-e.preceding", Kind::Statement),
+            ("jazar.ex-e.maximum", Kind::Statement),
+            ("jazar.ex-e.signs", Kind::Statement),
+            ("meyer.along-the-slot", Kind::Statement),
+            ("meyer.friction-opposes", Kind::Statement),
+            ("meyer.friction-opposes-again", Kind::Statement),
+            ("meyer.singularity.conclusion", Kind::Statement),
+            ("meyer.parameter.entry-angle", Kind::Statement),
+            ("meyer.like-discs", Kind::Statement),
+            ("meyer.letter-m", Kind::Statement),
+            ("meyer.disc.inertia", Kind::Statement),
+            ("meyer.fig-10.rise-axis", Kind::Statement),
+            ("meyer.less-friction", Kind::Statement),
+            ("meyer.almost-linear", Kind::Statement),
+            ("meyer.conclusion.three", Kind::Statement),
+            ("meyer.app-b.method.one-value", Kind::Statement),
+            ("meyer.app-b.method.constant", Kind::Statement),
+            ("meyer.app-b.method.subinterval", Kind::Statement),
+            ("meyer.app-b.cannot-be-solved", Kind::Statement),
+            ("meyer.app-b.simultaneous", Kind::Statement),
+            ("meyer.app-d.order", Kind::Statement),
+            ("meyer.app-e.torque-unit", Kind::Statement),
+        ],
+        gone_through: None,
+        sentences: None,
+    },
+    Reading {
+        what: "Second, 22 November 2026: the three small sources, Chapter II and Appendices B and D of the thesis",
+        claims: 783,
+        overturned: &[
+            ("pin.letter-v", Kind::Statement),
+            ("pin.letter-f", Kind::Statement),
+            ("pin.pin-speed-equation", Kind::Equation),
+            ("pin.mark-d", Kind::Statement),
+            ("pin.follower-speed-equation", Kind::Equation),
+            ("jazar.fig-5.30", Kind::Figure),
+            ("jazar.wheel-radius-ratio", Kind::Statement),
+            ("jazar.ex-c.division", Kind::Value),
+            ("jazar.generalises", Kind::Statement),
+            ("meyer.along-the-slot", Kind::Statement),
+            ("meyer.shape", Kind::Statement),
+            ("meyer.first-minimum", Kind::Statement),
+            ("meyer.less-friction", Kind::Statement),
+        ],
+        gone_through: None,
+        sentences: None,
+    },
+    Reading {
+        what: "Third, 23 November 2026: Appendices B and D of the thesis",
+        claims: 892,
+        overturned: &[("meyer.app-d.needed", Kind::Statement)],
+        gone_through: None,
+        sentences: None,
+    },
+    Reading {
+        what: "Fourth, 23 November 2026: the thesis's statements, the three small sources, the pages elsewhere, and more than \
+               300 numbers of the book",
+        claims: 901,
+        overturned: &[
+            ("pin.follower-sense", Kind::Statement),
+            ("jazar.wheel-radius-ratio", Kind::Statement),
+            ("jazar.most-stations", Kind::Statement),
+            ("meyer.always-engaged", Kind::Statement),
+            ("meyer.along-the-slot", Kind::Statement),
+            ("meyer.small-variations", Kind::Statement),
+            ("meyer.shape", Kind::Statement),
+            ("meyer.first-minimum", Kind::Statement),
+            ("meyer.singularity.conclusion", Kind::Statement),
+            ("meyer.app-b.cannot-be-solved", Kind::Statement),
+            ("meyer.app-b.simultaneous", Kind::Statement),
+            ("wild.mecha-external.gears", Kind::Equation),
+            ("wild.mecha-internal.gears", Kind::Equation),
+        ],
+        gone_through: Some(218),
+        sentences: Some(47),
+    },
+];
+
+impl Reading {
+    /// How many claims of some kinds it overturned.
+    pub fn count(&self, kinds: &[Kind]) -> usize {
+        self.overturned.iter().filter(|(_, kind)| kinds.contains(kind)).count()
+    }
+}
+
+/// The kinds of claim in the columns of the table.
+pub const SENTENCES: [Kind; 2] = [Kind::Statement, Kind::Figure];
+
+/// Each reading, and how many claims of each kind it overturned.
+pub fn readings() -> anyhow::Result<Table> {
+    let rows = READINGS.iter().map(|reading| {
+        let [numbers, equations, sentences] =
+            [&[Kind::Value][..], &[Kind::Equation], &SENTENCES].map(|kinds| reading.count(kinds).to_string());
+        let of_the_book = reading.sentences.map_or_else(|| "not counted".to_owned(), |count| count.to_string());
+        Ok(vec![reading.what.to_owned(), reading.claims.to_string(), numbers, equations, sentences, of_the_book])
+    });
+    let head = [
+        "Reading",
+        "Claims then on record",
+        "Numbers overturned",
+        "Equations",
+        "Statements and figures",
+        "Sentences of the book to change",
+    ];
+    table("What hostile readings have overturned", Cells::Words, &head, rows)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use geneva_ledger::claim;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn a_reading_lists_claims_of_the_ledger_once_and_with_their_kinds() {
+        for reading in READINGS {
+            let ids: BTreeSet<_> = reading.overturned.iter().map(|(id, _)| id).collect();
+            assert_eq!(ids.len(), reading.overturned.len(), "{}", reading.what);
+            for (id, kind) in reading.overturned {
+                // A claim may have gone since.
+                assert!(claim(id).is_none_or(|claim| claim.kind == *kind), "{id}: {kind}");
+            }
+            let known = reading.overturned.iter().filter(|(id, _)| claim(id).is_some()).count();
+            assert!(10 * known >= 8 * reading.overturned.len(), "{}: {known} claims are known", reading.what);
+        }
+    }
+
+    #[test]
+    fn the_kinds_add_up_and_the_ledger_has_grown() {
+        for reading in READINGS {
+            let kinds = [&[Kind::Value][..], &[Kind::Equation], &SENTENCES];
+            let sum: usize = kinds.iter().map(|kinds| reading.count(kinds)).sum();
+            assert_eq!(sum, reading.overturned.len(), "{}", reading.what);
+            assert!(reading.overturned.len() < reading.claims);
+            assert!(reading.gone_through.is_none_or(|all| reading.count(&SENTENCES) <= all && all < reading.claims));
+        }
+        assert!(READINGS.windows(2).all(|pair| pair[0].claims < pair[1].claims));
+        let csv = readings().expect("a table").csv().expect("data");
+        assert_eq!(csv.lines().count(), READINGS.len() + 1);
+    }
+}
