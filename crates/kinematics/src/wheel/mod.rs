@@ -13,6 +13,7 @@ mod centres;
 mod clearance;
 mod crescent;
 mod cycle;
+mod dwell_play;
 mod extremes;
 mod fit;
 mod geometry;
@@ -23,11 +24,13 @@ mod outline;
 mod play;
 mod regions;
 mod sizes;
+mod warnings;
 
 pub use centres::CentreTolerance;
 pub use clearance::{Clearance, Contact, Nearest, TOLERANCE};
 pub use crescent::Crescent;
 pub use cycle::{Motion, Phase};
+pub use dwell_play::DwellPlay;
 pub use extremes::{AccelerationPeak, acceleration_peak, entry_acceleration, gamma, peak_velocity};
 pub use fit::{Remedy, ShaftOf, SizesError};
 pub use geometry::{STATIONS, Wheel};
@@ -35,11 +38,14 @@ pub use indexing::peak_jerk;
 pub use misplaced::Misplaced;
 pub use motion::{acceleration_ratio, jerk_ratio, unsteady_acceleration};
 pub use outline::{Edge, Face, Loop, Outline};
-pub use play::{Entry, EntryContact};
+pub use play::{Entry, EntryContact, Knock};
 pub use sizes::{Choices, LockingDisc, Play, Scale, Sizes};
+pub use warnings::Warning;
 
 #[cfg(test)]
 mod tests {
     mod assembly;
     mod centres;
+    mod dwell;
+    mod tolerances;
 }
