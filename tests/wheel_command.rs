@@ -25,7 +25,7 @@ const OF_SPEED: [&str; 7] = [
     "peak_jerk_rad_s3",
 ];
 /// What needs a size.
-const OF_SIZE: [&str; 30] = [
+const OF_SIZE: [&str; 37] = [
     "crank_radius_mm",
     "centre_distance_mm",
     "wheel_radius_mm",
@@ -55,8 +55,17 @@ const OF_SIZE: [&str; 30] = [
     "centres_farther_mm",
     "least_clearance_mm",
     "least_clearance_at_deg",
+    "bottom_clearance_mm",
+    "bottom_gap_mm",
+    "locking_gap_mm",
+    "slot_direction_tolerance_deg",
     "dwell_backlash_deg",
+    "dwell_backlash_held_fraction",
+    "greatest_dwell_backlash_deg",
+    "greatest_dwell_backlash_until_entry_deg",
 ];
+/// What needs speed and size.
+const OF_KNOCK: [&str; 3] = ["knock_mm_s", "knock_within_backlash_mm_s", "greatest_knock_mm_s"];
 /// What needs speed and inertia.
 const OF_LOAD: [&str; 14] = [
     "inertia_kgm2",
@@ -144,26 +153,29 @@ fn the_sheet_says_what_the_object_says() {
 #[test]
 fn keys_are_always_there_and_null_without_what_they_need() {
     let all = object(&["wheel", "--stations", "6", "--rpm", "360", "--crank-radius", "50", "--inertia", "1"]);
-    let others = ["braking_pin_force_n", "friction_torque_nm", "peak_contact_pressure_mpa"];
+    let others = ["braking_pin_force_n", "friction_torque_nm", "peak_contact_pressure_mpa", "wheel_inertia_kgm2"];
     let loads = OF_LOAD.iter().copied().chain(others);
     let loads: Vec<_> = loads.collect();
     let forces = ["peak_pin_force_n", "peak_pin_force_at_deg", "braking_pin_force_n", "peak_contact_pressure_mpa"];
     for (options, missing) in [
-        (&[][..], [&OF_SPEED[..], &OF_SIZE, &loads].concat()),
-        (&["--rpm", "360"], [&OF_SIZE[..], &loads].concat()),
-        (&["--crank-radius", "50"], [&OF_SPEED[..], &loads].concat()),
+        (&[][..], [&OF_SPEED[..], &OF_SIZE, &OF_KNOCK, &loads].concat()),
+        (&["--rpm", "360"], [&OF_SIZE[..], &OF_KNOCK, &loads].concat()),
+        (&["--crank-radius", "50"], [&OF_SPEED[..], &OF_KNOCK, &loads].concat()),
         (&["--rpm", "360", "--crank-radius", "50"], loads.clone()),
-        (&["--rpm", "360", "--inertia", "0.1"], [&OF_SIZE[..], &forces, &["friction_torque_nm"]].concat()),
+        (
+            &["--rpm", "360", "--inertia", "0.1"],
+            [&OF_SIZE[..], &OF_KNOCK, &forces, &["friction_torque_nm", "wheel_inertia_kgm2"]].concat(),
+        ),
         (
             &["--rpm", "360", "--inertia", "0.1", "--friction-torque", "2", "--crank-radius", "50"],
-            vec!["peak_contact_pressure_mpa"],
+            vec!["peak_contact_pressure_mpa", "wheel_inertia_kgm2"],
         ),
     ] {
         let found = object(&[&["wheel", "--stations", "6"], options].concat());
         assert!(found.keys().eq(all.keys()), "{options:?}");
         for (key, value) in found {
             assert_eq!(value.is_null(), missing.contains(&&*key), "{key} with {options:?}");
-            let kind = ["type", "at"].contains(&&*key);
+            let kind = ["type", "at", "warnings"].contains(&&*key);
             assert!(kind || value.is_null() || value.is_number(), "{key} with {options:?}: {value}");
         }
     }

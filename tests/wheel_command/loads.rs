@@ -102,6 +102,22 @@ fn a_plate_has_the_inertia_of_its_drawing() {
 }
 
 #[test]
+fn the_wheels_own_inertia_is_added_to_that_of_the_table() {
+    let plate = ["wheel", "--stations", "6", "--crank-radius", "50", "--thickness", "8", "--density", "7850"];
+    let own = number(&object(&plate), "inertia_kgm2");
+    let both = object(&[&plate[..], &["--inertia", "0.003", "--rpm", "60"]].concat());
+    approx::assert_relative_eq!(number(&both, "inertia_kgm2"), own + 0.003, max_relative = 1e-14);
+    assert_eq!(number(&both, "wheel_inertia_kgm2"), own);
+    let wheel = geneva_kinematics::wheel::Wheel::new(6).expect("possible");
+    let loads = WheelLoads::new(&wheel, own + 0.003, 0.0, 2.0 * PI).expect("possible");
+    approx::assert_relative_eq!(
+        number(&both, "peak_pin_force_n"),
+        loads.pin_moment().driving.value / 0.05,
+        max_relative = 1e-12
+    );
+}
+
+#[test]
 fn the_pressure_is_that_of_the_line_contact() {
     let wheel = ["wheel", "--stations", "6", "--rpm", "300", "--inertia", "0.02", "--crank-radius", "50"];
     let pressed = |thickness: &str, wall: &str| {
@@ -148,6 +164,7 @@ fn the_sheet_says_what_the_object_says() {
         let line = sheet.lines().find_map(|line| line.strip_prefix("  ")?.strip_prefix(name)).expect(name);
         assert!((on_sheet(line) / number(&found, key) - 1.0).abs() < 6e-4, "{key}: {line}");
     }
+    assert!(sheet.contains("without the friction of the pin"), "{sheet}");
     pin("wheel-of-six-with-loads", &wheel);
     let heavy_friction = [&wheel[..10], &["30"]].concat();
     assert!(stdout(&heavy_friction, 0).contains("friction alone slows the wheel down"));

@@ -1,6 +1,6 @@
 //! Are the sizes of the parts those of the library, whatever length is given?
 
-use crate::{geneva, number, object, pin, refusal};
+use crate::{geneva, number, object, pin, refusal, stdout};
 use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
 
 #[test]
@@ -17,7 +17,7 @@ fn the_parts_are_those_of_the_library() {
         let sizes = Sizes::new(wheel, scale, &choices).expect("it fits");
         let least = sizes.clearance().least();
         let disc = sizes.locking_disc.expect("a dwell");
-        let tolerance = sizes.centre_tolerance();
+        let (tolerance, play) = (sizes.centre_tolerance(), sizes.dwell_play().expect("a dwell"));
         for (key, right) in [
             ("crank_radius_mm", sizes.crank_radius),
             ("centre_distance_mm", sizes.centre_distance),
@@ -29,7 +29,8 @@ fn the_parts_are_those_of_the_library() {
             ("slot_depth_mm", sizes.slot_depth),
             ("tip_radius_mm", sizes.tip_radius),
             ("horn_thickness_mm", sizes.horn_thickness),
-            ("slot_end_mm", sizes.centre_distance - sizes.crank_radius),
+            ("bottom_clearance_mm", 0.05 * 6.0),
+            ("slot_end_mm", sizes.centre_distance - sizes.crank_radius - 0.3),
             ("slot_web_mm", sizes.web),
             ("bore_web_mm", sizes.slot_end - sizes.slot_width / 2.0 - (sizes.wheel_shaft + 0.01) / 2.0),
             ("locking_arc_radius_mm", sizes.locking_arc_radius),
@@ -47,6 +48,13 @@ fn the_parts_are_those_of_the_library() {
             ("centres_farther_mm", tolerance.farther),
             ("least_clearance_mm", least.distance),
             ("least_clearance_at_deg", least.crank_angle.to_degrees()),
+            ("bottom_gap_mm", 0.3 + 0.02),
+            ("locking_gap_mm", sizes.locking_gap().expect("a disc")),
+            ("slot_direction_tolerance_deg", sizes.slot_direction_tolerance().expect("a disc").to_degrees()),
+            ("dwell_backlash_deg", play.middle.to_degrees()),
+            ("dwell_backlash_held_fraction", play.held),
+            ("greatest_dwell_backlash_deg", play.greatest.to_degrees()),
+            ("greatest_dwell_backlash_until_entry_deg", play.until_entry.to_degrees()),
         ] {
             approx::assert_relative_eq!(number(&found, key), right, max_relative = 1e-14);
         }
@@ -70,8 +78,12 @@ fn the_length_that_was_given_comes_back() {
 #[test]
 fn what_does_not_fit_is_refused_with_how_much_and_what_to_change() {
     for (options, said) in [
-        (&["--pin-diameter", "60"][..], "thinner pin or less play (--pin-diameter 60, --play MM)"),
+        (
+            &["--pin-diameter", "60"][..],
+            "less depth of the slots (--pin-diameter 60, --play MM, --bottom-clearance MM)",
+        ),
         (&["--play", "90"], "--play 90"),
+        (&["--bottom-clearance", "45"], "--bottom-clearance 45"),
         (&["--horn", "40"], "a thinner pin or a thinner horn (--pin-diameter MM, --horn 40)"),
         (&["--wheel-shaft", "80"], "must be less than 69.9750 mm; take a thinner shaft (--wheel-shaft 80)"),
         (&["--driver-shaft", "30"], "(--driver-shaft 30)"),
@@ -81,5 +93,67 @@ fn what_does_not_fit_is_refused_with_how_much_and_what_to_change() {
         let refused = refusal(geneva(&wheel));
         assert!(refused.starts_with("error: ") && refused.contains(said), "{options:?}: {refused}");
     }
+    let refused = refusal(geneva(&["wheel", "--stations", "6", "--crank-radius", "50", "--bottom-clearance", "-1"]));
+    assert!(refused.contains("'-1' for '--bottom-clearance") && refused.contains("zero or more"), "{refused}");
     pin("wheel-that-does-not-fit", &["wheel", "--stations", "6", "--crank-radius", "50", "--pin-diameter", "60"]);
+}
+
+#[test]
+fn the_knock_is_that_of_the_library_at_the_drivers_speed() {
+    let found = object(&["wheel", "--stations", "6", "--crank-radius", "25", "--rpm", "60"]);
+    let wheel = Wheel::new(6).expect("possible");
+    let sizes = Sizes::new(wheel, Scale::CrankRadius(25.0), &Choices::default()).expect("it fits");
+    let (knock, pin) = (sizes.knock().expect("met"), 25.0 * 2.0 * std::f64::consts::PI);
+    for (key, right) in [
+        ("knock_mm_s", knock.centred),
+        ("knock_within_backlash_mm_s", knock.within),
+        ("greatest_knock_mm_s", knock.drifted),
+    ] {
+        approx::assert_relative_eq!(number(&found, key), right * pin, max_relative = 1e-12);
+    }
+    assert!(knock.centred < knock.within && 4.0 * knock.within < knock.drifted);
+}
+
+#[test]
+fn sizes_that_had_better_not_be_made_are_made_with_a_warning() {
+    let wheel = ["wheel", "--stations", "6", "--crank-radius", "25"];
+    let warnings = |options: &[&str]| {
+        let all = [&wheel[..], options].concat();
+        let found = object(&all);
+        let said: Vec<_> = found["warnings"].as_array().expect("a list").clone();
+        assert_eq!(stdout(&all, 0).contains("Warnings"), !said.is_empty(), "{options:?}");
+        said
+    };
+    assert!(warnings(&[]).is_empty());
+    for (options, said) in [
+        (&["--play", "0"][..], "without play"),
+        (&["--pin-diameter", "1", "--play", "0.2"], "meets its rim"),
+        (&["--horn", "0.5"], "the horn is only 0.500 mm thick"),
+    ] {
+        let found = warnings(options);
+        assert!(
+            found.iter().any(|text| text.as_str().is_some_and(|text| text.contains(said))),
+            "{options:?}: {found:?}"
+        );
+    }
+}
+
+/// What was nothing but the step of the search is found, or missing.
+#[test]
+fn no_tolerance_is_zero_where_there_is_play() {
+    for (options, is_found) in [
+        (&["--stations", "250"][..], true),
+        (&["--stations", "360"], true),
+        (&["--stations", "1000"], true),
+        (&["--stations", "6", "--pin-diameter", "0.4", "--play", "0.0005"], true),
+        (&["--stations", "6", "--pin-diameter", "0.4", "--play", "0.000000001"], false),
+    ] {
+        let found = object(&[&["wheel", "--crank-radius", "50"], options].concat());
+        for key in ["centres_nearer_mm", "centres_farther_mm", "least_clearance_mm"] {
+            assert!(found[key].as_f64().is_none_or(|length| length > 0.0), "{options:?} {key}: {}", found[key]);
+            assert!(!is_found || found[key].is_number(), "{options:?} {key}: {}", found[key]);
+        }
+        let play = number(&found, "bore_play_mm");
+        assert!(!is_found || number(&found, "centres_nearer_mm") > play, "{options:?}");
+    }
 }

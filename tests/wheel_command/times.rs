@@ -72,4 +72,9 @@ fn the_proposals_are_written_in_each_format() {
     pin("wheel-for-times-out-of-reach", &["wheel", "--index-time", "0.1", "--dwell-time", "1"]);
     pin("wheel-for-times-csv", &["wheel", "--index-time", "1", "--dwell-time", "1", "--format", "csv"]);
     assert_is_plain(&stdout(&["wheel", "--index-time", "1", "--dwell-time", "1"], 0));
+    // Wheels of more stations have these two ratios, or nearer ones; what is said is said of those that were looked at.
+    for dwell in ["0.005", "1.012"] {
+        let sheet = stdout(&["wheel", "--index-time", "1", "--dwell-time", dwell], 0);
+        assert!(sheet.contains("with up to 60"), "{sheet}");
+    }
 }

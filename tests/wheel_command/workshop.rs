@@ -13,6 +13,7 @@ fn chosen() -> Sizes {
     let choices = Choices {
         pin_diameter: Some(6.0),
         play: Some(Play::of(0.1)),
+        bottom_clearance: Some(0.2),
         horn_thickness: Some(7.5),
         wheel_shaft: Some(12.0),
         driver_shaft: Some(5.0),
@@ -29,8 +30,8 @@ fn sizes() -> Sizes {
 fn the_files_are_those_of_the_workshop() {
     let file = |options: &[&str]| stdout(&[&WHEEL[..], options].concat(), 0);
     assert_eq!(file(&["--format", "dxf"]), dxf(&sizes(), Layout::Apart));
-    let own = ["--horn", "7.5", "--wheel-shaft", "12", "--driver-shaft", "5", "--format", "dxf"];
-    assert_eq!(file(&own), dxf(&chosen(), Layout::Apart));
+    let own = ["--horn", "7.5", "--wheel-shaft", "12", "--driver-shaft", "5", "--bottom-clearance", "0.2"];
+    assert_eq!(file(&[&own[..], &["--format", "dxf"]].concat()), dxf(&chosen(), Layout::Apart));
     // A tenth of the play is what a chord may leave its arc by.
     let solid = Solid { thickness: 4.0, tolerance: 0.1 * 0.1 };
     assert_eq!(file(&["--format", "scad", "--thickness", "4"]), scad(&sizes(), solid).expect("solid"));

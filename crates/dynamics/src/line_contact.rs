@@ -5,8 +5,8 @@
 //! 4 F′ / (π times that pressure).
 //!
 //! What the formula leaves out: the ends of the pin, where the pressure of a real edge is higher; friction; oil; blows; a
-//! pin that stands askew; and yielding, which begins below the surface when the pressure is about 1.8 times the yield
-//! stress in uniaxial tension. It is a first look, not a proof of strength.
+//! pin that stands askew; wear; and yielding, which begins below the surface ([`pressure_at_yield`]). It is a first look,
+//! not a proof of strength.
 
 use crate::error::{Error, not_negative, positive};
 use std::f64::consts::PI;
@@ -48,6 +48,23 @@ pub struct LineContact {
 pub fn contact_modulus(pin: &Material, wall: &Material) -> f64 {
     let compliance = |of: &Material| (1.0 - of.poisson * of.poisson) / of.modulus;
     (compliance(pin) + compliance(wall)).recip()
+}
+
+/// The greatest pressure over the yield stress in uniaxial tension at which a body of this Poisson's ratio begins to yield,
+/// dimensionless, by the criterion of von Mises. It begins below the surface.
+///
+/// Under the middle of the contact, at the depth z in half its width, the principal stresses over the greatest pressure
+/// are −1/√(1 + z²) into the body, −((1 + 2 z²)/√(1 + z²) − 2 z) across the contact, and ν times their sum along it.
+/// K. L. Johnson, *Contact Mechanics*, section 4.2.
+pub fn pressure_at_yield(poisson: f64) -> f64 {
+    let equivalent = |z: f64| {
+        let root = (1.0 + z * z).sqrt();
+        let (into, across) = (-1.0 / root, 2.0 * z - (1.0 + 2.0 * z * z) / root);
+        let along = poisson * (into + across);
+        let squares = [into - across, across - along, along - into].map(|difference| difference * difference);
+        (squares.iter().sum::<f64>() / 2.0).sqrt()
+    };
+    (0..=2000).map(|step| equivalent(f64::from(step) / 1000.0)).fold(0.0, f64::max).recip()
 }
 
 impl LineContact {

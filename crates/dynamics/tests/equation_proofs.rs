@@ -1,8 +1,8 @@
 //! Are the sign of the bars and the single solution proven?
 
-use geneva_dynamics::equation_proofs::InOneFormula;
 use crate::proving::holds;
 use geneva_dynamics::Sign;
+use geneva_dynamics::equation_proofs::InOneFormula;
 use geneva_dynamics::equation_proofs::{SignDecider, Slope, SolutionOfOneSign, SolutionsMeet};
 
 #[test]

@@ -13,8 +13,8 @@ pub const LIVE: Live = Live {
     name: "design",
     figure: "wheel-dimensions",
     hint: "Choose your stations and your size: pin and play follow, until you move them. Make the pin thicker until it no \
-           longer fits. Twice the speed is four times \
-           the force. Move the axes a little apart and see how hard the pin knocks.",
+           longer fits. Double the speed: without friction the force of the pin grows fourfold. Move the axes a little apart \
+           and see how hard the pin knocks.",
     controls: &[
         Control::slider("stations", "stations N", "", [3.0, 24.0], 1.0, 6.0).typed([3.0, 100.0]),
         Control::slider("pins", "pins", "", [1.0, 4.0], 1.0, 1.0).typed([1.0, 50.0]),
@@ -47,8 +47,10 @@ pub const LIVE: Live = Live {
         Quantity { name: "torque", label: "greatest torque on the wheel" },
         Quantity { name: "force", label: "greatest force of the pin" },
         Quantity { name: "crank", label: "greatest torque at the crank" },
-        Quantity { name: "backlash", label: "the wheel at rest turns loosely by" },
+        Quantity { name: "backlash", label: "backlash in mid-dwell, to either side" },
+        Quantity { name: "greatest", label: "greatest backlash in the dwell, to one side" },
         Quantity { name: "blow", label: "the pin knocks with" },
+        Quantity { name: "hardest", label: "or, if the wheel has turned in its backlash, with up to" },
     ],
     drag: None,
     files: &[
@@ -138,14 +140,27 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         numbers.push(Number::significant(name, value, 4, unit));
     }
     // With the axes apart the play is another.
-    if let Some(backlash) = sizes.dwell_backlash().filter(|_| error == 0.0) {
-        numbers.push(Number::new("backlash", backlash.to_degrees(), 3, "°"));
+    if let Some(play) = sizes.dwell_play().filter(|_| error == 0.0) {
+        let held = match play.held {
+            0.0 => "at the very middle only".to_owned(),
+            held => format!("over {:.0} % of the dwell", 100.0 * held),
+        };
+        let middle = Number::new("backlash", play.middle.to_degrees(), 3, "°");
+        numbers.push(Number { text: format!("{} {held}", middle.text), ..middle });
+        let greatest = Number::new("greatest", play.greatest.to_degrees(), 3, "°");
+        let until = play.until_entry.to_degrees();
+        numbers.push(Number { text: format!("{} at {until:.1}° before a pin enters", greatest.text), ..greatest });
     }
     let message = match sizes.entry(error) {
         Some(entry) => {
             let knock = entry.closing_speed * speed * sizes.crank_radius;
             numbers.push(Number::significant("blow", knock, 3, "mm/s"));
-            None
+            if let Some(knock) = sizes.knock().filter(|_| error == 0.0) {
+                let hardest = knock.drifted * speed * sizes.crank_radius;
+                numbers.push(Number::significant("hardest", hardest, 3, "mm/s"));
+            }
+            let warnings = sizes.warnings().into_iter().map(|warning| format!("Before you make it: {warning}."));
+            Some(warnings.collect::<Vec<_>>().join(" ")).filter(|text| !text.is_empty())
         }
         None => Some("With this distance of the axes the pin does not meet the slot.".to_owned()),
     };

@@ -60,12 +60,19 @@ impl Mesh {
         }
         let mut found: Vec<u32> = Vec::new();
         Earcut::new().earcut(corners.iter().copied(), &holes, &mut found);
-        let at = |k: u32| corners.get(k as usize).map(|[x, y]| Vector3::new(*x, *y, height));
-        for corner in found.chunks_exact(3) {
-            let [Some(a), Some(b), Some(c)] = [corner[0], corner[1], corner[2]].map(at) else { continue };
-            let is_up = (b - a).cross(&(c - a)).z > 0.0;
-            self.triangles.push(if is_up == from_above { [a, b, c] } else { [a, c, b] });
+        let mut triangles: Vec<[u32; 3]> = found.chunks_exact(3).map(|of| [of[0], of[1], of[2]]).collect();
+        // All triangles have one sense: it is that of all of them together, and rounding cannot turn a single one.
+        let sum: f64 = triangles.iter().map(|of| twice_area(&corners, of)).sum();
+        if (sum > 0.0) != from_above {
+            triangles.iter_mut().for_each(|of| of.swap(1, 2));
         }
+        flip_slivers(&corners, &mut triangles);
+        let at = |k: u32| corners.get(k as usize).map(|[x, y]| Vector3::new(*x, *y, height));
+        let solid = |of: [u32; 3]| match of.map(at) {
+            [Some(a), Some(b), Some(c)] => Some([a, b, c]),
+            _ => None,
+        };
+        self.triangles.extend(triangles.into_iter().filter_map(solid));
     }
 
     /// The wall over a loop with the material on its left, from one height to another.
@@ -79,6 +86,45 @@ impl Mesh {
 }
 
 type Polygon = Vec<Vector2<f64>>;
+
+/// A triangle whose height is this part of its longest side or less has no area but for rounding.
+const SLIVER: f64 = 1e-9;
+
+/// Twice the area of a triangle of these corners, positive if it runs counter-clockwise; zero for one without corners.
+fn twice_area(corners: &[[f64; 2]], triangle: &[u32; 3]) -> f64 {
+    match triangle.map(|k| corners.get(k as usize)) {
+        [Some([ax, ay]), Some([bx, by]), Some([cx, cy])] => (bx - ax) * (cy - ay) - (by - ay) * (cx - ax),
+        _ => 0.0,
+    }
+}
+
+/// Gives each triangle without area to its neighbour behind its longest side: the middle corner is on that side, so the
+/// two triangles become two others of the same outline, each with area. The senses of all sides stay as they are.
+fn flip_slivers(corners: &[[f64; 2]], triangles: &mut [[u32; 3]]) {
+    let length = |from: u32, to: u32| match (corners.get(from as usize), corners.get(to as usize)) {
+        (Some(a), Some(b)) => libm::hypot(b[0] - a[0], b[1] - a[1]),
+        _ => 0.0,
+    };
+    for _ in 0..triangles.len() {
+        let longest = |of: &[u32; 3]| (0..3).map(|k| length(of[k], of[(k + 1) % 3])).fold(0.0, f64::max);
+        let is_sliver = |of: &[u32; 3]| twice_area(corners, of).abs() <= SLIVER * longest(of) * longest(of);
+        let Some(at) = triangles.iter().position(is_sliver) else { return };
+        let of = triangles[at];
+        // Turned so that its longest side runs from the last corner to the first.
+        let Some(last) = (0..3).max_by(|j, k| {
+            let side = |k: usize| length(of[k], of[(k + 1) % 3]);
+            side(*j).total_cmp(&side(*k))
+        }) else {
+            return;
+        };
+        let [a, b, c] = [of[(last + 1) % 3], of[(last + 2) % 3], of[last]];
+        let behind = |other: &[u32; 3]| (0..3).find(|k| other[*k] == a && other[(k + 1) % 3] == c);
+        let found = triangles.iter().enumerate().find_map(|(k, other)| Some((k, other[(behind(other)? + 2) % 3])));
+        let Some((neighbour, d)) = found else { return };
+        triangles[at] = [a, b, d];
+        triangles[neighbour] = [b, c, d];
+    }
+}
 
 /// The wheel as a plate on the plane z = 0.
 ///
@@ -165,7 +211,11 @@ mod tests {
 
     #[test]
     fn meshes_are_closed_and_as_large_as_the_outlines() {
-        for (stations, pins) in [(3, 1), (3, 6), (4, 1), (4, 3), (4, 4), (6, 1), (6, 2), (12, 1), (60, 2)] {
+        let counts = (3..=7).flat_map(|stations| (1..=6).map(move |pins| (stations, pins))).chain([(12, 1), (60, 2)]);
+        for (stations, pins) in counts {
+            if Wheel::with_pins(stations, pins).is_err() {
+                continue;
+            }
             let sizes = sizes(stations, pins);
             let outline = sizes.outline();
             let solid = Solid { thickness: 5.0, tolerance: 0.005 };
@@ -194,6 +244,17 @@ mod tests {
             let fine = wheel_mesh(&sizes, Solid { tolerance: 1e-4, ..solid }).unwrap().volume();
             approx::assert_relative_eq!(fine, outline.wheel.area() * solid.thickness, max_relative = 1e-5);
         }
+    }
+
+    /// A plate of a square, with a corner in the middle of the diagonal on which two triangles meet.
+    #[test]
+    fn a_triangle_without_area_goes_to_its_neighbour() {
+        let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.5, 0.5]];
+        let mut triangles = [[0, 1, 4], [1, 2, 4], [0, 4, 2], [0, 2, 3]];
+        assert_eq!(twice_area(&corners, &triangles[2]), 0.0);
+        flip_slivers(&corners, &mut triangles);
+        assert_eq!(triangles, [[0, 1, 4], [1, 2, 4], [0, 4, 3], [4, 2, 3]]);
+        assert!(triangles.iter().all(|of| twice_area(&corners, of) > 0.0));
     }
 
     #[test]

@@ -27,6 +27,7 @@ pub fn scad(sizes: &Sizes, solid: Solid) -> Result<String, KinematicsError> {
         ("crank_radius", sizes.crank_radius, "driver's axis to a pin's centre"),
         ("pin_diameter", sizes.pin_diameter, "diameter of a pin"),
         ("slot_width", sizes.slot_width, "pin and play"),
+        ("bottom_clearance", sizes.bottom_clearance, "slots are so much deeper than the pins need"),
         ("locking_arc_radius", sizes.locking_arc_radius, "hollows of the wheel"),
         ("locking_disc_radius", disc, "0: there is no dwell"),
         ("crescent_centre", cut[0], "driver's axis to the centre of the cut"),
@@ -52,7 +53,7 @@ half_pitch = 180 / stations;
 centre_distance = crank_radius / sin(half_pitch);
 wheel_radius = crank_radius / tan(half_pitch);
 tip_radius = sqrt(pow(wheel_radius, 2) + pow(slot_width / 2, 2));
-slot_end = centre_distance - crank_radius;
+slot_end = centre_distance - crank_radius - bottom_clearance;
 engagement = 90 - half_pitch;
 
 // Crank angle from the line of centres, and the wheel's angle with it.
@@ -126,6 +127,7 @@ mod tests {
             assert_eq!(value("stations"), f64::from(stations));
             assert_eq!(value("crank_radius"), sizes.crank_radius);
             assert_eq!(value("slot_width"), sizes.slot_width);
+            assert_eq!(value("bottom_clearance"), sizes.bottom_clearance);
             assert_eq!(value("locking_disc_radius") > 0.0, sizes.locking_disc.is_some());
             if let Some(disc) = sizes.locking_disc {
                 assert_eq!(value("crescent_centre"), disc.crescent.centre);

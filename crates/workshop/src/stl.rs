@@ -75,10 +75,12 @@ mod tests {
 
     #[test]
     fn what_is_read_back_is_closed_and_turned_outwards() {
-        for (stations, pins) in [(3, 1), (4, 4), (6, 1), (12, 2), (60, 1)] {
-            let wheel = Wheel::with_pins(stations, pins).unwrap();
-            let sizes = Sizes::new(wheel, Scale::CentreDistance(100.0), &Choices::default()).unwrap();
-            let solid = Solid { thickness: 4.0, tolerance: 0.01 };
+        let counts = (3..=9).flat_map(|stations| (1..=6).map(move |pins| (stations, pins))).chain([(12, 2), (60, 1)]);
+        for (stations, pins) in counts {
+            let Ok(wheel) = Wheel::with_pins(stations, pins) else { continue };
+            // With this crank a wheel of five stations and three pins has three corners in one line.
+            let sizes = Sizes::new(wheel, Scale::CrankRadius(40.0), &Choices::default()).unwrap();
+            let solid = Solid { thickness: 8.0, tolerance: 0.1 * sizes.play.slot };
             let text = stl(&sizes, solid).unwrap();
             let solids = read(&text);
             assert_eq!(solids.len(), 2);
@@ -96,7 +98,7 @@ mod tests {
                     assert!((normal.norm() - 1.0).abs() < 1e-6);
                 }
                 for ((from, to), count) in &edges {
-                    assert_eq!((*count, edges.get(&(*to, *from))), (1, Some(&1)), "{stations} stations");
+                    assert_eq!((*count, edges.get(&(*to, *from))), (1, Some(&1)), "{stations} stations, {pins} pins");
                 }
                 approx::assert_relative_eq!(volume, mesh.volume(), max_relative = 1e-5);
             }

@@ -1,4 +1,4 @@
-//! Why the customary crescent bites: how far a horn's tip stays from it, and from the one that is cut instead.
+//! Why a crescent about the wheel's axis bites: how far a horn's tip stays from it, and from the one that is cut instead.
 
 use crate::chart::{Axis, Chart, Entry, Panel, Stroke};
 use crate::svg::Label;
@@ -12,9 +12,9 @@ const HEIGHT: f64 = 330.0;
 /// The x axis has at least so many steps.
 const STEPS: f64 = 4.0;
 
-/// Gaps in millimetres between a horn's tip and two crescents, while the tip is within the locking disc's circle: the customary
-/// one, an arc of the rim's radius and the gap of the locking arcs about the wheel's axis in mid-index, and the one of
-/// these sizes. Below zero the tip is in the disc.
+/// Gaps in millimetres between a horn's tip and two crescents, while the tip is within the locking disc's circle: an arc
+/// about the wheel's axis in mid-index, of the rim's radius and the gap of the locking arcs, and the crescent of these
+/// sizes. Below zero the tip is in the disc.
 ///
 /// Series: crank angle, both gaps.
 ///
@@ -27,11 +27,11 @@ pub fn crescent(sizes: &Sizes) -> Result<Figure, FigureError> {
     if let Some(disc) = sizes.locking_disc {
         let radius = sizes.tip_radius + sizes.play.locking / 2.0;
         let crescent = Crescent { centre: sizes.centre_distance, radius, ..disc.crescent };
-        let customary = LockingDisc { crescent, ..disc };
+        let about_axis = LockingDisc { crescent, ..disc };
         for k in 0..=PLACES {
             let crank = (end * f64::from(k) / f64::from(PLACES)).min(end);
             if sizes.horn_tip(crank)?.norm() < disc.radius {
-                rows.push([crank.to_degrees(), sizes.horn_gap(crank, &customary)?, sizes.horn_gap(crank, &disc)?]);
+                rows.push([crank.to_degrees(), sizes.horn_gap(crank, &about_axis)?, sizes.horn_gap(crank, &disc)?]);
             }
         }
     }
@@ -45,20 +45,20 @@ pub fn crescent(sizes: &Sizes) -> Result<Figure, FigureError> {
     let panel =
         Panel::new(HEIGHT, &x, &y).curve(points(1), bites).curve(points(2), passes).horizontal(0.0, Stroke::new(INK));
     let key = [
-        Entry::curve(bites, Label::words("customary arc, about the wheel’s axis")),
+        Entry::curve(bites, Label::words("arc about the wheel’s axis")),
         Entry::curve(passes, Label::words("the crescent of the drawing")),
     ];
     let words = Words::new(
         "wheel-crescent",
         format!("Gap between a horn's tip and the crescent, {} stations", sizes.wheel.stations()),
-        "Two curves over the crank angle while the tip of a horn is within the locking disc. For the customary arc the gap \
+        "Two curves over the crank angle while the tip of a horn is within the locking disc. For the arc about the wheel's axis the gap \
          falls below zero over a part of the engagement: the disc bites into the horn. For the other crescent it stays above \
          zero.",
         "The horn behind the slot as it passes through the locking disc's circle, past the line of centres. Below zero the disc \
-         bites into it: the customary arc, of the rim's radius about the wheel's axis in mid-index, does. The horn before \
+         bites into it, with an arc of the rim's radius about the wheel's axis in mid-index. The horn before \
          the slot passes as the mirror image, before the line of centres. Rigid parts, pin in the middle of its slot.",
     );
-    let columns = [("theta", "deg"), ("customary gap", "mm"), ("gap", "mm")];
+    let columns = [("theta", "deg"), ("gap about axis", "mm"), ("gap", "mm")];
     Ok(Chart::new([panel]).key(key).figure(words, Series::new(columns, rows)))
 }
 
@@ -69,7 +69,7 @@ mod tests {
     use geneva_kinematics::wheel::{Choices, Scale, Wheel};
 
     #[test]
-    fn the_customary_arc_bites_and_the_other_keeps_the_clearance() {
+    fn the_arc_about_the_axis_bites_and_the_other_keeps_the_clearance() {
         for stations in 3..=18 {
             let wheel = Wheel::new(stations).expect("possible");
             let sizes = Sizes::new(wheel, Scale::CrankRadius(25.0), &Choices::default()).expect("fits");

@@ -125,7 +125,7 @@ fn along(sizes: &Sizes) -> (Vec<Dimension>, Vec<Dimension>) {
     let below = vec![
         of("tip radius", -sizes.tip_radius, 0.0),
         of("slot end", 0.0, sizes.slot_end),
-        of("crank radius", sizes.slot_end, c),
+        of("crank radius", sizes.deepest(), c),
         of("centre distance", 0.0, c),
     ];
     (above, below)
@@ -198,6 +198,7 @@ fn list(sizes: &Sizes) -> Vec<(&'static str, f64)> {
         ("slot play", sizes.play.slot),
         ("locking play", sizes.play.locking),
         ("bore play", sizes.play.bore),
+        ("slot bottom clearance", sizes.bottom_clearance),
         ("locking arc radius", sizes.locking_arc_radius),
         ("horn thickness", sizes.horn_thickness),
         ("web between slots", sizes.web),

@@ -14,6 +14,7 @@ mod dimensions;
 #[cfg(test)]
 mod drawn;
 mod driver;
+mod dwell_play;
 mod extremes;
 mod indexing;
 mod internal;
@@ -30,6 +31,7 @@ mod wrong_formulas;
 pub use crescent::crescent;
 pub use critical::critical_geometry;
 pub use dimensions::{dimensions, dimensions_on_a_page};
+pub use dwell_play::dwell_play;
 pub use extremes::extremes;
 pub use indexing::indexing;
 pub use internal::internal_mechanism;

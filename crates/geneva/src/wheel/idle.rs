@@ -17,6 +17,7 @@ fn numbers(wanted: &WheelArguments) -> Vec<(&'static str, f64)> {
         ("--pin-diameter", wanted.pin_diameter),
         ("--play", wanted.play),
         ("--horn", wanted.horn),
+        ("--bottom-clearance", wanted.bottom_clearance),
         ("--wheel-shaft", wanted.wheel_shaft),
         ("--driver-shaft", wanted.driver_shaft),
         ("--rpm", wanted.rpm),
@@ -124,8 +125,16 @@ pub fn refused(wanted: &WheelArguments) -> anyhow::Result<()> {
 /// The three that give a size.
 const SIZES: [&str; 3] = ["--crank-radius", "--centre-distance", "--wheel-radius"];
 /// Those of the parts in millimetres.
-const PARTS: [&str; 7] =
-    ["--pin-diameter", "--play", "--horn", "--wheel-shaft", "--driver-shaft", "--thickness", "--density"];
+const PARTS: [&str; 8] = [
+    "--pin-diameter",
+    "--play",
+    "--horn",
+    "--bottom-clearance",
+    "--wheel-shaft",
+    "--driver-shaft",
+    "--thickness",
+    "--density",
+];
 /// Those of motion and loads.
 const MOTION: [&str; 6] = ["--rpm", "--inertia", "--density", "--friction-torque", "--at", "--at-wheel"];
 

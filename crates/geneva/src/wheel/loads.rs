@@ -35,7 +35,10 @@ pub fn fields(made: &Made) -> anyhow::Result<Vec<Field>> {
     let fields = vec![
         Field::in_unit("inertia_kgm2", made.inertia, "kg m²")
             .line("moment of inertia", "of the wheel and what turns with it"),
-        Field::in_unit("friction_torque_nm", made.friction_torque, "N m").line("friction torque", "on the wheel"),
+        Field::in_unit("wheel_inertia_kgm2", made.wheel_inertia, "kg m²")
+            .line("", "of which the wheel itself, from its outline, thickness and density"),
+        Field::in_unit("friction_torque_nm", made.friction_torque, "N m")
+            .line("friction torque", "on the wheel; of no other friction is anything included"),
         Field::in_unit("peak_wheel_torque_nm", driving(torque).map(|peak| peak.value), "N m")
             .line("peak wheel torque", place(driving(torque))),
         Field::new("peak_wheel_torque_at_deg", at(driving(torque))),
@@ -50,9 +53,9 @@ pub fn fields(made: &Made) -> anyhow::Result<Vec<Field>> {
         Field::in_unit("peak_power_w", driving(crank).zip(speed).map(|(peak, speed)| peak.value * speed), "W")
             .line("peak power", "there"),
         Field::in_unit("rms_crank_torque_nm", loads.as_ref().map(|loads| loads.rms_crank_torque()), "N m")
-            .line("RMS crank torque", "over the driver's turn: what heats a motor"),
+            .line("RMS crank torque", "over the driver's turn: it heats a motor"),
         Field::in_unit("mean_crank_torque_nm", loads.as_ref().map(|loads| loads.mean_crank_torque()), "N m")
-            .line("mean crank torque", "over the driver's turn: what friction takes"),
+            .line("mean crank torque", "over the driver's turn: what the friction torque takes"),
         Field::in_unit("braking_wheel_torque_nm", braking(torque).map(|peak| peak.value), "N m")
             .line("braking wheel torque", place(braking(torque))),
         Field::in_unit("braking_pin_force_n", braking(moment).and_then(force), "N")

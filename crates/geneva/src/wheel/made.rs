@@ -22,6 +22,8 @@ pub struct Made {
     pub sizes: Option<Sizes>,
     /// Moment of inertia of the wheel and what turns with it, in kg m².
     pub inertia: Option<f64>,
+    /// The wheel's own part of it, if thickness and density are given.
+    pub wheel_inertia: Option<f64>,
     /// In N m.
     pub friction_torque: Option<f64>,
     /// The pin on the wall of its slot, if thickness and materials are given.
@@ -45,11 +47,15 @@ impl Made {
             (None, Some(scale)) => Some(crank_radius(&wheel, scale)?),
             (None, None) => None,
         };
-        let inertia = match (sizes, wanted.thickness, wanted.density) {
+        let wheel_inertia = match (sizes, wanted.thickness, wanted.density) {
             (Some(sizes), Some(thickness), Some(density)) => {
                 Some(sizes.outline().wheel.moment_of_inertia(thickness, density)?)
             }
-            _ => wanted.inertia,
+            _ => None,
+        };
+        let inertia = match (wheel_inertia, wanted.inertia) {
+            (Some(wheel), others) => Some(wheel + others.unwrap_or(0.0)),
+            (None, all) => all,
         };
         let contact = match (sizes, wanted.thickness, wanted.pin_material, wanted.wheel_material) {
             (Some(sizes), Some(thickness), Some(pin), Some(wall)) => {
@@ -58,7 +64,7 @@ impl Made {
             _ => None,
         };
         let friction_torque = wanted.friction_torque;
-        Ok(Self { wheel, rpm: wanted.rpm, crank_radius, sizes, inertia, friction_torque, contact })
+        Ok(Self { wheel, rpm: wanted.rpm, crank_radius, sizes, inertia, wheel_inertia, friction_torque, contact })
     }
 
     /// The drawing: in true size with dimensions, where there are sizes of the parts; else to no scale.
@@ -103,6 +109,7 @@ fn choices(wanted: &WheelArguments) -> Choices {
     Choices {
         pin_diameter: wanted.pin_diameter,
         play: wanted.play.map(Play::of),
+        bottom_clearance: wanted.bottom_clearance,
         horn_thickness: wanted.horn,
         wheel_shaft: wanted.wheel_shaft,
         driver_shaft: wanted.driver_shaft,
@@ -115,6 +122,7 @@ fn with_options(error: &SizesError, wanted: &WheelArguments) -> anyhow::Error {
         Remedy::ThinnerPin => ("--pin-diameter", wanted.pin_diameter),
         Remedy::ThinnerHorn => ("--horn", wanted.horn),
         Remedy::LessPlay => ("--play", wanted.play),
+        Remedy::LessDepth => ("--bottom-clearance", wanted.bottom_clearance),
     };
     let options = match error {
         SizesError::DoesNotFit { remedies, .. } => remedies.iter().map(of).collect(),

@@ -55,6 +55,10 @@ pub struct WheelArguments {
     /// Least thickness of the wheel between a slot and a locking arc in millimetres [default: the pin's diameter]
     #[arg(long, value_name = "MM", value_parser = typed::millimetres, allow_hyphen_values = true)]
     pub horn: Option<f64>,
+    /// How much deeper the slots are than the pins need, in millimetres, zero or more [default: a twentieth of the pin's
+    /// diameter]
+    #[arg(long, value_name = "MM", value_parser = typed::zero_or_more, allow_hyphen_values = true)]
+    pub bottom_clearance: Option<f64>,
     /// Diameter of the wheel's shaft in millimetres [default: half of the greatest]
     #[arg(long, value_name = "MM", value_parser = typed::millimetres, allow_hyphen_values = true)]
     pub wheel_shaft: Option<f64>,
@@ -65,16 +69,16 @@ pub struct WheelArguments {
     /// Speed of the driver in turns a minute, above zero; gives times, rad/s, rad/s² and rad/s³
     #[arg(long, value_name = "R", value_parser = typed::positive, allow_hyphen_values = true)]
     pub rpm: Option<f64>,
-    /// Moment of inertia of the wheel and all that turns with it in kg m², zero or more; with --rpm it gives torques and,
-    /// with a size, the pin's force
-    #[arg(long, value_name = "KGM2", value_parser = typed::zero_or_more, allow_hyphen_values = true,
-        conflicts_with = "density")]
+    /// Moment of inertia in kg m², zero or more, of all that turns with the wheel, and of the wheel itself unless --density
+    /// is given; with --rpm it gives torques and, with a size, the pin's force, all without the friction of pin, locking
+    /// disc, bearings and gear
+    #[arg(long, value_name = "KGM2", value_parser = typed::zero_or_more, allow_hyphen_values = true)]
     pub inertia: Option<f64>,
-    /// Thickness of the wheel in millimetres: with --density instead of --inertia, for a wheel that carries nothing; for the
-    /// pressure between pin and slot; and of the parts in OpenSCAD and STL files
+    /// Thickness of the wheel in millimetres: with --density for the wheel's own inertia; for the pressure between pin and
+    /// slot; and of the parts in OpenSCAD and STL files
     #[arg(long, value_name = "MM", value_parser = typed::millimetres, allow_hyphen_values = true)]
     pub thickness: Option<f64>,
-    /// Density of the wheel in kg/m³
+    /// Density of the wheel in kg/m³: with --thickness and a size the wheel's own inertia is computed, and added to --inertia
     #[arg(long, value_name = "KGM3", value_parser = typed::positive, allow_hyphen_values = true)]
     pub density: Option<f64>,
     /// Torque in N m with which friction brakes the wheel, zero or more

@@ -14,7 +14,9 @@ use crate::typed::as_typed;
 /// All of it, with the motion at these crank angles in degrees: as lines of a sheet, or as rows of an object.
 pub fn report(made: &Made, at: &[f64], as_lines: bool) -> anyhow::Result<Report> {
     let mut sections = vec![("Given", given(made)), ("Geometry", geometry(made))];
-    sections.push(("Parts", sizes::fields(made)));
+    sections.push(("Parts", sizes::parts(made)));
+    sections.push(("Play and tolerances of the parts", sizes::tolerances(made)?));
+    sections.push(("Warnings", sizes::warnings(made)));
     sections.push(("Cycle", cycle_fields(made)?));
     sections.push(("Speed and acceleration of the wheel", motion(made)));
     sections.push(("Loads", loads::fields(made)?));
@@ -150,5 +152,9 @@ fn missing(made: &Made) -> String {
         let speed = if made.rpm.is_none() { "that and " } else { "" };
         format!("For torques add {speed}--inertia KGM2.")
     });
-    lengths.into_iter().chain(rates).chain(loads).collect::<Vec<_>>().join(" ")
+    let without = made.rpm.and(made.inertia).map(|_| {
+        "The loads are without the friction of the pin, the locking disc, the driver's bearings and the gear, so the motor          needs more."
+            .to_owned()
+    });
+    lengths.into_iter().chain(rates).chain(loads).chain(without).collect::<Vec<_>>().join(" ")
 }

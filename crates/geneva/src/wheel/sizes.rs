@@ -2,8 +2,9 @@
 
 use super::cycle::degrees_told;
 use super::made::Made;
-use crate::fields::Field;
-use geneva_kinematics::wheel::{Contact, Nearest, Sizes};
+use crate::fields::{Field, Value};
+use geneva_kinematics::KinematicsError;
+use geneva_kinematics::wheel::{Contact, Knock, Nearest, Sizes, Warning};
 
 /// Between which parts a least distance is, and where.
 fn nearest_told(made: &Made, nearest: &Nearest) -> String {
@@ -17,25 +18,32 @@ fn nearest_told(made: &Made, nearest: &Nearest) -> String {
     format!("over a whole turn: {parts}, {place}")
 }
 
+/// Crank angles at which the least clearance is looked for at most, and clearances for the tolerance of the axes, each: where
+/// the play is so small against the parts that more are needed, the number is missing.
+const ANGLES: u32 = 4_000_000;
+const ANGLES_EACH: u32 = 400_000;
+
+fn mm(key: &'static str, length: Option<f64>) -> Field {
+    Field::in_unit(key, length, "mm")
+}
+
 /// The fields of the parts; without numbers where no size was given, or of another kind of wheel.
-pub fn fields(made: &Made) -> Vec<Field> {
+pub fn parts(made: &Made) -> Vec<Field> {
     let sizes = made.sizes.as_ref();
     let of = |length: fn(&Sizes) -> f64| sizes.map(length);
     // A shaft that there is not has no diameter.
     let shaft = |length: fn(&Sizes) -> f64| of(length).filter(|diameter| *diameter > 0.0);
     let disc = sizes.and_then(|sizes| sizes.locking_disc);
-    let least = sizes.map(|sizes| sizes.clearance().least());
-    let told = least.map_or_else(String::new, |least| nearest_told(made, &least));
-    let backlash = sizes.and_then(Sizes::dwell_backlash).map(f64::to_degrees);
-    let tolerance = sizes.map(Sizes::centre_tolerance);
-    let mm = |key, length: Option<f64>| Field::in_unit(key, length, "mm");
     vec![
         mm("pin_diameter_mm", of(|sizes| sizes.pin_diameter)).line("pin diameter", ""),
         mm("play_mm", of(|sizes| sizes.play.slot)).line("play", "of slot and locking arc: how much wider they are"),
-        mm("bore_play_mm", of(|sizes| sizes.play.bore)).line("bore play", "how much wider bores are than their shafts"),
+        mm("bore_play_mm", of(|sizes| sizes.play.bore))
+            .line("bore play", "how much wider bores are than their shafts, which run in them"),
         mm("slot_width_mm", of(|sizes| sizes.slot_width)).line("slot width", "pin diameter and play"),
         mm("slot_depth_mm", of(|sizes| sizes.slot_depth))
             .line("slot depth", "from the wheel radius to the bottom of its round end"),
+        mm("bottom_clearance_mm", of(|sizes| sizes.bottom_clearance))
+            .line("bottom clearance", "how much deeper the slot is than pin and play need"),
         mm("slot_end_mm", of(|sizes| sizes.slot_end)).line("slot end", "wheel's axis to the centre of the round end"),
         mm("tip_radius_mm", of(|sizes| sizes.tip_radius))
             .line("tip radius", "wheel's axis to the corners of the slots: the blank"),
@@ -46,7 +54,7 @@ pub fn fields(made: &Made) -> Vec<Field> {
         mm("locking_arc_radius_mm", of(|sizes| sizes.locking_arc_radius))
             .line("locking arc radius", "its centre is at the centre distance, half a pitch from a slot"),
         mm("locking_radius_mm", disc.map(|disc| disc.radius))
-            .line("locking disc radius", "that of the locking arcs less the play on one side"),
+            .line("locking disc radius", "the locking arc's less the play on one side"),
         mm("crescent_radius_mm", disc.map(|disc| disc.crescent.radius))
             .line("crescent radius", "of the cut in the disc"),
         mm("crescent_centre_mm", disc.map(|disc| disc.crescent.centre))
@@ -60,12 +68,78 @@ pub fn fields(made: &Made) -> Vec<Field> {
         mm("driver_shaft_limit_mm", of(|sizes| sizes.driver_shaft_limit))
             .line("driver shaft limit", "it must be thinner"),
         mm("driver_bore_mm", shaft(Sizes::driver_bore)).line("driver bore", "diameter: shaft and bore play"),
-        mm("least_clearance_mm", least.map(|least| least.distance)).line("least clearance", told),
-        Field::new("least_clearance_at_deg", least.map(|least| least.crank_angle.to_degrees())),
-        mm("centres_nearer_mm", tolerance.map(|tolerance| tolerance.nearer))
-            .line("axes nearer", "at most, or parts touch; loose shafts bring them nearer by the bore play"),
-        mm("centres_farther_mm", tolerance.map(|tolerance| tolerance.farther))
-            .line("axes farther", "at most, or the pin meets a corner of its slot or parts touch"),
-        Field::in_unit("dwell_backlash_deg", backlash, "°").line("backlash at rest", "of the wheel, to either side"),
     ]
+}
+
+/// The fields of what play and wrong sizes do; without numbers as of the parts, and without speeds where none was given.
+pub fn tolerances(made: &Made) -> anyhow::Result<Vec<Field>> {
+    let sizes = made.sizes.as_ref();
+    let is_tight = sizes.is_some_and(|sizes| sizes.play.slot == 0.0 || sizes.locking_gap() == Some(0.0));
+    let least = match sizes.map(|sizes| sizes.clearance_within(sizes.centre_distance, ANGLES)) {
+        Some(Err(KinematicsError::TooManyAngles { .. })) | None => None,
+        // What is less than the tolerance is not known to be more than none; without play it is none.
+        Some(found) => {
+            Some(found?).filter(|all| all.least().distance > all.tolerance || is_tight).map(|all| all.least())
+        }
+    };
+    let tolerance = match sizes.map(|sizes| sizes.centre_tolerance_within(ANGLES_EACH)) {
+        Some(Err(KinematicsError::TooManyAngles { .. })) | None => None,
+        found => found.transpose()?,
+    };
+    let not_found = |field: Field, name, is_found: bool| {
+        if sizes.is_some() && !is_found {
+            field.words(name, "not found: the play is too small against the parts for a search of this length")
+        } else {
+            field
+        }
+    };
+    let nearest = mm("least_clearance_mm", least.map(|least| least.distance))
+        .line("least clearance", least.map_or_else(String::new, |least| nearest_told(made, &least)));
+    let nearer = mm("centres_nearer_mm", tolerance.map(|tolerance| tolerance.nearer))
+        .line("axes nearer", "at most, or parts touch; loose shafts bring them nearer by the bore play");
+    let farther = mm("centres_farther_mm", tolerance.map(|tolerance| tolerance.farther))
+        .line("axes farther", "at most, or the pin meets a corner of its slot or parts touch");
+    let play = sizes.and_then(Sizes::dwell_play);
+    let degrees = |key, radians: Option<f64>| Field::in_unit(key, radians.map(f64::to_degrees), "°");
+    let at_greatest = play.map_or_else(String::new, |play| {
+        let until = degrees_told(play.until_entry);
+        format!("to one side: forwards {until}° of the crank before a pin enters, backwards as much past its leaving")
+    });
+    let pin_speed = made.speed().zip(made.crank_radius).map(|(speed, radius)| speed * radius);
+    let knock = sizes.and_then(Sizes::knock).zip(pin_speed);
+    let speed =
+        |key, of: fn(&Knock) -> f64| Field::in_unit(key, knock.as_ref().map(|(knock, pin)| of(knock) * pin), "mm/s");
+    Ok(vec![
+        not_found(nearest, "least clearance", least.is_some()),
+        Field::new("least_clearance_at_deg", least.map(|least| least.crank_angle.to_degrees())),
+        not_found(nearer, "axes nearer", tolerance.is_some()),
+        not_found(farther, "axes farther", tolerance.is_some()),
+        mm("bottom_gap_mm", sizes.map(Sizes::bottom_gap))
+            .line("gap at the bottom", "crank radius and slot end together may be so much too long, axes too near"),
+        mm("locking_gap_mm", sizes.and_then(Sizes::locking_gap))
+            .line("gap of the disc", "disc radius may be so much too long, arc radius and centres together too short"),
+        degrees("slot_direction_tolerance_deg", sizes.and_then(Sizes::slot_direction_tolerance))
+            .line("slot direction", "a slot may be off its place between the locking arcs, to either side"),
+        degrees("dwell_backlash_deg", play.map(|play| play.middle))
+            .line("backlash in the dwell", "of the wheel, to either side, in the middle of the dwell"),
+        Field::in_unit("dwell_backlash_held_fraction", play.map(|play| play.held), "× dwell")
+            .line("", "about the middle of the dwell, in which it is no greater"),
+        degrees("greatest_dwell_backlash_deg", play.map(|play| play.greatest)).line("greatest backlash", at_greatest),
+        degrees("greatest_dwell_backlash_until_entry_deg", play.map(|play| play.until_entry)),
+        speed("knock_mm_s", |knock| knock.centred)
+            .line("knock at entry", "of the pin on the wall, if the wheel is in the middle of its backlash"),
+        speed("knock_within_backlash_mm_s", |knock| knock.within)
+            .line("", "at most, if it is within the backlash of mid-dwell"),
+        speed("greatest_knock_mm_s", |knock| knock.drifted)
+            .line("", "at most, on a horn's corner, if it is within the greatest backlash"),
+    ])
+}
+
+/// What a maker should know of sizes that fit all the same.
+pub fn warnings(made: &Made) -> Vec<Field> {
+    let found = made.sizes.map(|sizes| sizes.warnings()).unwrap_or_default();
+    let texts: Vec<Value> = found.iter().map(|warning| Value::Text(warning.to_string())).collect();
+    let said = found.iter().map(Warning::to_string).collect::<Vec<_>>().join("; ");
+    let field = Field::new("warnings", texts);
+    vec![if said.is_empty() { field } else { field.words("before you make it", said) }]
 }

@@ -12,7 +12,8 @@ use crate::typed::as_typed;
 
 /// How many are proposed, by what heads them.
 const PROPOSED: [&str; 5] = ["Nearest", "Second", "Third", "Fourth", "Fifth"];
-/// Stations that are proposed: with more, a wheel's times hardly change, and its parts are small.
+/// Stations that are proposed: with more, a wheel's times hardly change, and its parts are small. What is said of all wheels
+/// is said of these.
 const STATIONS: std::ops::RangeInclusive<u32> = 3..=60;
 /// A part of the cycle that is as wanted but for rounding.
 const SAME: f64 = 1e-9;
@@ -129,16 +130,19 @@ fn bounds(wanted: f64, kind: Option<Kind>) -> String {
     let all: Vec<f64> = kinds.flat_map(candidates).map(|of| of.motion).collect();
     let least = all.iter().copied().fold(f64::INFINITY, f64::min);
     let most = all.iter().copied().fold(0.0, f64::max);
-    let longest = (1.0 - least) / least;
+    let [longest, shortest] = [least, most].map(|motion| number((1.0 - motion) / motion));
+    let stations = STATIONS.end();
     if wanted < least {
         format!(
-            "No such wheel dwells longer than {} times its index: for more, stop the driver in the dwell, or have the \
-             driver turned by another wheel.",
-            number(longest)
+            "No wheel of these with up to {stations} stations dwells longer than {longest} times its index: for more, stop \
+             the driver in the dwell, or have the driver turned by another wheel."
         )
     } else if wanted > most {
-        format!("No such wheel dwells less than {} times its index.", number((1.0 - most) / most))
+        format!("No wheel of these with up to {stations} stations dwells less than {shortest} times its index.")
     } else {
-        "No ratio between those of two neighbouring wheels can be had, but by a driver whose speed changes.".to_owned()
+        format!(
+            "No wheel of these with up to {stations} stations has the wanted ratio. A driver whose speed changes can \
+             have it."
+        )
     }
 }

@@ -39,15 +39,20 @@ impl Sizes {
     ///
     /// # Errors
     ///
-    /// [`KinematicsError::TooManyAngles`] where the play is so small that more crank angles are needed.
+    /// [`KinematicsError::TooManyAngles`] where the play is so small that more crank angles are needed, or finer numbers than
+    /// these.
     pub fn centre_tolerance_within(&self, angles: u32) -> Result<CentreTolerance, KinematicsError> {
         let gap = self.slot_gap();
         // Nearer than this the pin is in the slot's end or the disc in its arc. Farther than this the pin passes beside the
         // driving wall.
-        let nearest = self.locking_disc.map_or(gap, |_| gap.min(self.play.locking / 2.0));
+        let bottom = self.bottom_gap();
+        let nearest = self.locking_gap().map_or(bottom, |arc| bottom.min(arc));
         let farthest = gap / libm::sin(self.wheel.half_pitch_angle());
         let last = |error| self.last_that_runs(error, angles);
-        Ok(CentreTolerance { nearer: last(-nearest)?, farther: last(farthest)? })
+        let found = CentreTolerance { nearer: last(-nearest)?, farther: last(farthest)? };
+        // Less than the finest tolerance of a clearance is not known to be more than none.
+        let is_lost = nearest > 0.0 && farthest > 0.0 && found.nearer.min(found.farther) == 0.0;
+        if is_lost { Err(KinematicsError::TooManyAngles { limit: angles }) } else { Ok(found) }
     }
 
     /// The size of the greatest error on the way from none to this one, in millimetres, with which the wheel runs. So short

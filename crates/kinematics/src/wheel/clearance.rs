@@ -14,7 +14,7 @@
 //! distance from the slot's end changes; and while the wheel stands, the locking disc turns in itself.
 //!
 //! With both parts rigid, the wheel is turned so that the pin is in the middle of its slot, and stands still between. How
-//! far play lets it turn besides is another question ([`play`](super::play)).
+//! far play lets it turn besides is another question ([`play`](super::play), [`dwell_play`](super::dwell_play)).
 
 use super::regions::{DiscRegion, WheelRegion};
 use super::search::{Least, Search, greatest_speed_ratio};
@@ -82,20 +82,24 @@ impl Nearest {
     }
 }
 
-/// The tolerance over the centre distance, dimensionless.
+/// The tolerance over the centre distance, dimensionless, unless the play is small.
 pub const TOLERANCE: f64 = 2e-6;
+/// The tolerance over the lesser gap of slot and locking arc where that makes it finer, and how fine it gets at most over the
+/// centre distance, dimensionless.
+const OF_GAP: f64 = 0.01;
+const FINEST: f64 = 1e-10;
 /// The greatest distance of the axes that is looked at, over the right one.
 const FARTHEST: f64 = 10.0;
 
 impl Sizes {
     /// The least distances of driver and wheel over a whole turn, the parts as sized. The tolerance is [`TOLERANCE`]
-    /// times the centre distance.
+    /// times the centre distance, or a hundredth of the lesser gap of slot and locking arc if that is less.
     pub fn clearance(&self) -> Clearance {
         Assembly::new(self, self.centre_distance).clearance()
     }
 
     /// The least distances of driver and wheel over a whole turn with the axes at another distance, in millimetres. The
-    /// tolerance is [`TOLERANCE`] times the right distance.
+    /// tolerance is that of [`clearance`](Self::clearance).
     ///
     /// # Errors
     ///
@@ -106,7 +110,7 @@ impl Sizes {
     }
 
     /// The least distances with the axes at another distance, in millimetres, as exactly as so many crank angles allow. The
-    /// tolerance is that of [`clearance_at`](Self::clearance_at), or 8 or 64 times as wide.
+    /// tolerance is that of [`clearance_at`](Self::clearance_at), or 16 or 256 times as wide.
     ///
     /// # Errors
     ///
@@ -117,12 +121,12 @@ impl Sizes {
             let assembly = self.assembly_at(centre_distance)?;
             Assembly { tolerance: times * assembly.tolerance, ..assembly }.within(angles, f64::INFINITY)
         };
-        wider(1.0).or_else(|_| wider(8.0)).or_else(|_| wider(64.0))
+        wider(1.0).or_else(|_| wider(16.0)).or_else(|_| wider(256.0))
     }
 
     /// Whether driver and wheel are proven to keep clear of each other over a whole turn with the axes at another distance, in
-    /// millimetres: no distance that is looked at, at so many crank angles at most, is below the tolerance ([`TOLERANCE`]
-    /// times the right distance), and none between them can be below zero.
+    /// millimetres: no distance that is looked at, at so many crank angles at most, is below the tolerance of
+    /// [`clearance`](Self::clearance), and none between them can be below zero.
     ///
     /// # Errors
     ///
@@ -166,6 +170,13 @@ struct Assembly<'a> {
     angles: Cell<u32>,
 }
 
+/// The tolerance in millimetres: without any gap to compare it with, the usual one.
+fn tolerance(sizes: &Sizes) -> f64 {
+    let gaps = [Some(sizes.slot_gap()), sizes.locking_gap()].into_iter().flatten().filter(|gap| *gap > 0.0);
+    let fine = (OF_GAP * gaps.fold(f64::INFINITY, f64::min)).max(FINEST * sizes.centre_distance);
+    fine.min(TOLERANCE * sizes.centre_distance)
+}
+
 /// The slots within two pitches of the line of centres; others are farther from it than any part of the driver.
 fn slots_near(stations: u32) -> std::ops::RangeInclusive<i32> {
     match stations {
@@ -193,7 +204,7 @@ impl<'a> Assembly<'a> {
             locking_centres,
             edges,
             cuts,
-            tolerance: TOLERANCE * sizes.centre_distance,
+            tolerance: tolerance(sizes),
             enough: f64::INFINITY,
             angles: Cell::new(u32::MAX),
         }

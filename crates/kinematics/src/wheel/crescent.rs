@@ -7,8 +7,7 @@
 //! pass at all crank angles with the gap that [`Crescent::of`] states. That nothing else of the wheel bites either is not
 //! assumed: [`Sizes::clearance`] looks at the whole outlines over the whole turn.
 //!
-//! The customary arc, of the wheel's radius about the wheel's axis in mid-index, is not safe: it bites on both sides of
-//! mid-index.
+//! An arc of the wheel's radius about the wheel's axis in mid-index is not safe: it bites on both sides of mid-index.
 
 use super::fit::Remedy::{LessPlay, ThinnerHorn, ThinnerPin};
 use super::fit::SizesError;
@@ -51,7 +50,7 @@ impl Crescent {
     ///
     /// [`SizesError::DoesNotFit`] if the cut would have to reach the driver's axis.
     pub(super) fn of(sizes: &Sizes, disc: f64) -> Result<Self, SizesError> {
-        let swing = sizes.slot_gap() * sizes.tip_radius / sizes.slot_end;
+        let swing = sizes.slot_gap() * sizes.tip_radius / sizes.deepest();
         let gap = sizes.play.locking / 2.0 + swing + LEFT_OPEN * sizes.centre_distance;
         let passing = Passing::new(sizes, disc, gap);
         let thinner =

@@ -13,6 +13,8 @@ pub enum Remedy {
     ThinnerHorn,
     /// Of slot, locking arc or both.
     LessPlay,
+    /// Of the slots, at their bottom.
+    LessDepth,
 }
 
 /// A part on a shaft.
@@ -30,6 +32,7 @@ impl fmt::Display for Remedy {
             Self::ThinnerPin => "a thinner pin",
             Self::ThinnerHorn => "a thinner horn",
             Self::LessPlay => "less play",
+            Self::LessDepth => "less depth of the slots",
         })
     }
 }
@@ -53,10 +56,10 @@ pub enum SizesError {
     /// A number of stations or pins, or a length, that no wheel has.
     #[error(transparent)]
     Kinematics(#[from] KinematicsError),
-    /// A play that is negative or not finite.
-    #[error("{name} {asked} mm: it must be zero or more and finite; give how much wider the hollow is")]
+    /// A play or a clearance that is negative or not finite.
+    #[error("{name} {asked} mm: it must be zero or more and finite; give how much wider or deeper the hollow is")]
     Play {
-        /// Which play.
+        /// Which play or clearance.
         name: &'static str,
         /// What was asked for, in millimetres.
         asked: f64,

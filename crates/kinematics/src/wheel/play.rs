@@ -1,5 +1,7 @@
-//! What play, and an error of the centre distance, do to the wheel: how far it turns loosely, and with what blow the pin
-//! comes in.
+//! What play, and an error of the centre distance, do while a pin is in its slot or comes to it: how far the wheel turns
+//! loosely, and with what blow the pin comes in.
+//!
+//! In the dwell the play is another: [`DwellPlay`](super::DwellPlay).
 
 use super::sizes::Sizes;
 use crate::KinematicsError;
@@ -32,17 +34,49 @@ pub struct Entry {
     pub velocity_jump: f64,
 }
 
+/// Speeds with which pin and wheel close in on each other at entry, across their faces, over the pin's speed, dimensionless.
+///
+/// The axes are at the right distance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Knock {
+    /// With the wheel in the middle of its play.
+    pub centred: f64,
+    /// The greatest with the wheel anywhere within the play that it has in the middle of the dwell.
+    pub within: f64,
+    /// The greatest with the wheel anywhere in the play that it has at the end of the dwell: forwards as far as
+    /// [`DwellPlay::greatest`](super::DwellPlay). It is the blow on the corner of a horn that stands in the pin's way.
+    pub drifted: f64,
+}
+
+/// Places of the wheel within its play at which the blow is looked at, and halvings of the interval in which is the farthest
+/// place at which the pin still comes to the driving wall.
+const PLACES: u32 = 64;
+const HALVINGS: u32 = 50;
+
 impl Sizes {
-    /// How far the wheel at rest can turn to either side before its locking arc meets the locking disc, in radians. None
-    /// without a disc; zero without locking play.
+    /// With what speed the pin knocks at its entry, by how far the wheel has turned within its play. None without a locking
+    /// disc, and if the pin meets nothing of the wheel.
     ///
-    /// The tips of the locking arc meet the disc first.
-    pub fn dwell_backlash(&self) -> Option<f64> {
-        let disc = self.locking_disc?;
-        // The angle at the wheel's axis of the point of the rim that is at the disc's radius from the driver's axis.
-        let (c, rim, z) = (self.centre_distance, self.tip_radius, disc.radius);
-        let square = (z - (c - rim)) * (z + (c - rim)) / (4.0 * c * rim);
-        Some(self.locking_end_angle() - 2.0 * libm::asin(square.max(0.0).sqrt().min(1.0)))
+    /// While the pin comes to the driving wall, the blow grows with the way that it has across the slot; it is greatest where
+    /// the pin just passes the other wall. Beyond that it meets the other corner, the harder the farther the wheel has turned.
+    pub fn knock(&self) -> Option<Knock> {
+        let play = self.dwell_play()?;
+        let speed = |drift: f64| self.entry_of_drifted(drift).map(|entry| entry.closing_speed);
+        let on_wall =
+            |drift: f64| self.entry_of_drifted(drift).is_some_and(|entry| entry.contact == EntryContact::DrivingWall);
+        let centred = speed(0.0)?;
+        let (mut low, mut high) = (0.0, play.greatest);
+        for _ in 0..HALVINGS {
+            let middle = (low + high) / 2.0;
+            if on_wall(middle) { low = middle } else { high = middle }
+        }
+        let most = |from: f64, to: f64| {
+            let at = |k: u32| speed(from + (to - from) * f64::from(k) / f64::from(PLACES));
+            let passing = Some(low).filter(|low| (from..=to).contains(low)).and_then(speed);
+            (0..=PLACES).filter_map(at).chain(passing).fold(centred, f64::max)
+        };
+        let within = most(-play.middle, play.middle);
+        Some(Knock { centred, within, drifted: within.max(most(0.0, play.greatest)) })
     }
 
     /// How far the wheel can turn to either side before a wall of the slot meets the pin, at a crank angle of the
@@ -63,21 +97,36 @@ impl Sizes {
     }
 
     /// How a pin comes to the wheel at rest if the axes are farther apart than they should be, in millimetres, or nearer
-    /// (below zero). `None` if the pin does not meet a slot, its mouth or the rim beside it.
+    /// (below zero). The wheel is in the middle of its play. `None` if the pin does not meet a slot, its mouth or the rim
+    /// beside it.
     ///
     /// In the slot's own frame the pin's centre is at (c' cos α − a sin τ, c' sin α − a cos τ), τ the crank angle from the
     /// nominal entry. Each face is met at an angle τ in closed form; the first counts. Play alone makes a blow: a pin
     /// that is a gap g away from the wall meets it at cos τ = 1 − g/a.
     pub fn entry(&self, centre_error: f64) -> Option<Entry> {
+        self.first_contact(centre_error, 0.0)
+    }
+
+    /// How a pin comes to a wheel that has turned forwards by an angle in radians from the middle of its play, or backwards
+    /// (below zero). `None` if the pin meets nothing of it.
+    ///
+    /// In the slot's frame the driver's axis is then at c (cos(α − δ), sin(α − δ)), and the crank angle counts from δ less.
+    pub fn entry_of_drifted(&self, forwards: f64) -> Option<Entry> {
+        self.first_contact(0.0, forwards)
+    }
+
+    fn first_contact(&self, centre_error: f64, drift: f64) -> Option<Entry> {
         let (a, rho, gap) = (self.crank_radius, self.pin_radius(), self.slot_gap());
         let (sin, cos) = libm::sincos(self.wheel.half_pitch_angle());
+        let (drift_sin, drift_cos) = libm::sincos(drift);
         let centre = self.centre_distance + centre_error;
-        if !(centre > a && centre.is_finite()) {
+        if !(centre > a && centre.is_finite() && drift.is_finite()) {
             return None;
         }
-        // c' sin α − a, in which nothing cancels.
-        let beyond = centre_error * sin;
-        let axis = Point::new(centre * cos, a + beyond);
+        // c' sin(α − δ) − a, in which nothing cancels.
+        let half = libm::sin(drift / 2.0);
+        let beyond = centre_error * sin * drift_cos - centre * cos * drift_sin - 2.0 * a * half * half;
+        let axis = Point::new(centre * (cos * drift_cos + sin * drift_sin), a + beyond);
         let pin = |tau: f64| axis - Point::new(libm::sin(tau), libm::cos(tau)) * a;
         let (mouth, half) = (self.wheel_radius, self.slot_width / 2.0);
 
@@ -107,7 +156,7 @@ impl Sizes {
         let rim = self.tip_radius + rho;
         let sine = (centre * centre + a * a - rim * rim) / (2.0 * a * centre);
         if sine.abs() <= 1.0 {
-            let tau = libm::asin(sine) - self.wheel.half_pitch_angle();
+            let tau = libm::asin(sine) - self.wheel.half_pitch_angle() + drift;
             let at = pin(tau);
             let angle = libm::atan2(at.y, at.x).abs();
             if (self.corner_angle()..=self.tip_angle()).contains(&angle) {
@@ -120,7 +169,7 @@ impl Sizes {
         let touching = pin(tau) - normal * rho;
         Some(Entry {
             contact,
-            crank_angle: tau - self.wheel.engagement_half_angle(),
+            crank_angle: tau - drift - self.wheel.engagement_half_angle(),
             closing_speed,
             velocity_jump: -a * closing_speed / touching.perp(&normal),
         })

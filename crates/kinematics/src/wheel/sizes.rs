@@ -1,13 +1,13 @@
 //! Sizes of the two parts in millimetres, from the numbers of stations and pins and one length.
 //!
 //! Notation: `a` crank radius, `c` centre distance, `R` wheel radius to the pin's centre at entry, ρ the pin's radius,
-//! `h` half the width of a slot, α half the angle between slots.
+//! `h` half the width of a slot, `b` clearance at its bottom, α half the angle between slots.
 //!
 //! Every play is the difference of two widths or diameters, as in a table of fits; the gap on each side is half of it.
 
 use super::Wheel;
 use super::crescent::Crescent;
-use super::fit::Remedy::{LessPlay, ThinnerHorn, ThinnerPin};
+use super::fit::Remedy::{LessDepth, LessPlay, ThinnerHorn, ThinnerPin};
 use super::fit::{ShaftOf, SizesError};
 use crate::error::length;
 
@@ -35,9 +35,12 @@ pub struct Play {
 
 /// The play of the bores over that of slot and locking arc, dimensionless.
 ///
-/// Loose in their bores, both shafts together let the axes come nearer by the play of one bore. Slot and locking arc leave
-/// half of their own play for that, and the crescents of few stations a little less.
+/// Loose in their bores or bearings, both shafts together let the axes come nearer by the play of one of them. Slot and
+/// locking arc leave half of their own play for that, and the crescents of few stations a little less.
 const OF_BORES: f64 = 0.25;
+
+/// The clearance at a slot's bottom over the pin's diameter, dimensionless.
+const OF_BOTTOM: f64 = 0.05;
 
 impl Play {
     /// So much play of slot and locking arc, in millimetres, and a quarter of it of the bores: a shaft that is loose in its
@@ -57,8 +60,11 @@ pub struct Choices {
     /// The plays, in millimetres, zero or more. By default [`Play::of`] the least of a thousandth of the centre distance, a
     /// twentieth of the pin's diameter and a tenth of c − R, the way from the driver's axis to the wheel.
     pub play: Option<Play>,
+    /// How much deeper a slot is than the pin and its gap need, in millimetres, zero or more. By default a twentieth of the
+    /// pin's diameter: a cutter is not stopped as exactly as a slot is wide.
+    pub bottom_clearance: Option<f64>,
     /// Least thickness of the wheel between a slot and a locking arc, in millimetres. By default the pin's diameter, so
-    /// that without play the locking disc's radius is the customary a − 3 ρ.
+    /// that without play the locking disc's radius is a − 3 ρ.
     pub horn_thickness: Option<f64>,
     /// Diameter of the wheel's shaft, in millimetres. By default half of the greatest.
     pub wheel_shaft: Option<f64>,
@@ -97,9 +103,11 @@ pub struct Sizes {
     pub play: Play,
     /// Width of a slot, in millimetres.
     pub slot_width: f64,
-    /// Distance of the centre of a slot's round end from the wheel's axis, in millimetres: c − a.
+    /// How much deeper a slot is than the pin and its gap need, in millimetres.
+    pub bottom_clearance: f64,
+    /// Distance of the centre of a slot's round end from the wheel's axis, in millimetres: c − a − b.
     pub slot_end: f64,
-    /// From the wheel radius to the bottom of a slot, in millimetres: R − (c − a) + h.
+    /// From the wheel radius to the bottom of a slot, in millimetres: R − (c − a) + b + h.
     pub slot_depth: f64,
     /// Least thickness of the wheel between a slot and a locking arc, in millimetres; it is at the slot's corner.
     pub horn_thickness: f64,
@@ -131,8 +139,8 @@ impl Sizes {
     ///
     /// # Errors
     ///
-    /// [`SizesError::Kinematics`] for a length that is not positive and finite, [`SizesError::Play`] for a play that is
-    /// negative or not finite, [`SizesError::DoesNotFit`] for parts that are in each other's way, and
+    /// [`SizesError::Kinematics`] for a length that is not positive and finite, [`SizesError::Play`] for a play or a
+    /// clearance that is negative or not finite, [`SizesError::DoesNotFit`] for parts that are in each other's way, and
     /// [`SizesError::Shaft`] for a shaft that is too thick.
     pub fn new(wheel: Wheel, scale: Scale, choices: &Choices) -> Result<Self, SizesError> {
         let [a, c, wheel_radius] = lengths(&wheel, scale)?;
@@ -148,13 +156,17 @@ impl Sizes {
         };
         let horn_thickness = length("horn thickness", choices.horn_thickness.unwrap_or(pin_diameter))?;
         let slot_width = pin_diameter + play.slot;
-        let (half, slot_end) = (slot_width / 2.0, c - a);
+        let bottom_clearance = match choices.bottom_clearance {
+            Some(asked) => zero_or_more("clearance at the slot's bottom", asked)?,
+            None => OF_BOTTOM * pin_diameter,
+        };
+        let (half, slot_end) = (slot_width / 2.0, c - a - bottom_clearance);
         let sine = libm::sin(wheel.half_pitch_angle());
         let web = 2.0 * slot_end * sine - slot_width;
         let fits = |room: f64, what, remedies| {
             if room > 0.0 { Ok(room) } else { Err(SizesError::DoesNotFit { what, by: -room, remedies }) }
         };
-        fits(web, "the ends of two neighbouring slots run into each other", &[ThinnerPin, LessPlay])?;
+        fits(web, "the ends of two neighbouring slots run into each other", &[ThinnerPin, LessPlay, LessDepth])?;
         let locking_arc_radius = a - half - horn_thickness;
         let tip_radius = libm::hypot(wheel_radius, half);
         fits(
@@ -162,7 +174,7 @@ impl Sizes {
             "the locking arcs do not reach the wheel",
             &[ThinnerPin, ThinnerHorn],
         )?;
-        let passing = slot_end - pin_diameter / 2.0;
+        let passing = c - a - pin_diameter / 2.0;
         let plate_radius = a + pin_diameter / 2.0 + (pin_diameter / 2.0).min(passing / 2.0);
         let mut sizes = Self {
             wheel,
@@ -173,6 +185,7 @@ impl Sizes {
             pin_diameter,
             play,
             slot_width,
+            bottom_clearance,
             slot_end,
             slot_depth: wheel_radius - slot_end + half,
             horn_thickness,
@@ -206,6 +219,23 @@ impl Sizes {
     /// The gap on each side of a pin that is in the middle of its slot, in millimetres.
     pub fn slot_gap(&self) -> f64 {
         self.play.slot / 2.0
+    }
+
+    /// Distance of a pin's centre from the wheel's axis where it is deepest in its slot, in millimetres: c − a.
+    pub fn deepest(&self) -> f64 {
+        self.centre_distance - self.crank_radius
+    }
+
+    /// Between pin and bottom of the slot where the pin is deepest, in millimetres. As much may crank radius and slot end
+    /// together be too long, and the centre distance too short.
+    pub fn bottom_gap(&self) -> f64 {
+        self.slot_gap() + self.bottom_clearance
+    }
+
+    /// Between the locking disc and the middle of the locking arc in the dwell, in millimetres. As much may the disc's radius
+    /// be too long, and the locking arc's radius and the centre distance, together, too short. None without a disc.
+    pub fn locking_gap(&self) -> Option<f64> {
+        self.locking_disc.map(|disc| self.locking_arc_radius - disc.radius)
     }
 
     /// Diameter of the wheel's bore, in millimetres; zero without a shaft.
@@ -274,11 +304,14 @@ fn default_pin(a: f64, c: f64, from_axis: f64) -> f64 {
 }
 
 fn fitting_play(play: Play) -> Result<Play, SizesError> {
-    let named = [("slot play", play.slot), ("locking play", play.locking), ("bore play", play.bore)];
-    match named.into_iter().find(|(_, asked)| !(*asked >= 0.0 && asked.is_finite())) {
-        Some((name, asked)) => Err(SizesError::Play { name, asked }),
-        None => Ok(play),
+    for (name, asked) in [("slot play", play.slot), ("locking play", play.locking), ("bore play", play.bore)] {
+        zero_or_more(name, asked)?;
     }
+    Ok(play)
+}
+
+fn zero_or_more(name: &'static str, asked: f64) -> Result<f64, SizesError> {
+    if asked >= 0.0 && asked.is_finite() { Ok(asked) } else { Err(SizesError::Play { name, asked }) }
 }
 
 /// The shaft that was asked for, or half of the greatest, or none if that is too thin to be of use.

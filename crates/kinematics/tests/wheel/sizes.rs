@@ -87,8 +87,9 @@ fn each_length_gives_the_same_wheel() {
 }
 
 #[test]
-fn six_stations_have_the_customary_sizes() {
-    let sizes = sized(6, &Choices { play: Some(Play::of(0.0)), ..Choices::default() }).unwrap();
+fn six_stations_have_the_sizes_of_a_right_triangle() {
+    let sizes =
+        sized(6, &Choices { play: Some(Play::of(0.0)), bottom_clearance: Some(0.0), ..Choices::default() }).unwrap();
     approx::assert_relative_eq!(sizes.crank_radius, 50.0, max_relative = 1e-14);
     approx::assert_relative_eq!(sizes.wheel_radius, 7500.0_f64.sqrt(), max_relative = 1e-14);
     assert_eq!(sizes.pin_diameter, 0.3 * sizes.crank_radius);
@@ -107,6 +108,13 @@ fn what_does_not_fit_is_said() {
     assert!(message.contains("run into the wheel's horns"), "{message}");
     assert!(matches!(sized(6, &pin(0.0)), Err(SizesError::Kinematics(KinematicsError::Length { .. }))));
     assert!(matches!(sized(6, &pin(f64::NAN)), Err(SizesError::Kinematics(_))));
+    for clearance in [-0.1, f64::INFINITY, f64::NAN] {
+        let choices = Choices { bottom_clearance: Some(clearance), ..Choices::default() };
+        let message = sized(6, &choices).unwrap_err().to_string();
+        assert!(message.starts_with("clearance at the slot's bottom"), "{message}");
+    }
+    let message = sized(6, &Choices { bottom_clearance: Some(40.0), ..Choices::default() }).unwrap_err().to_string();
+    assert!(message.contains("slots run into each other") && message.contains("less depth"), "{message}");
     for play in [-0.1, f64::INFINITY, f64::NAN] {
         let choices = Choices { play: Some(Play { locking: play, ..Play::of(0.1) }), ..Choices::default() };
         let message = sized(6, &choices).unwrap_err().to_string();

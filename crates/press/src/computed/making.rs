@@ -3,12 +3,14 @@
 use super::{Number, degrees, with_unit};
 use crate::numbers::fixed;
 use anyhow::Context;
-use geneva_dynamics::line_contact::{LineContact, MATERIALS, Material};
+use geneva_dynamics::line_contact::{LineContact, MATERIALS, Material, pressure_at_yield};
 use geneva_dynamics::wheel_loads::{Peak, WheelLoads};
 use geneva_figures::stations;
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::internal_wheel::InternalWheel;
-use geneva_kinematics::wheel::{Choices, Entry, LockingDisc, Motion, Scale, Sizes, Wheel, entry_acceleration};
+use geneva_kinematics::wheel::{
+    Choices, DwellPlay, Entry, Knock, LockingDisc, Motion, Scale, Sizes, Wheel, entry_acceleration,
+};
 use std::f64::consts::PI;
 
 /// The worked design: stations, crank radius in mm, driver's turns a minute, inertia in kg m², friction in N m.
@@ -22,6 +24,14 @@ const THICKNESS: f64 = 10.0;
 const PIN: &str = "steel";
 const WALL: &str = "phosphor-bronze";
 const CENTRE_ERROR: f64 = 0.1;
+/// Least and greatest play of the fit H8/e8 of ISO 286 for diameters over 6 to 10 mm, in mm.
+const FIT: [f64; 2] = [0.025, 0.069];
+/// Coefficient of friction of a pin in its slot, density of steel in kg/m³, and a large crank radius in mm.
+const RUBBING: f64 = 0.15;
+const STEEL: f64 = 7850.0;
+const LARGE: f64 = 100.0;
+/// Poisson's ratio for which the pressure at yielding is said.
+const POISSON: f64 = 0.3;
 
 /// The exercise of an instant: crank angle in degrees, turns a minute; six stations.
 const INSTANT: f64 = -20.0;
@@ -54,6 +64,46 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("making.play", || millimetres(|of| of.play.slot)),
     ("making.slot-width", || millimetres(|of| of.slot_width)),
     ("making.slot-depth", || millimetres(|of| of.slot_depth)),
+    ("making.fit-least", || Ok(told(FIT[0]))),
+    ("making.fit-most", || Ok(told(FIT[1]))),
+    ("making.bottom-clearance", || millimetres(|of| of.bottom_clearance)),
+    ("making.bottom-gap", || millimetres(|of| rounded_down(of.bottom_gap()))),
+    ("making.locking-gap", || millimetres(|of| rounded_down(of.locking_gap().unwrap_or(f64::NAN)))),
+    ("making.third", || millimetres(|of| rounded_down(of.locking_gap().unwrap_or(f64::NAN) / 3.0))),
+    ("making.slot-direction", || Ok(fixed(slot_direction()?.to_degrees(), 3) + "°")),
+    ("making.slot-direction-rim", || Ok(told(rounded_down(slot_direction()? * sizes()?.wheel_radius)))),
+    ("making.thickness", || Ok(told(THICKNESS))),
+    ("making.best-radius", || Ok(with_unit(best_radius()?, 2, "mm"))),
+    ("making.best-force", || Ok(with_unit(with_wheel(best_radius()?)?.0, 2, "N"))),
+    ("making.best-crank", || Ok(with_unit(with_wheel(best_radius()?)?.1, 2, "N&nbsp;m"))),
+    ("making.large-radius", || Ok(told(LARGE))),
+    ("making.large-force", || Ok(with_unit(with_wheel(LARGE)?.0, 2, "N"))),
+    ("making.large-crank", || Ok(with_unit(with_wheel(LARGE)?.1, 2, "N&nbsp;m"))),
+    ("making.rubbing", || Ok(fixed(RUBBING, 2))),
+    ("making.rubbing-peak", || Ok(with_unit(rubbing()?.0, 3, "N&nbsp;m"))),
+    ("making.rubbing-mean", || Ok(with_unit(rubbing()?.1, 2, "N&nbsp;m"))),
+    ("making.three-crank", || {
+        let loads = WheelLoads::new(&Wheel::new(3)?, INERTIA, FRICTION, speed(RPM))?.crank_torque().driving.value;
+        Ok(with_unit(loads, 2, "N&nbsp;m"))
+    }),
+    ("making.yield", || Ok(fixed(pressure_at_yield(POISSON), 2))),
+    ("making.backlash-held", || Ok(fixed(100.0 * dwell_play()?.held, 0) + "&nbsp;%")),
+    ("making.backlash-window", || {
+        let window = dwell_play()?.held * sizes()?.dwell_angle().context("a dwell")?;
+        Ok(fixed(window.to_degrees(), 0) + "°")
+    }),
+    ("making.backlash-thirty", || play_before_entry(30.0)),
+    ("making.backlash-ten", || play_before_entry(10.0)),
+    ("making.backlash-greatest", || Ok(fixed(dwell_play()?.greatest.to_degrees(), 2) + "°")),
+    ("making.backlash-greatest-at", || Ok(degrees(dwell_play()?.until_entry))),
+    ("making.backlash-rim", || Ok(with_unit(dwell_play()?.greatest * sizes()?.wheel_radius, 2, "mm"))),
+    ("making.backlash-factor", || Ok(fixed(dwell_play()?.greatest / dwell_play()?.middle, 0))),
+    ("making.backlash-two-pins", || in_mid_dwell(STATIONS, 2)),
+    ("making.backlash-twelve", || in_mid_dwell(12, 2)),
+    ("making.backlash-twelve-one", || in_mid_dwell(12, 1)),
+    ("making.blow-within", || knock(|of| of.within)),
+    ("making.blow-drifted", || knock(|of| of.drifted)),
+    ("making.near-depth", || Ok(told(CENTRE_ERROR - sizes()?.locking_gap().context("a locking disc")?))),
     ("making.slot-end", || millimetres(|of| of.slot_end)),
     ("making.web", || millimetres(|of| of.web)),
     ("making.bore-web", || millimetres(Sizes::bore_web)),
@@ -94,9 +144,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("making.contact-width", || Ok(with_unit(contact()?.width(force()?)? * 1e6, 2, "µm"))),
     ("making.clearance", || millimetres(|of| of.clearance().least().distance)),
     ("making.tolerance", || Ok(with_unit(sizes()?.clearance().tolerance, 1, "mm"))),
-    ("making.backlash-at-rest", || {
-        Ok(fixed(sizes()?.dwell_backlash().context("a locking disc")?.to_degrees(), 3) + "°")
-    }),
+    ("making.backlash-at-rest", || Ok(fixed(dwell_play()?.middle.to_degrees(), 3) + "°")),
     ("making.backlash", || Ok(fixed(sizes()?.index_backlash(0.0)?.to_degrees(), 3) + "°")),
     ("making.late", || {
         let sizes = sizes()?;
@@ -106,7 +154,6 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("making.blow", || Ok(with_unit(blow(0.0)?, 2, "mm/s"))),
     ("making.centre-error", || Ok(with_unit(CENTRE_ERROR, 1, "mm"))),
     ("making.blow-apart", || Ok(with_unit(blow(CENTRE_ERROR)?, 2, "mm/s"))),
-    ("making.blow-near", || Ok(with_unit(blow(-CENTRE_ERROR)?, 2, "mm/s"))),
     ("making.instant.angle", || Ok(degrees(instant()?.angle.abs()))),
     ("making.instant.velocity", || Ok(fixed(instant()?.velocity, 3))),
     ("making.instant.acceleration", || Ok(fixed(instant()?.acceleration, 3))),
@@ -117,7 +164,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     }),
     ("making.sized.crank", || sized(|of| of.crank_radius)),
     ("making.sized.wheel", || sized(|of| of.wheel_radius)),
-    ("making.sized.slot", || sized(|of| of.wheel_radius - of.slot_end)),
+    ("making.sized.slot", || sized(|of| of.wheel_radius - of.deepest())),
     ("making.sized.pin", || sized(|of| of.pin_diameter)),
     ("making.sized.turn", || Ok(with_unit(60.0 / SIZED_RPM, 1, "s"))),
     ("making.sized.index", || Ok(with_unit(Wheel::new(SIZED)?.indexing_time(speed(SIZED_RPM))?, 2, "s"))),
@@ -147,7 +194,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("making.second.rpm", || Ok(fixed(60.0 / SECOND_TURN, 0))),
     ("making.second.crank", || second(|of| of.crank_radius)),
     ("making.second.thick-pin", || second(|of| 0.3 * of.crank_radius)),
-    ("making.second.slot-end", || second(|of| of.slot_end)),
+    ("making.second.deepest", || second(Sizes::deepest)),
     ("making.second.pin", || second(|of| of.pin_diameter)),
     ("making.second.play", || second(|of| of.play.slot)),
     ("making.second.slot-width", || second(|of| of.slot_width)),
@@ -244,6 +291,71 @@ fn blow(centre_error: f64) -> anyhow::Result<f64> {
     Ok(entry(&sizes()?, centre_error)?.closing_speed * CRANK_RADIUS * speed(RPM))
 }
 
+fn dwell_play() -> anyhow::Result<DwellPlay> {
+    sizes()?.dwell_play().context("a wheel with one pin has a dwell")
+}
+
+/// How far the wheel can turn forwards so many degrees of the crank before a pin enters.
+fn play_before_entry(until: f64) -> anyhow::Result<String> {
+    let [forwards, _] = sizes()?.dwell_play_at(until.to_radians()).context("within the dwell")?;
+    Ok(fixed(forwards.to_degrees(), 3) + "°")
+}
+
+/// The backlash in the middle of the dwell of other numbers of stations and pins, with the same crank radius.
+fn in_mid_dwell(stations: u32, pins: u32) -> anyhow::Result<String> {
+    let wheel = Wheel::with_pins(stations, pins)?;
+    let sizes = Sizes::new(wheel, Scale::CrankRadius(CRANK_RADIUS), &Choices::default())?;
+    Ok(fixed(sizes.dwell_play().context("a dwell")?.middle.to_degrees(), 3) + "°")
+}
+
+fn slot_direction() -> anyhow::Result<f64> {
+    sizes()?.slot_direction_tolerance().context("a locking disc")
+}
+
+/// A speed with which the pin meets the wheel, in mm/s.
+fn knock(of: fn(&Knock) -> f64) -> anyhow::Result<String> {
+    let knock = sizes()?.knock().context("the pin meets the slot")?;
+    Ok(with_unit(of(&knock) * CRANK_RADIUS * speed(RPM), 2, "mm/s"))
+}
+
+/// The pin's greatest force in N and the greatest torque at the crank in N m, with this crank radius in mm, where a steel wheel
+/// adds its own inertia to that of the problem.
+fn with_wheel(radius: f64) -> anyhow::Result<(f64, f64)> {
+    let sizes = Sizes::new(Wheel::new(STATIONS)?, Scale::CrankRadius(radius), &Choices::default())?;
+    let own = sizes.outline().wheel.moment_of_inertia(THICKNESS, STEEL)?;
+    let loads = WheelLoads::new(&sizes.wheel, INERTIA + own, FRICTION, speed(RPM))?;
+    Ok((loads.pin_moment().driving.value / (radius / 1000.0), loads.crank_torque().driving.value))
+}
+
+/// The crank radius in whole mm with which that force is least.
+fn best_radius() -> anyhow::Result<f64> {
+    let mut best = (f64::INFINITY, f64::NAN);
+    for radius in 10..=100 {
+        let radius = f64::from(radius);
+        let force = with_wheel(radius)?.0;
+        best = if force < best.0 { (force, radius) } else { best };
+    }
+    Ok(best.1)
+}
+
+/// The greatest torque at the crank and its mean over a turn, in N m, with a pin that rubs in its slot: the power of the friction,
+/// the force of the pin times its speed along the slot, comes on top.
+fn rubbing() -> anyhow::Result<(f64, f64)> {
+    const STEPS: u32 = 2000;
+    let wheel = Wheel::new(STATIONS)?;
+    let loads = WheelLoads::new(&wheel, INERTIA, FRICTION, speed(RPM))?;
+    let end = wheel.engagement_half_angle();
+    let (mut peak, mut sum) = (0.0_f64, 0.0);
+    for step in 0..STEPS {
+        let crank = end * (2.0 * (f64::from(step) + 0.5) / f64::from(STEPS) - 1.0);
+        let (load, pin) = (loads.at(crank)?, wheel.pin_in_slot(crank)?);
+        let torque = load.crank_torque + RUBBING * (load.pin_moment * pin.radius_rate).abs();
+        peak = peak.max(torque);
+        sum += torque * 2.0 * end / f64::from(STEPS);
+    }
+    Ok((peak, sum / (2.0 * PI)))
+}
+
 fn instant() -> anyhow::Result<Motion> {
     Ok(Wheel::new(STATIONS)?.engaged(INSTANT.to_radians())?)
 }
@@ -284,9 +396,28 @@ mod tests {
         let (index, dwell) = (sizes.wheel.motion_fraction(), sizes.wheel.dwell_fraction());
         assert!((SECOND_TURN * index - 0.5).abs() < 1e-12 && (SECOND_TURN * dwell - 1.5).abs() < 1e-12);
         assert!((sizes.crank_radius / sizes.wheel_radius - 1.0).abs() < 1e-12);
-        assert!((sizes.pin_diameter / sizes.slot_end - 2.0 / 3.0).abs() < 1e-12);
+        assert!((sizes.pin_diameter / sizes.deepest() - 2.0 / 3.0).abs() < 1e-12);
         let crescent = sizes.locking_disc.expect("a disc").crescent;
         assert_eq!(crescent.centre, sizes.centre_distance);
+    }
+
+    #[test]
+    fn the_chapters_words_about_the_play_hold() {
+        let (sizes, play) = (sizes().expect("fits"), dwell_play().expect("a dwell"));
+        assert!(FIT[0] < sizes.play.slot && sizes.play.slot < FIT[1], "another fit");
+        // The chapter says that the axes may be wrong by this much and the wheel runs, and that nearer by as much jams.
+        let apart = sizes.entry(CENTRE_ERROR).expect("met");
+        assert_eq!(apart.contact, geneva_kinematics::wheel::EntryContact::Mouth);
+        assert!(sizes.locking_gap().expect("a disc") < CENTRE_ERROR);
+        // With two pins the opening is in the arc all the time.
+        for stations in [STATIONS, 12] {
+            let wheel = Wheel::with_pins(stations, 2).expect("possible");
+            let two = Sizes::new(wheel, Scale::CrankRadius(CRANK_RADIUS), &Choices::default()).expect("fits");
+            assert_eq!(two.dwell_play().expect("a dwell").held, 0.0);
+        }
+        assert!(play.greatest > 10.0 * play.middle && !play.can_miss);
+        let own = with_wheel(best_radius().expect("one")).expect("loaded").0;
+        assert!(with_wheel(LARGE).expect("loaded").0 > 2.0 * own);
     }
 
     #[test]

@@ -27,6 +27,7 @@ pub const FIGURES: &[(&str, Draw)] = &[
     ("live-wheel", || live::figure("wheel")),
     ("wheel-dimensions", || live::figure("design")),
     ("wheel-crescent", || Ok(stations::crescent(&making::sizes()?)?)),
+    ("wheel-dwell-play", || Ok(stations::dwell_play(&making::sizes()?))),
     ("wheel-kinds", || Ok(stations::kinds(3..=18)?)),
     ("internal-mechanism", || Ok(stations::internal_mechanism(&InternalWheel::new(KIND_SLOTS)?))),
     ("spherical-mechanism", || Ok(stations::spherical_mechanism(&SphericalWheel::new(KIND_SLOTS)?))),

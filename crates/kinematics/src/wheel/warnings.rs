@@ -1,0 +1,65 @@
+//! What is wrong with sizes that fit: parts that can be drawn, and had better not be made.
+//!
+//! That a wheel can miss its pin follows from the play. The least thickness of a wall is a rule of thumb of ours: it asks for
+//! a look at the strength, and proves nothing.
+
+use super::sizes::Sizes;
+use std::fmt;
+
+/// A reason to choose other sizes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Warning {
+    /// Slot or locking arc has no play: parts that touch all around do not turn.
+    NoPlay,
+    /// A wheel that has turned as far as its play lets it is out of the way of the pin, which then meets the rim.
+    CanMiss {
+        /// How far it turns, in radians.
+        turns: f64,
+    },
+    /// A wall of the wheel is thinner than a fifth of the pin.
+    ThinWall {
+        /// Which wall.
+        wall: &'static str,
+        /// Its thickness, in millimetres.
+        thickness: f64,
+    },
+}
+
+/// A wall that is thinner than this part of the pin's diameter is told.
+const THIN: f64 = 0.2;
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoPlay => f.write_str("without play, parts that are exactly as drawn jam"),
+            Self::CanMiss { turns } => write!(
+                f,
+                "in the dwell the wheel can turn by {:.2}°, and the pin then meets its rim beside the slot: take less play or \
+                 a thicker pin",
+                turns.to_degrees()
+            ),
+            Self::ThinWall { wall, thickness } => {
+                write!(f, "{wall} is only {thickness:.3} mm thick, less than a fifth of the pin: check its strength")
+            }
+        }
+    }
+}
+
+impl Sizes {
+    /// What a maker should know before making these parts; nothing for most.
+    pub fn warnings(&self) -> Vec<Warning> {
+        let is_tight = self.play.slot == 0.0 || self.locking_gap() == Some(0.0);
+        let turns = self.dwell_play().filter(|play| play.can_miss).map(|play| play.greatest);
+        let walls = [
+            ("the horn", self.horn_thickness),
+            ("the web between two slots", self.web),
+            ("the web at the bore", self.bore_web()),
+        ];
+        let thin = walls.into_iter().filter(|(_, thickness)| *thickness < THIN * self.pin_diameter);
+        let tight = is_tight.then_some(Warning::NoPlay).into_iter();
+        tight
+            .chain(turns.map(|turns| Warning::CanMiss { turns }))
+            .chain(thin.map(|(wall, thickness)| Warning::ThinWall { wall, thickness }))
+            .collect()
+    }
+}
