@@ -21,17 +21,17 @@ fn each_size_of_a_chain_may_be_off_by_its_gap() {
         for (share, runs) in [(0.9, true), (1.1, false)] {
             // At mid-index: a crank that is too long, a slot that ends too far out, axes that are too near.
             let pin = |of: &Sizes| of.outline().pins[0].clone();
-            let long = Sizes { crank_radius: sizes.crank_radius + share * bottom, ..sizes };
-            let short = Sizes { slot_end: sizes.slot_end + share * bottom, ..sizes };
+            let (mut long, mut short) = (sizes, sizes);
+            long.crank_radius += share * bottom;
+            short.slot_end += share * bottom;
             let c = sizes.centre_distance;
             for (of, axis) in [(long, c), (short, c), (sizes, c - share * bottom)] {
                 assert_eq!(room(&of, &pin(&of), 0.0, axis, 0.0) > 0.0, runs, "{stations}: {share}");
             }
             // In the dwell: a disc that is too large, an arc that is too small, axes that are too near.
-            let mut disc = sizes.locking_disc.unwrap();
-            disc.radius += share * arc;
-            let large = Sizes { locking_disc: Some(disc), ..sizes };
-            let small = Sizes { locking_arc_radius: sizes.locking_arc_radius - share * arc, ..sizes };
+            let (mut large, mut small) = (sizes, sizes);
+            large.locking_disc.as_mut().unwrap().radius += share * arc;
+            small.locking_arc_radius -= share * arc;
             for (of, axis) in [(large, c), (small, c), (sizes, c - share * arc)] {
                 let disc = of.outline().disc.unwrap().outer;
                 let room = room(&of, &disc, PI, axis, of.wheel.half_pitch_angle());
