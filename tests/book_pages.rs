@@ -35,8 +35,17 @@ fn built() -> Result<(TempDir, PathBuf), String> {
     Ok((folder, out))
 }
 
-/// All files of a built book by their path in it.
-fn contents(out: &Path) -> BTreeMap<String, Vec<u8>> {
+/// All files of a book by their path in it.
+type Files = BTreeMap<String, Vec<u8>>;
+
+/// The files of the book, read once for all tests of this program.
+fn files() -> &'static Files {
+    static FILES: OnceLock<Files> = OnceLock::new();
+    FILES.get_or_init(|| contents(book()))
+}
+
+/// All files of a built book.
+fn contents(out: &Path) -> Files {
     let mut files = BTreeMap::new();
     let mut folders = vec![out.to_owned()];
     while let Some(folder) = folders.pop() {
@@ -102,13 +111,16 @@ fn is_page(name: &str) -> bool {
 
 /// The names of all pages of the book.
 pub(crate) fn names() -> Vec<String> {
-    contents(book()).into_keys().filter(|name| is_page(name)).collect()
+    files().keys().filter(|name| is_page(name)).cloned().collect()
 }
 
-fn pages() -> Vec<(String, Vec<Piece>)> {
-    let files = contents(book());
-    let pages = files.into_iter().filter(|(name, _)| is_page(name));
-    pages.map(|(name, bytes)| (name, pieces(&String::from_utf8(bytes).expect("UTF-8")))).collect()
+/// The pages of the book by name, taken apart once for all tests of this program.
+fn pages() -> &'static BTreeMap<String, Vec<Piece>> {
+    static PAGES: OnceLock<BTreeMap<String, Vec<Piece>>> = OnceLock::new();
+    PAGES.get_or_init(|| {
+        let pages = files().iter().filter(|(name, _)| is_page(name));
+        pages.map(|(name, bytes)| (name.clone(), pieces(std::str::from_utf8(bytes).expect("UTF-8")))).collect()
+    })
 }
 
 /// The values of an attribute, of these elements or, if none is named, of all.
@@ -143,8 +155,10 @@ fn text(pieces: &[Piece]) -> String {
 
 #[test]
 fn links_and_fragments_lead_somewhere() {
-    let (pages, files): (BTreeMap<_, _>, _) = (pages().into_iter().collect(), contents(book()));
-    for (name, page) in &pages {
+    let files = files();
+    let ids: BTreeMap<_, HashSet<_>> =
+        pages().iter().map(|(name, page)| (name.as_str(), ids(page).into_iter().collect())).collect();
+    for (name, page) in pages() {
         for link in attribute(page, &["a"], "href") {
             if link.starts_with("http") {
                 continue;
@@ -154,8 +168,8 @@ fn links_and_fragments_lead_somewhere() {
             if files.contains_key(target) && !target.ends_with(".html") {
                 continue;
             }
-            let there = pages.get(target).unwrap_or_else(|| panic!("{name}: no page {target}"));
-            let found = fragment.is_empty() || ids(there).iter().any(|id| id == fragment);
+            let there = ids.get(target).unwrap_or_else(|| panic!("{name}: no page {target}"));
+            let found = fragment.is_empty() || there.contains(fragment);
             assert!(found, "{name}: {target} has no #{fragment}");
         }
     }
@@ -165,7 +179,7 @@ fn links_and_fragments_lead_somewhere() {
 fn ids_are_unique_on_a_page() {
     for (name, page) in pages() {
         let mut seen = HashSet::new();
-        for id in ids(&page) {
+        for id in ids(page) {
             assert!(seen.insert(id.clone()), "{name}: #{id} stands twice");
         }
     }
@@ -174,7 +188,7 @@ fn ids_are_unique_on_a_page() {
 #[test]
 fn no_placeholder_is_left_and_no_number_is_none() {
     for (name, page) in pages() {
-        let text: String = within(&page, "main").into_iter().map(text).collect();
+        let text: String = within(page, "main").into_iter().map(text).collect();
         for wrong in ["{{", "NaN"] {
             let at = text.find(wrong).map(|at| text[at..].chars().take(60).collect::<String>());
             assert_eq!(at, None, "{name}");
@@ -224,9 +238,9 @@ fn joined(folder: &str, url: &str) -> String {
 
 #[test]
 fn a_page_loads_nothing_from_elsewhere_and_what_it_loads_is_there() {
-    let files = contents(book());
+    let files = files();
     for (name, page) in pages() {
-        for file in loaded(&page, &files) {
+        for file in loaded(page, files) {
             assert!(!file.contains("://") && !file.starts_with("//"), "{name} loads {file}");
             assert!(files.contains_key(&file), "{name} loads {file}, which is not in the book");
         }
@@ -236,12 +250,12 @@ fn a_page_loads_nothing_from_elsewhere_and_what_it_loads_is_there() {
 #[test]
 fn a_page_is_not_too_heavy() {
     // With every font that its style names, though a browser loads only those that the page uses.
-    let files = contents(book());
+    let files = files();
     for (name, page) in pages() {
-        let read = loaded(&page, &files).into_iter().filter(|file| !file.starts_with("data/live"));
-        let weight = files[&name].len() + read.map(|file| files[&file].len()).sum::<usize>();
+        let read = loaded(page, files).into_iter().filter(|file| !file.starts_with("data/live"));
+        let weight = files[name].len() + read.map(|file| files[&file].len()).sum::<usize>();
         assert!(weight < HEAVIEST_PAGE, "{name} weighs {weight} bytes; {HEAVIEST_PAGE} are allowed");
-        for figure in String::from_utf8_lossy(&files[&name]).split("<figure").skip(1) {
+        for figure in String::from_utf8_lossy(&files[name]).split("<figure").skip(1) {
             let weight = figure.find("</figure>").unwrap_or(figure.len());
             assert!(weight < HEAVIEST_FIGURE, "a figure of {weight} bytes on {name}; {HEAVIEST_FIGURE} are allowed");
         }
@@ -253,7 +267,7 @@ fn what_moves_figures_is_not_too_heavy() {
     if !crate::live::moves() {
         return;
     }
-    let files = contents(book());
+    let files = files();
     let weight: usize =
         files.iter().filter(|(name, _)| name.starts_with("data/live")).map(|(_, file)| file.len()).sum();
     assert!((100_000..HEAVIEST_MOVER).contains(&weight), "{weight} bytes; {HEAVIEST_MOVER} are allowed");
@@ -262,9 +276,9 @@ fn what_moves_figures_is_not_too_heavy() {
 #[test]
 fn two_builds_give_the_same_bytes() {
     let (_folder, again) = built().expect("the book builds");
-    let (first, second) = (contents(book()), contents(&again));
+    let (first, second) = (files(), contents(&again));
     assert_eq!(first.keys().collect::<Vec<_>>(), second.keys().collect::<Vec<_>>());
-    for (name, bytes) in &first {
+    for (name, bytes) in first {
         assert!(*bytes == second[name], "{name} differs between two builds");
     }
 }
@@ -273,13 +287,13 @@ fn two_builds_give_the_same_bytes() {
 fn figures_have_a_number_a_caption_and_words_for_those_who_do_not_see_them() {
     let mut shown = HashSet::new();
     for (name, page) in pages() {
-        for figure in within(&page, "figure") {
+        for figure in within(page, "figure") {
             let caption = within(figure, "figcaption").into_iter().next().map(text).unwrap_or_default();
             assert!(caption.starts_with("Figure\u{a0}") || caption.starts_with("Table\u{a0}"), "{name}: {caption}");
             assert!(caption.len() > 25, "{name}: {caption}");
         }
         // Figures, and pictures without number.
-        for drawing in within(&page, "svg").into_iter().filter(|svg| !within(svg, "desc").is_empty()) {
+        for drawing in within(page, "svg").into_iter().filter(|svg| !within(svg, "desc").is_empty()) {
             let part = |element: &str| within(drawing, element).into_iter().next().map(text).unwrap_or_default();
             assert!(part("title").len() > 5 && part("desc").len() > 40, "{name}: {}", part("desc"));
             shown.insert(part("title"));
@@ -290,7 +304,7 @@ fn figures_have_a_number_a_caption_and_words_for_those_who_do_not_see_them() {
 
 #[test]
 fn the_pages_lead_from_one_to_the_next_in_the_order_of_the_book() {
-    let pages: BTreeMap<_, _> = pages().into_iter().collect();
+    let pages = pages();
     let order: Vec<_> = geneva_press::pages::PAGES.iter().map(|page| format!("{}.html", page.name)).collect();
     for (at, name) in order.iter().enumerate() {
         let leads = |rel: &str| {
@@ -309,7 +323,7 @@ fn the_pages_lead_from_one_to_the_next_in_the_order_of_the_book() {
 
 #[test]
 fn formulas_are_there_without_scripts() {
-    let files = contents(book());
+    let files = files();
     let pin = String::from_utf8_lossy(&files["pin.html"]).into_owned();
     assert!(pin.matches("<math").count() > 30, "formulas are MathML");
     assert!(!pin.contains('$'), "a formula is left as it was typed");

@@ -1,7 +1,8 @@
 //! Does the program `geneva` say what the ledger says, and does it behave as a program should?
 //!
-//! Run as it is by a reader, with its output in a pipe. What a page looks like is pinned under
-//! `snapshots/command-line`; what must hold whatever it looks like is asserted.
+//! What a page looks like is pinned under `snapshots/command-line`; what must hold whatever it looks like is asserted. The
+//! program itself runs, with its output in a pipe, for each pinned page and wherever a process may behave otherwise than its
+//! library: streams, signals, files, threads. All other lines are asked of the library, and a test compares the two.
 
 mod book_command;
 mod escapement_command;
@@ -11,14 +12,18 @@ mod quick_return_command;
 mod sweep_command;
 mod wheel_command;
 
+use geneva_cli::Answer;
 use geneva_figures::Figure;
 use geneva_ledger::{claims, in_full, verdicts};
 use insta_cmd::assert_cmd_snapshot;
 use serde_json::{Map, Value};
+use std::ffi::OsString;
 use std::fs;
 use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
+use std::sync::OnceLock;
+use std::time::{Duration, Instant};
 
 /// The program, whatever the terminal and the settings of whoever runs the test.
 fn geneva(arguments: &[&str]) -> Command {
@@ -36,6 +41,31 @@ fn pin(name: &str, arguments: &[&str]) {
     settings().bind(|| assert_cmd_snapshot!(name, geneva(arguments)));
 }
 
+/// Pins the same of what the library answers: for pages that need every verdict, which each process derives anew.
+#[track_caller]
+fn pin_answer(name: &str, arguments: &[&str]) {
+    settings().bind(|| insta::assert_snapshot!(name, page_of(&answered(arguments))));
+}
+
+/// What is pinned of a process.
+fn page_of(Answer { stdout, stderr, code }: &Answer) -> String {
+    let success = *code == 0;
+    format!("success: {success}\nexit_code: {code}\n----- stdout -----\n{stdout}\n----- stderr -----\n{stderr}")
+}
+
+/// What the process `geneva errata` writes, with its exit code, and how long it takes: it derives every verdict, so it runs
+/// once for all tests that look at it.
+fn errata() -> &'static (Answer, Duration) {
+    static ERRATA: OnceLock<(Answer, Duration)> = OnceLock::new();
+    ERRATA.get_or_init(|| {
+        let start = Instant::now();
+        let Output { status, stdout, stderr } = run(&["errata"]);
+        let [stdout, stderr] = [stdout, stderr].map(|bytes| String::from_utf8(bytes).expect("UTF-8"));
+        let code = status.code().and_then(|code| code.try_into().ok()).expect("an exit code");
+        (Answer { stdout, stderr, code }, start.elapsed())
+    })
+}
+
 fn settings() -> insta::Settings {
     let mut settings = insta::Settings::clone_current();
     let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).expect("crates/geneva is in it");
@@ -50,15 +80,37 @@ fn run(arguments: &[&str]) -> Output {
     geneva(arguments).output().expect("the program runs")
 }
 
-/// Standard output of a run that exits with `code`.
+/// Standard output of a process that exits with `code`.
 #[track_caller]
-fn stdout(arguments: &[&str], code: i32) -> String {
+fn written(arguments: &[&str], code: i32) -> String {
     let output = run(arguments);
     assert_eq!(output.status.code(), Some(code), "{arguments:?}: {output:?}");
     String::from_utf8(output.stdout).expect("UTF-8")
 }
 
-/// Standard error of a run that fails with exit code 2 and has said nothing else.
+/// What the program's library answers to a line. Claims that one test has asked for are not judged again for another.
+fn answered(arguments: &[&str]) -> Answer {
+    geneva_cli::answer(["geneva"].iter().chain(arguments).map(OsString::from))
+}
+
+/// What goes to standard output for a line with this exit code.
+#[track_caller]
+fn stdout(arguments: &[&str], code: u8) -> String {
+    let answer = answered(arguments);
+    assert_eq!(answer.code, code, "{arguments:?}: {answer:?}");
+    answer.stdout
+}
+
+/// What goes to standard error for a line with exit code 2, for which nothing else is said.
+#[track_caller]
+fn refused(arguments: &[&str]) -> String {
+    let answer = answered(arguments);
+    assert_eq!(answer.code, 2, "{arguments:?}: {answer:?}");
+    assert!(answer.stdout.is_empty(), "{arguments:?}: {answer:?}");
+    answer.stderr
+}
+
+/// Standard error of a process that fails with exit code 2 and has said nothing else.
 #[track_caller]
 fn refusal(mut command: Command) -> String {
     let output = command.output().expect("the program runs");
@@ -119,6 +171,13 @@ fn assert_is_drawn(arguments: &[&str], figure: &Figure) {
     assert_eq!(paths(&drawn), paths(&expected), "{arguments:?}: {}", figure.id);
 }
 
+/// Whether a signal is ignored here, as `INT` is in what a shell runs in the background: children ignore it too.
+fn is_ignored(signal: i32) -> bool {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let ignored = status.lines().find_map(|line| u64::from_str_radix(line.strip_prefix("SigIgn:")?.trim(), 16).ok());
+    ignored.is_some_and(|mask| mask >> (signal - 1) & 1 == 1)
+}
+
 /// A workspace with a book of one chapter.
 fn small_workspace() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
@@ -155,6 +214,52 @@ fn every_command_explains_itself_with_an_example() {
     ] {
         assert!(stdout(arguments, 0).contains("Example"), "{name}");
         pin(name, arguments);
+    }
+}
+
+#[test]
+fn the_program_writes_what_its_library_answers() {
+    let escapement =
+        ["--friction", "0.3", "--torque", "2", "--driver-inertia", "1", "--follower-inertia", "15", "--slots"];
+    let escapement = |more: &[&'static str]| [&["escapement"], &escapement[..], more].concat();
+    let quick_return = ["quick-return", "--ground", "0.3", "--crank", "0.1", "--crank-angle", "75", "--rpm", "60"];
+    let size = ["--crank-radius", "50"];
+    for line in [
+        vec!["--version"],
+        vec!["wheel", "--help"],
+        vec!["clams"],
+        vec!["claims", "--source", "jazar"],
+        vec!["claims", "--source", "pin", "--format", "json"],
+        vec!["claims", "--source", "quick-return", "--format", "csv"],
+        vec!["errata", "--source", "jazar", "--format", "markdown"],
+        vec!["errata", "--source", "pin", "--format", "json"],
+        vec!["errata", "--source", "quick-return", "--all", "--format", "csv"],
+        vec!["coverage"],
+        vec!["coverage", "--source", "pin", "--against", "no/such/copy.txt"],
+        vec!["wheel", "--stations", "6", "--rpm", "360"],
+        [&["wheel", "--stations", "6", "--format", "dxf"], &size[..]].concat(),
+        [&["wheel", "--stations", "6", "--format", "csv"], &size[..]].concat(),
+        vec!["wheel", "--stations", "2"],
+        vec!["wheel", "--stations", "\u{1b}[31m6"],
+        quick_return.to_vec(),
+        [&quick_return[..], &["--format", "svg"]].concat(),
+        [&quick_return[..], &["--branch", "near"]].concat(),
+        escapement(&["4"]),
+        escapement(&["6", "--format", "json"]),
+        escapement(&["3", "--format", "csv"]),
+        escapement(&["5"]),
+        vec!["sweep", "--slots", "4", "--friction", "-1", "--inertia-ratio", "1"],
+        vec!["mimic", "decks"],
+        vec!["mimic", "run", "decay"],
+        vec!["mimic", "run", "decay", "--set", "N"],
+        vec!["completions", "fish"],
+        vec!["preprocess", "supports", "latex"],
+        vec!["book", "build", "--output", "/"],
+    ] {
+        let (output, answer) = (run(&line), answered(&line));
+        assert_eq!(output.status.code(), Some(answer.code.into()), "{line:?}: {output:?}");
+        assert_eq!(String::from_utf8_lossy(&output.stdout), answer.stdout, "{line:?}");
+        assert_eq!(String::from_utf8_lossy(&output.stderr), answer.stderr, "{line:?}");
     }
 }
 
@@ -275,9 +380,10 @@ fn an_answer_goes_into_a_file_if_one_is_named() {
 
 #[test]
 fn the_errata_are_those_of_the_ledger() {
-    pin("errata", &["errata"]);
-    pin("errata-json", &["errata", "--format", "json"]);
-    pin("errata-markdown", &["errata", "--format", "markdown"]);
+    let answer = Answer::clone(&errata().0);
+    settings().bind(|| insta::assert_snapshot!("errata", page_of(&answer)));
+    pin_answer("errata-json", &["errata", "--format", "json"]);
+    pin_answer("errata-markdown", &["errata", "--format", "markdown"]);
     pin("errata-of-jazar-with-copies", &["errata", "--source", "jazar", "--all"]);
 }
 
@@ -385,9 +491,11 @@ fn piped(input: &str) -> Output {
 
 #[test]
 fn nothing_but_text_goes_into_a_pipe() {
+    let Answer { stdout, stderr, code } = &errata().0;
+    assert!(!stdout.contains('\u{1b}') && stderr.is_empty() && *code == 0, "{stderr}");
     for arguments in [
         &["claims", "--source", "jazar"][..],
-        &["errata"],
+        &["errata", "--source", "jazar", "--all"],
         &["coverage"],
         &["--help"],
         &["claims", "--source", "pim"],

@@ -1,7 +1,7 @@
 //! What the program refuses of files, threads and terminals, whatever the command: it ends soon, with a message, and leaves
 //! everything as it was.
 
-use crate::{geneva, refusal, run, stdout};
+use crate::{errata, geneva, refusal, refused, run, stdout};
 use std::fs::{self, File};
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -75,7 +75,7 @@ fn what_would_fill_the_memory_is_refused_before_it_is_made() {
     );
     let angles: Vec<String> = (0..10_001).map(|number| format!("--at={number}")).collect();
     let line: Vec<&str> = ["wheel", "--stations", "6"].into_iter().chain(angles.iter().map(String::as_str)).collect();
-    let said = refusal(geneva(&line));
+    let said = refused(&line);
     assert!(said.contains("--at and --at-wheel are given 10001 times; at most 10000"), "{said}");
     assert_eq!(geneva(&line[..line.len() - 1]).stdout(Stdio::null()).status().expect("it runs").code(), Some(0));
     fs::write(folder.path().join("long"), "1 ".repeat(60_000)).expect("writable");
@@ -132,7 +132,7 @@ fn the_slips_of_a_source_are_found_without_the_others() {
         assert_eq!(run(arguments).status.code(), Some(0));
         start.elapsed()
     };
-    let of_all = time(&["errata"]);
+    let of_all = errata().1;
     for command in ["errata", "claims"] {
         let of_one = time(&[command, "--source", "pin"]);
         assert!(of_one < of_all / 3 || of_one < Duration::from_millis(100), "{command}: {of_one:?} of {of_all:?}");
@@ -200,7 +200,7 @@ fn a_long_value_is_told_in_a_few_characters() {
         &["claims", "--source", &long],
         &["wheel", &format!("--{long}")],
     ] {
-        let said = refusal(geneva(line));
+        let said = refused(line);
         assert!(said.len() < 1000 && said.contains('…'), "{} characters: {}", said.len(), &said[..200]);
     }
 }

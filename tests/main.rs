@@ -17,7 +17,9 @@ mod supply;
 mod tidy;
 
 use geneva_ledger::{Decimal, claims, numeric_tokens};
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 /// A path inside the project.
 fn path(inside: &str) -> PathBuf {
@@ -54,13 +56,19 @@ fn is_telling(number: &str) -> bool {
 
 /// The claim that prints this number, or whose erratum corrects to it, if the number tells where it comes from.
 fn owner(number: &str) -> Option<&'static str> {
-    if !is_telling(number) {
-        return None;
-    }
-    let bears =
-        |text: &str| text.parse::<Decimal>().is_ok() && numeric_tokens(text).iter().any(|token| token == number);
-    let owner = claims()
-        .iter()
-        .find(|claim| bears(claim.printed) || claim.erratum.as_ref().is_some_and(|erratum| bears(erratum.corrected)));
-    owner.map(|claim| claim.id)
+    // The first claim of each number, listed once for all that ask.
+    static OWNERS: OnceLock<HashMap<String, &str>> = OnceLock::new();
+    let owners = OWNERS.get_or_init(|| {
+        let mut owners = HashMap::new();
+        for claim in claims() {
+            let corrected = claim.erratum.as_ref().map(|erratum| erratum.corrected);
+            for text in [claim.printed].into_iter().chain(corrected).filter(|text| text.parse::<Decimal>().is_ok()) {
+                for token in numeric_tokens(text) {
+                    owners.entry(token).or_insert(claim.id);
+                }
+            }
+        }
+        owners
+    });
+    owners.get(number).copied().filter(|_| is_telling(number))
 }

@@ -1,6 +1,6 @@
 //! Does `geneva mimic` check, sort and run decks, and does it say what is wrong with them?
 
-use crate::{geneva, json, pin, refusal, stdout};
+use crate::{geneva, json, pin, refused, stdout};
 use geneva_ledger::meyer::runs::{Hypothesis, rows};
 use serde_json::Value;
 use std::fs;
@@ -126,7 +126,7 @@ fn the_runs_of_appendix_e_come_from_the_ledger() {
         assert_eq!(numbers, Hypothesis::as_run().data_card(row));
         assert_eq!(run["rows"].as_array().map(Vec::len), Some(401));
     }
-    let told = refusal(geneva(&["mimic", "run", "decay", "--runs", "appendix-e"]));
+    let told = refused(&["mimic", "run", "decay", "--runs", "appendix-e"]);
     assert!(told.contains("the CON and PAR cards of decay ask for 2; give a deck that asks for 6"), "{told}");
 }
 
@@ -138,7 +138,7 @@ fn a_listing_is_run_out_of_a_longer_text() {
         stdout(&["mimic", "run", "--listing-in", &path, "--set", "DRAG=0", "--set", "G=2", "--format", "csv"], 0);
     assert!(page.ends_with("1,2.0,0.0,1.5,3.0,2.25\n"), "{page}");
     let (_folder, path) = folder("none.txt", "no program here\n");
-    let told = refusal(geneva(&["mimic", "run", "--listing-in", &path]));
+    let told = refused(&["mimic", "run", "--listing-in", &path]);
     assert!(told.contains("no program in it"), "{told}");
 }
 
@@ -176,7 +176,7 @@ fn refusals_name_what_was_asked_and_a_way_out() {
         (&["mimic", "run", "decay", "--tolerance", "1"], "1 must be below 1; give a part of each integral's size"),
         (&["mimic", "run", "vanderpol", "--set", "MU=1e300"], "vanderpol, run 1 of 2: at T = "),
     ] {
-        let told = refusal(geneva(arguments));
+        let told = refused(arguments);
         assert!(told.contains(words), "{arguments:?}\n{told}");
     }
 }
@@ -186,7 +186,7 @@ fn data_come_from_standard_input_and_faults_in_them_name_where_they_are() {
     let (text, told, code) = fed(&["mimic", "run", "oscillator", "--data", "-", "--format", "csv"], "1. 0. 1. 0. 2.\n");
     assert!(code == Some(0) && text.contains("\n1,1.0,0.0,1.0,0.0,2.0,0.0,2.0,"), "{text}{told}");
     let (folder, path) = folder("few.cards", "1. 2.\n");
-    let told = refusal(geneva(&["mimic", "run", "oscillator", "--data", &path]));
+    let told = refused(&["mimic", "run", "oscillator", "--data", &path]);
     assert!(
         told.contains(&format!("{path}, line 1, column 6: no number is left for K")) && !told.contains("END"),
         "{told}"
@@ -206,7 +206,7 @@ fn an_answer_takes_the_place_of_nothing_that_is_read() {
         &["mimic", "run", "--listing-in", &path, "--output", &path],
         &["mimic", "run", "decay", "--data", &path, "--output", &path],
     ] {
-        let told = refusal(geneva(arguments));
+        let told = refused(arguments);
         assert!(
             told.contains("would take the place of") && told.contains("give another file"),
             "{arguments:?}\n{told}"

@@ -3,7 +3,7 @@
 mod destination;
 mod refusals;
 
-use crate::{geneva, object, pin, refusal, run, stdout};
+use crate::{geneva, object, pin, refused, run, stdout, written};
 use serde_json::{Map, Value};
 use std::fs;
 
@@ -12,7 +12,7 @@ const SMALL: [&str; 7] = ["sweep", "--slots", "4,6", "--friction", "0:0.6:4", "-
 /// The rows of a sweep to standard output.
 #[track_caller]
 fn rows(options: &[&str]) -> Vec<Map<String, Value>> {
-    parsed(&stdout(&[options, &["--output", "-"]].concat(), 0))
+    parsed(&written(&[options, &["--output", "-"]].concat(), 0))
 }
 
 fn parsed(text: &str) -> Vec<Map<String, Value>> {
@@ -58,7 +58,7 @@ fn a_row_is_what_the_escapement_command_says() {
             let command = [&command[..], &inertias, reset_angle].concat();
             if row["status"] == "jams" {
                 jams += 1;
-                assert!(refusal(geneva(&command)).contains("may jam"), "{row:?}");
+                assert!(refused(&command).contains("may jam"), "{row:?}");
                 assert!(row.values().filter(|value| **value == "").count() == 8, "{row:?}");
                 continue;
             }

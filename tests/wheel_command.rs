@@ -7,7 +7,7 @@ mod parts;
 mod times;
 mod workshop;
 
-use crate::{assert_is_drawn, assert_is_plain, geneva, number, object, on_sheet, pin, refusal, right, stdout};
+use crate::{assert_is_drawn, assert_is_plain, number, object, on_sheet, pin, refused, right, stdout};
 use geneva_figures::stations::{internal_mechanism, mechanism, spherical_mechanism};
 use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::internal_wheel::InternalWheel;
@@ -274,7 +274,7 @@ fn what_cannot_be_is_refused_with_what_can() {
     ] {
         // The drawing needs neither speed nor load, but a wrong one is a mistake there too.
         for format in ["text", "json", "csv", "svg"] {
-            let said = refusal(geneva(&[&["wheel", "--format", format], options].concat()));
+            let said = refused(&[&["wheel", "--format", format], options].concat());
             assert!(said.starts_with("error: ") && said.contains("give "), "{options:?}: {said}");
             assert!(said.contains(value) && said.contains(allowed), "{options:?}: {said}");
         }

@@ -5,6 +5,7 @@ use std::collections::VecDeque;
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, Command, Stdio};
+use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
@@ -23,15 +24,25 @@ pub enum Medium {
     Paper,
 }
 
-/// One browser with one page. Its profile is its own and goes with it.
-pub struct Browser {
-    process: Child,
-    commands: ChildStdin,
+/// A process that shows the pages of one test after the other. It ends when its pipe is closed, and its profile goes with it.
+struct Process {
+    shell: Child,
+    /// None once it has been told to end.
+    commands: Option<ChildStdin>,
     messages: Receiver<Value>,
-    events: VecDeque<Value>,
-    session: Option<String>,
     calls: u64,
-    _profile: TempDir,
+}
+
+/// Processes that no test uses at the moment. A start takes longer than most tests.
+static IDLE: Mutex<Vec<Process>> = Mutex::new(Vec::new());
+
+/// One browser with one page. What it keeps is its own and goes with it: no other test sees it.
+pub struct Browser {
+    /// None once another test may have it.
+    process: Option<Process>,
+    events: VecDeque<Value>,
+    context: String,
+    session: Option<String>,
 }
 
 /// The program, if there is one. `$CHROMIUM` may be empty, and then there is none.
@@ -63,41 +74,19 @@ impl Browser {
     }
 
     fn from(program: &Path) -> Result<Self, String> {
-        let profile = TempDir::new().map_err(|error| error.to_string())?;
-        // The browser reads commands from its file 3 and answers on its file 4.
-        let mut process = Command::new("sh")
-            .args(["-c", r#"exec "$0" "$@" 3<&0 4>&1 </dev/null >/dev/null 2>&1"#])
-            .arg(program)
-            // No sandbox: it does not start for root or in a container, and only pages of our own are shown.
-            .args(["--headless", "--no-sandbox", "--disable-gpu", "--remote-debugging-pipe", "--hide-scrollbars"])
-            .args(["--no-first-run", "--mute-audio", "--disable-background-networking", "--disable-component-update"])
-            // A page that asks for something elsewhere is found out, and gets nothing; this machine serves pages in a test.
-            .args([
-                "--disable-extensions",
-                "--disable-sync",
-                "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
-            ])
-            .args(["--allow-file-access-from-files", "--font-render-hinting=none"])
-            .arg(format!("--user-data-dir={}", profile.path().display()))
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .spawn()
-            .map_err(|error| error.to_string())?;
-        let (Some(commands), Some(answers)) = (process.stdin.take(), process.stdout.take()) else {
-            return Err("it has no pipe".to_owned());
-        };
-        let (sender, messages) = channel();
-        std::thread::spawn(move || {
-            for message in BufReader::new(answers).split(0).map_while(Result::ok) {
-                let told = serde_json::from_slice(&message).map(|message| sender.send(message));
-                if !matches!(told, Ok(Ok(()))) {
-                    break;
-                }
-            }
-        });
-        let mut browser =
-            Self { process, commands, messages, events: VecDeque::new(), session: None, calls: 0, _profile: profile };
-        let target = browser.ask("Target.createTarget", json!({ "url": "about:blank" }))?;
+        let idle = IDLE.lock().ok().and_then(|mut idle| idle.pop());
+        // One that has ended in the meantime is replaced.
+        idle.and_then(|process| Self::of(process).ok()).map_or_else(|| Self::of(Process::start(program)?), Ok)
+    }
+
+    /// A new page, apart from all that the process has shown.
+    fn of(process: Process) -> Result<Self, String> {
+        let (context, events) = (String::new(), VecDeque::new());
+        let mut browser = Self { process: Some(process), events, context, session: None };
+        let context = browser.ask("Target.createBrowserContext", json!({}))?;
+        browser.context = context["browserContextId"].as_str().unwrap_or_default().to_owned();
+        let page = json!({ "url": "about:blank", "browserContextId": browser.context });
+        let target = browser.ask("Target.createTarget", page)?;
         let attached =
             browser.ask("Target.attachToTarget", json!({ "targetId": target["targetId"], "flatten": true }))?;
         browser.session = attached["sessionId"].as_str().map(str::to_owned);
@@ -109,27 +98,38 @@ impl Browser {
         Ok(browser)
     }
 
-    /// The next message, waited for until `end`.
+    /// The next message to this page or to the one who asks, waited for until `end`.
     fn message(&mut self, end: Instant) -> Result<Value, String> {
-        let left = end.saturating_duration_since(Instant::now());
-        self.messages.recv_timeout(left).map_err(|why| match why {
-            RecvTimeoutError::Timeout => format!("no answer within {} s", PATIENCE.as_secs()),
-            RecvTimeoutError::Disconnected => "it has ended".to_owned(),
-        })
+        let process = self.process.as_ref().ok_or("it has ended")?;
+        loop {
+            let left = end.saturating_duration_since(Instant::now());
+            let message = process.messages.recv_timeout(left).map_err(|why| match why {
+                RecvTimeoutError::Timeout => format!("no answer within {} s", PATIENCE.as_secs()),
+                RecvTimeoutError::Disconnected => "it has ended".to_owned(),
+            })?;
+            // What a page of an earlier test still had to say is of no concern.
+            let of = message["sessionId"].as_str();
+            if of.is_none() || of == self.session.as_deref() {
+                return Ok(message);
+            }
+        }
     }
 
     fn ask(&mut self, method: &str, parameters: Value) -> Result<Value, String> {
-        self.calls += 1;
-        let mut command = json!({ "id": self.calls, "method": method, "params": parameters });
+        let process = self.process.as_mut().ok_or("it has ended")?;
+        process.calls += 1;
+        let call = process.calls;
+        let mut command = json!({ "id": call, "method": method, "params": parameters });
         if let Some(session) = &self.session {
             command["sessionId"] = json!(session);
         }
-        let sent = self.commands.write_all(format!("{command}\0").as_bytes()).and_then(|()| self.commands.flush());
+        let pipe = process.commands.as_mut().ok_or("it has ended")?;
+        let sent = pipe.write_all(format!("{command}\0").as_bytes()).and_then(|()| pipe.flush());
         sent.map_err(|error| format!("{method}: {error}"))?;
         let end = Instant::now() + PATIENCE;
         loop {
             let mut message = self.message(end).map_err(|why| format!("{method}: {why}"))?;
-            if message["id"] == self.calls {
+            if message["id"] == call {
                 let error = &message["error"]["message"];
                 return if error.is_null() { Ok(message["result"].take()) } else { Err(format!("{method}: {error}")) };
             }
@@ -208,7 +208,61 @@ impl Browser {
 
 impl Drop for Browser {
     fn drop(&mut self) {
-        let _ = self.process.kill();
-        let _ = self.process.wait();
+        // After a failed test nobody knows what the process is about.
+        let is_well = !std::thread::panicking();
+        self.session = None;
+        let left =
+            is_well.then(|| self.ask("Target.disposeBrowserContext", json!({ "browserContextId": self.context })));
+        if let (Some(Ok(_)), Some(process), Ok(mut idle)) = (left, self.process.take(), IDLE.lock()) {
+            idle.push(process);
+        }
+    }
+}
+
+impl Process {
+    fn start(program: &Path) -> Result<Self, String> {
+        let profile = TempDir::new().map_err(|error| error.to_string())?.keep();
+        // The browser reads commands from its file 3 and answers on its file 4. The shell clears up after it, also when the
+        // test program has ended.
+        let mut shell = Command::new("sh")
+            .args(["-c", r#"profile="$0"; "$@" 3<&0 4>&1 </dev/null >/dev/null 2>&1; rm -rf "$profile""#])
+            .arg(&profile)
+            .arg(program)
+            // No sandbox: it does not start for root or in a container, and only pages of our own are shown.
+            .args(["--headless", "--no-sandbox", "--disable-gpu", "--remote-debugging-pipe", "--hide-scrollbars"])
+            .args(["--no-first-run", "--mute-audio", "--disable-background-networking", "--disable-component-update"])
+            // A page that asks for something elsewhere is found out, and gets nothing; this machine serves pages in a test.
+            .args([
+                "--disable-extensions",
+                "--disable-sync",
+                "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
+            ])
+            .args(["--allow-file-access-from-files", "--font-render-hinting=none"])
+            .arg(format!("--user-data-dir={}", profile.display()))
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .map_err(|error| error.to_string())?;
+        let (Some(commands), Some(answers)) = (shell.stdin.take(), shell.stdout.take()) else {
+            return Err("it has no pipe".to_owned());
+        };
+        let (sender, messages) = channel();
+        std::thread::spawn(move || {
+            for message in BufReader::new(answers).split(0).map_while(Result::ok) {
+                let told = serde_json::from_slice(&message).map(|message| sender.send(message));
+                if !matches!(told, Ok(Ok(()))) {
+                    break;
+                }
+            }
+        });
+        Ok(Self { shell, commands: Some(commands), messages, calls: 0 })
+    }
+}
+
+impl Drop for Process {
+    fn drop(&mut self) {
+        // It ends with its pipe, and the shell with it.
+        drop(self.commands.take());
+        let _ = self.shell.wait();
     }
 }

@@ -1,14 +1,14 @@
 //! What cannot be computed is refused with exit code 2, with what was typed, why, and what to give.
 
 use super::{Design, FOUR, command, object};
-use crate::{geneva, pin, refusal, run};
+use crate::{answered, pin};
 
 /// The refusal of these options in these formats, in all of which it is the same.
 #[track_caller]
 fn refused(design: Design, more: &[&str], formats: &[&str]) -> String {
     let said: Vec<_> = formats
         .iter()
-        .map(|format| refusal(geneva(&command(design, &[&["--format", format], more].concat()))))
+        .map(|format| crate::refused(&command(design, &[&["--format", format], more].concat())))
         .collect();
     assert!(said.iter().all(|other| *other == said[0]), "{said:?}");
     assert!(said[0].starts_with("error: ") && !said[0].contains("panicked"), "{design:?} {more:?}: {}", said[0]);
@@ -88,7 +88,7 @@ fn without_friction_there_is_no_terminal_speed() {
         let said = refused(["4", friction, "2", "4e-6", "6e-5"], &[], &["text", "json"]);
         assert!(said.contains("--friction") && said.contains("no terminal speed") && said.contains("csv"), "{said}");
         let figure = ["--format", "svg", "--figure", "normal-force"];
-        assert_eq!(refusal(geneva(&command(["4", friction, "2", "4e-6", "6e-5"], &figure))), said);
+        assert_eq!(crate::refused(&command(["4", friction, "2", "4e-6", "6e-5"], &figure)), said);
     }
     pin("escapement-without-friction", &command(["4", "0", "2", "4e-6", "6e-5"], &[]));
 }
@@ -105,7 +105,7 @@ fn a_modulus_beyond_its_range_is_told_the_range() {
     }
     let said = refused(FOUR, &["--reset-deg", "1e-300"], &["text", "json"]);
     assert!(said.contains("--reset-deg 1e-300: too small"), "{said}");
-    let said = refusal(geneva(&command(FOUR, &["--reset-deg", "80", "--format", "svg", "--figure", "normal-force"])));
+    let said = crate::refused(&command(FOUR, &["--reset-deg", "80", "--format", "svg", "--figure", "normal-force"]));
     assert!(said.contains("--reset-deg 80") && said.contains("leave it out"), "{said}");
 }
 
@@ -145,12 +145,12 @@ fn no_number_makes_it_panic_or_write_what_is_no_number() {
                         [("1e-30", &[][..]), ("1", &["--reset-deg", "1e-6"]), ("1e30", &["--reset-deg", "200"])]
                     {
                         let more = [more, &["--format", "json"]].concat();
-                        let output = run(&command([slots, friction, torque, driver, follower], &more));
-                        let text = String::from_utf8_lossy(&output.stdout);
-                        match output.status.code() {
-                            Some(0) => assert!(!text.contains("speed\": null") && !text.contains("period\": null")),
-                            Some(2) => assert!(output.stderr.starts_with(b"error: ") && text.is_empty(), "{output:?}"),
-                            _ => panic!("{slots} {friction} {torque} {driver} {follower}: {output:?}"),
+                        let answer = answered(&command([slots, friction, torque, driver, follower], &more));
+                        let text = &answer.stdout;
+                        match answer.code {
+                            0 => assert!(!text.contains("speed\": null") && !text.contains("period\": null")),
+                            2 => assert!(answer.stderr.starts_with("error: ") && text.is_empty(), "{answer:?}"),
+                            _ => panic!("{slots} {friction} {torque} {driver} {follower}: {answer:?}"),
                         }
                     }
                 }

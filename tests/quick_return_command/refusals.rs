@@ -1,13 +1,13 @@
 //! What cannot be computed is refused with exit code 2, with what was typed, what is possible and what to give.
 
 use super::{SLOW, command, object};
-use crate::{assert_is_plain, geneva, number, pin, refusal, run, stdout};
+use crate::{answered, assert_is_plain, number, pin, stdout};
 
 /// The refusal of these options, which is the same in every format.
 #[track_caller]
 fn refused(options: &[&str]) -> String {
     let said = ["text", "json", "svg"]
-        .map(|format| refusal(geneva(&[&["quick-return", "--format", format], options].concat())));
+        .map(|format| crate::refused(&[&["quick-return", "--format", format], options].concat()));
     assert!(said.iter().all(|other| *other == said[0]), "{said:?}");
     assert!(said[0].starts_with("error: ") && !said[0].contains("panicked"), "{options:?}: {}", said[0]);
     let [said, ..] = said;
@@ -163,10 +163,10 @@ fn one_angle_is_wanted_and_a_branch_only_of_a_lever() {
 fn a_figure_is_only_of_a_drawing_and_csv_of_a_series() {
     pin("quick-return-is-no-series", &command(SLOW, &["--format", "csv"]));
     for format in ["text", "json"] {
-        let said = refusal(geneva(&command(SLOW, &["--format", format, "--figure", "velocity"])));
+        let said = crate::refused(&command(SLOW, &["--format", format, "--figure", "velocity"]));
         assert!(said.contains("--figure velocity") && said.contains("give --format svg"), "{said}");
     }
-    let said = refusal(geneva(&command(SLOW, &["--format", "svg", "--figure", "velocty"])));
+    let said = crate::refused(&command(SLOW, &["--format", "svg", "--figure", "velocty"]));
     assert!(said.contains("'velocity'"), "{said}");
 }
 
@@ -177,14 +177,14 @@ fn no_number_makes_it_panic_or_write_what_is_no_number() {
         for crank in numbers {
             for (angle, degrees) in [("--crank-angle", "180"), ("--crank-angle", "1e300"), ("--lever-angle", "90")] {
                 for rpm in ["1e-30", "-1e30"] {
-                    let output = run(&command([ground, crank, angle, degrees, rpm], &["--format", "json"]));
-                    let text = String::from_utf8_lossy(&output.stdout);
-                    match output.status.code() {
-                        Some(0) => {
+                    let answer = answered(&command([ground, crank, angle, degrees, rpm], &["--format", "json"]));
+                    let text = &answer.stdout;
+                    match answer.code {
+                        0 => {
                             assert!(!text.contains("\"x\": null") && !text.contains("\"magnitude\": null"), "{text}")
                         }
-                        Some(2) => assert!(output.stderr.starts_with(b"error: ") && text.is_empty(), "{output:?}"),
-                        _ => panic!("{ground} {crank} {angle} {degrees} {rpm}: {output:?}"),
+                        2 => assert!(answer.stderr.starts_with("error: ") && text.is_empty(), "{answer:?}"),
+                        _ => panic!("{ground} {crank} {angle} {degrees} {rpm}: {answer:?}"),
                     }
                 }
             }

@@ -1,7 +1,7 @@
 //! A file is complete, or it is as it was: also when the program is ended in the middle of its work.
 
 use super::SMALL;
-use crate::{geneva, refusal, run, stdout};
+use crate::{geneva, is_ignored, refusal, run, written};
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
@@ -12,6 +12,9 @@ use std::time::Duration;
 /// More than any machine computes before the test ends it: millions of rows, on one thread.
 const LONG: [&str; 9] =
     ["sweep", "--slots", "3,4,6", "--friction", "0.01:0.02:2000", "--inertia-ratio", "0.5:1:1000", "--threads", "1"];
+
+/// The number of the signal `INT`.
+const INTERRUPT: i32 = 2;
 
 fn to<'a>(options: &[&'a str], file: &'a str) -> Vec<&'a str> {
     [options, &["--output", file]].concat()
@@ -48,18 +51,10 @@ fn end(mut child: Child, signal: Option<&str>) {
     assert!(!child.wait().expect("it ends").success());
 }
 
-/// Whether interrupts are ignored here, as they are in what a shell runs in the background: children ignore them too.
-fn ignores_interrupts() -> bool {
-    const INTERRUPT: u32 = 2;
-    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let ignored = status.lines().find_map(|line| u64::from_str_radix(line.strip_prefix("SigIgn:")?.trim(), 16).ok());
-    ignored.is_some_and(|mask| mask >> (INTERRUPT - 1) & 1 == 1)
-}
-
 #[test]
 fn ended_in_the_middle_it_leaves_nothing_and_an_old_file_as_it_was() {
     let signals: &[_] = if cfg!(unix) { &[Some("INT"), Some("TERM"), None] } else { &[None] };
-    for signal in signals.iter().filter(|signal| **signal != Some("INT") || !ignores_interrupts()) {
+    for signal in signals.iter().filter(|signal| **signal != Some("INT") || !is_ignored(INTERRUPT)) {
         let folder = tempfile::tempdir().expect("a temporary folder");
         end(begun(folder.path()), *signal);
         assert_eq!(names(folder.path()), [""; 0], "{signal:?}");
@@ -80,9 +75,9 @@ fn an_old_file_is_replaced_as_a_whole() {
     let file = folder.path().join("sweep.csv");
     let path = file.to_string_lossy();
     fs::write(&file, "x".repeat(1 << 20)).expect("writable");
-    let said = stdout(&to(&SMALL, &path), 0);
+    let said = written(&to(&SMALL, &path), 0);
     assert!(said.ends_with("sweep.csv: 16 rows, 11 ok, 1 jams, 4 no-terminal-speed\n"), "{said}");
-    assert_eq!(fs::read_to_string(&file).expect("it is there"), stdout(&to(&SMALL, "-"), 0));
+    assert_eq!(fs::read_to_string(&file).expect("it is there"), written(&to(&SMALL, "-"), 0));
     assert_eq!(names(folder.path()), ["sweep.csv"]);
 }
 
@@ -94,12 +89,12 @@ fn others_may_read_it_as_any_new_file_and_a_link_stays_one() {
     let [usual, file, link] = ["usual", "sweep.csv", "link.csv"].map(|name| folder.path().join(name));
     let mode = |path: &Path| fs::metadata(path).expect("it is there").permissions().mode() & 0o777;
     fs::write(&usual, "").expect("writable");
-    stdout(&to(&SMALL, &file.to_string_lossy()), 0);
+    written(&to(&SMALL, &file.to_string_lossy()), 0);
     assert_eq!(mode(&file), mode(&usual));
 
     symlink(&usual, &link).expect("a link");
     fs::set_permissions(&usual, fs::Permissions::from_mode(0o640)).expect("it is ours");
-    stdout(&to(&SMALL, &link.to_string_lossy()), 0);
+    written(&to(&SMALL, &link.to_string_lossy()), 0);
     assert!(fs::symlink_metadata(&link).expect("it is there").is_symlink());
     assert_eq!(fs::read(&usual).expect("it is there"), fs::read(&file).expect("it is there"));
     assert_eq!(mode(&usual), 0o640);

@@ -12,7 +12,7 @@ fn refused(option: &str, value: &str) -> String {
     if !options.contains(&option) {
         options.extend([option, value]);
     }
-    let said = refusal(geneva(&options));
+    let said = crate::refused(&options);
     assert!(said.starts_with("error: ") && !said.contains("panicked"), "{option} {value}: {said}");
     assert!(said.contains("give "), "{option} {value}: {said}");
     said
@@ -71,8 +71,8 @@ fn what_is_no_range_is_told_what_one_is() {
         assert!(said.contains("--friction") && said.contains(words), "{value}: {said}");
     }
     let zero = ["sweep", "--slots", "4", "--friction", "0:0.3:5", "--inertia-ratio", "1", "--output", "-"];
-    assert!(refusal(geneva(&[&zero[..], &["--spacing", "log"]].concat())).contains("equal ratios"));
-    assert!(refusal(geneva(&[&zero[..], &["--spacing", "logs"]].concat())).contains("'log'"));
+    assert!(crate::refused(&[&zero[..], &["--spacing", "log"]].concat()).contains("equal ratios"));
+    assert!(crate::refused(&[&zero[..], &["--spacing", "logs"]].concat()).contains("'log'"));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Is every option that would change nothing refused, with what would make it count?
 
-use crate::{geneva, refusal, stdout};
+use crate::{refused, stdout};
 
 const SIZE: [&str; 2] = ["--crank-radius", "50"];
 
@@ -40,7 +40,7 @@ fn no_option_is_passed_over_in_silence() {
         (&[&materials[..], &["--type", "internal"]].concat(), "--pin-material steel", "--type external"),
         (&[&materials[..], &SIZE, &["--format", "dxf"]].concat(), "--pin-material steel", "--format text"),
     ] {
-        let said = refusal(geneva(&[&["wheel", "--stations", "6"], options].concat()));
+        let said = refused(&[&["wheel", "--stations", "6"], options].concat());
         assert!(said.starts_with("error: ") && said.contains(option) && said.contains(add), "{options:?}: {said}");
     }
 }
@@ -53,7 +53,7 @@ fn of_two_that_contradict_each_other_both_are_named() {
         (&["--index-time", "1"], "--dwell-time"),
         (&["--pin-material", "steel"], "--wheel-material"),
     ] {
-        let said = refusal(geneva(&[&["wheel", "--stations", "6"], options].concat()));
+        let said = refused(&[&["wheel", "--stations", "6"], options].concat());
         assert!(said.contains(options[0]) || said.contains(other), "{options:?}: {said}");
     }
 }
@@ -75,14 +75,14 @@ fn beside_wanted_times_only_the_kind_and_the_format_count() {
         ("--at", "10"),
         ("--format", "svg"),
     ] {
-        let said = refusal(geneva(&[&times[..], &[option, value]].concat()));
+        let said = refused(&[&times[..], &[option, value]].concat());
         assert!(said.contains(&format!("{option} {value}")) && said.contains("propose"), "{option}: {said}");
     }
 }
 
 #[test]
 fn beside_wanted_times_nothing_is_pressed() {
-    let said = refusal(geneva(&[
+    let said = refused(&[
         "wheel",
         "--index-time",
         "1",
@@ -92,7 +92,7 @@ fn beside_wanted_times_nothing_is_pressed() {
         "steel",
         "--wheel-material",
         "steel",
-    ]));
+    ]);
     assert!(said.contains("--pin-material steel") && said.contains("propose"), "{said}");
 }
 

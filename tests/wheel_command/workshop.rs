@@ -1,6 +1,6 @@
 //! Are the files that `geneva wheel` writes those of the workshop, and does it say what they need?
 
-use crate::{assert_is_drawn, geneva, refusal, stdout};
+use crate::{assert_is_drawn, refused, stdout};
 use geneva_figures::stations::dimensions;
 use geneva_kinematics::wheel::{Choices, Play, Scale, Sizes, Wheel};
 use geneva_workshop::{Layout, Solid, dxf, scad, stl};
@@ -74,7 +74,7 @@ fn what_a_file_needs_is_said() {
         (&[&["--format", "stl", "--type", "internal"][..], &sized].concat(), "internal wheels"),
         (&[&["--format", "dxf", "--type", "spherical", "--rpm", "6"][..], &sized].concat(), "spherical wheels"),
     ] {
-        let refused = refusal(geneva(&[&["wheel", "--stations", "6"], options].concat()));
-        assert!(refused.starts_with("error: ") && refused.contains(said), "{options:?}: {refused}");
+        let told = refused(&[&["wheel", "--stations", "6"], options].concat());
+        assert!(told.starts_with("error: ") && told.contains(said), "{options:?}: {told}");
     }
 }

@@ -1,24 +1,24 @@
 //! The book: built, opened, tested.
 
 use crate::arguments::{BookAction, BookArguments, BuildArguments};
-use crate::output::{Outcome, print};
+use crate::output::{Outcome, Streams};
 use crate::{progress, signals, workspace};
 use anyhow::Context;
 use geneva_press::Geneva;
 use geneva_press::building::{self, Built};
 
 /// Builds the book or tests its chapters.
-pub fn run(wanted: BookArguments) -> anyhow::Result<Outcome> {
+pub fn run(wanted: BookArguments, streams: &mut dyn Streams) -> anyhow::Result<Outcome> {
     match wanted.action {
-        None => build(&wanted.build)?,
-        Some(BookAction::Build(wanted)) => build(&wanted)?,
-        Some(BookAction::Test) => test()?,
+        None => build(&wanted.build, streams)?,
+        Some(BookAction::Build(wanted)) => build(&wanted, streams)?,
+        Some(BookAction::Test) => test(streams)?,
     }
     Ok(Outcome::AsRecorded)
 }
 
 /// Builds the book, says where it is and how to open it, and opens it if that is wanted.
-pub fn build(wanted: &BuildArguments) -> anyhow::Result<()> {
+pub fn build(wanted: &BuildArguments, streams: &mut dyn Streams) -> anyhow::Result<()> {
     let root = workspace::root()?;
     let out = wanted.output.clone().unwrap_or_else(|| root.join("target").join("book"));
     let Built { first_page, kept } = {
@@ -27,24 +27,27 @@ pub fn build(wanted: &BuildArguments) -> anyhow::Result<()> {
         building::build(&root, &out, Geneva)?
     };
     let folder = first_page.parent().unwrap_or(&out);
-    print(&format!("The book is in {}\n", folder.display()))?;
+    streams.print(&format!("The book is in {}\n", folder.display()))?;
     for kept in kept {
-        print(&format!("Files that were added while the old book was being replaced are in {}\n", kept.display()))?;
+        streams.print(&format!(
+            "Files that were added while the old book was being replaced are in {}\n",
+            kept.display()
+        ))?;
     }
     if wanted.open {
         open::that_detached(&first_page)
             .with_context(|| format!("no program opens {}: open it in a browser", first_page.display()))?;
     } else {
-        print(&format!("Open {} in a browser.\n", first_page.display()))?;
+        streams.print(&format!("Open {} in a browser.\n", first_page.display()))?;
     }
     Ok(())
 }
 
-fn test() -> anyhow::Result<()> {
+fn test(streams: &mut dyn Streams) -> anyhow::Result<()> {
     {
         let _step = progress::step("testing the chapters");
         building::test(&workspace::root()?, Geneva)?;
     }
-    print("Every Rust block of the book compiles and runs.\n")?;
+    streams.print("Every Rust block of the book compiles and runs.\n")?;
     Ok(())
 }

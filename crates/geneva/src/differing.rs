@@ -1,7 +1,6 @@
 //! What is told beside an answer when a verdict is not the one on record.
 
-use crate::output::{count, wrapped};
-use anstream::eprint;
+use crate::output::{Streams, count, wrapped};
 use clap::builder::styling::AnsiColor;
 use geneva_ledger::Judged;
 
@@ -9,10 +8,10 @@ use geneva_ledger::Judged;
 const MOST: usize = 10;
 
 /// Names the claims that differ from the record on standard error, if there are any.
-pub fn tell<'a>(verdicts: impl IntoIterator<Item = &'a Judged>) {
+pub fn tell<'a>(verdicts: impl IntoIterator<Item = &'a Judged>, streams: &mut dyn Streams) {
     let differing: Vec<_> = verdicts.into_iter().filter(|judged| !judged.holds()).collect();
     if !differing.is_empty() {
-        eprint!("{}", page(&differing));
+        streams.tell(&page(&differing));
     }
 }
 

@@ -1,5 +1,6 @@
 //! Printing: streams, colours, exit codes, lines of a readable length, and drawings without a page.
 
+use crate::Answer;
 use crate::destination::Destination;
 use crate::printable::{chain, escaped_lines};
 use anstream::adapter::strip_str;
@@ -28,18 +29,35 @@ impl Outcome {
     pub fn as_recorded_if(it_is: bool) -> Self {
         if it_is { Self::AsRecorded } else { Self::Differs }
     }
+
+    /// The exit code that says so.
+    pub fn code(self) -> u8 {
+        match self {
+            Self::AsRecorded => 0,
+            Self::Differs => 1,
+            // As clap exits on bad usage.
+            Self::Failed => 2,
+        }
+    }
 }
 
 impl From<Outcome> for ExitCode {
     fn from(outcome: Outcome) -> Self {
-        Self::from(match outcome {
-            Outcome::AsRecorded => 0,
-            Outcome::Differs => 1,
-            // As clap exits on bad usage.
-            Outcome::Failed => 2,
-        })
+        Self::from(outcome.code())
     }
 }
+
+/// Where the words of a command go.
+pub trait Streams {
+    /// Takes text for standard output.
+    fn print(&mut self, text: &str) -> anyhow::Result<()>;
+
+    /// Takes text for standard error.
+    fn tell(&mut self, text: &str);
+}
+
+/// The streams of this process.
+pub struct Own;
 
 /// What is told if standard output takes nothing.
 pub const UNWRITABLE: &str = "cannot write to standard output";
@@ -48,14 +66,32 @@ pub const UNWRITABLE: &str = "cannot write to standard output";
 // its place before `main`, for reading and writing, and so do others who give a program /dev/null, such as Python's
 // `subprocess.DEVNULL`. So it counts as /dev/null.
 
-/// Writes text to standard output, without its colours unless a terminal shows them and `NO_COLOR` is not set.
-///
-/// A reader that has seen enough and closes the pipe is no error.
-pub fn print(text: &str) -> anyhow::Result<()> {
-    let mut stream = anstream::stdout().lock();
-    match stream.write_all(text.as_bytes()).and_then(|()| stream.flush()) {
-        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-        result => result.context(UNWRITABLE),
+impl Streams for Own {
+    /// Writes text without its colours unless a terminal shows them and `NO_COLOR` is not set.
+    ///
+    /// A reader that has seen enough and closes the pipe is no error.
+    fn print(&mut self, text: &str) -> anyhow::Result<()> {
+        let mut stream = anstream::stdout().lock();
+        match stream.write_all(text.as_bytes()).and_then(|()| stream.flush()) {
+            Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+            result => result.context(UNWRITABLE),
+        }
+    }
+
+    fn tell(&mut self, text: &str) {
+        // Nobody is left to be told if this fails.
+        let _ = anstream::stderr().lock().write_all(text.as_bytes());
+    }
+}
+
+impl Streams for Answer {
+    fn print(&mut self, text: &str) -> anyhow::Result<()> {
+        self.stdout += &strip_str(text).to_string();
+        Ok(())
+    }
+
+    fn tell(&mut self, text: &str) {
+        self.stderr += &strip_str(text).to_string();
     }
 }
 
@@ -63,9 +99,9 @@ pub fn print(text: &str) -> anyhow::Result<()> {
 pub const STANDARD_OUTPUT: &str = "-";
 
 /// Writes a whole answer where it was asked for: to standard output, or to a file without colours.
-pub fn write(text: &str, asked: &str) -> anyhow::Result<()> {
+pub fn write(text: &str, asked: &str, streams: &mut dyn Streams) -> anyhow::Result<()> {
     if asked == STANDARD_OUTPUT {
-        return print(text);
+        return streams.print(text);
     }
     let mut destination = Destination::new(asked)?;
     for piece in strip_str(text) {
@@ -76,21 +112,19 @@ pub fn write(text: &str, asked: &str) -> anyhow::Result<()> {
 }
 
 /// Writes an error and its causes to standard error.
-pub fn complain(error: &anyhow::Error) {
+pub fn complain(error: &anyhow::Error, streams: &mut dyn Streams) {
     let red = AnsiColor::Red.on_default().bold();
-    // Nobody is left to be told if this fails.
-    let _ = writeln!(anstream::stderr(), "{red}error:{red:#} {}", escaped_lines(&chain(error)));
+    streams.tell(&format!("{red}error:{red:#} {}\n", escaped_lines(&chain(error))));
 }
 
 /// Answers what asks for help or for the version, and says what is wrong with a command line.
-pub fn explain(error: &clap::Error) -> anyhow::Result<Outcome> {
-    let text = error.render();
+pub fn explain(error: &clap::Error, streams: &mut dyn Streams) -> anyhow::Result<Outcome> {
+    let text = error.render().ansi().to_string();
     if error.use_stderr() {
-        // Nobody is left to be told if this fails.
-        let _ = write!(anstream::stderr(), "{}", text.ansi());
+        streams.tell(&text);
         return Ok(Outcome::Failed);
     }
-    print(&text.ansi().to_string())?;
+    streams.print(&text)?;
     Ok(Outcome::AsRecorded)
 }
 

@@ -1,7 +1,7 @@
 //! mdBook's protocol for preprocessors: a question, or a book in and a book out. Nothing else is printed.
 
 use crate::arguments::{PreprocessArguments, Question};
-use crate::output::{Outcome, print};
+use crate::output::{Outcome, Streams};
 use crate::printable::chain;
 use anyhow::{anyhow, ensure};
 use geneva_press::Geneva;
@@ -9,7 +9,7 @@ use mdbook_preprocessor::{Preprocessor, parse_input};
 use std::io::{IsTerminal, stdin};
 
 /// Answers the question, or processes the book on standard input.
-pub fn run(call: PreprocessArguments) -> anyhow::Result<Outcome> {
+pub fn run(call: PreprocessArguments, streams: &mut dyn Streams) -> anyhow::Result<Outcome> {
     if let Some(Question::Supports { renderer }) = call.question {
         return Ok(Outcome::as_recorded_if(Geneva.supports_renderer(&renderer)?));
     }
@@ -23,6 +23,6 @@ pub fn run(call: PreprocessArguments) -> anyhow::Result<Outcome> {
             chain(&error)
         )
     })?;
-    print(&serde_json::to_string(&Geneva.run(&context, book)?)?)?;
+    streams.print(&serde_json::to_string(&Geneva.run(&context, book)?)?)?;
     Ok(Outcome::AsRecorded)
 }

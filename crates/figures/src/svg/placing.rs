@@ -3,7 +3,7 @@
 use super::canvas::Canvas;
 use super::label::Label;
 use super::shape::Shape;
-use super::view::{Pixels, heading, part_within};
+use super::view::{Pixels, clipped, heading};
 use crate::theme::INK;
 use std::f64::consts::PI;
 
@@ -29,12 +29,39 @@ pub struct Place {
     pub distance: f64,
 }
 
+/// An area in plain numbers: its least and its greatest x, its least and its greatest y.
+type Area = [[f64; 2]; 2];
+
+fn area([least, greatest]: &[Pixels; 2], air: f64) -> Area {
+    [[least.x - air, greatest.x + air], [least.y - air, greatest.y + air]]
+}
+
+/// A line in plain numbers, in x and in y by its start and its step, and what a pixel of it costs.
+#[derive(Clone, Copy, Debug)]
+struct Line {
+    course: [[f64; 2]; 2],
+    length: f64,
+    weight: f64,
+}
+
+impl Line {
+    fn new(from: &Pixels, to: &Pixels, weight: f64) -> Self {
+        let along = to - from;
+        Self { course: [[from.x, along.x], [from.y, along.y]], length: along.norm(), weight }
+    }
+
+    /// How much of it lies within an area.
+    fn length_within(&self, area: Area) -> f64 {
+        clipped(self.course, area).map_or(0.0, |[enter, leave]| (leave - enter) * self.length)
+    }
+}
+
 /// What labels must keep clear of within a part of the page.
 #[derive(Clone, Debug)]
 pub struct Placing {
     bounds: [Pixels; 2],
-    taken: Vec<[Pixels; 2]>,
-    lines: Vec<(Pixels, Pixels, f64)>,
+    taken: Vec<Area>,
+    lines: Vec<Line>,
     spent: f64,
 }
 
@@ -46,7 +73,7 @@ impl Placing {
 
     /// Keeps labels off a line; a pixel of it under a label costs `weight`.
     pub fn avoid(&mut self, from: &Pixels, to: &Pixels, weight: f64) {
-        self.lines.push((*from, *to, weight));
+        self.lines.push(Line::new(from, to, weight));
     }
 
     /// Keeps labels off a line through several points.
@@ -66,8 +93,8 @@ impl Placing {
     }
 
     /// Keeps labels off an area, given by its least and its greatest corner.
-    pub fn take(&mut self, area: [Pixels; 2]) {
-        self.taken.push(area);
+    pub fn take(&mut self, corners: [Pixels; 2]) {
+        self.taken.push(area(&corners, 0.0));
     }
 
     /// Writes the label at the place where it hides least, the earlier of equals, and keeps later ones off it.
@@ -107,15 +134,16 @@ impl Placing {
         best
     }
 
-    fn cost(&self, [least, greatest]: &[Pixels; 2]) -> f64 {
+    fn cost(&self, corners: &[Pixels; 2]) -> f64 {
+        let [least, greatest] = corners;
         let beyond = (self.bounds[0] - least).sup(&(greatest - self.bounds[1])).sup(&Pixels::zeros());
-        let air = Pixels::new(AIR, AIR);
-        let area = [least - air, greatest + air];
+        let own = area(corners, AIR);
+        let common = |[a, b]: [f64; 2], [c, d]: [f64; 2]| b.min(d) - a.max(c);
         let touched = self.taken.iter().map(|other| {
-            let common = area[1].inf(&other[1]) - area[0].sup(&other[0]);
-            if common.x > 0.0 && common.y > 0.0 { TOUCHING + common.x * common.y } else { 0.0 }
+            let (x, y) = (common(own[0], other[0]), common(own[1], other[1]));
+            if x > 0.0 && y > 0.0 { TOUCHING + x * y } else { 0.0 }
         });
-        let hidden = self.lines.iter().map(|(from, to, weight)| weight * length_within(from, to, &area));
+        let hidden = self.lines.iter().map(|line| line.weight * line.length_within(own));
         OUTSIDE * (beyond.x + beyond.y) + touched.sum::<f64>() + hidden.sum::<f64>()
     }
 }
@@ -153,19 +181,14 @@ pub fn leader(canvas: &mut Canvas, place: &Place) {
     }
 }
 
-/// How much of a line lies within an area.
-fn length_within(from: &Pixels, to: &Pixels, area: &[Pixels; 2]) -> f64 {
-    part_within(from, to, area).map_or(0.0, |[enter, leave]| (leave - enter) * (to - from).norm())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn only_what_lies_within_counts() {
-        let area = [Pixels::new(0.0, 0.0), Pixels::new(4.0, 2.0)];
-        let length = |a: [f64; 2], b: [f64; 2]| length_within(&Pixels::from(a), &Pixels::from(b), &area);
+        let area = [[0.0, 4.0], [0.0, 2.0]];
+        let length = |a: [f64; 2], b: [f64; 2]| Line::new(&a.into(), &b.into(), 1.0).length_within(area);
         approx::assert_relative_eq!(length([-1.0, 1.0], [9.0, 1.0]), 4.0, max_relative = 1e-12);
         approx::assert_relative_eq!(length([1.0, -5.0], [1.0, 1.0]), 1.0, max_relative = 1e-12);
         assert_eq!(length([-1.0, 3.0], [9.0, 3.0]), 0.0);

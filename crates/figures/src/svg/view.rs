@@ -50,17 +50,23 @@ pub fn angle_of(offset: &Pixels) -> f64 {
 /// Which part of a line lies within an area, given by its least and its greatest corner: from which share of the way
 /// to which.
 pub fn part_within(from: &Pixels, to: &Pixels, [least, greatest]: &[Pixels; 2]) -> Option<[f64; 2]> {
-    let along = to - from;
+    let ((x, y), along) = ((from.x, from.y), to - from);
+    clipped([[x, along.x], [y, along.y]], [[least.x, greatest.x], [least.y, greatest.y]])
+}
+
+/// The same of a line given in x and in y by its start and its step, and of an area by its least and its greatest.
+///
+/// Plain numbers: every place of every label asks for every line, also where vectors are not optimised.
+pub fn clipped(line: [[f64; 2]; 2], area: [[f64; 2]; 2]) -> Option<[f64; 2]> {
     let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
-    for axis in 0..2 {
-        let (start, step) = (from[axis], along[axis]);
+    for ([start, step], [least, greatest]) in [(line[0], area[0]), (line[1], area[1])] {
         if step.abs() < 1e-9 {
-            if start < least[axis] || start > greatest[axis] {
+            if start < least || start > greatest {
                 return None;
             }
             continue;
         }
-        let (a, b) = ((least[axis] - start) / step, (greatest[axis] - start) / step);
+        let (a, b) = ((least - start) / step, (greatest - start) / step);
         (enter, leave) = (enter.max(a.min(b)), leave.min(a.max(b)));
     }
     (enter <= leave && !enter.is_nan() && !leave.is_nan()).then_some([enter, leave])

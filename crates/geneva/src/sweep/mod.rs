@@ -9,7 +9,7 @@ mod row;
 use crate::arguments::Output;
 use crate::destination::Destination;
 use crate::fields;
-use crate::output::{count, print};
+use crate::output::count;
 use crate::printable::shown_path;
 use crate::threads::Threads;
 use crate::{progress, typed};
@@ -60,14 +60,6 @@ pub struct SweepArguments {
 const BLOCK: usize = 16;
 /// Blocks that are held before they are written.
 const HELD: usize = 128;
-
-/// Computes and writes the rows that are wanted, and says where they are.
-pub fn run(wanted: &SweepArguments) -> anyhow::Result<()> {
-    match written(wanted)? {
-        Some(told) => print(&told),
-        None => Ok(()),
-    }
-}
 
 /// Computes and writes the rows; what there is to say if they are in a file.
 pub fn written(wanted: &SweepArguments) -> anyhow::Result<Option<String>> {
