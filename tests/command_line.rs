@@ -380,8 +380,7 @@ fn an_answer_goes_into_a_file_if_one_is_named() {
 
 #[test]
 fn the_errata_are_those_of_the_ledger() {
-    let answer = Answer::clone(&errata().0);
-    settings().bind(|| insta::assert_snapshot!("errata", page_of(&answer)));
+    settings().bind(|| insta::assert_snapshot!("errata", page_of(&errata().0)));
     pin_answer("errata-json", &["errata", "--format", "json"]);
     pin_answer("errata-markdown", &["errata", "--format", "markdown"]);
     pin("errata-of-jazar-with-copies", &["errata", "--source", "jazar", "--all"]);

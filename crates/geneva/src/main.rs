@@ -1,4 +1,4 @@
-//! The program `geneva`; all of it stands in the library beside it.
+//! The program `geneva`. Everything it does is in the library beside it.
 
 use std::process::ExitCode;
 

@@ -67,7 +67,16 @@ pub fn clipped(line: [[f64; 2]; 2], area: [[f64; 2]; 2]) -> Option<[f64; 2]> {
             continue;
         }
         let (a, b) = ((least - start) / step, (greatest - start) / step);
-        (enter, leave) = (enter.max(a.min(b)), leave.min(a.max(b)));
+        let (first, last) = if a < b { (a, b) } else { (b, a) };
+        if first > enter {
+            enter = first;
+        }
+        if last < leave {
+            leave = last;
+        }
+        if enter > leave {
+            return None;
+        }
     }
-    (enter <= leave && !enter.is_nan() && !leave.is_nan()).then_some([enter, leave])
+    Some([enter, leave])
 }
