@@ -55,7 +55,7 @@ const QUESTIONS: [&str; 5] = [
     "escapement?follower=0.00013",
     "mistake?rows=4,0.21,0.31,151,43,0.0231;6,0.11,0.41,87,61,0.0113;3,0.33,0.17,93,11,0.0517&\
      inertias=6,1.1e-5,1.3e-4;4,1.7e-5,1.3e-4;3,1.9e-5,1.7e-4&headed=6,2.1e-4,1.1e-5&units=1,1,0.001&duration=0.2&\
-     delay=0.00005&pi=3.1416",
+     delay=0.00005&pi=3.15",
 ];
 
 /// What the command line asks for.
