@@ -1,6 +1,8 @@
 //! The equation of motion, the steady state and the loads, against exact proofs, other routes and laws of mechanics. The
 //! files and folders are named after the modules that they test.
 
+#![allow(clippy::unwrap_used, reason = "clippy knows the functions of a test program as tests only by #[test]")]
+
 mod energy;
 mod equation;
 mod equation_proofs;

@@ -1,6 +1,8 @@
 //! The motion of wheels, escapements and levers, against exact proofs, other routes and other people's numbers. The files
 //! and folders are named after the modules that they test; `accuracy` compares with 240 bits.
 
+#![allow(clippy::unwrap_used, reason = "clippy knows the functions of a test program as tests only by #[test]")]
+
 mod accuracy;
 mod escapement;
 mod indexing;

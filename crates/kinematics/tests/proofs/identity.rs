@@ -69,7 +69,7 @@ fn numerators_in_whole_numbers_are_zero_where_the_fractions_are() {
                 assert!(!matches!(found, Ok(Ok(_))), "{point:?}");
                 continue;
             }
-            let at = point.map(|x| RBig::from(x));
+            let at = point.map(RBig::from);
             let expected = fractions.at(&at);
             match found.expect("no divisor of zero") {
                 Ok(_) => assert_eq!(expected, RBig::from(0), "{wrong} {point:?}"),

@@ -57,7 +57,7 @@ impl<'a> Parts<'a> {
     }
 
     /// Distance of a point from the disc, negative in it.
-    fn from_disc(&self, p: &Point) -> f64 {
+    fn disc_distance(&self, p: &Point) -> f64 {
         let distance = self.on_disc.iter().map(|edge| from_edge(edge, p)).fold(f64::INFINITY, f64::min);
         let pins = self.sizes.wheel.pins();
         let is_cut = (0..pins).any(|pin| {
@@ -69,7 +69,7 @@ impl<'a> Parts<'a> {
     }
 
     /// Distance of a point from the wheel, negative in it.
-    fn from_wheel(&self, p: &Point) -> f64 {
+    fn wheel_distance(&self, p: &Point) -> f64 {
         let distance = self.on_wheel.iter().map(|edge| from_edge(edge, p)).fold(f64::INFINITY, f64::min);
         let half_pitch = self.sizes.wheel.half_pitch_angle();
         let angle = p.y.atan2(p.x);
@@ -96,7 +96,8 @@ impl<'a> Parts<'a> {
         let to_wheel = |p: &Point| turned(axis + turned(*p, PI - theta), -phi);
         let to_driver = |p: &Point| turned(turned(*p, phi) - axis, theta - PI);
         let ends = |edges: &[Edge]| edges.iter().map(Edge::from).collect::<Vec<_>>();
-        let of_disc = ends(&self.on_disc).iter().map(|p| self.from_wheel(&to_wheel(p))).fold(f64::INFINITY, f64::min);
+        let of_disc =
+            ends(&self.on_disc).iter().map(|p| self.wheel_distance(&to_wheel(p))).fold(f64::INFINITY, f64::min);
         let mut on_wheel = ends(&self.on_wheel);
         on_wheel.extend(self.on_wheel.iter().map(Edge::to));
         for arc in &self.on_disc {
@@ -117,7 +118,7 @@ impl<'a> Parts<'a> {
                 on_wheel.extend(feet.into_iter().filter(|foot| from_edge(edge, foot) < 1e-9));
             }
         }
-        on_wheel.iter().map(|p| self.from_disc(&to_driver(p))).fold(of_disc, f64::min)
+        on_wheel.iter().map(|p| self.disc_distance(&to_driver(p))).fold(of_disc, f64::min)
     }
 }
 
