@@ -58,7 +58,12 @@ fn at_entry() -> Vec<Claim> {
         PEAKS
             .value("meyer.fig-8.quarter", "90", "°", "turn of the driver between two peaks, with four slots")
             .by(ClosedForm, || Mechanism::ALL[1].engagement_half_angle().to_degrees() * 2.0)
-            .by(LimitCase, || pins_needed(4).map_or(f64::NAN, |pins| 360.0 / pins.approximate())),
+            .by(RungeKutta, || {
+                let four = groups().iter().filter(|group| group.rows.iter().all(|row| row.mechanism.slots() == 4));
+                // The run in which the turn is farthest from the angle between two pins.
+                let off = |turn: &f64| (turn - 360.0 / pins_needed(4).map_or(f64::NAN, |pins| pins.approximate())).abs();
+                four.filter_map(from_peak_to_peak).max_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(f64::NAN)
+            }),
         beside_the_hand_over(
             "meyer.peaks-at-entry",
             "the driver is fastest when a pin enters",
@@ -217,6 +222,16 @@ fn at_exit() -> Vec<Claim> {
              14° before",
         ),
     ]
+}
+
+/// How far the driver turns from its greatest speed in the last engagement but one of a start from rest to that in the last,
+/// in degrees.
+fn from_peak_to_peak(group: &Group) -> Option<f64> {
+    let motion = &group.motion;
+    let [.., before, last] = &motion.engagements[..] else { return None };
+    let [before, last] = [before, last].map(|of| motion.greatest(of, |_, speed| speed).angle);
+    let engagement = motion.angles.last()? - motion.angles.first()?;
+    Some((engagement + last - before).to_degrees())
 }
 
 /// Instants of a cycle.
