@@ -1,8 +1,8 @@
 //! The worked example, part (c): how long the output stands still.
 
 use super::*;
-use geneva_kinematics::rational;
 use geneva_kinematics::wheel::Phase;
+use geneva_kinematics::{Field, Rational, rational};
 use std::collections::HashMap;
 use std::sync::OnceLock;
 
@@ -46,10 +46,16 @@ pub fn claims() -> Vec<Claim> {
             .by(Series, || six(entry_crank) / example_speed())
             .right(ClosedForm, dwell_seconds, LimitCase, || seconds(six(locked_part)))
             .in_error(MOVING_PART),
-        C.value("jazar.ex-c.dwell-seconds", "0.0555", "s", "duration of the dwell, as a decimal")
-            .by(ClosedForm, || seconds(part(printed("jazar.ex-b.alpha"), -1.0)))
-            .by(LimitCase, || {
-                long_division(20).iter().rev().fold(0.0, |behind, digit| (f64::from(*digit) + behind) / 10.0)
+        C.value("jazar.ex-c.dwell-seconds", "0.0555", "s", "duration of the dwell, cut off behind the last place")
+            .by(ClosedForm, || {
+                let unit = unit_of_the_decimal().approximate();
+                libm::floor(seconds(part(printed("jazar.ex-b.alpha"), -1.0)) / unit) * unit
+            })
+            .by(OtherPlaceInSource, || {
+                long_division(decimal("jazar.ex-c.dwell-seconds").places() as usize)
+                    .iter()
+                    .rev()
+                    .fold(0.0, |behind, digit| (f64::from(*digit) + behind) / 10.0)
             })
             .right(ClosedForm, dwell_seconds, LimitCase, || seconds(six(locked_part)))
             .in_error(MOVING_PART)
@@ -111,6 +117,10 @@ fn seconds(part: f64) -> f64 {
 
 fn dwell_seconds() -> f64 {
     example().and_then(|wheel| wheel.dwell_time(example_speed())).unwrap_or(f64::NAN)
+}
+
+fn unit_of_the_decimal() -> Rational {
+    decimal("jazar.ex-c.dwell-seconds").unit_in_last_place()
 }
 
 /// So many digits of the printed fraction behind its point, by long division.
