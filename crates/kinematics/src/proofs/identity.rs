@@ -183,7 +183,7 @@ mod tests {
     #[test]
     fn a_false_identity_is_refuted_with_a_point() {
         let refutation = prove(&Binomial { wrong: 1 }).expect_err("three is not two");
-        assert_eq!(refutation.difference, RBig::from(-4));
+        assert_eq!(refutation.difference, Some(RBig::from(-4)));
     }
 
     /// Two fractions that would be one if the root were a whole number.
