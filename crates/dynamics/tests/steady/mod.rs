@@ -9,6 +9,7 @@ mod limits;
 mod proofs;
 mod quadrature;
 mod routes;
+mod settled_profile;
 mod terminal;
 
 use geneva_dynamics::steady::Engagement;

@@ -1,6 +1,6 @@
 //! Which numbers of pins and slots an escapement can have: Eq. (1-3), its table and the remarks on it.
 
-use super::geometry::{all_rest_with_a_slot_more, every};
+use super::geometry::{and_with_a_slot_more, every};
 use super::hand_over::Drawn;
 use super::*;
 use geneva_kinematics::escapement::entry_proofs::{EntryTriangle, PinsAndSlots};
@@ -200,7 +200,7 @@ fn remarks() -> Vec<Claim> {
                 let along: fn(&HandOver) -> bool =
                     |at| [&at.leaving, &at.entering].iter().all(|pin| is_zero(&pin.beside) && is_zero(&pin.across));
                 let found = exactly(along, "place and velocity of both pins are on that line");
-                Finding::new(found.holds && stated.pick(true, all_rest_with_a_slot_more()), found.how)
+                and_with_a_slot_more(found, stated)
             })
             .by(Vectors, |stated| {
                 let parts = Mechanism::ALL.into_iter().flat_map(|at| {

@@ -51,10 +51,10 @@ fn conditions() -> Vec<Claim> {
                 "as an escapement it needs a pin engaged at every instant",
             )
             .missing(
-                "Whether a timer needs it, or this one shall have it, is not said. Without a pin the follower rests, and \
-                 the text calls such motion undesirable, not impossible: as a choice it cannot be tested. As a need it \
-                 would be false. With some of the pins taken away, and the follower held between two engagements, each \
-                 of the three mechanisms comes to a terminal velocity too, with each friction of the runs",
+                "Whether such an escapement needs it, or this one shall have it, is not said. Without a pin the follower \
+                 rests, and the text calls such motion undesirable, not impossible: as a choice it cannot be tested. As a \
+                 need it would be false. With some of the pins taken away, and the follower held between two \
+                 engagements, each of the three mechanisms comes to a steady speed too, with each friction of the runs",
             ),
         at("Fig. 3, caption")
             .figure(
@@ -137,7 +137,7 @@ fn triangle() -> Vec<Claim> {
             .by(ExactIdentity, |stated| {
                 let found =
                     exactly(|at| is_zero(&sides(at)[0].dot(&sides(at)[1])), "the product of the two sides is zero");
-                Finding::new(found.holds && stated.pick(true, all_rest_with_a_slot_more()), found.how)
+                and_with_a_slot_more(found, stated)
             })
             .by(Vectors, |stated| {
                 // The driver's axis, the pin and the follower's axis; which side is opposite the right angle.
@@ -198,13 +198,17 @@ fn sides(at: &HandOver) -> [Vector2<Roots>; 3] {
     [pin.clone(), axis - pin, -axis.clone()]
 }
 
-/// Whether the three escapements with a slot more, where one pin still takes over from the next, have the follower at rest
-/// then, and so crank and slot at right angles. By the sum of the two angles, exactly.
-pub fn all_rest_with_a_slot_more() -> bool {
-    Mechanism::ALL.iter().all(|at| {
+/// What was found of the three escapements; for a neighbour also whether the same with a slot more, where one pin still takes
+/// over from the next, have the follower at rest then, and so crank and slot at right angles. By the sum of the two angles,
+/// exactly.
+pub fn and_with_a_slot_more(found: Finding, stated: Stated) -> Finding {
+    let rests = |at: &Mechanism| {
         let more = Continuous::new(at.pins(), at.slots() + 1);
         more.is_some_and(|pair| pair.at_hand_over() == AtHandOver::Rests)
-    })
+    };
+    let all = stated.pick(true, Mechanism::ALL.iter().all(rests));
+    let but = if all { "" } else { "; with a slot more the follower is not at rest then" };
+    Finding::new(found.holds && all, format!("{}{but}", found.how))
 }
 
 /// A driver with one pin, for each usual number of slots: pins and slots.

@@ -181,21 +181,10 @@ fn vector_sum() -> Claim {
             "work of a torque on the follower over an engagement, against the angle that the follower turns by",
         )
     })
-    .read_as("all three frictional torques that the next sentence names, that of the follower's bearing among them")
-    .corrected(
-        "sum of the driving torque and all frictional torques, that of the follower's bearing multiplied by φ'/θ'",
-        Slip {
-            id: "",
-            reason: "By virtual work a torque on the follower counts with the angle by which the follower turns, not \
-                     with the driver's. For the torques on the driver itself the sum is right, and no other is kept in \
-                     what follows.",
-            witness: "Over an engagement a torque on the follower does the work of its torque times the follower's \
-                      angle, which is the driver's for four slots only.",
-            origin: Origin::Concept,
-            consequence: Consequence::Wording,
-            changes: "Nothing in the thesis, which leaves out the bearings; whoever adds the follower's needs the \
-                      factor.",
-        },
+    .but_not("a torque on the follower counts as one on the driver does")
+    .read_as(
+        "What is summed is what each torque contributes to τ, which the display before has by δW = τ δθ; the next sentences \
+         speak of contributions too. The friction of the follower's bearing contributes φ'/θ' times its torque.",
     )
 }
 

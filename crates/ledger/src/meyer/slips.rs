@@ -26,11 +26,11 @@ pub const SWAPPED_INERTIAS: Slip = Slip {
     changes: "Who recomputes the table with the inertias of its heading does not find it.",
 };
 
-/// The spring's torque is called a rate or a constant.
+/// The spring's torque is called a rate.
 pub const SPRING_RATE: Slip = Slip {
     id: "meyer.spring-rate",
-    reason: "The torque of the spring is K itself, Eq. (1-15), whatever the angle, and the text uses it so. A rate or a \
-             constant of a spring is a torque for each radian of winding. An inch-pound per radian can be read as a \
+    reason: "The torque of the spring is K itself, Eq. (1-15), whatever the angle, and the text uses it so. A rate \
+             of a spring is a torque for each radian of winding. An inch-pound per radian can be read as a \
              torque, the work done per radian; only the word is wrong.",
     witness: "In Eq. (1-18) and in the program K stands alone where a torque must stand.",
     origin: Origin::Concept,

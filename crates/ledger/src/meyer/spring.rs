@@ -1,4 +1,4 @@
-//! Is K a rate of the spring? Places that call the torque a rate or a constant of the spring.
+//! Is K a rate of the spring? Places that call the torque a rate of the spring, which it is not, or its constant.
 
 use super::newton::Newton;
 use super::runs::{Column, Hypothesis, Row, rows};
@@ -23,6 +23,22 @@ pub fn no_rate(
         .corrected(corrected, SPRING_RATE)
 }
 
+/// A place that calls K a constant of the spring. Kindly read, it is the torque that this spring has at any angle.
+pub fn constant(id: &'static str, place: Place, meaning: &'static str, printed: &'static str) -> Claim {
+    place
+        .statement(id, printed, meaning)
+        .by(RungeKutta, gives_the_periods)
+        .by(OtherPlaceInSource, in_the_equation)
+        .but_not(RATE)
+        .read_as(
+            "The constant of a spring whose torque is constant is that torque. (Of other springs the constant is a torque \
+             for each radian of winding, and the word rate, elsewhere, says that of this one.)",
+        )
+}
+
+/// What K is not.
+const RATE: &str = "a rate: the torque is K times the angle turned";
+
 /// A place that has K in inch-pounds per radian, and no word for it: a torque may be so measured.
 pub fn torque_per_radian(
     id: &'static str,
@@ -34,7 +50,7 @@ pub fn torque_per_radian(
         .statement(id, printed, meaning)
         .by(RungeKutta, gives_the_periods)
         .by(OtherPlaceInSource, in_the_equation)
-        .but_not("a rate: the torque is K times the angle turned")
+        .but_not(RATE)
         .read_as("An inch-pound per radian is a unit of torque, as a joule per radian is.")
 }
 

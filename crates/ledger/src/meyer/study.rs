@@ -43,12 +43,11 @@ pub fn of_parameters() -> Vec<Claim> {
         })
         .but_not("where the pin leaves")
         .read_as("With its sign, as Appendix D has it; chapter I and Appendix A have its size."),
-        spring::no_rate(
+        spring::constant(
             "meyer.parameter.spring",
             LIST,
-            "K is called a constant of the spring, which is a torque for each radian of winding",
+            "K is called a constant of the spring",
             "K: the torsional spring constant of the driving spring",
-            "K: the torque of the driving spring",
         ),
         at("Chapter II, sentence after the estimate of I")
             .statement(
@@ -98,12 +97,11 @@ pub fn of_parameters() -> Vec<Claim> {
 
 /// The axis of Fig. 11.
 pub fn of_axis() -> Claim {
-    spring::no_rate(
+    spring::constant(
         "meyer.fig-11.abscissa",
         at("Fig. 11, abscissae"),
-        "the driving quantity is a spring constant, in inch-pounds per radian",
+        "the driving quantity is called a spring constant, in inch-pounds per radian",
         "SPRING CONSTANT, IN LB/RAD",
-        "TORQUE OF THE SPRING, IN LB/RAD",
     )
 }
 

@@ -6,7 +6,7 @@ use crate::meyer::letters::factors;
 use crate::meyer::reading::{Letters, decide};
 use crate::meyer::runs::{self, EXPLAINED, Hypothesis, Reset, Score, deck, scores, within_one};
 use crate::meyer::slips::{LOST_BARS, SOLVED_WITH_BARS};
-use crate::meyer::spring::no_rate;
+use crate::meyer::spring::constant;
 use geneva_dynamics::Sign;
 use geneva_dynamics::equation_proofs::InOneFormula;
 use geneva_mimic::language::{Choices, Deck, Layout, Program, deck_named};
@@ -214,7 +214,7 @@ fn described() -> Vec<Claim> {
                  cards, and ends without data. Whether these are the seven meant is not said, and no data cards are \
                  there",
             ),
-        no_rate("meyer.app-b.spring-constant", PROGRAM, "what K is called", "spring constant", "torque of the spring"),
+        constant("meyer.app-b.spring-constant", PROGRAM, "what K is called", "spring constant"),
         PROGRAM
             .statement(
                 "meyer.app-b.letters",
