@@ -34,6 +34,7 @@ chapters! {
     ledger_meyer_runs = "src/ledger-meyer-runs.md",
     ledger_meyer_more_runs = "src/ledger-meyer-more-runs.md",
     ledger_wild = "src/ledger-wild.md",
+    ledger_wild_parts = "src/ledger-wild-parts.md",
     coverage = "src/coverage.md",
     coverage_meyer = "src/coverage-meyer.md",
     about = "src/about.md",

@@ -5,7 +5,7 @@
 //! would be too heavy for a phone, so each page lists some sections of the sources.
 
 use crate::readme;
-use geneva_ledger::{Claim, Consequence, Slip, Work, claim, claims};
+use geneva_ledger::{Claim, Consequence, Slip, Work, claim, claims, wild};
 use std::collections::HashMap;
 use std::ops::RangeInclusive;
 use std::sync::LazyLock;
@@ -51,7 +51,7 @@ pub enum Records {
 pub struct Section {
     /// The source.
     pub work: Work,
-    /// The lines of the source's text.
+    /// The lines of the source's text; of what is no document the places of its claims in the ledger, from zero.
     pub lines: RangeInclusive<u32>,
     /// What the section is.
     pub title: &'static str,
@@ -89,6 +89,9 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
         let records = Records::Claims(vec![Section { work: Work::Meyer1973, lines, title }]);
         listing(name, &format!("Thesis: {of}"), &format!("The ledger of the thesis: {of}"), lead, records)
     };
+    let elsewhere = |lines, title| Records::Claims(vec![Section { work: Work::Wild, lines, title }]);
+    // The first subjects of what is said elsewhere are times, steps and sizes.
+    let of_sizes = wild::SUBJECTS.iter().take(3).map(|(_, claims)| claims().len() as u32).sum::<u32>();
     vec![
         page("preface", "Geneva, verified", Place::Before),
         chapter(WHEEL, "pin", "The pin in the slot: a problem solved"),
@@ -139,11 +142,19 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
         thesis("ledger-meyer-more-runs", "appendix E, other runs", 800..=u32::MAX, "appendix E, four and three pins"),
         listing(
             "ledger-wild",
-            "Elsewhere: single statements",
-            "The ledger of what is said elsewhere",
+            "Elsewhere: times, steps, sizes",
+            "The ledger of what is said elsewhere: times, steps, sizes",
             "Statements of public pages and programs, with what was found of each. [In the wild](wild.md) tells of \
-             them.\n\n## Where they were read\n\n{{elsewhere-addresses}}",
-            Records::Claims(vec![whole(Work::Wild, "statements elsewhere")]),
+             them, and [another page](ledger-wild-parts.md) has the rest.\n\n## Where they were read\n\n{{elsewhere-addresses}}",
+            elsewhere(0..=of_sizes - 1, "statements elsewhere on times, steps and sizes"),
+        ),
+        listing(
+            "ledger-wild-parts",
+            "Elsewhere: parts and motion",
+            "The ledger of what is said elsewhere: parts and motion",
+            "Statements of public pages and programs, and examples that programs build, with what was found of each. \
+             [The first part](ledger-wild.md) begins with all addresses.",
+            elsewhere(of_sizes..=u32::MAX, "statements and examples elsewhere on parts and motion"),
         ),
         Page {
             records: Records::Lines(&[Work::Pin, Work::QuickReturn, Work::Jazar2003]),
@@ -191,14 +202,16 @@ impl Page {
 }
 
 impl Section {
-    /// The ids of the claims made in these lines, in the order of the ledger; all of what is no document.
+    /// The ids of the claims made in these lines, or in these places of the ledger, in the order of the ledger.
     pub fn ids(&self) -> impl Iterator<Item = &'static str> {
         let work = self.work;
         let lines = self.work.inventory().unwrap_or_default().iter().filter(|line| self.lines.contains(&line.number));
         let made: Vec<_> = lines.flat_map(|line| &line.entries).filter_map(|entry| entry.claimed()).collect();
-        let stands =
-            move |claim: &&Claim| if work.is_document() { made.contains(&claim.id) } else { claim.work == work };
-        claims().iter().filter(stands).map(|claim| claim.id)
+        let own = claims().iter().filter(move |claim| claim.work == work).zip(0..);
+        let stands = move |(claim, place): &(&Claim, u32)| {
+            if work.is_document() { made.contains(&claim.id) } else { self.lines.contains(place) }
+        };
+        own.filter(stands).map(|(claim, _)| claim.id)
     }
 }
 

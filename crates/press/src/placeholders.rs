@@ -44,7 +44,7 @@ const KEYS: &[(&str, &str, Put)] = &[
     ("consequences", "how many slips there are, by what they do", Alone(|| Ok(errata::summary()?.html()))),
     ("count", "a number of claims: of a source, or of all documents", Of(inline::count)),
     ("erratum", "one erratum", Of(errata::one)),
-    ("elsewhere", "every statement made elsewhere, in a fold", Alone(elsewhere::statements)),
+    ("elsewhere", "every statement elsewhere that is wrong, in a fold", Alone(elsewhere::statements)),
     ("elsewhere-addresses", "where statements were read, and how many", Alone(|| Ok(elsewhere::addresses()?.html()))),
     ("elsewhere-examples", "examples that do not fit, in a table", Alone(|| Ok(elsewhere::wrong_examples()?.html()))),
     ("elsewhere-wrong", "what is wrong elsewhere, in a table", Alone(|| Ok(elsewhere::wrong()?.html()))),

@@ -160,6 +160,10 @@ mod tests {
             let judged = crate::verdict(id).expect("a claim");
             assert_eq!(judged.corrected().as_deref(), Some(right), "{id}");
         }
+        // Other tests than four slots, as the chapter says.
+        for (slots, degrees) in [(3, 60.0), (6, 120.0)] {
+            assert!((Fit::by_vectors(slots).moving.to_degrees() - degrees).abs() < 1e-9, "{slots} slots");
+        }
         // Too far apart up to five slots, too close from six on.
         for slots in fit::ANY {
             let wheel = Fit::by_vectors(slots);

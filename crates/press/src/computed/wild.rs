@@ -1,9 +1,9 @@
 //! Of what is said elsewhere: how many pages and programs, how many statements are right and wrong, how many examples that
 //! are built, and by how much a formula is wrong.
 
-use super::Number;
-use crate::{lookup, numbers};
-use anyhow::Context;
+use super::{Number, least, most};
+use crate::{figures, lookup, numbers};
+use anyhow::{Context, ensure};
 use geneva_ledger::{Judged, Kind, Truth, Work, wild};
 use std::collections::BTreeSet;
 
@@ -17,6 +17,8 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("wild.wrong", || Ok(count(|judged| is_statement(judged) && is_wrong(judged)))),
     ("wild.examples", || Ok(count(|judged| !is_statement(judged)))),
     ("wild.examples-wrong", || Ok(count(|judged| !is_statement(judged) && is_wrong(judged)))),
+    ("wild.bite.least", || Ok(bites(least)?)),
+    ("wild.bite.most", || Ok(bites(most)?)),
     ("wild.move.six", || times("wild.firgelli-time.index", 6, 0)),
     ("wild.move.eight", || times("wild.firgelli-time.index", 8, 0)),
     ("wild.centres.six", || times("wild.firgelli-time.centres", 6, 1)),
@@ -48,6 +50,15 @@ fn addresses(such: impl Fn(&Judged) -> bool) -> usize {
 
 fn count(such: impl Fn(&Judged) -> bool) -> String {
     all().filter(|judged| such(judged)).count().to_string()
+}
+
+/// How deep the horns come into the disc in the figure of the cuts, with a cut of the wheel's radius: the least or the
+/// greatest depth over its numbers of slots. With the other cut they must stay clear.
+fn bites(of: fn(&[f64]) -> f64) -> anyhow::Result<String> {
+    let rows = figures::by_name("locking-cuts")?.series.rows;
+    ensure!(rows.iter().all(|row| row[1] < 0.0 && row[2] > 0.0), "the first cut bites and the second one does not");
+    let depths: Vec<f64> = rows.iter().map(|row| -row[1]).collect();
+    Ok(numbers::fixed(of(&depths), 1))
 }
 
 /// What a wrong formula gives over what is right; the other way round if that is less than one.
