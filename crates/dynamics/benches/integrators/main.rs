@@ -8,6 +8,7 @@
 //! `cargo bench -p geneva-dynamics --bench integrators -- --record book/records/integrators.csv` writes a record.
 //! `--rounds N` takes N turns in place of the usual number.
 
+mod line;
 mod map;
 mod others;
 mod race;
@@ -15,9 +16,9 @@ mod record;
 mod rows;
 mod time_domain;
 
+use line::Line;
 use map::Taken;
 use race::{Contestant, Outcome};
-use record::Line;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
@@ -150,18 +151,20 @@ fn run(asked: &Asked) -> Result<(), String> {
     comments.push(format!("truth: the solver over the angle at {:e}", race::REFERENCE));
     comments.iter().for_each(|comment| println!("{comment}"));
     if let Some(path) = &asked.record {
-        let path = record::write(path, &comments, &lines).map_err(|error| format!("{}: {error}", path.display()))?;
+        let lines: Vec<_> = lines.iter().map(|line| line.fields().join(",")).collect();
+        let path = record::write(path, &comments, line::COLUMNS, &lines);
+        let path = path.map_err(|error| format!("the record cannot be written: {error}"))?;
         println!("written: {}", path.display());
     }
     Ok(())
 }
 
 fn print(lines: &[Line]) {
-    let all: Vec<_> = std::iter::once(record::COLUMNS.split(',').map(str::to_owned).collect())
+    let all: Vec<_> = std::iter::once(line::COLUMNS.split(',').map(str::to_owned).collect())
         .chain(lines.iter().map(|line| line.fields().to_vec()))
         .collect();
     let width = |column: usize| all.iter().map(|fields: &Vec<String>| fields[column].len()).max().unwrap_or(0);
-    let widths: Vec<_> = (0..record::COLUMNS.split(',').count()).map(width).collect();
+    let widths: Vec<_> = (0..line::COLUMNS.split(',').count()).map(width).collect();
     for fields in &all {
         let cells: Vec<_> = fields.iter().zip(&widths).map(|(field, width)| format!("{field:>width$}")).collect();
         println!("{}", cells.join("  ").trim_end());

@@ -1,48 +1,10 @@
-//! A record of one sitting as a file: the machine in comments, then one line to a contestant.
+//! A record of one sitting as a file: the machine in comments, then the names of the columns, then the lines.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::{SystemTime, UNIX_EPOCH};
 use std::{fs, io};
-
-/// The columns. See `book/records/README.md`.
-pub const COLUMNS: &str =
-    "contestant,tolerance,runs,evaluations,milliseconds,true_error,points,threads,processor_milliseconds";
-
-/// One line of the record; what a contestant does not have is left empty.
-#[derive(Default)]
-pub struct Line {
-    pub contestant: String,
-    pub tolerance: f64,
-    pub runs: Option<usize>,
-    pub evaluations: Option<u64>,
-    pub milliseconds: f64,
-    pub true_error: Option<f64>,
-    pub points: Option<usize>,
-    pub threads: Option<u32>,
-    pub processor_milliseconds: Option<f64>,
-}
-
-impl Line {
-    /// The fields, in the order of the columns.
-    pub fn fields(&self) -> [String; 9] {
-        fn some<T: ToString>(value: Option<T>) -> String {
-            value.map_or_else(String::new, |value| value.to_string())
-        }
-        [
-            self.contestant.clone(),
-            format!("{:e}", self.tolerance),
-            some(self.runs),
-            some(self.evaluations),
-            format!("{:.4}", self.milliseconds),
-            self.true_error.map_or_else(String::new, |error| format!("{error:.3e}")),
-            some(self.points),
-            some(self.threads),
-            self.processor_milliseconds.map_or_else(String::new, |time| format!("{time:.4}")),
-        ]
-    }
-}
 
 /// The lines that say on what machine and when.
 pub fn machine() -> Vec<String> {
@@ -85,15 +47,15 @@ fn date(mut days: u64) -> String {
 }
 
 /// Writes the record beside its place, then puts it there. A relative path starts at the project's root.
-pub fn write(path: &Path, comments: &[String], lines: &[Line]) -> io::Result<PathBuf> {
+pub fn write(path: &Path, comments: &[String], columns: &str, lines: &[String]) -> io::Result<PathBuf> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").join(path);
     let mut text = String::new();
     for comment in comments {
         let _ = writeln!(text, "# {comment}");
     }
-    let _ = writeln!(text, "{COLUMNS}");
+    let _ = writeln!(text, "{columns}");
     for line in lines {
-        let _ = writeln!(text, "{}", line.fields().join(","));
+        let _ = writeln!(text, "{line}");
     }
     if let Some(folder) = path.parent() {
         fs::create_dir_all(folder)?;
