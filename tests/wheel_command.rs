@@ -25,7 +25,7 @@ const OF_SPEED: [&str; 7] = [
     "peak_jerk_rad_s3",
 ];
 /// What needs a size.
-const OF_SIZE: [&str; 37] = [
+const OF_SIZE: [&str; 38] = [
     "crank_radius_mm",
     "centre_distance_mm",
     "wheel_radius_mm",
@@ -57,6 +57,7 @@ const OF_SIZE: [&str; 37] = [
     "least_clearance_at_deg",
     "bottom_clearance_mm",
     "bottom_gap_mm",
+    "crank_radius_tolerance_mm",
     "locking_gap_mm",
     "slot_direction_tolerance_deg",
     "dwell_backlash_deg",

@@ -49,6 +49,7 @@ fn the_parts_are_those_of_the_library() {
             ("least_clearance_mm", least.distance),
             ("least_clearance_at_deg", least.crank_angle.to_degrees()),
             ("bottom_gap_mm", 0.3 + 0.02),
+            ("crank_radius_tolerance_mm", sizes.crank_radius_tolerance().expect("a disc")),
             ("locking_gap_mm", sizes.locking_gap().expect("a disc")),
             ("slot_direction_tolerance_deg", sizes.slot_direction_tolerance().expect("a disc").to_degrees()),
             ("dwell_backlash_deg", play.middle.to_degrees()),

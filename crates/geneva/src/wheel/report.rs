@@ -51,7 +51,7 @@ fn geometry(made: &Made) -> Vec<Field> {
     let centres = of_parts.map(|[centres, _]| centres).or(wheel.centre_distance_ratio().and_then(lengths));
     let radius = of_parts.map(|[_, radius]| radius).or(lengths(wheel.wheel_radius_ratio()));
     let slot = match wheel.kind() {
-        Kind::External => "from there to the pin's centre at its deepest",
+        Kind::External => "from there to where the pin is deepest",
         Kind::Internal => "from there outwards to the pin's centre at its deepest",
         Kind::Spherical => "from there along the meridian to the pin's centre at its deepest",
     };

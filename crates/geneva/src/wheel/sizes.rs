@@ -115,7 +115,9 @@ pub fn tolerances(made: &Made) -> anyhow::Result<Vec<Field>> {
         not_found(nearer, "axes nearer", tolerance.is_some()),
         not_found(farther, "axes farther", tolerance.is_some()),
         mm("bottom_gap_mm", sizes.map(Sizes::bottom_gap))
-            .line("gap at the bottom", "crank radius and slot end together may be so much too long, axes too near"),
+            .line("gap at the bottom", "slot end may be so much too far out, with crank radius and centres as drawn"),
+        mm("crank_radius_tolerance_mm", sizes.and_then(Sizes::crank_radius_tolerance))
+            .line("longer crank", "at most, or the pin sticks at entry or on the slot's bottom"),
         mm("locking_gap_mm", sizes.and_then(Sizes::locking_gap))
             .line("gap of the disc", "disc radius may be so much too long, arc radius and centres together too short"),
         degrees("slot_direction_tolerance_deg", sizes.and_then(Sizes::slot_direction_tolerance))

@@ -74,6 +74,17 @@ impl Sizes {
         Some(self.disc_limit(self.dwell_angle()?)?.max(0.0) + in_mouth)
     }
 
+    /// By how much a crank may be too long, in millimetres, so that the pin still comes in and reaches its deepest place.
+    /// Beyond that it sticks: on the wall that it does not push, as it enters, with the wheel turned back as far as the disc
+    /// lets it; or on the slot's bottom. None without a locking disc.
+    pub fn crank_radius_tolerance(&self) -> Option<f64> {
+        let half = self.disc_limit(self.dwell_angle()?)?.max(0.0) / 2.0;
+        let turned = self.wheel.half_pitch_angle() + half;
+        // c (sin(α + δ) − sin α), in which nothing cancels.
+        let given_way = 2.0 * self.centre_distance * libm::cos(turned) * libm::sin(half);
+        Some((self.slot_gap() + given_way).min(self.bottom_gap()))
+    }
+
     /// What the driver turns in one dwell, in radians. None without a locking disc.
     pub fn dwell_angle(&self) -> Option<f64> {
         let pins = f64::from(self.wheel.pins());

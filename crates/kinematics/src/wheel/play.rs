@@ -39,12 +39,12 @@ pub struct Entry {
 /// The axes are at the right distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Knock {
-    /// With the wheel in the middle of its play.
+    /// With the wheel in the middle of its play, dimensionless.
     pub centred: f64,
-    /// The greatest with the wheel anywhere within the play that it has in the middle of the dwell.
+    /// The greatest with the wheel anywhere within the play that it has in the middle of the dwell, dimensionless.
     pub within: f64,
-    /// The greatest with the wheel anywhere in the play that it has at the end of the dwell: forwards as far as
-    /// [`DwellPlay::greatest`](super::DwellPlay). It is the blow on the corner of a horn that stands in the pin's way.
+    /// The greatest with the wheel anywhere in the play that it has near the end of the dwell, forwards as far as
+    /// [`DwellPlay::greatest`](super::DwellPlay), dimensionless. It is the blow on the corner of a horn in the pin's way.
     pub drifted: f64,
 }
 

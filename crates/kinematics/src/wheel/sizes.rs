@@ -226,8 +226,8 @@ impl Sizes {
         self.centre_distance - self.crank_radius
     }
 
-    /// Between pin and bottom of the slot where the pin is deepest, in millimetres. As much may crank radius and slot end
-    /// together be too long, and the centre distance too short.
+    /// Between pin and bottom of the slot where the pin is deepest, in millimetres. By so much may the slot's end be too far
+    /// out; a crank that is too long, and axes that are too near, take of it as well.
     pub fn bottom_gap(&self) -> f64 {
         self.slot_gap() + self.bottom_clearance
     }

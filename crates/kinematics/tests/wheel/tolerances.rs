@@ -42,6 +42,35 @@ fn each_size_of_a_chain_may_be_off_by_its_gap() {
 }
 
 #[test]
+fn a_longer_crank_sticks_at_entry_or_on_the_bottom() {
+    for (stations, pins) in [(4, 1), (6, 1), (8, 2)] {
+        let sizes = sized(stations, pins, &Choices::default());
+        let (outline, c) = (sizes.outline(), Point::new(sizes.centre_distance, 0.0));
+        let (half, entry) = (sizes.wheel.half_pitch_angle(), sizes.wheel.engagement_half_angle());
+        let room = |part: &Loop, theta: f64, by: f64| {
+            between(&outline.wheel.outer.placed(by - half, Point::zeros()), &part.placed(PI - theta, c))
+        };
+        // As far back as the disc lets the wheel turn.
+        let disc = outline.disc.as_ref().unwrap();
+        let (mut free, mut touching) = (0.0, 0.05);
+        for _ in 0..20 {
+            let middle = (free + touching) / 2.0;
+            if room(&disc.outer, -entry, -middle) > 0.0 { free = middle } else { touching = middle }
+        }
+        let tolerance = sizes.crank_radius_tolerance().unwrap();
+        assert!(tolerance > 1.5 * sizes.slot_gap() && tolerance < sizes.bottom_gap(), "{stations}: {tolerance}");
+        for (share, runs) in [(0.95, true), (1.05, false)] {
+            let long = Sizes { crank_radius: sizes.crank_radius + share * tolerance, ..sizes };
+            // The pin is farthest across the slot where the crank stands across the turned slot.
+            let seen = room(&long.outline().pins[0], free - entry, -free);
+            assert_eq!(seen > 0.0, runs, "{stations}: {share}, {seen}");
+        }
+        let shallow = sized(stations, pins, &Choices { bottom_clearance: Some(0.0), ..Choices::default() });
+        assert_eq!(shallow.crank_radius_tolerance(), Some(shallow.bottom_gap()));
+    }
+}
+
+#[test]
 fn a_slot_may_be_off_by_the_play_of_the_dwell_and_of_its_mouth() {
     for (stations, pins) in [(4, 1), (6, 1), (8, 2)] {
         let sizes = sized(stations, pins, &Choices::default());

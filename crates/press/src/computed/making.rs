@@ -68,6 +68,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("making.fit-most", || Ok(told(FIT[1]))),
     ("making.bottom-clearance", || millimetres(|of| of.bottom_clearance)),
     ("making.bottom-gap", || millimetres(|of| rounded_down(of.bottom_gap()))),
+    ("making.longer-crank", || millimetres(|of| rounded_down(of.crank_radius_tolerance().unwrap_or(f64::NAN)))),
     ("making.locking-gap", || millimetres(|of| rounded_down(of.locking_gap().unwrap_or(f64::NAN)))),
     ("making.third", || millimetres(|of| rounded_down(of.locking_gap().unwrap_or(f64::NAN) / 3.0))),
     ("making.slot-direction", || Ok(fixed(slot_direction()?.to_degrees(), 3) + "°")),
