@@ -52,7 +52,7 @@ pub fn claims() -> Vec<Claim> {
                 libm::floor(seconds(part(printed("jazar.ex-b.alpha"), -1.0)) / unit) * unit
             })
             .by(OtherPlaceInSource, || {
-                long_division(decimal("jazar.ex-c.dwell-seconds").places() as usize)
+                long_division(decimal("jazar.ex-c.dwell-seconds").map_or(0, |seconds| seconds.places() as usize))
                     .iter()
                     .rev()
                     .fold(0.0, |behind, digit| (f64::from(*digit) + behind) / 10.0)
@@ -120,7 +120,7 @@ fn dwell_seconds() -> f64 {
 }
 
 fn unit_of_the_decimal() -> Rational {
-    decimal("jazar.ex-c.dwell-seconds").unit_in_last_place()
+    decimal("jazar.ex-c.dwell-seconds").map_or(Rational::ZERO, |seconds| seconds.unit_in_last_place())
 }
 
 /// So many digits of the printed fraction behind its point, by long division.
