@@ -3,7 +3,6 @@
 use crate::proving::holds;
 use geneva_dynamics::Sign;
 use geneva_dynamics::equation_proofs::InOneFormula;
-use geneva_dynamics::equation_proofs::InOneFormula;
 use geneva_dynamics::equation_proofs::{SignDecider, Slope, SolutionOfOneSign, SolutionsMeet};
 
 #[test]
