@@ -61,7 +61,8 @@ fn at_entry() -> Vec<Claim> {
             .by(RungeKutta, || {
                 let four = groups().iter().filter(|group| group.rows.iter().all(|row| row.mechanism.slots() == 4));
                 // The run in which the turn is farthest from the angle between two pins.
-                let off = |turn: &f64| (turn - 360.0 / pins_needed(4).map_or(f64::NAN, |pins| pins.approximate())).abs();
+                let off =
+                    |turn: &f64| (turn - 360.0 / pins_needed(4).map_or(f64::NAN, |pins| pins.approximate())).abs();
                 four.filter_map(from_peak_to_peak).max_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(f64::NAN)
             }),
         beside_the_hand_over(
