@@ -273,7 +273,8 @@ fn claims_are_listed_by_source_and_by_verdict() {
     pin("claims-of-pin", &["claims", "--source", "pin"]);
     pin("claims-of-pin-corrected", &["claims", "--source", "pin", "--verdict", "corrected"]);
     pin("claims-of-pin-from-rounded-json", &claims_of_pin("from-rounded", "json"));
-    pin("claims-of-pin-not-reproducible-json", &claims_of_pin("not-reproducible", "json"));
+    let open = ["claims", "--source", "quick-return", "--verdict", "not-reproducible", "--format", "json"];
+    pin("claims-of-quick-return-not-reproducible-json", &open);
     pin("claims-of-pin-corrected-csv", &claims_of_pin("corrected", "csv"));
     pin("claims-none", &claims_of_pin("read-off", "text"));
 }
