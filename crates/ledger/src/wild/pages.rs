@@ -88,7 +88,6 @@ pub const TAKEN_WHOLE: &[Place] = &[
     INDEXING,
     MECHA_EXTERNAL,
     MECHA_INTERNAL,
-    HOLOOLY,
     MECHANICS,
     ANVILATE,
     MACRO,
