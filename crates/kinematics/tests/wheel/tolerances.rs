@@ -60,7 +60,8 @@ fn a_longer_crank_sticks_at_entry_or_on_the_bottom() {
         let tolerance = sizes.crank_radius_tolerance().unwrap();
         assert!(tolerance > 1.5 * sizes.slot_gap() && tolerance < sizes.bottom_gap(), "{stations}: {tolerance}");
         for (share, runs) in [(0.95, true), (1.05, false)] {
-            let long = Sizes { crank_radius: sizes.crank_radius + share * tolerance, ..sizes };
+            let mut long = sizes;
+            long.crank_radius += share * tolerance;
             // The pin is farthest across the slot where the crank stands across the turned slot.
             let seen = room(&long.outline().pins[0], free - entry, -free);
             assert_eq!(seen > 0.0, runs, "{stations}: {share}, {seen}");

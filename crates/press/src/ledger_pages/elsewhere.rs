@@ -103,6 +103,7 @@ fn read(judged: &Judged) -> anyhow::Result<(&'static str, &'static str)> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::inline::linked_id;
     use super::*;
 
     #[test]
