@@ -1,7 +1,7 @@
 //! What is said on pages elsewhere: what is wrong in a table and in folds, and where it was read.
 
 use super::errata::{entries, right};
-use super::inline::{badge, linked_id, linked_page, with_unit};
+use super::inline::{badge, linked_page, with_unit};
 use crate::html::{Cells, Table, escape, table, tex_or_text};
 use crate::lookup;
 use anyhow::{Context, anyhow};
@@ -103,6 +103,7 @@ fn read(judged: &Judged) -> anyhow::Result<(&'static str, &'static str)> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::inline::linked_id;
     use super::*;
 
     #[test]
