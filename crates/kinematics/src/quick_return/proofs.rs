@@ -182,7 +182,9 @@ impl Identity<5> for TermsInAnySlot {
 }
 
 /// The Coriolis acceleration has the magnitude c Ω v_rel, squared: what the pin's acceleration has beside that of the
-/// follower's point and that seen from the follower. Two makes it true, or minus two. Variables: as above.
+/// follower's point and that seen from the follower. Two makes it true, or minus two.
+///
+/// Variables: p, x, ω̇, Ω, Ω̇.
 pub struct CoriolisMagnitude {
     /// How many times Ω v_rel is counted.
     pub coriolis: i64,
