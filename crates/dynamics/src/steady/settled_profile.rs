@@ -57,7 +57,8 @@ impl Passage<'_> {
             let departs = |s: f64| {
                 let w = traversal.nodes.at(s);
                 let there = other.square_at(w, mirrored);
-                !(libm::fabs((traversal.square_between(rule, s) / there).sqrt() - 1.0) <= part)
+                let off = libm::fabs((traversal.square_between(rule, s) / there).sqrt() - 1.0);
+                off > part || off.is_nan()
             };
             for place in 0..=PLACES {
                 // Backwards in the motion.
