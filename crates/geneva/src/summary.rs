@@ -146,7 +146,8 @@ mod tests {
     fn nothing_is_said_of_claims_that_stand() {
         let page = page(&[judged("2.33")]);
         assert!(page.contains("\n1 claim: each stands as recorded.\n"), "{page}");
-        assert!(page.ends_with(": geneva errata\n"), "{page}");
+        // Behind a list that may fill its line.
+        assert!(page.ends_with("geneva errata\n"), "{page}");
     }
 
     #[test]

@@ -47,10 +47,10 @@ pub const LIVE: Live = Live {
         Quantity { name: "torque", label: "greatest torque on the wheel" },
         Quantity { name: "force", label: "greatest force of the pin" },
         Quantity { name: "crank", label: "greatest torque at the crank" },
-        Quantity { name: "backlash", label: "backlash in mid-dwell, to either side" },
-        Quantity { name: "greatest", label: "greatest backlash in the dwell, to one side" },
+        Quantity { name: "backlash", label: "backlash in mid-dwell" },
+        Quantity { name: "greatest", label: "greatest backlash" },
         Quantity { name: "blow", label: "the pin knocks with" },
-        Quantity { name: "hardest", label: "or, if the wheel has turned in its backlash, with up to" },
+        Quantity { name: "hardest", label: "with a drifted wheel up to" },
     ],
     drag: None,
     files: &[
@@ -142,14 +142,14 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
     // With the axes apart the play is another.
     if let Some(play) = sizes.dwell_play().filter(|_| error == 0.0) {
         let held = match play.held {
-            0.0 => "at the very middle only".to_owned(),
-            held => format!("over {:.0} % of the dwell", 100.0 * held),
+            0.0 => "(only there)".to_owned(),
+            held => format!("({:.0} % of it)", 100.0 * held),
         };
         let middle = Number::new("backlash", play.middle.to_degrees(), 3, "°");
         numbers.push(Number { text: format!("{} {held}", middle.text), ..middle });
         let greatest = Number::new("greatest", play.greatest.to_degrees(), 3, "°");
         let until = play.until_entry.to_degrees();
-        numbers.push(Number { text: format!("{} at {until:.1}° before a pin enters", greatest.text), ..greatest });
+        numbers.push(Number { text: format!("{} ({until:.1}° to entry)", greatest.text), ..greatest });
     }
     let message = match sizes.entry(error) {
         Some(entry) => {

@@ -69,8 +69,9 @@ fn at_entry() -> Vec<Claim> {
             "meyer.peaks-at-entry",
             "the driver is fastest when a pin enters",
             "the driver velocity is a maximum at pin entry",
-            "in the runs of six pins (I_D/I_f = 0.6) the driver velocity is a maximum at pin entry, to one unit of the \
-             tables; in those of four and three pins (0.06 and 0.075) it is one 7.7 to 14° before pin entry",
+            "in the runs of six pins (driver's inertia 0.6 of the follower's) the driver velocity is a maximum at pin \
+             entry, to one unit of the tables; in the runs of four and three pins (0.06 and 0.075) it is one 7.7 to 14° \
+             before pin entry",
         ),
         PEAKS
             .statement(
@@ -103,8 +104,9 @@ fn at_entry() -> Vec<Claim> {
             "meyer.peaks-at-rest",
             "the driver is fastest when the follower stands still",
             "the peaks in driver velocity coincide with the zero points",
-            "in the runs of six pins (I_D/I_f = 0.6) the greatest peaks in driver velocity coincide with the zero points, to one \
-             unit of the tables; in those of four and three pins (0.06 and 0.075) they come 7.7 to 14° before them",
+            "in the runs of six pins (driver's inertia 0.6 of the follower's) the greatest peaks in driver velocity coincide \
+             with the zero points, to one unit of the tables; in the runs of four and three pins (0.06 and 0.075) they \
+             come 7.7 to 14° before them",
         ),
         PEAKS
             .statement(
@@ -218,9 +220,9 @@ fn at_exit() -> Vec<Claim> {
             "meyer.peaks-at-exit",
             "past the line of centres the driver is fastest again as the pin leaves",
             "until it again reaches a maximum as the pin leaves the slot",
-            "until it is fastest again, in the runs of six pins (I_D/I_f = 0.6) as the pin leaves the slot, to one unit \
-             of the tables and after a dip of up to 1.8 rad/s, in those of four and three pins (0.06 and 0.075) 7.7 to \
-             14° before",
+            "until it is fastest again, in the runs of six pins (driver's inertia 0.6 of the follower's) as the pin leaves \
+             the slot, to one unit of the tables and after a dip of up to 1.8 rad/s, in the runs of four and three pins \
+             (0.06 and 0.075) 7.7 to 14° before",
         ),
     ]
 }
@@ -249,8 +251,9 @@ fn driver_increases() -> Claim {
         .by(RungeKutta, |stated| increases(stated, all_peaks_in_steps()))
         .read_as("In every run, in steady motion, all the way to the exit and to one unit of the tables' speeds.")
         .corrected(
-            "the driver velocity increases, in the runs of six pins (I_D/I_f = 0.6) but for a dip of up to 1.8 rad/s, in \
-             those of four and three pins (0.06 and 0.075) until 7.7 to 14° before the pin leaves",
+            "the driver velocity increases, in the runs of six pins (driver's inertia 0.6 of the follower's) but for a dip \
+             of up to 1.8 rad/s, in the runs of four and three pins (0.06 and 0.075) until 7.7 to 14° before the pin \
+             leaves",
             PEAKS_AT_ENTRY,
         )
 }

@@ -17,7 +17,6 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("claims.copy", || Ok(claims(Truth::Wrong, |slip| slip == Some(Consequence::Copy)))),
     ("claims.open", || Ok(claims(Truth::Open, |_| true))),
     ("claims.not-reproduced", || Ok(found(Verdict::NotReproduced))),
-    ("claims.without-datum", || Ok(found(Verdict::NotReproducible))),
     ("slips.grave", || Ok(GRAVE.map(|of| slips_of(of).count()).iter().sum::<usize>().to_string())),
     ("rows", || Ok(rows().len().to_string())),
     ("rows.of-no-mechanism", || Ok(rows().iter().filter(|row| !is_reset_rightly(row)).count().to_string())),

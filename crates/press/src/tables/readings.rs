@@ -37,7 +37,7 @@ pub const READINGS: &[Reading] = &[
             ("meyer.parameter.entry-angle", Kind::Statement),
             ("meyer.like-discs", Kind::Statement),
             ("meyer.letter-m", Kind::Statement),
-            ("meyer.disc.inertia", Kind::Statement),
+            ("meyer.disc.inertia", Kind::Value),
             ("meyer.fig-10.rise-axis", Kind::Statement),
             ("meyer.less-friction", Kind::Statement),
             ("meyer.almost-linear", Kind::Statement),
@@ -87,21 +87,46 @@ pub const READINGS: &[Reading] = &[
         claims: 901,
         overturned: &[
             ("pin.follower-sense", Kind::Statement),
-            ("jazar.wheel-radius-ratio", Kind::Statement),
             ("jazar.most-stations", Kind::Statement),
+            ("jazar.wheel-radius-ratio", Kind::Statement),
+            ("jazar.ex-c.division", Kind::Value),
+            ("meyer.abstract.consequently", Kind::Statement),
+            ("meyer.contents", Kind::Statement),
+            ("meyer.list-of-figures", Kind::Figure),
             ("meyer.always-engaged", Kind::Statement),
             ("meyer.along-the-slot", Kind::Statement),
-            ("meyer.small-variations", Kind::Statement),
+            ("meyer.vector-sum", Kind::Statement),
+            ("meyer.possible-flaw", Kind::Statement),
+            ("meyer.parameter.spring", Kind::Statement),
+            ("meyer.disc.inertia", Kind::Value),
             ("meyer.shape", Kind::Statement),
             ("meyer.first-minimum", Kind::Statement),
-            ("meyer.singularity.conclusion", Kind::Statement),
+            ("meyer.leaves-as-entered", Kind::Statement),
+            ("meyer.fig-11.abscissa", Kind::Statement),
+            ("meyer.less-friction", Kind::Statement),
+            ("meyer.small-variations", Kind::Statement),
+            ("meyer.better-average", Kind::Statement),
+            ("meyer.app-b.method.subinterval", Kind::Statement),
             ("meyer.app-b.cannot-be-solved", Kind::Statement),
+            ("meyer.app-b.spring-constant", Kind::Statement),
             ("meyer.app-b.simultaneous", Kind::Statement),
+            ("meyer.app-e.4-pin.mu-0.35.k-0.09.rise", Kind::Value),
+            ("meyer.app-e.4-pin.mu-0.35.k-0.10.rise", Kind::Value),
+            ("meyer.app-e.4-pin.mu-0.35.k-0.11.rise", Kind::Value),
+            ("meyer.app-e.4-pin.mu-0.35.k-0.12.rise", Kind::Value),
+            ("meyer.app-e.4-pin.mu-0.35.k-0.20.rise", Kind::Value),
             ("wild.mecha-external.gears", Kind::Equation),
             ("wild.mecha-internal.gears", Kind::Equation),
         ],
         gone_through: Some(218),
         sentences: Some(47),
+    },
+    Reading {
+        what: "Fifth, 23 November 2026: 150 claims drawn at random, and the sentences of five chapters",
+        claims: 901,
+        overturned: &[],
+        gone_through: Some(26),
+        sentences: Some(18),
     },
 ];
 
@@ -163,7 +188,7 @@ mod tests {
             assert!(reading.overturned.len() < reading.claims);
             assert!(reading.gone_through.is_none_or(|all| reading.count(&SENTENCES) <= all && all < reading.claims));
         }
-        assert!(READINGS.windows(2).all(|pair| pair[0].claims < pair[1].claims));
+        assert!(READINGS.windows(2).all(|pair| pair[0].claims <= pair[1].claims));
         let csv = readings().expect("a table").csv().expect("data");
         assert_eq!(csv.lines().count(), READINGS.len() + 1);
     }
