@@ -86,8 +86,8 @@ pub fn claims() -> Vec<Claim> {
                     id: "",
                     reason: "It disagrees with the thesis's own table: a good part of the rise times of Appendix E is \
                              longer, with six pins and with four. What is right cannot be told from that column, which \
-                             no definition that we tried explains; but some of the motions take longer than that to come within one \
-                             per cent of the terminal velocity, whichever of its two readings is taken.",
+                             no definition that we tried explains; but some of the motions take longer than that to \
+                             come within one per cent of the terminal velocity, whichever of its two readings is taken.",
                     witness: "The equation of motion, solved for the mechanisms as they are.",
                     origin: Origin::Misprint,
                     consequence: Consequence::Conclusion,

@@ -49,7 +49,7 @@ pub const SYMBOLS: &[Symbol] = &[
     Symbol { printed: "t", ours: "b", meaning: "thickness of a disc" },
     Symbol { printed: "t", ours: "t", meaning: "time" },
     Symbol { printed: "h", ours: r"\Delta t", meaning: "step of the integration" },
-    Symbol { printed: "I", ours: r"a\sin\theta", meaning: "a letter of the program, not an inertia" },
+    Symbol { printed: "I", ours: r"a\sin\theta", meaning: "in the program; elsewhere a moment of inertia" },
 ];
 
 #[cfg(test)]
