@@ -3,7 +3,6 @@
 //! The claims stand in the order of the source, a file for each stage: what is given, the position triangle, the
 //! velocity triangle. The instant itself, from the printed data, is [`Instant`].
 
-pub mod continued;
 mod directions;
 mod given;
 mod position;

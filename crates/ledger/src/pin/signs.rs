@@ -6,6 +6,7 @@
 //! could be there only one makes the printed numbers right.
 
 use super::*;
+use crate::by_id::characters;
 
 /// Letters where arrows are needed.
 pub const ARROWS: Slip = Slip {
@@ -144,9 +145,15 @@ pub fn mark_d() -> Claim {
             // Across the crank, and from the pin to O.
             let slot = triangle(|t| t.angle_at_pivot).to_degrees();
             let found = only_arrow(&TWO, [printed("pin.crank-angle") + 90.0, slot + 180.0], stated);
-            Finding::new(found.holds && stated.characters().ends_with(continued::SLIDING), found.how)
+            Finding::new(found.holds && is_on_the_page(stated, "wild.holooly.sliding-direction"), found.how)
         })
         .corrected("an arrow down and to the left, with the angle from the horizontal", ARROWS)
+}
+
+/// Whether these characters are those of a claim on the public page that continues the problem. The page is another copy of
+/// the same text, so it says what a lost character was.
+fn is_on_the_page(stated: Stated, id: &str) -> bool {
+    stated.characters() == characters(id)
 }
 
 /// The claims whose angles have the first arrow before them, and the second.
@@ -176,7 +183,7 @@ pub fn follower_sense() -> Claim {
             // The pin goes round O in the sense in which its velocity is across OP, by the printed angles.
             let velocity = printed("pin.crank-angle") + 90.0;
             let found = turns(sine(velocity - printed("pin.angle-at-pivot")), stated);
-            Finding::new(found.holds && stated.characters().ends_with(continued::SENSE), found.how)
+            Finding::new(found.holds && is_on_the_page(stated, "wild.holooly.sense"), found.how)
         })
         .corrected("an arrow that turns clockwise", ARROWS)
 }

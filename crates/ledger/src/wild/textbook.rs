@@ -33,7 +33,7 @@ pub fn claims() -> Vec<Claim> {
         HOLOOLY
             .statement(
                 "wild.holooly.sliding-direction",
-                "a mark that points down to the left",
+                "an arrow down and to the left, with the angle from the horizontal",
                 "direction of the pin's velocity along the slot",
             )
             .by(ClosedForm, |stated| {
@@ -142,4 +142,26 @@ fn by_vectors(quantity: fn(&PinMotion<f64>) -> f64) -> f64 {
 fn sense(stated: Stated, turning: f64) -> Finding {
     let against = turning * stated.pick(-1.0, 1.0) > 0.0;
     Finding::new(against, format!("the wheel turns {}", if turning < 0.0 { "clockwise" } else { "counterclockwise" }))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::by_id::characters;
+
+    #[test]
+    fn the_page_prints_the_same_numbers() {
+        // The driver's speed and the crank's angle are given there too, and no claims: they are the problem's data.
+        for (id, there) in [("pin.driver-speed", "10"), ("pin.crank-angle", "150")] {
+            assert_eq!(characters(id), there, "{id}");
+        }
+        for (id, there) in [
+            ("pin.radius", "wild.holooly.radius"),
+            ("pin.angle-at-pivot", "wild.holooly.angle"),
+            ("pin.sliding-speed", "wild.holooly.sliding"),
+            ("pin.sliding-velocity-direction", "wild.holooly.angle"),
+            ("pin.follower-speed", "wild.holooly.speed"),
+        ] {
+            assert_eq!(characters(id), characters(there), "{id}");
+        }
+    }
 }
