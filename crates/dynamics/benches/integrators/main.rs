@@ -10,6 +10,7 @@
 
 mod line;
 mod map;
+mod options;
 mod others;
 mod race;
 mod record;
@@ -18,6 +19,7 @@ mod time_domain;
 
 use line::Line;
 use map::Taken;
+use options::Options;
 use race::{Contestant, Outcome};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -39,25 +41,14 @@ struct Asked {
 
 impl Asked {
     fn new(arguments: impl Iterator<Item = String>) -> Result<Self, String> {
+        let options = Options::read(arguments)?;
         // As a test it only shows that it works.
-        let mut asked = Self { rounds: 1, rows: 6, sides: &[8], record: None };
-        let mut arguments = arguments.peekable();
-        let mut rounds = None;
-        while let Some(argument) = arguments.next() {
-            match argument.as_str() {
-                "--bench" => asked = Self { rounds: 7, rows: usize::MAX, sides: &[128, 256, 512], ..asked },
-                "--record" => asked.record = Some(arguments.next().ok_or("--record needs a file")?.into()),
-                "--rounds" => {
-                    let count = arguments.next().and_then(|count| count.parse().ok());
-                    rounds = Some(count.filter(|count| *count > 0).ok_or("--rounds needs a number above zero")?);
-                }
-                // What a test runner says to every test.
-                "--test" | "--nocapture" => {}
-                other => return Err(format!("{other}: the options are --record FILE and --rounds N")),
-            }
-        }
-        asked.rounds = rounds.unwrap_or(asked.rounds);
-        Ok(asked)
+        let usual = if options.is_bench {
+            Self { rounds: 7, rows: usize::MAX, sides: &[128, 256, 512], record: None }
+        } else {
+            Self { rounds: 1, rows: 6, sides: &[8], record: None }
+        };
+        Ok(Self { rounds: options.rounds.unwrap_or(usual.rounds), record: options.record, ..usual })
     }
 }
 

@@ -7,9 +7,12 @@
 //! `cargo bench -p geneva --bench clocks -- --record book/records/clocks.csv` writes a record.
 //! `--rounds N` takes N turns in place of the usual number.
 
+#[path = "../../../dynamics/benches/integrators/options.rs"]
+mod options;
 #[path = "../../../dynamics/benches/integrators/record.rs"]
 mod record;
 
+use options::Options;
 use std::fs;
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
@@ -82,24 +85,14 @@ impl Taken {
 
 impl Asked {
     fn new(arguments: impl Iterator<Item = String>) -> Result<Self, String> {
+        let options = Options::read(arguments)?;
         // As a test it only shows that it works: with a command that is quick.
-        let mut asked = Self { rounds: 1, commands: &COMMANDS[..1], record: None };
-        let (mut arguments, mut rounds) = (arguments, None);
-        while let Some(argument) = arguments.next() {
-            match argument.as_str() {
-                "--bench" => asked = Self { rounds: 5, commands: &COMMANDS, ..asked },
-                "--record" => asked.record = Some(arguments.next().ok_or("--record needs a file")?.into()),
-                "--rounds" => {
-                    let count = arguments.next().and_then(|count| count.parse().ok());
-                    rounds = Some(count.filter(|count| *count > 0).ok_or("--rounds needs a number above zero")?);
-                }
-                // What a test runner says to every test.
-                "--test" | "--nocapture" => {}
-                other => return Err(format!("{other}: the options are --record FILE and --rounds N")),
-            }
-        }
-        asked.rounds = rounds.unwrap_or(asked.rounds);
-        Ok(asked)
+        let usual = if options.is_bench {
+            Self { rounds: 5, commands: &COMMANDS, record: None }
+        } else {
+            Self { rounds: 1, commands: &COMMANDS[..1], record: None }
+        };
+        Ok(Self { rounds: options.rounds.unwrap_or(usual.rounds), record: options.record, ..usual })
     }
 }
 
