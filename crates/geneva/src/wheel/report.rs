@@ -153,8 +153,8 @@ fn missing(made: &Made) -> String {
         format!("For torques add {speed}--inertia KGM2.")
     });
     let without = made.rpm.and(made.inertia).map(|_| {
-        "The loads are without the friction of the pin, the locking disc, the driver's bearings and the gear, so the motor          needs more."
-            .to_owned()
+        let parts = "the pin, the locking disc, the driver's bearings and the gear";
+        format!("The loads are without the friction of {parts}, so the motor needs more.")
     });
     lengths.into_iter().chain(rates).chain(loads).chain(without).collect::<Vec<_>>().join(" ")
 }

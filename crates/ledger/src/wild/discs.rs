@@ -223,10 +223,7 @@ fn freecad() -> Claim {
         .read_as(MACRO_WHEELS)
         .corrected(
             "m = c z/a, R = b z/a",
-            slip(
-                "The circle of the wheel's radius about the wheel's axis is where the rim is in the middle of a move. The disc \
-                 turns on, and the horns come inside it on both sides of the middle.",
-                "The triangles of the axes, the pin and the tip of a horn.",
+            cut_in_the_middle(
                 "The tips of the horns run into the disc by 0.17 mm, where the play is 0.01 mm. The program computes the radius \
                  b z/a, which clears, and does not use it. The version with a window uses it.",
             ),
@@ -347,11 +344,17 @@ fn sdfx() -> Claim {
         .read_as("The pin is where the program puts it, and the wheel starts with a jump. The horns must clear the disc.")
         .corrected(
             "a cut whose edges stand where the pin enters and leaves",
-            slip(
-                "The circle of the wheel's radius about the wheel's axis is where the rim is in the middle of a move. The disc \
-                 turns on, and the horns come inside it on both sides of the middle.",
-                "The triangles of the axes, the pin and the tip of a horn.",
+            cut_in_the_middle(
                 "The tips of the horns run into the disc by 0.05 mm, though the clearance is 0.1 mm on either side.",
             ),
         )
+}
+/// The slip of a program that cuts its locking disc along the rim as the rim stands in the middle of a move.
+const fn cut_in_the_middle(changes: &'static str) -> Slip {
+    slip(
+        "The circle of the wheel's radius about the wheel's axis is where the rim is in the middle of a move. The disc \
+         turns on, and the horns come inside it on both sides of the middle.",
+        "The triangles of the axes, the pin and the tip of a horn.",
+        changes,
+    )
 }

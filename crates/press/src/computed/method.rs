@@ -36,16 +36,14 @@ fn neighbours_by_hand() -> usize {
     of_documents().filter(|judged| judged.claim.kind == Kind::Equation && by_hand(&judged.claim.check)).count()
 }
 
-/// Of the last reading that overturned something and counted what it went through: statements and figures overturned, those gone through, and
-/// sentences of the book to change.
+/// Of the last reading that overturned something and counted what it went through: statements and figures overturned, those
+/// gone through, and sentences of the book to change.
 fn last() -> anyhow::Result<(usize, usize, usize)> {
-    let counted = READINGS.iter().rev().find_map(|reading| {
+    let mut overturning = READINGS.iter().rev().filter(|reading| !reading.overturned.is_empty());
+    let counted = overturning.find_map(|reading| {
         // Those of the pages elsewhere were gone through, but not counted.
         let here = |id: &str| !id.starts_with("wild.");
         let of = reading.overturned.iter().filter(|(id, kind)| here(id) && SENTENCES.contains(kind)).count();
-        if reading.overturned.is_empty() {
-            return None;
-        }
         Some((of, reading.gone_through?, reading.sentences?))
     });
     counted.context("no reading has counted what it went through")
