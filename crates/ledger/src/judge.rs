@@ -177,8 +177,8 @@ fn disagreement(judged: &mut Judged, [first, witness]: [Evidence; 2], [value, wi
     }
 }
 
-/// The right number beside one that the source's slip gives. If the printed digits bear it too, the slip changes nothing
-/// here, and the verdict stays.
+/// The right number beside what the source did. If the printed digits bear it too, a slip changes nothing here, and the
+/// verdict stays. Where nothing that the source did gives them, the right number still tells that they are wrong.
 fn put_right(judged: &mut Judged, routes: &[Route<Number>; 2], resolution: Option<f64>) {
     let [right, witnessed] = routes.each_ref().map(|route| (route.run)());
     judged.right_value = Some(right);
@@ -188,12 +188,16 @@ fn put_right(judged: &mut Judged, routes: &[Route<Number>; 2], resolution: Optio
     }
     let Ok(printed) = judged.claim.printed.parse::<Decimal>() else { return };
     disagreement(judged, routes.each_ref().map(|route| route.evidence), [right, witnessed], &printed);
-    let comes_out = !matches!(judged.verdict, Verdict::Corrected | Verdict::NotReproduced);
-    if !comes_out || printed.is_rounding_of(right) {
+    if printed.is_rounding_of(right) {
         return;
     }
     let within = resolution.is_some_and(|unit| (right - printed.to_f64()).abs() <= unit);
-    judged.verdict = if within { Verdict::ReadOff } else { Verdict::ReproducedInError };
+    judged.verdict = match (judged.verdict, within) {
+        (Verdict::NotReproduced, true) => Verdict::NotReproduced,
+        (Verdict::NotReproduced, false) => Verdict::Corrected,
+        (_, true) => Verdict::ReadOff,
+        (_, false) => Verdict::ReproducedInError,
+    };
 }
 
 fn correction_passes(erratum: &Erratum, value: f64) -> bool {

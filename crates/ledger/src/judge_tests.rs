@@ -124,8 +124,11 @@ fn a_number_that_a_slip_gives_is_told_from_a_right_one() {
     let found = judged(claim("0.33", two_thirds).in_error(SLIP));
     assert!(found.holds(), "{:?}", found.complaints());
     assert_eq!((found.truth(), found.corrected().as_deref()), (Truth::Wrong, Some("0.67")));
-    // What the slip does not give is not reproduced, whatever is right.
-    assert_eq!(judged(claim("0.34", two_thirds)).verdict, Verdict::NotReproduced);
+    // What the slip does not give is wrong by itself, since the right number is known.
+    assert_eq!(judged(claim("0.34", two_thirds)).faults, ["corrected without an erratum"]);
+    let found = judged(claim("0.34", two_thirds).expecting(Verdict::Corrected).affected_by(SLIP));
+    assert!(found.holds(), "{:?}", found.complaints());
+    assert_eq!(found.corrected().as_deref(), Some("0.67"));
     // Where the right number has the same digits, the slip changes nothing.
     let found = judged(claim("0.33", [0.334; 2]));
     assert!(found.holds() && found.verdict == Verdict::Reproduced, "{:?}", found.complaints());

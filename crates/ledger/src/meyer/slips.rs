@@ -141,6 +141,18 @@ pub const SOLVED_WITH_BARS: Slip = Slip {
     changes: "The sign S, the old acceleration and the delay line of the program are not needed.",
 };
 
+/// A number in a row that nothing explains: neither the mechanism nor the program gives it.
+pub const UNEXPLAINED: Slip = Slip {
+    id: "",
+    reason: "The reset of the program is right for four pins, so mechanism and program agree here, and both differ from the \
+             printed peak by more than two units of its last digit. The minimum and the period of the same row fit. How the \
+             peak came to be printed is not known.",
+    witness: "The steady cycle of the mechanism, by quadrature and by Runge-Kutta steps, has a higher peak.",
+    origin: Origin::Arithmetic,
+    consequence: Consequence::Result,
+    changes: "The peak of the row is too low, by more than a per cent.",
+};
+
 /// The greatest printed speed is taken for the greatest.
 pub const SAMPLED_PEAKS: Slip = Slip {
     id: "meyer.cyclic-oscillations",

@@ -14,6 +14,7 @@ pub fn claims() -> Vec<Claim> {
         slot_width(WORKBENCH, "wild.gear-workbench.slot-width"),
         stop_arc(),
         aligned(),
+        from_entry(),
     ]
 }
 
@@ -156,6 +157,52 @@ fn aligned() -> Claim {
                  crossed at the pin's full speed.",
                 "The pin's place at entry, by coordinates, for 3 to 60 slots.",
                 "Nothing: the next line has the right angle at the pin, and the formulas follow from that.",
+            ),
+        )
+}
+
+/// From where the driver's angle counts for which a program gives the wheel's angle.
+fn from_entry() -> Claim {
+    // The sizes of a wheel, half the driver's angle of a move, and the angle that the program is given at the entry.
+    let entry = |slots: u32, stated: Stated| {
+        let Fit { crank, centres, moving, .. } = Fit::by_wheel(slots);
+        (crank, centres, moving / 2.0, stated.pick(-moving / 2.0, 0.0))
+    };
+    CONSTRAINTS
+        .statement(
+            "wild.oxiphysics.from-entry",
+            "from start of driving phase",
+            "from where the driver's angle φ counts: the wheel's angle is the inverse tangent of r sin φ/(a − r cos φ)",
+        )
+        .by(ClosedForm, move |stated| {
+            let off = |slots: u32| {
+                let (r, a, half, start) = entry(slots, stated);
+                let angle = |phi: f64| libm::atan2(r * libm::sin(phi), a - r * libm::cos(phi));
+                // A move turns the wheel by one step, from the entry to the exit.
+                angle(start + 2.0 * half) - angle(start) - 2.0 * PI / f64::from(slots)
+            };
+            let holds = ANY.filter(|slots| !vanishes(off(*slots))).count() == 0;
+            let lost = off(4).to_degrees().abs();
+            Finding::new(holds, format!("in one move of four slots {lost:.1} degrees are missing"))
+        })
+        .by(Vectors, move |stated| {
+            let aside = |slots: u32| {
+                // The pin enters where its path meets the slot along the slot: across its own arm.
+                let (r, a, _, start) = entry(slots, stated);
+                let arm = Vector2::new(r * libm::cos(start), r * libm::sin(start));
+                arm.dot(&(arm - Vector2::new(a, 0.0))) / (r * a)
+            };
+            let holds = ANY.filter(|slots| !vanishes(aside(*slots))).count() == 0;
+            Finding::new(holds, format!("at the start arm and slot make {:.2} of a right angle's cosine", aside(4)))
+        })
+        .corrected(
+            "from the line of centres",
+            word(
+                "The formula gives zero for the angle zero, and the wheel's angle is zero on the line of centres. The driving \
+                 phase starts half a move before. The wheel's speed, beside it, counts the angle from the line of centres, \
+                 too.",
+                "The pin by its coordinates, and the direction of the slot as the pin enters.",
+                "Somebody who passes an angle counted from the entry gets a wheel that moves by half a step.",
             ),
         )
 }

@@ -29,7 +29,6 @@ pub fn claims() -> Vec<Claim> {
     vec![
         freecad(),
         freecad_count(),
-        drift(),
         model3d(),
         cadbuildr(),
         sdfx(),
@@ -203,31 +202,6 @@ fn freecad_count() -> Claim {
                 "A wheel of any other number of slots gets six. The version with a window cuts as many as are asked for.",
             ),
         )
-}
-
-fn drift() -> Claim {
-    example(
-        DRIFT,
-        "wild.drift.example",
-        "6 slots: pin 0.5, centres 1.5, wheel 1.0",
-        "sizes of the Geneva mechanism of a simulation, in the radius that is called the driver's",
-        |stated| {
-            let [crank, centres, rim] = ["pin", "centres", "wheel"].map(|name| size(stated.characters(), name));
-            Drawn { slots: stated.count(), crank, centres, rim }
-        },
-        (
-            "6 slots: pin 0.75, centres 1.5, wheel 0.75 √3",
-            slip(
-                "The radii of pin's circle and wheel add up to the centre distance: the two circles touch in one point.",
-                TWICE,
-                "A pin without thickness never comes into the wheel. The page calls its slots simplified markers.",
-            ),
-        ),
-    )
-    .read_as(
-        "The sizes are an example, taken to be of a wheel whose pin enters along the slot. The number is that of a call that \
-         gives none. The program marks four slots whatever the number, and the same circles touch with four.",
-    )
 }
 
 fn model3d() -> Claim {

@@ -36,9 +36,6 @@ pub const FIRGELLI_EXTERNAL: Place =
     at(page!("https://www.firgelliauto.com/es/blogs/mechanisms/geneva-drive-external"));
 
 // Programs and their pages.
-pub const DRIFT: Place = at(page!(
-    "https://github.com/D-sorganization/UpstreamDrift/blob/HEAD/src/engines/physics_engines/mujoco/python/mujoco_humanoid_golf/linkage_mechanisms/special_mechanisms.py"
-));
 pub const MECHANICS: Place = at(page!(
     "https://github.com/DannyHsuC10/Mechanics/blob/HEAD/Mechanical_Principle/Other_components/Periodic_motion_mechanism/Periodic_motion_mechanism.md",
     "2026-11-23"

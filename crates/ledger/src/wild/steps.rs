@@ -32,9 +32,9 @@ pub fn claims() -> Vec<Claim> {
                     origin: Origin::Misprint,
                     ..slip(
                         "One pin moves the wheel once in a turn of the driver, by one slot. So 3 to 18 is the number of \
-                         steps in a turn of the wheel. More pins make more steps in a turn of the driver, six at the \
-                         most, with three slots.",
-                        "So many moves as are said do not fit into a turn of the driver.",
+                         steps in a turn of the wheel. A turn of the driver makes one step for each pin, and there is \
+                         room for six pins at most, with three slots: 1 to 6 steps.",
+                        "Each move takes its part of a turn of the driver, and so many parts do not fit into one turn.",
                         "A reader expects up to eighteen steps for a turn of the shaft that he drives.",
                     )
                 },
@@ -151,9 +151,14 @@ const PINS: RangeInclusive<u32> = 1..=18;
 /// driver.
 fn steps(stated: Stated, by: fn(u32) -> Fit, most: impl Fn(u32) -> Option<u32>) -> Finding {
     let [first, last] = numbers("wild.probsee.steps")[..] else { return Finding::new(false, "not a range of slots") };
-    let of = |slots: u32| stated.pick(Some(libm::round(2.0 * PI / by(slots).step) as u32), most(slots));
-    let found: Vec<u32> = (first..=last).filter_map(of).collect();
-    let [least, most] = [found.iter().min(), found.iter().max()].map(|steps| steps.copied().unwrap_or(0));
+    // In a turn of the wheel as many as it has slots; in a turn of the driver from one, with one pin, to as many as fit.
+    let of = |slots: u32| {
+        let whole = libm::round(2.0 * PI / by(slots).step) as u32;
+        stated.pick(Some([whole; 2]), most(slots).map(|most| [1, most]))
+    };
+    let found: Vec<[u32; 2]> = (first..=last).filter_map(of).collect();
+    let least = found.iter().map(|[least, _]| *least).min().unwrap_or(0);
+    let most = found.iter().map(|[_, most]| *most).max().unwrap_or(0);
     Finding::new(stated.numbers() == [least, most].map(f64::from), format!("from {least} to {most} steps"))
 }
 

@@ -5,7 +5,7 @@
 //! place, for somebody read the number from a print-out. And what is right: the mechanism's own number stands beside it.
 
 use super::*;
-use crate::meyer::slips::{RESET_ANGLE, SAMPLED_PEAKS};
+use crate::meyer::slips::{RESET_ANGLE, SAMPLED_PEAKS, UNEXPLAINED};
 use std::sync::OnceLock;
 
 /// The four results of a row.
@@ -58,6 +58,7 @@ fn of_row(row: &'static Row) -> Vec<Claim> {
             move || ideal_by_steps(row)[result],
         );
         match row.mechanism {
+            _ if claim.expected == Verdict::Corrected => claim.affected_by(UNEXPLAINED),
             _ if claim.expected != Verdict::ReproducedInError => claim,
             // With four pins the reset is right; what is not is a peak between two lines of the print-out.
             Mechanism::FOUR_PIN => claim.in_error(SAMPLED_PEAKS),
