@@ -63,7 +63,7 @@ pub struct Engagement {
 }
 
 /// Steps of an engagement: an even number, so that the friction changes its sign on the line of centres between two.
-const STEPS: u32 = 1800;
+const STEPS: u32 = 900;
 
 /// Most engagements, and the change of the square of the speed in an engagement from which on it counts as repeated.
 const MOST: usize = 200;

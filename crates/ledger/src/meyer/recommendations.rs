@@ -64,8 +64,8 @@ fn cyclic_oscillations() -> Claim {
             "a strong spring makes the peak of the driver's speed swing from cycle to cycle",
         )
         .by(Quadrature, |stated| {
-            // The motion of the mechanism, looked at as often as lines are printed, or a hundred times as often.
-            let interval = runs::interval() * stated.pick(1.0, 0.01);
+            // The motion of the mechanism, looked at as often as lines are printed, or fifty times as often.
+            let interval = runs::interval() * stated.pick(1.0, 0.02);
             swinging(&|row| {
                 let of = with(row, EXCESSIVE, 1.0)?;
                 let lines = of.run(interval, runs::duration()).ok()?;
@@ -74,7 +74,7 @@ fn cyclic_oscillations() -> Claim {
         })
         .by(RungeKutta, |stated| {
             // The program with its reset angle, its lagged sign and its own π, printing as often.
-            let interval = runs::interval() * stated.pick(1.0, 0.01);
+            let interval = runs::interval() * stated.pick(1.0, 0.02);
             swinging(&|row| {
                 let of = with(row, EXCESSIVE, 1.0)?;
                 let slots = f64::from(of.parameters().mechanism().slots());

@@ -215,7 +215,7 @@ impl Hypothesis {
 }
 
 /// Steps of an engagement.
-const STEPS: u32 = 1500;
+const STEPS: u32 = 750;
 
 /// The parameters of a row with these inertias of driver and follower, in in lb s².
 pub fn parameters_with(row: &Row, [driver, follower]: [f64; 2]) -> Option<Parameters> {
