@@ -4,7 +4,7 @@ use super::Number;
 use crate::lookup::of_documents;
 use crate::rows::score;
 use geneva_ledger::meyer::runs::{Hypothesis, Row, rows};
-use geneva_ledger::{Consequence, Decimal, Judged, Truth, Verdict, claim, slips_of};
+use geneva_ledger::{Consequence, Decimal, Judged, Truth, claim, slips_of};
 
 /// What changes a result or a conclusion.
 const GRAVE: [Consequence; 2] = [Consequence::Result, Consequence::Conclusion];
@@ -16,7 +16,6 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("claims.wrong-gravely", || Ok(claims(Truth::Wrong, |slip| slip.is_some_and(|slip| GRAVE.contains(&slip))))),
     ("claims.copy", || Ok(claims(Truth::Wrong, |slip| slip == Some(Consequence::Copy)))),
     ("claims.open", || Ok(claims(Truth::Open, |_| true))),
-    ("claims.not-reproduced", || Ok(found(Verdict::NotReproduced))),
     ("slips.grave", || Ok(GRAVE.map(|of| slips_of(of).count()).iter().sum::<usize>().to_string())),
     ("rows", || Ok(rows().len().to_string())),
     ("rows.of-no-mechanism", || Ok(rows().iter().filter(|row| !is_reset_rightly(row)).count().to_string())),
@@ -35,8 +34,4 @@ fn is_reset_rightly(row: &Row) -> bool {
 fn claims(truth: Truth, by: fn(Option<Consequence>) -> bool) -> String {
     let slip = |judged: &Judged| judged.claim.erratum.as_ref().map(|erratum| erratum.slip.consequence);
     of_documents().filter(|judged| judged.truth() == truth && by(slip(judged))).count().to_string()
-}
-
-fn found(verdict: Verdict) -> String {
-    of_documents().filter(|judged| judged.verdict == verdict).count().to_string()
 }
