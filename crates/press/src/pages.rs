@@ -170,7 +170,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
             Records::Lines(&[Work::Meyer1973]),
         ),
         chapter(RECORDS, "about", "Sources, data, how to cite"),
-        below("glossary", "Words"),
+        below("glossary", "Glossary"),
         below("solver", "The solver"),
         below("mimic", "The language MIMIC"),
         below("architecture", "Architecture"),
