@@ -15,9 +15,6 @@ fn chapters() -> Vec<(String, String)> {
     PAGES.iter().map(read).collect()
 }
 
-/// The heading in the README under which the first page's findings stand.
-const FOUND: &str = "## What was found\n";
-
 /// Writes a file anew if it stands otherwise, and says whether it stood so.
 fn stood_written(file: &str, text: &str) -> bool {
     let path = crate::path(file);
@@ -34,11 +31,15 @@ fn what_the_list_of_pages_writes_is_written() {
     let library = std::fs::read_to_string(crate::path("book/lib.rs")).expect("the chapters' library");
     let (before, _) = library.split_once("\nchapters! {\n").expect("the list of chapters");
     files.push(("book/lib.rs".to_owned(), format!("{before}\nchapters! {{\n{}}}\n", pages::chapters_to_test())));
-    let readme = std::fs::read_to_string(crate::path("README.md")).expect("the README");
-    let (before, rest) = readme.split_once(FOUND).expect("what was found");
-    let (_, after) = rest.split_once("\n## ").expect("what follows");
-    let found = geneva_press::readme::findings().expect("what was found");
-    files.push(("README.md".to_owned(), format!("{before}{FOUND}\n{found}\n\n## {after}")));
+    let mut readme = std::fs::read_to_string(crate::path("README.md")).expect("the README");
+    for heading in geneva_press::readme::SECTIONS {
+        let head = format!("## {heading}\n");
+        let (before, rest) = readme.split_once(&head).expect("the section");
+        let (_, after) = rest.split_once("\n## ").expect("what follows");
+        let section = geneva_press::readme::section(heading).expect("the section");
+        readme = format!("{before}{head}\n{section}\n\n## {after}");
+    }
+    files.push(("README.md".to_owned(), readme));
     files.retain(|(file, text)| !stood_written(file, text));
     let changed: Vec<_> = files.iter().map(|(file, _)| file.as_str()).collect();
     assert!(

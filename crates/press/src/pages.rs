@@ -85,7 +85,8 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
     };
     let whole = |work, title| Section { work, lines: 0..=u32::MAX, title };
     let thesis = |name: &'static str, of: &str, lines, title| {
-        let lead = "The claims of the thesis, in the order of the source, with what was found of each.";
+        let lead = "This page lists the claims of these parts of the thesis in the order of the source and says what we \
+                    found out about each.";
         let records = Records::Claims(vec![Section { work: Work::Meyer1973, lines, title }]);
         listing(name, &format!("Thesis: {of}"), &format!("The ledger of the thesis: {of}"), lead, records)
     };
@@ -115,7 +116,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
             "errata-small",
             "In displays and words",
             "Errata in displays and words",
-            "What is wrong in the sources and changes no result and no conclusion. [Errata](errata.md) has what does.",
+            "These mistakes in the sources change no result and no conclusion. For those that do, see [Errata](errata.md).",
             Records::Slips(&[Consequence::Remark, Consequence::Number, Consequence::Derivation, Consequence::Wording]),
         ),
         Page { records: Records::Slips(&[Consequence::Copy]), ..below("errata-copy", "Characters of the copies") },
@@ -131,7 +132,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
             "ledger-jazar",
             "Handout: the wheel of N stations",
             "The ledger of the handout",
-            "The claims of the handout, in the order of the source, with what was found of each.",
+            "This page lists the claims of the handout in the order of the source and says what we found out about each.",
             Records::Claims(vec![whole(Work::Jazar2003, "the wheel of N stations")]),
         ),
         thesis("ledger-meyer", "geometry", 0..=262, "front matter and geometry"),
@@ -144,16 +145,17 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
             "ledger-wild",
             "Elsewhere: times, steps, sizes",
             "The ledger of what is said elsewhere: times, steps, sizes",
-            "Statements of public pages and programs, with what was found of each. [In the wild](wild.md) tells of \
-             them, and [another page](ledger-wild-parts.md) has the rest.\n\n## Where they were read\n\n{{elsewhere-addresses}}",
+            "Statements of public pages and programs, with what we found out about each. They are the subject of [In the \
+             wild](wild.md), and the rest of them are on [another page](ledger-wild-parts.md).\n\n\
+             ## Where we read them {#where-they-were-read}\n\n{{elsewhere-addresses}}",
             elsewhere(0..=of_sizes - 1, "statements elsewhere on times, steps and sizes"),
         ),
         listing(
             "ledger-wild-parts",
             "Elsewhere: parts and motion",
             "The ledger of what is said elsewhere: parts and motion",
-            "Statements of public pages and programs, and examples that programs build, with what was found of each. \
-             [The first part](ledger-wild.md) begins with all addresses.",
+            "Statements of public pages and programs, and examples that programs build, with what we found out about \
+             each. All addresses are at the beginning of [the first part](ledger-wild.md).",
             elsewhere(of_sizes..=u32::MAX, "statements and examples elsewhere on parts and motion"),
         ),
         Page {
@@ -164,11 +166,11 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
             "coverage-meyer",
             "Coverage of the thesis",
             "Coverage of the thesis",
-            "The thesis line by line; [what coverage means](coverage.md) is told with the other sources.",
+            "Here is the thesis line by line. For what coverage means, see [the page on the other sources](coverage.md).",
             Records::Lines(&[Work::Meyer1973]),
         ),
         chapter(RECORDS, "about", "Sources, data, how to cite"),
-        below("glossary", "Words"),
+        below("glossary", "Glossary"),
         below("solver", "The solver"),
         below("mimic", "The language MIMIC"),
         below("architecture", "Architecture"),

@@ -34,16 +34,29 @@ fn picture(name: &str) -> anyhow::Result<String> {
     Ok(format!("{opening}\n{style}\n{rest}"))
 }
 
-/// What was found, as the first page tells it, in Markdown.
-pub fn findings() -> anyhow::Result<String> {
-    let (_, rest) =
-        FIRST_PAGE.split_once("## What was found\n").context("the first page does not say what was found")?;
-    let (section, _) = rest.split_once("\n## ").context("the first page ends with what was found")?;
+/// The sections of the first page that the README has, too.
+pub const SECTIONS: [&str; 2] = ["What was found", "What else was found"];
+
+/// A section as the first page tells it, in Markdown.
+pub fn section(heading: &str) -> anyhow::Result<String> {
+    let (_, rest) = FIRST_PAGE
+        .split_once(&format!("## {heading}\n"))
+        .with_context(|| format!("the first page has no section `{heading}`"))?;
+    let (section, _) = rest.split_once("\n## ").with_context(|| format!("the first page ends with `{heading}`"))?;
     let (drawn, _) = put_in(&with_images(section)?, Page { name: "preface", number: "" }, &[])?;
-    let paragraphs =
-        drawn.split("\n\n").map(|part| if part.starts_with(IMAGE) { part.to_owned() } else { plain(part) });
-    let paragraphs: Vec<_> = paragraphs.filter(|part| !part.is_empty()).map(|part| in_the_project(&part)).collect();
-    Ok(paragraphs.join("\n\n"))
+    let parts: Vec<_> = drawn.split("\n\n").map(in_markdown).filter(|part| !part.is_empty()).collect();
+    Ok(in_the_project(&parts.join("\n\n")))
+}
+
+/// A paragraph on one line, a table on its lines, an image as it is.
+fn in_markdown(part: &str) -> String {
+    if part.starts_with(IMAGE) {
+        part.to_owned()
+    } else if part.trim_start().starts_with('|') {
+        part.trim().lines().map(plain).collect::<Vec<_>>().join("\n")
+    } else {
+        plain(part)
+    }
 }
 
 const IMAGE: &str = "<img ";

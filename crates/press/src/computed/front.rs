@@ -14,11 +14,15 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("claims.right", || Ok(claims(Truth::Right, |_| true))),
     ("claims.wrong", || Ok(claims(Truth::Wrong, |slip| slip != Some(Consequence::Copy)))),
     ("claims.wrong-gravely", || Ok(claims(Truth::Wrong, |slip| slip.is_some_and(|slip| GRAVE.contains(&slip))))),
+    ("claims.wrong-lightly", || {
+        Ok(claims(Truth::Wrong, |slip| slip.is_none_or(|slip| slip != Consequence::Copy && !GRAVE.contains(&slip))))
+    }),
     ("claims.copy", || Ok(claims(Truth::Wrong, |slip| slip == Some(Consequence::Copy)))),
     ("claims.open", || Ok(claims(Truth::Open, |_| true))),
     ("slips.grave", || Ok(GRAVE.map(|of| slips_of(of).count()).iter().sum::<usize>().to_string())),
     ("rows", || Ok(rows().len().to_string())),
     ("rows.of-no-mechanism", || Ok(rows().iter().filter(|row| !is_reset_rightly(row)).count().to_string())),
+    ("cells.printed", || Ok((4 * rows().len()).to_string())),
     ("cells", || Ok((3 * rows().len()).to_string())),
     ("cells.by-the-program", || Ok(score(&Hypothesis::as_run())?.within_one().to_string())),
     ("cells.by-the-mechanisms", || Ok(score(&Hypothesis::IDEAL)?.within_one().to_string())),

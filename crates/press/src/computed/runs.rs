@@ -23,7 +23,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("runs.periods", || within(best()?, Column::Period)),
     ("runs.peaks", || within(best()?, Column::Peak)),
     ("runs.peaks-lagged", || within(lagged(0.1)?, Column::Peak)),
-    ("runs.exact", || Ok(exact(lagged(0.1)?).to_string())),
+    ("runs.exact", || Ok(exact(score(&Hypothesis::as_run())?).to_string())),
     ("runs.exact.mechanisms", || Ok(exact(score(&Hypothesis::IDEAL)?).to_string())),
     ("runs.others", || Ok((EXPLAINED.len() * others().count()).to_string())),
     ("runs.others-by-the-mechanisms", || Ok(of_others(score(&Hypothesis::IDEAL)?).to_string())),
