@@ -107,7 +107,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
         chapter(CASE, "terminal-speed", "Why it reaches a steady speed"),
         chapter(CASE, "timer", "Is it a clock? Seven recommendations"),
         chapter(CASE, "joints", "A pin of finite radius, and friction in the bearings"),
-        chapter(WILD, ELSEWHERE, "In the wild"),
+        chapter(WILD, ELSEWHERE, "Geneva formulas on the web, checked"),
         Page {
             records: Records::Slips(&[Consequence::Result, Consequence::Conclusion]),
             ..chapter(RECORDS, "errata", "Errata")
