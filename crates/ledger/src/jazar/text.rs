@@ -52,6 +52,10 @@ fn one_direction() -> Claim {
             )
         })
         .but_not("nor does it ever stand still")
+        .read_as(
+            "Said of indexing mechanisms in general, tried on Geneva wheels of any number of stations with a driver that does not \
+             turn back.",
+        )
 }
 
 fn slider_crank() -> Claim {

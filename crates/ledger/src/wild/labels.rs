@@ -29,14 +29,15 @@ pub fn claims() -> Vec<Claim> {
         slot_centre(WINDOW, "wild.freecad-window.slot-centre", r"s = \text{Slot Center Width}", WINDOW_BOX)
             .read_as(ALONG)
             .but_not("it is the slot's width from side to side"),
-        slot_centre(WORKBENCH, "wild.gear-workbench.slot-centre", "Width of slot at center (s)", WORKBENCH_BOX).corrected(
-            "Length of slot (s)",
-            word(
-                "The program draws the slot s long and 2w wide. It is as wide at its centre as everywhere.",
-                "The rim and the deepest place of the pin's centre, by coordinates, for 3 to 60 slots.",
-                "Nothing that is drawn.",
+        slot_centre(WORKBENCH, "wild.gear-workbench.slot-centre", "Width of slot at center (s)", WORKBENCH_BOX)
+            .corrected(
+                "Length of slot (s)",
+                word(
+                    "The program draws the slot s long and 2w wide. It is as wide at its centre as everywhere.",
+                    "The rim and the deepest place of the pin's centre, by coordinates, for 3 to 60 slots.",
+                    "Nothing that is drawn.",
+                ),
             ),
-        ),
         stop_arc(),
         aligned(),
         right_angle(),
@@ -184,7 +185,10 @@ fn slot_centre(place: Place, id: &'static str, printed: &'static str, (arms, siz
             let (s, w) = (a + b - libm::hypot(a, b), p + t);
             let across = Vector2::new(s - a, w) - Vector2::new(-a, -w);
             let extent = stated.pick(across.x, across.y);
-            Finding::new(agrees(extent, s), format!("s is {s:.2}, and the slot that is drawn extends {extent:.2} that way"))
+            Finding::new(
+                agrees(extent, s),
+                format!("s is {s:.2}, and the slot that is drawn extends {extent:.2} that way"),
+            )
         })
         .by(ClosedForm, move |stated| {
             let [p, t] = sizes;
@@ -285,7 +289,10 @@ fn right_angle() -> Claim {
             vanishes((one * one + other * other - opposite * opposite) / (centres * centres))
         };
         let right = ANY.filter(|slots| square(*slots)).count();
-        Finding::new(right == ANY.count(), format!("the angle is right for {right} of {} numbers of slots", ANY.count()))
+        Finding::new(
+            right == ANY.count(),
+            format!("the angle is right for {right} of {} numbers of slots", ANY.count()),
+        )
     };
     ANVILATE
         .statement(

@@ -230,7 +230,8 @@ fn crosses(stated: Stated, speed: impl Fn(f64, f64) -> f64) -> Finding {
     let least = |degrees: &[f64]| {
         let pins = degrees.iter().flat_map(|by| [90.0 - by, 90.0 + by]).map(f64::to_radians);
         // The pin's triangle must have an angle left at the driver.
-        let all = pins.flat_map(|pin| ANY.filter(move |slots| pin + PI / f64::from(*slots) < PI).map(move |n| (n, pin)));
+        let all =
+            pins.flat_map(|pin| ANY.filter(move |slots| pin + PI / f64::from(*slots) < PI).map(move |n| (n, pin)));
         all.map(|(slots, pin)| speed_at_entry(slots, pin, &speed)).fold(f64::INFINITY, f64::min)
     };
     let least = least(stated.pick(&[1.0, 10.0, 30.0], &[10.0]));
