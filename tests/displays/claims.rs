@@ -32,18 +32,6 @@ const HARMLESS: &Harmless = &[
         "the letter has the same meaning without its index",
         &["piece 1: the index is lost"],
     ),
-    (
-        "quick-return.sliding-normal",
-        "anything over an infinite radius is zero, and zero has no sign",
-        &[
-            "piece 0: a minus is put before it",
-            "piece 12: a minus is put before it",
-            "piece 14: v_{P2/P4} becomes A_{P2/P4}^n",
-            "piece 23: what is raised is lost",
-            "piece 24: 2 becomes 3",
-            "piece 24: 2 becomes 1",
-        ],
-    ),
     ("wild.counter.rim", "two divisors may change places", &["piece 15: the quotient is turned over"]),
     ("jazar.eq-5.34", "both signs are meant", &["piece 0: a minus is put before it"]),
     ("meyer.phi-0", NAMED_TWICE, &HANDING_OVER[0]),

@@ -109,10 +109,6 @@ fn of_quick_return(id: &str, number: usize) -> Moment {
             (r"\text{min}", 60.0 * 5.0),
             (r"\text{s}", 5.0),
         ]),
-        // The path in the slot is straight.
-        "quick-return.sliding-normal" => state
-            .with([("R", f64::INFINITY)])
-            .called([("v_{P2/P4}", r"v_\mathrm{rel}"), ("A_{P2/P4}^n", r"a_\mathrm{rel}^\mathrm{n}")]),
         // The problem's letters and the solution's.
         "quick-return.seven-terms" => components(number, ["P_2", "P_4", "P_2P_4"]),
         "quick-return.seven-terms-by-points" => components(number, ["P2", "P4", "P2/P4"]),

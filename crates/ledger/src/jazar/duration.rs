@@ -147,7 +147,8 @@ fn comparisons() -> Vec<Claim> {
             .but_not("they rise")
             .read_as(
                 "Gentler: the wheel's peak velocity, its peak acceleration and the jump of its acceleration at entry \
-                 all fall, for the same speed of the driver, by which the handout normalises its own curves.",
+                 all fall, for the same speed of the driver, by which the handout normalises its own curves. In the same time \
+                 for a move, the jump at entry would rise from three to five stations and fall from there.",
             ),
         DURATION
             .statement(

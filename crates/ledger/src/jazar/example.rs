@@ -157,19 +157,23 @@ fn absolute_senses() -> Claim {
     at("Ex. (d), reference to Fig. 5.29")
         .statement("jazar.ex-d.absolute-senses", "CCW", "ϕ is positive counterclockwise while θ is positive clockwise")
         .by(Vectors, |stated| {
+            let sign = stated.pick(1.0, -1.0);
             for_all_stations(
                 |wheel| {
                     within(wheel.engagement_half_angle()).all(|t| {
-                        let pin = turned_clockwise(wheel, stated.pick(t, -t));
-                        vanishes(libm::atan2(pin.y, pin.x) - printed_angle(wheel, t))
+                        let pin = turned_clockwise(wheel, t);
+                        vanishes(sign * libm::atan2(pin.y, pin.x) - printed_angle(wheel, t))
                     })
                 },
-                "with a driver turned by θ, the pin's direction from the wheel's axis is the angle of Eq. (5.30)",
+                "with a driver turned clockwise by θ, the pin's direction from the wheel's axis is the angle of Eq. (5.30)",
             )
         })
-        .by(ExactIdentity, |stated| prove(&AbsoluteSenses { clockwise: stated.pick(true, false) }).into())
-        .but_not("both are positive counterclockwise")
-        .read_as("With these senses the equations hold: Eq. (5.30) gives the counterclockwise angle of the wheel.")
+        .by(ExactIdentity, |stated| prove(&AbsoluteSenses { sign: stated.pick(1, -1) }).into())
+        .but_not("ϕ is positive clockwise, as θ is")
+        .read_as(
+            "A convention of Fig. 5.29, which is not in the copy. The equations want the two senses to be opposite. They \
+             hold as well with θ counterclockwise and ϕ clockwise, so they don't settle which of the two is clockwise.",
+        )
 }
 
 fn senses() -> Claim {
@@ -196,19 +200,18 @@ fn senses() -> Claim {
         .but_not("they turn in the same sense")
 }
 
-/// The wheel's counter-clockwise speed is the velocity ratio of Eq. (5.31) if the driver turns clockwise, or
-/// counter-clockwise, from the line of centres. Variables: k and the tangent of half the crank's angle θ.
+/// While the driver turns clockwise from the line of centres, the wheel's counter-clockwise speed is `sign` times the velocity
+/// ratio of Eq. (5.31). Variables: k and the tangent of half the crank's angle θ.
 struct AbsoluteSenses {
-    clockwise: bool,
+    sign: i64,
 }
 
 impl Identity<2> for AbsoluteSenses {
     fn difference(&self, [ratio, half]: [Expression; 2]) -> Expression {
         let crank = Turn::from_half_tangent(&half);
-        let (turned, speed) =
-            if self.clockwise { (crank.supplement(), -1) } else { (crank.reversed().supplement(), 1) };
-        pin_vectors::solve(&Expression::ONE, &ratio, &turned, &Expression::integer(speed))
-            .map_or(Expression::ONE, |motion| motion.follower_speed - velocity_ratio(&ratio, &crank))
+        let formula = self.sign * velocity_ratio(&ratio, &crank);
+        pin_vectors::solve(&Expression::ONE, &ratio, &crank.supplement(), &Expression::integer(-1))
+            .map_or(Expression::ONE, |motion| motion.follower_speed - formula)
     }
 }
 

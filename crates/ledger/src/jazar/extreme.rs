@@ -80,7 +80,7 @@ fn alpha_range() -> Claim {
                          right sign nowhere else, so the slip is put down to the handout.",
                 witness: "The angle at which the pin enters the slot of a wheel of three, by its coordinates.",
                 origin: Origin::Misprint,
-                consequence: Consequence::Wording,
+                consequence: Consequence::Remark,
                 changes: "",
             },
         )

@@ -7,6 +7,8 @@ use crate::tex::{Letters, value};
 use geneva_kinematics::wheel_proofs::{Printed, Quantity};
 use geneva_kinematics::{Expression, Identity, prove};
 
+const PIN_RADIUS: &str = "The pin radius is r, the radius of the circle of the pin's centre. The handout gives no radius of the \
+     pin itself.";
 const RATIOS: Place = at("Paragraph before Eq. (5.30)");
 
 pub fn claims() -> Vec<Claim> {
@@ -28,7 +30,8 @@ fn sizes() -> Vec<Claim> {
                     },
                     "with it the wheel comes to rest half a pitch from the line of centres",
                 )
-            }),
+            })
+            .read_as(PIN_RADIUS),
         RATIOS
             .statement(
                 "jazar.wheel-radius-ratio",
@@ -49,6 +52,7 @@ fn sizes() -> Vec<Claim> {
                 Some(radii) => prove(&RimByPythagoras { above: stated.count(), radii: i64::from(radii) }).into(),
                 None => Finding::new(false, "neither a radius nor a diameter"),
             })
+            .read_as(PIN_RADIUS)
             .corrected(
                 r"\text{outside radius}: 1/\tan \alpha",
                 Slip {

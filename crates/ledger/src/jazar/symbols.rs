@@ -4,7 +4,11 @@ use crate::Symbol;
 
 /// Each letter and the book's symbol.
 pub const SYMBOLS: &[Symbol] = &[
-    Symbol { printed: "r", ours: "R", meaning: "crank radius: radius of the circle of the pin's centre" },
+    Symbol {
+        printed: "r",
+        ours: "R",
+        meaning: "crank radius, the radius of the circle of the pin's centre; pin radius before Eq. (5.30)",
+    },
     Symbol {
         printed: "x",
         ours: "r",

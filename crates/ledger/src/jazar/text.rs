@@ -5,7 +5,7 @@ use crate::tolerance::CLOSURE;
 use geneva_kinematics::pin_proofs::four_slot_entry_misfit;
 use geneva_kinematics::pin_slot::velocity_ratio;
 use geneva_kinematics::wheel::Phase;
-use geneva_kinematics::{Field, Rational, Surd, pin_vectors};
+use geneva_kinematics::{Field, Rational, Surd};
 
 const INDEXING: Place = at("1st paragraph");
 pub(super) const VARIETIES: Place = at("2nd paragraph");
@@ -52,6 +52,10 @@ fn one_direction() -> Claim {
             )
         })
         .but_not("nor does it ever stand still")
+        .read_as(
+            "Said of indexing mechanisms in general, tried on Geneva wheels of any number of stations with a driver that does not \
+             turn back.",
+        )
 }
 
 fn slider_crank() -> Claim {
@@ -228,35 +232,11 @@ fn wheel_radius() -> Claim {
 }
 
 fn sense_of_the_wheel() -> Claim {
-    CAPTION
-        .figure("jazar.fig-5.28-sense", "counterclockwise", "the star wheel is advanced counterclockwise")
-        .by(Vectors, |stated| {
-            let sign = stated.pick(1.0, -1.0);
-            for_all_stations(
-                |wheel| {
-                    within(wheel.engagement_half_angle()).all(|t| {
-                        let [now, next] = [t, t + 1e-6].map(|t| turned_clockwise(wheel, t));
-                        now.perp(&next) * sign > 0.0
-                    })
-                },
-                "which way the pin goes round the wheel's axis while it is in the slot",
-            )
-        })
-        .by(Series, |stated| {
-            let sign = stated.pick(1.0, -1.0);
-            for_all_stations(
-                |wheel| {
-                    within(wheel.engagement_half_angle()).all(|t| {
-                        let crank = Turn::from_radians(PI - t);
-                        let motion = pin_vectors::solve(&1.0, &wheel.centre_distance_ratio(), &crank, &-1.0);
-                        motion.is_some_and(|motion| motion.follower_speed * sign > 0.0)
-                    })
-                },
-                "the wheel's angular velocity, counterclockwise positive, while the driver turns clockwise",
-            )
-        })
-        .but_not("it is advanced clockwise")
-        .read_as("With a driver that turns clockwise: in this sense, says part (d) of the example, θ is positive.")
+    CAPTION.figure("jazar.fig-5.28-sense", "counterclockwise", "the star wheel is advanced counterclockwise").missing(
+        "The drawing is not in the copy, and the text does not say in which sense its driver turns. If the driver turns \
+         clockwise, the sense in which Fig. 5.29 counts θ, the star wheel turns counterclockwise. If the driver turns \
+         counterclockwise, the star wheel turns clockwise.",
+    )
 }
 
 fn parts_of_the_cycle() -> Claim {

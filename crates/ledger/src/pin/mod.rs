@@ -10,6 +10,7 @@ mod signs;
 mod symbols;
 mod velocity;
 
+pub(crate) use signs::{only_arrow, turns};
 pub use symbols::SYMBOLS;
 
 use crate::agreement::{coincide, meets, same, vanishes};

@@ -40,13 +40,11 @@ pub fn letter_v() -> Claim {
                 format!("the printed unit is {}, the letter stands for {}", words(printed), words(named)),
             )
         })
-        .by(Jet, |stated| {
-            at_the_instant(|instant, motion| {
-                let crank = motion.position - instant.axis();
-                let turning = crank.perp(&motion.pin_velocity) / crank.norm_squared();
-                let named = stated.pick(turning, motion.pin_velocity.norm());
-                Finding::new(rounds("pin.driver-speed", named), format!("what the letter stands for is {named:.1}"))
-            })
+        .by(OtherPlaceInSource, |stated| {
+            // By the speed of the pin that the solution prints, and by the radius on which the pin goes round.
+            let speed = printed("pin.pin-speed");
+            let named = stated.pick(speed / printed("pin.crank-radius"), speed);
+            Finding::new(rounds("pin.driver-speed", named), format!("what the letter stands for is {named:.1}"))
         })
         .but_not("it names a speed, as with the index of a point")
 }
@@ -54,11 +52,20 @@ pub fn letter_v() -> Claim {
 pub fn letter_f() -> Claim {
     at("Problem, 2nd paragraph")
         .statement("pin.letter-f", "f", "the letter f (φ, it seems) names the angle of the crank from the direction OB")
-        .by(Jet, |stated| {
-            at_the_instant(|instant, motion| {
-                let crank = heading(&(motion.position - instant.axis()));
-                the_crank_angle(stated.pick(crank, 180.0 - crank))
-            })
+        .by(Vectors, |stated| {
+            // The pin is on its circle about B, and as far from O as the printed r says.
+            let (radius, distance) = (printed("pin.crank-radius"), printed("pin.crank-radius") * 2f64.sqrt());
+            let [least, most] = interval("pin.radius").map(|side| {
+                let x = (side * side - radius * radius + distance * distance) / (2.0 * distance);
+                let pin = Vector2::new(x - distance, (side * side - x * x).sqrt());
+                stated.pick(heading(&pin), 180.0 - heading(&pin))
+            });
+            let (least, most) = (least.min(most), least.max(most));
+            let angle = printed("pin.crank-angle");
+            Finding::new(
+                (least..most).contains(&angle),
+                format!("by the printed r that angle is {least:.1}° to {most:.1}°"),
+            )
         })
         .by(OtherPlaceInSource, |stated| {
             let corner = printed("pin.angle-at-driver");
@@ -232,7 +239,7 @@ impl Arrow {
 }
 
 /// Whether the arrow that is told of fits the printed angles of these claims, and no other does.
-fn only_arrow<const N: usize>(ids: &[&str; N], headings: [f64; N], stated: Stated) -> Finding {
+pub(crate) fn only_arrow<const N: usize>(ids: &[&str; N], headings: [f64; N], stated: Stated) -> Finding {
     let fitting: Vec<Arrow> = Arrow::all().filter(|arrow| arrow.fits(ids, &headings)).collect();
     let pointing = headings.map(|heading| format!("{heading:.1}°")).join(" and ");
     let Some(arrow) = Arrow::read(stated.characters()) else {
@@ -243,9 +250,9 @@ fn only_arrow<const N: usize>(ids: &[&str; N], headings: [f64; N], stated: State
 }
 
 /// Whether the wheel turns in the sense that is told, by an angular velocity that is positive counter-clockwise.
-fn turns(speed: f64, stated: Stated) -> Finding {
+pub(crate) fn turns(speed: f64, stated: Stated) -> Finding {
     let words = stated.characters();
-    let said = match (words.contains("clockwise"), words.contains("counter-clockwise")) {
+    let said = match (words.contains("clockwise"), words.contains("counter")) {
         (true, counter) => counter,
         (false, _) => return Finding::new(false, "a letter, which turns no way"),
     };

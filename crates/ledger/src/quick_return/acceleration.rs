@@ -1,6 +1,8 @@
 //! The accelerations: seven terms, two of them zero, two unknown but for their directions.
 
 use super::*;
+use crate::by_id::reads;
+use crate::tex::{Moment, holds};
 use geneva_kinematics::quick_return::proofs::{AcrossTheLever, AlongTheLever};
 use rounding::STEPS;
 
@@ -146,7 +148,7 @@ fn known() -> Vec<Claim> {
                 r"A_{P2/P4}^n = \frac{v_{P2/P4}^2}{R} = 0",
                 "no relative normal acceleration in a straight slot",
             )
-            .proven(AcrossTheLever)
+            .by(Vectors, || reads("quick-return.sliding-normal"))
             .by(AutomaticDerivative, || {
                 from_duals(|crank| {
                     let [[distance, sliding, _], [_, turning, growth]] = crank.polar();
@@ -154,7 +156,8 @@ fn known() -> Vec<Claim> {
                     let across = quarter_turn(&frames::along_the_slot(crank)).dot(&pin);
                     meets(across, distance * growth + 2.0 * sliding * turning)
                 })
-            }),
+            })
+            .read_by(normal_in_the_slot),
         SLIDING_NORMAL
             .statement(
                 "quick-return.infinite-radius",
@@ -304,6 +307,26 @@ fn power([rate, length]: [f64; 2], exponent: u32) -> f64 {
 /// Whether a number rounds to the one printed in the claim with this id.
 pub fn gives(id: &str, number: f64) -> Finding {
     Finding::new(rounds(id, number), format!("the printed numbers give {number:.4}"))
+}
+
+/// Whether the chain holds up to its last sign of equality in a curved slot, and as a whole in the straight one.
+fn normal_in_the_slot(tex: &str) -> Option<bool> {
+    let moment = |normal: f64, speed: f64, radius: f64| {
+        [Moment::default().with([("A_{P2/P4}^n", normal), ("v_{P2/P4}", speed), ("R", radius)])]
+    };
+    let (chain, _) = tex.rsplit_once('=')?;
+    // A point on a circle, by its coordinates: the component of its acceleration towards the centre.
+    let curved = |radius: f64| {
+        let (place, speed, gain) = (Turn::from_degrees(40.0).direction() * radius, 1.7, -2.3);
+        let velocity = quarter_turn(&place) * speed;
+        let acceleration = quarter_turn(&velocity) * speed + quarter_turn(&place) * gain;
+        holds(chain, &moment(-place.normalize().dot(&acceleration), velocity.norm(), radius))
+    };
+    let motion = Instant::printed().ok()?.by_diagrams()?;
+    let slot = Instant::printed().ok()?.position.lever.direction();
+    let across = slot.perp(&motion.accelerations.sliding_tangential);
+    let straight = holds(tex, &moment(across, motion.velocities.sliding_velocity.norm(), f64::INFINITY));
+    Some(curved(0.6)? && curved(3.0)? && straight?)
 }
 
 /// Square of the crank's angular velocity times its radius.

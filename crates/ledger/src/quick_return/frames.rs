@@ -116,6 +116,11 @@ pub fn acceleration_from_the_lever() -> Claim {
             })
         })
         .but_not("think of P4 moving and of P2, on the crank, as fixed")
+        .read_as(
+            "Of the normal and the tangential term, which follow the remark. The whole a(P2/P4) of the equation has the Coriolis \
+             term in it: 3.326 m/s², seen by an observer who goes with P4 and does not turn. An observer on the lever sees \
+             2.689 m/s².",
+        )
 }
 
 /// Place, velocity and acceleration of the pin as seen from the lever; or of the lever's point as seen from the crank.

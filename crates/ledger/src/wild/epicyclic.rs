@@ -46,7 +46,8 @@ const FRACTION: Slip = slip(
 
 const WHOLE_TURNS: &str = "The pinion must make a whole number of turns against the crank while the wheel moves, and a whole \
      number in a turn of the crank. The first asks for a multiple of the printed ratio with an external wheel, and of \
-     2n/(n + 2) with an internal one. The second asks for a whole number.";
+     2n/(n + 2) with an internal one. The second asks for a whole number. So k is the least whole number that makes the ratio \
+     whole.";
 
 fn gears(place: Place, id: &'static str, corrected: &'static str, moving: Moving) -> Claim {
     place

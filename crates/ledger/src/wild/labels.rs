@@ -9,11 +9,38 @@ use nalgebra::Vector2;
 pub fn claims() -> Vec<Claim> {
     vec![
         pin_diameter(),
-        slot_width(MACRO, "wild.freecad.slot-width"),
-        slot_width(WINDOW, "wild.freecad-window.slot-width"),
-        slot_width(WORKBENCH, "wild.gear-workbench.slot-width"),
+        slot_width(),
+        half_slot_width(
+            WINDOW,
+            "wild.freecad-window.slot-width",
+            SHIPPED,
+            "With the pin and the tolerance of the macro that it is based on, because it has none of its own. The same holds \
+             with any others.",
+        ),
+        half_slot_width(
+            WORKBENCH,
+            "wild.gear-workbench.slot-width",
+            WORKBENCH_SHIPPED,
+            "With the pin and the tolerance that the program is shipped with. The same holds with any others.",
+        ),
+        slot_centre(MACRO, "wild.freecad.slot-centre", r"s = \text{Slot Center Width}", MACRO_BOX)
+            .read_as(ALONG)
+            .but_not("it is the slot's width from side to side"),
+        slot_centre(WINDOW, "wild.freecad-window.slot-centre", r"s = \text{Slot Center Width}", WINDOW_BOX)
+            .read_as(ALONG)
+            .but_not("it is the slot's width from side to side"),
+        slot_centre(WORKBENCH, "wild.gear-workbench.slot-centre", "Width of slot at center (s)", WORKBENCH_BOX)
+            .corrected(
+                "Length of slot (s)",
+                word(
+                    "The program draws the slot s long and 2w wide. It is as wide at its centre as everywhere.",
+                    "The rim and the deepest place of the pin's centre, by coordinates, for 3 to 60 slots.",
+                    "Nothing that is drawn.",
+                ),
+            ),
         stop_arc(),
         aligned(),
+        right_angle(),
         from_entry(),
     ]
 }
@@ -22,6 +49,29 @@ pub fn claims() -> Vec<Claim> {
 const fn word(reason: &'static str, witness: &'static str, changes: &'static str) -> Slip {
     Slip { consequence: Consequence::Wording, origin: Origin::Misprint, ..slip(reason, witness, changes) }
 }
+
+/// The slip of a sentence that describes something.
+const fn remark(reason: &'static str, witness: &'static str, changes: &'static str) -> Slip {
+    Slip { consequence: Consequence::Remark, ..word(reason, witness, changes) }
+}
+
+/// Pin radius and tolerance with which the workbench is shipped, and its crank radius and number of slots.
+const WORKBENCH_SHIPPED: [f64; 2] = [1.5, 0.5];
+
+/// Crank, rim, pin and tolerance of a slot that is drawn; the axes are at a right angle at the pin.
+type Boxed = ([f64; 2], [f64; 2]);
+
+/// As the macro is shipped.
+const MACRO_BOX: Boxed = ([25.0, 60.0], SHIPPED);
+
+/// With the macro's crank, pin, tolerance and number of slots.
+const WINDOW_BOX: Boxed = ([25.0, 25.0 * 1.732_050_807_568_877_2], SHIPPED);
+
+/// As the workbench is shipped, with four slots.
+const WORKBENCH_BOX: Boxed = ([15.0, 15.0], WORKBENCH_SHIPPED);
+
+const ALONG: &str = "How far the slot extends along its centre line, from the rim to the deepest place of the pin's centre. The \
+     width from side to side is the next line of the same list.";
 
 fn pin_diameter() -> Claim {
     MACRO
@@ -44,44 +94,112 @@ fn pin_diameter() -> Claim {
         })
         .corrected(
             r"p = \text{Drive Pin Radius}",
-            word("The program makes a cylinder with p for its radius.", "The version with a window says radius.", ""),
+            word(
+                "The program makes a cylinder with p for its radius. It cuts the slot w to either side as well, so by the \
+                 words of its list it draws both twice as wide.",
+                "The version with a window says radius.",
+                "If you enter the diameter, pin and slot get twice as wide as you want them.",
+            ),
         )
 }
 
-/// The width of a slot, of which the programs draw twice as much: w to either side of its middle.
-fn slot_width(place: Place, id: &'static str) -> Claim {
+/// The width of a slot for a pin of diameter p, as the macro's own list says.
+fn slot_width() -> Claim {
+    MACRO
+        .statement(
+            "wild.freecad.slot-width",
+            r"w = p + t = \text{Slot Width}",
+            "what the length w is, with the pin's diameter p and the tolerance t",
+        )
+        .by(Vectors, |stated| {
+            // The pin in the middle between the sides of a slot as wide as is said.
+            let [p, t] = SHIPPED;
+            let side = stated.pick(0.5, 1.0) * (p + t);
+            let gap = |sign: f64| (Vector2::new(0.0, sign * side) - Vector2::new(0.0, sign * p / 2.0)).norm();
+            let play = gap(1.0) + gap(-1.0);
+            Finding::new(
+                vanishes(play - t),
+                format!("the slot leaves a pin of diameter {p:.1} a play of {play:.2}, the tolerance is {t:.2}"),
+            )
+        })
+        .by(Evidence::OtherPlaceInSource, |stated| {
+            // The program draws both to either side of the middle: the slot is to the pin as it is said to be.
+            let [p, t] = SHIPPED;
+            let [slot, pin] = [p + t, p].map(|half| (Vector2::new(0.0, half) - Vector2::new(0.0, -half)).norm());
+            let (drawn, said) = (slot / pin, stated.pick(1.0, 2.0) * (p + t) / p);
+            Finding::new(
+                agrees(drawn, said),
+                format!("the slot is drawn {drawn:.4} times as wide as the pin, said to be {said:.4} times"),
+            )
+        })
+        .read_as(
+            "With p as the pin's diameter, as the same list says. The program draws pin and slot twice as wide, which we count \
+             once, with the pin.",
+        )
+        .but_not("it is half the slot's width")
+}
+
+/// The width of a slot for a pin of radius p, of which the programs draw twice as much: w to either side of its middle.
+fn half_slot_width(place: Place, id: &'static str, sizes: [f64; 2], reading: &'static str) -> Claim {
     place
         .statement(
             id,
             r"w = p + t = \text{Slot Width}",
             "what the length w is, with the pin's radius p and the tolerance t",
         )
-        .by(Vectors, |stated| {
-            // Two corners of the box that is cut out, on either side of the slot.
-            let [p, t] = SHIPPED;
+        .by(Vectors, move |stated| {
+            // Two corners of what is cut out, on either side of the slot.
+            let [p, t] = sizes;
             let w = p + t;
             let [one, other] = [-w, w].map(|aside| Vector2::new(0.0, aside));
             let (width, said) = ((one - other).norm(), stated.pick(2.0, 1.0) * w);
             Finding::new(agrees(width, said), format!("the slot is {width:.2} wide, said to be {said:.2}"))
         })
-        .by(Evidence::OtherPlaceInSource, |stated| {
+        .by(Evidence::OtherPlaceInSource, move |stated| {
             // What a slot as wide as is said leaves beside the pin, which is drawn with p for its radius.
-            let [p, t] = SHIPPED;
+            let [p, t] = sizes;
             let left = stated.pick(1.0, 0.5) * (p + t) - p;
             Finding::new(
                 vanishes(left - t),
                 format!("a slot of that width leaves {left:.2} on either side of the pin, the tolerance is {t:.2}"),
             )
         })
-        .read_as("With the pin and the tolerance that the macro is shipped with; the same holds with any others.")
+        .read_as(reading)
         .corrected(
             r"w = p + t = \text{half the Slot Width}",
             word(
-                "The program cuts a box 2w wide, and rounds its end with a cylinder of radius w.",
+                "The program cuts a slot that reaches w to either side of its middle, and its end is an arc of radius w.",
                 "A slot of width w would be narrower than the pin.",
                 "Nothing that is drawn.",
             ),
         )
+}
+
+/// What the length s of a slot is called: how far it extends along its middle, or from side to side.
+fn slot_centre(place: Place, id: &'static str, printed: &'static str, (arms, sizes): Boxed) -> Claim {
+    place
+        .statement(id, printed, "what the length s = a + b − c is")
+        .by(Vectors, move |stated| {
+            // Two corners of what is cut out, across from one another.
+            let ([a, b], [p, t]) = (arms, sizes);
+            let (s, w) = (a + b - libm::hypot(a, b), p + t);
+            let across = Vector2::new(s - a, w) - Vector2::new(-a, -w);
+            let extent = stated.pick(across.x, across.y);
+            Finding::new(
+                agrees(extent, s),
+                format!("s is {s:.2}, and the slot that is drawn extends {extent:.2} that way"),
+            )
+        })
+        .by(ClosedForm, move |stated| {
+            let [p, t] = sizes;
+            let holds = |slots: u32| {
+                let Fit { crank, rim, centres, deepest, .. } = Fit::by_vectors(slots);
+                let width = 2.0 * (p + t) / arms[0] * crank;
+                agrees(stated.pick(rim - deepest, width), crank + rim - centres)
+            };
+            let holding = ANY.filter(|slots| holds(*slots)).count();
+            Finding::new(holding == ANY.count(), format!("s is that for {holding} of {} numbers of slots", ANY.count()))
+        })
 }
 
 /// The factor between the pin and what the wheel's arcs are smaller than the crank.
@@ -152,13 +270,39 @@ fn aligned() -> Claim {
         })
         .corrected(
             "at right angles to the crank arm",
-            word(
+            remark(
                 "The pin moves at right angles to the crank, and it must move along the slot. A slot along the crank would be \
                  crossed at the pin's full speed.",
                 "The pin's place at entry, by coordinates, for 3 to 60 slots.",
-                "Nothing: the next line has the right angle at the pin, and the formulas follow from that.",
+                "Nothing: the next line has the right angle at the pin, and the formulas follow from it.",
             ),
         )
+}
+
+/// Where the right angle is as the pin enters.
+fn right_angle() -> Claim {
+    // The two sides of the angle at the pin, or of the angle at the driver's axis.
+    let is_right = |stated: Stated, wheel: fn(u32) -> Fit| {
+        let square = |slots: u32| {
+            let Fit { crank, centres, rim, .. } = wheel(slots);
+            let [one, other, opposite] = stated.pick([crank, rim, centres], [crank, centres, rim]);
+            vanishes((one * one + other * other - opposite * opposite) / (centres * centres))
+        };
+        let right = ANY.filter(|slots| square(*slots)).count();
+        Finding::new(
+            right == ANY.count(),
+            format!("the angle is right for {right} of {} numbers of slots", ANY.count()),
+        )
+    };
+    ANVILATE
+        .statement(
+            "wild.anvilate.right-angle",
+            "a right angle at the pin",
+            "where the triangle of the axes and the pin has its right angle as the pin enters at rest",
+        )
+        .by(ClosedForm, move |stated| is_right(stated, Fit::by_wheel))
+        .by(Vectors, move |stated| is_right(stated, Fit::by_vectors))
+        .but_not("at the driver's axis")
 }
 
 /// From where the driver's angle counts for which a program gives the wheel's angle.
@@ -177,7 +321,14 @@ fn from_entry() -> Claim {
         .by(ClosedForm, move |stated| {
             let off = |slots: u32| {
                 let (r, a, half, start) = entry(slots, stated);
-                let angle = |phi: f64| libm::atan2(r * libm::sin(phi), a - r * libm::cos(phi));
+                let angle = |phi: f64| {
+                    if phi.abs() > half * (1.0 + 1e-12) {
+                        // Outside of the driving phase the program keeps the wheel half a step from the line of centres.
+                        (PI / f64::from(slots)).copysign(phi)
+                    } else {
+                        libm::atan2(r * libm::sin(phi), a - r * libm::cos(phi))
+                    }
+                };
                 // A move turns the wheel by one step, from the entry to the exit.
                 angle(start + 2.0 * half) - angle(start) - 2.0 * PI / f64::from(slots)
             };
@@ -197,12 +348,12 @@ fn from_entry() -> Claim {
         })
         .corrected(
             "from the line of centres",
-            word(
+            remark(
                 "The formula gives zero for the angle zero, and the wheel's angle is zero on the line of centres. The driving \
                  phase starts half a move before. The wheel's speed, beside it, counts the angle from the line of centres, \
                  too.",
                 "The pin by its coordinates, and the direction of the slot as the pin enters.",
-                "Somebody who passes an angle counted from the entry gets a wheel that moves by half a step.",
+                "If you pass an angle counted from the entry, the wheel moves by half a step only.",
             ),
         )
 }

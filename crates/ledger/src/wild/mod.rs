@@ -1,8 +1,8 @@
 //! What public pages, calculators and programs say about Geneva wheels.
 //!
 //! No document that is mirrored, but single statements: of each its address and the day on which a stored copy of it
-//! was read. Formulas are set as they say, in the letters of the page. Where a page can be read in two ways it is read
-//! in the way in which it is right, if there is one. The files go by what is stated: how long the driver turns, the
+//! was read. Formulas are set as they say, in the letters of the page. Where the words and letters of a page can be read
+//! in two ways they are read in the way in which they are right, if there is one. The files go by what is stated: how long the driver turns, the
 //! sizes, what a letter stands for, the motion, wheels that are shipped as examples. What a program builds is an example,
 //! whether it works or not; what it or a page says is a statement. The pages of which every formula was taken are listed
 //! in [`TAKEN_WHOLE`].

@@ -209,7 +209,8 @@ fn model3d() -> Claim {
         MODEL3D,
         "wild.model3d.example",
         "4 slots: driven radius 1.0, centres 1.8",
-        "rim of the driven wheel; the pin's circle has the centre distance over the root of two, which is right",
+        "rim of the driven wheel, before the slack of 0.015 and the rounding of its tips; the pin's circle has, before the same \
+         slack, the centre distance over the root of two, which is right",
         |stated| {
             let [rim, centres] = ["driven radius", "centres"].map(|name| size(stated.characters(), name));
             Drawn { slots: stated.count(), crank: centres / 2f64.sqrt(), centres, rim }

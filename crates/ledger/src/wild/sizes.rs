@@ -162,6 +162,10 @@ fn oxiphysics() -> Vec<Claim> {
             ANY,
             rim,
         )
+        .read_as(
+            "The page explains the outer radius as the distance from the centre to the bottom of a slot. The bottom is d − r from \
+             the wheel's axis, and the formula is wrong for that as well.",
+        )
         .corrected(
             r"R = \sqrt{d^2 - r^2}",
             slip(

@@ -88,7 +88,7 @@ pub fn claims() -> Vec<Claim> {
         fewest(SDFX, "wild.sdfx.least", "> 2", 1)
             .but_not("two slots will do")
             .read_as("What the message of the program says of the sectors. The program itself lets two pass."),
-        fewest(MECHANICS, "wild.mechanics.least", "N > 4", 0).corrected(
+        fewest(MECHANICS, "wild.mechanics.least", "N > 4", 0).read_as("The page says separators. We read them as the slots.").corrected(
             "N > 2",
             Slip {
                 consequence: Consequence::Remark,

@@ -5,7 +5,7 @@
 use super::*;
 use crate::Evidence::OtherPlaceInSource;
 use crate::by_id::printed;
-use crate::pin::Instant;
+use crate::pin::{Instant, only_arrow, turns};
 use geneva_kinematics::Turn;
 use geneva_kinematics::pin_triangle::TriangleSolution;
 use geneva_kinematics::pin_vectors::PinMotion;
@@ -20,9 +20,9 @@ pub fn claims() -> Vec<Claim> {
             .statement("wild.holooly.sense", "an arrow that turns clockwise", "sense in which the wheel turns")
             .by(ClosedForm, |stated| {
                 // Positive against the driver, which turns counterclockwise.
-                sense(stated, -by_triangle(|t| t.follower_speed))
+                turns(-by_triangle(|t| t.follower_speed) * stated.pick(1.0, -1.0), stated)
             })
-            .by(Vectors, |stated| sense(stated, by_vectors(|motion| motion.follower_speed)))
+            .by(Vectors, |stated| turns(by_vectors(|motion| motion.follower_speed) * stated.pick(1.0, -1.0), stated))
             .but_not("it turns counterclockwise"),
         value("wild.holooly.angle", "42.4", "°", "angle of the slot from the line of centres", |t| {
             t.angle_at_pivot.to_degrees()
@@ -37,15 +37,13 @@ pub fn claims() -> Vec<Claim> {
                 "direction of the pin's velocity along the slot",
             )
             .by(ClosedForm, |stated| {
-                // Towards the wheel's axis, which is down to the left of the pin.
-                let towards = by_triangle(|t| t.sliding_speed) * stated.pick(1.0, -1.0);
-                Finding::new(towards > 0.0, "the pin slides towards the wheel's axis")
+                // Along the slot, towards the wheel's axis, which is down to the left of the pin.
+                slides_at(180.0 + by_triangle(|t| t.angle_at_pivot).to_degrees(), stated)
             })
             .by(Vectors, |stated| {
                 let x = by_vectors(|motion| motion.sliding_velocity.x);
                 let y = by_vectors(|motion| motion.sliding_velocity.y);
-                let seen = stated.pick(-1.0, 1.0);
-                Finding::new(x * seen > 0.0 && y * seen > 0.0, format!("the sliding velocity is ({x:.0}, {y:.0}) mm/s"))
+                slides_at(libm::atan2(y, x).to_degrees(), stated)
             })
             .but_not("it slides up and to the right"),
         value("wild.holooly.radius", "37.1", "mm", "distance of the pin from the wheel's axis", |t| t.slot_radius, |motion| {
@@ -100,11 +98,11 @@ pub fn claims() -> Vec<Claim> {
             .corrected(
                 "30",
                 Slip {
-                    origin: Origin::Misprint,
-                    consequence: Consequence::Number,
+                    origin: Origin::Copy,
+                    consequence: Consequence::Copy,
                     ..slip(
-                        "The acceleration points to the driver's axis, 30° below the horizontal. A digit is lost: a degree sign \
-                         stands before the 0.",
+                        "The acceleration points to the driver's axis, 30° below the horizontal. A digit is lost: in the \
+                         stored copy a degree sign is in its place, before the 0.",
                         "The pin and the driver's axis by coordinates.",
                         "Not known: the stored text ends before the direction is used.",
                     )
@@ -138,15 +136,28 @@ fn by_vectors(quantity: fn(&PinMotion<f64>) -> f64) -> f64 {
     Instant::printed().ok().and_then(|instant| instant.by_vectors()).map_or(f64::NAN, |motion| quantity(&motion))
 }
 
-/// Whether a wheel of this angular velocity, counterclockwise positive, turns clockwise; or counterclockwise.
-fn sense(stated: Stated, turning: f64) -> Finding {
-    let against = turning * stated.pick(-1.0, 1.0) > 0.0;
-    Finding::new(against, format!("the wheel turns {}", if turning < 0.0 { "clockwise" } else { "counterclockwise" }))
+/// Whether the arrow that is told of, and no other, has the printed angle for this direction in degrees; or for the opposite
+/// one.
+fn slides_at(heading: f64, stated: Stated) -> Finding {
+    only_arrow(&["wild.holooly.angle"], [(heading + stated.pick(0.0, 180.0)).rem_euclid(360.0)], stated)
 }
 
 #[cfg(test)]
 mod tests {
+    use super::*;
     use crate::by_id::characters;
+
+    #[test]
+    fn another_arrow_is_refused() {
+        let sliding =
+            |words| slides_at(180.0 + by_triangle(|t| t.angle_at_pivot).to_degrees(), Stated::right(words)).holds;
+        assert!(sliding(characters("wild.holooly.sliding-direction")));
+        assert!(!sliding("an arrow down and to the left, with the angle from the vertical"));
+        assert!(!sliding("an arrow up and to the right, with the angle from the horizontal"));
+        let turning = |words| turns(by_vectors(|motion| motion.follower_speed), Stated::right(words)).holds;
+        assert!(turning(characters("wild.holooly.sense")));
+        assert!(!turning("an arrow that turns counterclockwise"));
+    }
 
     #[test]
     fn the_page_prints_the_same_numbers() {

@@ -162,11 +162,11 @@ fn oxiphysics() -> Vec<Claim> {
     ]
 }
 
-/// The letters of times and angles, for a driver of speed 3.
+/// The letters of times and angles, for a driver of speed 3; ω is the time of a move over the angle of a move.
 fn times(fit: &Fit) -> Vec<(&'static str, f64)> {
     let speed = 3.0;
     let times = [(r"t_{on}", fit.moving / speed), (r"t_{off}", fit.resting / speed), ("t", 2.0 * PI / speed)];
-    [&times[..], &[(r"\theta_{off}", fit.resting), (r"\omega", speed), ("N", fit.slots)]].concat()
+    [&times[..], &[(r"\theta_{off}", fit.resting), (r"\omega", times[0].1 / fit.moving), ("N", fit.slots)]].concat()
 }
 
 /// Whether numbers of slots, each with a part of the cycle behind it, are those of wheels that move for that part; or rest.
@@ -255,7 +255,7 @@ fn fractions() -> Vec<Claim> {
         .corrected(
             r"\frac{t_{on}}{t_{off}} = \frac{\pi (1 - \frac{2}{N})}{\pi (1 + \frac{2}{N})}",
             Slip {
-                consequence: Consequence::Wording,
+                consequence: Consequence::Derivation,
                 origin: Origin::Misprint,
                 ..slip(
                     "A time is set beside an angle. The time of a rest is meant: the two times are as the two angles.",
@@ -268,25 +268,14 @@ fn fractions() -> Vec<Claim> {
             MECHANICS,
             "wild.mechanics.speed",
             r"\omega = \frac{t}{2 \pi}",
-            "speed of the driver, with the time t of a turn",
+            "what turns an angle of the driver into a time, with the time t of a turn",
             ANY,
             times,
         )
         .read_as(
-            "The page doesn't say what ω is; it is the letter of an angular velocity. What is printed is its inverse, the time \
-             of a radian, and the next lines use that rightly.",
-        )
-        .corrected(
-            r"\omega = \frac{2 \pi}{t}",
-            Slip {
-                consequence: Consequence::Wording,
-                origin: Origin::Misprint,
-                ..slip(
-                    "An angular velocity is an angle over a time. The printed quotient is the time of a radian.",
-                    TWICE,
-                    "Nothing: the next lines have the quotient and not the letter.",
-                )
-            },
+            "The page doesn't say what ω is. The next two lines multiply angles of the driver by t/2π and get times, so we read \
+             ω as that factor. As the driver's angular velocity, for which the letter is common, the line would be upside \
+             down.",
         ),
         formula(
             MECHANICS,
