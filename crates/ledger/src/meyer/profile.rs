@@ -69,7 +69,9 @@ fn shape() -> Claim {
                 reason: "The torque changes the scales of the curve and nothing else. Friction and inertias change how \
                          deep the minimum is beside the peak and how fast a pin enters, and with them even how often the \
                          curve goes up and down in an engagement: with six pins and little friction the second rise \
-                         after an entry is too small to be seen in the tables' units, with more friction it is not.",
+                         after an entry is too small to be seen in the tables' units, with more friction it is not. The \
+                         tables themselves have curves that are no copies: with four pins a least speed of 25 stands \
+                         beside a peak of 206 and beside one of 163.",
                 witness: "Motions in steps of the angle.",
                 origin: Origin::Concept,
                 consequence: Consequence::Remark,
@@ -323,6 +325,16 @@ mod tests {
             let first = engagement.first_minimum().expect("a start").expect("a minimum");
             assert!(first.speed < (1.0 - terms::MISSING) * state.minimum.speed, "{}", row.slug());
         }
+    }
+
+    #[test]
+    fn two_printed_curves_have_one_minimum_and_peaks_that_no_rounding_makes_alike() {
+        let deep = |row: &&Row| row.number(Column::Minimum) == 25.0;
+        let over = |row: &Row, off: f64| (25.0 + off) / (row.number(Column::Peak) - off);
+        let found: Vec<&Row> = rows_of(Mechanism::FOUR_PIN).filter(deep).collect();
+        let [one, other] = found[..] else { panic!("two rows") };
+        assert_eq!([one, other].map(|row| row.printed(Column::Peak)), ["206", "163"]);
+        assert!(over(one, 0.5) < over(other, -0.5));
     }
 
     #[test]

@@ -62,7 +62,8 @@ fn solved() -> Vec<Claim> {
             .corrected("can be solved in one formula, wherever A > |D|,", SOLVED_WITH_BARS)
             .read_as(
                 "For the acceleration as a formula of the other letters. The text goes on to open the bars with a sign, \
-                 and to take that from an older acceleration.",
+                 and to take that from an older acceleration; whether the computer needed that is said in other sentences, \
+                 which are left open.",
             ),
         PROGRAM
             .statement(
