@@ -1,11 +1,13 @@
 //! Appendix D: the acceleration at the start.
 
 use super::appendix_b::{holds_from_rest, start_formula, start_line, start_solves};
+use super::hand_over::Drawn;
 use super::instants::equal;
 use super::letters::start;
 use super::reading::Moment;
 use super::slips::LOST_DOTS;
 use super::*;
+use crate::numbers_in;
 use geneva_dynamics::{Coefficients, Pose};
 use geneva_kinematics::Mechanism;
 use std::sync::OnceLock;
@@ -54,9 +56,9 @@ fn given() -> Vec<Claim> {
                 r"\theta_0 = -30^\circ, -45^\circ, -60^\circ",
                 "driver's angle at the start for six, four and three pins",
             )
-            .by(LimitCase, of_the_pins)
-            .by(Vectors, along_the_slots)
-            .but_not(OTHER_ANGLE),
+            .by(LimitCase, before_the_line)
+            .by(Vectors, coming_in)
+            .but_not(WITHOUT_THE_MINUS),
         at("Appendix D, line after the 2nd display")
             .statement(
                 "meyer.app-d.order",
@@ -106,6 +108,42 @@ pub fn of_the_pins(stated: Stated) -> Finding {
     let said = said_angles(stated);
     let angles: Vec<f64> = Mechanism::ALL.iter().map(|at| 180.0 / f64::from(at.pins())).collect();
     Finding::new(said == angles, format!("180° over the number of pins: {angles:?}"))
+}
+
+/// The neighbour of a place that gives the three angles of the start.
+pub const WITHOUT_THE_MINUS: &str = "the same angles without the minus";
+
+/// The angles of the start that a claim gives, in degrees, with their signs, or with the others.
+fn said_starts(stated: Stated) -> Vec<f64> {
+    let text = stated.characters();
+    let signed = |(at, angle): (std::ops::Range<usize>, f64)| {
+        let is_negative = text[..at.start].ends_with('-');
+        stated.pick(angle, -angle) * if is_negative { -1.0 } else { 1.0 }
+    };
+    numbers_in(text).into_iter().filter(|(_, angle)| *angle > 0.0).map(signed).collect()
+}
+
+/// Whether the angles of a claim are half the angle between two pins, before the line of centres, for six, four and three
+/// of them.
+pub fn before_the_line(stated: Stated) -> Finding {
+    let said = said_starts(stated);
+    let angles: Vec<f64> = Mechanism::ALL.iter().map(|at| -180.0 / f64::from(at.pins())).collect();
+    Finding::new(said == angles, format!("180° over the number of pins, before the line of centres: {angles:?}"))
+}
+
+/// Whether at these angles a pin moves along its slot towards the follower's axis, at each in another of the escapements.
+pub fn coming_in(stated: Stated) -> Finding {
+    let said = said_starts(stated);
+    let comes_in = |(at, angle): (&Mechanism, &f64)| {
+        let drawn = Drawn::new(at.pins(), at.slots());
+        let [place, velocity] = [drawn.place(angle.to_radians()), Drawn::velocity(angle.to_radians())];
+        vanishes(place.perp(&velocity)) && place.dot(&velocity) < 0.0
+    };
+    let count = Mechanism::ALL.iter().zip(&said).filter(|pair| comes_in(*pair)).count();
+    Finding::new(
+        count == 3 && said.len() == 3,
+        format!("at {said:?} degrees the pin comes in along its slot in {count} of 3 escapements"),
+    )
 }
 
 /// Whether a pin moves along its slot at these angles, at each in another of the escapements.

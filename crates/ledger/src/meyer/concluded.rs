@@ -4,7 +4,6 @@
 /// graphs in so many words. Each with what shows it.
 pub const CONCLUSIONS: &[(&str, &str)] = &[
     ("meyer.abstract.fifty", "the abstract says what was found"),
-    ("meyer.less-friction", "one of three general statements that are drawn from the graphs"),
     ("meyer.least-rise-time", "one of three general statements that are drawn from the graphs"),
     ("meyer.conclusion.three", "a numbered conclusion"),
 ];

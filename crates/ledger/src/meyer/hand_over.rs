@@ -91,11 +91,6 @@ impl Drawn {
         Vector2::new(self.axis - libm::cos(angle), libm::sin(angle))
     }
 
-    /// The same pin from the driver's axis.
-    pub fn crank(angle: f64) -> Vector2<f64> {
-        Vector2::new(-libm::cos(angle), libm::sin(angle))
-    }
-
     /// Its velocity for a driver of angular velocity one.
     pub fn velocity(angle: f64) -> Vector2<f64> {
         Vector2::new(libm::sin(angle), libm::cos(angle))

@@ -32,8 +32,7 @@ pub fn after_the_list() -> Vec<Claim> {
             .statement(
                 "meyer.one-geometric-parameter",
                 "n and θ_0, are not independent",
-                "the number of slots and the angle of entry depend on each other: one parameter, the only one of the \
-                 geometry",
+                "the number of slots and the angle of entry depend on each other, so that they are one parameter",
             )
             .by(LimitCase, |stated| {
                 let off = Mechanism::ALL.into_iter().map(|at| {

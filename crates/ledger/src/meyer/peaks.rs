@@ -116,16 +116,15 @@ fn at_entry() -> Vec<Claim> {
             )
             .by(Quadrature, |stated| {
                 let found = cycles().iter().map(|Cycle { state, lines }| {
-                    let at = state.minimum.angle;
-                    let own = |line: &&Printed| stated.pick(line.angle <= at, line.angle >= at);
+                    let until = stated.pick(state.minimum.angle, f64::INFINITY);
                     let [driver, follower] = [|line: &Printed| line.speed, |line: &Printed| line.follower_speed]
-                        .map(|of| lines.iter().filter(own).map(of).collect::<Vec<_>>());
+                        .map(|of| lines.iter().filter(|line| line.angle <= until).map(of).collect::<Vec<_>>());
                     falls(&driver) && falls(&reversed(&follower))
                 });
                 all_of(found.collect(), rows().len(), "runs, to one unit of the tables")
             })
             .by(RungeKutta, |stated| {
-                // The energies of the two members at the ends of the stretch.
+                // The energies of the two members at the ends of the stretch: what the driver loses and the follower gains.
                 let found = groups().iter().filter_map(|group| {
                     let (motion, steady) = (&group.motion, group.motion.steady()?);
                     let (at, inertias) = (motion.least(steady)?.angle, motion.parameters.inertias());
@@ -135,13 +134,19 @@ fn at_entry() -> Vec<Claim> {
                     let driver = energies(inertias.driver(), motion.values(steady, |_, speed| speed));
                     let follower = energies(inertias.follower(), motion.values(steady, motion.follower()));
                     let middle = motion.angles.iter().position(|angle| *angle >= at)?;
-                    let [from, to] = stated.pick([0, middle], [middle, driver.len() - 1]);
-                    Some(driver[to] < driver[from] && follower[to] > follower[from])
+                    let to = stated.pick(middle, driver.len() - 1);
+                    let [lost, gained] = [driver[0] - driver[to], follower[to] - follower[0]];
+                    // In an engagement that repeats itself both are zero at the exit, but for rounding.
+                    Some([lost, gained].iter().all(|part| *part > crate::tolerance::STEPS.relative * driver[0]))
                 });
                 all_of(found.collect(), groups().len(), "groups of runs, by the energies at the ends")
             })
-            .but_not("the driver's speed falls and the follower's rises from the driver's minimum to the exit")
-            .read_as("From the entry until the driver is slowest, to one unit of the tables' speeds."),
+            .but_not("so it goes from the entry to the exit")
+            .read_as(
+                "From the entry until the driver is slowest, to one unit of the tables' speeds. To half a unit it is so in \
+                 46 of 49 runs, and exactly in 28: in the others the driver goes on to gain speed past the entry, by up to \
+                 0.70 rad/s.",
+            ),
     ]
 }
 
@@ -509,6 +514,22 @@ mod tests {
             assert!((0.0..3.0).contains(&past), "{}: {past}", row.slug());
             assert!(state.entry_speed > 0.98 * state.peak.speed, "{}", row.slug());
         }
+    }
+
+    #[test]
+    fn after_an_entry_the_driver_gains_at_most_seven_tenths_of_a_unit_before_it_slows_down() {
+        let gains: Vec<f64> = cycles()
+            .iter()
+            .map(|Cycle { state, lines }| {
+                let until = |line: &&Printed| line.angle <= state.minimum.angle;
+                let speeds: Vec<f64> = lines.iter().filter(until).map(|line| line.speed).collect();
+                fall(reversed(&speeds).into_iter())
+            })
+            .collect();
+        let within = |unit: f64| gains.iter().filter(|gain| **gain <= unit).count();
+        assert_eq!([within(1.0), within(0.5), within(1e-4)], [49, 46, 28], "{gains:?}");
+        let most = gains.iter().copied().fold(0.0, f64::max);
+        assert!((0.695..0.705).contains(&most), "{most}");
     }
 
     #[test]

@@ -95,7 +95,8 @@ fn cyclic_oscillations() -> Claim {
         .read_as(
             "Excessively high: ten times the greatest torque that the tables have for a mechanism and a friction. \
              Significant: one unit of the tables' peaks, 1 rad/s, or more between the greatest and the least peak once \
-             the rise is over.",
+             the rise is over. So the printed velocities of all groups swing from about five times that torque on; with \
+             three times it not all of them do.",
         )
         .corrected(
             "significant cyclic oscillations in the magnitude of the greatest printed velocity of each cycle, not of \
@@ -138,4 +139,20 @@ fn swinging(lines: &dyn Fn(&Row) -> Option<Lines>) -> Finding {
             swings.len()
         ),
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn from_five_times_the_greatest_torque_on_the_printed_peaks_of_all_groups_swing_and_with_three_times_not() {
+        for (times, expected) in [(3.0, false), (5.0, true), (7.0, true), (30.0, true)] {
+            let found = swinging(&|row| {
+                let lines = with(row, times, 1.0)?.run(runs::interval(), runs::duration()).ok()?;
+                Some(lines.iter().map(|line| (line.engagement, line.speed)).collect())
+            });
+            assert_eq!(found.holds, expected, "{times}: {}", found.how);
+        }
+    }
 }

@@ -33,7 +33,7 @@ pub const SPRING_RATE: Slip = Slip {
              of a spring is a torque for each radian of winding. An inch-pound per radian can be read as a \
              torque, the work done per radian; only the word is wrong.",
     witness: "In Eq. (1-18) and in the program K stands alone where a torque must stand.",
-    origin: Origin::Concept,
+    origin: Origin::Misprint,
     consequence: Consequence::Wording,
     changes: "",
 };

@@ -6,7 +6,9 @@ use super::print_out::last_line;
 use super::program;
 use super::reset::reset;
 use super::*;
-use crate::meyer::appendix_d::{OTHER_ANGLE, along_the_slots, of_the_pins};
+use crate::meyer::appendix_d::{
+    OTHER_ANGLE, WITHOUT_THE_MINUS, along_the_slots, before_the_line, coming_in, of_the_pins,
+};
 use crate::meyer::runs::steps::Course;
 use crate::meyer::runs::{Hypothesis, Row, duration, interval, rows};
 use geneva_dynamics::program::Program;
@@ -29,9 +31,9 @@ fn start() -> Vec<Claim> {
                 r"-30° , -45° , or -60°",
                 "driver's angle at the start for six, four and three pins",
             )
-            .by(LimitCase, of_the_pins)
-            .by(Vectors, along_the_slots)
-            .but_not(OTHER_ANGLE),
+            .by(LimitCase, before_the_line)
+            .by(Vectors, coming_in)
+            .but_not(WITHOUT_THE_MINUS),
         AFTER
             .statement("meyer.app-b.from-rest", "0 rad/sec", "the driver starts from rest")
             .by(OtherPlaceInSource, |stated| {

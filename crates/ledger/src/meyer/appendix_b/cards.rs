@@ -126,7 +126,12 @@ fn runs() -> Vec<Claim> {
                     format!("{found} of {} rise times of Appendix E lie within the run of their set", rows().len()),
                 )
             })
-            .but_not("one run goes through all the sets: a set takes over speed and time from the one before"),
+            .but_not("one run goes through all the sets: a set takes over speed and time from the one before")
+            .read_as(
+                "With the rows in the order of the tables: that of the data cards is not printed. A speed that is taken over \
+                 would show in the 11 rows that come behind one with a stronger spring, two of them behind another \
+                 mechanism.",
+            ),
         BEFORE
             .statement(
                 "meyer.app-b.print-interval",

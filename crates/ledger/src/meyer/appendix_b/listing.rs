@@ -4,7 +4,7 @@
 //! its card has them, and [`program`] computes it too.
 
 use super::cards::{begins_at_the_rim, begins_in_line};
-use super::contact::{LATE, is_late_by, parts_of_the_interval};
+use super::contact::{is_late_by, parts_of_the_interval};
 use super::print_out::last_line;
 use super::program::{self, SPEED, as_on_the_card, by_coefficients};
 use super::reset::reset;
@@ -73,7 +73,7 @@ fn constants() -> Vec<Claim> {
             .statement(
                 "meyer.listing.delay",
                 "DT/10.",
-                "the old acceleration is that of a tenth of the print interval before",
+                "the card asks for the acceleration of a tenth of the print interval before",
             )
             .by(OtherPlaceInSource, |stated| {
                 let told = parts_of_the_interval("meyer.app-b.delay");
@@ -86,8 +86,11 @@ fn constants() -> Vec<Claim> {
                 let told = parts_of_the_interval("meyer.app-b.delay").unwrap_or(f64::NAN);
                 is_late_by(stated.number() * stated.pick(1.0, 2.0), told)
             })
-            .but_not("it is that of a twentieth of the interval before")
-            .read_as(LATE),
+            .but_not("it asks for that of a twentieth of the interval before")
+            .read_as(
+                "What the card asks for, as a run shows whose steps are shorter than the delay. Where a step is longer, the \
+                 latest value is taken in the runs of our deck, and what the library of 1973 gave is not known.",
+            ),
         PROGRAM.statement("meyer.listing.delay-third", "100.", "the third number of the delay").missing(
             "What the third number of TDL is for is not said anywhere. The tables do not depend on it: they come out alike \
              if a hundred values are kept, and if all are",

@@ -262,7 +262,7 @@ fn advantages() -> Vec<Claim> {
                              subintervals. What has been integrated over when y_1 is known is the interval from x_0 to \
                              x_1.",
                     witness: "A run of the classical method goes on by whole steps.",
-                    origin: Origin::Concept,
+                    origin: Origin::Misprint,
                     consequence: Consequence::Wording,
                     changes: "",
                 },
