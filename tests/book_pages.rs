@@ -63,7 +63,7 @@ fn contents(out: &Path) -> Files {
 }
 
 /// What a page is made of, in its order.
-enum Piece {
+pub(crate) enum Piece {
     Start { element: String, attributes: HashMap<String, String> },
     End(String),
     Text(String),
@@ -115,7 +115,7 @@ pub(crate) fn names() -> Vec<String> {
 }
 
 /// The pages of the book by name, taken apart once for all tests of this program.
-fn pages() -> &'static BTreeMap<String, Vec<Piece>> {
+pub(crate) fn pages() -> &'static BTreeMap<String, Vec<Piece>> {
     static PAGES: OnceLock<BTreeMap<String, Vec<Piece>>> = OnceLock::new();
     PAGES.get_or_init(|| {
         let pages = files().iter().filter(|(name, _)| is_page(name));
