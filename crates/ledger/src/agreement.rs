@@ -19,12 +19,12 @@ pub(crate) fn coincide(a: &Vector2<f64>, b: &Vector2<f64>) -> bool {
     (a - b).norm() <= ROUTES.relative * a.norm().max(b.norm())
 }
 
-/// The same as [`agrees`] as a finding, which says both.
+/// Compares two numbers as [`agrees`] does, and says both.
 pub(crate) fn same(a: f64, b: f64) -> Finding {
     Finding::new(agrees(a, b), format!("{a} against {b}"))
 }
 
-/// The same for numbers whose last bits are not the same on every machine: says six places of both.
+/// Compares two numbers whose last bits are not the same on every machine, and says six places of both.
 pub(crate) fn meets(a: f64, b: f64) -> Finding {
     Finding::new(agrees(a, b), format!("{a:.6} against {b:.6}"))
 }

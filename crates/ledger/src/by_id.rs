@@ -1,9 +1,9 @@
-//! What a claim prints, asked for by the claim's id: checks of one claim refer to others so.
+//! What a claim prints, looked up by the claim's id, so that the checks of one claim can refer to others.
 
 use crate::{Claim, Decimal, Finding, claim, numeric_tokens};
 
-/// The claim with this id. The ids stand in the ledger's own text: one that no claim has is a mistake there, which must
-/// not pass for a number or a verdict. The panic ends the claim that asks, and no other: see [`judge`](crate::judge).
+/// The claim with this id. The ids are written in the ledger's own text, so an id that no claim has is a mistake there,
+/// which must not pass for a number or a verdict. The panic ends only the claim that asks: see [`judge`](crate::judge).
 pub(crate) fn named(id: &str) -> &'static Claim {
     claim(id).unwrap_or_else(|| panic!("no claim has the id {id}"))
 }
@@ -20,7 +20,8 @@ pub(crate) fn in_display(lines: &[&str], own: &str, tex: &str) -> String {
     lines.iter().map(line).collect::<Vec<_>>().join(" ")
 }
 
-/// What stands right of the first equals sign in the claim with this id; nothing, which has no value, if there is none.
+/// The right-hand side of the first equals sign in the claim with this id; nothing, which has no value, if there is
+/// none.
 pub(crate) fn right_side(id: &str) -> &'static str {
     characters(id).split_once('=').map_or("", |(_, right)| right)
 }
@@ -40,7 +41,7 @@ pub(crate) fn rounds(id: &str, number: f64) -> bool {
     decimal(id).is_some_and(|decimal| decimal.is_rounding_of(number))
 }
 
-/// All whole numbers in the characters printed in the claim with this id, in their order.
+/// All integers in the characters printed in the claim with this id, in their order.
 pub(crate) fn numbers(id: &str) -> Vec<u32> {
     numeric_tokens(characters(id)).iter().filter_map(|token| token.parse().ok()).collect()
 }
@@ -60,10 +61,10 @@ pub(crate) fn reads(id: &str) -> Finding {
     };
     let right = (reader.holds)(claim.right_characters()) == Some(true);
     match &claim.erratum {
-        None => Finding::new(right, "the printed characters, read and evaluated wherever they must hold"),
+        None => Finding::new(right, "we read the printed characters and evaluated them wherever they must hold"),
         Some(_) => Finding::new(
             right && (reader.holds)(claim.printed) != Some(true),
-            "the corrected characters, read and evaluated, hold; the printed ones do not",
+            "read and evaluated, the corrected characters hold and the printed ones do not",
         ),
     }
 }

@@ -15,7 +15,7 @@ pub type Test = dyn Fn() -> Finding + Send + Sync;
 /// Whether characters hold in the place of those of an equation.
 pub type Decision = dyn Fn(&str) -> Finding + Send + Sync;
 
-/// A way to find whether a statement holds, which is asked for the right one and for its neighbour.
+/// A way to find whether a statement holds, which is tried on the right statement and on its neighbour.
 pub type Choice = dyn Fn(Stated) -> Finding + Send + Sync;
 
 /// Whether characters hold wherever they are read and evaluated; none if they cannot be read.
@@ -24,33 +24,33 @@ pub type Reading = dyn Fn(&str) -> Option<bool> + Send + Sync;
 /// How a claim is checked.
 #[derive(Clone)]
 pub enum Check {
-    /// A number: computed, and computed again by a witness.
+    /// A number, computed once and computed again by a witness.
     Number {
         /// What the source says it did gives this value, in the printed unit.
         computed: Route<Number>,
-        /// The same by a route that shares no code with the first.
+        /// The number again, by a route that shares no code with the first.
         witness: Route<Number>,
         /// What the source's own rounded intermediate results give, if it is computed from any.
         from_rounded: Option<Arc<Number>>,
         /// Resolution of the reading, in the printed unit, if the number was read from a curve or print-out.
         resolution: Option<Arc<Number>>,
-        /// The right value by two routes, if what the source did has a slip in it.
+        /// The right value by two routes, if there is a slip in what the source did.
         right: Option<[Route<Number>; 2]>,
     },
-    /// An equation that holds or fails. What each route must refuse are misprints of its characters, made by program.
+    /// An equation that holds or fails. Each route must refuse misprints of its characters, which a program makes.
     Equation {
         /// The equation as printed.
         printed: Route<Test>,
         /// The corrected equation, if the printed one fails.
         corrected: Option<Arc<Test>>,
-        /// What decides on the characters of both, if it is they that are proven.
+        /// What decides on the characters of both equations, if the characters themselves are proven.
         decide: Option<Arc<Decision>>,
-        /// Another route to the equation that is right: the corrected one if there is one, else the printed one.
+        /// Another route to the right equation, which is the corrected one if there is one and the printed one if not.
         witness: Route<Test>,
         /// How its characters are read, if the ledger itself reads them.
         reader: Option<Reader>,
     },
-    /// A statement or a figure. Each route is asked twice: for what is right and for a neighbour that is wrong.
+    /// A statement or a figure. Each route is tried twice, on what is right and on a neighbour that is wrong.
     Statement {
         /// The first route.
         first: Route<Choice>,
@@ -59,9 +59,9 @@ pub enum Check {
         /// The neighbour in words; none if it is the printed form, which is wrong.
         neighbour: Option<&'static str>,
     },
-    /// A datum is missing from the source.
+    /// A value that the check needs is missing from the source.
     Missing {
-        /// Which, and why nothing in the source replaces it.
+        /// Which value is missing, and why nothing in the source replaces it.
         reason: &'static str,
     },
 }
@@ -69,7 +69,7 @@ pub enum Check {
 /// How the characters of an equation are read and evaluated.
 #[derive(Clone)]
 pub struct Reader {
-    /// The same in the letters of mathematics, if the source's characters are not ours to print.
+    /// The characters in the letters of mathematics, if the source's own are not ours to print.
     pub said: Option<&'static str>,
     /// Whether these characters would hold in the place of the right ones; none if they cannot be read.
     pub holds: Arc<Reading>,
@@ -117,8 +117,8 @@ pub struct Finding {
     pub holds: bool,
     /// How that was found, in a clause.
     pub how: String,
-    /// Whether it could be evaluated. What could not is neither right nor wrong: whatever the record says, a claim with
-    /// such a finding differs from it.
+    /// Whether it could be evaluated. If it could not, it is neither right nor wrong, so a claim with such a finding
+    /// differs from its record, whatever the record says.
     pub evaluated: bool,
 }
 
@@ -198,12 +198,12 @@ impl Evidence {
             Self::ExactIdentity => {
                 "an identity between rational functions, proven by exact evaluation on a large enough grid"
             }
-            Self::Jet => "a derivative taken by power series of where things are",
-            Self::AutomaticDerivative => "places and angles differentiated by another library's dual numbers",
+            Self::Jet => "a derivative taken from power series of the positions",
+            Self::AutomaticDerivative => "positions and angles differentiated with another library's dual numbers",
             Self::Vectors => "lengths and angles measured between points given by their coordinates",
-            Self::LimitCase => "cases in which the answer is known, or all cases of a list gone through",
+            Self::LimitCase => "cases in which the answer is known, or all cases of a list, one by one",
             Self::Dimension => "the dimensions of the quantities",
-            Self::OtherPlaceInSource => "what the same source says elsewhere",
+            Self::OtherPlaceInSource => "what the same source says in another place",
             Self::Quadrature => "the equation of motion solved over the driver's angle, by integrals",
             Self::RungeKutta => "the equation of motion solved in steps of time or angle",
             Self::Program => "the program of 1973 run as it is listed, on an integrator like its own",

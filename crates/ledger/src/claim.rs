@@ -51,8 +51,8 @@ pub enum Kind {
     Figure,
     /// A sentence that can be checked.
     Statement,
-    /// Sizes of a mechanism that is built as an example. Nobody says that they are right: they come from a formula or a
-    /// choice, and are counted apart from what is said.
+    /// Sizes of a mechanism that is built as an example. The source does not say that they are right. They come from a
+    /// formula or a choice, so they are counted apart from what it says.
     Example,
 }
 
@@ -63,13 +63,13 @@ pub struct Place {
     locator: &'static str,
 }
 
-/// A claim of which it is not yet said how it is checked. Two routes make it whole.
+/// A claim whose check is not yet given. Two routes complete it.
 pub struct Unchecked<R: ?Sized> {
     claim: Claim,
     routes: PhantomData<Arc<R>>,
 }
 
-/// A claim that has one route and wants a witness.
+/// A claim that has one route and needs a witness.
 pub struct Unwitnessed<R: ?Sized> {
     claim: Claim,
     first: Route<R>,
@@ -83,7 +83,7 @@ impl Place {
         Self { work, locator }
     }
 
-    /// The locator that it gives its claims.
+    /// The locator that the place gives its claims.
     pub const fn locator(self) -> &'static str {
         self.locator
     }
@@ -107,7 +107,7 @@ impl Place {
         self.claim(Kind::Equation, id, printed, meaning)
     }
 
-    /// A formula of which the claim is a sentence: that it is of a kind, has a sign, stands for a quantity.
+    /// A formula about which the claim is a sentence: that it is of a kind, has a sign or means a quantity.
     #[track_caller]
     pub fn formula(self, id: &'static str, printed: &'static str, meaning: &'static str) -> Unchecked<Choice> {
         self.claim(Kind::Equation, id, printed, meaning)
@@ -158,7 +158,7 @@ impl Place {
 }
 
 impl<R: ?Sized> Unchecked<R> {
-    /// It cannot be checked: a datum is missing from the source.
+    /// Records that the claim cannot be checked, because a value is missing from the source.
     pub fn missing(self, reason: &'static str) -> Claim {
         Claim { check: Check::Missing { reason }, expected: Verdict::NotReproducible, ..self.claim }
     }
@@ -201,18 +201,19 @@ impl Unchecked<Test> {
         self.decided(move |tex| decide(tex, letters))
     }
 
-    /// The same in a display that is cut into lines, each a claim of its own: the others have their right characters.
+    /// Proves the characters in a display that is cut into lines, each a claim of its own. The other lines have their
+    /// right characters.
     pub fn proven_in(self, lines: &'static [&'static str], letters: Exact) -> Unwitnessed<Test> {
         let own = self.claim.id;
         self.decided(move |tex| decide(&in_display(lines, own, tex), letters))
     }
 
-    /// The same by what proves or refutes characters in the place of the printed ones.
+    /// Decides on the equation by a function that proves or refutes characters in the place of the printed ones.
     pub fn decided(self, decide: impl Fn(&str) -> Finding + Send + Sync + 'static) -> Unwitnessed<Test> {
         self.evaluated(Evidence::ExactIdentity, decide)
     }
 
-    /// The same by what evaluates the characters.
+    /// Decides on the equation by a function that evaluates the characters.
     pub fn evaluated(
         self,
         evidence: Evidence,
@@ -244,7 +245,8 @@ impl Unwitnessed<Test> {
         self.by(evidence, move || reads(id)).read_by(holds)
     }
 
-    /// The same in a display that is cut into lines, each a claim of its own: the others have their right characters.
+    /// Reads the characters in a display that is cut into lines, each a claim of its own. The other lines have their
+    /// right characters.
     pub fn read_in(
         self,
         evidence: Evidence,
@@ -273,8 +275,8 @@ impl Unchecked<Choice> {
 }
 
 impl Unwitnessed<Choice> {
-    /// The same by a route that shares no code with the first. Until it is said what else is wrong
-    /// ([`Claim::but_not`]), the wrong statement is the printed one.
+    /// Adds the witness, a route that shares no code with the first. Until [`Claim::but_not`] names another neighbour,
+    /// the wrong statement is the printed one.
     pub fn by(self, evidence: Evidence, run: impl Fn(Stated) -> Finding + Send + Sync + 'static) -> Claim {
         let witness = Route { evidence, run: Arc::new(run) as Arc<Choice> };
         Claim { check: Check::Statement { first: self.first, witness, neighbour: None }, ..self.claim }
@@ -298,7 +300,7 @@ impl Claim {
         self
     }
 
-    /// The right number by two routes, where those to the printed one take a slip of the source along.
+    /// The right number by two routes, if the routes to the printed one follow a slip of the source.
     #[must_use]
     pub fn right(
         mut self,
@@ -349,7 +351,7 @@ impl Claim {
         Self { expected, ..self }
     }
 
-    /// Records that what is printed is wrong, and what should stand there.
+    /// Records that what is printed is wrong, and what it should be.
     #[must_use]
     pub fn corrected(self, corrected: &'static str, slip: Slip) -> Self {
         let mut claim = self.expecting(Verdict::Corrected).with_erratum(Erratum { corrected, slip });
@@ -366,13 +368,14 @@ impl Claim {
         self.expecting(Verdict::ReproducedInError).affected_by(slip)
     }
 
-    /// The same, with the right digits written down: they want another place than the printed ones have.
+    /// Records an error as [`Claim::in_error`] does, with the right digits written down, because they need another last
+    /// place than the printed ones.
     #[must_use]
     pub fn in_error_for(self, corrected: &'static str, slip: Slip) -> Self {
         self.expecting(Verdict::ReproducedInError).with_erratum(Erratum { corrected, slip })
     }
 
-    /// Records that the claim is a place of a slip of which the right number tells whether it changes anything here.
+    /// Records that a slip reaches this claim, where the right number tells whether it changes anything.
     #[must_use]
     pub fn affected_by(self, slip: Slip) -> Self {
         self.with_erratum(Erratum { corrected: "", slip })

@@ -60,7 +60,7 @@ impl Crank {
         path(|t| self.pin(t))
     }
 
-    /// The same of the follower's point under it.
+    /// Place, velocity and acceleration at time zero of the follower's point under the pin.
     pub fn point_motion(&self) -> [Vector2<f64>; 3] {
         path(|t| self.point_under_the_pin(t))
     }

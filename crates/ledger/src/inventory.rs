@@ -15,17 +15,18 @@ pub struct Line {
     pub number: u32,
     /// The numbers printed in it, in order; see [`numeric_tokens`].
     pub numbers: Vec<String>,
-    /// What stands in it, in order.
+    /// What the line contains, in order.
     pub entries: Vec<Entry>,
 }
 
-/// What stands in one place of a line.
+/// What one place of a line contains.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Entry {
-    /// The claim with this id is made here. If its printed characters have dots (`\ldots`), as much as stands before.
+    /// The claim with this id is made here. If its printed characters have dots (`\ldots`), this covers what comes
+    /// before them.
     Claim(&'static str),
-    /// What stands behind the n-th dots of the claim with this id, in the same line or in a later one; what the dots
-    /// stand for are entries in between.
+    /// What comes after the n-th dots of the claim with this id, in the same line or in a later one. Entries in between
+    /// account for the dots themselves.
     Rest(&'static str, usize),
     /// The number of the claim with this id is printed here once more.
     Again(&'static str),
@@ -37,9 +38,9 @@ pub enum Entry {
     ///
     /// It expires: as soon as a claim bears the id, the entry is no longer needed, and the coverage test says so.
     Exception {
-        /// Id, in the same name space as those of claims.
+        /// Id, in the same name space as the ids of claims.
         id: &'static str,
-        /// The numbers printed there, as they stand.
+        /// The numbers printed there, as printed.
         numbers: Vec<String>,
         /// Why it is no claim.
         reason: String,
@@ -53,7 +54,7 @@ pub struct Symbol {
     pub printed: &'static str,
     /// The book's symbol, in TeX.
     pub ours: &'static str,
-    /// What it stands for.
+    /// What it means.
     pub meaning: &'static str,
 }
 
@@ -84,7 +85,7 @@ impl Entry {
 }
 
 impl fmt::Display for Entry {
-    /// As it stands in the inventory file, without the numbers and the reason of an exception.
+    /// The entry as written in the inventory file, without the numbers and the reason of an exception.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Claim(id) => write!(f, "claim {id}"),
@@ -97,10 +98,10 @@ impl fmt::Display for Entry {
     }
 }
 
-/// What stands in a claim's printed characters for the number of another claim.
+/// The characters that take the place of another claim's number in a claim's printed characters.
 const DOTS: &str = r"\ldots";
 
-/// What stands behind the n-th dots of a claim's printed characters; before the first ones for n = 0.
+/// What comes after the n-th dots of a claim's printed characters; before the first ones for n = 0.
 fn piece(printed: &str, dots: usize) -> &str {
     printed.split(DOTS).nth(dots).unwrap_or_default()
 }

@@ -43,7 +43,7 @@ impl Judged {
         }
     }
 
-    /// Whether the claim stands as recorded: the verdict is the expected one and nothing contradicts it.
+    /// Whether the claim agrees with its record: the verdict is the expected one and nothing contradicts it.
     pub fn holds(&self) -> bool {
         self.verdict == self.claim.expected && self.faults.is_empty()
     }

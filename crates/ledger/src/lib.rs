@@ -1,11 +1,12 @@
 //! What the sources print, what we compute, and the verdict: the only crate that knows both.
 //!
-//! A claim is one row: a stable id, where it stands in its source, the printed characters, how the quantity is
-//! computed, a second route that shares no code with the first, and the verdict that is expected. [`judge`] derives
-//! the verdict; a claim holds if the derived verdict is the recorded one and nothing contradicts it. Everything shown
-//! anywhere (tests, tables of the book, command line, JSON, CSV) is drawn from [`claims`].
+//! A claim is one row: a stable id, its place in the source, the printed characters, how the quantity is computed, a
+//! second route that shares no code with the first, and the verdict that is expected. [`judge`] derives the verdict. A
+//! claim holds if the derived verdict is the recorded one and nothing contradicts it. Everything shown anywhere (tests,
+//! tables of the book, command line, JSON, CSV) is drawn from [`claims`].
 //!
-//! The ledger computes nothing itself: it calls the formula crates. A printed number stands here and nowhere else.
+//! The ledger computes nothing itself, because it calls the formula crates. A printed number is written here and
+//! nowhere else.
 
 mod agreement;
 mod by_id;

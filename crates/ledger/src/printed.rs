@@ -6,7 +6,7 @@ use dashu_int::{IBig, UBig};
 use geneva_kinematics::{Field, Rational, rational};
 use std::str::FromStr;
 
-/// A number as printed: a decimal with its digits behind the point, or a fraction of whole numbers.
+/// A number as printed: a decimal with its digits behind the point, or a fraction of integers.
 ///
 /// A sign `±` is read as plus: the claim is about the size.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,7 +22,7 @@ pub struct Decimal {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
     "`{0}` is not a printed number: digits are expected, with an optional sign, thousands commas and one point, or a \
-     fraction of two such whole numbers"
+     fraction of two such integers"
 )]
 pub struct Unreadable(String);
 
@@ -63,7 +63,7 @@ impl FromStr for Decimal {
     }
 }
 
-/// All digits of a decimal without a sign as one whole number, and how many of them stand behind the point.
+/// All digits of a decimal without a sign as one integer, and how many of them are behind the point.
 fn digits(text: &str) -> Option<(IBig, u32)> {
     let (whole, fraction) = text.split_once('.').unwrap_or((text, ""));
     let grouped = whole.replace(',', "");
@@ -181,7 +181,7 @@ impl Decimal {
     }
 }
 
-/// What stands between digits, or before them, and is no place of the number.
+/// What comes between digits, or before them, and is no place of the number.
 fn skipped(c: char) -> bool {
     matches!(c, ',' | '±' | '+')
 }

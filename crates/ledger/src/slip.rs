@@ -9,7 +9,7 @@ use std::sync::OnceLock;
 /// What is wrong in one place, and the slip that it comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Erratum {
-    /// What should stand there. Empty for a number whose check computes the right one.
+    /// What should be printed there. Empty for a number whose check computes the right one.
     pub corrected: &'static str,
     /// The slip.
     pub slip: Slip,
@@ -18,7 +18,7 @@ pub struct Erratum {
 /// One thing that is wrong. Every claim that it reaches refers to it; it is counted once.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Slip {
-    /// The id of the claim in which it is made. Empty for that of the claim at hand.
+    /// The id of the claim in which the slip is made. Empty if it is the claim at hand.
     pub id: &'static str,
     /// Why it is wrong.
     pub reason: &'static str,
@@ -51,7 +51,7 @@ pub enum Origin {
 /// What is wrong by less is wrong in its last digits, and no data of two digits would show it.
 pub const FELT: f64 = 0.005;
 
-/// What a slip does, the gravest first.
+/// What a slip does, the most serious consequence first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Consequence {
     /// An answer, a number in a table or a curve is wrong, by [`FELT`] or more.
@@ -86,7 +86,9 @@ impl Origin {
     /// What it means, for readers.
     pub fn meaning(self) -> &'static str {
         match self {
-            Self::Copy => "a character that is lost or changed in the copy at hand; nothing is said of the original",
+            Self::Copy => {
+                "a character that is lost or changed in the copy we had, which says nothing about the original"
+            }
             Self::Misprint => "a slip of the pen or a misprint: a wrong or missing word, sign or symbol",
             Self::Arithmetic => "a wrong or carelessly rounded computation",
             Self::Concept => "a wrong idea",
@@ -100,15 +102,17 @@ impl Consequence {
         match self {
             Self::Result => "an answer, a number in a table or a curve is wrong, by half a per cent or more",
             Self::Conclusion => "something that the source concludes is false",
-            Self::Remark => "a sentence that describes something is false; the source concludes nothing false from it",
-            Self::Number => "a printed number is wrong, and no answer is wrong by half a per cent or more",
-            Self::Derivation => "a displayed equation is false; nothing after it uses it so",
+            Self::Remark => {
+                "a sentence that describes something is false, but the source concludes nothing false from it"
+            }
+            Self::Number => "a printed number is wrong, but no answer is wrong by half a per cent or more",
+            Self::Derivation => "a displayed equation is false, but nothing after it uses it in that form",
             Self::Wording => "a label, a reference, a unit or a name is wrong",
-            Self::Copy => "a character of the copy is wrong; nothing is said of the original",
+            Self::Copy => "a character of the copy we had is wrong, which says nothing about the original",
         }
     }
 
-    /// The same as a heading.
+    /// The meaning written as a heading.
     pub fn heading(self) -> String {
         let mut characters = self.meaning().chars();
         characters.next().map_or_else(String::new, |first| first.to_uppercase().chain(characters).collect())
@@ -124,8 +128,8 @@ pub struct Places {
     pub claims: Vec<&'static Judged>,
 }
 
-/// All slips, the gravest consequence first, then what changes most in printed numbers
-/// (the sum of their relative changes), then as the sources stand.
+/// All slips, the most serious consequence first, then by how much they change printed numbers (the sum of their
+/// relative changes), then in the order of the sources.
 pub fn slips() -> &'static [Places] {
     static SLIPS: OnceLock<Vec<Places>> = OnceLock::new();
     SLIPS.get_or_init(|| collected(|_| true))

@@ -49,7 +49,7 @@ impl Stated {
         self.numbers().first().copied().unwrap_or(f64::NAN)
     }
 
-    /// The first of them as a count; nought if there is none that is whole and at most ten thousand.
+    /// The first number as a count; zero if there is none that is an integer of at most ten thousand.
     pub fn count(self) -> u32 {
         let number = self.number();
         if number.fract() == 0.0 && number <= 1e4 { number as u32 } else { 0 }

@@ -15,24 +15,24 @@ pub struct Tolerance {
 pub const ARITHMETIC: Tolerance = Tolerance {
     name: "arithmetic",
     relative: 1e-14,
-    reason: "a chain of a dozen correctly rounded operations and a few library functions is wrong by at most some \
-             ten units in the last place; a value closer than that to the edge of the printed interval counts as on it",
+    reason: "a chain of a dozen correctly rounded operations and a few library functions is wrong by at most some ten \
+             units in the last place, so a value closer than that to the edge of the printed interval counts as on it",
 };
 
 /// For two independent routes to one number.
 pub const ROUTES: Tolerance = Tolerance {
     name: "routes",
     relative: 1e-12,
-    reason: "two routes round differently, and subtractions of nearly equal numbers in one of them may cost two to \
-             three decimal digits of the sixteen; a wrong formula differs in the first few digits",
+    reason: "two routes round differently, and where one of them subtracts nearly equal numbers it may lose two to \
+             three of the sixteen decimal digits, but a wrong formula differs in the first few digits",
 };
 
 /// For derivatives that are taken as differences of printed characters evaluated nearby.
 pub const DIFFERENCES: Tolerance = Tolerance {
     name: "differences",
     relative: 1e-9,
-    reason: "a difference over a thousandth loses three of the sixteen digits, and where the letters change quickly \
-             some more; a misprint differs in the first few digits",
+    reason: "a difference over a thousandth loses three of the sixteen digits, and some more where the letters change \
+             quickly, but a misprint differs in the first few digits",
 };
 
 /// For quantities that must vanish, in units of the mechanism's own size: what is left of rounding.
@@ -40,7 +40,7 @@ pub const CLOSURE: Tolerance = Tolerance {
     name: "closure",
     relative: 1e-12,
     reason: "a difference of numbers of the size of one, each wrong by some units in the last place, is not zero but \
-             some thousand times smaller than this; a wrong formula leaves a part of the whole",
+             is some thousand times smaller than this, while a wrong formula leaves a part of the whole",
 };
 
 /// For a number that a step-by-step integration gives a second time.
@@ -48,16 +48,16 @@ pub const STEPS: Tolerance = Tolerance {
     name: "steps",
     relative: 1e-5,
     reason: "a step over a place where the friction changes its sign is less accurate than others, whatever the \
-             method; the printed tables have three digits, and a wrong equation differs in the first or second",
+             method, but the printed tables have three digits, and a wrong equation differs in the first or second",
 };
 
 /// For a number that the program of 1973 prints, and the same by other steps.
 pub const PROGRAM: Tolerance = Tolerance {
     name: "program",
     relative: 3e-4,
-    reason: "the program chooses the sign of friction by an acceleration of a moment before; where that sign changes \
-             within a step, two ways of stepping see it at times that are a part of that moment apart. The printed \
-             tables have three digits, and a wrong equation differs in the first or second",
+    reason: "the program takes the sign of friction from the acceleration of a moment before, so where that sign \
+             changes within a step, two ways of stepping see the change at times that are a part of that moment apart. \
+             The printed tables have three digits, and a wrong equation differs in the first or second",
 };
 
 /// All tolerances.

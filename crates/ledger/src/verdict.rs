@@ -13,13 +13,13 @@ pub enum Verdict {
     FromRounded,
     /// Read from a curve or a print-out, and right within the reading's resolution.
     ReadOff,
-    /// A slip of the source leads to the printed digits, and they are not right.
+    /// A slip of the source leads to the printed digits, so they are not right.
     ReproducedInError,
     /// The printed form fails and the corrected form passes.
     Corrected,
     /// The printed form fails, and no corrected form is known.
     NotReproduced,
-    /// A datum is missing.
+    /// A value that the claim needs is missing.
     NotReproducible,
 }
 
@@ -36,14 +36,15 @@ slugs!(Verdict {
 
 slugs!(Truth { Right = "right", Wrong = "wrong", Open = "open" });
 
-/// Whether what is printed is right about the thing it is said of: the other question, beside whether it comes out.
+/// Whether what is printed is right about the thing it describes, which is another question than whether it is
+/// reproduced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Truth {
-    /// It is, to the printed digits; what was read off, as finely as that could be done.
+    /// It is right, to the printed digits, or as finely as it could be read off.
     Right,
-    /// It is not, if only in a last digit.
+    /// It is wrong, if only in a last digit.
     Wrong,
-    /// It cannot be told.
+    /// We cannot tell.
     Open,
 }
 
@@ -52,10 +53,11 @@ impl Truth {
     pub fn meaning(self) -> &'static str {
         match self {
             Self::Right => {
-                "what is printed is right, to the printed digits or, if it was read off, as finely as that could be done"
+                "what is printed is right, to the printed digits or, if it was read off, as finely as that could be \
+                 done"
             }
-            Self::Wrong => "what is printed is wrong, and the right form or number is given",
-            Self::Open => "it cannot be told",
+            Self::Wrong => "what is printed is wrong, and we give the right form or number",
+            Self::Open => "we cannot tell",
         }
     }
 }
@@ -65,22 +67,24 @@ impl Verdict {
     pub fn meaning(self) -> &'static str {
         match self {
             Self::Reproduced => {
-                "the exact value rounds to the printed digits; an equation or statement holds as printed"
+                "the exact value rounds to the printed digits, or an equation or statement holds as printed"
             }
             Self::Truncated => {
-                "the exact value gives the printed digits only by cutting off: by rounding, the last one is another"
+                "the exact value gives the printed digits only if we cut it off, because rounding gives another last \
+                 digit"
             }
             Self::FromRounded => {
-                "only the source's own rounded intermediate results give the printed digits: those of the exact value \
-                 are others"
+                "the printed digits follow only from the source's own rounded intermediate results, because the exact \
+                 value has other digits"
             }
             Self::ReadOff => "read from a curve or a print-out, and right within the stated resolution of the reading",
             Self::ReproducedInError => {
-                "what the source did gives the printed digits, but there is a slip in it: the right number is another"
+                "what the source did gives the printed digits, but there is a mistake in it, so the right number is \
+                 another"
             }
-            Self::Corrected => "the printed form fails; a corrected form passes, and a second witness agrees",
+            Self::Corrected => "the printed form fails, but a corrected form passes, and a second witness agrees",
             Self::NotReproduced => "the printed form fails, and no corrected form is known",
-            Self::NotReproducible => "a datum that the claim needs is missing from the source",
+            Self::NotReproducible => "a value that the claim needs is missing from the source",
         }
     }
 

@@ -25,8 +25,8 @@ pub fn claims() -> Vec<Claim> {
 
 fn plotted() -> Claim {
     PLOT.figure("jazar.fig-5.30", "plotted", "Fig. 5.30 shows the curves of Eqs. (5.27), (5.28) and (5.29)").missing(
-        "The drawing is not in the copy: whether the third curve was drawn by the equation as it stands in the copy, \
-         without its minus sign, cannot be seen",
+        "The copy we had does not include the drawing, so we cannot see whether the third curve was drawn by the \
+         equation as it stands in the copy, without its minus sign",
     )
 }
 
@@ -38,7 +38,7 @@ fn velocity_normalisation() -> Claim {
     )
     .by(Dimension, |stated| pure_number(Exponents::ANGULAR_SPEED, stated.pick(1, 2)))
     .by(Series, |stated| same_at_each_speed(1, stated.pick(1, 2)))
-    .but_not("the velocity over the square of the driver's speed is")
+    .but_not("the velocity over the square of the driver's speed is a pure number")
 }
 
 fn acceleration_normalisation() -> Claim {
@@ -53,11 +53,12 @@ fn acceleration_normalisation() -> Claim {
         r"\ddot{\phi}/\dot{\theta}^2",
         Slip {
             id: "",
-            reason: "The square is lost. The quotient as printed still has the unit of an angular speed, and could not \
-                     be drawn on one axis with the velocity curve. The caption of the same figure has the square, so \
-                     it is put down to the copy; whether the handout has it here, too, cannot be told.",
-            witness: "The caption of Fig. 5.30 says that the square is meant, and only with it the curve is the same \
-                      for each speed of the driver.",
+            reason: "The square is lost. The quotient as printed still has the unit of an angular speed, so it could \
+                     not be drawn on one axis with the velocity curve. The caption of the same figure has the square, \
+                     so we put the loss down to the copy. We cannot tell whether the handout has the square here, \
+                     too.",
+            witness: "The caption of Fig. 5.30 says that the square is meant, and the curve is the same for each speed \
+                      of the driver only with the square.",
             origin: Origin::Copy,
             consequence: Consequence::Copy,
             changes: "",
@@ -72,7 +73,11 @@ fn power(stated: Stated) -> u32 {
 
 fn smooth_inside() -> Claim {
     STATIONS
-        .statement("jazar.smooth-inside", "smooth", "velocity and acceleration of the wheel of four are smooth curves")
+        .statement(
+            "jazar.smooth-inside",
+            "smooth",
+            "the velocity and the acceleration of the four-station wheel are smooth curves",
+        )
         .by(ClosedForm, |stated| {
             about_four(|wheel| {
                 let end = wheel.engagement_half_angle();
@@ -81,7 +86,13 @@ fn smooth_inside() -> Claim {
                 let ends = stated.pick(vec![], vec![-end, end]);
                 let left = |middle: f64| steps_without_a_slope(wheel, middle, end / f64::from(SUBINTERVALS));
                 let most = greatest(inside.chain(ends).map(left));
-                Finding::new(most < 1e-5, format!("steps of φ̇ and φ̈ less the slope's part are at most {most:.6}"))
+                Finding::new(
+                    most < 1e-5,
+                    format!(
+                        "the steps of φ̇ and φ̈, less the slope's part, are at most \
+                                                   {most:.6}"
+                    ),
+                )
             })
         })
         .by(AutomaticDerivative, |stated| {
@@ -89,13 +100,19 @@ fn smooth_inside() -> Claim {
                 let end = wheel.engagement_half_angle();
                 let ends = stated.pick(vec![], vec![-end, end]);
                 let most = greatest(instants(wheel).chain(ends).map(|t| jump_by_duals(wheel, t)));
-                Finding::new(most < 1e-5, format!("limits of φ̇ and φ̈ from both sides differ by at most {most:.6}"))
+                Finding::new(
+                    most < 1e-5,
+                    format!(
+                        "the limits of φ̇ and φ̈ from both sides differ by at most \
+                                                   {most:.6}"
+                    ),
+                )
             })
         })
         .but_not("they are smooth over the whole turn, the ends of the advance included")
         .read_as(
-            "Of the wheel of four, whose curves the figure shows, between the two ends: no jump and no kink. Of the \
-             ends the source itself says that the jerk is infinite there.",
+            "We take this to be about the four-station wheel, whose curves the figure shows, between the two ends of \
+             the advance: there is no jump and no kink. At the ends, as the source itself says, the jerk is infinite.",
         )
 }
 
@@ -129,12 +146,16 @@ fn infinite_jerk() -> Claim {
                 "the acceleration jumps by tan α",
             )
         })
-        .but_not("it is infinite on the line of centres, too")
+        .but_not("the jerk is infinite on the line of centres, too")
 }
 
 fn least_stations() -> Claim {
     STATIONS
-        .statement("jazar.least-stations", "three", "any number of stations from three on is possible, and none below")
+        .statement(
+            "jazar.least-stations",
+            "three",
+            "any number of stations from three upwards is possible, and no smaller number",
+        )
         .by(ExactIdentity, |stated| {
             // The engagement to either side, π/2 − π/N, as a part of π.
             let engagement = |stations: i64| rational(1, 2) - rational(1, stations);
@@ -143,7 +164,7 @@ fn least_stations() -> Claim {
             let part = engagement(least);
             Finding::new(
                 possible && engagement(least - 1) <= rational(0, 1),
-                format!("with {least} stations the engagement is {part} of half a turn to either side"),
+                format!("with {least} stations the engagement is {part} of half a turn on either side"),
             )
         })
         .by(Vectors, |stated| {
@@ -157,7 +178,10 @@ fn least_stations() -> Claim {
             let least = stated.pick(stated.count(), 2);
             Finding::new(
                 (least..=1000).all(positive) && !positive(least - 1),
-                format!("{least} stations: way past the axis, rim and slot {:.3?} crank radii", sizes(least)),
+                format!(
+                    "{least} stations: the way past the axis, the rim and the slot are {:.3?} crank radii",
+                    sizes(least)
+                ),
             )
         })
         .but_not("two is the least")
@@ -178,10 +202,10 @@ fn more_pins() -> Claim {
             })
         })
         .but_not("three pins are possible with any number of stations")
-        .read_as("Two pins are possible with any number of stations; three or more with some.")
+        .read_as("Two pins are possible with any number of stations, and three or more are possible with some.")
 }
 
-/// Whether two pins are possible with all wheels and three or more with some; or three with all.
+/// Whether two pins are possible with all wheels, and three or more with some; or three with all.
 fn two_or_more(stated: Stated, what: &str, possible: impl Fn(&Wheel, u32) -> bool) -> Finding {
     let (said, pins) = (stated.count(), stated.pick(stated.count(), 3));
     let all = for_all_stations(|wheel| possible(wheel, pins), &format!("{pins} pins {what}"));
@@ -195,7 +219,7 @@ fn two_or_more(stated: Stated, what: &str, possible: impl Fn(&Wheel, u32) -> boo
     Finding::new(all.holds && !more.is_empty(), format!("{}; up to {some}", all.how))
 }
 
-/// The caption of Fig. 5.30, which stands among the paragraphs on Fig. 5.31.
+/// The caption of Fig. 5.30, which comes among the paragraphs on Fig. 5.31.
 pub(super) fn caption() -> Claim {
     at("Fig. 5.30, caption")
         .figure(
@@ -233,7 +257,7 @@ pub(super) fn same_at_each_speed(order: usize, power: u32) -> Finding {
                 [0.5, 3.0, 40.0].iter().all(|speed| agrees(curve(part * end, *speed), once))
             })
         },
-        "the same quotient for drivers of four speeds",
+        "the quotient is the same for drivers of four speeds",
     )
 }
 

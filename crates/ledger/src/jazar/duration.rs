@@ -25,7 +25,7 @@ fn angle() -> Vec<Claim> {
                         let end = wheel.engagement_half_angle() * stated.pick(1.0, 0.5);
                         [-end, end].iter().all(|t| agrees(by_series(wheel, *t)[0].abs(), wheel.half_pitch_angle()))
                     },
-                    "the slot is then at half a pitch from the line of centres",
+                    "the slot is then half a pitch from the line of centres",
                 )
             })
             .by(ClosedForm, |stated| {
@@ -36,10 +36,10 @@ fn angle() -> Vec<Claim> {
                         let end = libm::acos(1.0 / ratio) * stated.pick(1.0, 0.5);
                         [-end, end].iter().all(|t| agrees(by_cosines(ratio, *t).1.abs(), pitch / 2.0))
                     },
-                    "law of cosines, where the crank is tangent to the slot",
+                    "by the law of cosines, where the crank is tangent to the slot",
                 )
             })
-            .but_not("it is that angle as the pin has gone half of the way from there to the line of centres"),
+            .but_not("it is that angle when the pin has gone half of the way from there to the line of centres"),
         curves::caption(),
         at("Fig. 5.31, caption")
             .figure("jazar.fig-5.31", "half the angle", "neighbouring slots are 2α apart")
@@ -49,7 +49,7 @@ fn angle() -> Vec<Claim> {
                         let alpha = libm::asin(1.0 / wheel.centre_distance_ratio());
                         agrees(stated.pick(2.0, 1.0) * alpha * f64::from(wheel.stations()), 2.0 * PI)
                     },
-                    "all slots together are a turn, with the crank over the centre distance as sine of α",
+                    "all slots together make one turn, where the sine of α is the crank over the centre distance",
                 )
             })
             .by(Vectors, |stated| {
@@ -61,7 +61,7 @@ fn angle() -> Vec<Claim> {
                         let last = (0..wheel.stations()).fold(first, |slot, _| slot.plus(&step));
                         vanishes((last.direction() - first.direction()).norm())
                     },
-                    "so many steps from slot to slot lead back to the first",
+                    "that many steps from slot to slot lead back to the first slot",
                 )
             })
             .but_not("α is the whole angle between neighbouring slots"),
@@ -118,7 +118,7 @@ fn comparisons() -> Vec<Claim> {
                 compare_neighbours(&[Wheel::motion_fraction], stated.pick(Ordering::Less, Ordering::Greater))
             })
             .by(Series, |stated| compare_neighbours(&[entry_crank], stated.pick(Ordering::Less, Ordering::Greater)))
-            .but_not("it takes less"),
+            .but_not("the advance takes less of the driver's turn"),
         DURATION
             .value("jazar.duration-limit", "180", "°", "limit of the crank angle of an advance for very many stations")
             .by(LimitCase, || limit(|n| of(n, |wheel| 2.0 * wheel.engagement_half_angle()).to_degrees()))
@@ -127,7 +127,12 @@ fn comparisons() -> Vec<Claim> {
                 || limit(|n| of(n, entry_crank)).to_degrees(),
             ),
         DURATION
-            .statement("jazar.gentler", "more gentle", "with more stations the peaks of velocity and acceleration fall")
+            .statement(
+                "jazar.gentler",
+                "more gentle",
+                "with more stations the peaks of velocity and acceleration \
+                                                        fall",
+            )
             .by(ClosedForm, |stated| {
                 compare_neighbours(
                     &[peak_velocity, entry_acceleration, |wheel| acceleration_peak(wheel).ratio],
@@ -146,9 +151,10 @@ fn comparisons() -> Vec<Claim> {
             })
             .but_not("they rise")
             .read_as(
-                "Gentler: the wheel's peak velocity, its peak acceleration and the jump of its acceleration at entry \
-                 all fall, for the same speed of the driver, by which the handout normalises its own curves. In the same time \
-                 for a move, the jump at entry would rise from three to five stations and fall from there.",
+                "Gentler means here that the wheel's peak velocity, its peak acceleration and the jump of its \
+                 acceleration at entry all fall, for the same speed of the driver, by which the handout normalises its \
+                 own curves. If the move took the same time instead, the jump at entry would rise from three to five \
+                 stations and fall from there.",
             ),
         DURATION
             .statement(
@@ -165,7 +171,7 @@ fn comparisons() -> Vec<Claim> {
                     stated.pick(Ordering::Greater, Ordering::Less),
                 )
             })
-            .but_not("it stands still for more of it"),
+            .but_not("the wheel stands still for more of the turn"),
     ]
 }
 

@@ -11,14 +11,15 @@ const C: Place = at("Ex. (c)");
 /// The part of the cycle that moves, in the place of the part that stands still.
 const MOVING_PART: Slip = Slip {
     id: "jazar.ex-c.formula",
-    reason: "The advance takes 180° − 2α of the driver's turn, as the text says itself; the dwell takes the rest. The \
-             formula gives the part that moves, and the numbers follow it.",
-    witness: "The caption of Fig. 5.28 has the wheel of four locked for three quarters of the cycle. For six stations, \
-              where the wheel of the power series is at rest, or where the state of the wheel changes, gives the right \
-              part.",
+    reason: "The advance takes 180° − 2α of the driver's turn, as the text itself says, and the dwell takes the rest. \
+             The formula gives the part that moves instead, and the numbers follow it.",
+    witness: "In the caption of Fig. 5.28 the four-station wheel is locked for three quarters of the cycle. For six \
+              stations, we get the right part from where the wheel of the power series is at rest, and also from where \
+              the state of the wheel changes.",
     origin: Origin::Concept,
     consequence: Consequence::Result,
-    changes: "The answer to (c) is the time for which the output moves; it stands still for twice as long.",
+    changes: "The answer to (c) is the time for which the output moves, but the output stands still for twice as \
+              long.",
 };
 
 pub fn claims() -> Vec<Claim> {
@@ -46,7 +47,7 @@ pub fn claims() -> Vec<Claim> {
             .by(Series, || six(entry_crank) / example_speed())
             .right(ClosedForm, dwell_seconds, LimitCase, || seconds(six(locked_part)))
             .in_error(MOVING_PART),
-        C.value("jazar.ex-c.dwell-seconds", "0.0555", "s", "duration of the dwell, cut off behind the last place")
+        C.value("jazar.ex-c.dwell-seconds", "0.0555", "s", "duration of the dwell, cut off after the last place")
             .by(ClosedForm, || {
                 let unit = unit_of_the_decimal().approximate();
                 libm::floor(seconds(part(printed("jazar.ex-b.alpha"), -1.0)) / unit) * unit
@@ -60,8 +61,8 @@ pub fn claims() -> Vec<Claim> {
             .right(ClosedForm, dwell_seconds, LimitCase, || seconds(six(locked_part)))
             .in_error(MOVING_PART)
             .read_as(
-                "The decimal is cut off behind its last place, as long division leaves it; rounded, the fraction before \
-                 it ends in a 6.",
+                "The decimal is cut off after its last place, as long division leaves it. If it is rounded, the \
+                 fraction before it ends in a 6.",
             ),
     ]
 }

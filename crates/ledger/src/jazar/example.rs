@@ -1,4 +1,4 @@
-//! The worked example, parts (a), (b) and (d); part (c) has a room of its own.
+//! The worked example, parts (a), (b) and (d). Part (c) has a file of its own.
 
 use super::dwell;
 use super::four::printed_5_32;
@@ -24,7 +24,7 @@ fn advances() -> Vec<Claim> {
             "jazar.ex.rpm",
             "360",
             "rpm",
-            "speed of the driver, a datum; the printed angular velocity and number of advances give it back",
+            "the given speed of the driver, which the printed angular velocity and number of advances reproduce",
         )
         .by(OtherPlaceInSource, || 60.0 * printed("jazar.ex-a.advances"))
         .by(OtherPlaceInSource, || 60.0 * printed("jazar.ex-d.driver-speed") / (2.0 * PI)),
@@ -47,7 +47,7 @@ fn advances() -> Vec<Claim> {
                         let alpha = libm::asin(1.0 / wheel.centre_distance_ratio()).to_degrees();
                         agrees(2.0 * alpha, 360.0 / f64::from(wheel.stations()))
                     },
-                    "2α is a turn over N, with the crank over the centre distance as sine of α",
+                    "2α is a turn over N, where the sine of α is the crank over the centre distance",
                 )
             })
             .by(Vectors, || {
@@ -59,9 +59,14 @@ fn advances() -> Vec<Claim> {
         B.value("jazar.ex-b.advance", "60", "°", "angle through which the wheel advances")
             .by(ClosedForm, || 2.0 * six(Wheel::half_pitch_angle).to_degrees())
             .by(Vectors, || six(advance).to_degrees()),
-        B.value("jazar.ex.stations", "6", "stations", "number of stations, a datum; the printed angles give it back")
-            .by(OtherPlaceInSource, || 360.0 / printed("jazar.ex-b.advance"))
-            .by(OtherPlaceInSource, || 180.0 / printed("jazar.ex-b.alpha")),
+        B.value(
+            "jazar.ex.stations",
+            "6",
+            "stations",
+            "the given number of stations, which the printed angles reproduce",
+        )
+        .by(OtherPlaceInSource, || 360.0 / printed("jazar.ex-b.advance"))
+        .by(OtherPlaceInSource, || 180.0 / printed("jazar.ex-b.alpha")),
         B.value("jazar.ex-b.alpha", "30", "°", "α, half the angle between slots")
             .by(ClosedForm, || six(Wheel::half_pitch_angle).to_degrees())
             .by(Vectors, || six(advance).to_degrees() / 2.0),
@@ -76,18 +81,18 @@ fn velocity() -> Vec<Claim> {
                 "jazar.ex-d.angle",
                 "0",
                 "",
-                "crank angle at which the wheel is fastest; Eq. (5.32) is zero there and changes from plus to minus",
+                "crank angle at which the wheel is fastest, where Eq. (5.32) is zero and changes from plus to minus",
             )
             .by(Series, || zero_of_acceleration() + 0.0)
             .by(LimitCase, || six(fastest_of_a_grid)),
-        D.value("jazar.ex-d.sine", "0.5", "", "sin α of the wheel of six")
+        D.value("jazar.ex-d.sine", "0.5", "", "sin α of the six-station wheel")
             .by(ClosedForm, || six(|w| libm::sin(w.half_pitch_angle())))
             .by(Vectors, || six(|w| entry(w).normalize().y.abs())),
         at("Ex. (d), Eq. (5.31) at θ = 0")
             .equation(
                 "jazar.ex-d.peak-equation",
                 r"\dot{\phi}_{\rm max} = \dot{\theta}",
-                "the wheel of six is at its fastest as fast as its driver",
+                "at its fastest, the six-station wheel turns as fast as its driver",
             )
             .by(ExactIdentity, || {
                 let on_the_line = Turn { cos: rational(1, 1), sin: rational(0, 1) };
@@ -104,7 +109,7 @@ fn velocity() -> Vec<Claim> {
                 // After the time of a cycle the crank is back where it was.
                 let angle = driver_speed(stated) * printed("jazar.ex-c.cycle");
                 let (crank, turns) = (Turn::from_radians(angle), angle / (2.0 * PI));
-                Finding::new(vanishes(crank.sin) && crank.cos > 0.0, format!("{turns} turns in a cycle"))
+                Finding::new(vanishes(crank.sin) && crank.cos > 0.0, format!("that makes {turns} turns in a cycle"))
             })
             .but_not("π × 6: half a turn for a revolution"),
         D.value("jazar.ex-d.driver-speed", "37.70", "rad/s", "angular velocity of the driver")
@@ -137,11 +142,14 @@ fn reference() -> Claim {
         .statement(
             "jazar.ex-d.reference",
             "maximum value",
-            "Eq. (5.32) tells where the velocity of Eq. (5.31) is greatest",
+            "Eq. (5.32) shows where the velocity of Eq. (5.31) is greatest",
         )
         .by(ClosedForm, |stated| {
             let formula = stated.pick(printed_5_32 as fn(&Wheel, f64) -> f64, printed_angle);
-            for_all_stations(|wheel| tells_the_maximum(wheel, |t| formula(wheel, t)), "from plus to minus at θ = 0")
+            for_all_stations(
+                |wheel| tells_the_maximum(wheel, |t| formula(wheel, t)),
+                "it changes from plus to minus at θ = 0",
+            )
         })
         .by(AutomaticDerivative, |stated| {
             let order = stated.pick(2, 0);
@@ -150,7 +158,7 @@ fn reference() -> Claim {
                 "the derivative goes from plus to minus at θ = 0",
             )
         })
-        .but_not("Eq. (5.30) tells it")
+        .but_not("Eq. (5.30) shows it")
 }
 
 fn absolute_senses() -> Claim {
@@ -165,14 +173,16 @@ fn absolute_senses() -> Claim {
                         vanishes(sign * libm::atan2(pin.y, pin.x) - printed_angle(wheel, t))
                     })
                 },
-                "with a driver turned clockwise by θ, the pin's direction from the wheel's axis is the angle of Eq. (5.30)",
+                "with a driver turned clockwise by θ, the pin's direction from the wheel's axis is the angle of Eq. \
+                 (5.30)",
             )
         })
         .by(ExactIdentity, |stated| prove(&AbsoluteSenses { sign: stated.pick(1, -1) }).into())
         .but_not("ϕ is positive clockwise, as θ is")
         .read_as(
-            "A convention of Fig. 5.29, which is not in the copy. The equations want the two senses to be opposite. They \
-             hold as well with θ counterclockwise and ϕ clockwise, so they don't settle which of the two is clockwise.",
+            "This is a convention of Fig. 5.29, which is not in the copy we had. The equations need the two senses to \
+             be opposite. They hold as well with θ counterclockwise and ϕ clockwise, so they don't settle which of the \
+             two is clockwise.",
         )
 }
 
@@ -194,10 +204,10 @@ fn senses() -> Claim {
                         (x * next_y - y * next_x) * stated.pick(-1.0, 1.0) > 0.0
                     })
                 },
-                "the sense of the wheel as the driver turns on counter-clockwise",
+                "the sense of the wheel while the driver turns counter-clockwise",
             )
         })
-        .but_not("they turn in the same sense")
+        .but_not("the wheel and the driver turn in the same sense")
 }
 
 /// While the driver turns clockwise from the line of centres, the wheel's counter-clockwise speed is `sign` times the velocity

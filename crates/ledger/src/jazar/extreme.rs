@@ -1,4 +1,4 @@
-//! The worked example, part (e): which root is the angle of the greatest acceleration, and what is said of it.
+//! The worked example, part (e): which root is the angle of the greatest acceleration, and what the source says of it.
 
 use super::peak::{both_roots, left_side, six_pair};
 use super::*;
@@ -27,7 +27,9 @@ fn root_choice() -> Claim {
                     let (this, other) = stated.pick((plus, minus), (minus, plus));
                     sizes && (least..=most).contains(&this.abs()) && other.abs() > most
                 },
-                &format!("a cosine's size is between {least} and {most}, that of one root too, that of the other not"),
+                &format!(
+                    "the size of a cosine is between {least} and {most}, as it is for one root but not for the other"
+                ),
             )
         })
         .by(ExactIdentity, |stated| {
@@ -59,7 +61,7 @@ fn alpha_range() -> Claim {
             let at_the_end = if missed { "; none is at the end" } else { "" };
             Finding::new(
                 outside.is_none() && !missed,
-                format!("stations of 3 to 1000 that are outside: {but}{at_the_end}"),
+                format!("numbers of stations from 3 to 1000 that are outside: {but}{at_the_end}"),
             )
         })
         .by(Vectors, |stated| {
@@ -69,16 +71,17 @@ fn alpha_range() -> Claim {
                 (wheels().iter().map(slot).fold(f64::INFINITY, f64::min), greatest(wheels().iter().map(slot)));
             let at_the_end = agrees(greatest, end);
             let holds = least > start && if closed { at_the_end } else { !at_the_end && greatest < end };
-            Finding::new(holds, format!("the slot of three stations enters at {greatest:.4}°"))
+            Finding::new(holds, format!("the slot of the three-station wheel enters at {greatest:.4}°"))
         })
         .corrected(
             r"0 < \alpha \le 60^{\circ}",
             Slip {
                 id: "",
-                reason: "Three stations, the least number that the text allows, have α = 60° exactly. What is said of \
-                         the root holds there too. The copy may have lost a stroke of the sign; but the text has the \
-                         right sign nowhere else, so the slip is put down to the handout.",
-                witness: "The angle at which the pin enters the slot of a wheel of three, by its coordinates.",
+                reason: "Three stations, the least number that the text allows, have α = 60° exactly, and what the \
+                         text says of the root holds there too. The copy may have lost a stroke of the sign. But the \
+                         text has the right sign nowhere else, so we put this mistake down to the handout.",
+                witness: "The coordinates of the pin give the angle at which it enters the slot of a three-station \
+                          wheel.",
                 origin: Origin::Misprint,
                 consequence: Consequence::Remark,
                 changes: "",
@@ -111,7 +114,7 @@ fn maximum() -> Claim {
                     };
                     greatest(angle) && greatest(-angle)
                 },
-                "nowhere in the advance is it greater than at ±θ",
+                "it is nowhere in the advance greater than at ±θ",
             )
         })
         .by(ClosedForm, |stated| {
@@ -128,8 +131,11 @@ fn maximum() -> Claim {
                 "it rises up to both angles and falls from there",
             )
         })
-        .but_not("with its sign, too, it is greatest at both angles")
-        .read_as("Its size is greatest: the source gives two values of opposite signs for the two angles.")
+        .but_not("the acceleration with its sign is greatest at both angles, too")
+        .read_as(
+            "We take this to be about the size of the acceleration, because the source gives two values of opposite \
+             signs for the two angles.",
+        )
 }
 
 fn angle() -> Claim {
@@ -176,10 +182,10 @@ fn sign_of_the_angle() -> Claim {
                     let after = libm::cos(peak_by_series(wheel).0);
                     vanishes(libm::cos(before) - stated.pick(after, -2.0 / after))
                 },
-                "before the line of centres the extreme has the same cosine as past it",
+                "the extreme before the line of centres has the same cosine as the one past it",
             )
         })
-        .but_not("they belong to the two roots")
+        .but_not("the two signs belong to the two roots")
 }
 
 fn general_validity() -> Claim {
@@ -206,11 +212,14 @@ fn general_validity() -> Claim {
                 before && past
             })
         })
-        .but_not("they hold while the driver speeds up, too")
-        .read_as("For every number of stations, with a driver of constant speed, as the example has it.")
+        .but_not("the equations hold while the driver speeds up, too")
+        .read_as(
+            "We take this to be about every number of stations, with a driver of constant speed, as the example \
+                  has it.",
+        )
 }
 
-/// Whether the angle of Eqs. (5.33) and (5.34) is that of the extreme for all numbers of stations; or with a driver that
+/// Whether Eqs. (5.33) and (5.34) give the angle of the extreme for all numbers of stations; or with a driver that
 /// gains half of its speed in the time of a radian.
 fn valid_for(stated: Stated, is_extreme: impl Fn(&Wheel, f64, f64) -> bool) -> Finding {
     let gain = stated.pick(0.0, 0.5);
@@ -219,7 +228,7 @@ fn valid_for(stated: Stated, is_extreme: impl Fn(&Wheel, f64, f64) -> bool) -> F
             let angle = libm::acos(both_roots(libm::sin(wheel.half_pitch_angle())).0);
             angle < wheel.engagement_half_angle() && is_extreme(wheel, angle, gain)
         },
-        "the angle is that of the extreme",
+        "the angle is the angle of the extreme",
     )
 }
 
@@ -263,10 +272,10 @@ pub(super) fn signs() -> Claim {
             same(before, stated.pick(-1.0, 1.0) * past)
         })
         .by(ExactIdentity, |stated| prove(&SameSize { sign: stated.pick(-1, 1) }).into())
-        .but_not("they have the same sign")
+        .but_not("the two accelerations have the same sign")
         .read_as(
-            "The two values differ in sign. Which belongs to which angle is not said: the wheel speeds up at the \
-             negative angle and slows down at the positive one.",
+            "The two values differ in sign, but the source does not say which belongs to which angle. The wheel speeds \
+             up at the negative angle and slows down at the positive one.",
         )
 }
 

@@ -12,11 +12,12 @@ const LOOP: Place = at("Eq. (5.25)");
 /// Eq. (5.29) without its sign.
 pub(super) const LOST_SIGN: Slip = Slip {
     id: "jazar.eq-5.29",
-    reason: "The display before it has a minus sign in front of this term; here it is lost, and the wheel would first \
-             slow down and then speed up. Where the equation is made general the sign is there, and nothing that the \
-             copy shows is computed without it. So it is put down to the copy. Whether the handout has it cannot be \
-             told; if it has not, the curve of Fig. 5.30, which is not in the copy, may be upside down.",
-    witness: "Eq. (5.32) of the same source has the sign, and gives the corrected form for four stations.",
+    reason: "The display before it has a minus sign in front of this term, but here the sign is lost, so the wheel \
+             would first slow down and then speed up. Where the equation is made general the sign is there, and \
+             nothing that the copy shows is computed without it. So we put the loss down to the copy. We cannot tell \
+             whether the handout has the sign. If it does not, the curve of Fig. 5.30, which is not in the copy, may \
+             be upside down.",
+    witness: "Eq. (5.32) of the same source has the sign, and it gives the corrected form for four stations.",
     origin: Origin::Copy,
     consequence: Consequence::Copy,
     changes: "",
@@ -56,7 +57,7 @@ fn loop_closure() -> Vec<Claim> {
             .equation(
                 "jazar.slot-eliminated",
                 r"\cos \theta + \frac{\sin \theta}{\tan \phi} = \sqrt{2}",
-                "the pin's distance eliminated",
+                "loop closure with the pin's distance eliminated",
             )
             .proven(SlotEliminated)
             .by(ClosedForm, || {
@@ -138,7 +139,7 @@ fn angle_and_velocity() -> Vec<Claim> {
                     r"\dot{\phi} = \dot{\theta} \left(\frac{\sqrt{2} \cos \theta - 1}{3 - 2\sqrt{2} \cos ",
                     r"\theta} \right)"
                 ),
-                "angular velocity of the wheel of four",
+                "angular velocity of the four-station wheel",
             )
             .by(ExactIdentity, || prove_with_root::<2, 2>(&VelocityOfFour).into())
             .by(AutomaticDerivative, || at_instants(|wheel, t| (by_duals(wheel, t)[1], printed_5_28(t)))),
@@ -155,7 +156,7 @@ fn accelerations() -> Vec<Claim> {
                     r"\cos \theta} \right)",
                     r" - \dot{\theta}^2 \frac{\sqrt{2} \sin \theta}{(3 - 2\sqrt{2} \cos \theta)^2}",
                 ),
-                "angular acceleration of the wheel of four, the driver speeding up",
+                "angular acceleration of the four-station wheel while the driver speeds up",
             )
             .by(ExactIdentity, || prove_with_root::<2, 3>(&UnsteadyAccelerationOfFour).into())
             .by(AutomaticDerivative, || {
@@ -189,7 +190,7 @@ fn accelerations() -> Vec<Claim> {
             .equation(
                 "jazar.eq-5.29",
                 r"\ddot{\phi} = \dot{\theta}^2 \frac{\sqrt{2} \sin \theta}{(3 - 2\sqrt{2} \cos \theta)^2}",
-                "angular acceleration of the wheel of four, the driver steady",
+                "angular acceleration of the four-station wheel with a steady driver",
             )
             .by(ExactIdentity, || prove_with_root::<2, 2>(&AccelerationOfFour { negative: false }).into())
             .corrected_form(|| prove_with_root::<2, 2>(&AccelerationOfFour { negative: true }).into())

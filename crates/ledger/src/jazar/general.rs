@@ -7,8 +7,8 @@ use crate::tex::{Letters, value};
 use geneva_kinematics::wheel_proofs::{Printed, Quantity};
 use geneva_kinematics::{Expression, Identity, prove};
 
-const PIN_RADIUS: &str = "The pin radius is r, the radius of the circle of the pin's centre. The handout gives no radius of the \
-     pin itself.";
+const PIN_RADIUS: &str = "We take the pin radius to be r, the radius of the circle of the pin's centre, because the \
+                          handout gives no radius of the pin itself.";
 const RATIOS: Place = at("Paragraph before Eq. (5.30)");
 
 pub fn claims() -> Vec<Claim> {
@@ -28,7 +28,7 @@ fn sizes() -> Vec<Claim> {
                         let pin = pin_from_pivot(&(1.0 / libm::sin(wheel.half_pitch_angle())), &rest);
                         agrees(libm::atan2(pin.y, pin.x), PI / f64::from(wheel.stations()))
                     },
-                    "with it the wheel comes to rest half a pitch from the line of centres",
+                    "with this ratio the wheel comes to rest half a pitch from the line of centres",
                 )
             })
             .read_as(PIN_RADIUS),
@@ -36,7 +36,7 @@ fn sizes() -> Vec<Claim> {
             .statement(
                 "jazar.wheel-radius-ratio",
                 r"\text{outside diameter}: 1/\tan \alpha",
-                "the second ratio, of the outside diameter of the wheel to the pin radius",
+                "the second ratio, which is the outside diameter of the wheel over the pin radius",
             )
             .by(Vectors, |stated| {
                 for_all_stations(
@@ -57,10 +57,12 @@ fn sizes() -> Vec<Claim> {
                 r"\text{outside radius}: 1/\tan \alpha",
                 Slip {
                     id: "",
-                    reason: "1/tan α is the outside radius of the wheel over the pin radius, the only other length that \
-                             the sentence names. The diameter over it is twice as much. The ratio would be right for the \
-                             diameter of the pin's circle, but the handout never mentions that diameter.",
-                    witness: "The handout itself says of the wheel of four that its outer radius is r, and tan 45° is one.",
+                    reason: "1/tan α is the outside radius of the wheel over the pin radius, the only other length \
+                             that the sentence names. The outside diameter over the pin radius is twice as much. The \
+                             ratio would be right for the diameter of the pin's circle, but the handout never mentions \
+                             that diameter.",
+                    witness: "The handout itself says that the outer radius of the four-station wheel is r, and tan \
+                              45° is one.",
                     origin: Origin::Misprint,
                     consequence: Consequence::Wording,
                     changes: "",
@@ -87,7 +89,7 @@ fn sizes() -> Vec<Claim> {
             .statement(
                 "jazar.generalises",
                 "become",
-                "Eqs. (5.27) to (5.29) are the case of four stations of Eqs. (5.30) to (5.32)",
+                "Eqs. (5.27) to (5.29) are Eqs. (5.30) to (5.32) in the case of four stations",
             )
             .by(ClosedForm, |stated| four_from_general(&[printed_angle, printed_5_31, printed_5_32], stated))
             .by(AutomaticDerivative, |stated| {
@@ -97,7 +99,7 @@ fn sizes() -> Vec<Claim> {
                 four_from_general(&derivatives, stated)
             })
             .but_not("Eq. (5.29) as it stands in the copy, without its minus sign, is a case of Eq. (5.32)")
-            .read_as("With the minus sign that Eq. (5.29) has lost in the copy."),
+            .read_as("We take Eq. (5.29) with the minus sign that it has lost in the copy."),
     ]
 }
 
@@ -202,8 +204,11 @@ fn four_from_general(general: &[fn(&Wheel, f64) -> f64; 3], stated: Stated) -> F
         let agree = |at: usize| thirds(wheel).all(|t| vanishes(general[at](wheel, t) - four[at](t)));
         let names = ["(5.27)", "(5.28)", "(5.29)"];
         let differing: Vec<_> = (0..3).filter(|at| !agree(*at)).map(|at| names[at]).collect();
-        let how =
-            if differing.is_empty() { "all three agree".into() } else { format!("{} differs", differing.join(", ")) };
+        let how = if differing.is_empty() {
+            "all three equations agree".into()
+        } else {
+            format!("{} differs", differing.join(", "))
+        };
         Finding::new(differing.is_empty(), how)
     })
 }

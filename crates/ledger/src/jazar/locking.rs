@@ -9,7 +9,8 @@ pub(super) fn journal_bearing() -> Claim {
         .statement(
             "jazar.journal-bearing",
             "journal bearing",
-            "while it holds, the wheel's arc and the driver's journal are a bearing: they have the same centre",
+            "while it holds, the wheel's arc and the driver's journal form a bearing, because they have the same \
+             centre",
         )
         .by(ClosedForm, |stated| {
             for_all_stations(
@@ -45,21 +46,21 @@ pub(super) fn locking() -> Claim {
         .statement(
             "jazar.locking",
             "to lock the star wheel",
-            "a journal in an arc of the wheel locks it, whichever way it is pushed",
+            "a journal in an arc of the wheel locks the wheel, whichever way the wheel is pushed",
         )
         .by(ClosedForm, |stated| {
             for_all_stations(
                 |wheel| locks(wheel, between_rim_and_pin(wheel, 0.5), stated.pick(&[1.0, -1.0], &[1.0])),
-                "turned a little either way, an end of the arc would be inside the journal",
+                "if the wheel turned a little either way, an end of the arc would be inside the journal",
             )
         })
         .by(Vectors, |stated| {
             for_all_stations(
                 |wheel| holds(wheel, between_rim_and_pin(wheel, 0.5), stated.pick(&[1.0, -1.0], &[1.0])),
-                "turning either way, an end of the arc would approach the driver's axis",
+                "whichever way the wheel turned, an end of the arc would approach the driver's axis",
             )
         })
-        .but_not("half of the arc, on one side of the line of centres, locks it as well")
+        .but_not("half of the arc, on one side of the line of centres, locks the wheel as well")
 }
 
 pub(super) fn journal_radius() -> Claim {
@@ -68,16 +69,16 @@ pub(super) fn journal_radius() -> Claim {
         .by(ClosedForm, |stated| {
             for_all_stations(
                 |wheel| radii(wheel, stated).all(|journal| locks(wheel, journal, &[1.0, -1.0])),
-                "turned a little either way, an end of the arc would be inside the journal",
+                "if the wheel turned a little either way, an end of the arc would be inside the journal",
             )
         })
         .by(Vectors, |stated| {
             for_all_stations(
                 |wheel| radii(wheel, stated).all(|journal| holds(wheel, journal, &[1.0, -1.0])),
-                "turning either way, an end of the arc would approach the driver's axis",
+                "whichever way the wheel turned, an end of the arc would approach the driver's axis",
             )
         })
-        .but_not("a journal that does not reach the wheel's rim locks it as well")
+        .but_not("a journal that does not reach the wheel's rim locks the wheel as well")
         .read_as("Any journal that reaches the wheel's rim and leaves room for the pin's path locks the wheel.")
 }
 
@@ -86,7 +87,7 @@ pub(super) fn cutout_centres() -> Claim {
         .equation(
             "jazar.cutout-centres",
             r"\sqrt{2}r",
-            "radius of the circle of the locking arcs' centres, four stations",
+            "radius of the circle through the centres of the locking arcs, for four stations",
         )
         .by(ClosedForm, || {
             // Of the wheel as it is made.
@@ -113,11 +114,12 @@ pub(super) fn most_stations() -> Claim {
             "with very many stations the arcs that lock the wheel become too short",
         )
         .missing(
-            "The text does not say by what measure an arc is too short, and the measures disagree. With a journal of six to \
-             nine tenths of the crank radius the arcs get shorter and shorter in wheel radii, from four stations on. In \
-             crank radii, or by the angle that they embrace, they grow; and with any number of stations they lock, \
-             whichever way the wheel is pushed. In wheel radii the arcs of a spherical wheel get as short, though the \
-             handout says that it keeps its locking: no measure that we tried makes both sentences true",
+            "The text does not say by what measure an arc is too short, and the measures disagree. With a journal of \
+             six to nine tenths of the crank radius, the arcs get shorter and shorter in wheel radii, from four \
+             stations on. But they grow in crank radii, or by the angle that they embrace, and with any number of \
+             stations they lock, whichever way the wheel is pushed. In wheel radii the arcs of a spherical wheel get \
+             as short, although the handout says that it keeps its locking. No measure that we tried makes both \
+             sentences true",
         )
 }
 

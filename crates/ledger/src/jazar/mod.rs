@@ -1,7 +1,7 @@
 //! The lecture handout: the N-station Geneva wheel, its kinematics and a worked example.
 //!
-//! The claims stand in the order of the source: the four-station wheel and its equations, the general wheel, the
-//! example. The wheel of the example is [`example`].
+//! The claims follow the order of the source: the four-station wheel and its equations, the general wheel, the example.
+//! The wheel of the example is [`example`].
 
 mod curves;
 mod duration;
@@ -108,8 +108,8 @@ fn for_all_stations(holds: impl Fn(&Wheel) -> bool, how: &str) -> Finding {
     let failing: Vec<u32> = wheels().iter().filter(|wheel| !holds(wheel)).map(Wheel::stations).collect();
     let how = match failing[..] {
         [] => format!("{how}, {}", numbers_of_stations()),
-        [first] => format!("{how}: not for {first} stations"),
-        [first, .., last] => format!("{how}: not for {} numbers of stations from {first} to {last}", failing.len()),
+        [first] => format!("{how}, but not for {first} stations"),
+        [first, .., last] => format!("{how}, but not for {} numbers of stations from {first} to {last}", failing.len()),
     };
     Finding::new(failing.is_empty(), how)
 }
@@ -125,7 +125,7 @@ fn at_instants(sides: impl Fn(&Wheel, f64) -> (f64, f64)) -> Finding {
         let apart = |(a, b): (f64, f64)| (a - b).abs() / a.abs().max(b.abs()).max(1.0);
         let worst = greatest(instants(wheel).map(|t| apart(sides(wheel, t))));
         let holds = worst <= crate::tolerance::ROUTES.relative;
-        Finding::new(holds, format!("the sides differ by at most {worst:.0e} at 90 instants"))
+        Finding::new(holds, format!("the two sides differ by at most {worst:.0e} at 90 instants"))
     })
 }
 
@@ -145,7 +145,7 @@ fn by_series(wheel: &Wheel, crank: f64) -> [f64; 4] {
     at_speed(wheel, crank, 1.0)
 }
 
-/// The same by time, for a driver of this speed.
+/// Wheel angle and its first three derivatives by time, for a driver of this speed.
 fn at_speed(wheel: &Wheel, crank: f64, speed: f64) -> [f64; 4] {
     let turn = Turn::from_radians(crank).moving::<4>(speed);
     let place = pin_from_pivot(&Jet::constant(wheel.centre_distance_ratio()), &turn);

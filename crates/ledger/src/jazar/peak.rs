@@ -16,14 +16,15 @@ const E: Place = at("Ex. (e)");
 /// A ratio that Eq. (5.32) does not give.
 const WRONG_RATIO: Slip = Slip {
     id: "jazar.ex-e.ratio",
-    reason: "It does not follow from Eq. (5.32) at the printed angle, nor at any other: it is larger than the largest \
-             value that the equation takes for six stations. A possible origin, no more: with a 5 for the 9 of the \
-             angle, in the denominator alone, the equation gives the printed digits. The answer is this ratio times \
-             the square of the right speed.",
-    witness: "The pin's place as a power series, its third derivative brought to zero by halving intervals.",
+    reason: "The printed ratio does not follow from Eq. (5.32) at the printed angle or at any other, because it is \
+             larger than the largest value that the equation takes for six stations. We can only suggest a possible \
+             origin: the equation gives the printed digits if the angle, in the denominator alone, has a 5 in place of \
+             the 9. The answer is this ratio times the square of the right speed.",
+    witness: "We took the pin's position as a power series and brought its third derivative to zero by halving \
+              intervals.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Result,
-    changes: "The peak of the wheel's angular acceleration, the answer to (e), is smaller.",
+    changes: "The peak of the wheel's angular acceleration, which is the answer to (e), becomes smaller.",
 };
 
 pub fn claims() -> Vec<Claim> {
@@ -76,13 +77,13 @@ fn steps() -> Vec<Claim> {
         E.equation(
             "jazar.ex-e.pythagoras",
             r"\sin^2\theta = 1 - \cos^2\theta",
-            "replacement of the square of the sine",
+            "the square of the sine, replaced by the cosine",
         )
         .proven(Pythagoras)
         .by(ClosedForm, || {
             let off = |theta: f64| libm::sin(theta) * libm::sin(theta) - (1.0 - libm::cos(theta) * libm::cos(theta));
             let worst = (-30..=30).map(|tenths| off(f64::from(tenths) / 10.0).abs()).fold(0.0, f64::max);
-            Finding::new(vanishes(worst), format!("off by at most {worst:.0e} at 61 angles"))
+            Finding::new(vanishes(worst), format!("the two sides differ by at most {worst:.0e} at 61 angles"))
         }),
         at("Ex. (e), quadratic")
             .equation(
@@ -128,7 +129,7 @@ fn steps() -> Vec<Claim> {
                             let (plus, minus) = both_roots(sine);
                             agrees(plus + minus, -(1.0 + sine * sine) / (2.0 * sine)) && agrees(plus * minus, -2.0)
                         },
-                        "their sum is −γ and their product −2",
+                        "the sum of the roots is −γ and their product is −2",
                     )
                 },
             ),
@@ -153,10 +154,10 @@ fn plot() -> Claim {
                 |wheel| (acceleration_peak(wheel).angle, acceleration_peak(wheel).ratio),
             )
         })
-        .but_not("they can be read from a plot of Eq. (5.31)")
+        .but_not("the extreme and its angle can be read from a plot of Eq. (5.31)")
         .read_as(
-            "From a plot with a point at each degree, over the second half of the advance: the angle to half a degree, \
-             the greatest value with as many places as the source prints.",
+            "We take a plot with a point at each degree, over the second half of the advance. From it we read the \
+             angle to half a degree, and the greatest value to as many places as the source prints.",
         )
 }
 
@@ -169,7 +170,7 @@ fn preceding() -> Claim {
         )
         .by(ExactIdentity, |stated| {
             let degree = left_side(Expression::variable(0), Expression::integer(7)).degrees(1)[0];
-            Finding::new(degree == stated.pick(2, 3), format!("of degree {degree} in cos θ"))
+            Finding::new(degree == stated.pick(2, 3), format!("the equation is of degree {degree} in cos θ"))
         })
         .by(ClosedForm, |stated| {
             // Differences of values at whole numbers: of a polynomial, those of its degree are the last that are
@@ -185,17 +186,19 @@ fn preceding() -> Claim {
             let (own, next) = (difference(degree), difference(degree + 1));
             Finding::new(
                 own != 0.0 && next == 0.0,
-                format!("differences of order {degree}: {own}; of the next: {next}"),
+                format!(
+                    "the differences of order {degree} are {own}, and the differences of the next order are {next}"
+                ),
             )
         })
         .but_not("it is a cubic equation")
-        .read_as("The preceding equation is the one before the words that say what γ is, Eq. (5.33).")
+        .read_as("The preceding equation is Eq. (5.33), the one before the words that say what γ is.")
 }
 
 fn numbers() -> Vec<Claim> {
     vec![
         at("Ex. (e), from Eq. (5.33)")
-            .value("jazar.ex-e.gamma", "1.25", "", "γ of the wheel of six")
+            .value("jazar.ex-e.gamma", "1.25", "", "γ of the six-station wheel")
             .by(ClosedForm, || six(gamma))
             .by(Series, || {
                 let c = libm::cos(six_pair(peak_by_series).0);
@@ -213,19 +216,19 @@ fn numbers() -> Vec<Claim> {
             )
             .by(Dimension, |stated| pure_number(Exponents::ANGULAR_ACCELERATION, stated.pick(stated.count(), 1)))
             .by(Series, |stated| same_at_each_speed(2, stated.pick(stated.count(), 1)))
-            .but_not("the acceleration over the driver's speed is"),
+            .but_not("the acceleration over the driver's speed is a pure number"),
         extreme::signs(),
         at("Ex. (e), from Eq. (5.32)")
             .value(
                 "jazar.ex-e.ratio",
                 "±1.372",
                 "",
-                "greatest size of the acceleration of the wheel of six, over the square of the driver's speed",
+                "greatest size of the acceleration of the six-station wheel, over the square of the driver's speed",
             )
             .by(ClosedForm, || six(|w| acceleration_peak(w).ratio))
             .by(Series, || six_pair(peak_by_series).1)
             .corrected("±1.350", WRONG_RATIO),
-        E.formula("jazar.ex-e.driver-formula", r"6 \times 2\pi", "angular velocity of the driver once more")
+        E.formula("jazar.ex-e.driver-formula", r"6 \times 2\pi", "angular velocity of the driver, computed once more")
             .by(ClosedForm, |stated| {
                 let product = driver_speed(stated);
                 Finding::new(rounds("jazar.ex-d.driver-speed", product), format!("{product}"))
@@ -267,7 +270,7 @@ fn acceleration_by_time() -> f64 {
 /// Whether the tallest of points at whole degrees tells an extreme: its angle to half a degree, its size as rounded to
 /// the places of the printed ratio.
 fn reads(curve: impl Fn(&Wheel, f64) -> f64, extreme: impl Fn(&Wheel) -> (f64, f64)) -> Finding {
-    let Ok(wheel) = example() else { return Finding::new(false, "no wheel of six") };
+    let Ok(wheel) = example() else { return Finding::new(false, "there is no wheel of six") };
     let last = wheel.engagement_half_angle().to_degrees() as i32;
     let points = (0..=last).map(|degrees| (degrees, curve(&wheel, f64::from(degrees).to_radians())));
     let (degrees, read) = points.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, f64::NAN));
@@ -276,12 +279,12 @@ fn reads(curve: impl Fn(&Wheel, f64) -> f64, extreme: impl Fn(&Wheel) -> (f64, f
     let as_printed = |number: f64| format!("{number:.places$}");
     Finding::new(
         (angle.to_degrees() - f64::from(degrees)).abs() <= 0.5 && as_printed(read) == as_printed(size),
-        format!("read: {} at {degrees}°", as_printed(read)),
+        format!("the reading is {} at {degrees}°", as_printed(read)),
     )
 }
 
-/// Whether the third derivative of the wheel's angle is what is said, nought, at both angles of the greatest acceleration;
-/// or between them.
+/// Whether the third derivative of the wheel's angle has the stated value, zero, at both angles of the greatest
+/// acceleration; or between them.
 fn zero_at(stated: Stated, third: fn(&Wheel, f64) -> f64, angle: fn(&Wheel) -> f64) -> Finding {
     for_all_stations(
         |wheel| {

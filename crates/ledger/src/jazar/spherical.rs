@@ -1,4 +1,4 @@
-//! What is said of spherical Geneva mechanisms.
+//! What the handout says of spherical Geneva mechanisms.
 
 use super::*;
 use geneva_kinematics::{Expression, Identity, angular_velocity, prove};
@@ -16,7 +16,8 @@ fn angulated() -> Claim {
         .statement(
             "jazar.spherical-shafts",
             "between angulated shafts",
-            "with its axis at an angle to the driver's, a wheel is moved on by a station, and is at rest at both ends",
+            "a wheel whose axis is at an angle to the driver's axis is moved on by one station, and it is at rest at \
+             both ends",
         )
         .by(Vectors, |stated| {
             let indexed = |stations: u32| {
@@ -35,10 +36,10 @@ fn angulated() -> Claim {
                 [prove(&RestAtTheEnds { quarter }).into(), prove(&StepOfAStation { quarter }).into()];
             Finding::new(rest.holds && step.holds, format!("{}; {}", rest.how, step.how))
         })
-        .but_not("and it takes half of the driver's turn at every angle between the shafts")
+        .but_not("it also takes half of the driver's turn at every angle between the shafts")
         .read_as(
-            "Between shafts at 60°, 90° and 120° for all numbers of stations that are tried elsewhere; by proof at any \
-             angle at which the pin finds room.",
+            "We tried this with shafts at 60°, 90° and 120°, for all numbers of stations that we try elsewhere. A \
+             proof covers any angle at which the pin finds room.",
         )
 }
 
@@ -50,9 +51,9 @@ fn locking() -> Claim {
             "a spherical wheel can have many stations and still be locked between two advances",
         )
         .missing(
-            "The text does not say what is lost in a planar wheel and kept here. If it is the length of the arcs in wheel \
-             radii, a spherical wheel with axes at right angles loses as much; if it is that an arc locks at all, a \
-             planar wheel does not lose it",
+            "The text does not say what is lost in a planar wheel and kept here. If it means the length of the arcs in \
+             wheel radii, a spherical wheel with axes at right angles loses as much. If it means that an arc locks at \
+             all, a planar wheel does not lose it",
         )
 }
 

@@ -7,12 +7,13 @@ pub const SYMBOLS: &[Symbol] = &[
     Symbol {
         printed: "r",
         ours: "R",
-        meaning: "crank radius, the radius of the circle of the pin's centre; pin radius before Eq. (5.30)",
+        meaning: "crank radius, the radius of the circle of the pin's centre, which is called pin radius before Eq. \
+                  (5.30)",
     },
     Symbol {
         printed: "x",
         ours: "r",
-        meaning: "distance of the pin from the wheel's axis; the source does not explain it",
+        meaning: "distance of the pin from the wheel's axis, which the source does not explain",
     },
     Symbol { printed: "θ", ours: r"\theta", meaning: "crank angle from the line of centres" },
     Symbol { printed: "ϕ", ours: r"\varphi", meaning: "wheel angle from the line of centres, in the opposite sense" },

@@ -51,10 +51,10 @@ fn one_direction() -> Claim {
                 "the angle never falls over two turns",
             )
         })
-        .but_not("nor does it ever stand still")
+        .but_not("the wheel never turns back and never stands still")
         .read_as(
-            "Said of indexing mechanisms in general, tried on Geneva wheels of any number of stations with a driver that does not \
-             turn back.",
+            "The handout says this of indexing mechanisms in general. We tried it on Geneva wheels of any number of \
+             stations, with a driver that does not turn back.",
         )
 }
 
@@ -63,8 +63,8 @@ fn slider_crank() -> Claim {
         .statement(
             "jazar.slider-crank",
             "inverted slider crank",
-            "while it advances it is an inverted slider crank: the pin is on a crank and in a slot through the wheel's \
-             axis",
+            "while it advances, it is an inverted slider crank, because the pin is on a crank and in a slot through \
+             the wheel's axis",
         )
         .by(Vectors, |stated| {
             // The pin's place in the wheel, which turns as the formulas say.
@@ -105,7 +105,7 @@ fn quarter_turn() -> Claim {
         .statement(
             "jazar.quarter-turn",
             "one-quarter turn",
-            "the wheel of four advances a quarter turn for every turn of the driver",
+            "the four-station wheel advances a quarter turn for every turn of the driver",
         )
         .by(Vectors, |stated| {
             let advance = |wheel: &Wheel| 2.0 * by_series(wheel, wheel.engagement_half_angle())[0];
@@ -122,7 +122,7 @@ fn quarter_turn() -> Claim {
             };
             same(of(4, turned), 2.0 * PI)
         })
-        .but_not("it advances half a turn")
+        .but_not("the wheel advances half a turn")
 }
 
 /// The part of a whole that a number of quarters is; not a number if the words are not of quarters.
@@ -143,7 +143,7 @@ fn tangent_entry() -> Claim {
                     crossings(wheel, stated.pick(&[0.25, 0.5, 0.75], &[0.0]))
                         .all(|(ratio, crank)| !vanishes(velocity_ratio(&ratio, &Turn::from_radians(crank))))
                 },
-                "the wheel's speed is not zero as the pin meets the slot, and jumps",
+                "the wheel's speed is not zero as the pin meets the slot, so it jumps",
             )
         })
         .by(Vectors, |stated| {
@@ -160,7 +160,7 @@ fn tangent_entry() -> Claim {
                 "the pin is in the slot's line, and its velocity has a component across it",
             )
         })
-        .but_not("it is infinite with a slot that is tangent, too")
+        .but_not("the acceleration is infinite with a tangent slot, too")
 }
 
 fn infinite_deceleration() -> Claim {
@@ -168,11 +168,10 @@ fn infinite_deceleration() -> Claim {
         .statement(
             "jazar.infinite-deceleration",
             "infinite deceleration at the end",
-            "unless the slot is tangent, the wheel is accelerated infinitely at the beginning and decelerated so at the end",
+            "unless the slot is tangent, the wheel has an infinite acceleration at the beginning and an infinite \
+             deceleration at the end",
         )
-        .by(ClosedForm, |stated| {
-            jumps(stated, |_, ratio, crank| velocity_ratio(&ratio, &Turn::from_radians(crank)))
-        })
+        .by(ClosedForm, |stated| jumps(stated, |_, ratio, crank| velocity_ratio(&ratio, &Turn::from_radians(crank))))
         .by(Vectors, |stated| {
             jumps(stated, |_, ratio, crank| {
                 // The part of the pin's velocity across the slot, in the sense in which the wheel advances.
@@ -180,14 +179,15 @@ fn infinite_deceleration() -> Claim {
                 pin.perp(&nalgebra::Vector2::new(libm::sin(crank), libm::cos(crank)))
             })
         })
-        .but_not("it is decelerated at the beginning and accelerated at the end")
+        .but_not("the wheel is decelerated at the beginning and accelerated at the end")
         .read_as(
-            "By the size of the wheel's speed: as the pin enters it jumps up from rest, as the pin leaves down to rest.",
+            "We go by the size of the wheel's speed: it jumps up from rest as the pin enters, and down to rest as the \
+             pin leaves.",
         )
 }
 
-/// Whether the size of the wheel's speed jumps from zero up as the pin enters and down to zero as it leaves; or the other
-/// way.
+/// Whether the size of the wheel's speed jumps from zero up as the pin enters and down to zero as it leaves; or the
+/// reverse.
 fn jumps(stated: Stated, speed: impl Fn(&Wheel, f64, f64) -> f64) -> Finding {
     let sign = stated.pick(1.0, -1.0);
     for_all_stations(
@@ -204,7 +204,7 @@ fn jumps(stated: Stated, speed: impl Fn(&Wheel, f64, f64) -> f64) -> Finding {
 
 fn centre_distance() -> Claim {
     SIMPLE
-        .equation("jazar.centre-distance", r"\sqrt{2}r", "centre distance of the wheel of four")
+        .equation("jazar.centre-distance", r"\sqrt{2}r", "centre distance of the four-station wheel")
         .by(ExactIdentity, || {
             type WithTwo = Surd<Rational, 2>;
             let misfit = four_slot_entry_misfit(&WithTwo::root());
@@ -225,17 +225,21 @@ fn centre_distance() -> Claim {
 
 fn wheel_radius() -> Claim {
     SIMPLE
-        .statement("jazar.wheel-radius", "outer radius", "outer radius of the wheel of four: the crank radius")
+        .statement(
+            "jazar.wheel-radius",
+            "outer radius",
+            "the outer radius of the four-station wheel is the crank radius",
+        )
         .by(ClosedForm, |stated| same(of(4, Wheel::wheel_radius_ratio), stated.pick(1.0, 2f64.sqrt())))
         .by(Vectors, |stated| same(of(4, |wheel| entry(wheel).norm()), stated.pick(1.0, 2f64.sqrt())))
-        .but_not("it is the centre distance")
+        .but_not("the outer radius is the centre distance")
 }
 
 fn sense_of_the_wheel() -> Claim {
     CAPTION.figure("jazar.fig-5.28-sense", "counterclockwise", "the star wheel is advanced counterclockwise").missing(
-        "The drawing is not in the copy, and the text does not say in which sense its driver turns. If the driver turns \
-         clockwise, the sense in which Fig. 5.29 counts θ, the star wheel turns counterclockwise. If the driver turns \
-         counterclockwise, the star wheel turns clockwise.",
+        "The copy we had does not include the drawing, and the text does not say in which sense its driver turns. If \
+         the driver turns clockwise, the sense in which Fig. 5.29 counts θ, the star wheel turns counterclockwise. If \
+         the driver turns counterclockwise, the star wheel turns clockwise.",
     )
 }
 
@@ -254,7 +258,7 @@ fn parts_of_the_cycle() -> Claim {
             let locked = quarters(stated);
             same(of(4, locked_part), stated.pick(locked, 1.0 - locked))
         })
-        .but_not("it is locked for a quarter and advances for three quarters")
+        .but_not("the wheel is locked for a quarter and advances for three quarters")
 }
 
 fn speeds_up_then_slows_down() -> Claim {
@@ -291,8 +295,11 @@ fn speeds_up_then_slows_down() -> Claim {
                 "the speed rises from zero up to θ = 0 and falls to zero from there",
             )
         })
-        .but_not("it decelerates and then accelerates")
-        .read_as("Smoothly: the speed does not jump. That the acceleration does, at both ends, the source says itself.")
+        .but_not("the wheel decelerates and then accelerates")
+        .read_as(
+            "Smoothly means here that the speed does not jump. The source itself says that the acceleration jumps at \
+             both ends.",
+        )
 }
 
 /// Whether the wheel's angle rises by more than this from each of a hundred places of two turns to the next.

@@ -38,7 +38,7 @@ pub fn along_the_slot() -> Claim {
                 let part = line.perp(&seen) / seen.norm();
                 let along = vanishes(part);
                 let angle = if along { 0.0 } else { libm::asin(part.abs()).to_degrees() };
-                Finding::new(along, format!("the velocity seen is {angle:.1}° off that line"))
+                Finding::new(along, format!("the velocity as seen from the wheel makes {angle:.1}° with that line"))
             })
         })
         .but_not("it moves along the crank, as seen from the wheel")
@@ -57,7 +57,7 @@ pub fn velocity_figure() -> Claim {
                 let side = stated.pick(motion.slot_point_velocity, motion.pin_velocity);
                 let cosine = side.normalize().dot(&motion.sliding_velocity.normalize());
                 let angle = libm::acos(cosine).to_degrees();
-                Finding::new(vanishes(cosine), format!("the angle between the two is {angle:.1}°"))
+                Finding::new(vanishes(cosine), format!("the angle between the two velocities is {angle:.1}°"))
             })
         })
         .by(OtherPlaceInSource, |stated| {
@@ -70,7 +70,7 @@ pub fn velocity_figure() -> Claim {
             Finding::new(
                 least < longest[1] && longest[0] < most,
                 format!(
-                    "the two printed legs want {least:.1} to {most:.1} mm/s for the longest side, which is {:.1} mm/s",
+                    "the two printed legs need a longest side of {least:.1} to {most:.1} mm/s, and it is {:.1} mm/s",
                     longest[0].midpoint(longest[1])
                 ),
             )
@@ -78,7 +78,7 @@ pub fn velocity_figure() -> Claim {
         .but_not("it has its right angle between the pin's velocity and the sliding velocity")
 }
 
-/// The slot's point moves across OP; or across BP. Variables as in the formula crate: p, q, l, ω.
+/// Whether the slot's point moves across OP, or across BP. Variables as in the formula crate: p, q, l, ω.
 struct Across(Stated);
 
 impl Identity<4> for Across {
@@ -87,7 +87,7 @@ impl Identity<4> for Across {
     }
 }
 
-/// The sliding velocity is along OP; or along BP. The same variables.
+/// Whether the sliding velocity is along OP, or along BP. The variables are the same as in [`Across`].
 struct Along(Stated);
 
 impl Identity<4> for Along {
@@ -96,7 +96,7 @@ impl Identity<4> for Along {
     }
 }
 
-/// Something of the motion with the crank (p, q) at the centre distance l and the angular velocity ω.
+/// A part of the motion, with the crank (p, q) at the centre distance l and the angular velocity ω.
 fn moving(
     [p, q, distance, driver]: [Expression; 4],
     of: impl Fn(PinMotion<Expression>, Vector2<Expression>) -> Expression,

@@ -1,4 +1,4 @@
-//! What the problem gives: the data, and how far apart the axes must be.
+//! What the problem gives: its values, and how far apart the axes must be.
 
 use super::*;
 use geneva_kinematics::pin_proofs::four_slot_entry_misfit;
@@ -16,7 +16,7 @@ pub fn claims() -> Vec<Claim> {
                 "pin.driver-speed",
                 "10",
                 "rad/s",
-                "angular velocity of the driver, a datum; the printed speed and radius give it back",
+                "the given angular velocity of the driver, which the printed speed and radius reproduce",
             )
             .by(OtherPlaceInSource, || printed("pin.pin-speed") / printed("pin.crank-radius"))
             .by(OtherPlaceInSource, || printed("pin.follower-speed") / ratio_at_the_instant()),
@@ -32,14 +32,14 @@ pub fn claims() -> Vec<Claim> {
                 let needed = needed.map_or("not rational".to_owned(), |needed| needed.to_string());
                 Finding::new(
                     holds,
-                    format!("the wheel stands still where tan² β is {found}; the pin enters where it is {needed}"),
+                    format!("the wheel stands still where tan² β is {found}, and the pin enters where it is {needed}"),
                 )
             })
             .by(Jet, |stated| {
                 let speeds = match slots(stated) {
                     4 => speeds_of_four(),
                     6 => speeds_of_six(),
-                    other => return Finding::new(false, format!("no exact power series with {other} slots")),
+                    other => return Finding::new(false, format!("there is no exact power series with {other} slots")),
                 };
                 let still =
                     speeds.as_ref().is_some_and(|speeds| speeds.iter().all(|speed| *speed == Roots::integer(0)));
@@ -51,7 +51,7 @@ pub fn claims() -> Vec<Claim> {
             .equation(
                 "pin.centre-distance",
                 r"l=1 \overline{2} R",
-                "centre distance of a four-slot wheel that starts and stops from rest",
+                "centre distance of a four-slot wheel that starts from rest and stops at rest",
             )
             .by(ExactIdentity, || {
                 // Two readings of the characters: one times two, and 1.222…
@@ -59,25 +59,25 @@ pub fn claims() -> Vec<Claim> {
                 let holds = misfits.contains(&rational(0, 1));
                 Finding::new(
                     holds,
-                    format!("off its circle by {} and {} if l/R is 2 or 1.222…", misfits[0], misfits[1]),
+                    format!("the pin is off its circle by {} and {} if l/R is 2 or 1.222…", misfits[0], misfits[1]),
                 )
             })
-            .corrected_form(|| Finding::new(is_root_of_two_exact(), "exactly on its circle if l/R is √2"))
+            .corrected_form(|| Finding::new(is_root_of_two_exact(), "the pin is exactly on its circle if l/R is √2"))
             .by(OtherPlaceInSource, || {
                 let [least, most] = ratio_from_printed_radius();
                 Finding::new(
                     (least..most).contains(&2f64.sqrt()),
-                    format!("the printed r² wants l/R between {least:.4} and {most:.4}"),
+                    format!("the printed r² needs an l/R between {least:.4} and {most:.4}"),
                 )
             })
             .corrected(
                 r"l=\sqrt{2} R",
                 Slip {
                     id: "",
-                    reason: "A digit one and a bar over the two stand where a root sign is needed. The copy has lost \
-                             signs in other places too, so this is put down to the copy.",
-                    witness: "The printed value of r² leads back to l/R = √2 within its digits, and to neither reading \
-                              of the printed characters.",
+                    reason: "The copy we had shows a digit one and a bar over the two where a root sign is needed. It \
+                             has lost signs in other places too, so we put this mistake down to the copy.",
+                    witness: "The printed value of r² leads back to l/R = √2 within its digits, but not to either \
+                              reading of the printed characters.",
                     origin: Origin::Copy,
                     consequence: Consequence::Copy,
                     changes: "",
@@ -88,7 +88,8 @@ pub fn claims() -> Vec<Claim> {
                 "pin.crank-angle",
                 "150",
                 "°",
-                "crank angle φ from the direction OB, a datum; the angle at B and the direction of v_P give it back",
+                "the given crank angle φ from the direction OB, which the angle at B and the direction of v_P \
+                 reproduce",
             )
             .by(OtherPlaceInSource, || 180.0 - printed("pin.angle-at-driver"))
             .by(OtherPlaceInSource, || 90.0 + printed("pin.pin-velocity-direction")),

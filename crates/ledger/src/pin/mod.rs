@@ -1,7 +1,7 @@
 //! The textbook problem: angular velocity of a four-slot wheel and velocity of the pin in its slot.
 //!
-//! The claims stand in the order of the source, a file for each stage: what is given, the position triangle, the
-//! velocity triangle. The instant itself, from the printed data, is [`Instant`].
+//! The claims follow the order of the source, with a file for each stage: what is given, the position triangle, the
+//! velocity triangle. The instant itself, from the printed values, is [`Instant`].
 
 mod directions;
 mod given;
@@ -45,7 +45,7 @@ pub struct Instant {
 }
 
 impl Instant {
-    /// The instant of the printed data: the wheel of four stations, scaled to the printed crank radius.
+    /// Builds the instant from the printed values: the four-station wheel, scaled to the printed crank radius.
     pub fn printed() -> Result<Self, KinematicsError> {
         let wheel = Wheel::new(4)?;
         Ok(Self {
@@ -55,12 +55,12 @@ impl Instant {
         })
     }
 
-    /// The route of the source: laws of cosines and sines.
+    /// Solves by the source's own route, the laws of cosines and sines.
     pub fn by_triangle(&self) -> TriangleSolution {
         pin_triangle::solve(&self.mechanism, &self.crank.supplement(), self.driver_speed)
     }
 
-    /// The other route: the pin's place differentiated.
+    /// Solves by a second route, which differentiates the pin's position.
     ///
     /// `None` if the pin is on the follower's pivot, which a [`PinSlot`] excludes.
     pub fn by_vectors(&self) -> Option<PinMotion<f64>> {
@@ -68,7 +68,7 @@ impl Instant {
         pin_vectors::solve(&radius, &distance, &self.crank, &self.driver_speed)
     }
 
-    /// A third route, for witnesses: dual numbers.
+    /// Sets up a third route, with dual numbers, for the witnesses.
     fn by_duals(&self) -> Crank {
         Crank {
             ground: self.mechanism.centre_distance(),
@@ -100,16 +100,16 @@ fn vectors(quantity: fn(&PinMotion<f64>) -> f64) -> f64 {
     Instant::printed().ok().and_then(|instant| instant.by_vectors()).map_or(f64::NAN, |motion| quantity(&motion))
 }
 
-/// What is found at the printed instant, from the mechanism and its motion by vectors.
+/// The finding at the printed instant, from the mechanism and its motion by vectors.
 fn at_the_instant(find: impl Fn(&Instant, &PinMotion<f64>) -> Finding) -> Finding {
     let found = Instant::printed().ok().and_then(|instant| Some(find(&instant, &instant.by_vectors()?)));
-    found.unwrap_or_else(|| Finding::new(false, "no such position"))
+    found.unwrap_or_else(|| Finding::new(false, "there is no such position"))
 }
 
-/// What is found at the printed instant from where the pin is, by dual numbers.
+/// The finding at the printed instant, from the pin's position by dual numbers.
 fn from_duals(find: impl Fn(&Crank) -> Finding) -> Finding {
     let found = Instant::printed().map(|instant| find(&instant.by_duals()));
-    found.unwrap_or_else(|_| Finding::new(false, "no such position"))
+    found.unwrap_or_else(|_| Finding::new(false, "there is no such position"))
 }
 
 /// The direction of a vector in degrees, counter-clockwise from the right, from 0° to 360°.

@@ -35,7 +35,7 @@ pub fn claims() -> Vec<Claim> {
                 let crank = stated.pick(printed("pin.crank-angle"), printed("pin.angle-at-driver"));
                 Finding::new(
                     (least..most).contains(&(180.0 - crank)),
-                    format!("the printed r wants a crank angle of {:.1}° to {:.1}°", 180.0 - most, 180.0 - least),
+                    format!("the printed r needs a crank angle of {:.1}° to {:.1}°", 180.0 - most, 180.0 - least),
                 )
             })
             .but_not("it is the position at a crank angle of 30°"),
@@ -103,7 +103,7 @@ pub fn claims() -> Vec<Claim> {
                 let cosine = (1.0 + square) / (2.0 * (2.0 * square).sqrt());
                 makes_exact((1.0 - cosine * cosine).sqrt(), stated)
             })
-            .but_not("the same with one more in the last place of the denominator"),
+            .but_not("the same formula with the last digit of the denominator one larger"),
         SINES
             .value("pin.angle-at-pivot", "42.4", "°", "β, angle of the slot at O from the line of centres")
             .by(ClosedForm, || triangle(|t| t.angle_at_pivot).to_degrees())
@@ -119,11 +119,14 @@ pub fn claims() -> Vec<Claim> {
 fn makes_exact(sine_at_pivot: f64, stated: Stated) -> Finding {
     let numbers = numeric_tokens(stated.characters());
     let [Ok(angle), Ok(denominator)] = &numbers.iter().map(|digits| digits.parse()).collect::<Vec<_>>()[..] else {
-        return Finding::new(false, "not an angle and a denominator");
+        return Finding::new(false, "these are not an angle and a denominator");
     };
     let (angle, denominator): (&Decimal, &Decimal) = (angle, denominator);
     let exact = sine(angle.to_f64()) / sine_at_pivot;
     let [least, most] = denominator.interval();
     let shift = stated.pick(0.0, most - least);
-    Finding::new((least + shift..most + shift).contains(&exact), format!("exact with {exact:.6} in the denominator"))
+    Finding::new(
+        (least + shift..most + shift).contains(&exact),
+        format!("it is exact with {exact:.6} in the denominator"),
+    )
 }

@@ -1,9 +1,9 @@
 //! Letters and arrows: what the copy made of them, and what they stand for.
 //!
-//! Greek letters have become Latin ones, and arrows have become letters. A letter, with its index if it has one, names one
-//! thing in all its places; then nothing is wrong with it, and the claim says what it names. A letter for an arrow says
-//! nothing. One rule holds for all of these: what the arrow was follows from the rest of the text, if of all arrows that
-//! could be there only one makes the printed numbers right.
+//! Greek letters have become Latin ones, and arrows have become letters. If a letter, with its index if it has one,
+//! names one thing in all its places, then nothing is wrong with it, and the claim says what it names. A letter in
+//! place of an arrow says nothing. One rule holds for all the arrows: the rest of the text tells what an arrow was if,
+//! of all the arrows that could be there, only one makes the printed numbers right.
 
 use super::*;
 use crate::by_id::characters;
@@ -11,13 +11,14 @@ use crate::by_id::characters;
 /// Letters where arrows are needed.
 pub const ARROWS: Slip = Slip {
     id: "pin.mark-f",
-    reason: "The copy has the letters d, f and i for three arrows. The text settles each of them without the drawing: it \
-             gives the sense of the driver and the angle of the crank, and all other senses follow. An arrow before an \
-             angle points up or down, to the left or to the right, and its angle counts from the horizontal or the \
-             vertical. Of these eight arrows only one fits the printed angles.",
+    reason: "The copy we had shows the letters d, f and i in place of three arrows. The text settles each of them \
+             without the drawing, because it gives the sense of the driver and the angle of the crank, and all other \
+             senses follow from these. An arrow before an angle points up or down and to the left or to the right, and \
+             its angle is measured from the horizontal or from the vertical. Of these eight arrows only one fits the \
+             printed angles.",
     witness: "The angles of the crank and of the slot alone give the same directions. A public page that continues the \
-              problem prints the arrows of the sliding velocity and of the wheel, and they are the same; it prints no \
-              velocity of the slot's point.",
+              problem prints the arrows of the sliding velocity and of the wheel, and they are the same arrows. \
+              However, it prints no velocity of the slot's point.",
     origin: Origin::Copy,
     consequence: Consequence::Copy,
     changes: "",
@@ -28,7 +29,8 @@ pub fn letter_v() -> Claim {
         .statement(
             "pin.letter-v",
             "V_D",
-            "the letter V or v (ω, it seems) with the index of a disk names its angular velocity, here that of the driver",
+            "the letter V or v (ω, it seems) with the index of a disk means the angular velocity of that disk, here \
+             the driver's",
         )
         .by(Evidence::Dimension, |stated| {
             // As an angular velocity, or as what the letter v names with the index of a point: a speed.
@@ -37,7 +39,7 @@ pub fn letter_v() -> Claim {
             let words = |dimension: Option<Dimension>| dimension.map_or("unknown".into(), |d| d.to_string());
             Finding::new(
                 printed.is_some() && printed == named,
-                format!("the printed unit is {}, the letter stands for {}", words(printed), words(named)),
+                format!("the printed unit is {}, and the letter stands for {}", words(printed), words(named)),
             )
         })
         .by(OtherPlaceInSource, |stated| {
@@ -46,12 +48,17 @@ pub fn letter_v() -> Claim {
             let named = stated.pick(speed / printed("pin.crank-radius"), speed);
             Finding::new(rounds("pin.driver-speed", named), format!("what the letter stands for is {named:.1}"))
         })
-        .but_not("it names a speed, as with the index of a point")
+        .but_not("the letter names a speed, as it does with the index of a point")
 }
 
 pub fn letter_f() -> Claim {
     at("Problem, 2nd paragraph")
-        .statement("pin.letter-f", "f", "the letter f (φ, it seems) names the angle of the crank from the direction OB")
+        .statement(
+            "pin.letter-f",
+            "f",
+            "the letter f (φ, it seems) means the angle of the crank from the direction \
+                                         OB",
+        )
         .by(Vectors, |stated| {
             // The pin is on its circle about B, and as far from O as the printed r says.
             let (radius, distance) = (printed("pin.crank-radius"), printed("pin.crank-radius") * 2f64.sqrt());
@@ -71,7 +78,7 @@ pub fn letter_f() -> Claim {
             let corner = printed("pin.angle-at-driver");
             the_crank_angle(stated.pick(180.0 - corner, corner))
         })
-        .but_not("it names the angle of the triangle at B")
+        .but_not("the letter names the angle of the triangle at B")
 }
 
 /// Whether the number printed behind the letter f is this angle.
@@ -84,8 +91,8 @@ pub fn letter_b() -> Claim {
         .statement(
             "pin.letter-b",
             "b",
-            "the letter b (β, it seems) names the angle of the triangle at O, opposite to the crank; the text does not \
-             say so",
+            "the letter b (β, it seems) means the angle of the triangle at O, opposite the crank, although the text \
+             does not say so",
         )
         .by(Vectors, |stated| {
             at_the_instant(|instant, motion| {
@@ -103,10 +110,10 @@ pub fn letter_b() -> Claim {
             let side = printed("pin.crank-radius") * stated.pick(1.0, 2f64.sqrt());
             Finding::new(
                 (least..most).contains(&side),
-                format!("the side opposite is {side:.1} mm; the printed r and b want {least:.1} to {most:.1} mm"),
+                format!("the opposite side is {side:.1} mm, and the printed r and b need {least:.1} to {most:.1} mm"),
             )
         })
-        .but_not("it names the angle at P, opposite to the line of centres")
+        .but_not("the letter names the angle at P, opposite the line of centres")
 }
 
 pub fn letter_g() -> Claim {
@@ -114,8 +121,8 @@ pub fn letter_g() -> Claim {
         .statement(
             "pin.letter-g",
             "g",
-            "the letter g (γ, it seems) names the angle between the pin's velocity and the slot; the text does not say \
-             so",
+            "the letter g (γ, it seems) means the angle between the pin's velocity and the slot, although the text \
+             does not say so",
         )
         .by(Jet, |stated| {
             at_the_instant(|_, motion| {
@@ -129,10 +136,10 @@ pub fn letter_g() -> Claim {
             let angle = libm::asin(opposite / printed("pin.pin-speed")).to_degrees();
             Finding::new(
                 rounds("pin.velocity-angle", angle),
-                format!("by the printed speeds the angle opposite to that side is {angle:.2}°"),
+                format!("by the printed speeds, the angle opposite that side is {angle:.2}°"),
             )
         })
-        .but_not("it names the angle between the pin's velocity and that of the slot's point")
+        .but_not("the letter names the angle between the pin's velocity and the velocity of the slot's point")
 }
 
 pub fn mark_d() -> Claim {
@@ -157,7 +164,7 @@ pub fn mark_d() -> Claim {
         .corrected("an arrow down and to the left, with the angle from the horizontal", ARROWS)
 }
 
-/// Whether these characters are those of a claim on the public page that continues the problem. The page is another copy of
+/// Whether the public page that continues the problem prints these characters in a claim. The page is another copy of
 /// the same text, so it says what a lost character was.
 fn is_on_the_page(stated: Stated, id: &str) -> bool {
     stated.characters() == characters(id)
@@ -204,7 +211,7 @@ struct Arrow {
 }
 
 impl Arrow {
-    /// The arrow that the words tell of; none if they tell of none, as a letter does.
+    /// Reads the arrow that the words describe; none if they describe none, as a letter does.
     fn read(words: &str) -> Option<Self> {
         let either = |one: &str, other: &str| match (words.contains(one), words.contains(other)) {
             (true, false) => Some(true),
@@ -232,29 +239,32 @@ impl Arrow {
         if self.from_the_horizontal { heading } else { 90.0 - heading }
     }
 
-    /// Whether it makes all these printed angles right, for these directions.
+    /// Whether the arrow makes all these printed angles right, for these directions.
     fn fits(self, ids: &[&str], headings: &[f64]) -> bool {
         ids.iter().zip(headings).all(|(id, heading)| rounds(id, self.angle(*heading)))
     }
 }
 
-/// Whether the arrow that is told of fits the printed angles of these claims, and no other does.
+/// Whether the arrow in the statement fits the printed angles of these claims and no other arrow does.
 pub(crate) fn only_arrow<const N: usize>(ids: &[&str; N], headings: [f64; N], stated: Stated) -> Finding {
     let fitting: Vec<Arrow> = Arrow::all().filter(|arrow| arrow.fits(ids, &headings)).collect();
     let pointing = headings.map(|heading| format!("{heading:.1}°")).join(" and ");
     let Some(arrow) = Arrow::read(stated.characters()) else {
-        return Finding::new(false, "a letter, which points nowhere");
+        return Finding::new(false, "a letter is printed, which points nowhere");
     };
     let holds = fitting == [arrow];
-    Finding::new(holds, format!("pointing at {pointing} from the right; of eight arrows {} fits", fitting.len()))
+    Finding::new(
+        holds,
+        format!("the directions are {pointing} from the right, and of eight arrows {} fits", fitting.len()),
+    )
 }
 
-/// Whether the wheel turns in the sense that is told, by an angular velocity that is positive counter-clockwise.
+/// Whether the wheel turns in the stated sense, by an angular velocity that is positive counter-clockwise.
 pub(crate) fn turns(speed: f64, stated: Stated) -> Finding {
     let words = stated.characters();
     let said = match (words.contains("clockwise"), words.contains("counter")) {
         (true, counter) => counter,
-        (false, _) => return Finding::new(false, "a letter, which turns no way"),
+        (false, _) => return Finding::new(false, "a letter is printed, which shows no sense of turning"),
     };
     let found = if speed > 0.0 { "counter-clockwise" } else { "clockwise" };
     Finding::new((speed > 0.0) == said, format!("the pin goes round the axis of the wheel {found}"))

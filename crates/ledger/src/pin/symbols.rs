@@ -1,18 +1,18 @@
-//! The letters of the source: its Greek ones and its arrows came out of the copy as Latin letters.
+//! The letters of the source. In the copy, its Greek letters and its arrows have become Latin letters.
 
 use crate::Symbol;
 
-/// Each printed letter and the book's symbol. A letter that stands twice has two meanings in the source.
+/// Each printed letter and the book's symbol. A letter that is listed twice has two meanings in the source.
 pub const SYMBOLS: &[Symbol] = &[
     Symbol { printed: "f", ours: r"\varphi", meaning: "crank angle, from the direction OB" },
     Symbol { printed: "b", ours: r"\beta", meaning: "angle of the slot at O" },
     Symbol { printed: "g", ours: r"\gamma", meaning: "angle between the pin's velocity and the slot" },
-    Symbol { printed: "v", ours: r"\omega", meaning: "angular velocity with the index of a disk, printed V as well" },
-    Symbol { printed: "v", ours: r"v", meaning: "speed with the index of a point" },
+    Symbol { printed: "v", ours: r"\omega", meaning: "angular velocity, with the index of a disk (also printed V)" },
+    Symbol { printed: "v", ours: r"v", meaning: "speed, with the index of a point" },
     Symbol { printed: "v", ours: r"\vec{v}", meaning: "velocity, printed upright" },
-    Symbol { printed: "d", ours: r"\swarrow", meaning: "arrow before an angle that counts from the horizontal" },
-    Symbol { printed: "f", ours: r"\searrow", meaning: "arrow before an angle that counts from the vertical" },
-    Symbol { printed: "i", ours: r"\circlearrowright", meaning: "arrow of a sense of rotation" },
+    Symbol { printed: "d", ours: r"\swarrow", meaning: "arrow before an angle that is measured from the horizontal" },
+    Symbol { printed: "f", ours: r"\searrow", meaning: "arrow before an angle that is measured from the vertical" },
+    Symbol { printed: "i", ours: r"\circlearrowright", meaning: "arrow that shows a sense of rotation" },
     Symbol { printed: r"1 \overline{2}", ours: r"\sqrt{2}", meaning: "a root" },
 ];
 

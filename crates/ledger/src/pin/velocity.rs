@@ -31,7 +31,7 @@ fn pin_speed() -> Vec<Claim> {
             "pin.crank-radius",
             "50",
             "mm",
-            "crank radius R, a datum of the lost figure; the printed speeds and lengths give it back",
+            "crank radius R, a value from the lost figure, which the printed speeds and lengths reproduce",
         )
         .by(OtherPlaceInSource, || printed("pin.pin-speed") / printed("pin.driver-speed"))
         .by(OtherPlaceInSource, || printed("pin.radius") / printed("pin.radius-ratio")),
@@ -51,7 +51,7 @@ fn triangle_of_velocities() -> Vec<Claim> {
             .equation(
                 "pin.velocity-equation",
                 r"\text{v}_{P}=\text{v}_{P'}+\text{v}_{P/S}",
-                "velocity of the pin: that of the slot's point and that along the slot",
+                "velocity of the pin, as the velocity of the slot's point plus the velocity along the slot",
             )
             .by(ExactIdentity, || {
                 // Along the line of centres and across it.
@@ -75,7 +75,7 @@ fn triangle_of_velocities() -> Vec<Claim> {
             .equation(
                 "pin.velocity-angle-equation",
                 r"g=90^{\circ}-\ldots^{\circ}-\ldots^{\circ}",
-                "γ is what β and the angle at B leave of a right angle",
+                "γ is a right angle less β and less the angle at B",
             )
             .by(Vectors, || {
                 same(
@@ -132,7 +132,12 @@ fn components() -> Vec<Claim> {
             .by(ClosedForm, || triangle(|t| t.angle_at_pivot).to_degrees())
             .by(Jet, || vectors(|motion| 90.0 - from_horizontal(&motion.slot_point_velocity))),
         COMPONENTS
-            .equation("pin.sliding-equation", r"v_{P/S}=v_{P} \cos g", "component of the pin's velocity along the slot")
+            .equation(
+                "pin.sliding-equation",
+                r"v_{P/S}=v_{P} \cos g",
+                "component of the pin's velocity along the \
+                                                                        slot",
+            )
             .proven(SlidingSpeed)
             .by(AutomaticDerivative, || {
                 from_duals(|crank| {
@@ -180,17 +185,18 @@ fn wheel() -> Vec<Claim> {
 
 const ROUNDED_ANGLE: Slip = Slip {
     id: "pin.slot-point-speed",
-    reason: "Four digits are printed, but they come from the sine of an angle rounded to three; the fourth is not \
+    reason: "Four digits are printed, but they come from the sine of an angle rounded to three, so the fourth is not \
              right.",
-    witness: "The pin's place differentiated, which uses no angle, gives the corrected digits.",
+    witness: "If we differentiate the pin's position, which uses no angle, we get the corrected digits.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Number,
-    changes: "The fourth digit of this speed; the wheel's angular velocity, computed from it, keeps its three digits.",
+    changes: "The fourth digit of this speed changes. The wheel's angular velocity is computed from this speed, but it \
+              keeps its three digits.",
 };
 
 /// How the letter v is read that has a disk's name for an index.
-const OF_A_DISK: &str = "The letter v with the index D or S is the angular velocity of that disk, as where the problem \
-                         gives it and where its unit is printed.";
+const OF_A_DISK: &str = "The letter v with the index D or S means the angular velocity of that disk, as it does where \
+                         the problem gives it and where its unit is printed.";
 
 /// Two vectors by their components, in the printed unit.
 fn parts(a: &Vector2<f64>, b: &Vector2<f64>) -> String {

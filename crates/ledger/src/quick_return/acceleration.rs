@@ -1,4 +1,4 @@
-//! The accelerations: seven terms, two of them zero, two unknown but for their directions.
+//! The accelerations: seven terms, of which two are zero and two are known only in direction.
 
 use super::*;
 use crate::by_id::reads;
@@ -77,7 +77,7 @@ fn known() -> Vec<Claim> {
             .formula(
                 "quick-return.pin-tangential",
                 r"A_{P2}^t = 0 \text{ since } \omega_2 = \text{constant}",
-                "no tangential acceleration of the pin at constant speed of the crank",
+                "the pin has no tangential acceleration while the crank's speed is constant",
             )
             .by(Series, |stated| {
                 // Along the circle, the polar components of the whole acceleration cancel.
@@ -146,7 +146,7 @@ fn known() -> Vec<Claim> {
             .equation(
                 "quick-return.sliding-normal",
                 r"A_{P2/P4}^n = \frac{v_{P2/P4}^2}{R} = 0",
-                "no relative normal acceleration in a straight slot",
+                "there is no relative normal acceleration in a straight slot",
             )
             .by(Vectors, || reads("quick-return.sliding-normal"))
             .by(AutomaticDerivative, || {
@@ -162,7 +162,7 @@ fn known() -> Vec<Claim> {
             .statement(
                 "quick-return.infinite-radius",
                 "R is infinite",
-                "the radius of the pin's path relative to the lever is infinite: the path is straight",
+                "the radius of the pin's path relative to the lever is infinite, because the path is straight",
             )
             .by(AutomaticDerivative, |stated| {
                 from_duals(|crank| {
@@ -191,11 +191,11 @@ fn known() -> Vec<Claim> {
                     let bend = if vanishes(sine) { 0.0 } else { arcsine(sine) };
                     Some(Finding::new(
                         vanishes(sine),
-                        format!("three places, 20° of the crank apart: {bend:.1}° off a line"),
+                        format!("three places that are 20° of the crank apart are {bend:.1}° off a line"),
                     ))
                 })
             })
-            .but_not("that of its path over the ground is infinite"),
+            .but_not("the radius of the pin's path over the ground is infinite"),
     ]
 }
 
@@ -236,7 +236,8 @@ fn found() -> Vec<Claim> {
             .equation(
                 "quick-return.lever-tangential-equation",
                 r"A_{P4}^t = A_{P2}^n \sin \ldots - 2\omega_4 v_{P2/P4}",
-                "tangential acceleration of the lever's point, in the sense of the pin's acceleration across the lever",
+                "tangential acceleration of the lever's point, in the sense of the pin's acceleration across the \
+                 lever",
             )
             .proven(AcrossTheLever)
             .by(AutomaticDerivative, || {
@@ -287,17 +288,17 @@ fn found() -> Vec<Claim> {
             .statement(
                 "quick-return.lever-acceleration-sense",
                 r"\alpha_4",
-                "the sense of the lever's angular acceleration, of which the magnitude alone is given",
+                "the sense of the lever's angular acceleration, of which only the magnitude is given",
             )
             .missing(
-                "Magnitudes only. The lever slows down if the pin slides inwards; in the mirror image, which has the \
-                 same printed numbers, it speeds up",
+                "The source gives magnitudes only. The lever slows down if the pin slides inwards. In the mirror \
+                 image, which has the same printed numbers, it speeds up",
             ),
     ]
 }
 
-/// How the equations are read whose angle is printed without a unit.
-const DEGREES: &str = "The angle is printed without a unit here; it counts in degrees, as where it was found.";
+/// How we read the equations whose angle is printed without a unit.
+const DEGREES: &str = "The angle is printed without a unit here, so we take it in degrees, as where it was found.";
 
 /// A rate to this power, times a length.
 fn power([rate, length]: [f64; 2], exponent: u32) -> f64 {
@@ -339,5 +340,5 @@ fn along_the_circle(at: &Instant, acceleration: Vector2<f64>, stated: Stated) ->
     let along = quarter_turn(&at.arm()).normalize().dot(&acceleration);
     let part = along / acceleration.norm();
     let as_said = vanishes(part - stated.number());
-    Finding::new(as_said, format!("along the circle {:.3} m/s²", if vanishes(part) { 0.0 } else { along }))
+    Finding::new(as_said, format!("along the circle it is {:.3} m/s²", if vanishes(part) { 0.0 } else { along }))
 }

@@ -12,7 +12,7 @@ pub fn claims() -> Vec<Claim> {
             .equation(
                 "quick-return.coriolis-equation",
                 r"2\omega_4 v_{P2/P4}",
-                "magnitude of the Coriolis acceleration; its factors are at right angles",
+                "magnitude of the Coriolis acceleration, whose factors are at right angles",
             )
             .proven(CoriolisMagnitude { coriolis: 2 })
             .by(AutomaticDerivative, || {
@@ -37,7 +37,7 @@ pub fn claims() -> Vec<Claim> {
                     meets(term(crank).norm(), stated.pick(stated.number(), 1.0) * (turning * sliding).abs())
                 })
             })
-            .but_not("the product once"),
+            .but_not("the product once, not twice"),
         CORIOLIS
             .value("quick-return.coriolis", "1.960", "m/s^2", "magnitude of the Coriolis acceleration")
             .by(Vectors, || diagram(|motion| motion.accelerations.coriolis.norm()))
@@ -49,7 +49,8 @@ pub fn claims() -> Vec<Claim> {
             .statement(
                 "quick-return.coriolis-direction",
                 r"\omega_4 \times v_{P2/P4}",
-                "the Coriolis acceleration has the direction of this product; which way that is, the text does not say",
+                "the Coriolis acceleration has the direction of this product, although the text does not say which way \
+                 that is",
             )
             .by(AutomaticDerivative, |stated| {
                 in_both_drawings(|instant| {
@@ -57,13 +58,17 @@ pub fn claims() -> Vec<Claim> {
                     let [[_, sliding, _], [_, turning, _]] = crank.polar();
                     let product = product(turning, frames::along_the_slot(&crank) * sliding, stated);
                     let part = term(&crank).normalize().dot(&product.normalize());
-                    Some(Finding::new(agrees(part, 1.0), format!("its part in that direction is {part:.3} of it")))
+                    Some(Finding::new(
+                        agrees(part, 1.0),
+                        format!("its part in that direction is {part:.3} of the whole"),
+                    ))
                 })
             })
             .by(LimitCase, |stated| {
                 let bead = across_by_finite_turns();
                 let product = product(1.0, Vector2::new(1.0, 0.0), stated);
-                let how = format!("a bead that slides outwards: {bead:.4}, the product: {:.0}", product.y);
+                let how =
+                    format!("a bead that slides outwards gives {bead:.4}, and the product gives {:.0}", product.y);
                 Finding::new(bead * product.y > 0.0, how)
             })
             .but_not("it has the direction of the product with its factors exchanged"),
@@ -73,7 +78,7 @@ pub fn claims() -> Vec<Claim> {
                 in_both_drawings(|instant| Some(points(instant.by_diagrams()?.velocities.follower_speed, stated)))
             })
             .by(Series, |stated| in_both_drawings(|instant| Some(points(instant.by_series()?.turning, stated))))
-            .but_not("it is directed into the page"),
+            .but_not("the angular velocity is directed into the page"),
         SENSE
             .statement(
                 "quick-return.sense-of-sliding",
@@ -81,9 +86,10 @@ pub fn claims() -> Vec<Claim> {
                 "the sense of the sliding velocity, as in the velocity diagram",
             )
             .missing(
-                "The diagram is not in the copy. Towards the lever's pivot if the lever stands where a crank that \
-                 turns counter-clockwise has passed the line of centres; away from it in the mirror image, which has \
-                 the same printed numbers. The sense of the Coriolis acceleration goes with it",
+                "The copy we had does not include the diagram. The pin slides towards the lever's pivot if the lever \
+                 stands where a crank that turns counter-clockwise has passed the line of centres. It slides away from \
+                 the pivot in the mirror image, which has the same printed numbers. The sense of the Coriolis \
+                 acceleration goes with the sense of the sliding",
             ),
     ]
 }
@@ -97,10 +103,10 @@ fn product(turning: f64, velocity: Vector2<f64>, stated: Stated) -> Vector2<f64>
 /// Whether an angular velocity, counter-clockwise positive, points out of the page; or into it.
 fn points(speed: f64, stated: Stated) -> Finding {
     let axis = stated.pick(1.0, -1.0);
-    Finding::new(speed * axis > 0.0, format!("{speed:.3} rad/s, counter-clockwise positive"))
+    Finding::new(speed * axis > 0.0, format!("the angular velocity is {speed:.3} rad/s, counter-clockwise positive"))
 }
 
-/// What the pin's acceleration has beside that of the lever's point and that seen from the lever.
+/// What the pin's acceleration contains beside the acceleration of the lever's point and the one seen from the lever.
 fn term(crank: &Crank) -> Vector2<f64> {
     let ([_, _, pin], [_, _, lever]) = (crank.pin_motion(), crank.point_motion());
     pin - lever - frames::seen(crank, Stated::right(""))[2]

@@ -25,7 +25,7 @@ pub fn claims() -> Vec<Claim> {
             .equation(
                 "quick-return.velocity-by-points",
                 r"v_{P2} = v_{P4} + v_{P2/P4} = \dot{R} + \dot{p}",
-                "with p = 0 the last term goes, and the relative velocity is that seen in the frame",
+                "with p = 0 the last term vanishes, and the relative velocity is the velocity seen in the frame",
             )
             .by(ExactIdentity, || both_components(|first| TermsOfTheVelocity { first }))
             .by(AutomaticDerivative, || {
@@ -38,7 +38,7 @@ pub fn claims() -> Vec<Claim> {
             .statement(
                 "quick-return.seen-from-the-lever",
                 "P2 moving, P4 fixed",
-                "the relative velocity is that of the pin as one sees it who holds the lever still",
+                "the relative velocity is the pin's velocity as seen by an observer who holds the lever still",
             )
             .by(AutomaticDerivative, |stated| {
                 from_duals(|crank| {
@@ -80,8 +80,8 @@ pub fn acceleration_in_a_frame() -> Claim {
             alike(&whole[2], &(origin[2] + inside[2] + centripetal + turning))
         })
         .read_as(
-            "The double product has no brackets and is read from the right, as ω × (ω × p). From the left it would be \
-             zero for every motion, and nobody would write it.",
+            "The double product has no brackets, and we read it from the right, as ω × (ω × p). Read from the left it \
+             would be zero for every motion, so there would be no reason to write it.",
         )
 }
 
@@ -91,8 +91,8 @@ pub fn acceleration_from_the_lever() -> Claim {
         .statement(
             "quick-return.acceleration-from-the-lever",
             "P2 moving, P4 fixed",
-            "normal and tangential relative acceleration are those of the pin as one sees it who holds the lever \
-             still; the Coriolis term is on top of them",
+            "the normal and tangential relative accelerations are the pin's accelerations as seen by an observer who \
+             holds the lever still, and the Coriolis term comes on top of them",
         )
         .by(AutomaticDerivative, |stated| {
             from_duals(|crank| {
@@ -117,9 +117,9 @@ pub fn acceleration_from_the_lever() -> Claim {
         })
         .but_not("think of P4 moving and of P2, on the crank, as fixed")
         .read_as(
-            "Of the normal and the tangential term, which follow the remark. The whole a(P2/P4) of the equation has the Coriolis \
-             term in it: 3.326 m/s², seen by an observer who goes with P4 and does not turn. An observer on the lever sees \
-             2.689 m/s².",
+            "We take this to be about the normal and the tangential term, which follow the remark. The whole a(P2/P4) \
+             of the equation contains the Coriolis term. It is 3.326 m/s², as seen by an observer who goes with P4 and \
+             does not turn. An observer on the lever sees 2.689 m/s².",
         )
 }
 

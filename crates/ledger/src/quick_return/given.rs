@@ -28,7 +28,7 @@ pub fn claims() -> Vec<Claim> {
             "quick-return.driver-speed",
             "50",
             "r.p.m.",
-            "speed of the crank, a datum; the solution's rate in rad/s gives it back",
+            "the given speed of the crank, which the solution's rate in rad/s reproduces",
         )
         .by(OtherPlaceInSource, || printed("quick-return.driver-rate") * 30.0 / PI)
         .by(OtherPlaceInSource, || printed("quick-return.pin-speed") / printed("quick-return.crank") * 30.0 / PI),
@@ -36,7 +36,8 @@ pub fn claims() -> Vec<Claim> {
             .equation(
                 "quick-return.velocity-equation",
                 r"v_{P_2} = v_{P_4} + v_{P_2P_4}",
-                "velocity of the pin: that of the lever's point under it and that relative to the lever",
+                "velocity of the pin, as the velocity of the lever's point under it plus its velocity relative to the \
+                 lever",
             )
             .by(ExactIdentity, || both_components(|first| TermsOfTheVelocity { first }))
             .by(AutomaticDerivative, || {
@@ -54,7 +55,7 @@ pub fn claims() -> Vec<Claim> {
                 })
             })
             .by(OtherPlaceInSource, |stated| summands("quick-return.velocity-equation", stated.pick(stated.count(), 2)))
-            .but_not("it has two terms")
+            .but_not("the equation has two terms")
             .read_as(COUNTED),
         accelerations(ACCELERATION, "quick-return.acceleration-equation", r"a_{P_2} = a_{P_4} + a_{P_2P_4}"),
         components_of_all(
@@ -74,14 +75,15 @@ pub fn claims() -> Vec<Claim> {
                 })
             })
             .by(OtherPlaceInSource, |stated| summands("quick-return.seven-terms", stated.pick(stated.count(), 6)))
-            .but_not("it has six terms")
+            .but_not("the equation has six terms")
             .read_as(COUNTED),
         DRAWING
             .figure("quick-return.figure", "Figure", "the drawing of the mechanism, with its lengths and its angle")
             .missing(
-                "The drawing is not in the copy. Lengths, angle and branch follow from the solution; on which side of \
-                 the line of centres the lever stands does not, and with it the senses of the sliding, of the Coriolis \
-                 acceleration and of the lever's angular acceleration",
+                "The copy we had does not include the drawing. The lengths, the angle and the branch follow from the \
+                 solution, but the side of the line of centres on which the lever stands does not. Without that side, \
+                 we do not know the senses of the sliding, of the Coriolis acceleration and of the lever's angular \
+                 acceleration",
             ),
     ]
 }
@@ -89,7 +91,11 @@ pub fn claims() -> Vec<Claim> {
 /// The equation of the accelerations, which the solution prints again in letters of its own.
 pub fn accelerations(place: Place, id: &'static str, printed: &'static str) -> Claim {
     place
-        .equation(id, printed, "acceleration of the pin: that of the lever's point and the rest, seen without turning")
+        .equation(
+            id,
+            printed,
+            "acceleration of the pin, as the acceleration of the lever's point plus the rest, seen without turning",
+        )
         .by(ExactIdentity, || both_components(|first| TermsOfTheAcceleration { first, coriolis: 2 }))
         .by(AutomaticDerivative, || {
             from_duals(|crank| {
@@ -101,10 +107,10 @@ pub fn accelerations(place: Place, id: &'static str, printed: &'static str) -> C
         })
 }
 
-/// The same by its components.
+/// The equation of the accelerations by its components.
 pub fn components_of_all(place: Place, id: &'static str, printed: &'static str) -> Claim {
     place
-        .equation(id, printed, "the same by normal, tangential and Coriolis components")
+        .equation(id, printed, "acceleration of the pin by its normal, tangential and Coriolis components")
         .by(ExactIdentity, || both_components(|first| TermsInAnySlot { first, coriolis: 2 }))
         .by(AutomaticDerivative, || {
             from_duals(|crank| {
@@ -115,9 +121,9 @@ pub fn components_of_all(place: Place, id: &'static str, printed: &'static str) 
         })
 }
 
-/// How terms are counted.
-const COUNTED: &str = "Counted in a motion in which none of them happens to be zero: the crank speeds up, and the slot is \
-                       curved.";
+/// How we count terms.
+const COUNTED: &str = "We count the terms in a motion in which none of them happens to be zero, because the crank \
+                       speeds up and the slot is curved.";
 
 /// The instant with the crank turning counter-clockwise; or clockwise.
 fn driven(instant: &Instant, stated: Stated) -> Instant {
@@ -128,7 +134,7 @@ fn driven(instant: &Instant, stated: Stated) -> Instant {
 
 /// Whether the lever's angular velocity points out of the page, as the solution says.
 fn out_of_the_page(speed: f64) -> Finding {
-    Finding::new(speed > 0.0, format!("the lever turns at {speed:.3} rad/s, out of the page positive"))
+    Finding::new(speed > 0.0, format!("the lever turns at {speed:.3} rad/s, counted positive out of the page"))
 }
 
 /// Every term of the two equations, left sides positive and right sides negative, of a motion in which none is zero.
@@ -175,14 +181,14 @@ fn needed(terms: &[Vector2<f64>], count: u32) -> Finding {
     let gap = choices.map(|choice| sum(choice).norm() / longest).fold(f64::INFINITY, f64::min);
     let closes = vanishes(gap);
     let gap = if closes { 0.0 } else { gap };
-    Finding::new(closes, format!("with {count} terms, the best chosen, {gap:.2} of the longest is left over"))
+    Finding::new(closes, format!("the best choice of {count} terms leaves over {gap:.2} of the longest"))
 }
 
 /// Whether so many terms stand in the printed equation.
 fn summands(equation: &str, count: u32) -> Finding {
     let printed = crate::claim(equation).map_or("", |claim| claim.printed);
     let found = printed.split(['=', '+']).filter(|term| !term.trim().is_empty()).count();
-    Finding::new(found == count as usize, format!("{found} terms stand in the printed equation"))
+    Finding::new(found == count as usize, format!("the printed equation has {found} terms"))
 }
 
 /// The pin's acceleration from its components along the lever and across it, in polar coordinates.

@@ -1,7 +1,7 @@
 //! The examination problem: a quick-return mechanism, its velocity and acceleration diagrams, the Coriolis term.
 //!
-//! The claims stand in the order of the source: what is given and asked, the position, the equations of the moving
-//! frame, the velocities, the accelerations. The instant itself, from the printed data, is [`Instant`].
+//! The claims follow the order of the source: what is given and asked, the position, the equations of the moving frame,
+//! the velocities, the accelerations. The instant itself, from the printed values, is [`Instant`].
 
 mod acceleration;
 mod coriolis;
@@ -61,7 +61,7 @@ pub struct Instant {
 }
 
 impl Instant {
-    /// The instant of the printed data, on the branch that the source takes.
+    /// Builds the instant from the printed values, on the branch that the source takes.
     pub fn printed() -> Result<Self, KinematicsError> {
         Self::on(Branch::Far)
     }
@@ -83,17 +83,17 @@ impl Instant {
         Ok(Self { linkage, position, drive: Drive::steady(printed("quick-return.driver-speed") * PI / 30.0) })
     }
 
-    /// The route of the source: closed vector diagrams. `None` if the pin is on the lever's pivot.
+    /// Solves by the source's own route, closed vector diagrams. `None` if the pin is on the lever's pivot.
     pub fn by_diagrams(&self) -> Option<Motion<f64>> {
         Motion::at(&self.linkage.ground(), &self.linkage.crank(), &self.position.crank, &self.drive)
     }
 
-    /// The other route: the loop closure differentiated. `None` if the pin is on the lever's pivot.
+    /// Solves by a second route, the differentiated loop closure. `None` if the pin is on the lever's pivot.
     pub fn by_series(&self) -> Option<PolarRates<f64>> {
         polar_rates(&self.linkage.ground(), &self.linkage.crank(), &self.position.crank, &self.drive)
     }
 
-    /// A third route, for witnesses: dual numbers.
+    /// Sets up a third route, with dual numbers, for the witnesses.
     fn by_duals(&self) -> Crank {
         Crank {
             ground: self.linkage.ground(),
@@ -145,7 +145,7 @@ fn from_duals(find: impl Fn(&Crank) -> Finding) -> Finding {
 }
 
 fn nowhere() -> Finding {
-    Finding::new(false, "no such position")
+    Finding::new(false, "there is no such position")
 }
 
 /// Two vectors that must agree, by their components.

@@ -10,7 +10,7 @@ pub fn claims() -> Vec<Claim> {
             .statement(
                 "quick-return.point-located",
                 "locates P2",
-                "the vector r leads to the pin; its length, with the same letter, is that of the lever",
+                "the vector r leads to the pin, and its length, with the same letter, is the length of the lever",
             )
             .by(ClosedForm, |stated| {
                 // At other lever angles: the end of r keeps its distance from the crank's axis, that of a point of
@@ -23,7 +23,7 @@ pub fn claims() -> Vec<Claim> {
                 Finding::new(
                     distances.iter().all(|found| agrees(*found, distance)),
                     format!(
-                        "while the lever swings its end is {:.3} to {:.3} m from the centre of that point's circle",
+                        "while the lever swings, its end is {:.3} to {:.3} m from the centre of that point's circle",
                         least.unwrap_or(f64::NAN),
                         most.unwrap_or(f64::NAN)
                     ),
@@ -70,7 +70,7 @@ pub fn claims() -> Vec<Claim> {
             .formula(
                 "quick-return.p-is-zero",
                 "p = 0",
-                "the pin is at the frame's origin at this instant, and does not stay there",
+                "the pin is at the frame's origin at this instant, but it does not stay there",
             )
             .by(Vectors, |stated| {
                 at_the_instant(|instant| {
@@ -84,7 +84,9 @@ pub fn claims() -> Vec<Claim> {
                     let (now, later) = (now? / axis_to_pin(), later? / axis_to_pin());
                     Some(Finding::new(
                         vanishes(now - stated.number()) && !vanishes(later),
-                        format!("p is {now:.3} of the crank's radius, and {later:.3} of it when the crank is 1° on"),
+                        format!(
+                            "p is {now:.3} of the crank's radius, and {later:.3} of it after another 1° of the crank"
+                        ),
                     ))
                 })
             })
@@ -102,7 +104,7 @@ pub fn claims() -> Vec<Claim> {
             .equation(
                 "quick-return.sum-of-places",
                 "r = R + p",
-                "place of the pin: that of the frame's origin and that in the frame",
+                "place of the pin, as the place of the frame's origin plus the pin's place in the frame",
             )
             .by(ClosedForm, sum_while_the_lever_swings)
             .by(Series, sum_of_rates),
@@ -110,7 +112,7 @@ pub fn claims() -> Vec<Claim> {
             .equation(
                 "quick-return.sum-of-places-by-points",
                 r"r_{P2} = r_{P4} + r_{P2/P4}",
-                "the same by the names of the points",
+                "place of the pin, in the names of the points",
             )
             .by(ClosedForm, sum_while_the_lever_swings)
             .by(Series, sum_of_rates),
@@ -171,6 +173,6 @@ fn sum_of_rates() -> Finding {
         let place = Vector2::new(instant.linkage.ground(), 0.0) + arm;
         let holds =
             coincide(&place, &along) && (0..2).all(|order| coincide(&pin[order], &(origin[order] + inside[order])));
-        Some(Finding::new(holds, "place, velocity and acceleration of the pin are those of R and p together"))
+        Some(Finding::new(holds, "the place, velocity and acceleration of the pin are the sums for R and p"))
     })
 }

@@ -16,8 +16,8 @@ pub fn claims() -> Vec<Claim> {
                 "quick-return.ground",
                 "0.45",
                 "",
-                "distance of the two axes, a datum of the lost drawing, in metres as the speeds show; the printed \
-                 angles and lengths give it back",
+                "distance of the two axes, a value from the lost drawing, in metres as the speeds show, which the \
+                 printed angles and lengths reproduce",
             )
             .by(OtherPlaceInSource, || {
                 printed("quick-return.crank") * sine(printed("quick-return.angle-at-pin"))
@@ -32,7 +32,7 @@ pub fn claims() -> Vec<Claim> {
                 "quick-return.lever-angle",
                 "20",
                 "°",
-                "angle of the lever from the line of centres, a datum of the lost drawing",
+                "angle of the lever from the line of centres, a value from the lost drawing",
             )
             .by(OtherPlaceInSource, || {
                 180.0 - printed("quick-return.angle-at-axis") - printed("quick-return.angle-at-pin")
@@ -48,7 +48,7 @@ pub fn claims() -> Vec<Claim> {
                 "quick-return.crank",
                 "0.20",
                 "",
-                "radius of the crank, a datum of the lost drawing, in metres as the speeds show",
+                "radius of the crank, a value from the lost drawing, in metres as the speeds show",
             )
             .by(OtherPlaceInSource, || printed("quick-return.pin-speed") / printed("quick-return.driver-rate"))
             .by(OtherPlaceInSource, || {
@@ -82,7 +82,8 @@ pub fn claims() -> Vec<Claim> {
             .statement(
                 "quick-return.branch",
                 "beta",
-                "of the two angles with this sine the acute one is meant: the pin is at the far point of its circle",
+                "of the two angles with this sine the acute one is meant, so the pin is at the far point of its \
+                 circle",
             )
             .by(OtherPlaceInSource, |stated| {
                 let at = Instant::on(stated.pick(Branch::Far, Branch::Near));
@@ -101,12 +102,12 @@ pub fn claims() -> Vec<Claim> {
                     format!("the angle at the crank's axis would be {left:.2}°"),
                 )
             })
-            .but_not("the obtuse one is meant: the pin is at the near point"),
+            .but_not("the obtuse angle is meant, so the pin is at the near point"),
         PROJECTIONS
             .equation(
                 "quick-return.projections",
                 r"r = \ldots \cos \ldots^\circ + \ldots \cos \beta",
-                "length of the lever as the projections of ground and crank on it",
+                "length of the lever, as the projections of ground and crank on it",
             )
             .proven(LeverAsProjections)
             .by(ClosedForm, || {
@@ -120,7 +121,7 @@ pub fn claims() -> Vec<Claim> {
                 "quick-return.lever-length",
                 "0.55",
                 "",
-                "distance of the pin from the lever's pivot; later called l with the index 4",
+                "distance of the pin from the lever's pivot, later called l with the index 4",
             )
             .by(ClosedForm, || projected_length(printed("quick-return.lever-angle")))
             .by(Vectors, || position_of(|position| position.pin_distance)),
@@ -139,13 +140,16 @@ pub fn claims() -> Vec<Claim> {
                 let rate = turns * 2.0 * PI / 60.0;
                 let [half, whole] = [30.0, 60.0].map(|seconds| Turn::from_radians(rate * seconds / turns));
                 let back = vanishes(whole.sin) && agrees(whole.cos, 1.0) && agrees(half.cos, -1.0);
-                Finding::new(back, format!("{rate:.3} rad/s make {turns} turns in a minute"))
+                Finding::new(back, format!("{rate:.3} rad/s makes {turns} turns in a minute"))
             })
             .by(OtherPlaceInSource, || {
                 let circumference = 2.0 * PI * printed("quick-return.crank");
                 let turns = printed("quick-return.pin-speed") * 60.0 / circumference;
                 let holds = rounds("quick-return.driver-speed", turns);
-                Finding::new(holds, format!("at the printed speed the pin runs {turns:.2} circles in a minute"))
+                Finding::new(
+                    holds,
+                    format!("at the printed speed the pin goes round its circle {turns:.2} times in a minute"),
+                )
             }),
         SPEED
             .value("quick-return.driver-rate", "5.24", "rad/s", "angular velocity of the crank")
@@ -183,7 +187,7 @@ pub fn claims() -> Vec<Claim> {
             .equation(
                 "quick-return.supplement",
                 r"180^\circ - \gamma",
-                "what is left of γ to the half turn is the angle of the crank from the line of centres",
+                "half a turn less γ is the angle of the crank from the line of centres",
             )
             .by(ClosedForm, || {
                 let [ground, crank, lever] = sides();

@@ -1,18 +1,19 @@
-//! The numbers that the solution goes on with are rounded, and which of its results that spoils.
+//! The solution goes on with rounded numbers, and this spoils some of its results.
 
 use super::*;
 
 /// Every step rounded, and the next one computed from it.
 pub const STEPS: Slip = Slip {
     id: "quick-return.pin-speed",
-    reason: "The solution rounds each step to the digits that it prints and goes on with the rounded number: the rate of \
-             the crank with three digits, the length of the lever with two, the speeds with three. Three or four digits \
-             are printed of what follows. No rounding of one step alone gives all of these results: the rate gives the \
+    reason: "The solution rounds each step to the digits that it prints and goes on with the rounded number. The rate \
+             of the crank has three digits, the length of the lever two and the speeds three, but three or four digits \
+             are printed of what follows. No rounding of one step alone gives all of these results. The rate gives the \
              pin's, and the length is enough to spoil the lever's angular velocity.",
-    witness: "The loop closure differentiated by power series gives the corrected digits too.",
+    witness: "The loop closure, differentiated by power series, gives the corrected digits too.",
     origin: Origin::Arithmetic,
     consequence: Consequence::Number,
-    changes: "Eight results change in their last digits, the lever's angular velocity and acceleration among them.",
+    changes: "Eight results change in their last digits, and the lever's angular velocity and acceleration are among \
+              them.",
 };
 
 #[cfg(test)]

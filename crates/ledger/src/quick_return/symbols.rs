@@ -2,7 +2,7 @@
 
 use crate::Symbol;
 
-/// Each printed letter and the book's symbol. A letter that stands twice has two meanings in the source.
+/// Each printed letter and the book's symbol. A letter that is listed twice has two meanings in the source.
 pub const SYMBOLS: &[Symbol] = &[
     Symbol { printed: "P2", ours: r"P_2", meaning: "the pin, on the crank" },
     Symbol { printed: "P4", ours: r"P_4", meaning: "the lever's point under the pin" },

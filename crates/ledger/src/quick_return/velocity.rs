@@ -37,7 +37,7 @@ fn across() -> Vec<Claim> {
             .equation(
                 "quick-return.lever-point-speed-equation",
                 r"v_{P4} = v_{P2} \cos(\ldots^\circ)",
-                "the pin's velocity across the lever, by an angle between crank and lever",
+                "the pin's velocity across the lever, from an angle between crank and lever",
             )
             .by(ExactIdentity, || resolved(ResolvedBy::AngleAtAxis, Part::Across))
             .corrected_form(|| resolved(ResolvedBy::AngleAtPin, Part::Across))
@@ -81,7 +81,7 @@ fn along() -> Vec<Claim> {
             .equation(
                 "quick-return.sliding-speed-equation",
                 r"v_{P2/P4} = v_{P2} \sin(\ldots^\circ)",
-                "the pin's velocity along the lever, by an angle between crank and lever",
+                "the pin's velocity along the lever, from an angle between crank and lever",
             )
             .by(ExactIdentity, || resolved(ResolvedBy::AngleAtAxis, Part::Along))
             .corrected_form(|| resolved(ResolvedBy::AngleAtPin, Part::Along))
@@ -97,20 +97,22 @@ fn along() -> Vec<Claim> {
 
 const OTHER_ANGLE: Slip = Slip {
     id: "quick-return.lever-point-speed-equation",
-    reason: "v(P2) is at right angles to the crank and v(P4) to the lever, so the angle between them is that between \
-             crank and lever: β, at the pin. The printed angle is that between the crank and the line of centres. It \
-             stands in two equations and is a result of the solution, so it is not put down to the copy.",
-    witness: "The printed speeds alone: the angles with that cosine and that sine are β within their digits.",
+    reason: "v(P2) is at right angles to the crank and v(P4) to the lever, so the angle between them is the angle \
+             between crank and lever. That angle is β, at the pin. The printed angle is the one between the crank and \
+             the line of centres. It appears in two equations and is a result of the solution, so we do not put this \
+             mistake down to the copy.",
+    witness: "The printed speeds alone show it, because the angles with that cosine and that sine are β within their \
+              digits.",
     origin: Origin::Misprint,
     consequence: Consequence::Derivation,
-    changes: "No number: both speeds were computed with β.",
+    changes: "No number changes, because both speeds were computed with β.",
 };
 
 fn resolved(by: ResolvedBy, part: Part) -> Finding {
     prove(&ResolvedSpeed { by, part }).into()
 }
 
-/// Whether the ratio of a printed speed to the printed speed of the pin has β for its angle and not the printed one.
+/// Whether the ratio of a printed speed to the printed speed of the pin belongs to β and not to the printed angle.
 fn printed_speeds_point_to(part: &str, angle_of: fn(f64) -> f64) -> Finding {
     let [part, whole] = [part, "quick-return.pin-speed"].map(interval);
     let [lowest, highest] = [part[0] / whole[1], part[1] / whole[0]];
@@ -120,6 +122,6 @@ fn printed_speeds_point_to(part: &str, angle_of: fn(f64) -> f64) -> Finding {
     let holds = allowed.contains(&beta) && !allowed.contains(&other);
     Finding::new(
         holds,
-        format!("the printed speeds want an angle between {:.2}° and {:.2}°", allowed.start, allowed.end),
+        format!("the printed speeds need an angle between {:.2}° and {:.2}°", allowed.start, allowed.end),
     )
 }

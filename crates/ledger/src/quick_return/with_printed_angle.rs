@@ -1,10 +1,10 @@
-//! What would follow, had the angle that is printed with the velocities been right.
+//! What would follow if the angle that is printed with the velocities were right.
 
 use super::*;
 
-/// What the source would have found, had the angle printed with the velocities been that between crank and lever.
+/// What the source would have found if the angle printed with the velocities were the one between crank and lever.
 ///
-/// The speed of the pin and the length of the lever stay as they are. Not a motion that exists: the triangle of
+/// The speed of the pin and the length of the lever stay as they are. No such motion exists, because the triangle of
 /// ground, crank and lever does not close with this angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WithPrintedAngle {
@@ -26,8 +26,8 @@ pub struct WithPrintedAngle {
     pub lever_acceleration: f64,
 }
 
-/// The equations as they are printed, unrounded: the two of the velocities with the angle that is printed there, the two of
-/// the accelerations with β.
+/// Evaluates the equations as they are printed, unrounded: the two for the velocities with the angle that is printed
+/// there, and the two for the accelerations with β.
 pub fn with_printed_angle() -> WithPrintedAngle {
     let angle = Turn::from_degrees(printed("quick-return.crank-angle"));
     let beta = Turn::from_radians(position_of(Position::angle_at_pin));

@@ -87,8 +87,8 @@ fn centre(place: Place, id: &'static str) -> Claim {
 }
 
 /// What the formulas of the cut are meant to give.
-const EDGES: &str = "The edges of the cut stand where the pin enters and leaves, so that the disc lets the wheel go as the pin \
-     takes it. The cut meets the disc's rim at right angles.";
+const EDGES: &str = "We read the cut as one whose edges are where the pin enters and leaves, so that the disc lets the \
+                     wheel go as the pin takes it. The cut meets the disc's rim at right angles.";
 
 impl Drawn {
     /// A wheel that fits a crank, with this rim, with nothing cut out of the disc.
@@ -104,13 +104,13 @@ impl Drawn {
         libm::acos((a * a + c * c - m * m) / (2.0 * a * c))
     }
 
-    /// The same with the cut whose edges stand where the pin enters and leaves: for a wheel that fits, of radius b z/a.
+    /// Adds the cut whose edges are where the pin enters and leaves, for a wheel that fits, of radius b z/a.
     fn with_clear_cut(self) -> Self {
         let entry = self.entry();
         Self { cut: [self.disc / libm::cos(entry), self.disc * libm::tan(entry)], ..self }
     }
 
-    /// The same with a cut about the wheel's axis, of the radius of the slots' mouths.
+    /// Adds a cut about the wheel's axis, of the radius of the slots' mouths.
     fn with_wheel_for_cut(self) -> Self {
         Self { cut: [self.centres, self.mouth], ..self }
     }
@@ -137,7 +137,8 @@ impl Drawn {
         greatest(all)
     }
 
-    /// The same by triangles, from the pin's place in its slot: of the two axes and the pin, and of the tip and two of them.
+    /// The deepest place again by triangles, from the pin's place in its slot: of the two axes and the pin, and of the
+    /// tip and two of them.
     fn by_triangles(&self) -> f64 {
         let square = |x: f64| x * x;
         let (c, a, r) = (self.centres, self.crank, self.rim);
@@ -198,9 +199,9 @@ fn towards_the_wheel(characters: &str, y: f64, b: f64) -> f64 {
 }
 
 /// How the macro's wheels are read.
-const MACRO_WHEELS: &str = "The program's own lines, for both wheels that the sizes of its comment give with the example's pin \
-     and tolerance: that which keeps the example's crank, and that which keeps its wheel radius. With both as shipped the \
-     wheel cannot turn.";
+const MACRO_WHEELS: &str = "We checked the program's own lines for both wheels that the sizes of its comment give with \
+                            the example's pin and tolerance. One keeps the example's crank, and the other keeps its \
+                            wheel radius. With both sizes as shipped, the wheel cannot turn.";
 
 fn freecad() -> Claim {
     let clear = |stated: Stated, depth: fn(&Drawn) -> f64| {
@@ -209,7 +210,7 @@ fn freecad() -> Claim {
         let [crank, rim] = depths.map(Drawn::clears);
         Finding::new(
             crank.holds && rim.holds,
-            format!("{} with the crank kept; {} with the radius kept", crank.how, rim.how),
+            format!("{} with the crank kept, and {} with the radius kept", crank.how, rim.how),
         )
     };
     MACRO
@@ -224,8 +225,9 @@ fn freecad() -> Claim {
         .corrected(
             "m = c z/a, R = b z/a",
             cut_in_the_middle(
-                "The tips of the horns run into the disc by 0.17 mm, where the play is 0.01 mm. The program computes the radius \
-                 b z/a, which clears, and does not use it. The version with a window uses it.",
+                "The tips of the horns run into the disc by 0.17 mm, although the play is 0.01 mm. The program \
+                 computes the radius b z/a, which clears them, but does not use it. The version with a window uses \
+                 it.",
             ),
         )
 }
@@ -236,7 +238,7 @@ fn freecad_arcs() -> Claim {
         .example(
             "wild.freecad.arcs",
             "x = y - b/2",
-            "place of the centre of the wheel's arcs at rest, from the driver's axis; the wheel's axis is at -c",
+            "place of the centre of the wheel's arcs at rest, from the driver's axis, where the wheel's axis is at -c",
         )
         .by(ClosedForm, move |stated| {
             rests(freecad_wheels().map(|wheel| {
@@ -263,11 +265,11 @@ fn freecad_arcs() -> Claim {
         .corrected(
             "x = 0",
             slip(
-                "While the wheel rests, the disc turns in one of its arcs. So the arc's centre must be the driver's axis; the \
-                 program makes the disc's radius that of the arcs less the tolerance.",
-                "Places all along an arc, by coordinates.",
-                "Between disc and arc are up to 2.66 mm, where the tolerance is 0.01 mm: the wheel is loose while it should \
-                 rest. The version with a window puts the centre on the axis.",
+                "While the wheel rests, the disc turns in one of the wheel's arcs, so the arc's centre must be the \
+                 driver's axis. The program makes the disc's radius the radius of the arcs less the tolerance.",
+                "We checked places all along an arc, by coordinates.",
+                "The gap between disc and arc is up to 2.66 mm, although the tolerance is 0.01 mm. So the wheel is \
+                 loose while it should rest. The version with a window puts the centre on the axis.",
             ),
         )
 }
@@ -278,8 +280,8 @@ fn rests(gaps: [f64; 2]) -> Finding {
     Finding::new(
         gaps.iter().all(|gap| agrees(*gap, tolerance)),
         format!(
-            "between disc and arc are up to {crank:.2} mm with the crank kept, {rim:.2} mm with the radius kept; the tolerance \
-             is {tolerance} mm"
+            "the gap between disc and arc is up to {crank:.2} mm with the crank kept and {rim:.2} mm with the radius \
+             kept, and the tolerance is {tolerance} mm"
         ),
     )
 }
@@ -299,7 +301,7 @@ fn cosmo() -> Claim {
         )
         .by(Vectors, move |stated| Drawn::clears(drawn(stated).by_crank()))
         .by(ClosedForm, move |stated| Drawn::clears(drawn(stated).by_triangles()))
-        .read_as("The wheel clears the disc with its clearances, in millimetres.")
+        .read_as("We ask whether the wheel clears the disc with its clearances, in millimetres.")
         .but_not("the wheel clears the disc without them")
 }
 
@@ -315,8 +317,8 @@ fn openscad() -> Claim {
         .example("wild.openscad.cut", "v = 25 z/a, 5 slots", "cut in the locking disc of the wheel that is shipped")
         .by(Vectors, move |stated| Drawn::clears(drawn(stated).by_crank()))
         .by(ClosedForm, move |stated| Drawn::clears(drawn(stated).by_triangles()))
-        .read_as("The wheel clears the disc.")
-        .but_not("it does so with a cut of the wheel's radius about the wheel's axis")
+        .read_as("We ask whether the wheel clears the disc.")
+        .but_not("the wheel clears a disc with a cut of the wheel's radius about the wheel's axis")
 }
 
 /// The first example of the program with its clearance; its wheel is smaller than the one that fits.
@@ -336,25 +338,28 @@ fn sdfx() -> Claim {
         .example(
             "wild.sdfx.cut",
             "disc 20.0 - 0.1, cut 40.0 + 0.1, rim 40.0 - 0.1, arc 20.0 + 0.1",
-            "radii of the first example with its clearance: the locking disc, the circle about the wheel's axis that is cut out \
-             of it, the wheel's rim, and the arcs in which the disc turns",
+            "radii of the first example with its clearance: the locking disc, the circle about the wheel's axis that \
+             is cut out of it, the wheel's rim, and the arcs in which the disc turns",
         )
         .by(Vectors, move |stated| Drawn::clears(drawn(stated).by_crank()))
         .by(ClosedForm, move |stated| Drawn::clears(drawn(stated).by_triangles()))
-        .read_as("The pin is where the program puts it, and the wheel starts with a jump. The horns must clear the disc.")
+        .read_as(
+            "We put the pin where the program puts it, although the wheel then starts with a jump. The horns must \
+             clear the disc.",
+        )
         .corrected(
             "a cut whose edges stand where the pin enters and leaves",
             cut_in_the_middle(
-                "The tips of the horns run into the disc by 0.05 mm, though the clearance is 0.1 mm on either side.",
+                "The tips of the horns run into the disc by 0.05 mm, although the clearance is 0.1 mm on either side.",
             ),
         )
 }
 /// The slip of a program that cuts its locking disc along the rim as the rim stands in the middle of a move.
 const fn cut_in_the_middle(changes: &'static str) -> Slip {
     slip(
-        "The circle of the wheel's radius about the wheel's axis is where the rim is in the middle of a move. The disc \
-         turns on, and the horns come inside it on both sides of the middle.",
-        "The triangles of the axes, the pin and the tip of a horn.",
+        "The circle of the wheel's radius about the wheel's axis is where the rim is in the middle of a move. But the \
+         disc turns on, so the horns come inside it on both sides of the middle.",
+        "We used the triangles of the axes, the pin and the tip of a horn.",
         changes,
     )
 }

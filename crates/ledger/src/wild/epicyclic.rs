@@ -24,10 +24,16 @@ pub fn claims() -> Vec<Claim> {
         // An internal wheel is driven on the rest of the turn.
         gears(MECHA_INTERNAL, "wild.mecha-internal.gears", LEAST[1], |fit| fit.resting),
         MECHA_INTERNAL
-            .value("wild.mecha-internal.teeth", "80", "", "teeth of the fixed gear for four slots, with a pinion of 20")
+            .value(
+                "wild.mecha-internal.teeth",
+                "80",
+                "",
+                "teeth of the fixed gear for four slots, with a pinion of \
+                                                           20",
+            )
             .by(ClosedForm, || 20.0 * least(&by_turns(&Fit::by_wheel(4), |fit| fit.resting)))
             .by(Vectors, || 20.0 * least(&by_places(&Fit::by_vectors(4), |fit| fit.resting)))
-            .read_as("The least ratio with which the mechanism works."),
+            .read_as("We take the least ratio with which the mechanism works."),
         reach(MECHA_INTERNAL, "wild.mecha-internal.reach"),
     ]
 }
@@ -35,36 +41,38 @@ pub fn claims() -> Vec<Claim> {
 /// The corrected forms for an external and for an internal wheel: k is the least number that makes the ratio whole.
 const LEAST: [&str; 2] = [r"\frac{Z_g}{Z_p} = k \frac{2 n}{n - 2}", r"\frac{Z_g}{Z_p} = k \frac{2 n}{n + 2}"];
 
-/// A ratio that need not be whole; of an internal wheel it is also that of an external one.
+/// The slip of a ratio that need not be an integer. For an internal wheel, the page gives the ratio of an external one.
 const FRACTION: Slip = slip(
     WHOLE_TURNS,
-    "The pin by coordinates, for all ratios in twelfths: it must be on its way along the slot as it leaves and as it comes to \
-     the next one.",
-    "Right for three, four and six slots. For five the formula gives 10/3, and the pin comes back to its place in every third \
-     turn only: they want the ratio 10.",
+    "We computed the pin by coordinates, for all ratios in twelfths. It must be on its way along the slot as it leaves \
+     and as it comes to the next one.",
+    "The formula is right for three, four and six slots. For five it gives 10/3, so the pin comes back to its place in \
+     every third turn only. Five slots need the ratio 10.",
 );
 
-const WHOLE_TURNS: &str = "The pinion must make a whole number of turns against the crank while the wheel moves, and a whole \
-     number in a turn of the crank. The first asks for a multiple of the printed ratio with an external wheel, and of \
-     2n/(n + 2) with an internal one. The second asks for a whole number. So k is the least whole number that makes the ratio \
-     whole.";
+const WHOLE_TURNS: &str = "The pinion must make a whole number of turns against the crank while the wheel moves, and a \
+                           whole number in a turn of the crank. The first condition asks for a multiple of the printed \
+                           ratio with an external wheel, and of 2n/(n + 2) with an internal one. The second asks for \
+                           an integer. So k is the least integer that makes the ratio an integer.";
 
 fn gears(place: Place, id: &'static str, corrected: &'static str, moving: Moving) -> Claim {
     place
-        .equation(id, r"\frac{Z_g}{Z_p} = \frac{2 n}{n - 2}", "teeth of the fixed gear over those of the pinion")
+        .equation(
+            id,
+            r"\frac{Z_g}{Z_p} = \frac{2 n}{n - 2}",
+            "number of teeth of the fixed gear over the number of teeth of the pinion",
+        )
         .evaluated(ClosedForm, move |tex| works(tex, |slots| by_turns(&Fit::by_wheel(slots), moving), moving))
-        .read(Vectors, move |tex| {
-            Some(works(tex, |slots| by_places(&Fit::by_vectors(slots), moving), moving).holds)
-        })
+        .read(Vectors, move |tex| Some(works(tex, |slots| by_places(&Fit::by_vectors(slots), moving), moving).holds))
         .read_as(
-            "The formula is given for n slots, so it is tried for 3 to 60. The page shows four, for which it is right. It \
-             works if it gives the least ratio with which the mechanism does.",
+            "The formula is given for n slots, so we tried it for 3 to 60. The page shows four, for which it is right. \
+             We count the formula as right if it gives the least ratio with which the mechanism works.",
         )
         .corrected(corrected, FRACTION)
 }
 
 fn reach(place: Place, id: &'static str) -> Claim {
-    formula(place, id, r"R + r = B \sin(\pi/n)", "farthest place of the pin from the driver's axis", ANY, |fit| {
+    formula(place, id, r"R + r = B \sin(\pi/n)", "farthest distance of the pin from the driver's axis", ANY, |fit| {
         vec![("R", 0.75 * fit.crank), ("r", 0.25 * fit.crank), ("B", fit.centres), ("n", fit.slots)]
     })
 }

@@ -1,4 +1,4 @@
-//! What the letters and words of programs stand for, as they say and as they draw.
+//! What the letters and words of programs mean, as the programs say and as they draw.
 
 use super::fit::ANY;
 use super::models::SHIPPED;
@@ -14,28 +14,30 @@ pub fn claims() -> Vec<Claim> {
             WINDOW,
             "wild.freecad-window.slot-width",
             SHIPPED,
-            "With the pin and the tolerance of the macro that it is based on, because it has none of its own. The same holds \
-             with any others.",
+            "We take the pin and the tolerance of the macro that this version is based on, because it has none of its \
+             own. With any others the result is the same.",
         ),
         half_slot_width(
             WORKBENCH,
             "wild.gear-workbench.slot-width",
             WORKBENCH_SHIPPED,
-            "With the pin and the tolerance that the program is shipped with. The same holds with any others.",
+            "We take the pin and the tolerance that the program is shipped with. With any others the result is the \
+             same.",
         ),
         slot_centre(MACRO, "wild.freecad.slot-centre", r"s = \text{Slot Center Width}", MACRO_BOX)
             .read_as(ALONG)
-            .but_not("it is the slot's width from side to side"),
+            .but_not("the length s is the slot's width from side to side"),
         slot_centre(WINDOW, "wild.freecad-window.slot-centre", r"s = \text{Slot Center Width}", WINDOW_BOX)
             .read_as(ALONG)
-            .but_not("it is the slot's width from side to side"),
+            .but_not("the length s is the slot's width from side to side"),
         slot_centre(WORKBENCH, "wild.gear-workbench.slot-centre", "Width of slot at center (s)", WORKBENCH_BOX)
             .corrected(
                 "Length of slot (s)",
                 word(
-                    "The program draws the slot s long and 2w wide. It is as wide at its centre as everywhere.",
-                    "The rim and the deepest place of the pin's centre, by coordinates, for 3 to 60 slots.",
-                    "Nothing that is drawn.",
+                    "The program draws the slot s long and 2w wide, so the slot is as wide at its centre as everywhere \
+                     else.",
+                    "Coordinates give the rim and the deepest place of the pin's centre, for 3 to 60 slots.",
+                    "The drawing does not change.",
                 ),
             ),
         stop_arc(),
@@ -70,8 +72,8 @@ const WINDOW_BOX: Boxed = ([25.0, 25.0 * 1.732_050_807_568_877_2], SHIPPED);
 /// As the workbench is shipped, with four slots.
 const WORKBENCH_BOX: Boxed = ([15.0, 15.0], WORKBENCH_SHIPPED);
 
-const ALONG: &str = "How far the slot extends along its centre line, from the rim to the deepest place of the pin's centre. The \
-     width from side to side is the next line of the same list.";
+const ALONG: &str = "We read it as how far the slot extends along its centre line, from the rim to the deepest place \
+                     of the pin's centre. The width from side to side is the next line of the same list.";
 
 fn pin_diameter() -> Claim {
     MACRO
@@ -81,7 +83,7 @@ fn pin_diameter() -> Claim {
             let [p, _] = SHIPPED;
             let [one, other] = [0.0, PI].map(|angle| Vector2::new(libm::cos(angle), libm::sin(angle)) * p);
             let (width, said) = ((one - other).norm(), stated.pick(2.0, 1.0) * p);
-            Finding::new(agrees(width, said), format!("the pin is {width:.1} across, said to be {said:.1}"))
+            Finding::new(agrees(width, said), format!("the pin is {width:.1} across and is said to be {said:.1}"))
         })
         .by(Evidence::OtherPlaceInSource, |stated| {
             // The drawn slot reaches p + t to either side: the tolerance should be what is left beside the pin.
@@ -89,16 +91,16 @@ fn pin_diameter() -> Claim {
             let left = p + t - stated.pick(1.0, 0.5) * p;
             Finding::new(
                 vanishes(left - t),
-                format!("{left:.2} are left on either side of the pin, the tolerance is {t:.2}"),
+                format!("the slot leaves {left:.2} on either side of the pin, and the tolerance is {t:.2}"),
             )
         })
         .corrected(
             r"p = \text{Drive Pin Radius}",
             word(
-                "The program makes a cylinder with p for its radius. It cuts the slot w to either side as well, so by the \
+                "The program makes a cylinder with p for its radius. It also cuts the slot w to either side, so by the \
                  words of its list it draws both twice as wide.",
                 "The version with a window says radius.",
-                "If you enter the diameter, pin and slot get twice as wide as you want them.",
+                "If you enter the diameter, the pin and the slot are twice as wide as you want them.",
             ),
         )
 }
@@ -109,7 +111,7 @@ fn slot_width() -> Claim {
         .statement(
             "wild.freecad.slot-width",
             r"w = p + t = \text{Slot Width}",
-            "what the length w is, with the pin's diameter p and the tolerance t",
+            "what the length w is, if p is the pin's diameter and t the tolerance",
         )
         .by(Vectors, |stated| {
             // The pin in the middle between the sides of a slot as wide as is said.
@@ -119,7 +121,7 @@ fn slot_width() -> Claim {
             let play = gap(1.0) + gap(-1.0);
             Finding::new(
                 vanishes(play - t),
-                format!("the slot leaves a pin of diameter {p:.1} a play of {play:.2}, the tolerance is {t:.2}"),
+                format!("the slot leaves a pin of diameter {p:.1} a play of {play:.2}, and the tolerance is {t:.2}"),
             )
         })
         .by(Evidence::OtherPlaceInSource, |stated| {
@@ -129,14 +131,16 @@ fn slot_width() -> Claim {
             let (drawn, said) = (slot / pin, stated.pick(1.0, 2.0) * (p + t) / p);
             Finding::new(
                 agrees(drawn, said),
-                format!("the slot is drawn {drawn:.4} times as wide as the pin, said to be {said:.4} times"),
+                format!(
+                    "the slot is drawn {drawn:.4} times as wide as the pin and is said to be {said:.4} times as wide"
+                ),
             )
         })
         .read_as(
-            "With p as the pin's diameter, as the same list says. The program draws pin and slot twice as wide, which we count \
-             once, with the pin.",
+            "We take p as the pin's diameter, as the same list says. The program draws pin and slot twice as wide, but \
+             we count this once, with the pin.",
         )
-        .but_not("it is half the slot's width")
+        .but_not("the length w is half the slot's width")
 }
 
 /// The width of a slot for a pin of radius p, of which the programs draw twice as much: w to either side of its middle.
@@ -145,7 +149,7 @@ fn half_slot_width(place: Place, id: &'static str, sizes: [f64; 2], reading: &'s
         .statement(
             id,
             r"w = p + t = \text{Slot Width}",
-            "what the length w is, with the pin's radius p and the tolerance t",
+            "what the length w is, if p is the pin's radius and t the tolerance",
         )
         .by(Vectors, move |stated| {
             // Two corners of what is cut out, on either side of the slot.
@@ -153,7 +157,7 @@ fn half_slot_width(place: Place, id: &'static str, sizes: [f64; 2], reading: &'s
             let w = p + t;
             let [one, other] = [-w, w].map(|aside| Vector2::new(0.0, aside));
             let (width, said) = ((one - other).norm(), stated.pick(2.0, 1.0) * w);
-            Finding::new(agrees(width, said), format!("the slot is {width:.2} wide, said to be {said:.2}"))
+            Finding::new(agrees(width, said), format!("the slot is {width:.2} wide and is said to be {said:.2}"))
         })
         .by(Evidence::OtherPlaceInSource, move |stated| {
             // What a slot as wide as is said leaves beside the pin, which is drawn with p for its radius.
@@ -161,16 +165,16 @@ fn half_slot_width(place: Place, id: &'static str, sizes: [f64; 2], reading: &'s
             let left = stated.pick(1.0, 0.5) * (p + t) - p;
             Finding::new(
                 vanishes(left - t),
-                format!("a slot of that width leaves {left:.2} on either side of the pin, the tolerance is {t:.2}"),
+                format!("a slot of that width leaves {left:.2} on either side of the pin, and the tolerance is {t:.2}"),
             )
         })
         .read_as(reading)
         .corrected(
             r"w = p + t = \text{half the Slot Width}",
             word(
-                "The program cuts a slot that reaches w to either side of its middle, and its end is an arc of radius w.",
+                "The program cuts a slot that reaches w to either side of its middle and ends in an arc of radius w.",
                 "A slot of width w would be narrower than the pin.",
-                "Nothing that is drawn.",
+                "The drawing does not change.",
             ),
         )
 }
@@ -187,7 +191,7 @@ fn slot_centre(place: Place, id: &'static str, printed: &'static str, (arms, siz
             let extent = stated.pick(across.x, across.y);
             Finding::new(
                 agrees(extent, s),
-                format!("s is {s:.2}, and the slot that is drawn extends {extent:.2} that way"),
+                format!("s is {s:.2}, and the slot as it is drawn extends {extent:.2} that way"),
             )
         })
         .by(ClosedForm, move |stated| {
@@ -198,7 +202,10 @@ fn slot_centre(place: Place, id: &'static str, printed: &'static str, (arms, siz
                 agrees(stated.pick(rim - deepest, width), crank + rim - centres)
             };
             let holding = ANY.filter(|slots| holds(*slots)).count();
-            Finding::new(holding == ANY.count(), format!("s is that for {holding} of {} numbers of slots", ANY.count()))
+            Finding::new(
+                holding == ANY.count(),
+                format!("s is that length for {holding} of {} numbers of slots", ANY.count()),
+            )
         })
 }
 
@@ -208,12 +215,16 @@ fn stop_arc() -> Claim {
         .statement(
             "wild.generator.stop-arc",
             "1.5 × pin radius",
-            "by how much the radius of the wheel's arcs is less than the crank radius, with the pin's diameter p: y = a - 1.5 p",
+            "how much smaller the radius of the wheel's arcs is than the crank radius, where p is the pin's diameter: \
+             y = a - 1.5 p",
         )
         .by(ClosedForm, |stated| {
             let p = 4.0;
             let said = stated.number() * stated.pick(p, p / 2.0);
-            Finding::new(agrees(said, 1.5 * p), format!("{:.1} for a pin of diameter {p:.1}, said to be {said:.1}", 1.5 * p))
+            Finding::new(
+                agrees(said, 1.5 * p),
+                format!("it is {:.1} for a pin of diameter {p:.1} and is said to be {said:.1}", 1.5 * p),
+            )
         })
         .by(Evidence::OtherPlaceInSource, |stated| {
             // The pin is drawn with p/2 for its radius, and slots as wide as p and the clearance.
@@ -222,14 +233,18 @@ fn stop_arc() -> Claim {
             let across = (drawn[0] - drawn[1]).norm();
             let arc = crank - 1.5 * p;
             let said = crank - stated.number() * stated.pick(across, across / 2.0);
-            Finding::new(agrees(arc, said), format!("the arcs have the radius {arc:.1}, by the comment {said:.1}"))
+            Finding::new(
+                agrees(arc, said),
+                format!("the arcs have the radius {arc:.1}, and by the comment they have {said:.1}"),
+            )
         })
         .corrected(
             "1.5 × pin diameter",
             word(
-                "The letter p is the pin's diameter: the program says so and draws the pin with p/2 for its radius.",
-                "The pin as it is drawn.",
-                "Nothing that is drawn.",
+                "The letter p is the pin's diameter, because the program says so and draws the pin with p/2 for its \
+                 radius.",
+                "We looked at the pin as the program draws it.",
+                "The drawing does not change.",
             ),
         )
 }
@@ -248,7 +263,7 @@ fn aligned() -> Claim {
         .statement(
             "wild.anvilate.aligned",
             "aligned with the crank arm",
-            "how the slot stands to the crank as the pin enters, so that the wheel starts from rest",
+            "direction of the slot relative to the crank as the pin enters, so that the wheel starts from rest",
         )
         .by(ClosedForm, move |stated| {
             // The law of cosines in the triangle of the axes and the pin.
@@ -271,10 +286,11 @@ fn aligned() -> Claim {
         .corrected(
             "at right angles to the crank arm",
             remark(
-                "The pin moves at right angles to the crank, and it must move along the slot. A slot along the crank would be \
-                 crossed at the pin's full speed.",
-                "The pin's place at entry, by coordinates, for 3 to 60 slots.",
-                "Nothing: the next line has the right angle at the pin, and the formulas follow from it.",
+                "The pin moves at right angles to the crank, and it must move along the slot. If the slot were along \
+                 the crank, the pin would cross it at full speed.",
+                "Coordinates give the pin's place at entry, for 3 to 60 slots.",
+                "Nothing changes, because the next line has the right angle at the pin and the formulas follow from \
+                 it.",
             ),
         )
 }
@@ -316,7 +332,8 @@ fn from_entry() -> Claim {
         .statement(
             "wild.oxiphysics.from-entry",
             "from start of driving phase",
-            "from where the driver's angle φ counts: the wheel's angle is the inverse tangent of r sin φ/(a − r cos φ)",
+            "where the driver's angle φ is counted from, if the wheel's angle is the inverse tangent of r sin φ/(a − r \
+             cos φ)",
         )
         .by(ClosedForm, move |stated| {
             let off = |slots: u32| {
@@ -334,7 +351,7 @@ fn from_entry() -> Claim {
             };
             let holds = ANY.filter(|slots| !vanishes(off(*slots))).count() == 0;
             let lost = off(4).to_degrees().abs();
-            Finding::new(holds, format!("in one move of four slots {lost:.1} degrees are missing"))
+            Finding::new(holds, format!("in one move of a four-slot wheel {lost:.1} degrees are missing"))
         })
         .by(Vectors, move |stated| {
             let aside = |slots: u32| {
@@ -344,16 +361,23 @@ fn from_entry() -> Claim {
                 arm.dot(&(arm - Vector2::new(a, 0.0))) / (r * a)
             };
             let holds = ANY.filter(|slots| !vanishes(aside(*slots))).count() == 0;
-            Finding::new(holds, format!("at the start arm and slot make {:.2} of a right angle's cosine", aside(4)))
+            Finding::new(
+                holds,
+                format!(
+                    "at the start, the scalar product of arm and slot is {:.2} of crank times centre distance, but a \
+                     right angle makes it zero",
+                    aside(4)
+                ),
+            )
         })
         .corrected(
             "from the line of centres",
             remark(
-                "The formula gives zero for the angle zero, and the wheel's angle is zero on the line of centres. The driving \
-                 phase starts half a move before. The wheel's speed, beside it, counts the angle from the line of centres, \
-                 too.",
-                "The pin by its coordinates, and the direction of the slot as the pin enters.",
-                "If you pass an angle counted from the entry, the wheel moves by half a step only.",
+                "The formula gives zero for the angle zero, and the wheel's angle is zero on the line of centres. But \
+                 the driving phase starts half a move before. The wheel's speed, beside it, counts the angle from the \
+                 line of centres, too.",
+                "Coordinates give the pin, and the direction of the slot as the pin enters.",
+                "If you pass an angle counted from the entry, the wheel moves by only half a step.",
             ),
         )
 }

@@ -1,11 +1,11 @@
 //! What public pages, calculators and programs say about Geneva wheels.
 //!
-//! No document that is mirrored, but single statements: of each its address and the day on which a stored copy of it
-//! was read. Formulas are set as they say, in the letters of the page. Where the words and letters of a page can be read
-//! in two ways they are read in the way in which they are right, if there is one. The files go by what is stated: how long the driver turns, the
-//! sizes, what a letter stands for, the motion, wheels that are shipped as examples. What a program builds is an example,
-//! whether it works or not; what it or a page says is a statement. The pages of which every formula was taken are listed
-//! in [`TAKEN_WHOLE`].
+//! The pages are not documents that the book mirrors. We take single statements from them, each with its address and
+//! the day on which a stored copy of the page was read. Formulas are set as they say, in the letters of the page. Where
+//! the words and letters of a page can be read in two ways, we read them in the way in which they are right, if there
+//! is one. The files go by what is stated: how long the driver turns, the sizes, what a letter means, the motion,
+//! wheels that are shipped as examples. What a program builds is an example, whether it works or not, but what the
+//! program or a page says is a statement. [`TAKEN_WHOLE`] lists the pages of which we took every formula.
 
 mod discs;
 mod epicyclic;
@@ -51,12 +51,12 @@ const fn at(locator: &'static str) -> Place {
 /// A heading, and the statements under it.
 pub type Subject = (&'static str, fn() -> Vec<Claim>);
 
-/// What statements are about, and those about it.
+/// A topic, and the statements about it.
 pub const SUBJECTS: &[Subject] = &[
     ("How long a wheel moves and rests", turning::claims),
     ("How many steps there are", steps::claims),
     ("Sizes", sizes::claims),
-    ("What a letter stands for", labels::claims),
+    ("What a letter means", labels::claims),
     ("Wheels that programs build", models::claims),
     ("The locking disc", discs::claims),
     ("How a wheel moves", motion::claims),

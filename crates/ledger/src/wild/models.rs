@@ -1,6 +1,6 @@
 //! Wheels that are shipped as examples, with sizes that can be measured, and what their drawings say.
 //!
-//! No page says of an example that it is right. But it is built, and what it then does can be told. A wheel fits its
+//! No page says of an example that it is right. But the example is built, so we can tell what it does. A wheel fits its
 //! driver if the pin's centre comes to the rim where the slot is, half a pitch from the line of centres, and the wheel
 //! is at rest then. Examples are counted apart from what is stated.
 
@@ -12,9 +12,9 @@ use geneva_kinematics::Turn;
 use geneva_kinematics::pin_slot::{pin_from_pivot, velocity_ratio};
 use nalgebra::Vector2;
 
-const TWICE: &str = "The pin's velocity against the slot's direction, by coordinates.";
-const EXAMPLE: &str = "The sizes are an example, taken to be of a wheel whose pin enters along the slot. The page does not \
-     say that it is.";
+const TWICE: &str = "We compared the pin's velocity with the slot's direction, by coordinates.";
+const EXAMPLE: &str = "We take the sizes as an example of a wheel whose pin enters along the slot, although the page \
+                       does not say that it does.";
 
 /// A wheel as it is drawn, lengths in one unit.
 #[derive(Clone, Copy)]
@@ -91,8 +91,8 @@ impl Drawn {
             "the pin comes to the rim at the slot, and the wheel starts from rest".to_owned()
         } else {
             format!(
-                "the pin comes to the rim at {place:.3} half pitches from the line of centres, and the wheel starts with \
-                 {speed:.3} of the driver's speed"
+                "the pin comes to the rim at {place:.3} half pitches from the line of centres, and the wheel starts \
+                 with {speed:.3} of the driver's speed"
             )
         };
         Finding::new(vanishes(place - 1.0) && vanishes(speed), how)
@@ -133,7 +133,7 @@ pub(super) fn macro_sizes(characters: &str) -> (f64, f64, u32) {
     (size(characters, "a ="), size(characters, "b ="), whole(size(characters, "n =")))
 }
 
-/// A number as a count; nought if it is not whole.
+/// A number as a count; zero if it is not an integer.
 pub(super) fn whole(number: f64) -> u32 {
     if number.fract() == 0.0 { number as u32 } else { 0 }
 }
@@ -151,12 +151,12 @@ fn freecad() -> Claim {
         (
             r"a = 25.0, b = 25 \sqrt{3}, n = 6",
             slip(
-                "The program makes the triangle of the two axes and the pin right-angled for any two radii. Then the angle \
-                 at the wheel's axis is half a pitch for one number of slots at most. A comment of the program gives the \
-                 formulas that leave one radius free.",
+                "The program makes the triangle of the two axes and the pin right-angled for any two radii. Then the \
+                 angle at the wheel's axis is half a pitch for at most one number of slots. A comment of the program \
+                 gives the formulas that leave one radius free.",
                 TWICE,
-                "The pin's circle stays clear of the line on which the slot waits, by more than the pin's radius. The pin \
-                 strikes a horn beside it, and the example cannot turn.",
+                "The pin's circle stays clear of the line on which the slot waits, by more than the pin's radius. So \
+                 the pin strikes a horn beside the slot, and the example cannot turn.",
             ),
         ),
     )
@@ -174,7 +174,11 @@ fn freecad_count() -> Claim {
         (whole(value(count, &letters)), value(pitch, &letters))
     };
     MACRO
-        .example("wild.freecad.count", "range(6), 60", "how many slots are cut for n slots, and how many degrees apart")
+        .example(
+            "wild.freecad.count",
+            "range(6), 60",
+            "how many slots are cut for n slots, and how many degrees apart they are",
+        )
         .by(ClosedForm, move |stated| {
             counted(ANY, |slots| {
                 let (count, pitch) = cut(stated, slots);
@@ -192,14 +196,15 @@ fn freecad_count() -> Claim {
                 Some(cuts.len() == slots as usize && (0..slots).all(is_cut))
             })
         })
-        .read_as("The macro asks for the number of slots, so it is tried for 3 to 60.")
+        .read_as("The macro asks for the number of slots, so we tried it for 3 to 60.")
         .corrected(
             "range(n), 360/n",
             slip(
-                "The loops that cut slots and arcs have the number and the angle of six in them, not the number that is asked \
+                "The loops that cut slots and arcs contain the number and the angle of six slots, not the number that \
+                 you ask for.",
+                "We went through the directions of all slots, one by one.",
+                "A wheel of any other number of slots gets six. The version with a window cuts as many as you ask \
                  for.",
-                "The directions of all slots, one by one.",
-                "A wheel of any other number of slots gets six. The version with a window cuts as many as are asked for.",
             ),
         )
 }
@@ -209,8 +214,8 @@ fn model3d() -> Claim {
         MODEL3D,
         "wild.model3d.example",
         "4 slots: driven radius 1.0, centres 1.8",
-        "rim of the driven wheel, before the slack of 0.015 and the rounding of its tips; the pin's circle has, before the same \
-         slack, the centre distance over the root of two, which is right",
+        "rim of the driven wheel, before the slack of 0.015 and the rounding of its tips; before the same slack, the \
+         pin's circle has the right radius, which is the centre distance over the root of two",
         |stated| {
             let [rim, centres] = ["driven radius", "centres"].map(|name| size(stated.characters(), name));
             Drawn { slots: stated.count(), crank: centres / 2f64.sqrt(), centres, rim }
@@ -218,11 +223,11 @@ fn model3d() -> Claim {
         (
             "4 slots: driven radius 0.9 √2, centres 1.8",
             slip(
-                "The rim is cut short: when the pin comes to it, it has passed the place where it would slide in along the \
-                 slot.",
+                "The rim is cut short, so when the pin comes to it, it has passed the place where it would slide in \
+                 along the slot.",
                 TWICE,
-                "A pin without thickness and play starts the wheel with a jump of speed. The page says that a printed one \
-                 works.",
+                "A pin without thickness and play starts the wheel with a jump of speed, although the page says that a \
+                 printed one works.",
             ),
         ),
     )
@@ -233,7 +238,7 @@ fn cadbuildr() -> Claim {
         CADBUILDR,
         "wild.cadbuildr.example",
         "4 slots: cross 0.8 (2 · 50/√2 + 4), centres 50",
-        "diameter of the driven cross; the pin's circle is right",
+        "diameter of the driven cross, in a program whose pin circle is right",
         |stated| {
             let [across, centres] = ["cross", "centres"].map(|name| size(stated.characters(), name));
             Drawn { slots: stated.count(), crank: centres / 2f64.sqrt(), centres, rim: across / 2.0 }
@@ -241,8 +246,8 @@ fn cadbuildr() -> Claim {
         (
             "4 slots: cross 2 · 50/√2, centres 50",
             slip(
-                "The rim is cut short: when the pin comes to it, it has passed the place where it would slide in along the \
-                 slot.",
+                "The rim is cut short, so when the pin comes to it, it has passed the place where it would slide in \
+                 along the slot.",
                 TWICE,
                 "A pin without thickness and play starts the wheel with a jump of speed.",
             ),
@@ -267,8 +272,8 @@ fn sdfx() -> Claim {
             slip(
                 "With any other radius the pin meets the mouth of the slot, but not along the slot.",
                 TWICE,
-                "A pin without thickness and play starts the wheel with a jump of speed. The second example of the program, with ten slots, is pushed \
-                 back first.",
+                "A pin without thickness and play starts the wheel with a jump of speed. In the second example of the \
+                 program, with ten slots, the wheel is pushed back first.",
             ),
         ),
     )
@@ -279,7 +284,7 @@ fn counter() -> Claim {
         COUNTER,
         "wild.counter.example",
         "5 slots: r/tan(180/5) - 5 - 0.35",
-        "rim of the wheel that is drawn: less the pin's radius and a clearance",
+        "rim of the wheel as it is drawn, less the pin's radius and a clearance",
         |stated| {
             let (slots, crank) = (stated.count(), 25.0);
             let (_, rim) = stated.characters().split_once(": ").unwrap_or_default();
@@ -328,7 +333,8 @@ fn pitter_cam() -> Claim {
         Finding::new(
             (edge - entry).abs() < 1e-3,
             format!(
-                "the cam keeps an arc of {arc:.1}°; as the pin enters, it reaches {past:.0}° past the line of centres"
+                "the cam keeps an arc of {arc:.1}°, and as the pin enters, it reaches {past:.0}° past the line of \
+                 centres"
             ),
         )
     };
@@ -336,7 +342,7 @@ fn pitter_cam() -> Claim {
         .example(
             "wild.cherry-pitter.cam",
             "cam radius 22.0, cut width 30.0",
-            "what is cut out of the locking cam, of which the drawing says that it keeps an arc of 240°",
+            "what is cut out of the locking cam, which keeps an arc of 240° according to the drawing",
         )
         .by(ClosedForm, move |stated| {
             let [radius, width] = sizes(stated);
@@ -351,10 +357,10 @@ fn pitter_cam() -> Claim {
         .corrected(
             "cam radius 22.0, cut width 22 √3",
             slip(
-                "The cut must reach to where the pin enters, 60° to either side of the pin. The box is narrower.",
-                "Places all along the cam's rim, by coordinates.",
-                "The cam keeps 274° instead of 240°: as the pin enters, the cam still reaches 17° past the line of centres and \
-                 holds the wheel.",
+                "The cut must reach to where the pin enters, 60° to either side of the pin, but the box is narrower.",
+                "We checked places all along the cam's rim, by coordinates.",
+                "The cam keeps 274° instead of 240°. So as the pin enters, the cam still reaches 17° past the line of \
+                 centres and holds the wheel.",
             ),
         )
 }
@@ -380,10 +386,10 @@ fn pitter_arcs() -> Claim {
         .corrected(
             "i * 60 for slots, i * 60 + 30 for arcs",
             slip(
-                "While the wheel rests, one of its arcs lies on the driver's disc, on the line of centres. The slots that \
-                 the pin leaves and enters are half a pitch to either side of it.",
-                "The place where the pin leaves, by coordinates.",
-                "The arcs cut the mouths of the slots away, and at rest no slot is where the pin comes.",
+                "While the wheel rests, one of its arcs lies on the driver's disc, on the line of centres. So the \
+                 slots that the pin leaves and enters are half a pitch to either side of the arc.",
+                "Coordinates give the place where the pin leaves.",
+                "The arcs cut away the mouths of the slots, and at rest no slot is where the pin arrives.",
             ),
         )
 }
@@ -408,7 +414,7 @@ fn found_a_slot(stated: Stated, leaves: f64) -> Finding {
     Finding::new(
         vanishes(nearest),
         format!(
-            "the pin leaves at {:.0} degrees, the nearest slot is {:.0} degrees away",
+            "the pin leaves at {:.0} degrees, and the nearest slot is {:.0} degrees away",
             leaves.to_degrees(),
             nearest.to_degrees()
         ),

@@ -10,7 +10,7 @@ use geneva_kinematics::wheel::{Wheel, entry_acceleration};
 use geneva_kinematics::{Jet, Turn, angular_velocity};
 
 const TWICE: &str =
-    "Dual numbers differentiate the direction of the pin and give the corrected form for 3 to 60 slots.";
+    "We differentiate the direction of the pin with dual numbers, which gives the corrected form for 3 to 60 slots.";
 
 /// A moment of the engagement: angles in radians, the rates for a driver of speed one.
 #[derive(Clone, Copy)]
@@ -87,7 +87,7 @@ fn formulas() -> Vec<Claim> {
             MISCELLANEOUS,
             "wild.firgelli-form.speed",
             r"\omega_{out} = \omega_{in} \frac{\cos\alpha - r}{1 + r^2 - 2 r \cos\alpha}",
-            "speed of the wheel; r is the crank radius over the centre distance",
+            "speed of the wheel, where r is the crank radius over the centre distance",
             speed,
         )
         .corrected(
@@ -95,10 +95,11 @@ fn formulas() -> Vec<Claim> {
             Slip {
                 origin: Origin::Misprint,
                 ..slip(
-                    "A factor r is lost before the bracket. It is there in any derivation from the wheel's angle.",
+                    "A factor r is lost before the bracket, although it is there in any derivation from the wheel's \
+                     angle.",
                     TWICE,
-                    "The speed comes out too high by the centre distance over the crank radius: 1.4 times at four slots, \
-                     twice at six. Loads that go with its square come out four times too high at six.",
+                    "The speed is too high by the centre distance over the crank radius: 1.4 times at four slots, and \
+                     twice at six. Loads that go with the square of the speed are four times too high at six.",
                 )
             },
         ),
@@ -106,7 +107,7 @@ fn formulas() -> Vec<Claim> {
             RIGID,
             "wild.oxiphysics.speed",
             r"\omega_g/\omega_d = \frac{r \cos\phi}{\sqrt{d^2 + r^2 - 2 d r \sin\phi}}",
-            "speed of the wheel over that of the driver, with the driver's angle from the line of centres",
+            "speed of the wheel over the speed of the driver, with the driver's angle from the line of centres",
             |of| {
                 let fit = of.fit;
                 let speeds = [(r"\omega_g", 3.0 * of.speed), (r"\omega_d", 3.0)];
@@ -114,18 +115,19 @@ fn formulas() -> Vec<Claim> {
             },
         )
         .read_as(
-            "The page counts the driver's angle from the line of centres. No other origin makes the formula right: with the best \
-             one the ratio of six slots still differs by up to 0.50.",
+            "The page counts the driver's angle from the line of centres. No other origin makes the formula right, \
+             because with the best one the ratio of six slots still differs by up to 0.50.",
         )
         .corrected(
             r"\omega_g/\omega_d = \frac{r (d \cos\phi - r)}{d^2 + r^2 - 2 d r \cos\phi}",
             slip(
-                "The wheel's speed is the pin's speed across the slot over the pin's distance from the wheel's axis. Both go \
-                 with the cosine of the angle from the line of centres. The printed ratio is another quantity: it has no \
-                 zero where the pin enters.",
+                "The wheel's speed is the pin's speed across the slot over the pin's distance from the wheel's axis. \
+                 Both go with the cosine of the angle from the line of centres. The printed ratio is another quantity, \
+                 because it has no zero where the pin enters.",
                 TWICE,
-                "On the line of centres the ratio is too small: less than one half at six slots, where it is one. At entry \
-                 it is not zero, as if the wheel were struck. Another module of the same library has it right.",
+                "On the line of centres the ratio is too small: less than one half at six slots, where it is one. At \
+                 entry the ratio is not zero, as if the wheel were struck. Another module of the same library has the \
+                 right formula.",
             ),
         ),
         motion(
@@ -162,25 +164,23 @@ fn statements() -> Vec<Claim> {
             .statement(
                 "wild.kmoddl.smooth",
                 "right angle",
-                "with a right angle at the pin it slides into the slot smoothly",
+                "with a right angle at the pin, the pin slides into the slot smoothly",
             )
             .by(ClosedForm, |stated| starts(stated, |ratio, crank| velocity_ratio(&ratio, &Turn::from_radians(crank))))
             .by(AutomaticDerivative, |stated| starts(stated, rate_by_duals))
-            .read_as("The wheel starts from rest.")
-            .but_not("it does so with an angle of 80° at the pin"),
+            .read_as("Smoothly means here that the wheel starts from rest.")
+            .but_not("the wheel does so with an angle of 80° at the pin"),
         SPECTRA
             .statement(
                 "wild.spectraquest.tangent",
                 "tangent to the circle",
                 "for a finite acceleration the slot must touch the circle of the pin's centre",
             )
-            .by(ClosedForm, |stated| {
-                crosses(stated, |ratio, crank| velocity_ratio(&ratio, &Turn::from_radians(crank)))
-            })
+            .by(ClosedForm, |stated| crosses(stated, |ratio, crank| velocity_ratio(&ratio, &Turn::from_radians(crank))))
             .by(AutomaticDerivative, |stated| crosses(stated, rate_by_duals))
             .read_as(
-                "A slot that does not touch the circle sets the wheel in motion with a jump of its speed; tried where slot and \
-                 circle meet at 1° to 30°.",
+                "A slot that does not touch the circle sets the wheel in motion with a jump of its speed. We tried \
+                 slots that meet the circle at 1° to 30°.",
             )
             .but_not("a slot that crosses it at 10° will do"),
         WIKISUM
@@ -193,7 +193,7 @@ fn statements() -> Vec<Claim> {
             .by(Series, |stated| {
                 jumps(stated, |wheel| [-1.0, 1.0].map(|end| acceleration(wheel, end * wheel.engagement_half_angle())))
             })
-            .but_not("it begins and ends at zero"),
+            .but_not("the acceleration begins and ends at zero"),
         SOURCEBOOK
             .statement(
                 "wild.sourcebook.maxima",
@@ -202,8 +202,8 @@ fn statements() -> Vec<Claim> {
             )
             .by(Series, |stated| extremes(stated, acceleration))
             .by(AutomaticDerivative, |stated| extremes(stated, acceleration_by_duals))
-            .read_as("Where the curve is level, over a whole turn of the crank in a slot that goes on.")
-            .but_not("it has them on the part that belongs to the internal wheel"),
+            .read_as("We look for where the curve is level, over a whole turn of the crank in a slot that goes on.")
+            .but_not("the acceleration has its extremes on the part that belongs to the internal wheel"),
     ]
 }
 
@@ -255,8 +255,8 @@ fn jumps(stated: Stated, at_the_ends: impl Fn(&Wheel) -> [f64; 2]) -> Finding {
     Finding::new(
         holds,
         format!(
-            "as the pin enters it is at least {enters:.4} of the driver's speed squared, as it leaves {leaves:.4}, 3 to 60 \
-             slots"
+            "as the pin enters it is at least {enters:.4} of the driver's speed squared, and as it leaves {leaves:.4}, \
+             3 to 60 slots"
         ),
     )
 }
@@ -268,14 +268,14 @@ fn acceleration(wheel: &Wheel, crank: f64) -> f64 {
     angular_velocity(&pin).and_then(|speed| speed.derivative(1)).unwrap_or(f64::NAN)
 }
 
-/// The same by dual numbers.
+/// The wheel's acceleration at a crank angle, by dual numbers.
 fn acceleration_by_duals(wheel: &Wheel, crank: f64) -> f64 {
     let ratio = 1.0 / libm::sin(PI / f64::from(wheel.stations()));
     Crank { ground: ratio, radius: 1.0, angle: PI - crank, speed: -1.0, acceleration: 0.0 }.polar()[1][2]
 }
 
 /// Whether the slope of the acceleration changes its sign on the external part of the turn and not on the other; or the
-/// other way round.
+/// reverse.
 fn extremes(stated: Stated, acceleration: impl Fn(&Wheel, f64) -> f64) -> Finding {
     // The internal part is where an internal wheel is driven: the rest of the turn.
     let turning_points = |wheel: &Wheel, from: f64, to: f64| {

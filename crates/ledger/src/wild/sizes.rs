@@ -4,7 +4,7 @@ use super::fit::ANY;
 use super::*;
 
 const TWICE: &str =
-    "The foot of the driver's axis on the slot's line, by coordinates, gives the corrected form for 3 to 60 slots.";
+    "By coordinates, the foot of the driver's axis on the slot's line gives the corrected form for 3 to 60 slots.";
 
 pub fn claims() -> Vec<Claim> {
     [wrong(), oxiphysics(), right(), generators(), both_ways(), slots(), of_four()].concat()
@@ -25,7 +25,7 @@ fn both_ways() -> Vec<Claim> {
     };
     vec![
         formula(MACRO, "wild.freecad.centres", r"c = \sqrt{a^2 + b^2}", "centre distance", ANY, both)
-            .read_as("The two radii are those of a wheel that fits. Of others see the example."),
+            .read_as("We take the two radii of a wheel that fits. For other radii see the example."),
         rim(MACRO, "wild.freecad.keep-crank-rim"),
         crank(MACRO, "wild.freecad.keep-rim-crank"),
         centres(WINDOW, "wild.freecad-window.keep-rim", r"c = b/\cos(\pi/n)", by_rim),
@@ -89,12 +89,12 @@ fn wrong() -> Vec<Claim> {
         .corrected(
             r"C = \frac{R_{geneva}}{\cos(\pi/n)}",
             slip(
-                "In the right-angled triangle of the two axes and the pin at entry, π/n is the angle at the wheel's axis. \
-                 The side next to it is the wheel's radius, the side opposite is the crank. So the sine gives the crank. \
-                 For four slots both are the same.",
+                "In the right-angled triangle of the two axes and the pin at entry, π/n is the angle at the wheel's \
+                 axis. The side next to this angle is the wheel's radius, and the side opposite is the crank, so the \
+                 sine gives the crank. For four slots the two sides are the same.",
                 TWICE,
-                "The axes come too far apart for more than four slots, too close for three. At six slots the distance is \
-                 1.7 times what it should be.",
+                "The formula puts the axes too far apart for more than four slots, and too close together for three. \
+                 At six slots the distance is 1.7 times what it should be.",
             ),
         ),
         formula(
@@ -106,17 +106,18 @@ fn wrong() -> Vec<Claim> {
             driver,
         )
         .read_as(
-            "The page says that the pin sits at the driver's radius. The centre distance is the right one; with that of the \
-             same page the pin fits it for six slots alone, and the rim does not.",
+            "The page says that the pin sits at the driver's radius. We use the right centre distance. With the centre \
+             distance of the same page, the pin fits for six slots alone, and the rim does not.",
         )
         .corrected(
             r"R_{driver} = C \sin(\pi/n)",
             slip(
                 "Two circles whose radii add up to the distance of their centres touch in one point, on the line of \
-                 centres. The pin must be inside the wheel there, in a slot; its circle cuts the wheel's.",
+                 centres. But the pin must be inside the wheel there, in a slot, so its circle cuts the wheel's \
+                 circle.",
                 TWICE,
-                "The pin's circle touches the wheel's rim from outside. The pin never enters a slot, and the wheel is \
-                 not moved.",
+                "The pin's circle touches the wheel's rim from outside. So the pin never enters a slot, and the wheel \
+                 is not moved.",
             ),
         ),
         formula(
@@ -128,17 +129,18 @@ fn wrong() -> Vec<Claim> {
             centres_by_the_root,
         )
         .read_as(
-            "The pin radius is that of the pin's circle. With the radius of the pin itself, or of the wheel, the formula \
-             holds for no whole number of slots either.",
+            "We take the pin radius as the radius of the pin's circle. With the radius of the pin itself, or of the \
+             wheel, the formula holds for no integer number of slots either.",
         )
         .corrected(
             r"C = \frac{R_{pin}}{\sin(180^{\circ}/n)}",
             slip(
-                "The root is the length of the sum of two arms of one radius, 180°/n apart. In a Geneva mechanism the two \
-                 arms, crank and wheel radius, are at right angles, and they are equal for four slots only.",
+                "The root is the length of the sum of two arms of one radius, 180°/n apart. But in a Geneva mechanism \
+                 the two arms, crank and wheel radius, are at right angles, and they are equal only for four slots.",
                 TWICE,
-                "The axes come too far apart for three, four and five slots and too close for more. Four slots want 1.41 \
-                 crank radii and get 1.85: the pin does not reach the slot.",
+                "The formula puts the axes too far apart for three, four and five slots, and too close together for \
+                 more. With four slots the distance should be 1.41 crank radii, but the formula gives 1.85, so the pin \
+                 does not reach the slot.",
             ),
         ),
     ]
@@ -163,17 +165,17 @@ fn oxiphysics() -> Vec<Claim> {
             rim,
         )
         .read_as(
-            "The page explains the outer radius as the distance from the centre to the bottom of a slot. The bottom is d − r from \
-             the wheel's axis, and the formula is wrong for that as well.",
+            "The page explains the outer radius as the distance from the centre to the bottom of a slot. But the \
+             bottom is d − r from the wheel's axis, so the formula is wrong for that as well.",
         )
         .corrected(
             r"R = \sqrt{d^2 - r^2}",
             slip(
-                "The right angle of the triangle is at the pin, not at the driver's axis: the centre distance is its \
-                 longest side.",
+                "The right angle of the triangle is at the pin, not at the driver's axis, so the centre distance is \
+                 its longest side.",
                 TWICE,
-                "The wheel's radius comes out longer than the centre distance: the wheel would cover the driver's axis. \
-                 The slot's depth of the same module comes out too long with it.",
+                "The formula makes the wheel's radius longer than the centre distance, so the wheel would cover the \
+                 driver's axis. The slot's depth in the same module becomes too long with it.",
             ),
         ),
         formula(
@@ -204,7 +206,7 @@ fn right() -> Vec<Claim> {
             .statement(
                 "wild.anvilate.equal",
                 "at n = 4 equal, then the driven radius is larger",
-                "how the wheel's radius and the crank's compare",
+                "how the wheel's radius compares with the crank radius",
             )
             .by(ClosedForm, |stated| compared(stated, Fit::by_wheel))
             .by(Vectors, |stated| compared(stated, Fit::by_vectors))
@@ -241,7 +243,7 @@ fn right() -> Vec<Claim> {
             ANY,
             |fit| vec![("p", fit.crank), ("d", fit.centres), ("r", fit.rim), (r"\theta", fit.step / 2.0)],
         )
-        .read_as("The radius is the one that fits the centre distance. Of other radii see the example."),
+        .read_as("We take the radius that fits the centre distance. For other radii see the example."),
     ]
 }
 
@@ -313,8 +315,8 @@ fn generators() -> Vec<Claim> {
             GENEVA_GEN,
             "wild.geneva-gen.rim",
             r"b^2 = c^2 - a^2",
-            "wheel radius, if the crank radius is given: in the newest version that is stored; in an older one both were \
-             given",
+            "wheel radius, if the crank radius is given, as in the newest version that is stored, whereas both were \
+             given in an older one",
             ANY,
             |fit| vec![("b", fit.rim), ("c", fit.centres), ("a", fit.crank)],
         ),
@@ -330,7 +332,7 @@ fn generators() -> Vec<Claim> {
             COUNTER,
             "wild.counter.rim",
             r"R = \frac{r}{\tan(360^{\circ}/n/2)}",
-            "wheel radius from that of the pin's circle",
+            "wheel radius from the radius of the pin's circle",
             ANY,
             |fit| vec![("R", fit.rim), ("r", fit.crank), ("n", fit.slots)],
         ),
@@ -367,8 +369,11 @@ fn of_four() -> Vec<Claim> {
             )
             .by(ClosedForm, |stated| bottom(&Fit::by_wheel(4), stated))
             .by(Vectors, |stated| bottom(&Fit::by_vectors(4), stated))
-            .but_not("they end on the circle through the middle of the line of centres")
-            .read_as("The end of a slot's centre line: the deepest place of the pin's centre."),
+            .but_not("the slots end on the circle through the middle of the line of centres")
+            .read_as(
+                "We take the end of a slot as the end of its centre line, which is the deepest place of the pin's \
+                 centre.",
+            ),
     ]
 }
 

@@ -24,18 +24,19 @@ pub fn claims() -> Vec<Claim> {
                 let room = |slots| 2.0 * PI * (1.0 + 1e-12) / Fit::by_vectors(slots).moving;
                 steps(stated, Fit::by_vectors, |slots| PINS.rev().find(|pins| f64::from(*pins) <= room(slots)))
             })
-            .read_as("The wheels have 3 to 18 slots, and one pin or as many as there is room for.")
+            .read_as("We take wheels with 3 to 18 slots, and with one pin or as many as there is room for.")
             .corrected(
                 "3 to 18 steps per turn of the wheel",
                 Slip {
                     consequence: Consequence::Remark,
                     origin: Origin::Misprint,
                     ..slip(
-                        "One pin moves the wheel once in a turn of the driver, by one slot. So 3 to 18 is the number of \
-                         steps in a turn of the wheel. A turn of the driver makes one step for each pin, and there is \
-                         room for six pins at most, with three slots: 1 to 6 steps.",
-                        "Each move takes its part of a turn of the driver, and so many parts do not fit into one turn.",
-                        "A reader expects up to eighteen steps for a turn of the shaft that he drives.",
+                        "One pin moves the wheel once in a turn of the driver, by one slot. So 3 to 18 is the number \
+                         of steps in a turn of the wheel. A turn of the driver makes one step for each pin, and there \
+                         is room for at most six pins, with three slots. That gives 1 to 6 steps.",
+                        "Each move takes its part of a turn of the driver, and one turn has no room for so many \
+                         parts.",
+                        "A reader expects up to eighteen steps for a turn of the input shaft.",
                     )
                 },
             ),
@@ -43,7 +44,7 @@ pub fn claims() -> Vec<Claim> {
             STATEMASTER,
             "wild.statemaster.step",
             r"\phi = 360^{\circ}/n",
-            "what the wheel turns for each full turn of the driver",
+            "how far the wheel turns for each full turn of the driver",
             ANY,
             |fit| vec![(r"\phi", fit.step), ("n", fit.slots)],
         ),
@@ -57,7 +58,7 @@ pub fn claims() -> Vec<Claim> {
             CALCULATOR,
             "wild.firgelli-time.speed",
             r"\omega_{geneva} = \omega_{driver}/n",
-            "speed of the wheel, by the speed of the driver: RPM on the page",
+            "speed of the wheel, from the speed of the driver (RPM on the page)",
             ANY,
             |fit| {
                 // Turns of the wheel in a time, over the turns of the driver: a step in the time of a move and a rest.
@@ -66,7 +67,7 @@ pub fn claims() -> Vec<Claim> {
                 vec![(r"\omega_{geneva}", speed), (r"\omega_{driver}", driver), ("n", fit.slots)]
             },
         )
-        .read_as("The mean speed over many steps."),
+        .read_as("We read it as the mean speed over many steps."),
         formula(INDEXING, "wild.firgelli-indexing.step", r"\theta = 360^{\circ}/n", STEP, ANY, |fit| {
             vec![(r"\theta", fit.step), ("n", fit.slots)]
         }),
@@ -85,25 +86,33 @@ pub fn claims() -> Vec<Claim> {
         fewest(ANVILATE, "wild.anvilate.least", "n ≥ 3", 1).but_not("two slots will do"),
         fewest(WORKBENCH, "wild.gear-workbench.least", "n >= 3", 1).but_not("two slots will do"),
         fewest(GENERATOR, "wild.generator.least", "n at least 3", 1).but_not("two slots will do"),
-        fewest(SDFX, "wild.sdfx.least", "> 2", 1)
-            .but_not("two slots will do")
-            .read_as("What the message of the program says of the sectors. The program itself lets two pass."),
-        fewest(MECHANICS, "wild.mechanics.least", "N > 4", 0).read_as("The page says separators. We read them as the slots.").corrected(
-            "N > 2",
-            Slip {
-                consequence: Consequence::Remark,
-                ..slip(
-                    "Wheels of three and of four slots work, and all formulas of the page hold for them.",
-                    "The pin by coordinates comes into a slot and leaves it with three slots, and never with two.",
-                    "The commonest wheel has four slots, and the page leaves it out.",
-                )
-            },
+        fewest(SDFX, "wild.sdfx.least", "> 2", 1).but_not("two slots will do").read_as(
+            "We read it as what the message of the program says of the sectors, although the program itself lets two \
+             pass.",
         ),
+        fewest(MECHANICS, "wild.mechanics.least", "N > 4", 0)
+            .read_as("The page says separators, which we read as the slots.")
+            .corrected(
+                "N > 2",
+                Slip {
+                    consequence: Consequence::Remark,
+                    ..slip(
+                        "Wheels of three and of four slots work, and all formulas of the page hold for them.",
+                        "By coordinates, the pin comes into a slot and leaves it with three slots, but never with \
+                         two.",
+                        "The commonest wheel has four slots, but the page leaves it out.",
+                    )
+                },
+            ),
         ANVILATE
-            .statement("wild.anvilate.more", "more slots", "more slots let the wheel move for a larger part of the cycle")
+            .statement(
+                "wild.anvilate.more",
+                "more slots",
+                "more slots let the wheel move for a larger part of the cycle",
+            )
             .by(ClosedForm, |stated| more(Fit::by_wheel, stated))
             .by(Vectors, |stated| more(Fit::by_vectors, stated))
-            .but_not("more slots let it move for a smaller part"),
+            .but_not("more slots let the wheel move for a smaller part of the cycle"),
         ANVILATE
             .statement("wild.anvilate.fewer", "fewer slots", "fewer slots give a longer rest")
             .by(ClosedForm, |stated| fewer(Fit::by_wheel, stated))
@@ -112,7 +121,7 @@ pub fn claims() -> Vec<Claim> {
     ]
 }
 
-const STEP: &str = "what the wheel turns in each step";
+const STEP: &str = "how far the wheel turns in each step";
 
 /// How few slots a wheel can have, by a number and a sign of inequality. A neighbour says so many less.
 fn fewest(place: Place, id: &'static str, printed: &'static str, less: u32) -> Claim {
@@ -140,7 +149,10 @@ fn more(by: fn(u32) -> Fit, stated: Stated) -> Finding {
     let holds = (4..=60).all(|slots| longer(slots) * stated.pick(1.0, -1.0) > 0.0);
     Finding::new(
         holds,
-        format!("{:.1} degrees of the driver more with four slots than with three", longer(4).to_degrees()),
+        format!(
+            "the move takes {:.1} degrees of the driver more with four slots than with three",
+            longer(4).to_degrees()
+        ),
     )
 }
 
@@ -168,6 +180,9 @@ fn fewer(by: fn(u32) -> Fit, stated: Stated) -> Finding {
     let holds = (4..=60).all(|slots| longer(slots) * stated.pick(1.0, -1.0) > 0.0);
     Finding::new(
         holds,
-        format!("{:.1} degrees of the driver more with three slots than with four", longer(4).to_degrees()),
+        format!(
+            "the rest takes {:.1} degrees of the driver more with three slots than with four",
+            longer(4).to_degrees()
+        ),
     )
 }

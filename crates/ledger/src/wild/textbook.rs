@@ -1,6 +1,8 @@
-//! A public page that goes on with the textbook problem of this book's first chapter: it asks for the wheel's acceleration.
+//! A public page that continues the textbook problem of this book's first chapter and asks for the wheel's
+//! acceleration.
 //!
-//! It repeats what it needs of the first problem, whose copy has lost its arrows. Its stored text ends before the result.
+//! It repeats what it needs of the first problem, whose copy has lost its arrows. Its stored text ends before the
+//! result.
 
 use super::*;
 use crate::Evidence::OtherPlaceInSource;
@@ -13,9 +15,14 @@ use nalgebra::Vector2;
 
 pub fn claims() -> Vec<Claim> {
     vec![
-        value("wild.holooly.speed", "4.08", "rad/s", "angular speed of the wheel", |t| t.follower_speed, |motion| {
-            motion.follower_speed.abs()
-        }),
+        value(
+            "wild.holooly.speed",
+            "4.08",
+            "rad/s",
+            "angular speed of the wheel",
+            |t| t.follower_speed,
+            |motion| motion.follower_speed.abs(),
+        ),
         HOLOOLY
             .statement("wild.holooly.sense", "an arrow that turns clockwise", "sense in which the wheel turns")
             .by(ClosedForm, |stated| {
@@ -23,13 +30,23 @@ pub fn claims() -> Vec<Claim> {
                 turns(-by_triangle(|t| t.follower_speed) * stated.pick(1.0, -1.0), stated)
             })
             .by(Vectors, |stated| turns(by_vectors(|motion| motion.follower_speed) * stated.pick(1.0, -1.0), stated))
-            .but_not("it turns counterclockwise"),
-        value("wild.holooly.angle", "42.4", "°", "angle of the slot from the line of centres", |t| {
-            t.angle_at_pivot.to_degrees()
-        }, |motion| libm::atan2(motion.position.y.abs(), motion.position.x.abs()).to_degrees()),
-        value("wild.holooly.sliding", "477", "mm/s", "speed of the pin along the slot", |t| t.sliding_speed, |motion| {
-            motion.sliding_velocity.norm()
-        }),
+            .but_not("the wheel turns counterclockwise"),
+        value(
+            "wild.holooly.angle",
+            "42.4",
+            "°",
+            "angle of the slot from the line of centres",
+            |t| t.angle_at_pivot.to_degrees(),
+            |motion| libm::atan2(motion.position.y.abs(), motion.position.x.abs()).to_degrees(),
+        ),
+        value(
+            "wild.holooly.sliding",
+            "477",
+            "mm/s",
+            "speed of the pin along the slot",
+            |t| t.sliding_speed,
+            |motion| motion.sliding_velocity.norm(),
+        ),
         HOLOOLY
             .statement(
                 "wild.holooly.sliding-direction",
@@ -45,10 +62,15 @@ pub fn claims() -> Vec<Claim> {
                 let y = by_vectors(|motion| motion.sliding_velocity.y);
                 slides_at(libm::atan2(y, x).to_degrees(), stated)
             })
-            .but_not("it slides up and to the right"),
-        value("wild.holooly.radius", "37.1", "mm", "distance of the pin from the wheel's axis", |t| t.slot_radius, |motion| {
-            motion.position.norm()
-        }),
+            .but_not("the pin slides up and to the right"),
+        value(
+            "wild.holooly.radius",
+            "37.1",
+            "mm",
+            "distance of the pin from the wheel's axis",
+            |t| t.slot_radius,
+            |motion| motion.position.norm(),
+        ),
         HOLOOLY
             .value("wild.holooly.crank", "500", "mm", "crank radius, in the product that gives the pin's acceleration")
             .by(OtherPlaceInSource, || {
@@ -61,10 +83,10 @@ pub fn claims() -> Vec<Claim> {
                     origin: Origin::Misprint,
                     consequence: Consequence::Number,
                     ..slip(
-                        "500 mm times the square of 10 rad/s is 50,000 mm/s², ten times the printed product. With the crank \
-                         radius of the problem, 50 mm, the product is right.",
-                        "The crank radius of the problem that the page goes on with.",
-                        "Nothing that is printed after it.",
+                        "500 mm times the square of 10 rad/s is 50,000 mm/s², ten times the printed product. With the \
+                         crank radius of the problem, 50 mm, the product is right.",
+                        "We used the crank radius of the problem that the page continues.",
+                        "Nothing changes that is printed after it.",
                     )
                 },
             ),
@@ -101,10 +123,10 @@ pub fn claims() -> Vec<Claim> {
                     origin: Origin::Copy,
                     consequence: Consequence::Copy,
                     ..slip(
-                        "The acceleration points to the driver's axis, 30° below the horizontal. A digit is lost: in the \
-                         stored copy a degree sign is in its place, before the 0.",
-                        "The pin and the driver's axis by coordinates.",
-                        "Not known: the stored text ends before the direction is used.",
+                        "The acceleration points to the driver's axis, 30° below the horizontal. A digit is lost, \
+                         because the stored copy has a degree sign in its place, before the 0.",
+                        "We used the coordinates of the pin and of the driver's axis.",
+                        "We don't know what changes, because the stored text ends before the direction is used.",
                     )
                 },
             ),

@@ -4,11 +4,12 @@ use super::fit::ANY;
 use super::*;
 use crate::Decimal;
 
-const TWICE: &str = "The pin's place at entry, by coordinates, gives the corrected form for 3 to 60 slots.";
+const TWICE: &str = "By coordinates, the pin's place at entry gives the corrected form for 3 to 60 slots.";
 
-/// The wheel's turn is taken for the driver's.
-const TURNED: &str = "While the wheel turns by one slot, 360°/n, the driver turns by 180° − 360°/n: at the start and at \
-     the end its crank is at right angles to the slot. The two are the same for four slots only.";
+/// The page takes the wheel's turn for the driver's turn.
+const TURNED: &str = "While the wheel turns by one slot, 360°/n, the driver turns by 180° − 360°/n, because its crank \
+                      is at right angles to the slot at the start and at the end. The two are the same for four slots \
+                      only.";
 
 /// How long a wheel moves, of the calculator.
 const DWELL: Slip = Slip {
@@ -16,15 +17,16 @@ const DWELL: Slip = Slip {
     ..slip(
         TURNED,
         TWICE,
-        "A machine is planned with too long a rest and too short a move for more than four slots, the other way round \
-         for three. At six slots the move takes twice as long as planned, at eight three times.",
+        "For more than four slots, a machine is planned with too long a rest and too short a move. For three slots, \
+         the rest is too short and the move too long. At six slots the move takes twice as long as planned, and at \
+         eight it takes three times as long.",
     )
 };
 
-/// The same on another page.
+/// The mistake about how long a wheel moves, on another page.
 const MORE_SLOTS: Slip = Slip {
     id: "wild.unseel.six",
-    ..slip(TURNED, TWICE, "Who wants a longer rest and takes more slots for it gets a shorter one.")
+    ..slip(TURNED, TWICE, "If you want a longer rest and choose more slots to get it, you get a shorter rest.")
 };
 
 pub fn claims() -> Vec<Claim> {
@@ -49,7 +51,7 @@ fn calculator() -> Vec<Claim> {
             CALCULATOR,
             "wild.firgelli-time.dwell",
             r"\theta_{dwell} = 360^{\circ} \frac{n - 1}{n}",
-            "what the driver turns while the wheel rests",
+            "how far the driver turns while the wheel rests",
             ANY,
             resting,
         )
@@ -63,8 +65,8 @@ fn calculator() -> Vec<Claim> {
             index,
         )
         .read_as(
-            "The index angle is the wheel's step, as the page says. Were it the driver's angle, the time would be right \
-             and the dwell angle of the same page would not fit it.",
+            "We take the index angle as the wheel's step, as the page says. If it were the driver's angle, the time \
+             would be right, but the dwell angle of the same page would not fit it.",
         )
         .corrected(r"t_{index} = \frac{180^{\circ} - \theta_{index}}{360^{\circ}} \frac{60}{\mathrm{RPM}}", DWELL),
     ]
@@ -80,7 +82,7 @@ fn unseel() -> Vec<Claim> {
         let right = |fit: &Fit| 100.0 * fit.resting / (2.0 * PI);
         number(UNSEEL, id, printed, "%", meaning, slots, taken)
             .right(ClosedForm, move || right(&Fit::by_wheel(slots)), Vectors, move || right(&Fit::by_vectors(slots)))
-            .read_as("Rounded to whole per cents, a half down.")
+            .read_as("We read the number as rounded to a whole per cent, with a half rounded down.")
             .in_error_for(rounded, MORE_SLOTS)
     };
     vec![
@@ -98,7 +100,7 @@ fn star() -> Vec<Claim> {
             "wild.geneva-star.turns",
             "270",
             "°",
-            "what the driver turns while a wheel of four rests",
+            "how far the driver turns while a four-slot wheel rests",
             4,
             |fit| fit.resting.to_degrees(),
         ),
@@ -124,8 +126,8 @@ fn star() -> Vec<Claim> {
         .in_error(slip(
             TURNED,
             TWICE,
-            "The rest is longer than said, and the move takes half of the time said: a wheel of three slots is quick \
-             and rough.",
+            "The rest is longer than the page says, and the move takes half of the time that it says. So a wheel of \
+             three slots is quick and rough.",
         )),
     ]
 }
@@ -136,26 +138,27 @@ fn oxiphysics() -> Vec<Claim> {
             RIGID,
             "wild.oxiphysics.half-angle",
             r"\alpha = \sin^{-1} \frac{r}{d}",
-            "what the driver turns from the entry of the pin to the line of centres",
+            "how far the driver turns from the entry of the pin to the line of centres",
             ANY,
             |fit| vec![(r"\alpha", fit.moving / 2.0), ("r", fit.crank), ("d", fit.centres)],
         )
         .corrected(
             r"\alpha = \cos^{-1} \frac{r}{d}",
             slip(
-                "The angle whose sine is the crank radius over the centre distance is the wheel's, at the other end of \
-                 the line of centres. In the right-angled triangle of the two axes and the pin the driver's is the rest \
-                 of a right angle.",
+                "The angle whose sine is the crank radius over the centre distance is the wheel's angle, at the other \
+                 end of the line of centres. In the right-angled triangle of the two axes and the pin, the driver's \
+                 angle is a right angle less the wheel's angle.",
                 TWICE,
-                "The part of the cycle in which the wheel moves comes out as 1/n of it, right for four slots only. Another \
-                 module of the same library has it right.",
+                "The formula makes the part of the cycle in which the wheel moves 1/n, which is right for four slots \
+                 only. Another module of the same library has the right formula.",
             ),
         ),
         formula(
             CONSTRAINTS,
             "wild.oxiphysics.right-half-angle",
             r"\alpha = \pi/2 - \pi/n",
-            "what the driver turns from the entry of the pin to the line of centres, in another module of the library",
+            "how far the driver turns from the entry of the pin to the line of centres, in another module of the \
+             library",
             ANY,
             |fit| vec![(r"\alpha", fit.moving / 2.0), ("n", fit.slots)],
         ),
@@ -180,7 +183,7 @@ fn parts(stated: Stated, by: fn(u32) -> Fit) -> Finding {
     let all = numbers.chunks(2).filter(|pair| fits(pair)).count();
     Finding::new(
         all == 3 && numbers.len() == 6,
-        format!("{all} of the {} parts are those in which the wheel moves", numbers.len() / 2),
+        format!("{all} of the {} parts are parts in which the wheel moves", numbers.len() / 2),
     )
 }
 
@@ -210,7 +213,7 @@ fn fractions() -> Vec<Claim> {
             )
             .by(ClosedForm, |stated| parts(stated, Fit::by_wheel))
             .by(Vectors, |stated| parts(stated, Fit::by_vectors))
-            .but_not("these are the parts in which they rest"),
+            .but_not("the wheels rest in these parts"),
         number(ANVILATE, "wild.anvilate.four", "75", "%", "rest of a wheel of four slots", 4, |fit| {
             100.0 * fit.resting / (2.0 * PI)
         }),
@@ -232,7 +235,7 @@ fn fractions() -> Vec<Claim> {
             MECHANICS,
             "wild.mechanics.on",
             r"\theta_{on} = 2 (\frac{\pi}{2} - \theta) = \pi - \frac{2 \pi}{N} = \pi (1 - \frac{2}{N})",
-            "what the driver turns while the wheel turns",
+            "how far the driver turns while the wheel turns",
             ANY,
             |fit| vec![(r"\theta_{on}", fit.moving), (r"\theta", fit.step / 2.0), ("N", fit.slots)],
         ),
@@ -240,7 +243,7 @@ fn fractions() -> Vec<Claim> {
             MECHANICS,
             "wild.mechanics.off",
             r"\theta_{off} = 2 \pi - \pi (1 - \frac{2}{N}) = \pi (2 - (1 - \frac{2}{N})) = \pi (1 + \frac{2}{N})",
-            "what the driver turns while the wheel rests",
+            "how far the driver turns while the wheel rests",
             ANY,
             |fit| vec![(r"\theta_{off}", fit.resting), ("N", fit.slots)],
         ),
@@ -248,7 +251,7 @@ fn fractions() -> Vec<Claim> {
             MECHANICS,
             "wild.mechanics.ratio",
             r"\frac{t_{on}}{\theta_{off}} = \frac{\pi (1 - \frac{2}{N})}{\pi (1 + \frac{2}{N})}",
-            "time of a move to what is printed behind the colon, as a quotient",
+            "time of a move over what is printed behind the colon",
             ANY,
             times,
         )
@@ -258,9 +261,10 @@ fn fractions() -> Vec<Claim> {
                 consequence: Consequence::Derivation,
                 origin: Origin::Misprint,
                 ..slip(
-                    "A time is set beside an angle. The time of a rest is meant: the two times are as the two angles.",
+                    "The page sets a time beside an angle. The time of a rest is meant, because the two times are as \
+                     the two angles.",
                     TWICE,
-                    "Nothing: the two times that follow are right.",
+                    "Nothing changes, because the two times that follow are right.",
                 )
             },
         ),
@@ -268,20 +272,20 @@ fn fractions() -> Vec<Claim> {
             MECHANICS,
             "wild.mechanics.speed",
             r"\omega = \frac{t}{2 \pi}",
-            "what turns an angle of the driver into a time, with the time t of a turn",
+            "factor that turns an angle of the driver into a time, where t is the time of a turn",
             ANY,
             times,
         )
         .read_as(
-            "The page doesn't say what ω is. The next two lines multiply angles of the driver by t/2π and get times, so we read \
-             ω as that factor. As the driver's angular velocity, for which the letter is common, the line would be upside \
-             down.",
+            "The page doesn't say what ω is. The next two lines multiply angles of the driver by t/2π and get times, \
+             so we read ω as that factor. If we read it as the driver's angular velocity, for which the letter is \
+             common, the line would be upside down.",
         ),
         formula(
             MECHANICS,
             "wild.mechanics.on-time",
             r"t_{on} = \frac{t}{2 \pi} (\pi (1 - \frac{2}{N})) = \frac{t}{2} - \frac{t}{N}",
-            "time for which the wheel turns, of the time of a turn of the driver",
+            "time for which the wheel turns, from the time of a turn of the driver",
             ANY,
             times,
         ),
@@ -289,7 +293,7 @@ fn fractions() -> Vec<Claim> {
             MECHANICS,
             "wild.mechanics.off-time",
             r"t_{off} = \frac{t}{2 \pi} (\pi (1 + \frac{2}{N})) = \frac{t}{2} + \frac{t}{N}",
-            "time for which the wheel rests, of the time of a turn of the driver",
+            "time for which the wheel rests, from the time of a turn of the driver",
             ANY,
             times,
         ),
@@ -302,7 +306,7 @@ fn others() -> Vec<Claim> {
             MISCELLANEOUS,
             "wild.firgelli-form.dwell",
             r"\theta_{dwell} = 360^{\circ} - (180^{\circ} - 360^{\circ}/N)",
-            "what the driver turns while the wheel rests",
+            "how far the driver turns while the wheel rests",
             ANY,
             |fit| vec![(r"\theta_{dwell}", fit.resting), ("N", fit.slots)],
         ),
@@ -310,7 +314,7 @@ fn others() -> Vec<Claim> {
             FIRGELLI_EXTERNAL,
             "wild.firgelli-external.sweep",
             r"\theta_{sweep} = 180^{\circ} - 360^{\circ}/n",
-            "what the driver turns while the wheel turns",
+            "how far the driver turns while the wheel turns",
             ANY,
             |fit| vec![(r"\theta_{sweep}", fit.moving), ("n", fit.slots)],
         ),
@@ -329,7 +333,7 @@ fn others() -> Vec<Claim> {
             LINKAGE,
             "wild.linkage.half-angle",
             r"\alpha = \pi/2 - \pi/n",
-            "what the driver turns from the entry of the pin to the line of centres",
+            "how far the driver turns from the entry of the pin to the line of centres",
             ANY,
             |fit| vec![(r"\alpha", fit.moving / 2.0), ("n", fit.slots)],
         ),
@@ -343,35 +347,37 @@ fn others() -> Vec<Claim> {
             |fit| 100.0 * fit.moving / (2.0 * PI),
         )
         .read_to(|| 100.0 / 800.0)
-        .read_as("One instant of 800 more or less.")
+        .read_as("We allow one instant of 800 more or less.")
         .expecting(crate::Verdict::ReadOff),
         number(
             PITTER_DRIVER,
             "wild.cherry-pitter.dwell",
             "240",
             "°",
-            "arc of the locking cam: what the driver turns while a wheel of six rests",
+            "arc of the locking cam, which is how far the driver turns while a wheel of six rests",
             6,
             |fit| fit.resting.to_degrees(),
         )
-        .read_as("The arc that the mechanism wants. Of the cam as it is built see the example."),
+        .read_as("We read it as the arc that the mechanism needs. For the cam as it is built see the example."),
     ]
 }
 
 fn twelve() -> Vec<Claim> {
     let of = |id, printed, unit, meaning, quantity| number(ARTOBOLEVSKY, id, printed, unit, meaning, 12, quantity);
     vec![
-        of("wild.dmg-lib.idle", "210", "°", "what the driver turns while a wheel of twelve slots rests", |fit| {
+        of("wild.dmg-lib.idle", "210", "°", "how far the driver turns while a wheel of twelve slots rests", |fit| {
             fit.resting.to_degrees()
         }),
-        of("wild.dmg-lib.moving", "150", "°", "what it turns while the wheel turns", |fit| fit.moving.to_degrees()),
+        of("wild.dmg-lib.moving", "150", "°", "how far the driver turns while the wheel turns", |fit| {
+            fit.moving.to_degrees()
+        }),
         of("wild.dmg-lib.part", "0.4167", "", "part of the time in which the wheel moves", |fit| {
             fit.moving / (2.0 * PI)
         }),
         of("wild.dmg-lib.idle-part", "0.5833", "", "part of the time in which it rests", |fit| {
             fit.resting / (2.0 * PI)
         }),
-        of("wild.dmg-lib.coefficient", "0.71", "", "time of a move over that of a rest", |fit| {
+        of("wild.dmg-lib.coefficient", "0.71", "", "time of a move over the time of a rest", |fit| {
             fit.moving / fit.resting
         }),
     ]
