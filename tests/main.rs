@@ -12,6 +12,7 @@ mod displays;
 mod live;
 mod mimic_decks;
 mod pin_over_the_engagement;
+mod records;
 mod snapshots;
 mod supply;
 mod tidy;

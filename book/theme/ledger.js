@@ -51,12 +51,25 @@
         }
     };
 
+    /** What scrolls sideways can be reached by keyboard. */
+    const reach = inside => inside.querySelectorAll('.form, dd').forEach(element => {
+        if (element.scrollWidth > element.clientWidth) {
+            element.tabIndex = 0;
+        }
+    });
+    document.querySelector('main').addEventListener('contentvisibilityautostatechange', event => {
+        if (!event.skipped) {
+            reach(event.target);
+        }
+    });
+
     // What is known of each claim comes with a script of its own, once.
     let known;
     const waiting = new Set();
     const fill = body => {
         body.innerHTML = known[body.dataset.of];
         body.removeAttribute('aria-busy');
+        reach(body);
     };
     globalThis.genevaDetails = details => {
         known = details;

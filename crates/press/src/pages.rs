@@ -71,6 +71,8 @@ const RECORDS: &str = "Records";
 const ELSEWHERE: &str = "wild";
 /// The page that lists all claims.
 pub const LEDGER: &str = "ledger";
+/// The page of the claims that are open, which says again what the chapters say of them.
+pub const OPEN: &str = "open";
 /// The page that says how the sources are covered.
 pub const COVERAGE: &str = "coverage";
 
@@ -119,7 +121,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
             ]),
             ..below("errata-small", "In displays and words")
         },
-        chapter(RECORDS, "open", "Open questions"),
+        chapter(RECORDS, OPEN, "Open questions"),
         chapter(RECORDS, "method", "How it is checked"),
         chapter(RECORDS, "about", "Sources, data, how to cite"),
         below("glossary", "Glossary"),
@@ -172,7 +174,8 @@ pub fn page_of_slip(slip: &Slip) -> &'static str {
 
 /// Whether a page is one to look things up in, by its name: what it says of a thing stands behind what a chapter says.
 pub fn is_looked_up(name: &str) -> bool {
-    let is_record = |page: &Page| page.place == Place::Behind || !matches!(page.records, Records::None);
+    let is_record =
+        |page: &Page| page.place == Place::Behind || page.name == OPEN || !matches!(page.records, Records::None);
     PAGES.iter().any(|page| page.name == name && is_record(page))
 }
 

@@ -49,7 +49,11 @@ const KEYS: &[(&str, &str, Put)] = &[
     ("elsewhere-examples", "examples that do not fit, in a table", Alone(|| Ok(elsewhere::wrong_examples()?.html()))),
     ("elsewhere-wrong", "what is wrong elsewhere, in a table", Alone(|| Ok(elsewhere::wrong()?.html()))),
     ("evidence", "the kinds of evidence and how many claims use each", Alone(|| Ok(lists::evidence()?.html()))),
-    ("fields", "the fields of a file of the records: claims, errata or coverage", Of(|of| Ok(records::fields(of)?.html()))),
+    (
+        "fields",
+        "the fields of a file of the records: claims, errata or coverage",
+        Of(|of| Ok(records::fields(of)?.html())),
+    ),
     ("figure", "a numbered figure", Put::Figure),
     ("grave-errata", "what changes a result or a conclusion, in a table", Alone(|| Ok(errata::grave()?.html()))),
     ("live", "a numbered figure that a reader moves", Put::Live),

@@ -1,9 +1,7 @@
 //! The ledger as data: a claim, a slip, a line of a source, all of them in files, and what each of their fields says.
 
 use crate::fields::{self, Row, Value};
-use geneva_ledger::{
-    Check, Consequence, Entry, Finding, Judged, Line, Places, Slip, Work, in_full, slips, verdicts,
-};
+use geneva_ledger::{Check, Consequence, Entry, Finding, Judged, Line, Places, Slip, Work, in_full, slips, verdicts};
 use std::collections::BTreeSet;
 
 /// A field of the files by its path, a point before the field of an object, and what it says.
@@ -12,30 +10,57 @@ pub type Field = (&'static str, &'static str);
 /// What the fields of a claim say.
 pub const OF_A_CLAIM: &[Field] = &[
     ("id", "The name of the claim. It stays the same from version to version."),
-    ("source", "The source: `pin`, `quick-return`, `jazar` (the handout), `meyer` (the thesis) or `wild` (pages elsewhere)."),
+    (
+        "source",
+        "The source: `pin`, `quick-return`, `jazar` (the handout), `meyer` (the thesis) or `wild` (pages elsewhere).",
+    ),
     ("locator", "Where in the source the claim is. Of a page elsewhere: its address, and the day on which we read it."),
-    ("kind", "What sort of claim it is: `value` (a printed number), `equation`, `figure`, `statement`, or `example` (sizes of a mechanism that a program builds)."),
+    (
+        "kind",
+        "What sort of claim it is: `value` (a printed number), `equation`, `figure`, `statement`, or `example` (sizes of a mechanism that a program builds).",
+    ),
     ("meaning", "What the source says here, in our words."),
     ("printed", "The characters that the source prints, formulas in TeX."),
     ("unit", "The unit of the printed number, as printed. Empty if there is none."),
-    ("computed", "The number that follows from what the source says it did, in the printed unit and with all its digits. Null if the claim is no number."),
+    (
+        "computed",
+        "The number that follows from what the source says it did, in the printed unit and with all its digits. Null if the claim is no number.",
+    ),
     ("witnessed", "The same number by the second route, which shares no formula with the first."),
     ("from_rounded", "The number that follows from the source's own rounded steps, where we followed them."),
     ("verdict", "The verdict that the program derived. *How it is checked* explains each of them."),
     ("expected", "The verdict on record. It is written down by hand, and a test compares the two."),
-    ("holds", "Whether the derived verdict is the one on record and nothing contradicts it. It is true of every claim in a released version."),
+    (
+        "holds",
+        "Whether the derived verdict is the one on record and nothing contradicts it. It is true of every claim in a released version.",
+    ),
     ("complaints", "What contradicts the verdict, in words. The list is empty where `holds` is true."),
     ("evidence", "The kinds of the two routes, in their order. The list is empty if a claim cannot be decided."),
     ("findings", "How the forms of an equation, a figure or a statement were found to hold or to fail."),
-    ("findings.form", "Which form was tried: the printed one, the corrected one, or a near miss, by the first route or by the witness."),
+    (
+        "findings.form",
+        "Which form was tried: the printed one, the corrected one, or a near miss, by the first route or by the witness.",
+    ),
     ("findings.holds", "Whether this form holds."),
     ("findings.how", "How we know, in words."),
     ("truth", "Whether what is printed is right: `right`, `wrong` or `open`."),
-    ("right_value", "The right number, where the printed one is not right to all its digits or where a mistake has its place."),
-    ("slip", "The mistake that reaches the claim. A mistake has the id of the claim in which it is made, and errata.json describes it, or copies.json if only the copy has it."),
-    ("consequence", "What that mistake changes: `result`, `conclusion`, `remark`, `number`, `derivation` or `wording`; or `copy` if only the copy has it."),
+    (
+        "right_value",
+        "The right number, where the printed one is not right to all its digits or where a mistake has its place.",
+    ),
+    (
+        "slip",
+        "The mistake that reaches the claim. A mistake has the id of the claim in which it is made, and errata.json describes it, or copies.json if only the copy has it.",
+    ),
+    (
+        "consequence",
+        "What that mistake changes: `result`, `conclusion`, `remark`, `number`, `derivation` or `wording`; or `copy` if only the copy has it.",
+    ),
     ("reading", "How we read a vague sentence."),
-    ("neighbour", "The near miss of a statement that is right: a false statement close to it, which both routes must refuse. If the printed statement is wrong, it is the near miss itself, and this field is null."),
+    (
+        "neighbour",
+        "The near miss of a statement that is right: a false statement close to it, which both routes must refuse. If the printed statement is wrong, it is the near miss itself, and this field is null.",
+    ),
     ("missing", "What is missing, if we could not decide the claim."),
     ("erratum", "What should be printed instead. Null if no mistake reaches the claim."),
     ("erratum.printed", "The printed characters again."),
@@ -43,7 +68,10 @@ pub const OF_A_CLAIM: &[Field] = &[
     ("erratum.reason", "Why the printed characters are wrong."),
     ("erratum.witness", "The second, independent reason."),
     ("erratum.origin", "How the mistake came about, as far as we can tell."),
-    ("erratum.inherited_by", "The other claims that the mistake reaches. Only the claim in which it is made lists them."),
+    (
+        "erratum.inherited_by",
+        "The other claims that the mistake reaches. Only the claim in which it is made lists them.",
+    ),
 ];
 
 /// What the fields of a mistake say.
@@ -69,9 +97,15 @@ pub const OF_A_SLIP: &[Field] = &[
 pub const OF_AN_ENTRY: &[Field] = &[
     ("source", "The source, as in claims.json, without pages elsewhere."),
     ("line", "The number of the line in the text of the copy, from 1."),
-    ("entry", "What is in this place of the line: `claim` (a claim is made here), `rest` (more of a claim that began earlier), `again` (a claim's number is printed once more), `reading` (a claim about numbers that another entry accounts for), `label` (the number of an equation or a figure) or `exception` (nothing to check)."),
+    (
+        "entry",
+        "What is in this place of the line: `claim` (a claim is made here), `rest` (more of a claim that began earlier), `again` (a claim's number is printed once more), `reading` (a claim about numbers that another entry accounts for), `label` (the number of an equation or a figure) or `exception` (nothing to check).",
+    ),
     ("id", "The claim, the label, or the exception's own name."),
-    ("numbers", "The printed numbers that the entry accounts for. Strung together, the entries of a line have all its numbers in their order."),
+    (
+        "numbers",
+        "The printed numbers that the entry accounts for. Strung together, the entries of a line have all its numbers in their order.",
+    ),
     ("reason", "Why there is nothing to check. Only exceptions have it."),
 ];
 
@@ -328,12 +362,16 @@ mod tests {
 
     #[test]
     fn the_lines_of_the_sources_and_the_characters_of_the_copies_are_all_in_their_files() {
-        let numbers = |work: &Work| work.inventory().expect("an inventory").iter().map(|line| line.numbers.len()).sum::<usize>();
+        let numbers =
+            |work: &Work| work.inventory().expect("an inventory").iter().map(|line| line.numbers.len()).sum::<usize>();
         let listed = entries().expect("entries");
-        let in_rows: usize = listed.iter().map(|row| match &row.0[4].1 {
-            Value::List(numbers) => numbers.len(),
-            _ => 0,
-        }).sum();
+        let in_rows: usize = listed
+            .iter()
+            .map(|row| match &row.0[4].1 {
+                Value::List(numbers) => numbers.len(),
+                _ => 0,
+            })
+            .sum();
         assert_eq!(in_rows, Work::DOCUMENTS.iter().map(numbers).sum::<usize>());
         for claim in claims().iter().filter(|claim| claim.work.is_document()) {
             let id = Value::from(claim.id);

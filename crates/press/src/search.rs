@@ -87,7 +87,9 @@ fn lighten(branch: &mut Value, word: String, claims: &BTreeSet<String>) {
         match key.as_str() {
             "docs" if is_of_an_id => {}
             "docs" => {
-                for (_, count) in value.as_object_mut().into_iter().flatten().filter(|(place, _)| claims.contains(*place)) {
+                for (_, count) in
+                    value.as_object_mut().into_iter().flatten().filter(|(place, _)| claims.contains(*place))
+                {
                     count["tf"] = LITTLE.into();
                 }
             }
@@ -110,8 +112,7 @@ fn file(book: &Path) -> anyhow::Result<Option<PathBuf>> {
 fn pages(book: &Path) -> anyhow::Result<Vec<PathBuf>> {
     let is_page = |path: &PathBuf| {
         let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-        name.ends_with(".html")
-            && !["index.html", "toc.html", "404.html", "print.html"].contains(&name.as_str())
+        name.ends_with(".html") && !["index.html", "toc.html", "404.html", "print.html"].contains(&name.as_str())
     };
     Ok(files(book)?.into_iter().filter(is_page).collect())
 }
@@ -308,7 +309,9 @@ mod tests {
             let docs = serde_json::json!({ "0": { "tf": tf }, "1": { "tf": tf }, "2": { "tf": tf } });
             // Letter by letter, the last one first.
             let leaf = serde_json::json!({ "docs": docs, "df": 3 });
-            word.chars().rev().fold(leaf, |branch, letter| serde_json::json!({ "docs": {}, "df": 0, letter.to_string(): branch }))
+            word.chars()
+                .rev()
+                .fold(leaf, |branch, letter| serde_json::json!({ "docs": {}, "df": 0, letter.to_string(): branch }))
         };
         let lengths = serde_json::json!({ "title": 3, "body": 5, "breadcrumbs": 7 });
         for (word, of_claims) in [("slot", LITTLE), ("5.3", LITTLE), ("pin.slot", 2.0)] {

@@ -11,7 +11,7 @@ use crate::formula::changed;
 use crate::html::{escape, tex_or_text};
 use crate::lookup;
 use crate::pages::{SECTIONS, Section, page_of_slip};
-use geneva_ledger::{Evidence, Judged, Kind, Truth, Verdict, Work, in_full, verdicts};
+use geneva_ledger::{Consequence, Evidence, Judged, Kind, Truth, Verdict, Work, in_full, verdicts};
 use std::collections::BTreeMap;
 
 /// What filters the rows and opens them, and how they look.
@@ -132,7 +132,11 @@ fn found(judged: &Judged) -> String {
 /// The mistake that reaches a claim, as a link to where it is told.
 fn mistake(judged: &Judged) -> Option<String> {
     let slip = &judged.claim.erratum.as_ref()?.slip;
-    Some(format!("<a href=\"{}.html#slip-{}\">{}</a>", page_of_slip(slip), slip.id, slip.consequence))
+    let what = match slip.consequence {
+        Consequence::Copy => "only in the copy".to_owned(),
+        other => other.to_string(),
+    };
+    Some(format!("<a href=\"{}.html#slip-{}\">{what}</a>", page_of_slip(slip), slip.id))
 }
 
 /// All that is known of a claim besides its row.
@@ -196,7 +200,9 @@ mod tests {
     fn the_filter_offers_what_the_rows_have() {
         let filter = filter();
         for judged in verdicts() {
-            for value in [judged.claim.work.slug(), judged.verdict.slug(), judged.truth().slug(), judged.claim.kind.slug()] {
+            for value in
+                [judged.claim.work.slug(), judged.verdict.slug(), judged.truth().slug(), judged.claim.kind.slug()]
+            {
                 assert!(filter.contains(&format!("<option value=\"{value}\"")), "{value}");
             }
         }

@@ -4,6 +4,7 @@ use super::findings::how;
 use super::inline::{linked_id, place};
 use crate::html::escape;
 use crate::lookup::{named, of_documents};
+use crate::pages::OPEN;
 use geneva_ledger::{Judged, Truth};
 
 /// Claims that the same thing would settle.
@@ -72,7 +73,7 @@ const GROUPS: [Group; 5] = [
 impl Group {
     /// A link to its section.
     pub fn link(self) -> String {
-        format!("<a href=\"open.html#{}\">{}</a>", self.name, escape(self.title))
+        format!("<a href=\"{OPEN}.html#{}\">{}</a>", self.name, escape(self.title))
     }
 
     fn has(self, id: &str) -> bool {
@@ -105,6 +106,13 @@ pub fn count(name: &str) -> anyhow::Result<String> {
     Ok(claims(name)?.len().to_string())
 }
 
+/// What a claim says, as a sentence begins.
+fn sentence(judged: &Judged) -> String {
+    let mut rest = judged.claim.meaning.chars();
+    let first = rest.next().into_iter().flat_map(char::to_uppercase);
+    escape(&first.chain(rest.clone()).collect::<String>())
+}
+
 /// The open claims of a group, those that lack the same thing together.
 pub fn list(name: &str) -> anyhow::Result<String> {
     /// Most claims that are named one by one.
@@ -119,12 +127,12 @@ pub fn list(name: &str) -> anyhow::Result<String> {
     }
     let items = by_reason.iter().map(|(reason, all)| {
         let ids = all.iter().map(|judged| linked_id(judged.claim.id)).collect::<Vec<_>>().join(", ");
-        let what = all.iter().take(FEW).map(|judged| {
-            format!("<strong>{}</strong> ({})", escape(judged.claim.meaning), place(judged.claim))
-        });
+        let what = all
+            .iter()
+            .take(FEW)
+            .map(|judged| format!("<strong>{}</strong> ({})", sentence(judged), place(judged.claim)));
         let names = if all.len() > FEW {
-            let first = all[0].claim.meaning;
-            format!("<strong>{}</strong>, in {} places", escape(first), all.len())
+            format!("<strong>{}</strong>, in {} places", sentence(all[0]), all.len())
         } else {
             what.collect::<Vec<_>>().join("; ")
         };

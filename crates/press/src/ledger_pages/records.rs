@@ -26,7 +26,7 @@ pub fn fields(file: &str) -> anyhow::Result<Table> {
             1 => format!("<code>{}</code>", escape(part)),
             _ => in_italics(part),
         });
-        Ok(vec![format!("<code>{}</code>", escape(path)), types(&rows, path), parts.collect()])
+        Ok(vec![format!("<span><code>{}</code></span>", escape(path)), types(&rows, path), parts.collect()])
     });
     table(&format!("Fields of {file}.json"), Cells::Words, &["Field", "Type", "What it says"], rows)
 }
