@@ -13,6 +13,7 @@ mod live;
 mod mimic_decks;
 mod pin_over_the_engagement;
 mod prose;
+mod records;
 mod snapshots;
 mod supply;
 mod tidy;

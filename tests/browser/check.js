@@ -29,8 +29,14 @@ const geneva = (() => {
     };
     const fault = (kind, element, what) => ({ kind, at: element ? place(element) : 'page', what });
 
-    /** Opens everything that is folded. */
-    const unfold = () => document.querySelectorAll('main details').forEach(of => { of.open = true; });
+    /** Opens everything that is folded, and waits for what is loaded then. What is off the screen is laid out, too. */
+    const unfold = async () => {
+        document.querySelectorAll('main details').forEach(of => { of.open = true; });
+        document.querySelectorAll('.claims > li').forEach(of => { of.style.contentVisibility = 'visible'; });
+        while (document.querySelector('main [aria-busy="true"]')) {
+            await new Promise(done => { setTimeout(done, 10); });
+        }
+    };
 
     /** Closes the list of chapters, as it is closed for one who comes with a narrow screen. */
     const closeList = () => {
@@ -264,13 +270,15 @@ const geneva = (() => {
         return found;
     };
 
-    /** What a reader can read: how many formulas, drawings, tables are shown, and the words. What moves a figure is no reading. */
+    /** What a reader can read: how many formulas, drawings, tables are shown, and the words. What moves a figure, what filters, and
+     * what is asked for, which has its test, are no reading. */
     const content = () => {
-        const isContent = of => !of.closest('button, .buttons, .live form') && isShown(of);
+        const aside = 'button, .buttons, form, .asked';
+        const isContent = of => !of.closest(aside) && isShown(of);
         const count = name => [...main().querySelectorAll(name)].filter(isContent).length;
         const counts = ['math', 'svg', 'table', 'img', 'pre', 'p', 'li', 'td'].map(name => `${count(name)} ${name}`).join(', ');
         const text = main().cloneNode(true);
-        text.querySelectorAll('button, .buttons, .live form').forEach(of => of.remove());
+        text.querySelectorAll(aside).forEach(of => of.remove());
         return { counts, text: text.textContent.replace(/\s+/g, ' ').trim() };
     };
 

@@ -192,6 +192,13 @@ impl Browser {
         answer["result"]["value"].take()
     }
 
+    /// Where the browser is. While it goes from one page to another, there is none.
+    pub fn address(&mut self) -> Option<String> {
+        let history = self.ask("Page.getNavigationHistory", json!({})).ok()?;
+        let now = usize::try_from(history["currentIndex"].as_u64()?).ok()?;
+        history["entries"][now]["url"].as_str().map(str::to_owned)
+    }
+
     /// Presses a key: its name, and its number on a keyboard.
     pub fn press(&mut self, key: &str, number: u8) {
         for kind in ["rawKeyDown", "keyUp"] {

@@ -2,7 +2,7 @@
 //!
 //! They are written among the chapters, where mdBook finds what it copies into the book; they are not committed.
 
-use crate::records;
+use crate::{ledger_pages, records};
 use anyhow::{Context, bail};
 use std::fs;
 use std::path::Path;
@@ -22,14 +22,21 @@ impl File {
         Self { name: format!("{name}.csv"), text: csv }
     }
 
-    /// All claims and all slips.
+    /// All claims, slips and lines of sources, and what the page of all claims loads.
     pub fn records() -> anyhow::Result<impl Iterator<Item = Self>> {
-        Ok(records::files()?.into_iter().map(|(name, text)| Self { name: name.to_owned(), text }))
+        let files = records::files()?.into_iter().map(|(name, text)| Self { name: name.to_owned(), text });
+        Ok(files.chain(ledger_pages::ledger::files()?))
     }
 
     /// A script or a style sheet.
     pub fn script(name: &str, text: String) -> Self {
         Self { name: name.to_owned(), text }
+    }
+
+    /// What is in it.
+    #[cfg(test)]
+    pub fn text(&self) -> &str {
+        &self.text
     }
 
     /// Its path from a page.

@@ -40,6 +40,19 @@ impl Value {
         }
     }
 
+    /// What it is in JSON, and its place among what one field may be: what says nothing comes last.
+    pub fn kind(&self) -> (u8, &'static str) {
+        match self {
+            Self::Flag(_) => (0, "true or false"),
+            Self::Count(_) | Self::Number(_) => (1, "number"),
+            Self::Text(_) => (2, "text"),
+            Self::List(_) => (3, "list"),
+            Self::Object(row) if row.is_empty() => (5, "null"),
+            Self::Object(_) | Self::Worded(..) => (4, "object"),
+            Self::Missing => (5, "null"),
+        }
+    }
+
     /// As it stands in a cell: a number as in JSON.
     fn cell(&self) -> String {
         match self {
@@ -54,6 +67,11 @@ impl Value {
 }
 
 impl Row {
+    /// Whether every field of it is missing.
+    fn is_empty(&self) -> bool {
+        self.0.iter().all(|(_, value)| *value == Value::Missing)
+    }
+
     /// The names of the cells: the keys, those of an object behind its own.
     fn columns(&self) -> Vec<String> {
         let names = self.0.iter().flat_map(|(key, value)| match value {
@@ -104,7 +122,7 @@ impl Serialize for Value {
             Self::Number(number) => serializer.serialize_f64(*number),
             Self::Text(text) => serializer.serialize_str(text),
             Self::List(values) => serializer.collect_seq(values),
-            Self::Object(row) if row.0.iter().all(|(_, value)| *value == Self::Missing) => serializer.serialize_none(),
+            Self::Object(row) if row.is_empty() => serializer.serialize_none(),
             Self::Object(row) | Self::Worded(row, _) => row.serialize(serializer),
         }
     }

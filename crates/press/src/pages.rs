@@ -1,12 +1,11 @@
 //! The pages of the book: one list, from which the table of contents, the list of chapters to be tested and the pages
 //! that only list something are written.
 //!
-//! What is written stands in `book`; a test writes it anew and fails on a difference. One page for the whole ledger
-//! would be too heavy for a phone, so each page lists some sections of the sources.
+//! What is written stands in `book`; a test writes it anew and fails on a difference. Records that are looked up and not
+//! read stand behind the book: they have no number, and no chapter leads on to them.
 
 use crate::readme;
 use geneva_ledger::{Claim, Consequence, Slip, Work, claim, claims, wild};
-use std::collections::HashMap;
 use std::ops::RangeInclusive;
 use std::sync::LazyLock;
 
@@ -33,22 +32,26 @@ pub enum Place {
     In(&'static str),
     /// Below the chapter before it, folded.
     Below,
+    /// Behind the book, without a number: what is looked up.
+    Behind,
 }
 
 /// What a page lists.
 pub enum Records {
     /// Nothing.
     None,
-    /// The claims of these sections.
-    Claims(Vec<Section>),
+    /// Every claim, section by section.
+    Claims,
     /// The slips with these consequences.
     Slips(&'static [Consequence]),
-    /// The lines of these sources.
-    Lines(&'static [Work]),
+    /// How much of each source the claims account for, and what the copies have lost.
+    Coverage,
 }
 
 /// A section of a source.
 pub struct Section {
+    /// The anchor of its heading. With `ledger-` before it, the page that it had of its own in earlier editions.
+    pub name: &'static str,
     /// The source.
     pub work: Work,
     /// The lines of the source's text; of what is no document the places of its claims in the ledger, from zero.
@@ -66,6 +69,12 @@ const RECORDS: &str = "Records";
 
 /// The page of what is said elsewhere.
 const ELSEWHERE: &str = "wild";
+/// The page that lists all claims.
+pub const LEDGER: &str = "ledger";
+/// The page of the claims that are open, which says again what the chapters say of them.
+pub const OPEN: &str = "open";
+/// The page that says how the sources are covered.
+pub const COVERAGE: &str = "coverage";
 
 /// All pages, in the order of the book.
 pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
@@ -78,21 +87,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
     };
     let chapter = |part, name: &'static str, title: &str| page(name, title, Place::In(part));
     let below = |name: &'static str, title: &str| page(name, title, Place::Below);
-    let listing = |name: &'static str, title: &str, heading: &str, lead: &str, records| Page {
-        records,
-        written: Some([heading.to_owned(), lead.to_owned()]),
-        ..below(name, title)
-    };
-    let whole = |work, title| Section { work, lines: 0..=u32::MAX, title };
-    let thesis = |name: &'static str, of: &str, lines, title| {
-        let lead = "This page lists the claims of these parts of the thesis in the order of the source and says what we \
-                    found out about each.";
-        let records = Records::Claims(vec![Section { work: Work::Meyer1973, lines, title }]);
-        listing(name, &format!("Thesis: {of}"), &format!("The ledger of the thesis: {of}"), lead, records)
-    };
-    let elsewhere = |lines, title| Records::Claims(vec![Section { work: Work::Wild, lines, title }]);
-    // The first subjects of what is said elsewhere are times, steps and sizes.
-    let of_sizes = wild::SUBJECTS.iter().take(3).map(|(_, claims)| claims().len() as u32).sum::<u32>();
+    let behind = |name: &'static str, title: &str| page(name, title, Place::Behind);
     vec![
         page("preface", "Geneva, verified", Place::Before),
         chapter(WHEEL, "pin", "The pin in the slot: a problem solved"),
@@ -112,95 +107,76 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
             records: Records::Slips(&[Consequence::Result, Consequence::Conclusion]),
             ..chapter(RECORDS, "errata", "Errata")
         },
-        listing(
-            "errata-small",
-            "In displays and words",
-            "Errata in displays and words",
-            "These mistakes in the sources change no result and no conclusion. For those that do, see [Errata](errata.md).",
-            Records::Slips(&[Consequence::Remark, Consequence::Number, Consequence::Derivation, Consequence::Wording]),
-        ),
-        Page { records: Records::Slips(&[Consequence::Copy]), ..below("errata-copy", "Characters of the copies") },
-        chapter(RECORDS, "method", "How it is checked"),
         Page {
-            records: Records::Claims(vec![
-                whole(Work::Pin, "the pin in the slot"),
-                whole(Work::QuickReturn, "the quick-return mechanism"),
+            records: Records::Slips(&[
+                Consequence::Remark,
+                Consequence::Number,
+                Consequence::Derivation,
+                Consequence::Wording,
             ]),
-            ..below("ledger", "The ledger: both problems")
+            written: Some([
+                "Errata in displays and words".to_owned(),
+                "These mistakes in the sources change no result and no conclusion. For those that do, see [Errata](errata.md)."
+                    .to_owned(),
+            ]),
+            ..below("errata-small", "In displays and words")
         },
-        listing(
-            "ledger-jazar",
-            "Handout: the wheel of N stations",
-            "The ledger of the handout",
-            "This page lists the claims of the handout in the order of the source and says what we found out about each.",
-            Records::Claims(vec![whole(Work::Jazar2003, "the wheel of N stations")]),
-        ),
-        thesis("ledger-meyer", "geometry", 0..=262, "front matter and geometry"),
-        thesis("ledger-meyer-motion", "friction and motion", 263..=425, "friction, energy, Lagrange’s equation"),
-        thesis("ledger-meyer-study", "chapter II and appendix A", 426..=592, "chapter II, appendix A"),
-        thesis("ledger-meyer-program", "appendices B to D", 593..=775, "appendices B, C and D"),
-        thesis("ledger-meyer-runs", "appendix E, six pins", 776..=799, "appendix E, six pins"),
-        thesis("ledger-meyer-more-runs", "appendix E, other runs", 800..=u32::MAX, "appendix E, four and three pins"),
-        listing(
-            "ledger-wild",
-            "Elsewhere: times, steps, sizes",
-            "The ledger of what is said elsewhere: times, steps, sizes",
-            "Statements of public pages and programs, with what we found out about each. They are the subject of [In the \
-             wild](wild.md), and the rest of them are on [another page](ledger-wild-parts.md).\n\n\
-             ## Where we read them {#where-they-were-read}\n\n{{elsewhere-addresses}}",
-            elsewhere(0..=of_sizes - 1, "statements elsewhere on times, steps and sizes"),
-        ),
-        listing(
-            "ledger-wild-parts",
-            "Elsewhere: parts and motion",
-            "The ledger of what is said elsewhere: parts and motion",
-            "Statements of public pages and programs, and examples that programs build, with what we found out about \
-             each. All addresses are at the beginning of [the first part](ledger-wild.md).",
-            elsewhere(of_sizes..=u32::MAX, "statements and examples elsewhere on parts and motion"),
-        ),
-        Page {
-            records: Records::Lines(&[Work::Pin, Work::QuickReturn, Work::Jazar2003]),
-            ..below("coverage", "Coverage")
-        },
-        listing(
-            "coverage-meyer",
-            "Coverage of the thesis",
-            "Coverage of the thesis",
-            "Here is the thesis line by line. For what coverage means, see [the page on the other sources](coverage.md).",
-            Records::Lines(&[Work::Meyer1973]),
-        ),
+        chapter(RECORDS, OPEN, "Open questions"),
+        chapter(RECORDS, "method", "How it is checked"),
         chapter(RECORDS, "about", "Sources, data, how to cite"),
         below("glossary", "Glossary"),
-        below("solver", "The solver"),
-        below("mimic", "The language MIMIC"),
-        below("architecture", "Architecture"),
+        Page { records: Records::Claims, ..behind(LEDGER, "The ledger: every claim") },
+        Page { records: Records::Coverage, ..behind(COVERAGE, "Coverage of the sources") },
+        behind("fields", "The data, field by field"),
+        behind("solver", "The solver"),
+        behind("mimic", "The language MIMIC"),
+        behind("architecture", "Architecture"),
     ]
 });
 
-/// The page that lists a claim. The ledger's first one if none does, which a test excludes.
-pub fn page_of_claim(id: &str) -> &'static str {
-    static PAGE: LazyLock<HashMap<&str, &str>> = LazyLock::new(|| {
-        let sections = PAGES.iter().flat_map(|page| page.sections().iter().map(|section| (page.name, section)));
-        sections.flat_map(|(page, section)| section.ids().map(move |id| (id, page))).collect()
-    });
-    PAGE.get(id).copied().unwrap_or("ledger")
+/// The sections of the ledger, in the order of the sources.
+pub static SECTIONS: LazyLock<Vec<Section>> = LazyLock::new(|| {
+    let section = |name, work, lines, title| Section { name, work, lines, title };
+    let whole = |name, work, title| section(name, work, 0..=u32::MAX, title);
+    let thesis = |name, lines, title| section(name, Work::Meyer1973, lines, title);
+    // The first subjects of what is said elsewhere are times, steps and sizes.
+    let of_sizes = wild::SUBJECTS.iter().take(3).map(|(_, claims)| claims().len() as u32).sum::<u32>();
+    let elsewhere = |name, lines, title| section(name, Work::Wild, lines, title);
+    vec![
+        whole("pin", Work::Pin, "Textbook problem: the pin in the slot"),
+        whole("quick-return", Work::QuickReturn, "Examination problem: the quick-return mechanism"),
+        whole("jazar", Work::Jazar2003, "Handout: the wheel of N stations"),
+        thesis("meyer", 0..=262, "Thesis: front matter and geometry"),
+        thesis("meyer-motion", 263..=425, "Thesis: friction, energy, Lagrange’s equation"),
+        thesis("meyer-study", 426..=592, "Thesis: chapter II and appendix A"),
+        thesis("meyer-program", 593..=775, "Thesis: appendices B, C and D"),
+        thesis("meyer-runs", 776..=799, "Thesis: appendix E, six pins"),
+        thesis("meyer-more-runs", 800..=u32::MAX, "Thesis: appendix E, four and three pins"),
+        elsewhere("wild", 0..=of_sizes - 1, "Pages elsewhere: times, steps, sizes"),
+        elsewhere("wild-parts", of_sizes..=u32::MAX, "Pages elsewhere: parts and motion"),
+    ]
+});
+
+/// Where a claim stands in the ledger, from any page.
+pub fn address_of_claim(id: &str) -> String {
+    format!("{LEDGER}.html#{id}")
 }
 
-/// The page that tells a slip: of a document by its consequence, of another page with its statements. The first of the
-/// errata if none does, which a test excludes.
+/// The page that tells a slip: of a document by its consequence, of another page with its statements. What only a copy has
+/// is listed where the copies are.
 pub fn page_of_slip(slip: &Slip) -> &'static str {
     if claim(slip.id).is_some_and(|claim| !claim.work.is_document()) {
         return ELSEWHERE;
     }
     let tells = |page: &&Page| matches!(page.records, Records::Slips(told) if told.contains(&slip.consequence));
-    PAGES.iter().find(tells).map_or("errata", |page| page.name)
+    PAGES.iter().find(tells).map_or(COVERAGE, |page| page.name)
 }
 
-impl Page {
-    /// The sections whose claims it lists.
-    pub fn sections(&self) -> &[Section] {
-        if let Records::Claims(sections) = &self.records { sections } else { &[] }
-    }
+/// Whether a page is one to look things up in, by its name: what it says of a thing stands behind what a chapter says.
+pub fn is_looked_up(name: &str) -> bool {
+    let is_record =
+        |page: &Page| page.place == Place::Behind || page.name == OPEN || !matches!(page.records, Records::None);
+    PAGES.iter().any(|page| page.name == name && is_record(page))
 }
 
 impl Section {
@@ -233,6 +209,7 @@ pub fn written() -> anyhow::Result<Vec<(String, String)>> {
 fn table_of_contents() -> String {
     let mut out = "# Summary\n\n".to_owned();
     let mut part = "";
+    let mut behind = false;
     for page in PAGES.iter() {
         let indent = match page.place {
             Place::Before => "",
@@ -244,6 +221,12 @@ fn table_of_contents() -> String {
                 "- "
             }
             Place::Below => "  - ",
+            Place::Behind => {
+                if !std::mem::replace(&mut behind, true) {
+                    out.push_str("\n---\n\n");
+                }
+                ""
+            }
         };
         out.push_str(&format!("{indent}[{}]({}.md)\n", page.title, page.name));
     }
@@ -261,23 +244,30 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_claim_stands_on_one_page() {
-        let listed: Vec<_> =
-            PAGES.iter().flat_map(Page::sections).flat_map(|section| section.ids().collect::<Vec<_>>()).collect();
+    fn every_claim_stands_in_one_section() {
+        let listed: Vec<_> = SECTIONS.iter().flat_map(Section::ids).collect();
         for claim in claims() {
             assert_eq!(listed.iter().filter(|id| **id == claim.id).count(), 1, "{}", claim.id);
+        }
+        assert_eq!(listed.len(), claims().len());
+    }
+
+    #[test]
+    fn every_slip_that_is_not_the_copys_stands_on_one_page() {
+        for consequence in Consequence::ALL {
+            let tells = |page: &&Page| matches!(page.records, Records::Slips(told) if told.contains(consequence));
+            let pages = usize::from(*consequence != Consequence::Copy);
+            assert_eq!(PAGES.iter().filter(tells).count(), pages, "{consequence}");
         }
     }
 
     #[test]
-    fn every_slip_and_every_line_stands_on_one_page() {
-        for consequence in Consequence::ALL {
-            let tells = |page: &&Page| matches!(page.records, Records::Slips(told) if told.contains(consequence));
-            assert_eq!(PAGES.iter().filter(tells).count(), 1, "{consequence}");
-        }
-        for work in Work::DOCUMENTS {
-            let lists = |page: &&Page| matches!(page.records, Records::Lines(works) if works.contains(work));
-            assert_eq!(PAGES.iter().filter(lists).count(), 1, "{work}");
-        }
+    fn each_kind_of_record_that_is_listed_whole_has_one_page() {
+        let named = |wanted: fn(&Records) -> bool| {
+            PAGES.iter().filter(|page| wanted(&page.records)).map(|page| page.name).collect::<Vec<_>>()
+        };
+        assert_eq!(named(|records| matches!(records, Records::Claims)), [LEDGER]);
+        assert_eq!(named(|records| matches!(records, Records::Coverage)), [COVERAGE]);
+        assert!(is_looked_up("errata") && is_looked_up(LEDGER) && is_looked_up("solver") && !is_looked_up("pin"));
     }
 }

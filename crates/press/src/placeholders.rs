@@ -5,7 +5,7 @@
 
 use crate::data::File;
 use crate::html::{Table, escape};
-use crate::ledger_pages::{compare, elsewhere, errata, inline, lists, records};
+use crate::ledger_pages::{compare, elsewhere, errata, inline, lists, open, records};
 use crate::{computed, figures, live, maths, measurements, tables};
 use anyhow::{Context, bail, ensure};
 use std::collections::BTreeSet;
@@ -49,9 +49,16 @@ const KEYS: &[(&str, &str, Put)] = &[
     ("elsewhere-examples", "examples that do not fit, in a table", Alone(|| Ok(elsewhere::wrong_examples()?.html()))),
     ("elsewhere-wrong", "what is wrong elsewhere, in a table", Alone(|| Ok(elsewhere::wrong()?.html()))),
     ("evidence", "the kinds of evidence and how many claims use each", Alone(|| Ok(lists::evidence()?.html()))),
+    (
+        "fields",
+        "the fields of a file of the records: claims, errata or coverage",
+        Of(|of| Ok(records::fields(of)?.html())),
+    ),
     ("figure", "a numbered figure", Put::Figure),
     ("grave-errata", "what changes a result or a conclusion, in a table", Alone(|| Ok(errata::grave()?.html()))),
     ("live", "a numbered figure that a reader moves", Put::Live),
+    ("open", "the open claims of a group, with what each lacks", Of(open::list)),
+    ("open-count", "how many open claims a group has", Of(open::count)),
     ("picture", "a figure without number and caption", Of(figures::picture)),
     ("printed", "a claim's printed characters", Of(inline::printed)),
     (

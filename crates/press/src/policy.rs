@@ -18,8 +18,8 @@ use std::path::Path;
 
 use crate::base64::base64;
 
-/// The element behind which the policy stands.
-const BEFORE: &str = "<meta charset=\"UTF-8\">";
+/// The element behind which the policy stands: as the pages have it, and as those that lead on to another have it.
+const BEFORE: [&str; 2] = ["<meta charset=\"UTF-8\">", "<meta charset=\"utf-8\">"];
 
 /// Puts its policy into each page of a built book. The pages must not change afterwards.
 pub fn add(book: &Path) -> anyhow::Result<()> {
@@ -38,10 +38,11 @@ pub fn add(book: &Path) -> anyhow::Result<()> {
 
 /// A page with its policy, which is the first thing that a browser reads.
 fn guarded(page: &str) -> anyhow::Result<String> {
-    let (head, rest) = page.split_once(BEFORE).with_context(|| format!("it has no `{BEFORE}`"))?;
-    ensure!(!head.contains("<script"), "a script stands before `{BEFORE}`");
+    let split = BEFORE.iter().find_map(|before| page.split_once(before).map(|(head, rest)| (head, before, rest)));
+    let (head, before, rest) = split.with_context(|| format!("it has no `{}`", BEFORE[0]))?;
+    ensure!(!head.contains("<script"), "a script stands before `{before}`");
     let policy = policy(&inline(page));
-    Ok(format!("{head}{BEFORE}<meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">{rest}"))
+    Ok(format!("{head}{before}<meta http-equiv=\"Content-Security-Policy\" content=\"{policy}\">{rest}"))
 }
 
 /// What stands in a page, and whether a figure of it moves.

@@ -1,15 +1,205 @@
-//! The ledger as data: a claim, a slip, all of them in files.
+//! The ledger as data: a claim, a slip, a line of a source, all of them in files, and what each of their fields says.
 
 use crate::fields::{self, Row, Value};
-use geneva_ledger::{Check, Consequence, Finding, Judged, Places, Slip, in_full, slips, verdicts};
+use geneva_ledger::{Check, Consequence, Entry, Finding, Judged, Line, Places, Slip, Work, in_full, slips, verdicts};
+use std::collections::BTreeSet;
 
-/// All claims, and all slips of the sources, as JSON.
-pub fn files() -> anyhow::Result<[(&'static str, String); 2]> {
+/// A field of the files by its path, a point before the field of an object, and what it says.
+pub type Field = (&'static str, &'static str);
+
+/// What the fields of a claim say.
+pub const OF_A_CLAIM: &[Field] = &[
+    ("id", "The name of the claim. It stays the same from version to version."),
+    (
+        "source",
+        "The source: `pin`, `quick-return`, `jazar` (the handout), `meyer` (the thesis) or `wild` (pages elsewhere).",
+    ),
+    ("locator", "Where in the source the claim is. Of a page elsewhere: its address, and the day on which we read it."),
+    (
+        "kind",
+        "What sort of claim it is: `value` (a printed number), `equation`, `figure`, `statement`, or `example` (sizes of a mechanism that a program builds).",
+    ),
+    ("meaning", "What the source says here, in our words."),
+    ("printed", "The characters that the source prints, formulas in TeX."),
+    ("unit", "The unit of the printed number, as printed. Empty if there is none."),
+    (
+        "computed",
+        "The number that follows from what the source says it did, in the printed unit and with all its digits. Null if the claim is no number.",
+    ),
+    ("witnessed", "The same number by the second route, which shares no formula with the first."),
+    ("from_rounded", "The number that follows from the source's own rounded steps, where we followed them."),
+    ("verdict", "The verdict that the program derived. *How it is checked* explains each of them."),
+    ("expected", "The verdict on record. It is written down by hand, and a test compares the two."),
+    (
+        "holds",
+        "Whether the derived verdict is the one on record and nothing contradicts it. It is true of every claim in a released version.",
+    ),
+    ("complaints", "What contradicts the verdict, in words. The list is empty where `holds` is true."),
+    ("evidence", "The kinds of the two routes, in their order. The list is empty if a claim cannot be decided."),
+    ("findings", "How the forms of an equation, a figure or a statement were found to hold or to fail."),
+    (
+        "findings.form",
+        "Which form was tried: the printed one, the corrected one, or a near miss, by the first route or by the witness.",
+    ),
+    ("findings.holds", "Whether this form holds."),
+    ("findings.how", "How we know, in words."),
+    ("truth", "Whether what is printed is right: `right`, `wrong` or `open`."),
+    (
+        "right_value",
+        "The right number, where the printed one is not right to all its digits or where a mistake has its place.",
+    ),
+    (
+        "slip",
+        "The mistake that reaches the claim. A mistake has the id of the claim in which it is made, and errata.json describes it, or copies.json if only the copy has it.",
+    ),
+    (
+        "consequence",
+        "What that mistake changes: `result`, `conclusion`, `remark`, `number`, `derivation` or `wording`; or `copy` if only the copy has it.",
+    ),
+    ("reading", "How we read a vague sentence."),
+    (
+        "neighbour",
+        "The near miss of a statement that is right: a false statement close to it, which both routes must refuse. If the printed statement is wrong, it is the near miss itself, and this field is null.",
+    ),
+    ("missing", "What is missing, if we could not decide the claim."),
+    ("erratum", "What should be printed instead. Null if no mistake reaches the claim."),
+    ("erratum.printed", "The printed characters again."),
+    ("erratum.corrected", "What should stand in their place."),
+    ("erratum.reason", "Why the printed characters are wrong."),
+    ("erratum.witness", "The second, independent reason."),
+    ("erratum.origin", "How the mistake came about, as far as we can tell."),
+    (
+        "erratum.inherited_by",
+        "The other claims that the mistake reaches. Only the claim in which it is made lists them.",
+    ),
+];
+
+/// What the fields of a mistake say.
+pub const OF_A_SLIP: &[Field] = &[
+    ("id", "The name of the mistake, which is the id of the claim in which it is made."),
+    ("source", "The source, as in claims.json."),
+    ("locator", "Where the mistake is made."),
+    ("meaning", "What the source says there, in our words."),
+    ("consequence", "What the mistake changes, as in claims.json."),
+    ("origin", "How it came about, as far as we can tell."),
+    ("places", "The claims that it reaches, the one in which it is made among them."),
+    ("printed", "The characters that the source prints, formulas in TeX."),
+    ("corrected", "What should stand in their place."),
+    ("unit", "The unit of both. Empty if there is none."),
+    ("reason", "Why the printed characters are wrong."),
+    ("witness", "The second, independent reason."),
+    ("changes", "What the mistake does to the results, in words. Empty if it does nothing to them."),
+    ("wrong_numbers", "How many printed numbers are wrong because of it."),
+    ("greatest_change", "The largest relative deviation of these numbers from the right ones."),
+];
+
+/// What the fields of an entry in a line say.
+pub const OF_AN_ENTRY: &[Field] = &[
+    ("source", "The source, as in claims.json, without pages elsewhere."),
+    ("line", "The number of the line in the text of the copy, from 1."),
+    (
+        "entry",
+        "What is in this place of the line: `claim` (a claim is made here), `rest` (more of a claim that began earlier), `again` (a claim's number is printed once more), `reading` (a claim about numbers that another entry accounts for), `label` (the number of an equation or a figure) or `exception` (nothing to check).",
+    ),
+    ("id", "The claim, the label, or the exception's own name."),
+    (
+        "numbers",
+        "The printed numbers that the entry accounts for. Strung together, the entries of a line have all its numbers in their order.",
+    ),
+    ("reason", "Why there is nothing to check. Only exceptions have it."),
+];
+
+/// The files of the records: their names and texts.
+pub fn files() -> anyhow::Result<Vec<(&'static str, String)>> {
     let of_sources = slips().iter().filter(|places| places.slip.consequence != Consequence::Copy);
-    Ok([
-        ("claims.json", fields::json(&verdicts().iter().map(claim).collect::<Vec<_>>())?),
-        ("errata.json", fields::json(&of_sources.map(slip).collect::<Vec<_>>())?),
+    let copies: Vec<_> = slips_of_copies().map(slip).collect();
+    let entries = entries()?;
+    Ok(vec![
+        ("claims.json", versioned("claims", verdicts().iter().map(claim))?),
+        ("errata.json", versioned("errata", of_sources.map(slip))?),
+        ("copies.json", versioned("copies", copies.iter().cloned())?),
+        ("copies.csv", fields::csv(copies.first(), copies.iter().cloned())?),
+        ("coverage.json", versioned("entries", entries.iter().cloned())?),
+        ("coverage.csv", fields::csv(entries.first(), entries.iter().cloned())?),
     ])
+}
+
+/// Rows in a file that says what it belongs to, in which version of the project.
+fn versioned(what: &'static str, rows: impl Iterator<Item = Row>) -> anyhow::Result<String> {
+    fields::json(&Row(vec![
+        ("title", "Geneva, verified".into()),
+        ("version", env!("CARGO_PKG_VERSION").into()),
+        (what, Value::List(rows.map(Value::Object).collect())),
+    ]))
+}
+
+/// What was lost or changed on the way from paper to the copies.
+pub fn slips_of_copies() -> impl Iterator<Item = &'static Places> {
+    slips().iter().filter(|places| places.slip.consequence == Consequence::Copy)
+}
+
+/// Every entry of every line of the documents.
+fn entries() -> anyhow::Result<Vec<Row>> {
+    let mut rows = Vec::new();
+    for work in Work::DOCUMENTS {
+        let lines = work.inventory()?.iter();
+        rows.extend(lines.flat_map(|line| line.entries.iter().map(move |of| entry(*work, line, of))));
+    }
+    Ok(rows)
+}
+
+fn entry(work: Work, line: &Line, entry: &Entry) -> Row {
+    let (kind, id) = match entry {
+        Entry::Claim(id) => ("claim", *id),
+        Entry::Rest(id, _) => ("rest", *id),
+        Entry::Again(id) => ("again", *id),
+        Entry::Reading(id) => ("reading", *id),
+        Entry::Label(label) => ("label", *label),
+        Entry::Exception { id, .. } => ("exception", *id),
+    };
+    let reason = if let Entry::Exception { reason, .. } = entry { Some(reason.clone()) } else { None };
+    Row(vec![
+        ("source", work.slug().into()),
+        ("line", line.number.into()),
+        ("entry", kind.into()),
+        ("id", id.into()),
+        ("numbers", entry.numbers().into()),
+        ("reason", reason.into()),
+    ])
+}
+
+/// The fields of a file's rows, and one row to each of the ledger's to see of what type they are.
+pub fn described(file: &str) -> anyhow::Result<(&'static [Field], Vec<Row>)> {
+    match file {
+        "claims" => Ok((OF_A_CLAIM, verdicts().iter().map(claim).collect())),
+        "errata" => Ok((OF_A_SLIP, slips().iter().map(slip).collect())),
+        "coverage" => Ok((OF_AN_ENTRY, entries()?)),
+        _ => anyhow::bail!("no file `{file}` is described; there are: claims, errata, coverage"),
+    }
+}
+
+/// Of what types the values at a path are, in words.
+pub fn types(rows: &[Row], path: &str) -> String {
+    let mut found = BTreeSet::new();
+    for row in rows {
+        collect(row, path, &mut found);
+    }
+    found.into_iter().map(|(_, name)| name).collect::<Vec<_>>().join(" or ")
+}
+
+fn collect(row: &Row, path: &str, found: &mut BTreeSet<(u8, &'static str)>) {
+    let (key, rest) = path.split_once('.').map_or((path, None), |(key, rest)| (key, Some(rest)));
+    let Some((_, value)) = row.0.iter().find(|(name, _)| *name == key) else { return };
+    match (value, rest) {
+        (Value::Object(inner) | Value::Worded(inner, _), Some(rest)) => collect(inner, rest, found),
+        (Value::List(values), Some(rest)) => values.iter().for_each(|value| {
+            if let Value::Object(inner) | Value::Worded(inner, _) = value {
+                collect(inner, rest, found);
+            }
+        }),
+        (_, Some(_)) => {}
+        (value, None) => drop(found.insert(value.kind())),
+    }
 }
 
 /// All that is known of a claim.
@@ -106,4 +296,88 @@ pub fn slip(places: &Places) -> Row {
         ("wrong_numbers", places.wrong_numbers().count().into()),
         ("greatest_change", places.greatest_change().into()),
     ])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use geneva_ledger::{claims, verdict};
+    use serde_json::Value as Json;
+
+    /// The paths of all keys below a value.
+    fn keys(value: &Json, before: &str, found: &mut BTreeSet<String>) {
+        match value {
+            Json::Object(fields) => {
+                for (key, value) in fields {
+                    let path = if before.is_empty() { key.clone() } else { format!("{before}.{key}") };
+                    keys(value, &path, found);
+                    found.insert(path);
+                }
+            }
+            Json::Array(values) => values.iter().for_each(|value| keys(value, before, found)),
+            _ => {}
+        }
+    }
+
+    #[test]
+    fn every_field_of_the_files_is_described_and_the_version_is_in_each() {
+        let mut seen = 0;
+        for (name, text) in files().expect("files") {
+            let Some(of) = name.strip_suffix(".json") else { continue };
+            let whole: Json = serde_json::from_str(&text).expect("JSON");
+            assert_eq!(whole["version"], env!("CARGO_PKG_VERSION"), "{name}");
+            assert_eq!(whole["title"], "Geneva, verified", "{name}");
+            let (list, fields) = match of {
+                "claims" => ("claims", OF_A_CLAIM),
+                "errata" => ("errata", OF_A_SLIP),
+                "copies" => ("copies", OF_A_SLIP),
+                _ => ("entries", OF_AN_ENTRY),
+            };
+            assert_eq!(whole.as_object().expect("an object").len(), 3, "{name}");
+            assert!(whole[list].as_array().is_some_and(|rows| !rows.is_empty()), "{name} has no {list}");
+            let mut found = BTreeSet::new();
+            keys(&whole[list], "", &mut found);
+            let described: BTreeSet<_> = fields.iter().map(|(path, _)| (*path).to_owned()).collect();
+            assert_eq!(found, described, "{name}");
+            seen += 1;
+        }
+        assert_eq!(seen, 4);
+    }
+
+    #[test]
+    fn a_field_is_of_the_types_that_its_values_have() {
+        let (_, rows) = described("claims").expect("claims");
+        for (path, expected) in [
+            ("id", "text"),
+            ("computed", "number or null"),
+            ("holds", "true or false"),
+            ("findings", "list"),
+            ("findings.holds", "true or false"),
+            ("erratum", "object or null"),
+        ] {
+            assert_eq!(types(&rows, path), expected, "{path}");
+        }
+        assert!(described("claim").is_err());
+    }
+
+    #[test]
+    fn the_lines_of_the_sources_and_the_characters_of_the_copies_are_all_in_their_files() {
+        let numbers =
+            |work: &Work| work.inventory().expect("an inventory").iter().map(|line| line.numbers.len()).sum::<usize>();
+        let listed = entries().expect("entries");
+        let in_rows: usize = listed
+            .iter()
+            .map(|row| match &row.0[4].1 {
+                Value::List(numbers) => numbers.len(),
+                _ => 0,
+            })
+            .sum();
+        assert_eq!(in_rows, Work::DOCUMENTS.iter().map(numbers).sum::<usize>());
+        for claim in claims().iter().filter(|claim| claim.work.is_document()) {
+            let id = Value::from(claim.id);
+            assert!(listed.iter().any(|row| row.0[3].1 == id), "{} is in no line", claim.id);
+        }
+        let reached = slips_of_copies().flat_map(|places| &places.claims).count();
+        assert!(reached > 0 && slips_of_copies().all(|places| verdict(places.slip.id).is_some()));
+    }
 }

@@ -1,7 +1,7 @@
 //! Pieces of the ledger inside a sentence.
 
 use crate::html::{escape, tex_or_text};
-use crate::pages::page_of_claim;
+use crate::pages::address_of_claim;
 use crate::{lookup, maths, numbers};
 use anyhow::anyhow;
 use geneva_ledger::{Claim, Decimal, Judged, Truth, Verdict, in_full, wild};
@@ -78,7 +78,7 @@ pub fn note(id: &str) -> anyhow::Result<String> {
     if !evidence.is_empty() {
         entry("Evidence", evidence.join(", "));
     }
-    out.push_str(&format!("</dl>\n<p><a href=\"{}.html#{id}\">In the ledger</a></p>\n</div>", page_of_claim(id)));
+    out.push_str(&format!("</dl>\n<p><a href=\"{}\">In the ledger</a></p>\n</div>", address_of_claim(id)));
     Ok(out)
 }
 
@@ -125,13 +125,13 @@ pub fn citation(slug: &str) -> anyhow::Result<String> {
 
 /// The verdict of a claim as a badge that leads to the claim's row in the ledger.
 pub fn linked_badge(judged: &Judged) -> String {
-    let (id, page) = (judged.claim.id, page_of_claim(judged.claim.id));
-    format!("<a class=\"to-ledger\" href=\"{page}.html#{id}\">{}</a>", badge(judged.verdict))
+    let address = address_of_claim(judged.claim.id);
+    format!("<a class=\"to-ledger\" href=\"{address}\">{}</a>", badge(judged.verdict))
 }
 
 /// The id of a claim, leading to its row in the ledger.
 pub fn linked_id(id: &str) -> String {
-    format!("<a href=\"{}.html#{id}\"><code>{id}</code></a>", page_of_claim(id))
+    format!("<a href=\"{}\"><code>{id}</code></a>", address_of_claim(id))
 }
 
 /// A verdict as a badge: the word, to which style only adds.

@@ -1,9 +1,12 @@
 //! What the ledger shows in the book: words in a line, tables, whole pages.
 
 pub mod compare;
+mod coverage;
 pub mod elsewhere;
 pub mod errata;
 pub mod findings;
 pub mod inline;
+pub mod ledger;
 pub mod lists;
+pub mod open;
 pub mod records;

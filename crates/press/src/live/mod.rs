@@ -6,7 +6,7 @@ pub use module::{on_a_page, scripts};
 
 use crate::html::escape;
 use crate::lookup;
-use crate::pages::page_of_claim;
+use crate::pages::address_of_claim;
 use anyhow::{Context, anyhow};
 use geneva_figures::Figure;
 use geneva_kinematics::Mechanism;
@@ -105,7 +105,7 @@ fn html(live: &Live, answer: &Answer) -> anyhow::Result<String> {
             let label = escape(quantity.label);
             let label = match claim {
                 Some((_, id)) => {
-                    format!("<a href=\"{}.html#{id}\">{label}</a>", page_of_claim(lookup::judged(id)?.claim.id))
+                    format!("<a href=\"{}\">{label}</a>", address_of_claim(lookup::judged(id)?.claim.id))
                 }
                 None => label,
             };

@@ -1,0 +1,142 @@
+// The page of all claims: filters its rows, and shows what is known of a claim when a reader asks for it.
+// Without this script every row is there.
+(() => {
+    'use strict';
+    const form = document.querySelector('form.filter');
+    const lists = [...document.querySelectorAll('.claims')];
+    const rows = lists.flatMap(list => [...list.children].map(row => {
+        const [kind, verdict] = row.classList;
+        return { row, kind, verdict, source: list.dataset.source, words: null };
+    }));
+    const truthOf = Object.fromEntries([...form.elements.verdict.options].map(of => [of.value, of.dataset.truth]));
+    const chosen = ['source', 'truth', 'verdict', 'kind'];
+
+    // What stands in the address: of a filter the fields that are set, of a claim its id.
+    const address = () => decodeURIComponent(location.hash.slice(1));
+    const isFilter = () => address().includes('=');
+
+    /** Shows the rows that have all that is asked for. */
+    const filter = () => {
+        const words = form.elements.words.value.toLowerCase().split(/\s+/).filter(word => word);
+        const wanted = chosen.map(name => [name, form.elements[name].value]).filter(([, value]) => value);
+        let shown = 0;
+        for (const of of rows) {
+            of.words ??= of.row.textContent.toLowerCase();
+            const has = { ...of, truth: truthOf[of.verdict] };
+            const isWanted = wanted.every(([name, value]) => has[name] === value) && words.every(word => of.words.includes(word));
+            of.row.hidden = !isWanted;
+            shown += Number(isWanted);
+        }
+        for (const list of lists) {
+            const isEmpty = [...list.children].every(row => row.hidden);
+            list.hidden = isEmpty;
+            list.previousElementSibling.hidden = isEmpty;
+        }
+        form.querySelector('output').value = shown === rows.length ? `All ${shown} claims` : `${shown} of ${rows.length} claims`;
+    };
+
+    /** Writes the filter into the address, so that it can be kept and sent. */
+    const keep = () => {
+        const set = [...new FormData(form)].filter(([, value]) => value);
+        if (set.length > 0 || isFilter()) {
+            history.replaceState(null, '', `#${new URLSearchParams(set)}`);
+        }
+    };
+
+    /** Fills the form from the address. */
+    const read = () => {
+        const set = new URLSearchParams(location.hash.slice(1));
+        for (const name of ['words', ...chosen]) {
+            form.elements[name].value = set.get(name) ?? '';
+        }
+    };
+
+    /** What scrolls sideways can be reached by keyboard. */
+    const reach = inside => inside.querySelectorAll('.form, dd').forEach(element => {
+        if (element.scrollWidth > element.clientWidth) {
+            element.tabIndex = 0;
+        }
+    });
+    document.querySelector('main').addEventListener('contentvisibilityautostatechange', event => {
+        if (!event.skipped) {
+            reach(event.target);
+        }
+    });
+
+    // What is known of each claim comes with a script of its own, once.
+    let known;
+    const waiting = new Set();
+    const fill = body => {
+        body.innerHTML = known[body.dataset.of];
+        body.removeAttribute('aria-busy');
+        reach(body);
+    };
+    globalThis.genevaDetails = details => {
+        known = details;
+        waiting.forEach(fill);
+        waiting.clear();
+    };
+    const ask = body => {
+        if (known) {
+            fill(body);
+            return;
+        }
+        if (waiting.size === 0) {
+            const script = document.createElement('script');
+            script.src = 'data/ledger-details.js';
+            script.onerror = () => waiting.forEach(of => {
+                of.textContent = 'The file data/ledger-details.js is missing: build the book again.';
+                of.removeAttribute('aria-busy');
+            });
+            document.head.append(script);
+        }
+        waiting.add(body);
+    };
+
+    for (const { row } of rows) {
+        const details = document.createElement('details');
+        const summary = document.createElement('summary');
+        const body = document.createElement('div');
+        details.className = 'asked';
+        summary.textContent = 'Details';
+        summary.setAttribute('aria-label', `Details of ${row.id}`);
+        body.dataset.of = row.id;
+        body.setAttribute('aria-busy', 'true');
+        details.append(summary, body);
+        details.addEventListener('toggle', () => ask(body), { once: true });
+        row.append(details);
+    }
+
+    /** Shows what the address asks for. */
+    const follow = () => {
+        if (isFilter()) {
+            read();
+            filter();
+            return;
+        }
+        const target = document.getElementById(address());
+        const row = target?.closest('.claims > li');
+        if (target?.hidden) {
+            form.reset();
+        }
+        if (row) {
+            row.querySelector('.asked').open = true;
+            row.scrollIntoView();
+        }
+    };
+
+    form.addEventListener('input', () => {
+        filter();
+        keep();
+    });
+    // When a form is reset, its fields change after this event.
+    form.addEventListener('reset', () => setTimeout(() => {
+        filter();
+        keep();
+    }));
+    form.addEventListener('submit', event => event.preventDefault());
+    addEventListener('hashchange', follow);
+    form.hidden = false;
+    filter();
+    follow();
+})();

@@ -1,0 +1,179 @@
+//! Can a reader find a claim? In a browser: the page of all claims and its filter, addresses of earlier editions, the search.
+
+use crate::book_pages::{book, moved};
+use crate::browser::devtools::{Browser, Medium};
+use geneva_ledger::{Kind, Truth, Verdict, Work, claim, verdicts};
+use serde_json::{Value, json};
+use std::time::Duration;
+
+/// How long the filter may take, in milliseconds.
+const AT_ONCE: f64 = 100.0;
+
+fn opened(address: &str) -> Option<Browser> {
+    let mut browser = Browser::start()?;
+    browser.show(1280, Medium::Light);
+    browser.open(&format!("file://{}/{address}", book().display()));
+    Some(browser)
+}
+
+/// The value of an expression as soon as it is neither null nor false; null if it never is.
+fn when_there(browser: &mut Browser, expression: &str) -> Value {
+    browser.evaluate(&format!(
+        "new Promise(done => {{ const end = performance.now() + 30000; const look = () => {{ const found = {expression}; if (found \
+         || performance.now() > end) {{ done(found || null); }} else {{ setTimeout(look, 20); }} }}; look(); }})"
+    ))
+}
+
+/// Sets fields of the filter: how many rows are shown then, what the form says, and how long the least of three times took.
+fn filtered(browser: &mut Browser, fields: &[(&str, &str)]) -> (usize, String, f64) {
+    let set = json!(fields);
+    let answer = browser.evaluate(&format!(
+        "(() => {{
+            const form = document.querySelector('form.filter');
+            let took = Infinity;
+            for (let time = 0; time < 3; time += 1) {{
+                form.reset();
+                document.body.offsetHeight;
+                for (const [name, value] of {set}) {{ form.elements[name].value = value; }}
+                const start = performance.now();
+                form.dispatchEvent(new Event('input', {{ bubbles: true }}));
+                document.body.offsetHeight;
+                took = Math.min(took, performance.now() - start);
+            }}
+            const shown = [...document.querySelectorAll('.claims > li')].filter(row => row.checkVisibility()).length;
+            return {{ shown, says: form.querySelector('output').value, took }};
+        }})()"
+    ));
+    let shown = answer["shown"].as_u64().expect("a number") as usize;
+    (shown, answer["says"].as_str().expect("words").to_owned(), answer["took"].as_f64().expect("a time"))
+}
+
+#[test]
+fn the_filter_shows_the_claims_that_have_all_that_is_asked_for_at_once() {
+    let Some(mut browser) = opened("ledger.html") else { return };
+    let all = verdicts().len();
+    let count = |of: fn(&geneva_ledger::Judged) -> bool| verdicts().iter().filter(|judged| of(judged)).count();
+    let cases: [(&[(&str, &str)], usize); 7] = [
+        (&[], all),
+        (&[("source", "jazar")], count(|judged| judged.claim.work == Work::Jazar2003)),
+        (&[("truth", "open")], count(|judged| judged.truth() == Truth::Open)),
+        (&[("verdict", "corrected")], count(|judged| judged.verdict == Verdict::Corrected)),
+        (&[("kind", "equation")], count(|judged| judged.claim.kind == Kind::Equation)),
+        (
+            &[("kind", "value"), ("truth", "wrong"), ("source", "meyer")],
+            count(|judged| {
+                let claim = judged.claim;
+                claim.kind == Kind::Value && judged.truth() == Truth::Wrong && claim.work == Work::Meyer1973
+            }),
+        ),
+        // A word of an id, in capitals, and one of what it says.
+        (&[("words", "PIN.SLOT-POINT-SPEED  point")], 1),
+    ];
+    for (fields, expected) in cases {
+        let (shown, says, took) = filtered(&mut browser, fields);
+        assert_eq!(shown, expected, "{fields:?}");
+        let words = if shown == all { format!("All {all} claims") } else { format!("{shown} of {all} claims") };
+        assert_eq!(says, words, "{fields:?}");
+        assert!(took < AT_ONCE, "{fields:?}: {took} ms");
+    }
+    let (shown, _, _) = filtered(&mut browser, &[("words", "no such words")]);
+    let headings =
+        browser.evaluate("[...document.querySelectorAll('main h2')].filter(of => of.checkVisibility()).length");
+    assert_eq!((shown, headings), (0, json!(0)));
+}
+
+#[test]
+fn a_filter_is_set_by_keyboard_and_kept_in_the_address() {
+    let Some(mut browser) = opened("ledger.html") else { return };
+    browser.evaluate("document.querySelector('form.filter input').focus()");
+    browser.command("Input.insertText", json!({ "text": "rise" }));
+    let shown = "[...document.querySelectorAll('.claims > li')].filter(row => row.checkVisibility()).length";
+    let some = browser.evaluate(shown).as_u64().expect("a number");
+    assert!(some > 0 && (some as usize) < verdicts().len(), "{some}");
+    let address = browser.evaluate("location.href").as_str().expect("an address").to_owned();
+    assert!(address.ends_with("#words=rise"), "{address}");
+    browser.open("about:blank");
+    browser.open(&address);
+    assert_eq!(browser.evaluate(shown), some);
+    // From one claim to its details: the summary takes the focus and opens at the Enter key.
+    browser.evaluate("document.querySelector('.claims > li:not([hidden]) summary').focus()");
+    browser.command(
+        "Input.dispatchKeyEvent",
+        json!({ "type": "keyDown", "key": "Enter", "text": "\r", "windowsVirtualKeyCode": 13 }),
+    );
+    let opened = "document.querySelector('.claims details[open] dl')?.closest('li').matches('li:not([hidden])')";
+    assert_eq!(when_there(&mut browser, opened), true);
+}
+
+/// Goes to an address that leads on, and waits until the browser is at the end: whether it gets there.
+fn is_led(browser: &mut Browser, from: &str, to: &str) -> bool {
+    browser.command("Page.navigate", json!({ "url": format!("file://{}/{from}", book().display()) }));
+    for _ in 0..200 {
+        if browser.address().is_some_and(|address| address.ends_with(&format!("/{to}"))) {
+            return true;
+        }
+        std::thread::sleep(Duration::from_millis(50));
+    }
+    false
+}
+
+#[test]
+fn an_address_of_a_claim_opens_its_row_with_all_that_is_known_of_it() {
+    let Some(mut browser) = opened("pin.html") else { return };
+    let judged = geneva_ledger::verdict("jazar.eq-5.29").expect("a claim");
+    let (id, slip) = (judged.claim.id, &judged.claim.erratum.as_ref().expect("a mistake").slip);
+    for page in ["ledger.html", "ledger-jazar.html"] {
+        assert!(is_led(&mut browser, &format!("{page}#{id}"), &format!("ledger.html#{id}")), "{page}");
+        // By now another page may be on its way.
+        browser.open(&format!("file://{}/ledger.html?{page}#{id}", book().display()));
+        let text =
+            when_there(&mut browser, &format!("document.getElementById('{id}')?.querySelector('dl')?.textContent"));
+        let text = text.as_str().unwrap_or_else(|| panic!("{page}: nothing is shown"));
+        for part in [slip.reason, slip.witness, &judged.findings[0].1.how] {
+            assert!(text.contains(part), "{page}: {part} is not in {text}");
+        }
+        let top = browser.evaluate(&format!("document.getElementById('{id}').getBoundingClientRect().top"));
+        assert!(top.as_f64().is_some_and(|top| (0.0..900.0).contains(&top)), "{page}: the row is at {top}");
+    }
+}
+
+#[test]
+fn every_address_of_an_earlier_edition_leads_on_without_scripts_too() {
+    let Some(mut browser) = opened("pin.html") else { return };
+    for run in [true, false] {
+        browser.run_scripts(run);
+        // A part of a page needs scripts.
+        for (from, to) in moved().iter().filter(|(from, _)| run || !from.contains('#')) {
+            assert!(is_led(&mut browser, from, to), "{from} with scripts {run}");
+        }
+    }
+    browser.run_scripts(true);
+}
+
+#[test]
+fn the_search_finds_the_chapter_that_explains_before_the_records_and_a_claim_by_its_id() {
+    let mut ids = ["pin.slot-point-speed", "jazar.eq-5.29", "meyer.always-engaged"]
+        .map(|id| (id, format!("ledger.html?#{id}")))
+        .to_vec();
+    // A number that the handout prints, and its chapter shows.
+    let number = claim("jazar.ex-e.ratio").expect("a claim").printed.trim_start_matches('±');
+    let chapters = [
+        ("motor", "making.html"),
+        ("law of cosines", "pin.html"),
+        ("moment of inertia of a disc", "making.html"),
+        (number, "jazar.html"),
+    ];
+    ids.extend(chapters.map(|(words, page)| (words, page.to_owned())));
+    for (words, expected) in ids {
+        let Some(mut browser) = opened(&format!("pin.html?search={}", words.replace(' ', "%20"))) else { return };
+        let found = when_there(&mut browser, "document.querySelector('#mdbook-searchresults a')?.getAttribute('href')");
+        let found = found.as_str().unwrap_or_else(|| panic!("{words}: nothing is found"));
+        let (page, fragment) =
+            found.rsplit_once('/').map_or(found, |(_, name)| name).split_once('#').unwrap_or((found, ""));
+        let page = page.split('?').next().unwrap_or_default();
+        match expected.split_once("?#") {
+            Some((ledger, id)) => assert_eq!((page, fragment), (ledger, id), "{words}"),
+            None => assert_eq!(page, expected, "{words}"),
+        }
+    }
+}
