@@ -125,7 +125,7 @@ pub fn at(mechanism: Mechanism, x: f64) -> Letters {
     motion(CARDS.into_iter().chain(motion_of).map(|(name, value)| (name.to_owned(), value)).collect())
 }
 
-/// The same from the equation of motion.
+/// The program's quantities at an angle, from the equation of motion.
 pub struct Truth {
     pub ratio: f64,
     pub pose: Pose<f64>,
@@ -210,8 +210,9 @@ pub fn holds(line: &str) -> Option<bool> {
     reading::holds(line, lines())
 }
 
-/// The same for a line of the start: the acceleration is that from rest, where both members and the friction between
-/// them ask for the torque.
+/// Whether a line of the start holds at all instants.
+///
+/// The acceleration is the one from rest, where both members and the friction between them require the torque.
 pub fn holds_from_rest(line: &str) -> Option<bool> {
     static RESTS: OnceLock<Vec<Moment>> = OnceLock::new();
     let rests = RESTS.get_or_init(|| {
