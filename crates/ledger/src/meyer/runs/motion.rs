@@ -20,9 +20,9 @@ pub enum Reset {
 /// Which of the two pairs of inertias the runs with six pins had.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SixPin {
-    /// Those in the heading of the table.
+    /// The inertias in the heading of the table.
     AsHeaded,
-    /// Those on the axes of Fig. 11.
+    /// The inertias on the axes of Fig. 11.
     AsDrawn,
 }
 
@@ -92,8 +92,9 @@ impl Run {
 }
 
 impl Hypothesis {
-    /// The one that explains the tables: one reset angle for all, the inertias of Fig. 11, peaks as printed. With the
-    /// sign exact it has a solution over the angle; see [`as_run`](Self::as_run) for what the program adds.
+    /// The hypothesis that explains the tables: one reset angle for all, the inertias of Fig. 11, peaks as printed.
+    ///
+    /// With the sign exact it has a solution over the angle; see [`as_run`](Self::as_run) for what the program adds.
     pub const WITHOUT_LAG: Self = Self {
         reset: Reset::QuarterTurn,
         six_pin: SixPin::AsDrawn,
@@ -176,7 +177,7 @@ impl Hypothesis {
         [f64::from(row.mechanism.slots()), start, row.friction(), row.torque(), follower, driver]
     }
 
-    /// The same, read off the lines that the program prints; the true peak is not among them.
+    /// The run, read off the lines that the program prints; the true peak is not among them.
     pub fn by_program(&self, row: &Row, integrator: &geneva_mimic::Parameters) -> Option<Run> {
         let program = self.program(row)?;
         Some(Readings::of(&program.run(integrator).ok()?, program.reset)?.into())

@@ -35,7 +35,7 @@ impl Poses {
         Self { angles: angles.into(), ends, middles }
     }
 
-    /// Those of an engagement that starts at entry and lasts for a turn of `reset` radians, found once.
+    /// The poses of an engagement that starts at entry and lasts for a turn of `reset` radians, found once.
     fn engagement(parameters: &Parameters, reset: f64, steps: u32) -> Arc<Self> {
         type Known = Mutex<HashMap<(Mechanism, u64, u32), Arc<Poses>>>;
         static KNOWN: OnceLock<Known> = OnceLock::new();
