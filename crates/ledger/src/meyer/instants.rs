@@ -165,8 +165,8 @@ fn apart(a: f64, b: f64) -> f64 {
 
 /// A character of a display that the copy has lost or changed, found by evaluating the characters.
 pub const fn miscopied(reason: &'static str) -> Slip {
-    let witness = "The corrected characters, read and evaluated, agree with Newton's laws for the two members; the \
-                   printed ones do not.";
+    let witness = "The corrected characters, read and evaluated, agree with Newton's laws for the two members, but \
+                   the printed ones do not.";
     Slip { id: "", reason, witness, origin: Origin::Copy, consequence: Consequence::Copy, changes: "" }
 }
 
