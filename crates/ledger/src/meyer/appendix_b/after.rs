@@ -142,7 +142,7 @@ fn angle() -> Vec<Claim> {
         reset(
             "meyer.app-b.fold",
             AFTER,
-            "the angle within an engagement is the driver's angle modulo 90°, less 30°, 45° or 60°",
+            "the angle within an engagement is the driver's angle modulo 90°, minus 30°, 45° or 60°",
             r"90° , minus either 30° , 45° , or 60°",
             "60°, 90° or 120°, minus 30°, 45° or 60°",
         ),

@@ -214,7 +214,7 @@ fn described() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.first-seven-cards",
                 "first seven cards",
-                "seven control cards come first, and data cards at the end",
+                "seven control cards come first, and data cards come at the end",
             )
             .missing(
                 "The program in the copy we had has seven lines before its first equation, if five comments count as \
@@ -307,11 +307,12 @@ fn old_acceleration() -> Vec<Claim> {
     ]
 }
 
-/// What the escapement's deck has for the truth that it is at the start.
+/// The escapement's deck's expression for being at the start.
 pub const SMALL_TIME: &str = "FSW(T,TRUE,TRUE,FALSE)";
 
-/// At each printed line of a run of the escapement's deck, with these expressions for the truths that it is at the start
-/// and that it is later: the time, and whether the two are true.
+/// The time and two truth values at each printed line of a run of the escapement's deck.
+///
+/// The expressions tell whether it is the start, and whether it is later.
 pub fn in_force(rest: &str, moving: &str) -> Option<Vec<[f64; 3]>> {
     let cards = deck_named("escapement")?.lines().map(|card| match card.split_whitespace().next() {
         Some("REST") if card.contains(SMALL_TIME) => format!("         REST   = {rest}"),
@@ -329,8 +330,9 @@ pub fn in_force(rest: &str, moving: &str) -> Option<Vec<[f64; 3]>> {
 /// What the listing has SMT be, and S, for one value after another of what decides.
 const LISTED: ([f64; 3], [bool; 3]) = ([-1.0, 1.0, 1.0], [true, true, false]);
 
-/// What SMT may be before the time zero, then, and after it, by the listing: FSW picks one of three values by the sign of
-/// the first, and S tells in which orders they may stand.
+/// The values that SMT may have before time zero, at it and after it, by the listing.
+///
+/// FSW picks one of three values by the sign of the first, and S tells in which orders they may stand.
 pub fn listed() -> impl Iterator<Item = [bool; 3]> {
     let orders = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
     let (signs, truths) = LISTED;
@@ -338,12 +340,12 @@ pub fn listed() -> impl Iterator<Item = [bool; 3]> {
     fitting.map(move |at| at.map(|at| truths[at]))
 }
 
-/// By what a place divides the print interval.
+/// The number by which a place divides the print interval.
 pub fn parts_of_the_interval(id: &str) -> Option<f64> {
     characters(id).split_once("DT/")?.1.trim_end_matches('.').parse().ok()
 }
 
-/// By what the listing divides it: so late is the old acceleration.
+/// The number by which the listing divides the print interval, which says how late the old acceleration is.
 pub fn delay_parts() -> f64 {
     parts_of_the_interval("meyer.listing.delay").unwrap_or(f64::NAN)
 }
@@ -360,8 +362,9 @@ fn more_cells(as_printed: usize, put_right: usize, stated: Stated) -> Finding {
     )
 }
 
-/// Whether a delay of one part of the print interval gives the acceleration of another part before, in a run of our deck
-/// whose lines, and so its steps, are much closer.
+/// Whether a delay of one part of the print interval gives the acceleration another part before.
+///
+/// We test it in a run of our deck whose lines, and therefore its steps, are much closer.
 pub fn is_late_by(card: f64, said: f64) -> Finding {
     const CLOSER: f64 = 0.00001;
     let lines = || -> Option<Vec<[f64; 3]>> {

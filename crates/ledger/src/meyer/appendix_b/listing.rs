@@ -110,7 +110,7 @@ fn constants() -> Vec<Claim> {
                 "meyer.listing.quarter-turn",
                 "1.5708",
                 "",
-                "a quarter of a turn in radians: an engagement of four pins",
+                "a quarter of a turn in radians, which is an engagement of four pins",
             )
             .by(ClosedForm, || 2.0 * Mechanism::FOUR_PIN.engagement_half_angle())
             .by(LimitCase, || machin() / 2.0),
@@ -237,7 +237,7 @@ fn motion() -> Vec<Claim> {
             .statement(
                 "meyer.listing.speed",
                 "INT(2DX,0.)",
-                "the driver's speed: its acceleration, integrated from zero",
+                "the driver's speed is its acceleration, integrated from zero",
             )
             .by(OtherPlaceInSource, |stated| {
                 let from = stated.number() + stated.pick(0.0, 1.0);
@@ -247,14 +247,14 @@ fn motion() -> Vec<Claim> {
             .by(ClosedForm, |stated| start_solves(stated.number() + stated.pick(0.0, 1.0)))
             .but_not("it is integrated from one"),
         PROGRAM
-            .statement("meyer.listing.angle", "INT(1DX,0.)", "the driver's angle: its speed, integrated from zero")
+            .statement("meyer.listing.angle", "INT(1DX,0.)", "the driver's angle is its speed, integrated from zero")
             .by(ClosedForm, |stated| begins_in_line(turned_at_first(stated)))
             .by(Vectors, |stated| begins_at_the_rim(turned_at_first(stated)))
             .but_not("it is integrated from one"),
         reset(
             "meyer.listing.fold",
             PROGRAM,
-            "the angle in the slot: the driver's angle modulo a quarter of a turn, plus the angle at the start",
+            "the angle in the slot is the driver's angle modulo a quarter of a turn, plus the angle at the start",
             "X (MOD(THETA,1.5708))+X0",
             "the modulus 2π/m: 1.5708 for four pins only, 1.0472 for six and 2.0944 for three",
         ),

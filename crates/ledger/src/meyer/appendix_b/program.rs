@@ -69,13 +69,14 @@ pub fn as_formula(card: &str) -> String {
     formula.replace(characters("meyer.listing.pi"), r"\pi ")
 }
 
-/// Whether a printed card says what it must: the name before the blank is the formula behind it, wherever this holds.
+/// Whether a printed card says what it must: the name before the blank equals the formula after it, wherever this
+/// holds.
 pub fn card_says(id: &str, holds: fn(&str) -> Option<bool>) -> bool {
     let card = characters(id).split_once(' ');
     card.is_some_and(|(name, formula)| holds(&format!("{} = {}", as_formula(name), as_formula(formula))) == Some(true))
 }
 
-/// What was found, unless the printed card says something else.
+/// The finding, unless the printed card says something else.
 pub fn as_on_the_card(id: &str, holds: fn(&str) -> Option<bool>, found: Finding) -> Finding {
     if card_says(id, holds) {
         found
@@ -118,7 +119,7 @@ pub fn start_formula() -> &'static str {
     named(START).1
 }
 
-/// What the lines of the motion compute at an angle, with the acceleration of the instant itself for the old one.
+/// What the lines of the motion compute at an angle, with the acceleration at that instant in place of the old one.
 pub fn at(mechanism: Mechanism, x: f64) -> Letters {
     let old = Truth::at(mechanism, x).acceleration;
     let motion_of = [("N", f64::from(mechanism.slots())), ("X", x), ("1DX", SPEED), ("OLD2DX", old)];
