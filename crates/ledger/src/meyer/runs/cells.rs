@@ -16,7 +16,7 @@ const RESULTS: [(Column, &str, &str, &str); 4] = [
     (Column::Period, "period", "time between two peaks of the run", "sec"),
 ];
 
-/// The claims of all rows of a mechanism, after those of its heading.
+/// The claims of all rows of a mechanism, after the claims of its heading.
 pub fn claims() -> Vec<Claim> {
     let of_table = |mechanism| {
         let own = rows().iter().filter(move |row| row.mechanism == mechanism);

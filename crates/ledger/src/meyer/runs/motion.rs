@@ -79,7 +79,7 @@ impl From<Readings> for Run {
 }
 
 impl Run {
-    /// The number of a column; not a number for one that a run does not give.
+    /// The number of a column; not a number for a column that a run does not give.
     pub fn number(&self, column: Column) -> f64 {
         match column {
             Column::Peak => self.peak,
@@ -106,7 +106,9 @@ impl Hypothesis {
     /// The mechanism as it is.
     pub const IDEAL: Self = Self { reset: Reset::OfTheMechanism, reading: Reading::True, ..Self::WITHOUT_LAG };
 
-    /// What was run: the same with the constants of the listing and its lagged sign. Every cell is judged by it.
+    /// The hypothesis of what was run: [`WITHOUT_LAG`](Self::WITHOUT_LAG) with the listing's constants and lagged sign.
+    ///
+    /// Every cell is judged by it.
     pub fn as_run() -> Self {
         Self { constants: Constants::AsListed, delay: Some(delay()), ..Self::WITHOUT_LAG }
     }
@@ -223,7 +225,7 @@ pub fn parameters_with(row: &Row, [driver, follower]: [f64; 2]) -> Option<Parame
     Parameters::new(row.mechanism, Inertias::new(driver, follower).ok()?, row.torque(), row.friction()).ok()
 }
 
-/// How many of a unit with a power of ten before it are one without.
+/// How many of a unit with a power of ten before it make one unit without it.
 pub fn units_in_one(unit: &str) -> f64 {
     let power = unit.split_once("10^").and_then(|(_, behind)| behind.split(' ').next()?.parse::<i32>().ok());
     power.map_or(f64::NAN, |power| match libm::pow(10.0, f64::from(power.abs())) {
@@ -242,8 +244,10 @@ pub fn interval() -> f64 {
     printed("meyer.listing.print-interval")
 }
 
-/// Of half the printed interval, itself and twice as much, the one with which the peaks of all rows come out best: with
-/// the motion solved over the angle, or by the steps of the program.
+/// The interval that reproduces the peaks of all rows best, of half the printed interval, the interval itself and twice
+/// as much.
+///
+/// The motion is solved over the angle, or by the steps of the program.
 pub fn fitting_interval(by_steps: bool) -> f64 {
     static FITTING: [OnceLock<f64>; 2] = [const { OnceLock::new() }; 2];
     let misfit = |interval: f64| {
@@ -281,8 +285,9 @@ pub fn duration() -> f64 {
     printed("meyer.listing.run-length")
 }
 
-/// The integrator as far as the thesis tells, the rest as it is by default. A step may be longer than the delay; the
-/// old acceleration is then that of the step before.
+/// The integrator as far as the thesis tells, with the defaults for the rest.
+///
+/// A step may be longer than the delay; the old acceleration is then the acceleration of the step before.
 pub fn usual() -> geneva_mimic::Parameters {
     geneva_mimic::Parameters {
         at_smallest_step: AtSmallestStep::Continue,

@@ -82,8 +82,8 @@ pub(super) fn inertias_in_steps(mechanism: Mechanism) -> [f64; 2] {
     *FOUND[mechanism.index()].get_or_init(|| gauss_newton::inertias(mechanism).unwrap_or([f64::NAN; 2]))
 }
 
-/// How finely these are known: by how much they change if each result was read a unit of its last place otherwise, at
-/// random.
+/// How finely the inertias are known: how much they change if each result was misread at random by a unit of its last
+/// place.
 pub fn uncertainties(mechanism: Mechanism) -> Option<[f64; 2]> {
     gauss_newton::uncertainties(mechanism, inertias_in_steps(mechanism))
 }
