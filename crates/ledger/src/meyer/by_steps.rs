@@ -99,7 +99,7 @@ impl Motion {
         None
     }
 
-    /// So many engagements from rest, at least one.
+    /// A motion of so many engagements from rest, at least one.
     pub fn from_rest(parameters: &Parameters, engagements: usize) -> Self {
         let reset = 2.0 * parameters.mechanism().engagement_half_angle();
         let course = Course::of_engagement(parameters, reset, STEPS);
@@ -226,7 +226,7 @@ impl Engagement {
         self.times.last().copied().unwrap_or(f64::NAN)
     }
 
-    /// How long it lasts.
+    /// How long the engagement lasts.
     pub fn duration(&self) -> f64 {
         self.finish() - self.times.first().copied().unwrap_or(f64::NAN)
     }

@@ -37,7 +37,7 @@ fn angle_sum() -> Vec<Claim> {
                         let [driver, follower, _] = angles_of_the_triangle(at);
                         agrees(driver + follower + PI / 2.0, PI)
                     },
-                    "the two angles at the axes measured, and a right angle",
+                    "the two angles at the axes and a right angle, measured",
                 )
             }),
         at("Eq. (1-3), 2nd line")

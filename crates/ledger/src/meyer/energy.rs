@@ -75,7 +75,7 @@ fn energy() -> Vec<Claim> {
                     r"T = \frac{1}{2} \left[I_D + \frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} ",
                     r"I_f \right] \dot{\theta}^2"
                 ),
-                "kinetic energy by the speed of the driver alone",
+                "kinetic energy in terms of the driver's speed alone",
             )
             .proven_by(mechanism)
             .read(ClosedForm, holds),
@@ -287,7 +287,11 @@ fn letter_b(
     corrected: &'static str,
 ) -> Claim {
     at(locator)
-        .equation(lines[0], printed, "rate of the derivative by the speed: what the driver's acceleration adds")
+        .equation(
+            lines[0],
+            printed,
+            "what the driver's acceleration adds to the rate of the derivative with respect to the speed",
+        )
         .proven_in(lines, mechanism)
         .read_in(ClosedForm, lines, holds)
         .corrected(corrected, DRIVER_INDEX)

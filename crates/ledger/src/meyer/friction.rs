@@ -274,7 +274,7 @@ fn as_size(tex: &str) -> Option<bool> {
     reading::holds(tex, with_size)
 }
 
-/// A drawing of which the copy has the caption only.
+/// A drawing of which the copy has only the caption.
 fn lost_drawing(id: &'static str, locator: &'static str, meaning: &'static str, printed: &'static str) -> Claim {
     let reason = "The copy we had does not contain the drawing. We list what the text reads off it as claims of their \
                   own";

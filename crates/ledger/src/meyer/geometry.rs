@@ -190,9 +190,10 @@ fn sides(at: &HandOver) -> [Vector2<Roots>; 3] {
     [pin.clone(), axis - pin, -axis.clone()]
 }
 
-/// What was found of the three escapements; for a neighbour also whether the same with a slot more, where one pin still takes
-/// over from the next, have the follower at rest then, and so crank and slot at right angles. By the sum of the two angles,
-/// exactly.
+/// The finding for the three escapements, and for a neighbour also for the escapements with a slot more.
+///
+/// With a slot more one pin still takes over from the next. By the sum of the two angles, exactly, we ask whether the
+/// follower is at rest then, and therefore crank and slot are at right angles.
 pub fn and_with_a_slot_more(found: Finding, stated: Stated) -> Finding {
     let rests = |at: &Mechanism| {
         let more = Continuous::new(at.pins(), at.slots() + 1);
@@ -230,7 +231,7 @@ fn fewest_engaged((pins, slots): (u32, u32)) -> usize {
     drawn.fewest_within(drawn.tangent())
 }
 
-/// Whether a property holds for all of these numbers, of which there must be some; they are told.
+/// Whether a property holds for all of these numbers, of which there must be some; the finding lists them.
 pub fn every(numbers: impl Iterator<Item = f64>, holds: impl Fn(f64) -> bool, what: &str) -> Finding {
     let numbers: Vec<f64> = numbers.collect();
     let all = !numbers.is_empty() && numbers.iter().all(|number| holds(*number));

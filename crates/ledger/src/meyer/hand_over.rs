@@ -75,7 +75,9 @@ pub struct Drawn {
 }
 
 impl Drawn {
-    /// The slot of the pin at π/m leaves the follower's axis at the angle π/n: so its axis is where that line meets the
+    /// Driver and follower for these numbers of pins and slots.
+    ///
+    /// The slot of the pin at π/m leaves the follower's axis at the angle π/n, so the axis is where that line meets the
     /// line of centres.
     pub fn new(pins: u32, slots: u32) -> Self {
         let [crank, slot] = [pins, slots].map(|count| Turn::from_radians(PI / f64::from(count)));
@@ -92,18 +94,18 @@ impl Drawn {
         Vector2::new(self.axis - libm::cos(angle), libm::sin(angle))
     }
 
-    /// Its velocity for a driver of angular velocity one.
+    /// Velocity of the pin for a driver of angular velocity one.
     pub fn velocity(angle: f64) -> Vector2<f64> {
         Vector2::new(libm::sin(angle), libm::cos(angle))
     }
 
-    /// Its direction from the follower's axis.
+    /// Direction of the pin from the follower's axis.
     pub fn direction(&self, angle: f64) -> f64 {
         let place = self.place(angle);
         libm::atan2(place.y, place.x)
     }
 
-    /// The angular velocity of a follower that it carries.
+    /// Angular velocity of a follower that the pin carries.
     pub fn turning(&self, angle: f64) -> f64 {
         let place = self.place(angle);
         place.perp(&Self::velocity(angle)) / place.norm_squared()

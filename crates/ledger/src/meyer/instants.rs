@@ -147,7 +147,7 @@ pub fn holds(tex: &str) -> Option<bool> {
     reading::holds(tex, moments())
 }
 
-/// Whether an equation holds at all instants, and what stands behind the last of these operators is this.
+/// Whether an equation holds at all instants, and the expression after the last of these operators is this one.
 pub fn holds_of(tex: &str, operator: &str, this: &str) -> Option<bool> {
     let Some((_, of)) = tex.rsplit_once(operator) else { return holds(tex) };
     match [holds(tex), holds(&format!("{this} = {of}"))] {

@@ -213,7 +213,9 @@ fn torques() -> Vec<Claim> {
     ]
 }
 
-/// Friction is against the motion, and so against the driving torque while the driver turns as it is driven.
+/// The claim that friction opposes the driving torque.
+///
+/// Friction acts against the motion, and therefore against the driving torque while the driver turns as it is driven.
 pub fn opposing(id: &'static str, locator: &'static str, printed: &'static str) -> Claim {
     at(locator)
         .statement(id, printed, "the friction torque acts against the driving torque")

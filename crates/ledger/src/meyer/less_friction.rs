@@ -1,4 +1,4 @@
-//! The general statement on friction: what less of it does to the rise, and what none does.
+//! The general statement on friction: what less friction does to the rise, and what none does.
 
 use super::by_steps::Motion;
 use super::general_statements::with;

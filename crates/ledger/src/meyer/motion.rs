@@ -109,7 +109,7 @@ fn together() -> Vec<Claim> {
                     r"\right] \ddot{\theta} + \left[\frac{a(1 - a^2) \sin \theta (a \cos \theta - 1)}{(1 ",
                     r"+ a^2 - 2a \cos \theta)^3} \right] \dot{\theta}^2"
                 ),
-                "equation of motion over the follower's inertia, without friction",
+                "equation of motion divided by the follower's inertia, without friction",
             )
             .proven_in(&EQUATION_OF_MOTION, mechanism)
             .read_in(ClosedForm, &EQUATION_OF_MOTION, holds),

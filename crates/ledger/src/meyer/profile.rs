@@ -16,7 +16,7 @@ use std::sync::OnceLock;
 const BEFORE: Place = at("Chapter II, sentence around Fig. 8");
 const RISE: Place = at("Chapter II, paragraph on the rise time in Fig. 8");
 
-/// A figure of which the copy has the number only.
+/// A figure of which the copy has only the number.
 pub fn lost(id: &'static str, locator: &'static str, meaning: &'static str, printed: &'static str) -> Claim {
     at(locator).figure(id, printed, meaning).missing("The copy we had does not contain the curves")
 }
@@ -134,7 +134,7 @@ fn first_minimum() -> Claim {
             reason: "The first minimum belongs to an engagement that begins at rest. It is too low in every run, and \
                      the less the friction, the lower it is. In a few runs it is within a unit of the tables of the \
                      steady minimum, because the speeds have no decimals.",
-            witness: "Motions in steps of the angle.",
+            witness: "Motions computed in steps of the angle.",
             origin: Origin::Concept,
             consequence: Consequence::Remark,
             changes: "The first minimum is no measure of the rise time. The text takes a rise time from it, which is \

@@ -22,7 +22,10 @@ fn not_fast_enough() -> Claim {
         )
         .by(OtherPlaceInSource, |stated| {
             let least = rows().iter().map(|row| row.number(Column::Rise)).fold(f64::INFINITY, f64::min);
-            Finding::new(least >= stated.pick(TEN, THIRTY), format!("the shortest of Appendix E is {least} s"))
+            Finding::new(
+                least >= stated.pick(TEN, THIRTY),
+                format!("the shortest rise time of Appendix E is {least} s"),
+            )
         })
         .by(RungeKutta, |stated| {
             let times = groups().iter().filter_map(|group| {

@@ -1,7 +1,8 @@
 //! Why a denominator is never zero, and what that does not say: the text between Eqs. (1-18) and (1-19).
 //!
-//! A *singularity* has one meaning here, that of the paragraph: a place where something that the equation, as it is
-//! written, divides by is zero, so that the equation would not be valid. Solved for the acceleration it divides by more.
+//! A *singularity* has one meaning here, the meaning in the paragraph: a place where something that the equation, as it
+//! is written, divides by is zero, so that the equation would not be valid. Solved for the acceleration, it divides by
+//! more.
 
 use super::instants::moments;
 use super::reading::{Letters, Moment};
@@ -79,8 +80,8 @@ fn quantity() -> Vec<Claim> {
             .statement(
                 "meyer.singularity.quantity",
                 r"(1 + a^2 - 2a \cos \theta)",
-                "the quantity whose powers Eq. (1-18) divides by: the square of the pin's distance from the follower's \
-                 axis, over r²",
+                "the quantity whose powers Eq. (1-18) divides by, which is the square of the pin's distance from the \
+                 follower's axis over r²",
             )
             .by(Vectors, |stated| {
                 let holds = moments().iter().all(|moment| {
@@ -242,7 +243,7 @@ fn slots() -> Vec<Claim> {
                 let found = (1..=1000).find(fits);
                 Finding::new(
                     found.is_none() && pins_needed(slots).is_none(),
-                    format!("of 1 to 1000 pins the angles at the hand-over make a right angle for {found:?}"),
+                    format!("with 1 to 1000 pins tried, the angles at the hand-over make a right angle for {found:?}"),
                 )
             })
             .but_not("three slots are ruled out by Eq. (1-3)"),

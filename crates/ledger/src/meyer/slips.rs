@@ -1,4 +1,4 @@
-//! Slips of the project that show in several places, each told once.
+//! Slips of the project that show in several places, each explained once.
 
 use crate::{Consequence, Origin, Slip};
 
@@ -15,7 +15,7 @@ pub const RESET_ANGLE: Slip = Slip {
     changes: "The tables for six and three pins describe no mechanism, and neither do the curves drawn from them.",
 };
 
-/// The inertias of the six-pin runs stand in the heading the other way round.
+/// The inertias of the six-pin runs are swapped in the heading.
 pub const SWAPPED_INERTIAS: Slip = Slip {
     id: "meyer.app-e.6-pin.driver",
     reason: "The heading has the two members swapped, compared with Fig. 11. Only Fig. 11's choice gives the table's \
@@ -39,7 +39,7 @@ pub const SPRING_RATE: Slip = Slip {
     changes: "",
 };
 
-/// 3/2 for other half powers.
+/// The exponent 3/2 is printed for other half powers.
 pub const HALF_POWERS: Slip = Slip {
     id: "meyer.normal-force.substituted",
     reason: "R has the power 1/2, and two whole powers and a half make 5/2. Three displays in a row have 3/2 for \
@@ -53,7 +53,7 @@ pub const HALF_POWERS: Slip = Slip {
     changes: "",
 };
 
-/// I_b for I_D, in five displays.
+/// The letter I_b is printed for I_D, in five displays.
 pub const DRIVER_INDEX: Slip = Slip {
     id: "meyer.momentum-rate.quotient.first-line",
     reason: "The inertia of the driver is I_D, as in Eq. (1-16) before these five displays and in Eq. (1-17) after \
@@ -105,7 +105,7 @@ pub const ARC: Slip = Slip {
     changes: "",
 };
 
-/// One dot for two.
+/// One dot is printed for two.
 pub const LOST_DOTS: Slip = Slip {
     id: "meyer.app-b.example",
     reason: "A second derivative has lost one of its two dots. In the example the text asks for the derivative of the \
@@ -118,7 +118,7 @@ pub const LOST_DOTS: Slip = Slip {
     changes: "",
 };
 
-/// LDX for 1DX.
+/// The name LDX is printed for 1DX.
 pub const ONE_AS_L: Slip = Slip {
     id: "meyer.app-b.example.second",
     reason: "The name begins with the order of the derivative, as 2DX does, but here the letter L stands for the one. \
@@ -143,7 +143,7 @@ pub const SOLVED_WITH_BARS: Slip = Slip {
     changes: "The program does not need its sign S, its old acceleration or its delay line.",
 };
 
-/// A number in a row that nothing explains: neither the mechanism nor the program gives it.
+/// A number in a row that nothing explains, because neither the mechanism nor the program gives it.
 pub const UNEXPLAINED: Slip = Slip {
     id: "",
     reason: "The reset of the program is right for four pins, so mechanism and program agree here, and both differ \

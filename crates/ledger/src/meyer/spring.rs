@@ -1,4 +1,4 @@
-//! Is K a rate of the spring? Places that call the torque a rate of the spring, which it is not, or its constant.
+//! Is K a rate of the spring? Some places call the torque a rate, which it is not, and some a constant.
 
 use super::newton::Newton;
 use super::runs::{Column, Hypothesis, Row, rows};
@@ -37,7 +37,7 @@ pub fn constant(id: &'static str, place: Place, meaning: &'static str, printed: 
 }
 
 /// What K is not.
-const RATE: &str = "a rate: the torque is K times the angle turned";
+const RATE: &str = "a rate, so that the torque is K times the angle turned";
 
 /// A place that has K in inch-pounds per radian, and no word for it: a torque may be so measured.
 pub fn torque_per_radian(

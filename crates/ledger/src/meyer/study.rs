@@ -106,7 +106,7 @@ pub fn of_axis() -> Claim {
     )
 }
 
-/// What the headings of Appendix E say beside their numbers.
+/// The claims in the headings of Appendix E, beside their numbers.
 pub fn of_headings() -> Vec<Claim> {
     vec![
         runs::of_headings(),

@@ -2,8 +2,9 @@
 
 use crate::Symbol;
 
-/// Each printed letter and the symbol of the book's chapters on the source. A letter that stands twice has two meanings
-/// in the source.
+/// Each printed letter and the symbol in the book's chapters on the source.
+///
+/// A letter that is listed twice has two meanings in the source.
 pub const SYMBOLS: &[Symbol] = &[
     Symbol { printed: "r", ours: "r", meaning: "radius of the circle of the pins" },
     Symbol { printed: "c", ours: "c", meaning: "distance of the two axes" },

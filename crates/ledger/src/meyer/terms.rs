@@ -162,8 +162,9 @@ pub const TERMS: [Term; 8] = [
     },
 ];
 
-/// The part of the terminal velocity that may be missing at the end of the rise: the axes of Figs. 10 and 11 have 99 per
-/// cent of it.
+/// The part of the terminal velocity that may be missing at the end of the rise.
+///
+/// The axes of Figs. 10 and 11 have 99 per cent of that velocity.
 pub const MISSING: f64 = 0.01;
 
 /// A start from rest, as the terms measure it.
@@ -171,8 +172,10 @@ pub const MISSING: f64 = 0.01;
 pub struct Start {
     /// The average terminal velocity, in rad/s: the mean of peak and minimum of the steady motion.
     pub velocity: f64,
-    /// The rise times in s: until the velocity is the steady one at each angle, and until the average of peak and minimum
-    /// of an engagement is, each to one per cent.
+    /// The rise times in s, each to one per cent.
+    ///
+    /// The first lasts until the velocity is the steady velocity at each angle, and the second until the average of
+    /// peak and minimum of an engagement is the steady average.
     pub rise_times: [f64; 2],
 }
 
@@ -195,7 +198,7 @@ impl Start {
         Some(Self { velocity, rise_times: [of.until_profile(missing).ok()?, average] })
     }
 
-    /// By equal steps of the angle.
+    /// The start, by equal steps of the angle.
     pub fn by_steps(motion: &Motion) -> Option<Self> {
         let steady = motion.steady()?;
         let average = |of: &by_steps::Engagement| {
