@@ -199,7 +199,7 @@ fn corrected_radius(claim: Claim) -> Claim {
 
 fn drawings() -> Vec<Claim> {
     let drawing = |id, locator, meaning, printed| {
-        let reason = "The copy we had does not contain the drawing, so there is no length to hold a ruler against";
+        let reason = "The copy we had does not contain the drawing, so there is no length to measure";
         at(locator).figure(id, printed, meaning).missing(reason)
     };
     vec![

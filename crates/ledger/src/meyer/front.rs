@@ -38,9 +38,9 @@ fn tables() -> Vec<Claim> {
 }
 
 /// Why the two lists of pages are open.
-const WITHOUT_PAGES: &str = "The copy we had has no page numbers to hold the list against. The pages rise, and each \
-                             figure's page is in the part that the figure belongs to. But with many of these pages \
-                             this would still be true of the next page";
+const WITHOUT_PAGES: &str = "The copy we had has no page numbers to compare the list with. The pages rise, and each \
+                             figure's page is in the part that the figure belongs to. But this would still be true if \
+                             many of these pages were replaced by the next";
 
 /// The names of figures 12 to 14 in the list, each with its claim and its place.
 const DRAWN: [(&str, &str, &str, &str); 3] = [
@@ -72,7 +72,7 @@ fn drawings() -> Vec<Claim> {
             .missing("The copy we had does not contain the drawing, and nothing is computed from it"),
         at("Fig. 2")
             .figure("meyer.fig-2", "SCALE: 2 1/2 to 1", "scale of the drawing of the four-pin mechanism")
-            .missing("The copy we had does not contain the drawing, so there is no length to hold a ruler against"),
+            .missing("The copy we had does not contain the drawing, so there is no length to measure"),
     ]
 }
 

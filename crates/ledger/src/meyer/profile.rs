@@ -93,12 +93,12 @@ fn scales() -> Claim {
         .by(RungeKutta, |stated| changed(stated, quantities_in_steps()))
         .but_not("changing torque and both inertias in one proportion will change them")
         .read_as(
-            "In all runs, some of the torque, the friction and the two inertias change each of the three by a \
-             thousandth or more when we change that parameter alone by a tenth up or down. A change as small counts \
-             for the shape too. The torque changes all three, and velocity and period change with each of the four. \
-             The rise time does not change everywhere. With six pins and a friction of .35, the driver's inertia \
-             changes the rise time, taken to the average, by 0.02 per cent. That is some hundredths of a millisecond, \
-             and the tables have units of one.",
+            "In all runs, each of the three changes by a thousandth or more if we change some of torque, friction and \
+             the two inertias, alone, by a tenth up or down. A change as small counts for the shape too. The torque \
+             changes all three, and velocity and period change with each of the four. The rise time does not change \
+             everywhere. With six pins and a friction of .35, the driver's inertia changes the rise time, taken to \
+             the average, by 0.02 per cent. That is some hundredths of a millisecond, and the tables have units of \
+             one.",
         )
 }
 
