@@ -23,7 +23,11 @@ fn lengths() -> Vec<Claim> {
             .proven(AngleStep::Cosine)
             .by(Vectors, || at_instants(|at| (libm::cos(at.angle()), (at.ratio - at.crank.cos) / at.radius()))),
         at("Eq. (1-4)")
-            .equation("meyer.eq-1-4", r"\cos \phi = \frac{1}{R} (ar - r \cos \theta)", "the same with c = a r")
+            .equation(
+                "meyer.eq-1-4",
+                r"\cos \phi = \frac{1}{R} (ar - r \cos \theta)",
+                "cosine of the follower's angle with c = a r",
+            )
             .proven(AngleStep::CosineByRatio)
             .by(Vectors, || at_instants(|at| (at.radius() * libm::cos(at.angle()), at.ratio - at.crank.cos))),
         at("Fig. 5 and 1st display before Eq. (1-5)")

@@ -42,9 +42,10 @@ fn unit() -> Claim {
             Slip {
                 id: "",
                 reason: "R is the distance of the pin from the follower's axis, which differs from mechanism to \
-                         mechanism; all that follows is computed with the radius r of the pins' circle as one. With \
-                         four slots the two are equal. Whether the copy or the author has the capital cannot be told; \
-                         counted as one of the copy, because r stands right in the displays below.",
+                         mechanism. But all that follows is computed with the radius r of the pins' circle as one. \
+                         With four slots the two are equal. We cannot tell whether the copy or the author put the \
+                         capital. We count it as a mistake of the copy, because r is printed correctly in the \
+                         displays below.",
                 witness: "The appendix computes R three times, with different results.",
                 origin: Origin::Copy,
                 consequence: Consequence::Copy,
@@ -168,13 +169,13 @@ fn corrected_centre(claim: Claim) -> Claim {
         "1.155",
         Slip {
             id: "",
-            reason: "One over the sine of 60° is 2/√3, a little less than printed. With 1.73 for the root, which the \
-                     appendix itself prints to one place more further down, it comes out as printed; a digit may also \
-                     have been misread.",
-            witness: "The hand-over drawn with the roots exact.",
+            reason: "One over the sine of 60° is 2/√3, which is a little less than printed. With 1.73 for the root, \
+                     which the appendix itself prints to one place more further down, the printed number is \
+                     reproduced. But a digit may also have been misread.",
+            witness: "The hand-over, drawn with exact roots.",
             origin: Origin::Arithmetic,
             consequence: Consequence::Number,
-            changes: "The last digit of one centre distance; nothing is computed from it.",
+            changes: "The last digit of one centre distance is wrong, but nothing is computed from it.",
         },
     )
 }
@@ -184,21 +185,21 @@ fn corrected_radius(claim: Claim) -> Claim {
         "0.577",
         Slip {
             id: "",
-            reason: "The ratio of the two printed sines is one over the root of three. No rounding of them gives the \
-                     printed digits, nor does the printed centre distance. The middle digit is another: misprinted, or \
-                     misread in the copy, which cannot be told.",
-            witness: "The hand-over drawn with the roots exact.",
+            reason: "The ratio of the two printed sines is one over the root of three. No rounding of the sines gives \
+                     the printed digits, nor does the printed centre distance. The middle digit is different, and we \
+                     cannot tell whether it was misprinted or misread in the copy.",
+            witness: "The hand-over, drawn with exact roots.",
             origin: Origin::Misprint,
             consequence: Consequence::Result,
-            changes: "A follower of six pins cut to that radius would be too small: the pins would leave their slots \
-                      before the next ones have entered.",
+            changes: "A follower for six pins cut to that radius would be too small, so the pins would leave their \
+                      slots before the next ones have entered.",
         },
     )
 }
 
 fn drawings() -> Vec<Claim> {
     let drawing = |id, locator, meaning, printed| {
-        let reason = "The drawing is not in the copy, so that there is no length to hold a rule against";
+        let reason = "The copy we had does not contain the drawing, so there is no length to measure";
         at(locator).figure(id, printed, meaning).missing(reason)
     };
     vec![

@@ -10,9 +10,9 @@ pub fn claims() -> Vec<Claim> {
                 "as many as fifty turns",
                 "the greatest number of turns that the spring motor gives",
             )
-            .missing("Length and thickness of the strip and the radii of its spools are not given"),
+            .missing("The thesis does not give the length and thickness of the strip or the radii of its spools"),
         at("Fig. 15, caption")
             .figure("meyer.fig-15", "Neg'ator B Motor", "a schematic drawing of the spring motor")
-            .missing("The drawing is not in the copy, and the text gives no size of the motor"),
+            .missing("The copy we had does not contain the drawing, and the text gives no size of the motor"),
     ]
 }

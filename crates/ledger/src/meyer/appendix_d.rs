@@ -27,12 +27,12 @@ fn needed() -> Claim {
         .statement(
             "meyer.app-d.needed",
             "requires a value for the second derivative",
-            "without a line of its own for the start the program would have no acceleration to begin with",
+            "the program would have no acceleration to begin with if the start did not have a line of its own",
         )
         .missing(
-            "What the delay gives before there is a value is not said. If it gives nothing, F has no sign at the start, and \
-             a value is required; if it gives zero, the line of the motion begins by itself, with the same first \
-             acceleration, because a pin enters along its slot, where the friction has no arm",
+            "The thesis does not say what the delay gives before there is a value. If it gives nothing, F has no sign \
+             at the start, so a value is required. If it gives zero, the line of the motion begins by itself, with \
+             the same first acceleration, because a pin enters along its slot, where the friction has no arm",
         )
 }
 
@@ -49,7 +49,7 @@ fn given() -> Vec<Claim> {
                 )
             })
             .by(ClosedForm, |stated| start_solves(stated.number() + stated.pick(0.0, 1.0)))
-            .but_not("it starts at the speed one"),
+            .but_not("it starts at a speed of one"),
         at("Appendix D, 2nd display")
             .statement(
                 "meyer.app-d.angles",
@@ -78,10 +78,13 @@ fn given() -> Vec<Claim> {
                 let holds = angles.iter().all(|angle| {
                     Mechanism::ALL.iter().filter(|at| vanishes(PinKinematics::new(at, -angle).turning())).count() == 1
                 });
-                Finding::new(holds, "the pin moves along its slot, each angle in one of the three escapements")
+                Finding::new(holds, "the pin moves along its slot, at each angle in one of the three escapements")
             })
             .but_not("three, four, or five pins")
-            .read_as("in no order: the sentence does not say which angle belongs to which number of pins"),
+            .read_as(
+                "We take the angles in no particular order, because the sentence does not say which angle belongs to \
+                 which number of pins.",
+            ),
     ]
 }
 
@@ -167,8 +170,8 @@ fn equations() -> Vec<Claim> {
             .statement(
                 "meyer.app-d.letters",
                 "V be the value of D",
-                "R is A at the start and V is D there, in the program its size; D is zero there, because a pin enters \
-                 where a cos θ = 1",
+                "at the start R is A and V is D (in the program, the size of D); D is zero there, because a pin \
+                 enters where a cos θ = 1",
             )
             .by(ClosedForm, |stated| {
                 // At every angle, as D vanishes at the start itself.
@@ -176,7 +179,10 @@ fn equations() -> Vec<Claim> {
                     let [r, v] = ["R", "V"].map(|name| start_line(name, &at));
                     agrees(r, c.a) && vanishes(v - stated.pick(c.d, c.c).abs())
                 });
-                Finding::new(holds, "the program's lines of R and V against the factors of the equation of motion")
+                Finding::new(
+                    holds,
+                    "the program's lines of R and V, compared with the factors of the equation of motion",
+                )
             })
             .by(Vectors, |stated| {
                 at_instants(|seen| {
@@ -202,7 +208,7 @@ fn equations() -> Vec<Claim> {
                     let own: Vec<f64> = of_slots(*mechanism).map(|(_, c)| stated.pick(c.e, c.a)).collect();
                     own.iter().all(|factor| agrees(*factor, own[0]))
                 });
-                Finding::new(holds, "the factor all over the engagement of each mechanism")
+                Finding::new(holds, "the factor over the whole engagement of each mechanism")
             })
             .by(OtherPlaceInSource, |stated| {
                 let line = stated.pick("meyer.factor-e", "meyer.factor-a");
@@ -215,10 +221,10 @@ fn equations() -> Vec<Claim> {
                 let holds = (0..=9).all(|k| agrees(at(f64::from(k) / 9.0), at(0.0)));
                 Finding::new(holds, "the substitution before Eq. (1-19), read and evaluated at ten angles")
             })
-            .but_not("so is A"),
+            .but_not("A is the same at all angles too"),
         starting(
             ("meyer.app-d.with-letters", "Appendix D, 2nd equation"),
-            "the same with the letters of the start",
+            "Eq. (1-19) at rest, with the letters of the start",
             r"R\ddot{\theta} + |V\dot{\theta}| = E",
             r"R\ddot{\theta} + |V\ddot{\theta}| = E",
         ),
@@ -242,13 +248,16 @@ fn equations() -> Vec<Claim> {
                 let powers = (0..=600).map(|k| libm::pow(10.0, f64::from(k) / 100.0 - 3.0));
                 left(0.0) < c.e && powers.into_iter().any(|angular_acceleration| left(angular_acceleration) >= c.e)
             };
-            Finding::new(poses().all(|(_, c)| reaches(&c)), "the left side was followed along positive accelerations")
+            Finding::new(poses().all(|(_, c)| reaches(&c)), "we followed the left side along positive accelerations")
         })
-        .but_not("and so it always goes on, however fast it turns")
-        .read_as("at the start, with less friction than the critical one, A > |D|, or with any: D is zero there"),
+        .but_not("the driver always goes on accelerating in that direction, however fast it turns")
+        .read_as(
+            "We take the start with less friction than the critical value, so that A > |D|, or with any friction, \
+             because D is zero there.",
+        ),
         starting(
             ("meyer.app-d.outside", "Appendix D, 3rd equation"),
-            "the same with the acceleration outside the bars",
+            "the equation at rest, with the letters of the start and the acceleration outside the bars",
             r"R\ddot{\theta} + |V|\dot{\theta} = E",
             r"R\ddot{\theta} + |V|\ddot{\theta} = E",
         ),
@@ -256,7 +265,7 @@ fn equations() -> Vec<Claim> {
             .equation(
                 "meyer.app-d.acceleration",
                 r"\ddot{\theta}_0 = \frac{E}{R + |V|}",
-                "the acceleration at the start; with V = 0 it is K over the driver's inertia",
+                "the acceleration at the start, which with V = 0 is K over the driver's inertia",
             )
             .proven_by(start)
             .read(ClosedForm, from_rest),
@@ -264,7 +273,7 @@ fn equations() -> Vec<Claim> {
             .statement(
                 "meyer.app-d.program-form",
                 "of the form to be used in the computer program",
-                "the program's line for the first acceleration is this equation; its V has the bars already",
+                "the program's line for the first acceleration is this equation, with the bars already in V",
             )
             .by(ClosedForm, |stated| {
                 // Any numbers at all: the two must be the same formula.
@@ -281,14 +290,17 @@ fn equations() -> Vec<Claim> {
             .by(Vectors, |stated| {
                 let line = start_formula().replace('V', stated.pick("V", "0"));
                 let holds = holds_from_rest(&format!(r"\text{{2DX}} = {line}"));
-                Finding::new(holds == Some(true), "the program's line, against what both members ask for from rest")
+                Finding::new(
+                    holds == Some(true),
+                    "the program's line, compared with what both members require from rest",
+                )
             })
             .but_not("the program's line is this equation without V"),
         at("Appendix D, last sentence")
             .statement(
                 "meyer.app-d.always-positive",
                 "in the direction of the torque K",
-                "R is positive, so that the first acceleration is in the direction of the torque",
+                "R is positive, so the first acceleration is in the direction of the torque",
             )
             .by(ClosedForm, |stated| {
                 let holds = poses().all(|(_, c)| stated.pick(c.a, c.d) > 0.0);
@@ -300,7 +312,7 @@ fn equations() -> Vec<Claim> {
                         let factor = letter(stated.pick("A", "D"));
                         (factor.abs(), factor)
                     },
-                    "the size of the factor, from Newton's laws, and the factor",
+                    "the size of the factor by Newton's laws, and the factor itself",
                 )
             })
             .but_not("V, without bars, is always positive too"),

@@ -23,7 +23,7 @@ impl Group {
         self.rows.first().map_or(f64::NAN, |first| (row.torque() / first.torque()).sqrt())
     }
 
-    /// The same for the row with the greatest torque.
+    /// The scale of the row with the greatest torque.
     pub fn greatest_scale(&self) -> f64 {
         self.rows.iter().map(|row| self.scale(row)).fold(0.0, f64::max)
     }
@@ -70,7 +70,7 @@ const MOST: usize = 200;
 const REPEATED: f64 = 1e-12;
 
 impl Motion {
-    /// From rest; that of a group of runs is not made again. None if it does not come to repeat itself.
+    /// A motion from rest; the motion of a group of runs is not made again. None if it does not come to repeat itself.
     pub fn repeating(parameters: &Parameters) -> Option<Cow<'static, Self>> {
         let known = groups().iter().map(|group| &group.motion).find(|motion| motion.parameters == *parameters);
         known.map(Cow::Borrowed).or_else(|| Self::of(parameters).map(Cow::Owned))
@@ -86,7 +86,7 @@ impl Motion {
         motion
     }
 
-    /// The same, made now.
+    /// A motion from rest until it repeats itself, computed now.
     fn of(parameters: &Parameters) -> Option<Self> {
         let mut motion = Self::from_rest(parameters, 1);
         for _ in 0..MOST {
@@ -99,7 +99,7 @@ impl Motion {
         None
     }
 
-    /// So many engagements from rest, at least one.
+    /// A motion of so many engagements from rest, at least one.
     pub fn from_rest(parameters: &Parameters, engagements: usize) -> Self {
         let reset = 2.0 * parameters.mechanism().engagement_half_angle();
         let course = Course::of_engagement(parameters, reset, STEPS);
@@ -226,7 +226,7 @@ impl Engagement {
         self.times.last().copied().unwrap_or(f64::NAN)
     }
 
-    /// How long it lasts.
+    /// How long the engagement lasts.
     pub fn duration(&self) -> f64 {
         self.finish() - self.times.first().copied().unwrap_or(f64::NAN)
     }

@@ -37,7 +37,7 @@ fn angle_sum() -> Vec<Claim> {
                         let [driver, follower, _] = angles_of_the_triangle(at);
                         agrees(driver + follower + PI / 2.0, PI)
                     },
-                    "the two angles at the axes measured, and a right angle",
+                    "the two angles at the axes and a right angle, measured",
                 )
             }),
         at("Eq. (1-3), 2nd line")
@@ -56,7 +56,7 @@ fn angle_sum() -> Vec<Claim> {
             .equation(
                 "meyer.angle-sum",
                 r"\frac{\pi}{m} + \frac{\pi}{n} = \frac{\pi}{2}",
-                "the same by the numbers of pins and slots",
+                "sum of the two acute angles, by the numbers of pins and slots",
             )
             .proven(PinsAndSlots::AngleSum)
             .by(Vectors, || {
@@ -77,7 +77,7 @@ fn angle_sum() -> Vec<Claim> {
                 let holds = (3..=100).all(|n| {
                     (1..=100).all(|m| makes_a_quarter(m, n) == pins_needed(n).is_some_and(|pins| pins == whole(m)))
                 });
-                Finding::new(holds, "of all numbers to 100 the same satisfy both lines")
+                Finding::new(holds, "of all numbers up to 100, the same ones satisfy both lines")
             }),
         at("Paragraph after Eq. (1-3)")
             .statement("meyer.continuous", "continuous motion", "the two conditions make the motion continuous")
@@ -97,9 +97,13 @@ fn angle_sum() -> Vec<Claim> {
                     let drawn = Drawn { pins, slots, axis: 1.0 / libm::sin(PI / f64::from(slots)) };
                     turned_by_a_pin(&drawn) * f64::from(slots) / (2.0 * PI)
                 });
-                every(missing, |slots| (slots - 1.0).abs() < 1e-9, "slots that the follower is carried by each pin")
+                every(
+                    missing,
+                    |slots| (slots - 1.0).abs() < 1e-9,
+                    "number of slots by which each pin carries the follower",
+                )
             })
-            .but_not("with Eq. (1-1) and a pin more than Eq. (1-3) has it is continuous too"),
+            .but_not("with Eq. (1-1) and one pin more than Eq. (1-3) gives, the motion is continuous too"),
     ]
 }
 
@@ -110,7 +114,7 @@ fn combinations() -> Vec<Claim> {
     let [first, second, third] = TABLE;
     vec![
         at("Sentence before the table of Eq. (1-3)")
-            .statement("meyer.only-three", "only three", "three combinations of whole numbers, and no more")
+            .statement("meyer.only-three", "only three", "there are three combinations of integers, and no more")
             .by(ExactIdentity, |stated| {
                 let Finding { holds, how, .. } = prove(&PinsAndSlots::Factors).into();
                 let found = possible().len();
@@ -123,7 +127,7 @@ fn combinations() -> Vec<Claim> {
                 let found = found_by_trying().len();
                 Finding::new(
                     found == stated.pick(stated.count() as usize, 4),
-                    format!("all numbers to 100 tried, {found} found"),
+                    format!("we tried all numbers up to 100 and found {found}"),
                 )
             })
             .but_not("four combinations"),
@@ -139,7 +143,7 @@ fn combinations() -> Vec<Claim> {
 fn remarks() -> Vec<Claim> {
     vec![
         REMARK
-            .statement("meyer.fewer-pins", "m decreases", "the more slots, the fewer pins")
+            .statement("meyer.fewer-pins", "m decreases", "with more slots there are fewer pins")
             .by(LimitCase, |stated| {
                 // More pins before than behind; and no more than in inverse proportion.
                 let holds = (3..1000).all(|n| {
@@ -167,7 +171,7 @@ fn remarks() -> Vec<Claim> {
             })
             .but_not("m decreases in inverse proportion"),
         REMARK
-            .statement("meyer.two-pins", "2", "after three pins come two, for slots without end")
+            .statement("meyer.two-pins", "2", "after three pins come two, with infinitely many slots")
             .by(ExactIdentity, |stated| {
                 let Finding { holds, how, .. } = prove(&PinsAndSlots::NeverTwo).into();
                 let above = [1_000, 1_000_000, 1_000_000_000].map(|n| {
@@ -177,7 +181,10 @@ fn remarks() -> Vec<Claim> {
                 let falls = above.windows(2).all(|pair| pair[1] > 0.0 && pair[1] < pair[0] / 100.0);
                 Finding::new(
                     holds && falls,
-                    format!("pins above it with a thousand, a million and 10⁹ slots: {above:?}; {how}"),
+                    format!(
+                        "how far the number of pins is above it with a thousand, a million and 10⁹ slots: {above:?}; \
+                         {how}"
+                    ),
                 )
             })
             .by(Vectors, |stated| {
@@ -186,15 +193,15 @@ fn remarks() -> Vec<Claim> {
                 let tangent = Drawn::velocity(crank);
                 Finding::new(
                     vanishes(tangent.y),
-                    format!("at π/m the pin's path and the line of centres part by {:.3} a unit", tangent.y),
+                    format!("at π/m the pin's path and the line of centres diverge by {:.3} per unit", tangent.y),
                 )
             })
-            .but_not("one pin for slots without end"),
+            .but_not("one pin, with infinitely many slots"),
         REMARK
             .statement(
                 "meyer.tangent",
                 "coincident with the centerline",
-                "as it enters and leaves, the pin's path runs along the slot's centre line",
+                "as the pin enters and leaves, its path runs along the slot's centre line",
             )
             .by(ExactIdentity, |stated| {
                 let along: fn(&HandOver) -> bool =
@@ -214,7 +221,7 @@ fn remarks() -> Vec<Claim> {
                 });
                 every(parts, |part| part.abs() < 1e-5, "part of a small step of the pin that is off that line")
             })
-            .but_not("so it does if the follower has a slot more"),
+            .but_not("the path runs along it too if the follower has a slot more"),
     ]
 }
 

@@ -50,11 +50,11 @@ fn timing() -> Claim {
             });
             of_groups(settled.collect())
         })
-        .but_not("so it can with a fifth more friction")
+        .but_not("it keeps the same period with a fifth more friction")
         .read_as(
-            "A timing device of no stated accuracy, as in the abstract: whether it starts from rest, slowly or fast \
-             forwards, every run comes to one terminal velocity, and its engagements then last equally long as long as \
-             nothing changes.",
+            "We ask for a timing device of no stated accuracy, as in the abstract. Whether it starts from rest, \
+             slowly or fast forwards, every run comes to one terminal velocity, and its engagements then all take the \
+             same time, as long as nothing changes.",
         )
 }
 
@@ -86,11 +86,11 @@ fn small_variations() -> Claim {
             "small changes of the parameters change the motion little",
         )
         .missing(
-            "What would be serious is not said, and three measures that suggest themselves disagree. In all runs one per \
-             cent of torque, friction or an inertia changes peak, minimum and period of the steady motion by less than \
-             one per cent. The rise time, by the velocity at each angle, it changes by more in some; by the average of \
-             peak and minimum in none, but a few per cent can take off a whole engagement, half of the time. And what keeps \
-             time by it gains or loses minutes a day",
+            "The thesis does not say what would be serious, and three measures that suggest themselves disagree. In \
+             all runs, one per cent of torque, friction or an inertia changes peak, minimum and period of the steady \
+             motion by less than one per cent. In some runs it changes the rise time, by the velocity at each angle, \
+             by more. By the average of peak and minimum it does so in none, but a few per cent can take off a whole \
+             engagement, half of the time. And a clock that goes by the mechanism gains or loses minutes a day",
         )
 }
 

@@ -50,7 +50,7 @@ fn energy() -> Vec<Claim> {
             .read(ClosedForm, holds)
             .corrected(r"T = \frac{1}{2} I_D \dot{\theta}^2 + \frac{1}{2} I_f \dot{\phi}^2", PHI_AS_THETA),
         at("Line before Eq. (1-16)")
-            .statement("meyer.kinetic-energy.replaced", r"\dot{\theta}", "the rate that Eq. (1-7) is put in for")
+            .statement("meyer.kinetic-energy.replaced", r"\dot{\theta}", "the rate that Eq. (1-7) replaces")
             .by(ClosedForm, |stated| reads_in_place_of(stated.pick("phi'", "theta'")))
             .by(ExactIdentity, |stated| {
                 let energy = named("meyer.kinetic-energy");
@@ -64,7 +64,7 @@ fn energy() -> Vec<Claim> {
                     r"T = \frac{1}{2} I_D \dot{\theta}^2 + \frac{1}{2} I_f \frac{(a \cos \theta - ",
                     r"1)^2}{(1+a^2-2a \cos \theta)^2} \dot{\theta}^2"
                 ),
-                "kinetic energy with Eq. (1-7) put in",
+                "kinetic energy with Eq. (1-7) substituted",
             )
             .proven_by(mechanism)
             .read(ClosedForm, holds),
@@ -75,7 +75,7 @@ fn energy() -> Vec<Claim> {
                     r"T = \frac{1}{2} \left[I_D + \frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} ",
                     r"I_f \right] \dot{\theta}^2"
                 ),
-                "kinetic energy by the speed of the driver alone",
+                "kinetic energy in terms of the driver's speed alone",
             )
             .proven_by(mechanism)
             .read(ClosedForm, holds),
@@ -88,7 +88,7 @@ fn set_up() -> Vec<Claim> {
             .equation(
                 "meyer.position-rate.set-up",
                 POSITION_RATE_SET_UP,
-                "derivative of the kinetic energy by θ, to be worked out",
+                "derivative of the kinetic energy with respect to θ, still to be worked out",
             )
             .decided(proven_of_the_energy)
             .read(ClosedForm, of_the_energy),
@@ -99,7 +99,7 @@ fn set_up() -> Vec<Claim> {
                     r"\frac{\partial T}{\partial \dot{\theta}} = \left[I_D + \frac{(a \cos \theta - ",
                     r"1)^2}{(1+a^2-2a \cos \theta)^2} I_f \right] \dot{\theta}"
                 ),
-                "derivative of the kinetic energy by the speed",
+                "derivative of the kinetic energy with respect to the speed",
             )
             .proven_by(mechanism)
             .read(ClosedForm, holds),
@@ -111,7 +111,7 @@ fn set_up() -> Vec<Claim> {
                     r"\left[\left\{ I_D + \frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos \theta)^2} I_f ",
                     r"\right\} \dot{\theta} \right]"
                 ),
-                "its rate, to be worked out",
+                "rate of that derivative, still to be worked out",
             )
             .decided(|tex| proven_of(tex, r"\frac{d}{dt}", r"\frac{\partial T}{\partial \dot{\theta}}", mechanism))
             .read(ClosedForm, |tex| {
@@ -152,8 +152,8 @@ fn by_quotient() -> Vec<Claim> {
                     r"\theta \dot{\theta})}{(1+a^2-2a \cos \theta)^4} \right\} \right]"
                 ),
                 miscopied(
-                    "By the rule for quotients the term is subtracted. The minus sign has moved into the bracket; the \
-                     next display has it in its place. The brackets of the line do not match either.",
+                    "By the rule for quotients the term is subtracted. The minus sign has moved into the bracket, but \
+                     the next display has it in its place. The brackets of the line do not match either.",
                 ),
             ),
     ]
@@ -170,7 +170,7 @@ fn by_speed() -> Vec<Claim> {
                     r"\dot{\theta})}{(1+a^2-2a \cos \theta)^2} - \frac{(a \cos \theta - 1)^2 (2)(2a \sin ",
                     r"\theta \dot{\theta})}{(1+a^2-2a \cos \theta)^3} \right]"
                 ),
-                "what the turning of the follower's place adds, with common factors cancelled",
+                "the part that comes from the turning of the follower's place, with common factors cancelled",
             )
             .proven_in(&CANCELLED, mechanism)
             .read_in(ClosedForm, &CANCELLED, holds),
@@ -183,7 +183,7 @@ fn by_speed() -> Vec<Claim> {
                     r"\cos \theta)^2} \left\{ 1 + \frac{2(a \cos \theta - 1)}{(1+a^2-2a \cos \theta)} ",
                     r"\right\} \right]"
                 ),
-                "the same with its factors outside the braces",
+                "that part with its factors outside the braces",
             )
             .proven_in(&FACTORED, mechanism)
             .read_in(ClosedForm, &FACTORED, holds),
@@ -216,8 +216,8 @@ fn by_angle() -> Vec<Claim> {
                     r"\left[\frac{1}{2} \left\{ I_b + \frac{(a \cos \theta - 1)^2}{(1+a^2-2a \cos ",
                     r"\theta)^2} I_f \right\} \dot{\theta}^2 \right]"
                 ),
-                "the derivative by θ, taken up again; it does not depend on the letter, but what stands in the \
-                 brackets is not the kinetic energy",
+                "the derivative with respect to θ, taken up again. The derivative does not depend on the letter, but \
+                 the expression in the brackets is not the kinetic energy",
             )
             .decided(proven_of_the_energy)
             .read(ClosedForm, of_the_energy)
@@ -274,7 +274,7 @@ fn by_angle() -> Vec<Claim> {
 /// A step of the derivative by θ.
 fn by_theta(id: &'static str, locator: &'static str, printed: &'static str) -> Claim {
     at(locator)
-        .equation(id, printed, "derivative of the kinetic energy by θ, a step further")
+        .equation(id, printed, "derivative of the kinetic energy with respect to θ, one step further")
         .proven_by(mechanism)
         .read(ClosedForm, holds)
 }
@@ -287,7 +287,11 @@ fn letter_b(
     corrected: &'static str,
 ) -> Claim {
     at(locator)
-        .equation(lines[0], printed, "rate of the derivative by the speed: what the driver's acceleration adds")
+        .equation(
+            lines[0],
+            printed,
+            "what the driver's acceleration adds to the rate of the derivative with respect to the speed",
+        )
         .proven_in(lines, mechanism)
         .read_in(ClosedForm, lines, holds)
         .corrected(corrected, DRIVER_INDEX)
@@ -298,7 +302,7 @@ fn of_the_energy(tex: &str) -> Option<bool> {
     instants::holds_of(tex, BY_ANGLE, "T")
 }
 
-/// The same, proven.
+/// Whether a display of ∂T/∂θ is proven, and what it differentiates is the kinetic energy.
 fn proven_of_the_energy(tex: &str) -> Finding {
     proven_of(tex, BY_ANGLE, "T", mechanism)
 }
@@ -310,5 +314,8 @@ fn reads_in_place_of(rate: &str) -> Finding {
         let ratio = characters("meyer.eq-1-7").rsplit_once('=');
         ratio.is_some_and(|(_, ratio)| agrees(reading::value(ratio, letters), letter(rate)))
     });
-    Finding::new(holds, if holds { "Eq. (1-7), read and evaluated, is this rate" } else { "Eq. (1-7) is another rate" })
+    Finding::new(
+        holds,
+        if holds { "Eq. (1-7), read and evaluated, gives this rate" } else { "Eq. (1-7) gives another rate" },
+    )
 }

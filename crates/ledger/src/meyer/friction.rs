@@ -59,7 +59,7 @@ fn torque() -> Vec<Claim> {
             .equation(
                 "meyer.friction-torque",
                 r"\tau_2 = h\mu N = c \sin \phi \mu N",
-                "size of the torque of friction: its moment arm c sin φ is how far the pin slides per radian",
+                "size of the friction torque, whose moment arm c sin φ is how far the pin slides per radian",
             )
             .proven_by(size)
             .read(ClosedForm, as_size),
@@ -68,12 +68,16 @@ fn torque() -> Vec<Claim> {
             .equation(
                 "meyer.friction-torque.opposing",
                 r"\tau_2 = -|c \sin \phi \mu N| = -\mu c |N \sin \phi|",
-                "the same with its sign",
+                "friction torque with its sign",
             )
             .proven_by(triangle)
             .read(ClosedForm, holds),
         at("3rd display after Fig. 6")
-            .equation("meyer.friction-torque.by-ratio", r"\tau_2 = -ar\mu |N \sin \phi|", "the same with c = a r")
+            .equation(
+                "meyer.friction-torque.by-ratio",
+                r"\tau_2 = -ar\mu |N \sin \phi|",
+                "friction torque with its sign and c = a r",
+            )
             .proven_by(triangle)
             .read(ClosedForm, holds),
         at("Eq. (1-11)")
@@ -102,7 +106,7 @@ fn normal_force() -> Vec<Claim> {
             .equation(
                 "meyer.moments",
                 r"NR = I_P \ddot{\theta}",
-                "moments on the follower about its axis; friction along the slot has none",
+                "moments on the follower about its axis, where friction along the slot has none",
             )
             .proven_by(mechanism)
             .read(ClosedForm, holds)
@@ -122,7 +126,7 @@ fn normal_force() -> Vec<Claim> {
             .equation(
                 "meyer.slot-radius",
                 r"R = r(1 + a^2 - 2a \cos \theta)^{1/2}",
-                "the same, which holds on the line of centres too",
+                "distance of the pin from the follower's axis, in a form that holds on the line of centres too",
             )
             .proven_by(triangle)
             .read(ClosedForm, holds),
@@ -136,12 +140,12 @@ fn normal_force() -> Vec<Claim> {
             .read(ClosedForm, holds)
             .corrected(r"N = \frac{I_f \ddot{\phi}}{R}", PHI_AS_THETA),
         at("2nd display of N before Eq. (1-13)")
-            .equation("meyer.normal-force.substituted", SUBSTITUTED, "the same with Eq. (1-8) and R put in")
+            .equation("meyer.normal-force.substituted", SUBSTITUTED, "normal force with Eq. (1-8) and R substituted")
             .proven_by(mechanism)
             .read(ClosedForm, holds)
             .corrected(SUBSTITUTED_CORRECTED, HALF_POWERS),
         at("Eq. (1-13)")
-            .equation("meyer.eq-1-13", NORMAL_FORCE, "the same with R drawn into the brackets")
+            .equation("meyer.eq-1-13", NORMAL_FORCE, "normal force with R multiplied into the brackets")
             .proven_by(mechanism)
             .read(ClosedForm, holds)
             .corrected(NORMAL_FORCE_CORRECTED, HALF_POWERS),
@@ -154,20 +158,20 @@ fn substituted() -> Vec<Claim> {
             .equation(
                 "meyer.friction-torque.substituted",
                 FRICTION_SUBSTITUTED,
-                "torque of friction with the normal force put in",
+                "friction torque with the normal force substituted",
             )
             .proven_by(mechanism)
             .read(ClosedForm, holds)
             .corrected(FRICTION_SUBSTITUTED_CORRECTED, HALF_POWERS),
         at("Eq. (1-14)")
-            .equation("meyer.eq-1-14", FRICTION_OF_MOTION, "torque of friction from the motion of the driver alone")
+            .equation("meyer.eq-1-14", FRICTION_OF_MOTION, "friction torque from the motion of the driver alone")
             .proven_by(mechanism)
             .read(ClosedForm, holds),
         at("Line after Eq. (1-14)")
             .statement(
                 "meyer.outside-the-bars",
                 "always positive",
-                "r and the follower's inertia are positive and may stand outside the bars",
+                "r and the follower's inertia are positive, so they may stand outside the bars",
             )
             .by(Vectors, |stated| {
                 equal(
@@ -175,7 +179,7 @@ fn substituted() -> Vec<Claim> {
                         let factor = letter("r") * letter("I_f") * stated.pick(1.0, letter("N"));
                         (letter("friction").abs(), factor * (letter("friction") / factor).abs())
                     },
-                    "bars around all, and around what is left of them",
+                    "bars around the whole expression, and around what is left of it between them",
                 )
             })
             .by(ClosedForm, |stated| {
@@ -201,10 +205,10 @@ fn substituted() -> Vec<Claim> {
                 });
                 Finding::new(
                     holds,
-                    "what stands between the bars by the equation of motion, at 18 angles and three speeds",
+                    "the expression between the bars, by the equation of motion, at 18 angles and three speeds",
                 )
             })
-            .but_not("the normal force is always positive too, and may stand outside them"),
+            .but_not("the normal force is always positive too, so it may stand outside them"),
     ]
 }
 
@@ -221,7 +225,7 @@ fn spring() -> Vec<Claim> {
         no_rate(
             "meyer.spring-rate",
             at("Line after Eq. (1-15)"),
-            "what K is called",
+            "the name that K is given",
             "torsional spring rate in inch-pounds per radian",
             "torque of the spring in inch-pounds per radian",
         ),
@@ -270,8 +274,9 @@ fn as_size(tex: &str) -> Option<bool> {
     reading::holds(tex, with_size)
 }
 
-/// A drawing of which the copy has the caption only.
+/// A drawing of which the copy has only the caption.
 fn lost_drawing(id: &'static str, locator: &'static str, meaning: &'static str, printed: &'static str) -> Claim {
-    let reason = "The drawing is not in the copy. What the text reads off it are claims of their own";
+    let reason = "The copy we had does not contain the drawing. We list what the text reads off it as claims of their \
+                  own";
     at(locator).figure(id, printed, meaning).missing(reason)
 }

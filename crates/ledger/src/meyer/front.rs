@@ -38,8 +38,9 @@ fn tables() -> Vec<Claim> {
 }
 
 /// Why the two lists of pages are open.
-const WITHOUT_PAGES: &str = "The copy has no page numbers to hold the list against. The pages rise, and each figure's page is \
-                             in the part that the figure belongs to; with many a next page they would do so too";
+const WITHOUT_PAGES: &str = "The copy we had has no page numbers to compare the list with. The pages rise, and each \
+                             figure's page is in the part that the figure belongs to. But this would still be true if \
+                             many of these pages were replaced by the next";
 
 /// The names of figures 12 to 14 in the list, each with its claim and its place.
 const DRAWN: [(&str, &str, &str, &str); 3] = [
@@ -57,8 +58,8 @@ fn mechanisms() -> Vec<Claim> {
             .by(Vectors, move |stated| has_its_distance(stated, which))
             .but_not("the mechanism of the next of the three drawings")
             .read_as(
-                "Appendix A computes the sizes for the drawings, which come behind it, in its own order: the first for the \
-                 first.",
+                "Appendix A computes the sizes for the drawings, which come after it, in its own order. We take its \
+                 first computation for the first drawing.",
             )
     };
     (0..DRAWN.len()).map(of).collect()
@@ -68,10 +69,10 @@ fn drawings() -> Vec<Claim> {
     vec![
         at("Fig. 1")
             .figure("meyer.fig-1", "RUNAWAY ESCAPEMENT", "the escapement that is to be replaced")
-            .missing("The drawing is not in the copy, and nothing is computed from it"),
+            .missing("The copy we had does not contain the drawing, and nothing is computed from it"),
         at("Fig. 2")
             .figure("meyer.fig-2", "SCALE: 2 1/2 to 1", "scale of the drawing of the four-pin mechanism")
-            .missing("The drawing is not in the copy, so that there is no length to hold a rule against"),
+            .missing("The copy we had does not contain the drawing, so there is no length to measure"),
     ]
 }
 
@@ -91,7 +92,7 @@ pub fn page_of_definition() -> Claim {
             let said = said_page(stated);
             Finding::new(
                 (before + 1..after).contains(&said),
-                format!("Fig. 8 is on page {before}, Fig. 9 on page {after}; said is {said}"),
+                format!("Fig. 8 is on page {before}, Fig. 9 on page {after}; the page given is {said}"),
             )
         })
         .by(LimitCase, |stated| {

@@ -26,7 +26,7 @@ fn more_torque() -> Claim {
         .statement(
             "meyer.more-torque",
             "the lower the rise time, and the greater the terminal velocity",
-            "more torque, more speed and less rise time",
+            "more torque gives more speed and less rise time",
         )
         .by(Quadrature, |stated| {
             let pairs: Vec<_> = series().flat_map(|own| own.windows(2)).collect();
@@ -42,8 +42,8 @@ fn more_torque() -> Claim {
             Finding::new(
                 !pairs.is_empty() && right == pairs.len(),
                 format!(
-                    "so it is for {right} of {} pairs of neighbouring rows; of the rise times that Appendix E prints, \
-                     {} of {} go up with the torque and {} stay",
+                    "this holds for {right} of {} pairs of neighbouring rows; of the rise times that Appendix E \
+                     prints, {} of {} go up with the torque and {} stay the same",
                     pairs.len(),
                     printed.up,
                     printed.pairs,
@@ -54,8 +54,9 @@ fn more_torque() -> Claim {
         .by(ExactIdentity, |stated| scaling(stated.pick(1, 2)))
         .but_not("the lower the rise time, and in proportion the greater the terminal velocity")
         .read_as(
-            "Of the mechanisms, with all else kept. Read of the rise times of Appendix E, which the graphs sum up, it would \
-             fail in 4 of 37 pairs of neighbouring rows: in 2 the printed time goes up with the torque, in 2 it stays.",
+            "We take the mechanisms, with all else kept. For the rise times of Appendix E, which the graphs sum up, \
+             the claim would fail in 4 of 37 pairs of neighbouring rows. In 2 of them the printed time goes up with \
+             the torque, and in 2 it stays the same.",
         )
 }
 
@@ -64,7 +65,7 @@ fn least_rise_time() -> Claim {
         .statement(
             "meyer.least-rise-time",
             "reach a certain minimum",
-            "the rise time does not fall below a least one, however strong the spring",
+            "the rise time does not fall below a least value, however strong the spring",
         )
         .by(Quadrature, |stated| {
             // The power of the torque with which a rise time goes where the torque is great.
@@ -82,26 +83,26 @@ fn least_rise_time() -> Claim {
             Finding::new(
                 holds && found.len() == 2 * series().count(),
                 format!(
-                    "a million times the torque of the tables and four times as much: the rise time goes as the power \
-                     {:.6} of it, with every mechanism and friction of the runs",
+                    "with a million times the torque of the tables and four times as much, the rise time goes as the \
+                     power {:.6} of the torque, with every mechanism and friction of the runs",
                     found.first().copied().unwrap_or(f64::NAN)
                 ),
             )
         })
         .by(ExactIdentity, |stated| scaling(stated.pick(1, 0)))
-        .read_as("From some torque on more torque does not shorten the rise.")
+        .read_as("From some torque on, more torque does not shorten the rise.")
         .corrected(
             "fall without end, as the inverse of the root of the torque, so that every increase reduces it",
             Slip {
                 id: "",
-                reason: "Eq. (1-19) stays the same for a larger torque if all times are shortened by its root. The \
-                         inertias set the scale of the times, √(I_f/K), which falls with K as far as one likes: there \
-                         is no least time.",
-                witness: "The law of similarity is proven for the equation; without a change of the times it is \
-                          refuted.",
+                reason: "Eq. (1-19) stays the same for a larger torque if all times are shortened by the root of the \
+                         torque. The inertias set the scale of the times, √(I_f/K), which falls as far as we like as \
+                         K grows. So there is no least time.",
+                witness: "We prove the law of similarity for the equation, and we refute it when the times are not \
+                          changed.",
                 origin: Origin::Concept,
                 consequence: Consequence::Conclusion,
-                changes: "A stronger spring always shortens the rise: four times the torque halves it.",
+                changes: "A stronger spring always shortens the rise. With four times the torque it halves.",
             },
         )
 }
@@ -116,9 +117,10 @@ fn graphs() -> Vec<Claim> {
                 "the rise time that is drawn ends at 99 per cent of the terminal velocity",
             )
             .missing(
-                "The curves are not in the copy, and of which velocity it is 99 per cent is not said: that at each angle \
-                 and the average of peak and minimum give different times. No definition that was tried gives more than \
-                 a minority of the rise times of Appendix E, of which the figures are the summary",
+                "The copy we had does not contain the curves, and the thesis does not say of which velocity it is 99 \
+                 per cent. The velocity at each angle and the average of peak and minimum give different times. No \
+                 definition that we tried gives more than a minority of the rise times of Appendix E, of which the \
+                 figures are the summary",
             ),
         lost("meyer.fig-10", "Fig. 10", "rise time and terminal velocity over torque, four pins", "FIGURE 10"),
         study::of_axis(),
@@ -131,7 +133,7 @@ fn almost_linear() -> Claim {
         .statement(
             "meyer.almost-linear",
             "An almost linear relationship exists",
-            "over the torque the terminal velocity is nearly a straight line",
+            "the terminal velocity is nearly a straight line over the torque",
         )
         .by(OtherPlaceInSource, |stated| {
             let found = series().map(|own| {
@@ -154,9 +156,9 @@ fn almost_linear() -> Claim {
         })
         .but_not("the terminal velocity is almost proportional to the driving torque")
         .read_as(
-            "Almost: over the torques of each graph the best straight line, which need not start at zero, misses each \
-             velocity by less than a twentieth. The source has no measure of the word. That one is this project's, and \
-             any from 3 to 16 per cent gives the same verdict.",
+            "Almost means that, over the torques of each graph, the best straight line misses each velocity by less \
+             than a twentieth. The line need not start at zero. The source has no measure of the word, so this \
+             measure is ours, and any from 3 to 16 per cent gives the same verdict.",
         )
 }
 
@@ -172,7 +174,7 @@ pub fn with(row: &Row, torque: f64, friction: f64) -> Option<Engagement> {
 /// inertias.
 pub type Responses<const N: usize> = Vec<Vec<[f64; N]>>;
 
-/// Those to these sets of factors; not numbers where the quantities cannot be found.
+/// The responses to these sets of factors; not numbers where the quantities cannot be found.
 pub fn responses<const N: usize>(factors: &[[f64; 4]], of: fn(&Parameters) -> Option<[f64; N]>) -> Responses<N> {
     let before: Vec<_> = series()
         .filter_map(|own| {
@@ -253,8 +255,10 @@ fn misses_of_line(points: &[(f64, f64)], stated: Stated) -> Vec<f64> {
     points.iter().map(|(at, value)| (start + slope * at) / value - 1.0).collect()
 }
 
-/// The same: what is left of the ordinates when their components along the abscissae, and along a constant if the line
-/// need not start at zero, are taken off.
+/// By how much a line misses, by projection.
+///
+/// It is what is left of the ordinates when their components along the abscissae, and along a constant if the line need
+/// not start at zero, are taken off.
 fn misses_by_projection(abscissae: &[f64], ordinates: &[f64], stated: Stated) -> Vec<f64> {
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let without = |of: &[f64], along: &[f64]| -> Vec<f64> {

@@ -43,7 +43,7 @@ fn conditions() -> Vec<Claim> {
                 let fewest = stated.pick(single(), complete()).into_iter().map(|pair| fewest_engaged(pair) as f64);
                 every(fewest, |pins| pins == 0.0, "fewest pins within the rim over a turn")
             })
-            .but_not("with the pins of the escapement it does so too"),
+            .but_not("it does so with the pins of the escapement too"),
         CONDITION
             .statement(
                 "meyer.always-engaged",
@@ -51,20 +51,17 @@ fn conditions() -> Vec<Claim> {
                 "as an escapement it needs a pin engaged at every instant",
             )
             .missing(
-                "Whether such an escapement needs it, or this one shall have it, is not said. Without a pin the follower \
-                 rests, and the text calls such motion undesirable, not impossible: as a choice it cannot be tested. As a \
-                 need it would be false. With some of the pins taken away, and the follower held between two \
-                 engagements, each of the three mechanisms comes to a steady speed too, with each friction of the runs",
+                "The thesis does not say whether such an escapement needs a pin at every instant, or whether this one \
+                 shall have it. Without a pin the follower rests. The text calls such motion undesirable, not \
+                 impossible, so as a choice it cannot be tested. As a need it would be false. If some of the pins are \
+                 taken away, and the follower is held between two engagements, each of the three mechanisms comes to \
+                 a steady speed too, with each friction of the runs",
             ),
         at("Fig. 3, caption")
-            .figure(
-                "meyer.fig-3",
-                "four pin, four slot",
-                "the mechanism that is drawn has four pins and four slots",
-            )
+            .figure("meyer.fig-3", "four pin, four slot", "the mechanism that is drawn has four pins and four slots")
             .missing(
-                "The drawing is not in the copy. Four pins and four slots do belong together, but so do other numbers, and \
-                 which of them are drawn cannot be told",
+                "The copy we had does not contain the drawing. Four pins and four slots do belong together, but so do \
+                 other numbers, and we cannot tell which of them are drawn",
             ),
         INSTANT
             .statement("meyer.hand-over", "must be entering", "as one pin leaves its slot the next enters one")
@@ -74,7 +71,11 @@ fn conditions() -> Vec<Claim> {
                     let engaged = PinSlot::new(1.0, ratio).map_or(f64::NAN, |at| 2.0 * at.engagement_half_angle());
                     engaged * f64::from(pins) / (2.0 * PI)
                 });
-                every(angles, |pitches| agrees(pitches, 1.0), "turn of an engagement over that between two pins")
+                every(
+                    angles,
+                    |pitches| agrees(pitches, 1.0),
+                    "turn of the driver in an engagement over its turn between two pins",
+                )
             })
             .by(Vectors, |stated| {
                 let ahead = neighbours(stated).into_iter().map(|(pins, slots)| {
@@ -84,9 +85,9 @@ fn conditions() -> Vec<Claim> {
                     let next = drawn.place(leaving - 2.0 * drawn.half());
                     next.norm() - drawn.tangent()
                 });
-                every(ahead, vanishes, "how far the next pin is outside the rim as one leaves")
+                every(ahead, vanishes, "how far the next pin is outside the rim as one pin leaves")
             })
-            .but_not("with a pin more or fewer the next enters at that instant too"),
+            .but_not("with one pin more or fewer, the next pin enters at that instant too"),
         hand_over::along_the_slot(),
     ]
 }
@@ -97,7 +98,7 @@ fn triangle() -> Vec<Claim> {
             .equation(
                 "meyer.phi-0",
                 r"\phi = \phi_0 = \frac{1}{2} \left(\frac{2\pi}{n} \right) = \frac{\pi}{n}",
-                "follower's angle at the hand-over: half of that between two slots",
+                "follower's angle at the hand-over, which is half the angle between two slots",
             )
             .by(ExactIdentity, || all_proven(&[HalfAngle::Halved, HalfAngle::Simplified]))
             .by(Vectors, || {
@@ -110,7 +111,7 @@ fn triangle() -> Vec<Claim> {
             .equation(
                 "meyer.theta-0",
                 r"\theta = \theta_0 = \frac{1}{2} \left(\frac{2\pi}{m} \right) = \frac{\pi}{m}",
-                "driver's angle at the hand-over, its size: half of that between two pins",
+                "size of the driver's angle at the hand-over, which is half the angle between two pins",
             )
             .by(ExactIdentity, || all_proven(&[HalfAngle::Halved, HalfAngle::Simplified]))
             .by(Vectors, || {
@@ -136,9 +137,9 @@ fn triangle() -> Vec<Claim> {
                     let drawn = Drawn::new(at.pins(), at.slots() + stated.pick(0, 1));
                     1.0 + drawn.place(drawn.half()).norm_squared() - drawn.axis * drawn.axis
                 });
-                every(misfits, vanishes, "squares of two sides less that of the third")
+                every(misfits, vanishes, "squares of two sides minus the square of the third")
             })
-            .but_not("so they are if the follower has a slot more"),
+            .but_not("they are at right angles too if the follower has a slot more"),
         at("3rd display before Eq. (1-1)")
             .equation(
                 "meyer.pin-circle",
@@ -176,7 +177,7 @@ fn triangle() -> Vec<Claim> {
             .by(Vectors, || {
                 for_usual(
                     |wheel| vanishes(exit(wheel).dot(&Turn::from_radians(-wheel.engagement_half_angle()).direction())),
-                    "with it slot and crank are at right angles as the pin leaves",
+                    "with this ratio slot and crank are at right angles as the pin leaves",
                 )
             }),
     ]
@@ -189,9 +190,10 @@ fn sides(at: &HandOver) -> [Vector2<Roots>; 3] {
     [pin.clone(), axis - pin, -axis.clone()]
 }
 
-/// What was found of the three escapements; for a neighbour also whether the same with a slot more, where one pin still takes
-/// over from the next, have the follower at rest then, and so crank and slot at right angles. By the sum of the two angles,
-/// exactly.
+/// The finding for the three escapements, and for a neighbour also for the escapements with a slot more.
+///
+/// With a slot more one pin still takes over from the next. By the sum of the two angles, exactly, we ask whether the
+/// follower is at rest then, and therefore crank and slot are at right angles.
 pub fn and_with_a_slot_more(found: Finding, stated: Stated) -> Finding {
     let rests = |at: &Mechanism| {
         let more = Continuous::new(at.pins(), at.slots() + 1);
@@ -229,7 +231,7 @@ fn fewest_engaged((pins, slots): (u32, u32)) -> usize {
     drawn.fewest_within(drawn.tangent())
 }
 
-/// Whether a property holds for all of these numbers, of which there must be some; they are told.
+/// Whether a property holds for all of these numbers, of which there must be some; the finding lists them.
 pub fn every(numbers: impl Iterator<Item = f64>, holds: impl Fn(f64) -> bool, what: &str) -> Finding {
     let numbers: Vec<f64> = numbers.collect();
     let all = !numbers.is_empty() && numbers.iter().all(|number| holds(*number));

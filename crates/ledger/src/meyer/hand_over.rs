@@ -17,25 +17,26 @@ pub fn along_the_slot() -> Claim {
         .statement(
             "meyer.along-the-slot",
             "along the centerline",
-            "for the motion to be continuous the velocity of the pin must be along the slot's centre line as it enters \
+            "for the motion to be continuous, the pin's velocity must be along the slot's centre line as it enters \
              and leaves",
         )
         .by(Series, entry_by_series)
         .by(Vectors, entry_by_places)
         .corrected("along the centerline, as seen from the follower,", ENTRY_ALONG_THE_SLOT)
         .read_as(
-            "The velocity seen from the frame: from it the text has the right angle between crank and slot, and the \
-             follower at rest as a pin enters.",
+            "We take the velocity seen from the frame, because the text draws from it the right angle between crank \
+             and slot, and the follower at rest as a pin enters.",
         )
 }
 
 /// The claims of the third conclusion.
 pub fn conclusion() -> Vec<Claim> {
     let locator = "Conclusion 3";
-    let reading = "To work, as in the first conclusion: to reach a terminal velocity. A configuration: one pin takes over \
-                   from the next without a gap, as chapter I requires. The terminal velocity is tried for all pairs up \
-                   to eight pins and slots, with the frictions of the runs and the inertias of those with six pins. \
-                   (With other inertias and more friction some have none, and so have the three.)";
+    let reading = "To work means to reach a terminal velocity, as in the first conclusion. A configuration is one in \
+                   which one pin takes over from the next without a gap, as chapter I requires. We tried the terminal \
+                   velocity for all pairs up to eight pins and slots, with the frictions of the runs and the inertias \
+                   of the runs with six pins. (With other inertias and more friction some pairs have none, and this \
+                   goes for the three as well.)";
     vec![
         at(locator)
             .statement(
@@ -55,11 +56,11 @@ pub fn conclusion() -> Vec<Claim> {
             .statement(
                 "meyer.conclusion.the-three",
                 "three pin / six slot mechanism; the four pin / four slot mechanism; and the six pin / three slot",
-                "the three that are named work",
+                "the three that are named do work",
             )
             .by(ClosedForm, |stated| named_work(stated, works_by_formula))
             .by(RungeKutta, |stated| named_work(stated, works_by_steps))
-            .but_not("each of the three with a slot fewer")
+            .but_not("each of the three works with a slot fewer")
             .read_as(reading),
     ]
 }
@@ -74,7 +75,9 @@ pub struct Drawn {
 }
 
 impl Drawn {
-    /// The slot of the pin at π/m leaves the follower's axis at the angle π/n: so its axis is where that line meets the
+    /// Driver and follower for these numbers of pins and slots.
+    ///
+    /// The slot of the pin at π/m leaves the follower's axis at the angle π/n, so the axis is where that line meets the
     /// line of centres.
     pub fn new(pins: u32, slots: u32) -> Self {
         let [crank, slot] = [pins, slots].map(|count| Turn::from_radians(PI / f64::from(count)));
@@ -91,18 +94,18 @@ impl Drawn {
         Vector2::new(self.axis - libm::cos(angle), libm::sin(angle))
     }
 
-    /// Its velocity for a driver of angular velocity one.
+    /// Velocity of the pin for a driver of angular velocity one.
     pub fn velocity(angle: f64) -> Vector2<f64> {
         Vector2::new(libm::sin(angle), libm::cos(angle))
     }
 
-    /// Its direction from the follower's axis.
+    /// Direction of the pin from the follower's axis.
     pub fn direction(&self, angle: f64) -> f64 {
         let place = self.place(angle);
         libm::atan2(place.y, place.x)
     }
 
-    /// The angular velocity of a follower that it carries.
+    /// Angular velocity of a follower that the pin carries.
     pub fn turning(&self, angle: f64) -> f64 {
         let place = self.place(angle);
         place.perp(&Self::velocity(angle)) / place.norm_squared()
@@ -171,9 +174,9 @@ fn entry(stated: Stated, jump: fn(&Coming) -> f64, across: fn(&Coming, f64) -> f
     }
     let holds = wrong.is_empty() && smooth > 0 && smooth < all;
     let but = wrong.first().map_or(String::new(), |(pins, slots)| {
-        format!("; not so in {} of them, as with {pins} pins and {slots} slots", wrong.len())
+        format!("; it fails in {} of them, for example with {pins} pins and {slots} slots", wrong.len())
     });
-    Finding::new(holds, format!("{smooth} of {all} entries are without a jump of the follower's speed{but}"))
+    Finding::new(holds, format!("{smooth} of {all} entries have no jump in the follower's speed{but}"))
 }
 
 /// A jump that is none: of an angular velocity over the driver's, and of quotients of small differences.
@@ -235,10 +238,13 @@ fn said_of_pairs(stated: Stated, most: u32, works: fn(u32, u32) -> bool) -> Find
     let working = pairs().filter(|&(pins, slots)| works(pins, slots)).count();
     let other = pairs().find(|&(pins, slots)| works(pins, slots) != said(pins, slots));
     let resting = pairs().filter(|(pins, slots)| 2 * (pins + slots) == pins * slots).count();
-    let but = other.map_or(String::new(), |(pins, slots)| format!("; not as said: {pins} pins and {slots} slots"));
+    let but = other
+        .map_or(String::new(), |(pins, slots)| format!("; the claim is wrong about {pins} pins and {slots} slots"));
     Finding::new(
         other.is_none(),
-        format!("of the pairs up to {most} pins and slots {working} work, {resting} with the follower at rest{but}"),
+        format!(
+            "of the pairs up to {most} pins and slots {working} work, and {resting} have the follower at rest{but}"
+        ),
     )
 }
 
@@ -250,8 +256,10 @@ fn works_by_formula(pins: u32, slots: u32) -> bool {
     proven && Continuous::new(pins, slots).is_some()
 }
 
-/// The same by coordinates, and with a terminal velocity by steps, for the printed frictions and for the two inertias
-/// of the runs with six pins, with which the motion of all these pairs is well defined.
+/// Whether a pair works, by coordinates, and with a terminal velocity by steps.
+///
+/// It takes the printed frictions and the two inertias of the runs with six pins, with which the motion of all these
+/// pairs is well defined.
 fn works_by_steps(pins: u32, slots: u32) -> bool {
     static FOUND: OnceLock<Vec<(u32, u32)>> = OnceLock::new();
     let found = FOUND.get_or_init(|| {
@@ -316,7 +324,7 @@ fn has_terminal_speed(pair: &Newton, half: f64, gap: f64) -> bool {
     fixed > 0.0 && (next(fixed) - fixed).abs() < 1e-6 * fixed && [0.0, 0.9 * fixed, 1.1 * fixed].into_iter().all(nearer)
 }
 
-/// Whether the three that the conclusion names work, or the same with a slot fewer.
+/// Whether the three mechanisms that the conclusion names work, or these mechanisms with a slot fewer.
 fn named_work(stated: Stated, works: fn(u32, u32) -> bool) -> Finding {
     let named = front::pins_and_slots(stated.characters());
     let pairs: Vec<_> = named.iter().map(|(pins, slots)| (*pins, slots.saturating_sub(stated.pick(0, 1)))).collect();

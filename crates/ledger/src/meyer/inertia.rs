@@ -12,7 +12,7 @@ const AS_PRINTED: &str = concat!(
     r"I = \frac{1}{2} \pi \left(\frac{.283 \text{ lb/in}}{386 \text{ in/sec}^2} \right) ",
     r"\left(\frac{0.5 \text{ in}}{2} \right)^4 (0.1 \text{ in})"
 );
-/// The same with the unit put right.
+/// The estimate with its numbers and the unit put right.
 const PUT_RIGHT: &str = concat!(
     r"I = \frac{1}{2} \pi \left(\frac{.283 \text{ lb/in}^3}{386 \text{ in/sec}^2} ",
     r"\right) \left(\frac{0.5 \text{ in}}{2} \right)^4 (0.1 \text{ in})"
@@ -38,18 +38,20 @@ fn material() -> Vec<Claim> {
                 let density = metric_density(stated.number() - stated.pick(0.0, LIGHTER));
                 Finding::new(
                     STEELS.contains(&density),
-                    format!("{density:.0} kg/m³; handbooks have {STEELS:?} for steels"),
+                    format!("{density:.0} kg/m³; handbooks give {STEELS:?} for steels"),
                 )
             })
             .by(ClosedForm, |stated| {
                 let part = metric_density(stated.number() - stated.pick(0.0, LIGHTER)) / IRON.density();
                 Finding::new(
                     (part - 1.0).abs() < 0.015,
-                    format!("the metal's crystal has {:.0} kg/m³; that is {part:.3} of it", IRON.density()),
+                    format!("the metal's crystal has {:.0} kg/m³, and the number is {part:.3} of it", IRON.density()),
                 )
             })
             .but_not("a number that is less by five thousandths of a pound")
-            .read_as("Steel is iron with little else in it: steels differ by more than the last digit of the number."),
+            .read_as(
+                "Steel is iron with little else in it, and steels differ by more than the last digit of the number.",
+            ),
         AFTER_THE_LIST
             .statement(
                 "meyer.like-discs",
@@ -71,13 +73,16 @@ fn material() -> Vec<Claim> {
                 });
                 Finding::new(
                     least < result && result < most,
-                    format!("discs of such a size have {least:.2e} to {most:.2e} in lb sec²; printed is {result:.1e}"),
+                    format!(
+                        "discs of such a size have {least:.2e} to {most:.2e} in lb sec²; the printed value is \
+                         {result:.1e}"
+                    ),
                 )
             })
             .but_not("a tenth of an inch more in diameter")
             .read_as(
-                "An assumption for the estimate of the inertias alone; a follower and a driver that end where the pins \
-                 are have one size with four slots only.",
+                "The sentence makes an assumption for the estimate of the inertias alone. A follower and a driver \
+                 that end where the pins are have one size with four slots only.",
             ),
     ]
 }
@@ -139,7 +144,8 @@ fn estimate() -> Vec<Claim> {
             .equation(
                 "meyer.disc.numbers",
                 AS_PRINTED,
-                "the same with the numbers; a weight per volume over the acceleration of gravity is a mass density",
+                "moment of inertia with the numbers put in, where a weight per volume over the acceleration of \
+                 gravity is a mass density",
             )
             .by(Dimension, || unit_of_the_estimate(AS_PRINTED))
             .corrected_form(|| unit_of_the_estimate(PUT_RIGHT))
@@ -164,9 +170,9 @@ fn estimate() -> Vec<Claim> {
                 PUT_RIGHT,
                 Slip {
                     id: "",
-                    reason: "The weight is that of a cubic inch. Only so the unit of the result is that which is \
-                             printed with it. Counted as a slip of the copy, because the paragraph before the display \
-                             has the cube.",
+                    reason: "The weight is the weight of a cubic inch. Only then does the result have the unit that \
+                             is printed with it. We count this as a mistake of the copy, because the paragraph before \
+                             the display has the cube.",
                     witness: "The paragraph before the display has the same number in pounds per cubic inch.",
                     origin: Origin::Copy,
                     consequence: Consequence::Copy,
@@ -184,7 +190,7 @@ fn estimate() -> Vec<Claim> {
                 let (equator, growth, flatness) = (9.780_325_335_9, 0.001_931_852_652_41, 0.006_694_379_990_13);
                 let square = 0.5;
                 let normal = equator * (1.0 + growth * square) / f64::sqrt(1.0 - flatness * square);
-                gravity_is(normal / INCH, stated, "that of the Earth's ellipsoid at 45°")
+                gravity_is(normal / INCH, stated, "the gravity of the Earth's ellipsoid at 45°")
             })
             .but_not("387"),
         at("Chapter II, 3rd display of I")
@@ -200,9 +206,9 @@ fn estimate() -> Vec<Claim> {
                 "0.45",
                 Slip {
                     id: "",
-                    reason: "The numbers of the display before give a little less than 0.45, which one digit has as 0.4. \
-                             The sign says about, and so does the next sentence. A printed digit is held to be a digit \
-                             all the same, here as everywhere.",
+                    reason: "The numbers of the display before give a little less than 0.45, which to one digit is \
+                             0.4. The sign says about, and so does the next sentence. All the same, we hold a printed \
+                             digit to be a digit, here as everywhere.",
                     witness: "Half of the disc's mass times the square of its radius.",
                     origin: Origin::Arithmetic,
                     consequence: Consequence::Number,
@@ -215,7 +221,7 @@ fn estimate() -> Vec<Claim> {
 /// Whether the printed acceleration of gravity, or the next number, is this one rounded.
 fn gravity_is(gravity: f64, stated: Stated, what: &str) -> Finding {
     let said = stated.number() + stated.pick(0.0, 1.0);
-    Finding::new((said - gravity).abs() <= 0.5, format!("{what} is {gravity:.2}; said is {said}"))
+    Finding::new((said - gravity).abs() <= 0.5, format!("{what} is {gravity:.2}; the printed value is {said}"))
 }
 
 /// Moment of inertia of a disc of the printed density and gravity, in in lb sec².
@@ -334,5 +340,5 @@ fn unit_of_the_estimate(characters: &str) -> Finding {
         Exponents::FORCE / volume(exponent.unwrap_or(1)) / (Exponents::LENGTH / Exponents::TIME / Exponents::TIME);
     let found = density * volume(4) * Exponents::LENGTH;
     let wanted = Exponents::FORCE * Exponents::LENGTH * Exponents::TIME * Exponents::TIME;
-    Finding::new(found == wanted, format!("the unit is {found}; printed with the result is {wanted}"))
+    Finding::new(found == wanted, format!("the unit is {found}; the unit printed with the result is {wanted}"))
 }

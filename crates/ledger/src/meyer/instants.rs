@@ -147,7 +147,7 @@ pub fn holds(tex: &str) -> Option<bool> {
     reading::holds(tex, moments())
 }
 
-/// Whether an equation holds at all instants, and what stands behind the last of these operators is this.
+/// Whether an equation holds at all instants, and the expression after the last of these operators is this one.
 pub fn holds_of(tex: &str, operator: &str, this: &str) -> Option<bool> {
     let Some((_, of)) = tex.rsplit_once(operator) else { return holds(tex) };
     match [holds(tex), holds(&format!("{this} = {of}"))] {
@@ -165,8 +165,8 @@ fn apart(a: f64, b: f64) -> f64 {
 
 /// A character of a display that the copy has lost or changed, found by evaluating the characters.
 pub const fn miscopied(reason: &'static str) -> Slip {
-    let witness = "The corrected characters, read and evaluated, agree with Newton's laws for the two members; the \
-                   printed ones do not.";
+    let witness = "The corrected characters, read and evaluated, agree with Newton's laws for the two members, but \
+                   the printed ones do not.";
     Slip { id: "", reason, witness, origin: Origin::Copy, consequence: Consequence::Copy, changes: "" }
 }
 

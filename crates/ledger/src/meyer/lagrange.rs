@@ -28,8 +28,8 @@ fn equations() -> Vec<Claim> {
                     r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{q}_k} \right) - \frac{\partial ",
                     r"T}{\partial q_k} = Q_k"
                 ),
-                "Lagrange's equation for forces with and without a potential; here for one coordinate, where it is the \
-                 balance of power",
+                "Lagrange's equation for forces with and without a potential, here for one coordinate, where it is \
+                 the balance of power",
             )
             .proven_by(mechanism)
             .read(ClosedForm, holds),
@@ -40,7 +40,7 @@ fn equations() -> Vec<Claim> {
                     r"\frac{d}{dt} \left(\frac{\partial T}{\partial \dot{\theta}} \right) - ",
                     r"\frac{\partial T}{\partial \theta} = Q_\theta"
                 ),
-                "the same for the one coordinate θ",
+                "Lagrange's equation for the one coordinate θ",
             )
             .proven_by(mechanism)
             .read(ClosedForm, holds),
@@ -76,7 +76,7 @@ fn forces() -> Vec<Claim> {
             .statement(
                 "meyer.no-potential",
                 "no potential energy",
-                "no force is left to a potential energy: the spring stands among the torques instead",
+                "no force is left to a potential energy, because the spring counts among the torques instead",
             )
             .by(Vectors, |stated| {
                 equal(
@@ -86,7 +86,7 @@ fn forces() -> Vec<Claim> {
                         let potential = stated.pick(0.0, -letter("K") * letter("theta'"));
                         (growth + potential, letter("tau") * letter("theta'"))
                     },
-                    "growth of the energies and power of the torques",
+                    "growth of the energies, and power of the torques",
                 )
             })
             .by(Evidence::Quadrature, |stated| {
@@ -96,13 +96,13 @@ fn forces() -> Vec<Claim> {
                 });
                 Finding::new(
                     holds,
-                    "energy over an engagement without friction, against the work of the spring's torque",
+                    "energy over an engagement without friction, compared with the work of the spring's torque",
                 )
             })
-            .but_not("the spring's potential −K θ stands in the equation beside its torque")
+            .but_not("the spring's potential −K θ is in the equation beside its torque")
             .read_as(
-                "No force is treated as conservative. (A constant torque could be: its potential is −K θ, and then it \
-                 would not stand among the torques.)",
+                "No force is treated as conservative. (A constant torque could be, with the potential −K θ, but then \
+                 it would not stand among the torques.)",
             ),
         FREEDOM
             .statement("meyer.one-degree", "one degree of freedom", "the mechanism has one degree of freedom")
@@ -122,7 +122,7 @@ fn forces() -> Vec<Claim> {
                         (-10..10)
                             .all(|k| 6 - constraints(&PinKinematics::new(at, instant(at, k))).rank(1e-9) == freedom)
                     },
-                    "two members in the plane less the rank of their constraints",
+                    "coordinates of two members in the plane minus the rank of their constraints",
                 )
             })
             .but_not("it has two"),
@@ -150,7 +150,7 @@ fn vector_sum() -> Claim {
     TAU.statement(
         "meyer.vector-sum",
         "vector sum of the driving torque and all frictional torques",
-        "how the torques of the system make the generalised force",
+        "how the torques of the system make up the generalised force",
     )
     .by(Vectors, |stated| {
         // A brake on the follower's axis beside its inertia; no friction in the slot.
@@ -178,12 +178,12 @@ fn vector_sum() -> Claim {
                 let work = simpson(factor, -at.engagement_half_angle(), at.engagement_half_angle());
                 agrees_in_steps(work, at.follower_pitch_angle())
             },
-            "work of a torque on the follower over an engagement, against the angle that the follower turns by",
+            "work of a torque on the follower over an engagement, compared with the angle that the follower turns by",
         )
     })
-    .but_not("a torque on the follower counts as one on the driver does")
+    .but_not("a torque on the follower counts like a torque on the driver")
     .read_as(
-        "What is summed is what each torque contributes to τ, which the display before has by δW = τ δθ; the next sentences \
+        "We sum what each torque contributes to τ, which the display before gives by δW = τ δθ. The next sentences \
          speak of contributions too. The friction of the follower's bearing contributes φ'/θ' times its torque.",
     )
 }
@@ -194,7 +194,7 @@ fn torques() -> Vec<Claim> {
             .equation(
                 "meyer.resultant-torque",
                 r"Q_\theta = \tau_1 - |\tau_2|",
-                "it is the spring's torque less the size of the friction's",
+                "the generalised force is the spring's torque minus the size of the friction torque",
             )
             .proven_by(opposed)
             .read(ClosedForm, holds),
@@ -213,10 +213,12 @@ fn torques() -> Vec<Claim> {
     ]
 }
 
-/// Friction is against the motion, and so against the driving torque while the driver turns as it is driven.
+/// The claim that friction opposes the driving torque.
+///
+/// Friction acts against the motion, and therefore against the driving torque while the driver turns as it is driven.
 pub fn opposing(id: &'static str, locator: &'static str, printed: &'static str) -> Claim {
     at(locator)
-        .statement(id, printed, "the torque of friction is against the driving torque")
+        .statement(id, printed, "the friction torque acts against the driving torque")
         .by(Vectors, |stated| {
             let holds = Mechanism::ALL.iter().all(|escapement| {
                 (-10..10).all(|k| {
@@ -229,7 +231,7 @@ pub fn opposing(id: &'static str, locator: &'static str, printed: &'static str) 
             });
             Finding::new(
                 holds,
-                "friction against the sliding of the pin, on either flank, at 20 instants of each escapement",
+                "friction, compared with the sliding of the pin, on either flank, at 20 instants of each escapement",
             )
         })
         .by(ClosedForm, |stated| {
@@ -245,12 +247,12 @@ pub fn opposing(id: &'static str, locator: &'static str, printed: &'static str) 
                     })
                 })
             });
-            Finding::new(holds, "power of the spring less the growth of the kinetic energy is never negative")
+            Finding::new(holds, "the power of the spring minus the growth of the kinetic energy is never negative")
         })
         .but_not(
             "it opposes the driving torque while the pin presses on one flank of the slot, and helps it on the other",
         )
-        .read_as("while the driver turns forwards, as it does from the start on")
+        .read_as("We take the driver as turning forwards, as it does from the start on.")
 }
 
 /// What friction takes per unit of time and inertia of the follower, by the equation of motion.

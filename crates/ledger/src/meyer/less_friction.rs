@@ -1,4 +1,4 @@
-//! The general statement on friction: what less of it does to the rise, and what none does.
+//! The general statement on friction: what less friction does to the rise, and what none does.
 
 use super::by_steps::Motion;
 use super::general_statements::with;
@@ -17,15 +17,16 @@ fn less_friction() -> Claim {
         .statement(
             "meyer.less-friction",
             "The more frictionless the system, the greater is the rise time",
-            "less friction, longer rise",
+            "less friction makes the rise longer",
         )
         .missing(
-            "What is steady is left open, and the readings disagree. By the velocity at each angle, to one per cent, more \
-             friction lengthens the rise in 7 of 45 small steps from the least friction of the runs to the greatest, by less \
-             than a tenth of a millisecond, where the tables have units of one; to two per cent in none. If a difference is \
-             taken to die away evenly, the rise is shorter with each step. Counted in whole engagements, until the average \
-             of peak and minimum is that of the steady motion, it is longer with nearly every step and drops wherever one \
-             engagement fewer is enough. The rise times of Appendix E go up in 8 of 34 pairs of rows",
+            "The thesis leaves open what is steady, and the readings disagree. If we go by the velocity at each \
+             angle, to one per cent, more friction lengthens the rise in 7 of 45 small steps from the least friction \
+             of the runs to the greatest. It does so by less than a tenth of a millisecond, where the tables have \
+             units of one. To two per cent, it does so in none of the steps. If a difference is taken to die away \
+             evenly, the rise is shorter with each step. If we count whole engagements, until the average of peak and \
+             minimum is the average of the steady motion, the rise is longer with nearly every step, but it drops \
+             wherever one engagement fewer is enough. The rise times of Appendix E go up in 8 of 34 pairs of rows",
         )
 }
 
@@ -52,7 +53,8 @@ fn no_friction() -> Claim {
             Finding::new(
                 quotients.len() == series().count() && quotients.iter().all(|quotient| (quotient - 2.0).abs() < 1e-9),
                 format!(
-                    "after four hundred engagements the speed is {:.6} times that after one hundred with six pins",
+                    "with six pins, after four hundred engagements, the speed is {:.6} times the speed after one \
+                     hundred",
                     quotients.first().copied().unwrap_or(f64::NAN)
                 ),
             )
@@ -71,12 +73,12 @@ fn no_friction() -> Claim {
             Finding::new(
                 parts.len() == series().count() && parts.iter().all(|part| (part - 1.0).abs() < 1e-6),
                 format!(
-                    "after twelve engagements the driver has {:.6} of the work of the spring with six pins",
+                    "with six pins, after twelve engagements, the driver has {:.6} of the work of the spring",
                     parts.first().copied().unwrap_or(f64::NAN)
                 ),
             )
         })
-        .but_not("nor does it with a hundredth of the friction of the runs")
+        .but_not("there is none with a hundredth of the friction of the runs either")
 }
 
 #[cfg(test)]
@@ -112,8 +114,8 @@ mod tests {
     /// The rise times of each mechanism, by rising friction, by one of the two readings.
     type Times = [Vec<f64>; 3];
 
-    /// The rise times by both readings with each friction of the grid, for a torque that is the same, to some part of the
-    /// terminal velocity.
+    /// The rise times by both readings with each friction of the grid, for one torque, to some part of the terminal
+    /// velocity.
     fn by_friction(missing: f64) -> [Times; 2] {
         let [low, high] = [f64::min, f64::max].map(|of| rows().iter().map(Row::friction).reduce(of).expect("a row"));
         let friction = |k: u32| low + (high - low) * f64::from(k) / f64::from(GRID - 1);
@@ -131,8 +133,9 @@ mod tests {
         [0, 1].map(|reading| both.each_ref().map(|own| own.iter().map(|times| times[reading]).collect()))
     }
 
-    /// The same by steps of the angle, with the frictions of the runs and times in units of √(I_f/K), as groups of runs
-    /// differ in their torques.
+    /// The rise times by steps of the angle, with the frictions of the runs.
+    ///
+    /// Times are in units of √(I_f/K), because groups of runs differ in their torques.
     fn by_friction_in_steps() -> [Times; 2] {
         let own = |mechanism: Mechanism| groups().iter().filter(move |group| group.rows[0].mechanism == mechanism);
         let times = |group: &Group| {

@@ -91,7 +91,7 @@ pub fn mechanism(bars: i64) -> Moment<Expression> {
         .opening_bars(bars * Expression::ONE)
 }
 
-/// The same where the bars are those of |τ_2|: the torque of friction is never positive.
+/// The moving mechanism where the bars belong to |τ_2|, because the torque of friction is never positive.
 pub fn opposed(bars: i64) -> Moment<Expression> {
     mechanism(bars).opening_bars(-Expression::ONE)
 }
@@ -101,13 +101,14 @@ pub fn triangle(bars: i64) -> Moment<Expression> {
     triangle_with(bars, -bars)
 }
 
-/// The same for displays of the torque's size, where N sin φ is positive.
+/// The triangle for displays of the torque's size, where N sin φ is positive.
 pub fn size(_: i64) -> Moment<Expression> {
     triangle_with(1, 1)
 }
 
-/// By the law of sines R/r = sin θ / sin φ, and a = cos θ + R/r cos φ; how far the pin slides per radian is from its
-/// place. Variables: tangents of θ/2 and φ/2, N, μ, r.
+/// The triangle by the law of sines: R/r = sin θ / sin φ, and a = cos θ + R/r cos φ.
+///
+/// How far the pin slides per radian comes from its place. Variables: tangents of θ/2 and φ/2, N, μ, r.
 fn triangle_with(bars: i64, sense: i64) -> Moment<Expression> {
     let [half_theta, half_phi, normal, friction, radius] = from_fn(Expression::variable);
     let [theta, phi] = [half_theta, half_phi].map(|half| Turn::from_half_tangent(&half));
@@ -133,7 +134,7 @@ fn triangle_with(bars: i64, sense: i64) -> Moment<Expression> {
         .opening_bars(bars * Expression::ONE)
 }
 
-/// Eq. (1-19) by its letters, with S for the sign of what stands between the bars, as the crate has the equation.
+/// Eq. (1-19) by its letters, with S for the sign of the expression between the bars, as the crate has the equation.
 ///
 /// Variables: A + S D, B, C, D, θ', θ'', and a θ that is a slip for θ'.
 pub fn factors(bars: i64) -> Moment<Expression> {
@@ -182,7 +183,7 @@ fn of<'a>(letters: impl IntoIterator<Item = (&'a str, Expression)>) -> Moment<Ex
     Moment::of(letters.into_iter().map(|(name, value)| (name.to_owned(), value)).collect())
 }
 
-/// Whether an equation is proven, and what stands behind the last of these operators is this.
+/// Whether an equation is proven, and the expression after the last of these operators is this one.
 pub fn proven_of(tex: &str, operator: &str, this: &str, letters: Exact) -> Finding {
     let whole = decide(tex, letters);
     match tex.rsplit_once(operator) {

@@ -1,7 +1,8 @@
 //! The master's project: the Geneva mechanism with a pin always engaged, as a timing device.
 //!
-//! The claims stand in the order of the source: tables of contents and figures, the geometry of the escapement, the
-//! rates of the follower, the sizes of appendix A, the spring of appendix C. The pin by coordinates is `PinKinematics`.
+//! The claims follow the order of the source: tables of contents and figures, the geometry of the escapement, the
+//! rates of the follower, the sizes of appendix A, the spring of appendix C. `PinKinematics` gives the pin by
+//! coordinates.
 
 mod angles;
 mod appendix_a;
@@ -106,7 +107,7 @@ struct PinKinematics {
     place: Vector2<f64>,
     /// Velocity of the pin at the driver's speed.
     velocity: Vector2<f64>,
-    /// Its acceleration.
+    /// Acceleration of the pin.
     acceleration: Vector2<f64>,
 }
 
@@ -116,7 +117,7 @@ impl PinKinematics {
         Self::driven(escapement.centre_distance_ratio(), angle, DRIVER)
     }
 
-    /// The same for a ratio of lengths, and for a speed and an acceleration of the driver.
+    /// The pin for a ratio of lengths, an angle, and a speed and an acceleration of the driver.
     fn driven(ratio: f64, angle: f64, (speed, angular_acceleration): (f64, f64)) -> Self {
         let crank = Turn::from_radians(angle);
         let from_driver = crank.direction();
@@ -141,12 +142,12 @@ impl PinKinematics {
         libm::atan2(self.place.y, self.place.x)
     }
 
-    /// The follower's angular velocity: what carries the pin across the slot.
+    /// The follower's angular velocity, which carries the pin across the slot.
     fn turning(&self) -> f64 {
         self.place.perp(&self.velocity) / self.place.norm_squared()
     }
 
-    /// The follower's angular acceleration: what is left of the acceleration across the slot without Coriolis's part.
+    /// The follower's angular acceleration, from the acceleration across the slot without Coriolis's part.
     fn turning_rate(&self) -> f64 {
         let along = self.place.normalize();
         let sliding = along.dot(&self.velocity);
@@ -196,7 +197,7 @@ fn is_zero(number: &Roots) -> bool {
     *number == Roots::integer(0)
 }
 
-/// Whether all of the identities hold; what was found of each.
+/// Whether all of the identities hold, with the finding for each.
 fn all_proven<const V: usize>(identities: &[impl Identity<V>]) -> Finding {
     let findings: Vec<Finding> = identities.iter().map(|identity| prove(identity).into()).collect();
     let how: Vec<_> = findings.iter().map(|finding| finding.how.as_str()).collect();

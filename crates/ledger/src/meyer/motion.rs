@@ -28,7 +28,7 @@ fn left_side() -> Vec<Claim> {
                     r"\frac{a(a^2 - 1) \sin \theta (a \cos \theta - 1)}{(1 + a^2 - 2a \cos \theta)^3} ",
                     r"\right\} \right] \end{aligned}"
                 ),
-                "one derivative of the kinetic energy less the other",
+                "one derivative of the kinetic energy minus the other",
             )
             .proven_by(mechanism)
             .read(ClosedForm, holds),
@@ -42,7 +42,7 @@ fn left_side() -> Vec<Claim> {
                     r"\dot{\theta}^2 \left[\frac{a(a^2 - 1) \sin \theta (a \cos \theta - 1)}{(1 + a^2 - ",
                     r"2a \cos \theta)^3} \right] \end{aligned}"
                 ),
-                "the same collected",
+                "the difference of the two derivatives, with its terms collected",
             )
             .proven_by(mechanism)
             .read(ClosedForm, holds)
@@ -109,7 +109,7 @@ fn together() -> Vec<Claim> {
                     r"\right] \ddot{\theta} + \left[\frac{a(1 - a^2) \sin \theta (a \cos \theta - 1)}{(1 ",
                     r"+ a^2 - 2a \cos \theta)^3} \right] \dot{\theta}^2"
                 ),
-                "equation of motion over the follower's inertia, without friction",
+                "equation of motion divided by the follower's inertia, without friction",
             )
             .proven_in(&EQUATION_OF_MOTION, mechanism)
             .read_in(ClosedForm, &EQUATION_OF_MOTION, holds),
@@ -121,7 +121,7 @@ fn together() -> Vec<Claim> {
                     r"\dot{\theta}^2 + \frac{\sin \theta (a \cos \theta - 1)}{(1 + a^2 - 2a \cos ",
                     r"\theta)^2} \ddot{\theta} \right] = \frac{K}{I_f}"
                 ),
-                "its friction, and the drive",
+                "the friction and the drive in the equation of motion",
             )
             .proven_in(&EQUATION_OF_MOTION, mechanism)
             .read_in(ClosedForm, &EQUATION_OF_MOTION, holds)
@@ -152,8 +152,9 @@ fn factors() -> Vec<Claim> {
             .corrected(
                 r"A = \left[ \frac{I_D}{I_f} + \frac{(a\cos\theta-1)^2}{(1+a^2-2a\cos\theta)^2} \right]",
                 miscopied(
-                    "Eq. (1-18), from which the display is taken, has the inertia of the driver above the line, and so \
-                     has the program. The letters of a and cos run together here as in the next three displays.",
+                    "Eq. (1-18), from which the display is taken, has the inertia of the driver above the line, and \
+                     so does the program. The letters of a and cos run together here, as they do in the next three \
+                     displays.",
                 ),
             ),
         arc(

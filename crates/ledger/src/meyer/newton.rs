@@ -44,12 +44,12 @@ impl InSlot {
     }
 }
 
-/// What an engagement comes to.
+/// The result of an engagement.
 #[derive(Clone, Copy)]
 pub struct Passage {
     /// Square of the driver's speed at the end.
     pub end: f64,
-    /// How long it takes.
+    /// Duration of the engagement.
     pub duration: f64,
 }
 

@@ -21,7 +21,7 @@ pub fn six() -> Claim {
         )
         .by(RungeKutta, |stated| count_that_matter(stated, &Quantity::ALL))
         .by(Dimension, |stated| count_that_may_enter(stated, &Quantity::ALL))
-        .but_not("six, of which no two can be put into one")
+        .but_not("there are six, and no two of them can be put into one")
         .read_as(PARAMETER)
 }
 
@@ -32,7 +32,7 @@ pub fn after_the_list() -> Vec<Claim> {
             .statement(
                 "meyer.one-geometric-parameter",
                 "n and θ_0, are not independent",
-                "the number of slots and the angle of entry depend on each other, so that they are one parameter",
+                "the number of slots and the angle of entry depend on each other, so they are one parameter",
             )
             .by(LimitCase, |stated| {
                 let off = Mechanism::ALL.into_iter().map(|at| {
@@ -40,7 +40,7 @@ pub fn after_the_list() -> Vec<Claim> {
                     let slot = PI / f64::from(at.slots());
                     stated.pick(PI / 2.0 - slot, slot) - PI / pins
                 });
-                every(off, vanishes, "that angle less π/m, with m by Eq. (1-3)")
+                every(off, vanishes, "that angle minus π/m, with m by Eq. (1-3)")
             })
             .by(Vectors, |stated| {
                 let across = Mechanism::ALL.into_iter().map(|at| {
@@ -60,14 +60,14 @@ pub fn after_the_list() -> Vec<Claim> {
             )
             .by(RungeKutta, |stated| count_that_matter(stated, &Quantity::OF_A_MECHANISM))
             .by(Dimension, |stated| count_that_may_enter(stated, &Quantity::OF_A_MECHANISM))
-            .but_not("four, of which no two can be put into one")
+            .but_not("there are four, and no two of them can be put into one")
             .read_as(PARAMETER),
     ]
 }
 
 /// What a parameter is.
-const PARAMETER: &str = "A parameter: a quantity that the program is given and that changes the motion if it alone is \
-                         changed. (The torque and the inertias count by their ratios only, so that two numbers would do \
+const PARAMETER: &str = "A parameter is a quantity that the program is given and that changes the motion if it alone \
+                         is changed. (The torque and the inertias count only by their ratios, so two numbers would do \
                          for these three.)";
 
 /// A quantity that the motion might depend on.
@@ -83,11 +83,11 @@ enum Quantity {
 }
 
 impl Quantity {
-    /// Those of the list of parameters, and the size of the mechanism.
+    /// The quantities of the list of parameters, and the size of the mechanism.
     const ALL: [Self; 7] =
         [Self::Slots, Self::EntryAngle, Self::Friction, Self::Torque, Self::Follower, Self::Driver, Self::Radius];
 
-    /// Those that are left if the numbers of pins and slots are chosen, and the size.
+    /// The quantities that are left if the numbers of pins and slots are chosen, and the size.
     const OF_A_MECHANISM: [Self; 5] = [Self::Friction, Self::Torque, Self::Follower, Self::Driver, Self::Radius];
 
     fn dimension(self) -> Exponents {
@@ -137,7 +137,7 @@ fn count_that_matter(stated: Stated, quantities: &[Quantity]) -> Finding {
     let found = Mechanism::ALL.map(|at| counted(&at));
     Finding::new(
         found.iter().all(|count| *count == stated.count() as usize),
-        format!("of {quantities:?} so many change an engagement, for each mechanism: {found:?}"),
+        format!("number of {quantities:?} that change an engagement, for each mechanism: {found:?}"),
     )
 }
 
@@ -158,7 +158,7 @@ fn count_that_may_enter(stated: Stated, quantities: &[Quantity]) -> Finding {
     let products = entering.len() - rank(&entering.iter().map(timeless).collect::<Vec<_>>());
     Finding::new(
         stated.pick(entering.len(), products) == stated.count() as usize,
-        format!("rank {full}; of {quantities:?} there may be {entering:?}, in {products} products"),
+        format!("rank {full}; of {quantities:?} these may enter: {entering:?}, in {products} products"),
     )
 }
 

@@ -18,35 +18,36 @@ const PEAKS: Place = at("Chapter II, paragraph on the peaks in Fig. 8");
 /// The driver's peaks are put where a pin enters and the next one leaves.
 const PEAKS_AT_ENTRY: Slip = Slip {
     id: "meyer.peaks-at-entry",
-    reason: "Where a pin enters and the other leaves, the follower stands still but is being accelerated, so that the \
-             pin presses and rubs. The driver's acceleration there is (K - μ I_f θ'²/(a² - 1))/I_D, which is zero at \
-             one speed only, and the steady speed at entry is another in every run. How far the peak is from the entry \
-             depends on the ratio of the inertias. In the runs of six pins the driver is heavy, and the peak follows so \
-             soon that it is no more than a unit of the tables higher. In the runs of four and three pins the driver is \
-             light: the friction exceeds the spring already before the pin leaves, while it bears on the trailing flank, \
-             and the peak comes before that. With two discs that are alike, which is the thesis's own estimate, all three \
-             drivers are fastest within three degrees past the entry, where they have 98 per cent of that speed or more: \
-             of them the sentence is nearly right.",
-    witness: "Every mechanism and friction is gone through by steps of the angle.",
+    reason: "Where one pin enters and the other leaves, the follower stands still but is being accelerated, so the \
+             pin presses and rubs. The driver's acceleration there is (K - μ I_f θ'²/(a² - 1))/I_D. It is zero at one \
+             speed only, and the steady speed at entry is a different one in every run. How far the peak is from the \
+             entry depends on the ratio of the inertias. In the runs of six pins the driver is heavy, and the peak \
+             follows so soon that it is no more than a unit of the tables higher. In the runs of four and three pins \
+             the driver is light. There the friction exceeds the spring already before the pin leaves, while the pin \
+             bears on the trailing flank, and the peak comes before that. With two discs that are alike, which is the \
+             thesis's own estimate, all three drivers are fastest within three degrees past the entry, where they \
+             have 98 per cent of that speed or more. For these drivers the sentence is nearly right.",
+    witness: "We went through every mechanism and friction in steps of the angle.",
     origin: Origin::Concept,
     consequence: Consequence::Remark,
-    changes: "In the runs of four and three pins the peaks of the driver's speed do not mark where a pin enters, and the \
-              follower turns while the driver is fastest.",
+    changes: "In the runs of four and three pins the peaks of the driver's speed do not mark the entry of a pin, and \
+              the follower turns while the driver is fastest.",
 };
 
 /// The extremes between two peaks are put on the line of centres.
 const EXTREMES_ON_CENTRES: Slip = Slip {
     id: "meyer.extremes-on-centres",
-    reason: "On the line of centres the pin does not slide, so that the spring acts unbraked: A θ'' = E, and θ'' is \
-             positive. The driver has its minimum before it. There the follower turns at the greatest multiple of the \
-             driver's speed, so that φ'' is as many times θ'' and positive as well. The follower is fastest where the \
-             pin goes over to the trailing flank of its slot. In the runs of six and four pins the driver's minimum is \
-             so flat that on the line of centres it is passed by less than a unit of the tables; in some of three pins \
-             it is passed by more, and so is the follower's maximum missed in all runs.",
-    witness: "Every mechanism and friction is gone through by steps of the angle.",
+    reason: "On the line of centres the pin does not slide, so the spring acts unbraked: A θ'' = E, and θ'' is \
+             positive. The driver therefore has its minimum before that line. On the line the follower turns at the \
+             greatest multiple of the driver's speed, so φ'' is as many times θ'' and is positive as well. The \
+             follower is fastest where the pin goes over to the trailing flank of its slot. In the runs of six and \
+             four pins the driver's minimum is so flat that on the line of centres its speed is above the minimum by \
+             less than a unit of the tables. In some runs of three pins the speed there is above it by more, and in \
+             all runs the follower's speed there is below its maximum by more too.",
+    witness: "We went through every mechanism and friction in steps of the angle.",
     origin: Origin::Concept,
     consequence: Consequence::Remark,
-    changes: "The follower goes on to gain speed past the line of centres, and the driver gains some before it.",
+    changes: "The follower goes on to gain speed past the line of centres, and the driver gains some speed before it.",
 };
 
 pub fn claims() -> Vec<Claim> {
@@ -56,7 +57,12 @@ pub fn claims() -> Vec<Claim> {
 fn at_entry() -> Vec<Claim> {
     vec![
         PEAKS
-            .value("meyer.fig-8.quarter", "90", "°", "turn of the driver between two peaks, with four slots")
+            .value(
+                "meyer.fig-8.quarter",
+                "90",
+                "°",
+                "angle that the driver turns through between two peaks, with four slots",
+            )
             .by(ClosedForm, || Mechanism::ALL[1].engagement_half_angle().to_degrees() * 2.0)
             .by(RungeKutta, || {
                 let four = groups().iter().filter(|group| group.rows.iter().all(|row| row.mechanism.slots() == 4));
@@ -99,7 +105,7 @@ fn at_entry() -> Vec<Claim> {
                 Finding::new(count == 3, format!("with {count} of 3 mechanisms φ'/θ' of Eq. (1-7) is zero there"))
             })
             .but_not("the follower stands still a hundredth of the way from there to the line of centres")
-            .read_as("Of the three mechanisms, in which a pin enters and leaves along its slot."),
+            .read_as("We take the three mechanisms, in which a pin enters and leaves along its slot."),
         beside_the_hand_over(
             "meyer.peaks-at-rest",
             "the driver is fastest when the follower stands still",
@@ -141,11 +147,11 @@ fn at_entry() -> Vec<Claim> {
                 });
                 all_of(found.collect(), groups().len(), "groups of runs, by the energies at the ends")
             })
-            .but_not("so it goes from the entry to the exit")
+            .but_not("the driver slows down all the way from the entry to the exit")
             .read_as(
-                "From the entry until the driver is slowest, to one unit of the tables' speeds. To half a unit it is so in \
-                 46 of 49 runs, and exactly in 28: in the others the driver goes on to gain speed past the entry, by up to \
-                 0.70 rad/s.",
+                "We take the motion from the entry until the driver is slowest, to one unit of the tables' speeds. To \
+                 half a unit the claim holds in 46 of 49 runs, and exactly in 28. In the other runs the driver goes \
+                 on to gain speed past the entry, by up to 0.70 rad/s.",
             ),
     ]
 }
@@ -173,8 +179,8 @@ fn at_the_centres() -> Vec<Claim> {
                 extremes(stated, all.collect(), rows().len())
             })
             .read_as(
-                "In every run, in steady motion. On the line of centres is an extreme if the speed there is that of the \
-                 extreme, to one unit of the tables' speeds.",
+                "We take every run, in steady motion. An extreme is on the line of centres if the speed there is the \
+                 speed of the extreme, to one unit of the tables' speeds.",
             )
             .corrected(
                 "the driver velocity has been a minimum 0.48 to 5.8° before, and is by up to 2.1 rad/s greater, and the \
@@ -185,7 +191,7 @@ fn at_the_centres() -> Vec<Claim> {
             .statement(
                 "meyer.follower-decreases",
                 "(and the follower velocity decreases)",
-                "from the line of centres on the follower's speed falls",
+                "the follower's speed falls from the line of centres on",
             )
             .by(Quadrature, |stated| {
                 let found = cycles().iter().filter_map(|Cycle { state, lines }| {
@@ -207,8 +213,8 @@ fn at_the_centres() -> Vec<Claim> {
                 all_of(found.collect(), groups().len(), "groups of runs, from step to step")
             })
             .read_as(
-                "That the follower's speed falls from the line of centres to the exit, to one unit of the tables' \
-                 speeds.",
+                "We ask whether the follower's speed falls from the line of centres to the exit, to one unit of the \
+                 tables' speeds.",
             )
             .corrected(
                 "(and the follower velocity increases until the pin goes over to the trailing flank of the slot, and \
@@ -250,11 +256,11 @@ fn driver_increases() -> Claim {
         .statement(
             "meyer.driver-increases",
             "the driver velocity increases",
-            "from the line of centres to the exit the driver's speed rises",
+            "the driver's speed rises from the line of centres to the exit",
         )
         .by(Quadrature, |stated| increases(stated, all_peaks()))
         .by(RungeKutta, |stated| increases(stated, all_peaks_in_steps()))
-        .read_as("In every run, in steady motion, all the way to the exit and to one unit of the tables' speeds.")
+        .read_as("We take every run, in steady motion, all the way to the exit and to one unit of the tables' speeds.")
         .corrected(
             "the driver velocity increases, in the runs of six pins (driver's inertia 0.6 of the follower's) but for a dip \
              of up to 1.8 rad/s, in the runs of four and three pins (0.06 and 0.075) until 7.7 to 14° before the pin \
@@ -270,8 +276,9 @@ fn increases(stated: Stated, found: Vec<Peak>) -> Finding {
     Finding::new(
         !found.is_empty() && stated.pick(rounds_to(&said, stated), rising == found.len()),
         format!(
-            "in {rising} of {} motions it rises all the way, to one unit of the tables; with six pins it falls back by up \
-             to {:.2} rad/s on the way, with four and three from {:.2} to {:.2}° before the exit on",
+            "in {rising} of {} motions it rises all the way, to one unit of the tables; with six pins it falls back \
+             by up to {:.2} rad/s on the way, and with four and three pins it falls from {:.2} to {:.2}° before the \
+             exit on",
             found.len(),
             said[1],
             said[4],
@@ -293,8 +300,8 @@ fn beside_the_hand_over(
         .by(Quadrature, move |stated| peaks(stated, all_peaks(), with_dip))
         .by(RungeKutta, move |stated| peaks(stated, all_peaks_in_steps(), with_dip))
         .read_as(
-            "In every run, in steady motion. At entry or exit is a peak if the driver is as fast there, to one unit of \
-             the tables' speeds.",
+            "We take every run, in steady motion. A peak is at entry or exit if the driver is as fast there, to one \
+             unit of the tables' speeds.",
         )
         .corrected(corrected, PEAKS_AT_ENTRY)
 }
@@ -373,8 +380,9 @@ fn peaks(stated: Stated, found: Vec<Peak>, with_dip: bool) -> Finding {
     Finding::new(
         holds,
         format!(
-            "at entry the driver is slower than at its peak by at most {six_most:.2} rad/s in the runs of six pins and by \
-             {least:.0} to {most:.0} in those of four and three, where the peak is {:.2} to {:.2}° before the exit",
+            "at entry the driver is slower than at its peak by at most {six_most:.2} rad/s in the runs of six pins \
+             and by {least:.0} to {most:.0} in the runs of four and three, where the peak is {:.2} to {:.2}° before \
+             the exit",
             before[0], before[1]
         ),
     )
@@ -430,8 +438,9 @@ fn extremes(stated: Stated, found: Vec<Middle>, count: usize) -> Finding {
     Finding::new(
         holds && found.len() == count,
         format!(
-            "the driver is slowest {:.2} to {:.2}° before the line, on which in {} of {count} runs it is as slow to a \
-             unit of the tables; the follower is fastest {:.1} to {:.1}° past it, on which in {} runs it is as fast",
+            "the driver is slowest {:.2} to {:.2}° before the line, and on the line in {} of {count} runs it is as \
+             slow to a unit of the tables; the follower is fastest {:.1} to {:.1}° past the line, and on the line in \
+             {} runs it is as fast",
             before[0],
             before[1],
             there(0),
@@ -457,7 +466,7 @@ fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {
 /// Whether something was found for so many and is so for all of them.
 fn all_of(found: Vec<bool>, count: usize, of: &str) -> Finding {
     let right = found.iter().filter(|right| **right).count();
-    Finding::new(right == count && found.len() == count, format!("so it is in {right} of {count} {of}"))
+    Finding::new(right == count && found.len() == count, format!("this holds in {right} of {count} {of}"))
 }
 
 /// Whether a speed falls all the way: it is nowhere more than a unit above its least before.

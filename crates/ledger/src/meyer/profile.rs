@@ -16,22 +16,23 @@ use std::sync::OnceLock;
 const BEFORE: Place = at("Chapter II, sentence around Fig. 8");
 const RISE: Place = at("Chapter II, paragraph on the rise time in Fig. 8");
 
-/// A figure of which the copy has the number only.
+/// A figure of which the copy has only the number.
 pub fn lost(id: &'static str, locator: &'static str, meaning: &'static str, printed: &'static str) -> Claim {
-    at(locator).figure(id, printed, meaning).missing("The curves are not in the copy")
+    at(locator).figure(id, printed, meaning).missing("The copy we had does not contain the curves")
 }
 
 pub fn claims() -> Vec<Claim> {
     vec![
-        at("Fig. 8")
-            .figure("meyer.fig-8", "FIGURE 8", "speeds of driver and follower over time, four pins")
-            .missing("The curves are not in the copy, and the run that they show is not named"),
+        at("Fig. 8").figure("meyer.fig-8", "FIGURE 8", "speeds of driver and follower over time, four pins").missing(
+            "The copy we had does not contain the curves, and the thesis does not name the run that they show",
+        ),
         shape(),
         scales(),
         RISE.value("meyer.fig-8.rise", "0.025", "seconds", "rise time of the run that is drawn").missing(
-            "The text does not name the run. With the four-pin runs of the tables the velocity is steady only after 29 ms or \
-             more, by either reading, and no row has this time. The first minima of two of them round to it, but the rise \
-             times of these two are longer by half or more, and the run that is drawn need not be among those of the tables",
+            "The text does not name the run. In the four-pin runs of the tables the velocity is steady only after 29 \
+             ms or more, by either reading, and no row has this time. The first minima of two of these runs round to \
+             it, but the rise times of the two are longer by half or more. Besides, the run that is drawn need not be \
+             one of the runs of the tables",
         ),
         first_minimum(),
     ]
@@ -42,7 +43,7 @@ fn shape() -> Claim {
         .statement(
             "meyer.shape",
             "will not change the shape of the curve",
-            "no parameter changes the shape of the curve of speeds",
+            "no parameter changes the shape of the speed curve",
         )
         .by(Quadrature, |stated| {
             shaped(stated, quantities(), |row| {
@@ -58,21 +59,22 @@ fn shape() -> Claim {
             })
         })
         .read_as(
-            "As printed: with each mechanism the curve goes up and down equally often in all runs, as far as one unit of \
-             the tables lets one see. That is the least that a shape can be. Of the correction: how deep its minimum is, \
-             and how high its speed at entry, beside its peak.",
+            "As printed, we ask only that with each mechanism the curve goes up and down equally often in all runs, \
+             as far as one unit of the tables lets us see. That is the least that a shape can mean. In the \
+             correction, the shape is how deep the minimum is, and how high the speed at entry, relative to the peak.",
         )
         .corrected(
             "will, but for the driving torque, change the shape of the curve",
             Slip {
                 id: "",
-                reason: "The torque changes the scales of the curve and nothing else. Friction and inertias change how \
-                         deep the minimum is beside the peak and how fast a pin enters, and with them even how often the \
-                         curve goes up and down in an engagement: with six pins and little friction the second rise \
-                         after an entry is too small to be seen in the tables' units, with more friction it is not. The \
-                         tables themselves have curves that are no copies: with four pins a least speed of 25 stands \
-                         beside a peak of 206 and beside one of 163.",
-                witness: "Motions in steps of the angle.",
+                reason: "The torque changes the scales of the curve and nothing else. Friction and inertias, however, \
+                         change how deep the minimum is relative to the peak and how fast a pin enters. They even \
+                         change how often the curve goes up and down in an engagement. With six pins and little \
+                         friction the second rise after an entry is too small to be seen in the tables' units, but \
+                         with more friction it is not. The tables themselves have curves that are no copies of each \
+                         other, because with four pins a least speed of 25 goes with a peak of 206 and also with a \
+                         peak of 163.",
+                witness: "Motions computed in steps of the angle.",
                 origin: Origin::Concept,
                 consequence: Consequence::Remark,
                 changes: "Only curves of different torques are copies of one another.",
@@ -89,13 +91,14 @@ fn scales() -> Claim {
         )
         .by(Quadrature, |stated| changed(stated, quantities()))
         .by(RungeKutta, |stated| changed(stated, quantities_in_steps()))
-        .but_not("torque and both inertias, changed in one proportion, will change them")
+        .but_not("changing torque and both inertias in one proportion will change them")
         .read_as(
-            "In all runs some of torque, friction and the two inertias, changed alone by a tenth up or down, change each of \
-             the three, by a thousandth or more: as little counts for the shape. The torque changes all three, and velocity \
-             and period change with each of the four. The rise time does not everywhere: with six pins and a friction of .35 \
-             the driver's inertia changes it, taken to the average, by 0.02 per cent, some hundredths of a millisecond, and \
-             the tables have units of one.",
+            "In all runs, each of the three changes by a thousandth or more if we change some of torque, friction and \
+             the two inertias, alone, by a tenth up or down. A change as small counts for the shape too. The torque \
+             changes all three, and velocity and period change with each of the four. The rise time does not change \
+             everywhere. With six pins and a friction of .35, the driver's inertia changes the rise time, taken to \
+             the average, by 0.02 per cent. That is some hundredths of a millisecond, and the tables have units of \
+             one.",
         )
 }
 
@@ -103,7 +106,7 @@ fn first_minimum() -> Claim {
     RISE.statement(
         "meyer.first-minimum",
         "by the first minimum in velocity, the driver has achieved its steady state",
-        "by the first minimum of its speed the driver moves as it will for ever",
+        "by the first minimum of its speed the driver moves as it always will from then on",
     )
     .by(Quadrature, |stated| {
         let lacks = |(row, state): &(&Row, SteadyState)| {
@@ -120,22 +123,22 @@ fn first_minimum() -> Claim {
         achieved(stated, &groups().iter().filter_map(lacks).collect::<Vec<_>>(), groups().len())
     })
     .read_as(
-        "Of all runs, as the sentence before says; steady is what is within one per cent, as for the rise time. Read of the \
-         four-pin run of Fig. 8 alone it fails too, whichever that is of the runs of the tables.",
+        "We take all runs, as the sentence before says. Steady means within one per cent, as for the rise time. If we \
+         take only the four-pin run of Fig. 8, the claim fails too, whichever run of the tables that is.",
     )
     .corrected(
         "at the first minimum in velocity, the driver is still slower by 1.8 to 28 per cent than at the minimum of its \
          steady state",
         Slip {
             id: "",
-            reason: "The first minimum belongs to an engagement that begins at rest. It is too low in every run, and the \
-                     less the friction, the lower. In a few runs it is within a unit of the tables of the steady one, \
-                     because the speeds have no decimals.",
-            witness: "Motions in steps of the angle.",
+            reason: "The first minimum belongs to an engagement that begins at rest. It is too low in every run, and \
+                     the less the friction, the lower it is. In a few runs it is within a unit of the tables of the \
+                     steady minimum, because the speeds have no decimals.",
+            witness: "Motions computed in steps of the angle.",
             origin: Origin::Concept,
             consequence: Consequence::Remark,
-            changes: "The first minimum is no measure of the rise time. The rise time that the text draws from it, and \
-                      that stays open as its run is not named, is the time of a first minimum.",
+            changes: "The first minimum is no measure of the rise time. The text takes a rise time from it, which is \
+                      the time of a first minimum. We leave that rise time open, because its run is not named.",
         },
     )
 }
@@ -154,8 +157,8 @@ fn achieved(stated: Stated, lacks: &[f64], count: usize) -> Finding {
     Finding::new(
         lacks.len() == count && stated.pick(as_said(), steady == count),
         format!(
-            "in {steady} of {count} motions the first minimum is the steady one to one per cent; it is {:.1} to {:.1} per \
-             cent too low",
+            "in {steady} of {count} motions the first minimum agrees with the steady minimum to one per cent; it is \
+             {:.1} to {:.1} per cent too low",
             100.0 * least,
             100.0 * most
         ),
@@ -182,8 +185,8 @@ fn shaped(stated: Stated, found: &Responses<QUANTITIES>, speeds: impl Fn(&Row) -
         return Finding::new(
             complete && most <= crate::tolerance::STEPS.relative && least >= VISIBLE,
             format!(
-                "a tenth of each other parameter changes minimum or speed at entry beside the peak by {:.2} per cent or \
-                 more in all groups; a tenth of the torque by none",
+                "changing any other parameter by a tenth changes the minimum or the speed at entry, relative to the \
+                 peak, by {:.2} per cent or more in all groups; changing the torque by a tenth changes neither",
                 100.0 * least
             ),
         );
@@ -197,7 +200,10 @@ fn shaped(stated: Stated, found: &Responses<QUANTITIES>, speeds: impl Fn(&Row) -
         .collect();
     Finding::new(
         counts.iter().all(same),
-        format!("with six, four and three pins the driver's speed turns round {} times", ranges.join(", ")),
+        format!(
+            "with six, four and three pins the driver's speed turns from rising to falling, or back, {} times",
+            ranges.join(", ")
+        ),
     )
 }
 
@@ -292,8 +298,8 @@ fn changed(stated: Stated, found: &Responses<QUANTITIES>) -> Finding {
     Finding::new(
         groups.len() == series().count() && least >= 100.0 * VISIBLE,
         format!(
-            "a tenth more or less of some parameter changes each by {least:.1} per cent or more in all groups, and of every \
-             parameter by {least_alone:.2} per cent or more"
+            "changing some parameter by a tenth changes each by {least:.1} per cent or more in all groups, and \
+             changing any parameter by a tenth does so by {least_alone:.2} per cent or more"
         ),
     )
 }

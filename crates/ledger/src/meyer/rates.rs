@@ -73,7 +73,7 @@ fn velocity() -> Vec<Claim> {
         step(
             "meyer.one-and-tangent-squared",
             "3rd display after Eq. (1-6)",
-            "the same with the square of the tangent",
+            "derivatives of both sides, with the square of the tangent",
             concat!(r"(1 + \tan^2 \phi) \dot{\phi} = \frac{a \cos \theta - 1}{(a - \cos \theta)^2} ", r"\dot{\theta}"),
             || prove(&VelocityStep::OneAndTangentSquared).into(),
             || {
@@ -86,7 +86,7 @@ fn velocity() -> Vec<Claim> {
         step(
             "meyer.tangent-substituted",
             "4th display after Eq. (1-6)",
-            "the same with the tangent of Eq. (1-6)",
+            "derivatives of both sides, with the tangent of Eq. (1-6)",
             TANGENT_SUBSTITUTED,
             || prove(&VelocityStep::TangentSubstituted).into(),
             || {
@@ -113,7 +113,7 @@ fn acceleration() -> Vec<Claim> {
             .equation(
                 "meyer.acceleration-by-quotient",
                 ACCELERATION_BY_QUOTIENT,
-                "Eq. (1-7) differentiated by the rule for quotients; the dots are the break between two lines",
+                "Eq. (1-7) differentiated by the rule for quotients, where the dots are the break between two lines",
             )
             .proven(AccelerationStep::QuotientRule)
             .by(Vectors, || at_instants(|at| (at.turning_rate(), acceleration_by_quotient(at)))),

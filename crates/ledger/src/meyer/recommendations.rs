@@ -22,7 +22,10 @@ fn not_fast_enough() -> Claim {
         )
         .by(OtherPlaceInSource, |stated| {
             let least = rows().iter().map(|row| row.number(Column::Rise)).fold(f64::INFINITY, f64::min);
-            Finding::new(least >= stated.pick(TEN, THIRTY), format!("the shortest of Appendix E is {least} s"))
+            Finding::new(
+                least >= stated.pick(TEN, THIRTY),
+                format!("the shortest rise time of Appendix E is {least} s"),
+            )
         })
         .by(RungeKutta, |stated| {
             let times = groups().iter().filter_map(|group| {
@@ -38,7 +41,8 @@ fn not_fast_enough() -> Claim {
         })
         .but_not("they are too long for a timer of three hundredths of a second")
         .read_as(
-            "A timer of milliseconds times less than ten of them; a rise longer than that is not fast enough for it.",
+            "A timer of milliseconds times less than ten of them, so a rise longer than that is not fast enough for \
+             it.",
         )
 }
 
@@ -50,7 +54,7 @@ fn spring_rates() -> Claim {
     spring::no_rate(
         "meyer.recommendation.spring-rates",
         at("Recommendation 2"),
-        "the strength of the spring is called a rate, which is a torque for each radian of winding",
+        "the strength of the spring is called a rate, which would be a torque for each radian of winding",
         "spring rates",
         "torques of the spring",
     )
@@ -93,10 +97,10 @@ fn cyclic_oscillations() -> Claim {
             })
         })
         .read_as(
-            "Excessively high: ten times the greatest torque that the tables have for a mechanism and a friction. \
-             Significant: one unit of the tables' peaks, 1 rad/s, or more between the greatest and the least peak once \
-             the rise is over. So the printed velocities of all groups swing from about five times that torque on; with \
-             three times it not all of them do.",
+            "Excessively high means ten times the greatest torque that the tables have for a mechanism and a \
+             friction. Significant means that the greatest and the least peak differ by one unit of the tables' \
+             peaks, 1 rad/s, or more once the rise is over. By this reading the printed velocities of all groups \
+             swing from about five times that torque on. With three times that torque, not all of them do.",
         )
         .corrected(
             "significant cyclic oscillations in the magnitude of the greatest printed velocity of each cycle, not of \

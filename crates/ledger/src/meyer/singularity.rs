@@ -1,7 +1,8 @@
 //! Why a denominator is never zero, and what that does not say: the text between Eqs. (1-18) and (1-19).
 //!
-//! A *singularity* has one meaning here, that of the paragraph: a place where something that the equation, as it is
-//! written, divides by is zero, so that the equation would not be valid. Solved for the acceleration it divides by more.
+//! A *singularity* has one meaning here, the meaning in the paragraph: a place where something that the equation, as it
+//! is written, divides by is zero, so that the equation would not be valid. Solved for the acceleration, it divides by
+//! more.
 
 use super::instants::moments;
 use super::reading::{Letters, Moment};
@@ -16,9 +17,10 @@ use nalgebra::Complex;
 const FLAW: Place = at("Line after Eq. (1-18)");
 const END: Place = at("Paragraph before the substitutions of Eq. (1-19)");
 /// What the word means in the paragraph.
-const SINGULARITY: &str = "A singularity as the paragraph has it: a place where something that Eq. (1-18), as it is \
-                           written, divides by is zero, so that the equation would not be valid there. That it has one \
-                           solution for the acceleration is more, and is not said.";
+const SINGULARITY: &str = "A singularity, as the paragraph uses the word, is a place where something that Eq. (1-18) \
+                           divides by, as it is written, is zero, so that the equation would not be valid there. That \
+                           the equation has one solution for the acceleration is a stronger claim, and the paragraph \
+                           does not make it.";
 
 pub fn claims() -> Vec<Claim> {
     [quantity(), bounds(), slots()].concat()
@@ -41,7 +43,8 @@ fn quantity() -> Vec<Claim> {
             Finding::new(
                 (usize::from(powers > 0) + others) as u32 == stated.count(),
                 format!(
-                    "of the denominators that are not constant {powers} are powers of the pin's distance, {others} are not"
+                    "among the denominators that are not constant, {powers} are powers of the pin's distance and \
+                     {others} are not"
                 ),
             )
         })
@@ -71,14 +74,14 @@ fn quantity() -> Vec<Claim> {
                 format!("the terms grow without bound where the pin is on the follower's axis; elsewhere: {elsewhere}"),
             )
         })
-        .but_not("solved for the acceleration it divides by nothing else that could be zero, either")
+        .but_not("when it is solved for the acceleration, it divides by nothing else that could be zero either")
         .read_as(SINGULARITY),
         at("Display after Eq. (1-18)")
             .statement(
                 "meyer.singularity.quantity",
                 r"(1 + a^2 - 2a \cos \theta)",
-                "the quantity whose powers Eq. (1-18) divides by: the square of the pin's distance from the follower's \
-                 axis, over r²",
+                "the quantity whose powers Eq. (1-18) divides by, which is the square of the pin's distance from the \
+                 follower's axis over r²",
             )
             .by(Vectors, |stated| {
                 let holds = moments().iter().all(|moment| {
@@ -87,7 +90,7 @@ fn quantity() -> Vec<Claim> {
                         instants::letters_of(moment)("square"),
                     )
                 });
-                Finding::new(holds, "read and evaluated, against the pin's distance by coordinates")
+                Finding::new(holds, "read and evaluated, and compared with the pin's distance by coordinates")
             })
             .by(ClosedForm, |stated| {
                 // A less the ratio of the inertias is the square of a cos θ − 1 over that of the quantity.
@@ -101,14 +104,17 @@ fn quantity() -> Vec<Claim> {
                         vanishes((factors.a - 1.0) * divisor * divisor - above * above)
                     })
                 });
-                Finding::new(holds, "the factor A of the equation of motion has its square below the line")
+                Finding::new(
+                    holds,
+                    "the factor A of the equation of motion has the square of this quantity as its denominator",
+                )
             })
-            .but_not("the same with a plus before its last term"),
+            .but_not("the same quantity with a plus before its last term"),
         at("1st display of θ_∞")
             .equation(
                 "meyer.singularity.assumed",
                 r"1 + a^2 - 2a \cos \theta_\infty = 0",
-                "condition for an angle at which it would be zero",
+                "condition for an angle at which this quantity would be zero",
             )
             .proven(SingularAngle)
             .read(ClosedForm, with_imaginary_angles),
@@ -116,7 +122,7 @@ fn quantity() -> Vec<Claim> {
             .equation(
                 "meyer.singularity.angle",
                 r"\theta_\infty = \cos^{-1} \left(\frac{1 + a^2}{2a} \right)",
-                "that angle",
+                "the angle at which this quantity would be zero",
             )
             .proven(SingularAngle)
             .read(ClosedForm, with_imaginary_angles),
@@ -136,11 +142,26 @@ fn bounds() -> Vec<Claim> {
             "a cosine is at most one",
             r"\left(\frac{1 + a^2}{2a} \right) \leq 1",
         ),
-        bound("meyer.singularity.cleared", "2nd inequality", "the same times 2a", r"1 + a^2 \leq 2a"),
-        bound("meyer.singularity.collected", "3rd inequality", "the same on one side", r"a^2 - 2a + 1 \leq 0"),
-        bound("meyer.singularity.square", "4th inequality", "the same as a square", r"(a - 1)^2 \leq 0"),
+        bound(
+            "meyer.singularity.cleared",
+            "2nd inequality",
+            "the first inequality multiplied by 2a",
+            r"1 + a^2 \leq 2a",
+        ),
+        bound(
+            "meyer.singularity.collected",
+            "3rd inequality",
+            "the second inequality with all its terms on one side",
+            r"a^2 - 2a + 1 \leq 0",
+        ),
+        bound(
+            "meyer.singularity.square",
+            "4th inequality",
+            "the third inequality written as a square",
+            r"(a - 1)^2 \leq 0",
+        ),
         at("Line after the inequalities")
-            .statement("meyer.singularity.only-one", "a = 1", "only the ratio one allows it")
+            .statement("meyer.singularity.only-one", "a = 1", "only a ratio of one allows it")
             .by(ClosedForm, |stated| {
                 let square = characters("meyer.singularity.square");
                 let found: Vec<f64> = ratios().filter(|ratio| allows(square, *ratio) == Some(true)).collect();
@@ -158,24 +179,32 @@ fn bounds() -> Vec<Claim> {
                 let found: Vec<f64> = ratios().filter(|ratio| vanishes(nearest(ratio))).collect();
                 Finding::new(
                     found == [stated.pick(stated.number(), NEXT_RATIO)],
-                    format!("of 80 distances of the axes the pin comes onto the follower's axis at {found:?}"),
+                    format!("of 80 centre distances, the pin comes onto the follower's axis at {found:?}"),
                 )
             })
-            .but_not("only the next greater ratio that was tried, seventeen sixteenths"),
+            .but_not("only the next greater ratio that we tried, seventeen sixteenths, allows it"),
     ]
 }
 
 fn slots() -> Vec<Claim> {
     vec![
         at("1st display before the substitutions of Eq. (1-19)")
-            .equation("meyer.singularity.ratio", r"a = \frac{1}{\sin(\pi/n)} = 1", "the ratio one by Eq. (1-2)")
+            .equation(
+                "meyer.singularity.ratio",
+                r"a = \frac{1}{\sin(\pi/n)} = 1",
+                "the condition that the ratio is one, by Eq. (1-2)",
+            )
             .proven(AtOne)
             .read(ClosedForm, only_for_two),
         at("2nd display before the substitutions of Eq. (1-19)")
-            .equation("meyer.singularity.sine", r"\sin\left(\frac{\pi}{n}\right) = 1", "the same for the sine")
+            .equation(
+                "meyer.singularity.sine",
+                r"\sin\left(\frac{\pi}{n}\right) = 1",
+                "the same condition for the sine",
+            )
             .proven(AtOne)
             .read(ClosedForm, only_for_two),
-        END.statement("meyer.singularity.two-slots", "n=2", "only two slots would give it")
+        END.statement("meyer.singularity.two-slots", "n=2", "only two slots would give a ratio of one")
             .by(ClosedForm, |stated| {
                 let found = slots_that_satisfy(characters("meyer.singularity.sine"));
                 Finding::new(
@@ -214,14 +243,14 @@ fn slots() -> Vec<Claim> {
                 let found = (1..=1000).find(fits);
                 Finding::new(
                     found.is_none() && pins_needed(slots).is_none(),
-                    format!("of 1 to 1000 pins the angles at the hand-over make a right angle for {found:?}"),
+                    format!("with 1 to 1000 pins tried, the angles at the hand-over make a right angle for {found:?}"),
                 )
             })
-            .but_not("three slots are"),
+            .but_not("three slots are ruled out by Eq. (1-3)"),
         END.statement(
             "meyer.singularity.conclusion",
             "contains no singularities",
-            "what Eq. (1-18) divides by is zero nowhere in the three mechanisms",
+            "Eq. (1-18), as it is written, divides by zero nowhere in the three mechanisms",
         )
         .by(ClosedForm, |stated| {
             let of = |ratio: f64, angle: f64| 1.0 + ratio * ratio - 2.0 * ratio * libm::cos(angle);
@@ -233,7 +262,10 @@ fn slots() -> Vec<Claim> {
                 stated.pick(as_written, solved)
             });
             let least: Vec<f64> = least.collect();
-            Finding::new(least.iter().all(|least| *least > 0.0), format!("its least values are {least:.3?}"))
+            Finding::new(
+                least.iter().all(|least| *least > 0.0),
+                format!("the least values of the divisor are {least:.3?}"),
+            )
         })
         .by(Vectors, |stated| {
             let nearest = Mechanism::ALL.map(|mechanism| {
@@ -256,7 +288,7 @@ fn slots() -> Vec<Claim> {
                 format!("a pin comes as near to the follower's axis as {nearest:.3?} radii"),
             )
         })
-        .but_not("solved for the acceleration, it divides by nothing that is zero anywhere, whatever the friction")
+        .but_not("when it is solved for the acceleration, it divides by zero nowhere, whatever the friction")
         .read_as(SINGULARITY),
     ]
 }

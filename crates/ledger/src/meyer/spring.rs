@@ -1,4 +1,4 @@
-//! Is K a rate of the spring? Places that call the torque a rate of the spring, which it is not, or its constant.
+//! Is K a rate of the spring? Some places call the torque a rate, which it is not, and some a constant.
 
 use super::newton::Newton;
 use super::runs::{Column, Hypothesis, Row, rows};
@@ -31,13 +31,13 @@ pub fn constant(id: &'static str, place: Place, meaning: &'static str, printed: 
         .by(OtherPlaceInSource, in_the_equation)
         .but_not(RATE)
         .read_as(
-            "The constant of a spring whose torque is constant is that torque. (Of other springs the constant is a torque \
-             for each radian of winding, and the word rate, elsewhere, says that of this one.)",
+            "The constant of a spring whose torque is constant is that torque. (For other springs the constant is a \
+             torque for each radian of winding. Elsewhere the word rate says this of our spring.)",
         )
 }
 
 /// What K is not.
-const RATE: &str = "a rate: the torque is K times the angle turned";
+const RATE: &str = "a rate, so that the torque is K times the angle turned";
 
 /// A place that has K in inch-pounds per radian, and no word for it: a torque may be so measured.
 pub fn torque_per_radian(

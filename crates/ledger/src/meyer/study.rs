@@ -41,8 +41,8 @@ pub fn of_parameters() -> Vec<Claim> {
                 format!("just past the angles of Appendix D, −{angles:?}°, how the pin's distance changes"),
             )
         })
-        .but_not("where the pin leaves")
-        .read_as("With its sign, as Appendix D has it; chapter I and Appendix A have its size."),
+        .but_not("it is where the pin leaves")
+        .read_as("We take the angle with its sign, as Appendix D has it. Chapter I and Appendix A have its size."),
         spring::constant(
             "meyer.parameter.spring",
             LIST,
@@ -62,7 +62,7 @@ pub fn of_parameters() -> Vec<Claim> {
                     [times.iter().copied().fold(f64::INFINITY, f64::min), times.iter().copied().fold(0.0, f64::max)];
                 let exactly = ends.map(f64::round) == [*bounds.start(), *bounds.end()];
                 let holds = times.len() == 5 && stated.pick(exactly, ends.iter().all(|times| bounds.contains(times)));
-                Finding::new(holds, format!("the inertias of the runs over the estimate are {times:.0?}"))
+                Finding::new(holds, format!("the inertias of the runs divided by the estimate are {times:.0?}"))
             })
             .by(Quadrature, |stated| {
                 let (bounds, times) = (factors(stated), over_estimate_by_periods());
@@ -72,24 +72,25 @@ pub fn of_parameters() -> Vec<Claim> {
                 Finding::new(
                     holds,
                     format!(
-                        "the printed periods with four pins are those of inertias {:.1} to {:.0} times the estimate",
+                        "the printed periods with four pins belong to inertias {:.1} to {:.0} times the estimate",
                         all[0], all[1]
                     ),
                 )
             })
-            .read_as("Somewhat: by less than a power of ten.")
+            .read_as("Somewhat means by less than a power of ten.")
             .corrected(
                 "were 6 to 100 times this figure",
                 Slip {
                     id: "",
-                    reason: "The least inertia of the tables is several times the estimate, the greatest a hundred \
-                             times. How the estimate came to stand beside them is not known.",
-                    witness: "The periods of the four-pin table, to a unit of their last place, are those of inertias \
-                              so large.",
+                    reason: "The least inertia of the tables is several times the estimate, and the greatest is a \
+                             hundred times the estimate. We do not know how the estimate came to be printed beside \
+                             them.",
+                    witness: "The periods of the four-pin table, to a unit of their last place, belong to inertias so \
+                              large.",
                     origin: Origin::Concept,
                     consequence: Consequence::Remark,
-                    changes: "The tables are not of parts like those described: discs as thick would have to be more \
-                              than three times as wide for the greatest.",
+                    changes: "The parts in the tables are not like the parts described, because discs as thick would \
+                              have to be more than three times as wide for the greatest inertia.",
                 },
             ),
     ]
@@ -105,14 +106,14 @@ pub fn of_axis() -> Claim {
     )
 }
 
-/// What the headings of Appendix E say beside their numbers.
+/// The claims in the headings of Appendix E, beside their numbers.
 pub fn of_headings() -> Vec<Claim> {
     vec![
         runs::of_headings(),
         spring::torque_per_radian(
             "meyer.app-e.torque-unit",
             TABLES,
-            "K, in inch-pounds per radian, is a torque: the work done per radian",
+            "K, in inch-pounds per radian, is a torque, the work done per radian",
             "K in lb/rad",
         ),
     ]

@@ -27,8 +27,8 @@ pub fn claims() -> Vec<Claim> {
                 Finding::new(
                     left.len() == rows().len() && worst < 1.0,
                     format!(
-                        "{} of {} runs have a steady motion; an engagement leaves {worst:.2} or less of a difference \
-                         of speeds",
+                        "{} of {} runs have a steady motion, and an engagement leaves {worst:.2} or less of a \
+                         difference of speeds",
                         left.len(),
                         rows().len()
                     ),
@@ -45,7 +45,7 @@ pub fn claims() -> Vec<Claim> {
                     format!("{count} of {} runs repeat their speed after {ENGAGEMENTS} engagements", rows().len()),
                 )
             })
-            .but_not("without friction it does so too"),
+            .but_not("the mechanism reaches one without friction too"),
         ABSTRACT
             .statement(
                 "meyer.abstract.fifty",
@@ -72,27 +72,30 @@ pub fn claims() -> Vec<Claim> {
                     starts().len() == rows().len()
                         && stated.pick(beyond.iter().all(|count| *count > 0) && as_said(), beyond == [0, 0]),
                     format!(
-                        "the velocity at each angle is steady to one per cent only after {FIFTY} ms in {} runs, in one \
-                         after {:.1}; the average of peak and minimum in {} runs, in one after {:.1}",
+                        "to one per cent, the velocity at each angle is steady only after {FIFTY} ms in {} runs, in \
+                         one of them after {:.1}; the average of peak and minimum is so in {} runs, in one of them \
+                         after {:.1}",
                         beyond[0], most[0], beyond[1], most[1]
                     ),
                 )
             })
-            .read_as("As much as: no run takes longer.")
+            .read_as("As much as means that no run takes longer.")
             .corrected(
                 "more than fifty milliseconds: in Appendix E as much as 101, and by the mechanisms 103, or 145 until the \
                  average of peak and minimum is attained",
                 Slip {
                     id: "",
-                    reason: "It disagrees with the thesis's own table: a good part of the rise times of Appendix E is \
-                             longer, with six pins and with four. What is right cannot be told from that column, which \
-                             no definition that we tried explains; but some of the motions take longer than that to \
-                             come within one per cent of the terminal velocity, whichever of its two readings is taken.",
+                    reason: "The claim disagrees with the thesis's own table, because a good part of the rise times \
+                             of Appendix E is longer, with six pins and with four. We cannot tell from that column \
+                             what is right, because no definition that we tried explains it. But some of the motions \
+                             take longer than the abstract's time to come within one per cent of the terminal \
+                             velocity, whichever of its two readings we take.",
                     witness: "The equation of motion, solved for the mechanisms as they are.",
                     origin: Origin::Misprint,
                     consequence: Consequence::Conclusion,
-                    changes: "Plan with the abstract's time, and you allow too little: the longest rise of the tables is \
-                              twice as long, and so is the longest of the mechanisms, or nearly three times.",
+                    changes: "If you plan with the abstract's time, you allow too little. The longest rise of the \
+                              tables is twice as long, and the longest rise of the mechanisms is also twice as long, \
+                              or nearly three times.",
                 },
             ),
     ]
@@ -127,7 +130,8 @@ fn followed(row: &Row, friction: f64) -> Vec<(f64, f64)> {
     from_speed(row, friction, 0.0)
 }
 
-/// The same from a speed at entry; fewer engagements if the driver does not come through them all.
+/// Duration and end speed of each engagement of a run from a speed at entry; fewer of them if the driver does not come
+/// through them all.
 pub fn from_speed(row: &Row, friction: f64, speed: f64) -> Vec<(f64, f64)> {
     const STEPS: u32 = 200;
     let Some(at) = Hypothesis::IDEAL.parameters(row) else { return Vec::new() };

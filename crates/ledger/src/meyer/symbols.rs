@@ -2,8 +2,9 @@
 
 use crate::Symbol;
 
-/// Each printed letter and the symbol of the book's chapters on the source. A letter that stands twice has two meanings
-/// in the source.
+/// Each printed letter and the symbol in the book's chapters on the source.
+///
+/// A letter that is listed twice has two meanings in the source.
 pub const SYMBOLS: &[Symbol] = &[
     Symbol { printed: "r", ours: "r", meaning: "radius of the circle of the pins" },
     Symbol { printed: "c", ours: "c", meaning: "distance of the two axes" },
@@ -17,11 +18,7 @@ pub const SYMBOLS: &[Symbol] = &[
         ours: r"\varphi",
         meaning: "follower's angle from the line of centres, in the opposite sense",
     },
-    Symbol {
-        printed: "θ_0",
-        ours: r"\theta_0",
-        meaning: "driver's angle at the hand-over; with its size in chapter I",
-    },
+    Symbol { printed: "θ_0", ours: r"\theta_0", meaning: "driver's angle at the hand-over; chapter I gives its size" },
     Symbol { printed: "φ_0", ours: r"\varphi_0", meaning: "follower's angle at the hand-over" },
     Symbol {
         printed: "θ_∞", ours: r"\theta_\infty", meaning: "driver's angle at which a denominator would be zero"
@@ -36,11 +33,11 @@ pub const SYMBOLS: &[Symbol] = &[
     Symbol { printed: "τ_2", ours: r"\tau_2", meaning: "torque of the friction on the driver" },
     Symbol { printed: "T", ours: "T", meaning: "kinetic energy" },
     Symbol { printed: "A, B, C, D, E", ours: "A, B, C, D, E", meaning: "factors of the equation of motion" },
-    Symbol { printed: "F", ours: "F", meaning: "what stands between the bars" },
-    Symbol { printed: "S", ours: "S", meaning: "sign of what stands between the bars" },
+    Symbol { printed: "F", ours: "F", meaning: "the expression between the bars" },
+    Symbol { printed: "S", ours: "S", meaning: "sign of the expression between the bars" },
     Symbol { printed: "A, B", ours: r"\dot{x}_0, x_0", meaning: "initial values in the example of the program" },
     Symbol { printed: "R", ours: "A_0", meaning: "factor A at the start" },
-    Symbol { printed: "V", ours: "|D_0|", meaning: "factor D at the start; its size in the program" },
+    Symbol { printed: "V", ours: "|D_0|", meaning: "factor D at the start; in the program, its size" },
     Symbol { printed: "m", ours: r"\rho", meaning: "mass density" },
     Symbol { printed: "m", ours: "M", meaning: "mass in the example of the program" },
     Symbol { printed: "c", ours: r"\delta", meaning: "damping in the example of the program" },

@@ -1,7 +1,8 @@
-//! The words on which claims of this source turn: one meaning for each, the one that its own words bear best, and the
-//! function by which all claims measure it.
+//! The words on which claims of this source turn.
 //!
-//! Where the source leaves two readings equally near, both are measured, and a verdict needs both to agree.
+//! Each word has one meaning, which is the meaning that the source's own words bear best, and one function by which all
+//! claims measure it. Where the source leaves two readings equally near, we measure both, and a verdict needs both to
+//! agree.
 
 use super::by_steps::{self, Motion};
 use super::runs::{Hypothesis, Row, rows};
@@ -13,15 +14,15 @@ use std::sync::OnceLock;
 pub struct Term {
     /// The word.
     pub word: &'static str,
-    /// Characters by which a claim is known to speak of it; none if the word is too common for that.
+    /// Characters that tell that a claim speaks of it; none if the word is too common for that.
     pub known_by: &'static [&'static str],
     /// What it means.
     pub meaning: &'static str,
-    /// Where the source says so, or says what is nearest to it.
+    /// Where the source says so, or where it comes nearest to saying so.
     pub rests_on: &'static str,
     /// The function that measures it, if anything does.
     pub measure: &'static str,
-    /// The claims that use it; one that ends in a star stands for all that begin so.
+    /// The claims that use it; an id that ends in a star stands for all ids that begin so.
     pub claims: &'static [&'static str],
 }
 
@@ -42,8 +43,8 @@ pub const TERMS: [Term; 8] = [
     Term {
         word: "terminal velocity",
         known_by: &["terminal velocit"],
-        meaning: "the velocity in the motion that repeats itself from engagement to engagement; as one number the mean of \
-                  its peak and its minimum",
+        meaning: "the velocity in the motion that repeats itself from engagement to engagement. As one number, it is \
+                  the mean of its peak and its minimum",
         rests_on: "introduction, which calls it steady state too; chapter II, paragraph on the rise time, for the average",
         measure: "terms::Start::by_integrals",
         claims: &[
@@ -69,9 +70,9 @@ pub const TERMS: [Term; 8] = [
     Term {
         word: "rise time",
         known_by: &["rise time"],
-        meaning: "the time from rest until the terminal velocity is reached, to one per cent. Of which velocity is left \
-                  open, so both readings count: the velocity at each angle from then on, and the average of peak and \
-                  minimum of an engagement, counted to its end",
+        meaning: "the time from rest until the terminal velocity is reached, to one per cent. The thesis leaves open \
+                  which velocity, so both readings count: the velocity at each angle from then on, and the average of \
+                  peak and minimum of an engagement, counted to the end of that engagement",
         rests_on: "introduction, which defines it; axes of Figs. 10 and 11, for the one per cent; chapter II, paragraph on \
                    the rise time, for the steady state velocity profile and for the average",
         measure: "terms::Start::by_integrals",
@@ -96,7 +97,7 @@ pub const TERMS: [Term; 8] = [
     Term {
         word: "can be used, or works, as a timing device",
         known_by: &["timing device", "timing application", "timing mechanism"],
-        meaning: "started from rest, it comes to a terminal velocity; how accurate it is, is not asked",
+        meaning: "started from rest, the mechanism comes to a terminal velocity. We do not ask how accurate it is",
         rests_on: "abstract, which draws the one from the other; chapter II, first paragraph",
         measure: "conclusions::settles",
         claims: &["meyer.conclusion.timing", "meyer.conclusion.three", "meyer.always-engaged"],
@@ -105,15 +106,15 @@ pub const TERMS: [Term; 8] = [
         word: "singularity",
         known_by: &["singularit"],
         meaning: "an angle at which the equation of motion, as it is written, divides by zero",
-        rests_on: "chapter I, paragraphs behind Eq. (1-18)",
+        rests_on: "chapter I, paragraphs after Eq. (1-18)",
         measure: "singularity::divisors",
         claims: &["meyer.possible-flaw", "meyer.singularity.*"],
     },
     Term {
         word: "any of the three mechanisms",
         known_by: &["any of the three mechanisms"],
-        meaning: "what is said of the curves of Fig. 8 is said of all runs",
-        rests_on: "chapter II, sentence behind Fig. 8",
+        meaning: "what the thesis says of the curves of Fig. 8, it says of all runs",
+        rests_on: "chapter II, sentence after Fig. 8",
         measure: "runs::rows",
         claims: &[
             "meyer.shape",
@@ -130,8 +131,8 @@ pub const TERMS: [Term; 8] = [
     Term {
         word: "is a maximum, is a minimum, coincides, slows down, decreases",
         known_by: &[],
-        meaning: "within one unit of the tables' speeds, 1 rad/s, of the greatest or the least speed of the cycle; a speed \
-                  falls if it is nowhere more than such a unit above its least before",
+        meaning: "within one unit of the tables' speeds, 1 rad/s, of the greatest or the least speed of the cycle. A \
+                  speed falls if it is nowhere more than such a unit above its least value before",
         rests_on: "Appendix E, whose speeds have no decimals",
         measure: "terms::is_there",
         claims: &[
@@ -145,24 +146,25 @@ pub const TERMS: [Term; 8] = [
     Term {
         word: "almost",
         known_by: &["almost"],
-        meaning: "a straight line misses each velocity by less than a twentieth; the source has no measure of it",
-        rests_on: "no place: the measure is this project's. Any between the greatest miss of the lines and the least of \
-                   those through the origin gives the same verdict",
+        meaning: "a straight line misses each velocity by less than a twentieth. The source has no measure of the word",
+        rests_on: "no place, because the measure is ours. Any measure between the greatest miss of the lines and the \
+                   least miss of the lines through the origin gives the same verdict",
         measure: "general_statements::straight",
         claims: &["meyer.almost-linear"],
     },
     Term {
         word: "seriously, small",
         known_by: &["seriously"],
-        meaning: "left open: the source has no measure of it, and those that suggest themselves disagree",
+        meaning: "left open, because the source has no measure of it and the measures that suggest themselves disagree",
         rests_on: "Conclusion 2",
         measure: "",
         claims: &["meyer.small-variations"],
     },
 ];
 
-/// The part of the terminal velocity that may be missing at the end of the rise: the axes of Figs. 10 and 11 have 99 per
-/// cent of it.
+/// The part of the terminal velocity that may be missing at the end of the rise.
+///
+/// The axes of Figs. 10 and 11 have 99 per cent of that velocity.
 pub const MISSING: f64 = 0.01;
 
 /// A start from rest, as the terms measure it.
@@ -170,18 +172,20 @@ pub const MISSING: f64 = 0.01;
 pub struct Start {
     /// The average terminal velocity, in rad/s: the mean of peak and minimum of the steady motion.
     pub velocity: f64,
-    /// The rise times in s: until the velocity is the steady one at each angle, and until the average of peak and minimum
-    /// of an engagement is, each to one per cent.
+    /// The rise times in s, each to one per cent.
+    ///
+    /// The first lasts until the velocity is the steady velocity at each angle, and the second until the average of
+    /// peak and minimum of an engagement is the steady average.
     pub rise_times: [f64; 2],
 }
 
 impl Start {
-    /// By the solution over the angle.
+    /// The start, by the solution over the angle.
     pub fn by_integrals(of: &Engagement) -> Option<Self> {
         Self::by_integrals_to(of, MISSING)
     }
 
-    /// The same with another part of the velocity that may be missing.
+    /// The start by the solution over the angle, with another part of the velocity that may be missing.
     pub fn by_integrals_to(of: &Engagement, missing: f64) -> Option<Self> {
         let (rise, first) = (of.rise(1e-6).ok()?, of.first_minimum().ok()??);
         let velocity = rise.steady.mean_of_extremes();
@@ -194,7 +198,7 @@ impl Start {
         Some(Self { velocity, rise_times: [of.until_profile(missing).ok()?, average] })
     }
 
-    /// By equal steps of the angle.
+    /// The start, by equal steps of the angle.
     pub fn by_steps(motion: &Motion) -> Option<Self> {
         let steady = motion.steady()?;
         let average = |of: &by_steps::Engagement| {

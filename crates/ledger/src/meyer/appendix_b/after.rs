@@ -62,21 +62,21 @@ fn lines() -> Vec<Claim> {
                 let single = !lines.is_empty() && lines.iter().all(|[_, rest, moving]| rest + moving == 1.0);
                 Finding::new(
                     single,
-                    "of the deck's two lines of the acceleration one is in force at each line of a run",
+                    "one of the deck's two lines for the acceleration is in force at each line of a run",
                 )
             })
             .by(OtherPlaceInSource, |stated| {
                 // The listing has LGT as the opposite of SMT; before the start and after it they are so either way.
                 let said = stated.pick([false, false, true], [false, true, true]);
                 let opposite = listed().any(|truths| truths.map(|small| !small) == said);
-                Finding::new(opposite, "before the start, at it and after it, against the opposite of SMT")
+                Finding::new(opposite, "before the start, at it and after it, compared with the opposite of SMT")
             })
             .but_not("LGT leaves it on at the start"),
         AFTER
             .statement(
                 "meyer.app-b.primary",
                 "identical to the equation derived",
-                "the program's line for the acceleration is the equation derived",
+                "the program's line for the acceleration is the derived equation",
             )
             .by(ClosedForm, |stated| {
                 let derived = right_side("meyer.app-b.solved").replace('S', stated.pick("S", "1"));
@@ -96,9 +96,9 @@ fn lines() -> Vec<Claim> {
             .by(Vectors, |stated| {
                 let line = program::ACCELERATION.replace('S', stated.pick("S", "1"));
                 let holds = program::holds(&line);
-                Finding::new(holds == Some(true), "read and evaluated, against the mechanism by coordinates")
+                Finding::new(holds == Some(true), "read and evaluated, and compared with the mechanism by coordinates")
             })
-            .but_not("it is that equation without S"),
+            .but_not("it is the derived equation without S"),
         first_derivative(("meyer.app-b.speed-name", AFTER), "name of the driver's speed", ["LDX", "1DX"]),
         first_derivative(("meyer.app-b.angle-name", AFTER), "name of the driver's speed", ["LDX", "1DX"]),
     ]
@@ -129,7 +129,7 @@ fn angle() -> Vec<Claim> {
                     Some(lines.iter().map(|line| [line.turned, line.speed]).collect())
                 })
             })
-            .but_not("so does its speed"),
+            .but_not("the driver's speed grows all that time too"),
         AFTER
             .statement(
                 "meyer.app-b.engaged",
@@ -142,7 +142,7 @@ fn angle() -> Vec<Claim> {
         reset(
             "meyer.app-b.fold",
             AFTER,
-            "the angle within an engagement is the driver's angle modulo 90°, less 30°, 45° or 60°",
+            "the angle within an engagement is the driver's angle modulo 90°, minus 30°, 45° or 60°",
             r"90° , minus either 30° , 45° , or 60°",
             "60°, 90° or 120°, minus 30°, 45° or 60°",
         ),
@@ -150,7 +150,8 @@ fn angle() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.series",
                 "a series of problems of changing initial conditions",
-                "a run may be put together from single engagements, each beginning with what the one before has left",
+                "a run may be put together from single engagements, each of which begins with what the one before has \
+                 left",
             )
             .by(Evidence::RungeKutta, |stated| {
                 // The whole run at once, with the pin that is in a slot at each angle.
@@ -168,8 +169,10 @@ fn angle() -> Vec<Claim> {
                     (2.0 * parameters.torque() * turned / parameters.inertias().driver()).sqrt()
                 })
             })
-            .but_not("of the same initial conditions: each begins from rest")
-            .read_as("With the angle between two pins for the reset; the printed 90° is a claim of its own."),
+            .but_not("all engagements have the same initial conditions, because each begins from rest")
+            .read_as(
+                "We take the angle between two pins for the reset, because the printed 90° is a claim of its own.",
+            ),
         AFTER
             .statement(
                 "meyer.app-b.hand-over",
@@ -188,7 +191,7 @@ fn angle() -> Vec<Claim> {
                         agrees(last, first)
                     })
                 });
-                Finding::new(holds, "by the equation of motion as a pin leaves and as the next enters")
+                Finding::new(holds, "by the equation of motion as a pin leaves and as the next pin enters")
             })
             .by(Vectors, |stated| {
                 for_each(
@@ -213,7 +216,7 @@ fn angle() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.one-pin-at-a-time",
                 "discrete, single pin engagements",
-                "the motion is a row of engagements of one pin each",
+                "the motion is a sequence of engagements of one pin each",
             )
             .by(Vectors, |stated| {
                 let engaged = stated.pick(stated.count() as usize, 2);
@@ -224,7 +227,7 @@ fn angle() -> Vec<Claim> {
                             layout.is_ok_and(|layout| layout.engaged.len() == engaged)
                         })
                     },
-                    "pins in slots between two hand-overs were counted",
+                    "we counted the pins in slots between two hand-overs",
                 )
             })
             .by(ClosedForm, |stated| {
@@ -241,15 +244,15 @@ fn angle() -> Vec<Claim> {
                             within.count() == engaged
                         })
                     },
-                    "pins nearer to the follower's axis than its rim were counted",
+                    "we counted the pins nearer to the follower's axis than its rim",
                 )
             })
-            .but_not("of two pins each"),
+            .but_not("a sequence of engagements of two pins each"),
     ]
 }
 
-/// Whether the driver's speed at the end of one to three engagements from rest, put together one by one, is that of the
-/// whole run.
+/// Whether the driver's speed at the end of one to three engagements from rest, put together one by one, is its speed
+/// in the whole run.
 fn in_series(friction: f64, stated: Stated, whole: impl Fn(&Parameters, u32) -> f64) -> Finding {
     let holds = Mechanism::ALL.iter().all(|mechanism| {
         let both = Inertias::new(1.0, 2.0).and_then(|both| Parameters::new(*mechanism, both, 1.5, friction));
@@ -262,11 +265,15 @@ fn in_series(friction: f64, stated: Stated, whole: impl Fn(&Parameters, u32) -> 
             })
         })
     });
-    Finding::new(holds, "the driver's speed at three hand-overs, against that of the whole run, for each mechanism")
+    Finding::new(
+        holds,
+        "the driver's speed at three hand-overs, compared with the speed in the whole run, for each mechanism",
+    )
 }
 
-/// The square of the driver's speed when it has turned so far from rest, by Runge and Kutta in equal steps of the angle;
-/// of all pins the one in a slot is the nearest to the follower's axis.
+/// The square of the driver's speed when it has turned so far from rest, by Runge-Kutta steps of equal angle.
+///
+/// Of all pins, the pin in a slot is the nearest to the follower's axis.
 fn square_after(parameters: &Parameters, turned: f64, steps: u32) -> Option<f64> {
     let at = parameters.mechanism();
     let first = at.engagement_half_angle();
@@ -311,7 +318,7 @@ fn end() -> Vec<Claim> {
                 let said = stated.number() + stated.pick(0.0, interval());
                 Finding::new(
                     (end - said).abs() < 1e-9,
-                    format!("the last line of the program's first run is that of {end:.4} s"),
+                    format!("the last line of the program's first run is at {end:.4} s"),
                 )
             })
             .but_not("it ends a printed line later"),

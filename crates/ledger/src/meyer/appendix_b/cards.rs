@@ -19,33 +19,33 @@ fn letters() -> Vec<Claim> {
     vec![
         letter(
             ("meyer.listing.comment-n", at("Appendix B, program, comment on N")),
-            ("NUMBER OF SLOTS", "what N is", "the number of pins"),
+            ("NUMBER OF SLOTS", "the meaning of N", "N is the number of pins"),
             [program::G],
             // m pins with N slots: 1/m is 1/2 less 1/N.
             |formula| formula.replace(r"\pi/N", r"\frac{\pi}{2} - \frac{\pi}{N}"),
         ),
         letter(
             ("meyer.listing.comment-u", at("Appendix B, program, comment on U")),
-            ("COEFFICIENT OF FRICTION", "what U is", "the angle whose tangent is the coefficient"),
+            ("COEFFICIENT OF FRICTION", "the meaning of U", "U is the angle whose tangent is the coefficient"),
             [program::C, program::D, program::V],
             |formula| formula.replace('U', r"\tan(U)"),
         ),
         letter(
             ("meyer.listing.comment-iw", at("Appendix B, program, comment on IW")),
-            ("MOMENT OF INERTIA OF FOLLOWER", "what IW is", "that of the driver"),
+            ("MOMENT OF INERTIA OF FOLLOWER", "the meaning of IW", "IW is the moment of inertia of the driver"),
             [program::A, program::E, program::R],
             exchanged,
         ),
         letter(
             ("meyer.listing.comment-ic", at("Appendix B, program, comment on IC")),
-            ("MOMENT OF INERTIA OF DRIVER", "what IC is", "that of the follower"),
+            ("MOMENT OF INERTIA OF DRIVER", "the meaning of IC", "IC is the moment of inertia of the follower"),
             [program::A, program::R],
             exchanged,
         ),
     ]
 }
 
-/// A formula with the two inertias the other way round.
+/// A formula with the two inertias swapped.
 fn exchanged(formula: &str) -> String {
     formula.replace("IC", "I").replace("IW", "IC").replace(r"\text{I}", r"\text{IW}")
 }
@@ -88,7 +88,10 @@ fn letter<const N: usize>(
                 let (name, formula) = read(line, stated);
                 program::holds(&format!("{name} = {formula}")) == Some(true)
             });
-            Finding::new(holds, "the lines that have it, read and evaluated, against the mechanism by coordinates")
+            Finding::new(
+                holds,
+                "the lines that contain it, read and evaluated, and compared with the mechanism by coordinates",
+            )
         })
         .but_not(neighbour)
 }
@@ -99,7 +102,7 @@ fn runs() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.sets",
                 "separately for each individual set",
-                "each set of data has a run of its own, from rest and from the time zero",
+                "each set of data has a run of its own, which starts from rest and from time zero",
             )
             .by(Evidence::Quadrature, |stated| {
                 // Behind the strongest spring of a series comes the weakest of the next, which would be fast at once.
@@ -110,7 +113,7 @@ fn runs() -> Vec<Claim> {
                 Finding::new(
                     found == all && all > 0,
                     format!(
-                        "behind a faster run, {found} of {all} printed peaks are nearer to those of a run {}",
+                        "after a faster run, {found} of {all} printed peaks are nearer to the peaks of a run {}",
                         stated.pick("from rest", "that takes over the speed")
                     ),
                 )
@@ -126,11 +129,11 @@ fn runs() -> Vec<Claim> {
                     format!("{found} of {} rise times of Appendix E lie within the run of their set", rows().len()),
                 )
             })
-            .but_not("one run goes through all the sets: a set takes over speed and time from the one before")
+            .but_not("one run goes through all the sets, so a set takes over speed and time from the set before")
             .read_as(
-                "With the rows in the order of the tables: that of the data cards is not printed. A speed that is taken over \
-                 would show in the 11 rows that come behind one with a stronger spring, two of them behind another \
-                 mechanism.",
+                "We take the rows in the order of the tables, because the order of the data cards is not printed. If \
+                 a speed were taken over, it would show in the 11 rows that come after a row with a stronger spring. \
+                 Two of these 11 come after another mechanism.",
             ),
         BEFORE
             .statement(
@@ -140,16 +143,16 @@ fn runs() -> Vec<Claim> {
             )
             .by(Evidence::Quadrature, |stated| between_lines(false, stated))
             .by(Evidence::RungeKutta, |stated| between_lines(true, stated))
-            .but_not("half of that time: every second point is printed")
+            .but_not("DT is half of that time, so every second point is printed")
             .read_as(
-                "That DT sets it simply does not say that it sets nothing else: a tenth of it is the delay of the old \
-                 acceleration.",
+                "The claim that DT sets it simply does not say that DT sets nothing else, because a tenth of DT is \
+                 the delay of the old acceleration.",
             ),
     ]
 }
 
-/// Whether the printed peak of a row is nearer to that of a run from rest than to one that begins with the speed at which
-/// the steady engagements of the row before are entered.
+/// Whether the printed peak of a row is nearer to the peak of a run from rest than to the peak of another run, which
+/// begins with the speed at which the steady engagements of the row before are entered.
 fn nearer_from_rest(before: &Row, row: &Row) -> Option<bool> {
     let of = Hypothesis::WITHOUT_LAG;
     let engagement = of.engagement(row)?;
@@ -159,16 +162,16 @@ fn nearer_from_rest(before: &Row, row: &Row) -> Option<bool> {
     Some(off(from_rest) < off(taken_over))
 }
 
-/// Whether the interval with which the peaks of the tables come out best is the listing's DT, or twice that.
+/// Whether the interval that reproduces the peaks of the tables best is the listing's DT, or twice DT.
 fn between_lines(by_steps: bool, stated: Stated) -> Finding {
     let fitting = fitting_interval(by_steps);
     Finding::new(
         fitting == interval() * stated.pick(1.0, 2.0),
-        format!("the peaks of the tables come out best if a line is printed every {fitting} s"),
+        format!("the peaks of the tables are reproduced best if a line is printed every {fitting} s"),
     )
 }
 
-/// Which angle the lines have: that of the engagement.
+/// Which angle the lines contain: the angle of the engagement.
 fn angle() -> Claim {
     // Through how much the driver has turned, and the pin's angle in the slot or the one meant instead.
     let turns = |stated: Stated| {
@@ -189,7 +192,7 @@ fn angle() -> Claim {
         .statement(
             "meyer.app-b.angle-in-lines",
             "must be used in the equations H through L",
-            "in the lines of H to L the angle is that of the pin in its slot",
+            "in the lines of H to L the angle is the angle of the pin in its slot",
         )
         .by(ClosedForm, move |stated| {
             let holds = turns(stated).all(|(mechanism, _, engaged, angle)| {
@@ -205,12 +208,13 @@ fn angle() -> Claim {
                 let distance = nearest_pin(&mechanism, turned);
                 vanishes(value(program::L, mechanism, angle) - distance * distance)
             });
-            Finding::new(holds, "L against the pin next to the follower's axis, of all pins by coordinates")
+            Finding::new(holds, "L, compared with the pin nearest to the follower's axis, of all pins by coordinates")
         })
-        .but_not("it is THETA, through which the driver has turned")
+        .but_not("it is THETA, the angle through which the driver has turned")
         .read_as(
-            "Used wherever these equations have an angle: H, I and L do, J has none. X is what it is meant to be; that \
-             the printed reset makes it so for four pins only is a claim of its own.",
+            "X is used wherever these equations have an angle. H, I and L have one, but J has none. We take X as what \
+             it is meant to be, because it is a claim of its own that the printed reset makes it so for four pins \
+             only.",
         )
 }
 
@@ -232,7 +236,7 @@ fn from_zero() -> Claim {
         .statement(
             "meyer.app-b.from-zero",
             "start from zero",
-            "THETA, through which the driver has turned, begins at zero",
+            "THETA, the angle through which the driver has turned, begins at zero",
         )
         .by(ClosedForm, move |stated| begins_in_line(begins(stated)))
         .by(Vectors, move |stated| begins_at_the_rim(begins(stated)))
@@ -243,10 +247,10 @@ fn from_zero() -> Claim {
 pub fn begins_in_line(turned: impl Fn(Mechanism) -> f64) -> Finding {
     let holds =
         Mechanism::ALL.iter().all(|at| vanishes(program::at(*at, turned(*at) - at.engagement_half_angle())["H"]));
-    Finding::new(holds, "the line of H for the X with which a run begins is zero: a pin enters along its slot")
+    Finding::new(holds, "the line of H is zero for the X with which a run begins, because a pin enters along its slot")
 }
 
-/// The same by the place of the pin.
+/// Whether a run that begins with the driver turned so far begins as a pin enters, by the place of the pin.
 pub fn begins_at_the_rim(turned: impl Fn(Mechanism) -> f64) -> Finding {
     let holds = Mechanism::ALL.iter().all(|at| {
         let first = Turn::from_radians(turned(*at) - at.engagement_half_angle());

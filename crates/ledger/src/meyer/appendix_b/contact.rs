@@ -38,7 +38,7 @@ fn solved() -> Vec<Claim> {
                 let Finding { holds, how, .. } = all_proven(&Sign::BOTH.map(InOneFormula));
                 Finding::new(
                     holds == stated.pick(true, false),
-                    format!("one formula with bars has the solution of either sign: {how}"),
+                    format!("one formula with bars gives the solution for either sign: {how}"),
                 )
             })
             .by(Vectors, |stated| {
@@ -54,16 +54,16 @@ fn solved() -> Vec<Claim> {
                 Finding::new(
                     single.len() > 30 && (solved == single.len()) == stated.pick(true, false),
                     format!(
-                        "one formula gives the acceleration of Newton's laws at {solved} of {} instants",
+                        "one formula gives the acceleration by Newton's laws at {solved} of {} instants",
                         single.len()
                     ),
                 )
             })
             .corrected("can be solved in one formula, wherever A > |D|,", SOLVED_WITH_BARS)
             .read_as(
-                "For the acceleration as a formula of the other letters. The text goes on to open the bars with a sign, \
-                 and to take that from an older acceleration; whether the computer needed that is said in other sentences, \
-                 which are left open.",
+                "To solve means to find a formula for the acceleration from the other letters. The text goes on to \
+                 open the bars with a sign, and it takes that sign from an older acceleration. Other sentences say \
+                 whether the computer needed this, and we leave those open.",
             ),
         PROGRAM
             .statement(
@@ -76,9 +76,10 @@ fn solved() -> Vec<Claim> {
 }
 
 /// Why it is open what a program had to do about the loop of acceleration and sign.
-const IMPLICIT: &str = "Languages of this family have an implicit function, IMP, which finds a value from an equation for it. Whether the \
-     MIMIC of 1973 had it is not said. With it the bars may stay, and the sign may be that of the same instant; without \
-     it the lines are a loop that cannot be sorted";
+const IMPLICIT: &str = "Languages of this family have an implicit function, IMP, which finds a value from an equation \
+                        for it. The thesis does not say whether the MIMIC of 1973 had it. With it the bars may stay, \
+                        and the sign may come from the same instant. Without it the lines are a loop that cannot be \
+                        sorted";
 
 /// The two lines of the display of S: an equation and its condition each.
 fn cases(tex: &str) -> Option<Vec<(String, String)>> {
@@ -92,8 +93,9 @@ fn cases(tex: &str) -> Option<Vec<(String, String)>> {
         .collect()
 }
 
-/// Whether the equation with S is that with bars, if S is what the display gives for F of either sign: s, by which the
-/// bars open, times what is given must be one.
+/// Whether the equation with S is the equation with bars, if S is what the display gives for F of either sign.
+///
+/// The sign s by which the bars open, times the given value, must be one.
 fn opens_the_bars(tex: &str) -> Finding {
     let sizes = cases(tex).into_iter().flatten().filter_map(|(equation, condition)| {
         let (name, given) = equation.split_once('=')?;
@@ -108,7 +110,7 @@ fn opens_the_bars(tex: &str) -> Finding {
     let opened = sizes.iter().map(|size| decide(&characters("meyer.app-b.with-sign").replace('S', size), factors));
     let opened: Vec<Finding> = opened.collect();
     let holds = opened.len() == 2 && sizes[0] != sizes[1] && opened.iter().all(|finding| finding.holds);
-    Finding::new(holds, "the next display with the value of each line for S, and the bars opened by its sign")
+    Finding::new(holds, "the next display with the value of each line for S, where the bars are opened by its sign")
 }
 
 /// How the display of S is read: its two lines, with their conditions.
@@ -138,14 +140,14 @@ fn holds_by_cases(tex: &str) -> Option<bool> {
 fn lines() -> Vec<Claim> {
     vec![
         at("Appendix B, display of F")
-            .equation("meyer.app-b.f", r"F = (C\dot{\theta}^2 + D\ddot{\theta})", "what stands between the bars")
+            .equation("meyer.app-b.f", r"F = (C\dot{\theta}^2 + D\ddot{\theta})", "the expression between the bars")
             .proven_by(factors)
             .read(ClosedForm, holds),
         at("Appendix B, display of S")
             .equation(
                 "meyer.app-b.s",
                 r"\begin{aligned} S &= +1 && \text{if } F > 0 \\ S &= -1 && \text{if } F < 0 \end{aligned}",
-                "its sign; where F is zero either value will do",
+                "sign of the expression between the bars; where F is zero either value will do",
             )
             .decided(opens_the_bars)
             .read(ClosedForm, holds_by_cases),
@@ -153,7 +155,7 @@ fn lines() -> Vec<Claim> {
             .equation(
                 "meyer.app-b.with-sign",
                 r"A\ddot{\theta} + B\dot{\theta}^2 + S(C\dot{\theta}^2 + D\ddot{\theta}) = E",
-                "the equation with S for the bars",
+                "the equation with S in place of the bars",
             )
             .proven_by(factors)
             .read(ClosedForm, holds),
@@ -161,12 +163,16 @@ fn lines() -> Vec<Claim> {
             .equation(
                 "meyer.app-b.expanded",
                 r"A\ddot{\theta} + B\dot{\theta}^2 + SC\dot{\theta}^2 + SD\ddot{\theta} = E",
-                "the same multiplied out",
+                "the equation with S, multiplied out",
             )
             .proven_by(factors)
             .read(ClosedForm, holds),
         at("Appendix B, 3rd display after S")
-            .equation("meyer.app-b.collected", r"\ddot{\theta}(A+SD) + \dot{\theta}^2(B+SC) = E", "the same collected")
+            .equation(
+                "meyer.app-b.collected",
+                r"\ddot{\theta}(A+SD) + \dot{\theta}^2(B+SC) = E",
+                "the equation with S and its terms collected",
+            )
             .proven_by(factors)
             .read(ClosedForm, holds),
         at("Appendix B, 4th display after S")
@@ -186,7 +192,7 @@ fn described() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.actual-program",
                 "actual program used",
-                "the printed program is the one that was run: its reset is that of the tables",
+                "the printed program is the program that was run, with the reset of the tables",
             )
             .by(Evidence::Quadrature, |stated| {
                 let of = |reset: Reset| {
@@ -202,25 +208,26 @@ fn described() -> Vec<Claim> {
                 };
                 more_cells(of(Reset::QuarterTurn), of(Reset::OfTheMechanism), stated)
             })
-            .but_not("what was run resets the angle as each mechanism needs it")
-            .read_as("As far as the tables tell: the data cards at its end are not printed."),
+            .but_not("the program that was run resets the angle as each mechanism needs it")
+            .read_as("We go only as far as the tables tell, because the data cards at its end are not printed."),
         PROGRAM
             .statement(
                 "meyer.app-b.first-seven-cards",
                 "first seven cards",
-                "seven control cards come first, and data cards at the end",
+                "seven control cards come first, and data cards come at the end",
             )
             .missing(
-                "The program in the copy has seven lines before its first equation, if five comments are counted as \
-                 cards, and ends without data. Whether these are the seven meant is not said, and no data cards are \
-                 there",
+                "The program in the copy we had has seven lines before its first equation, if five comments count as \
+                 cards, and it ends without data. The thesis does not say whether these are the seven it means, and \
+                 the data cards are not there",
             ),
-        constant("meyer.app-b.spring-constant", PROGRAM, "what K is called", "spring constant"),
+        constant("meyer.app-b.spring-constant", PROGRAM, "the name that K is given", "spring constant"),
         PROGRAM
             .statement(
                 "meyer.app-b.letters",
                 "G,H,I,J, and L",
-                "the program's letters G to L are the factors of Eq. (1-18), A to E those of Eq. (1-19)",
+                "the program's letters G to L are the factors of Eq. (1-18), and its letters A to E are the factors \
+                 of Eq. (1-19)",
             )
             .by(ClosedForm, |stated| {
                 by_coefficients(|lines, at| {
@@ -252,14 +259,15 @@ fn described() -> Vec<Claim> {
                     };
                     program::holds(&format!("{} = {formula}", stated.pick(name.as_str(), exchanged))) == Some(true)
                 });
-                Finding::new(holds, "each line, read and evaluated, against the mechanism by coordinates")
+                Finding::new(holds, "each line, read and evaluated, and compared with the mechanism by coordinates")
             })
-            .but_not("C and D the other way round"),
+            .but_not("C and D are swapped"),
         PROGRAM
             .statement(
                 "meyer.app-b.simultaneous",
                 "cannot solve simultaneous equations",
-                "F cannot be computed from the same instant's acceleration, which itself depends on F",
+                "F cannot be computed from the acceleration at the same instant, because that acceleration itself \
+                 depends on F",
             )
             .missing(IMPLICIT),
     ]
@@ -271,22 +279,22 @@ fn old_acceleration() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.delay",
                 "t-DT/10",
-                "the old acceleration is that of a tenth of the print interval before",
+                "the old acceleration is the acceleration a tenth of the print interval before",
             )
             .missing(
-                "The card asks for it. Whether it is what happens depends on what the system does where a step is longer \
-                 than the delay, of which nothing is printed. Our system then takes the latest value, in each of the runs \
-                 in more than half of the steps. The tables tell a delay of a tenth of the interval \
-                 from one of all of it, but not from one of a twentieth",
+                "The card asks for this acceleration. Whether the program gets it depends on what the system does \
+                 where a step is longer than the delay, and nothing about that is printed. Our system then takes the \
+                 latest value, which in each of the runs happens in more than half of the steps. The tables tell a \
+                 delay of a tenth of the interval from a delay of all of it, but not from a delay of a twentieth",
             ),
         PROGRAM
-            .statement("meyer.app-b.small-time", "SMT", "SMT is true until the time zero and false after it")
+            .statement("meyer.app-b.small-time", "SMT", "SMT is true until time zero and false after it")
             .by(Evidence::Program, |stated| {
                 let rest = stated.pick(SMALL_TIME, "FSW(T,TRUE,FALSE,FALSE)");
                 let lines = in_force(rest, "NOT(REST)").unwrap_or_default();
                 // The lines of the start must be in force at the start, and at no other time.
                 let holds = !lines.is_empty() && lines.iter().all(|[time, rest, _]| (*rest == 1.0) == (*time == 0.0));
-                Finding::new(holds, "the truth of the deck's own start, printed at each line of a run")
+                Finding::new(holds, "the truth value of the deck's own start, printed at each line of a run")
             })
             .by(OtherPlaceInSource, |stated| {
                 let said = stated.pick([true, true, false], [true, false, false]);
@@ -295,15 +303,16 @@ fn old_acceleration() -> Vec<Claim> {
                     "the listing's values, in an order that fits S and SMT",
                 )
             })
-            .but_not("it is true before the time zero only"),
+            .but_not("it is true only before time zero"),
     ]
 }
 
-/// What the escapement's deck has for the truth that it is at the start.
+/// The escapement's deck's expression for being at the start.
 pub const SMALL_TIME: &str = "FSW(T,TRUE,TRUE,FALSE)";
 
-/// At each printed line of a run of the escapement's deck, with these expressions for the truths that it is at the start
-/// and that it is later: the time, and whether the two are true.
+/// The time and two truth values at each printed line of a run of the escapement's deck.
+///
+/// The expressions tell whether it is the start, and whether it is later.
 pub fn in_force(rest: &str, moving: &str) -> Option<Vec<[f64; 3]>> {
     let cards = deck_named("escapement")?.lines().map(|card| match card.split_whitespace().next() {
         Some("REST") if card.contains(SMALL_TIME) => format!("         REST   = {rest}"),
@@ -321,8 +330,9 @@ pub fn in_force(rest: &str, moving: &str) -> Option<Vec<[f64; 3]>> {
 /// What the listing has SMT be, and S, for one value after another of what decides.
 const LISTED: ([f64; 3], [bool; 3]) = ([-1.0, 1.0, 1.0], [true, true, false]);
 
-/// What SMT may be before the time zero, then, and after it, by the listing: FSW picks one of three values by the sign of
-/// the first, and S tells in which orders they may stand.
+/// The values that SMT may have before time zero, at it and after it, by the listing.
+///
+/// FSW picks one of three values by the sign of the first, and S tells in which orders they may stand.
 pub fn listed() -> impl Iterator<Item = [bool; 3]> {
     let orders = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
     let (signs, truths) = LISTED;
@@ -330,12 +340,12 @@ pub fn listed() -> impl Iterator<Item = [bool; 3]> {
     fitting.map(move |at| at.map(|at| truths[at]))
 }
 
-/// By what a place divides the print interval.
+/// The number by which a place divides the print interval.
 pub fn parts_of_the_interval(id: &str) -> Option<f64> {
     characters(id).split_once("DT/")?.1.trim_end_matches('.').parse().ok()
 }
 
-/// By what the listing divides it: so late is the old acceleration.
+/// The number by which the listing divides the print interval, which says how late the old acceleration is.
 pub fn delay_parts() -> f64 {
     parts_of_the_interval("meyer.listing.delay").unwrap_or(f64::NAN)
 }
@@ -346,13 +356,15 @@ fn more_cells(as_printed: usize, put_right: usize, stated: Stated) -> Finding {
     Finding::new(
         said > other,
         format!(
-            "{as_printed} cells of Appendix E come within one unit with the printed reset, {put_right} with the other"
+            "with the printed reset {as_printed} cells of Appendix E come within one unit, and with the other reset \
+             {put_right} cells do"
         ),
     )
 }
 
-/// Whether a delay of one part of the print interval gives the acceleration of another part before, in a run of our deck
-/// whose lines, and so its steps, are much closer.
+/// Whether a delay of one part of the print interval gives the acceleration another part before.
+///
+/// We test it in a run of our deck whose lines, and therefore its steps, are much closer.
 pub fn is_late_by(card: f64, said: f64) -> Finding {
     const CLOSER: f64 = 0.00001;
     let lines = || -> Option<Vec<[f64; 3]>> {
@@ -374,7 +386,7 @@ pub fn is_late_by(card: f64, said: f64) -> Finding {
     // So many lines before, with a straight line between two of them.
     let late = runs::interval() / said / CLOSER;
     if !(late > 0.0 && late < lines.len() as f64) {
-        return Finding::new(false, "there is no such time before in the run");
+        return Finding::new(false, "the run does not go back that far");
     }
     let now = |place: f64| {
         let (whole, part) = (place.floor() as usize, place.fract());
@@ -388,7 +400,7 @@ pub fn is_late_by(card: f64, said: f64) -> Finding {
     }
     Finding::new(
         misfit < moved / 20.0,
-        format!("of all that the acceleration changes in the delay {:.3} is left", misfit / moved),
+        format!("of the whole change of the acceleration during the delay, {:.3} is left", misfit / moved),
     )
 }
 

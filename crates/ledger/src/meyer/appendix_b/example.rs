@@ -34,7 +34,7 @@ fn lines() -> Vec<Claim> {
     vec![
         line(
             ("meyer.app-b.example.second", at("Appendix B, 3rd display")),
-            "the second derivative from the first and the place",
+            "the second derivative from the first derivative and the place",
             ["2DX = -(C*LDX + K*X)/M", "2DX = -(C*1DX + K*X)/M"],
             [|| read_line("meyer.app-b.example.second", false), || read_line("meyer.app-b.example.second", true)],
         ),
@@ -72,12 +72,13 @@ fn lines() -> Vec<Claim> {
                 "the lines that integrate, read and evaluated for a vibration in closed form",
             )
         })
-        .but_not("the two the other way round"),
+        .but_not("the two are swapped"),
         at("Appendix B, paragraph on the steps")
             .statement(
                 "meyer.app-b.first-acceleration",
                 "calculate the initial value of 2DX",
-                "the second derivative at the start comes from A and B, the values of the first and of the place",
+                "the second derivative at the start comes from A and B, the starting values of the first derivative \
+                 and of the place",
             )
             .by(ClosedForm, |stated| first_acceleration(stated, vibration(0.0)["x''"]))
             .by(LimitCase, |stated| {
@@ -221,7 +222,7 @@ pub fn first_derivative(
         .by(LimitCase, |stated| {
             let [name, above] = [stated.pick("1DX", "LDX"), "2DX"].map(order);
             let holds = name.is_some() && name == above.and_then(|above| above.checked_sub(1));
-            Finding::new(holds, format!("the name begins with an order, one less than that of 2DX: {name:?}"))
+            Finding::new(holds, format!("the name begins with an order, one less than the order of 2DX: {name:?}"))
         })
         .by(OtherPlaceInSource, |stated| named_in_the_listing(stated.pick("1DX", "LDX")))
         .corrected(corrected, ONE_AS_L)

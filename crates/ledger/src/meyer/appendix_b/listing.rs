@@ -24,7 +24,7 @@ fn constants() -> Vec<Claim> {
         no_rate(
             "meyer.listing.comment-k",
             at("Appendix B, program, comment on K"),
-            "what K is called",
+            "the name that K is given",
             "SPRING RATE",
             "TORQUE OF THE SPRING",
         ),
@@ -32,18 +32,18 @@ fn constants() -> Vec<Claim> {
             .statement(
                 "meyer.listing.parameters",
                 "X0",
-                "the angle at the start is read as a parameter beside the number of slots: in radians, and negative",
+                "the angle at the start is read as a parameter beside the number of slots; it is in radians and \
+                 negative",
             )
             .by(ClosedForm, |stated| {
-                let holds = Mechanism::ALL
-                    .iter()
-                    .all(|mechanism| {
-                        let start = start_angle(*mechanism, stated);
-                        vanishes(program::at(*mechanism, start)["H"]) && program::at(*mechanism, start + 0.01)["H"] > 0.0
-                    });
+                let holds = Mechanism::ALL.iter().all(|mechanism| {
+                    let start = start_angle(*mechanism, stated);
+                    vanishes(program::at(*mechanism, start)["H"]) && program::at(*mechanism, start + 0.01)["H"] > 0.0
+                });
                 Finding::new(
                     holds,
-                    "the line of H, read and evaluated, is zero there and positive behind it: a pin enters along its slot",
+                    "the line of H, read and evaluated, is zero there and positive after it, because a pin enters \
+                     along its slot",
                 )
             })
             .by(LimitCase, |stated| {
@@ -52,7 +52,7 @@ fn constants() -> Vec<Claim> {
                     let start = start_angle(*mechanism, stated);
                     agrees(start + 2.0 * PI / f64::from(mechanism.pins()), -start)
                 });
-                Finding::new(holds, "the angle from one pin to the next takes it as far to the other side")
+                Finding::new(holds, "the angle from one pin to the next takes the pin as far to the other side")
             })
             .but_not("it is positive"),
         PROGRAM
@@ -64,8 +64,8 @@ fn constants() -> Vec<Claim> {
                 "meyer.listing.print-interval",
                 ".0005",
                 "s",
-                "time between printed lines, a datum: of a half, once and twice as much it is the one whose largest \
-                 printed speeds are nearest to those of the three tables together",
+                "time between printed lines, a given value. Of half this time, this time and twice this time, it is \
+                 the one whose largest printed speeds are nearest to the largest speeds of the three tables together",
             )
             .by(Evidence::Quadrature, || runs::fitting_interval(false))
             .by(Evidence::RungeKutta, || runs::fitting_interval(true)),
@@ -73,7 +73,7 @@ fn constants() -> Vec<Claim> {
             .statement(
                 "meyer.listing.delay",
                 "DT/10.",
-                "the card asks for the acceleration of a tenth of the print interval before",
+                "the card asks for the acceleration a tenth of the print interval before",
             )
             .by(OtherPlaceInSource, |stated| {
                 let told = parts_of_the_interval("meyer.app-b.delay");
@@ -86,14 +86,15 @@ fn constants() -> Vec<Claim> {
                 let told = parts_of_the_interval("meyer.app-b.delay").unwrap_or(f64::NAN);
                 is_late_by(stated.number() * stated.pick(1.0, 2.0), told)
             })
-            .but_not("it asks for that of a twentieth of the interval before")
+            .but_not("it asks for the acceleration a twentieth of the interval before")
             .read_as(
-                "What the card asks for, as a run shows whose steps are shorter than the delay. Where a step is longer, the \
-                 latest value is taken in the runs of our deck, and what the library of 1973 gave is not known.",
+                "We take what the card asks for, as a run shows whose steps are shorter than the delay. Where a step \
+                 is longer, the runs of our deck take the latest value. We do not know what the library of 1973 gave \
+                 there.",
             ),
         PROGRAM.statement("meyer.listing.delay-third", "100.", "the third number of the delay").missing(
-            "What the third number of TDL is for is not said anywhere. The tables do not depend on it: they come out alike \
-             if a hundred values are kept, and if all are",
+            "The thesis does not say anywhere what the third number of TDL is for. The tables do not depend on it, \
+             because they are the same whether a hundred values are kept or all of them",
         ),
         PROGRAM
             .value(
@@ -109,7 +110,7 @@ fn constants() -> Vec<Claim> {
                 "meyer.listing.quarter-turn",
                 "1.5708",
                 "",
-                "a quarter of a turn in radians: an engagement of four pins",
+                "a quarter of a turn in radians, which is an engagement of four pins",
             )
             .by(ClosedForm, || 2.0 * Mechanism::FOUR_PIN.engagement_half_angle())
             .by(LimitCase, || machin() / 2.0),
@@ -124,7 +125,7 @@ fn constants() -> Vec<Claim> {
                 let end = last_line(stated.number() + stated.pick(0.0, runs::interval())).unwrap_or(f64::NAN);
                 Finding::new(
                     (end - told_length()).abs() < 1e-9,
-                    format!("with it the last line of the program's first run is that of {end:.4} s"),
+                    format!("with it the last line of the program's first run is at {end:.4} s"),
                 )
             })
             .but_not("it ends a printed line later"),
@@ -145,7 +146,7 @@ fn factors() -> Vec<Claim> {
     vec![
         line(
             "meyer.listing.g",
-            "the ratio a, Eq. (1-2); with the printed 3.1416 it is off by less than five millionths",
+            "the ratio a, Eq. (1-2), which with the printed 3.1416 differs by less than five millionths",
             "G 1./SIN(3.1416/N)",
             program::G,
             || {
@@ -191,13 +192,13 @@ fn factors() -> Vec<Claim> {
         }),
         line(
             "meyer.listing.f",
-            "F, with the acceleration of a moment before",
+            "F, with the acceleration from a moment before",
             "F (C*1DX*1DX)+(D*OLD2DX)",
             program::F,
             || by_coefficients(|lines, at| [(lines["F"], at.coefficients.between_the_bars(&SPEED, &at.acceleration))]),
         ),
         PROGRAM
-            .formula("meyer.listing.s", "S FSW(F,-1.,1.,1.)", "S, by the sign of F; plus one where F is zero")
+            .formula("meyer.listing.s", "S FSW(F,-1.,1.,1.)", "S, by the sign of F, and plus one where F is zero")
             .by(ClosedForm, |stated| by_coefficients(|lines, at| [(switched(lines["F"], stated), at.sign.of(1.0))]))
             .by(Vectors, |stated| {
                 equal(
@@ -205,7 +206,7 @@ fn factors() -> Vec<Claim> {
                     "S F and the size of F",
                 )
             })
-            .but_not("minus one where F is positive, plus one where it is negative"),
+            .but_not("minus one where F is positive, and plus one where it is negative"),
     ]
 }
 
@@ -236,7 +237,7 @@ fn motion() -> Vec<Claim> {
             .statement(
                 "meyer.listing.speed",
                 "INT(2DX,0.)",
-                "the driver's speed: its acceleration, integrated from zero",
+                "the driver's speed is its acceleration, integrated from zero",
             )
             .by(OtherPlaceInSource, |stated| {
                 let from = stated.number() + stated.pick(0.0, 1.0);
@@ -246,14 +247,14 @@ fn motion() -> Vec<Claim> {
             .by(ClosedForm, |stated| start_solves(stated.number() + stated.pick(0.0, 1.0)))
             .but_not("it is integrated from one"),
         PROGRAM
-            .statement("meyer.listing.angle", "INT(1DX,0.)", "the driver's angle: its speed, integrated from zero")
+            .statement("meyer.listing.angle", "INT(1DX,0.)", "the driver's angle is its speed, integrated from zero")
             .by(ClosedForm, |stated| begins_in_line(turned_at_first(stated)))
             .by(Vectors, |stated| begins_at_the_rim(turned_at_first(stated)))
             .but_not("it is integrated from one"),
         reset(
             "meyer.listing.fold",
             PROGRAM,
-            "the angle in the slot: the driver's angle modulo a quarter of a turn, plus the angle at the start",
+            "the angle in the slot is the driver's angle modulo a quarter of a turn, plus the angle at the start",
             "X (MOD(THETA,1.5708))+X0",
             "the modulus 2π/m: 1.5708 for four pins only, 1.0472 for six and 2.0944 for three",
         ),

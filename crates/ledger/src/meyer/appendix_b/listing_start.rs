@@ -24,7 +24,7 @@ pub fn claims() -> Vec<Claim> {
         ),
         line(
             "meyer.listing.r",
-            "R is A at the start, which is the ratio of the inertias",
+            "R is A at the start, the ratio of the inertias",
             "R (IC/IW)+((Q*Q)/(P*P))",
             program::R,
             ClosedForm,
@@ -40,7 +40,7 @@ pub fn claims() -> Vec<Claim> {
         ),
         line(
             "meyer.listing.start",
-            "the first acceleration; with V = 0 it is the torque over the driver's inertia, whatever the friction",
+            "the first acceleration, which with V = 0 is the torque over the driver's inertia, whatever the friction",
             "2DX E/(R+V)",
             program::START,
             ExactIdentity,
@@ -59,14 +59,14 @@ pub fn claims() -> Vec<Claim> {
                     let angular_acceleration = DRIVE / (start_line("R", &letters) + friction);
                     c.acceleration(0.0).is_ok_and(|solved| agrees(angular_acceleration, solved.value))
                 });
-                Finding::new(holds, "what they give satisfies Eq. (1-18) from rest, at all angles")
+                Finding::new(holds, "the value they give satisfies Eq. (1-18) from rest, at all angles")
             })
             .by(Vectors, |stated| {
                 let line = program::named(program::START).1.replace('V', stated.pick("V", "0"));
                 let holds = holds_from_rest(&format!(r"\text{{2DX}} = {line}"));
                 Finding::new(
                     holds == Some(true),
-                    "read and evaluated, against the torque that both members ask for from rest",
+                    "read and evaluated, and compared with the torque that both members require from rest",
                 )
             })
             .but_not("they are the equation without its friction"),

@@ -25,8 +25,8 @@ fn described() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.method.one-value",
                 "made negligible by proper choice of the increment",
-                "the error of going on with the second derivative's value at the beginning of a step, from which the next \
-                 first derivative comes and from that the next value, goes away with the step",
+                "if a step keeps the second derivative's value from its beginning, and takes the next first \
+                 derivative from it and the next value from that, the error goes away with the step",
             )
             .by(ClosedForm, |stated| {
                 let errors: Vec<f64> = INCREMENTS.map(error_of_growth).to_vec();
@@ -36,8 +36,11 @@ fn described() -> Vec<Claim> {
                 let errors: Vec<f64> = INCREMENTS.map(error_of_a_swing).to_vec();
                 goes_away(&errors, stated)
             })
-            .but_not("it goes away with the square of the step")
-            .read_as("a picture of the method with one value for each step; the formulas that follow take four"),
+            .but_not("the error goes away with the square of the step")
+            .read_as(
+                "We take the sentence as a picture of the method with one value for each step, although the formulas \
+                 that follow take four.",
+            ),
         HEART
             .statement("meyer.app-b.method.order", "fourth order", "the method is of order four")
             .by(LimitCase, |stated| {
@@ -64,7 +67,7 @@ fn described() -> Vec<Claim> {
             .statement(
                 "meyer.app-b.method.widths",
                 r"h/6, h/3, h/3, and h/6",
-                "weights of the four slopes, as widths of parts of the interval",
+                "weights of the four slopes, given as widths of parts of the interval",
             )
             .by(ClosedForm, |stated| {
                 // With the slopes of powers of x at the four places: their integrals from 0 to 1.
@@ -77,7 +80,7 @@ fn described() -> Vec<Claim> {
                         .sum();
                     agrees(sum, 1.0 / f64::from(power + 1))
                 });
-                Finding::new(holds, "with these weights the integrals of 1, x, x² and x³ come out")
+                Finding::new(holds, "the integrals of 1, x, x² and x³ with these weights")
             })
             .by(OtherPlaceInSource, |stated| {
                 // The formula's weights: what one step makes of four given slopes.
@@ -110,7 +113,7 @@ fn described() -> Vec<Claim> {
                 });
                 Finding::new(
                     holds,
-                    "the area under four constants, against one step by the formula, for three functions of x",
+                    "the area under four constants, compared with one step by the formula, for three functions of x",
                 )
             })
             .by(LimitCase, |stated| {
@@ -126,8 +129,8 @@ fn described() -> Vec<Claim> {
                     format!("{area:.6} under the constants, {step:.6} by the classical method"),
                 )
             })
-            .but_not("the constants are its values in the middle of the parts")
-            .read_as("the constants are the four slopes of the formula that follows, in their order"),
+            .but_not("the constants are the function's values in the middle of the parts")
+            .read_as("The constants are the four slopes of the formula that follows, in their order."),
     ]
 }
 
@@ -136,7 +139,7 @@ fn widths() -> Vec<f64> {
     numbers("meyer.app-b.method.widths").iter().map(|n| 1.0 / f64::from(*n)).collect()
 }
 
-/// The same; for the neighbour the outer and inner ones are exchanged.
+/// The widths that are said; for the neighbour, the outer and inner ones are exchanged.
 fn said_widths(stated: Stated) -> Vec<f64> {
     let printed: Vec<f64> = stated.numbers().iter().map(|n| 1.0 / n).collect();
     let order = stated.pick([0, 1, 2, 3], [1, 0, 3, 2]);
@@ -173,7 +176,7 @@ fn error_of_growth(steps: u32) -> f64 {
     (libm::exp(1.0) - end).abs()
 }
 
-/// The same for x'' = −x from x = 1 at rest: x'' gives the next x', and that the next x.
+/// The error for x'' = −x from x = 1 at rest, where x'' gives the next x', and x' gives the next x.
 fn error_of_a_swing(steps: u32) -> f64 {
     let h = 1.0 / f64::from(steps);
     let end = (0..steps).fold(Vector2::new(1.0, 0.0), |state, _| {
@@ -194,18 +197,22 @@ fn formulas() -> Vec<Claim> {
             .by(ClosedForm, || reads("meyer.app-b.method.step"))
             .by(LimitCase, thirty_second)
             .read_by(holds_in_a_step),
-        stage("meyer.app-b.method.f1", r"f_1 = f(x_n; y_n)", "first slope, at the beginning"),
+        stage("meyer.app-b.method.f1", r"f_1 = f(x_n; y_n)", "first slope, taken at the beginning"),
         stage(
             "meyer.app-b.method.f2",
             r"f_2 = f\left(x_n + \frac{h}{2}; y_n + \frac{f_1 h}{2}\right)",
-            "second slope, in the middle with the first",
+            "second slope, taken in the middle with the first",
         ),
         stage(
             "meyer.app-b.method.f3",
             r"f_3 = f\left(x_n + \frac{h}{2}; y_n + \frac{f_2 h}{2}\right)",
-            "third slope, in the middle with the second",
+            "third slope, taken in the middle with the second",
         ),
-        stage("meyer.app-b.method.f4", r"f_4 = f(x_n + h; y_n + f_3 h)", "fourth slope, at the end with the third"),
+        stage(
+            "meyer.app-b.method.f4",
+            r"f_4 = f(x_n + h; y_n + f_3 h)",
+            "fourth slope, taken at the end with the third",
+        ),
     ]
 }
 
@@ -219,7 +226,7 @@ fn advantages() -> Vec<Claim> {
                 let given = printed_step(|x, y| x * y, x, stated.pick(y, 1.0), STEP);
                 Finding::new(
                     given.is_some_and(|given| agrees(given, step_of_mimic(|x, y| x * y, x, y, STEP))),
-                    "one step from what is given, against the classical method's",
+                    "one step from what is given, compared with a step of the classical method",
                 )
             })
             .by(LimitCase, |stated| {
@@ -231,14 +238,17 @@ fn advantages() -> Vec<Claim> {
                 };
                 let half = run(0.0, 1.0, 1.0);
                 let (whole, again) = (run(1.0, 2.0, half), run(1.0, 2.0, stated.pick(half, 1.0)));
-                Finding::new(agrees(whole, again), format!("{whole:.6} in one go, {again:.6} started again half-way"))
+                Finding::new(
+                    agrees(whole, again),
+                    format!("{whole:.6} in one go, {again:.6} when started again half-way"),
+                )
             })
-            .but_not("only its x is needed"),
+            .but_not("the method needs only the point's x"),
         ADVANTAGES
             .statement(
                 "meyer.app-b.method.subinterval",
                 "over the subinterval",
-                "what has been integrated over when the next value is known",
+                "how far the integration has gone when the next value is known",
             )
             .by(ClosedForm, |stated| {
                 let advance = printed_step(|_, _| 1.0, 0.0, 0.0, 1.0).unwrap_or(f64::NAN);
@@ -258,9 +268,9 @@ fn advantages() -> Vec<Claim> {
                 "over the interval",
                 Slip {
                     id: "",
-                    reason: "The paragraphs before cut the whole into intervals of the width h, and each of these into four \
-                             subintervals. What has been integrated over when y_1 is known is the interval from x_0 to \
-                             x_1.",
+                    reason: "The paragraphs before cut the whole range into intervals of the width h, and each of \
+                             these into four subintervals. When y_1 is known, the interval from x_0 to x_1 has been \
+                             integrated over.",
                     witness: "A run of the classical method goes on by whole steps.",
                     origin: Origin::Misprint,
                     consequence: Consequence::Wording,
@@ -271,13 +281,13 @@ fn advantages() -> Vec<Claim> {
             .formula(
                 "meyer.app-b.method.truncation",
                 "h^5",
-                "order of the error of one step; that of a run of many is h⁴",
+                "order of the error of one step; a run of many steps has an error of order h⁴",
             )
             .by(ClosedForm, |stated| {
                 let found = halvings();
                 Finding::new(
                     found.iter().all(|ratio| power_of_two(*ratio) == Some(said_power(stated))),
-                    format!("for half the step the error is {:.0} and {:.0} times smaller", found[0], found[1]),
+                    format!("with half the step the error is {:.0} and {:.0} times smaller", found[0], found[1]),
                 )
             })
             .by(LimitCase, |stated| {
@@ -287,14 +297,17 @@ fn advantages() -> Vec<Claim> {
                     (libm::exp(h) - step) / libm::pow(h, f64::from(said_power(stated)))
                 });
                 let change = left[1] / left[0];
-                Finding::new((change - 1.0).abs() < 0.1, format!("over that power of h it changes {change:.2} times"))
+                Finding::new(
+                    (change - 1.0).abs() < 0.1,
+                    format!("divided by that power of h, the error changes by a factor of {change:.2}"),
+                )
             })
             .but_not("h⁴"),
         ADVANTAGES
             .statement(
                 "meyer.app-b.method.doubling",
                 "two half steps and then with one full step",
-                "two half steps beside one full step tell the error",
+                "two half steps compared with one full step tell the error",
             )
             .by(ClosedForm, |stated| {
                 let step = |y: f64, h: f64| printed_step(|_, y| y, 0.0, y, h).unwrap_or(f64::NAN);
@@ -304,8 +317,8 @@ fn advantages() -> Vec<Claim> {
                 let step = |y: f64, h: f64| step_of_mimic(|_, y| y * y, 0.0, y, h);
                 fifteen_sixteenths(step, 1.0 / (1.0 - STEP), stated)
             })
-            .but_not("one half step beside one full step tells it")
-            .read_as("That the library chose its steps by it cannot be seen in the text."),
+            .but_not("one half step compared with one full step tells it")
+            .read_as("The text does not show that the library chose its steps in this way."),
     ]
 }
 

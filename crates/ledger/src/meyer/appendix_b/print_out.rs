@@ -22,7 +22,7 @@ fn columns() -> Vec<Claim> {
             .statement(id, printed, meaning)
             .by(ByProgram, move |stated| in_all_runs(characters(id), stated, by_program()))
             .by(Evidence::Quadrature, move |stated| in_all_runs(characters(id), stated, by_integrals()))
-            .but_not("the driver's velocity and acceleration the other way round")
+            .but_not("the driver's velocity and acceleration are swapped")
     };
     vec![
         of(
@@ -34,7 +34,7 @@ fn columns() -> Vec<Claim> {
         of(
             "meyer.listing.printed",
             "T,THETA,1DX,2DX,PHIDOT",
-            "what the columns are: time, the driver's angle with its two derivatives, the follower's speed",
+            "the contents of the columns: time, the driver's angle with its two derivatives, the follower's speed",
         ),
     ]
 }
@@ -106,16 +106,16 @@ fn in_all_runs(words: &str, stated: Stated, runs: &[Option<Vec<Columns>>]) -> Fi
         Some(even && is_rate(1) && is_rate(2) && lines.iter().all(|line| line.1.abs() < 1e-3 * (1.0 + line.0[2].abs())))
     };
     let (found, all) = (rows().iter().zip(runs).filter(|of| holds(*of) == Some(true)).count(), rows().len());
-    Finding::new(found == all, format!("the columns are what they are called in {found} of {all} runs"))
+    Finding::new(found == all, format!("the columns hold what their headings say in {found} of {all} runs"))
 }
 
-/// The cards behind FIN.
+/// The cards after FIN.
 fn output() -> Claim {
     at("Appendix B, paragraphs after the program")
         .statement(
             "meyer.app-b.output-cards",
             "remainder of the cards",
-            "the cards behind FIN print and plot: they take no part in the motion",
+            "the cards after FIN print and plot, and take no part in the motion",
         )
         .by(ByProgram, |stated| {
             let kinds = [&OUTPUT[..], stated.pick(&[], &["FIN"])].concat();
@@ -123,8 +123,8 @@ fn output() -> Claim {
             Finding::new(
                 of_output == kinds.len(),
                 format!(
-                    "a deck without the cards of one kind prints otherwise and takes the same steps: {of_output} of {} \
-                     kinds",
+                    "a deck without the cards of one kind prints something else but takes the same steps, for \
+                     {of_output} of {} kinds",
                     kinds.len()
                 ),
             )
@@ -146,11 +146,11 @@ fn output() -> Claim {
             let (same, all) = (same.count(), weakest().count());
             Finding::new(
                 same == all,
-                format!("a translation without them prints the same speeds in {same} of {all} runs"),
+                format!("a translation of the program without them prints the same speeds in {same} of {all} runs"),
             )
         })
-        .but_not("the FIN card as well")
-        .read_as("END, the last of them, commands nothing: it ends the deck.")
+        .but_not("the FIN card takes no part in it either")
+        .read_as("END, the last of these cards, commands nothing, because it only ends the deck.")
 }
 
 /// What the deck prints for the runs with the weakest springs, with the program's reset angle; none where it comes to no
@@ -165,11 +165,11 @@ fn by_deck() -> &'static [Option<Vec<Vec<f64>>>] {
     RUNS.get_or_init(|| weakest().map(run).collect())
 }
 
-/// The kinds of cards behind FIN.
+/// The kinds of cards after FIN.
 const OUTPUT: [&str; 5] = ["HDR", "OUT", "PLO", "SCA", "ZER"];
 
-/// Whether a deck prints otherwise and takes the same steps if it has no cards of a kind, nor those that belong to them.
-/// FIN, without which no run would end, is put off instead.
+/// Whether a deck prints something else but takes the same steps without the cards of a kind and the cards that belong
+/// to them. FIN, without which no run would end, is put off instead.
 fn prints_alone(kind: &'static str) -> Option<bool> {
     static FOUND: LazyLock<Mutex<HashMap<&str, Option<bool>>>> = LazyLock::new(Mutex::default);
     if let Some(found) = FOUND.lock().ok()?.get(kind) {

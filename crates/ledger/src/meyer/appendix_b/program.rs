@@ -69,13 +69,14 @@ pub fn as_formula(card: &str) -> String {
     formula.replace(characters("meyer.listing.pi"), r"\pi ")
 }
 
-/// Whether a printed card says what it must: the name before the blank is the formula behind it, wherever this holds.
+/// Whether a printed card says what it must: the name before the blank equals the formula after it, wherever this
+/// holds.
 pub fn card_says(id: &str, holds: fn(&str) -> Option<bool>) -> bool {
     let card = characters(id).split_once(' ');
     card.is_some_and(|(name, formula)| holds(&format!("{} = {}", as_formula(name), as_formula(formula))) == Some(true))
 }
 
-/// What was found, unless the printed card says something else.
+/// The finding, unless the printed card says something else.
 pub fn as_on_the_card(id: &str, holds: fn(&str) -> Option<bool>, found: Finding) -> Finding {
     if card_says(id, holds) {
         found
@@ -118,14 +119,14 @@ pub fn start_formula() -> &'static str {
     named(START).1
 }
 
-/// What the lines of the motion compute at an angle, with the acceleration of the instant itself for the old one.
+/// What the lines of the motion compute at an angle, with the acceleration at that instant in place of the old one.
 pub fn at(mechanism: Mechanism, x: f64) -> Letters {
     let old = Truth::at(mechanism, x).acceleration;
     let motion_of = [("N", f64::from(mechanism.slots())), ("X", x), ("1DX", SPEED), ("OLD2DX", old)];
     motion(CARDS.into_iter().chain(motion_of).map(|(name, value)| (name.to_owned(), value)).collect())
 }
 
-/// The same from the equation of motion.
+/// The program's quantities at an angle, from the equation of motion.
 pub struct Truth {
     pub ratio: f64,
     pub pose: Pose<f64>,
@@ -210,8 +211,9 @@ pub fn holds(line: &str) -> Option<bool> {
     reading::holds(line, lines())
 }
 
-/// The same for a line of the start: the acceleration is that from rest, where both members and the friction between
-/// them ask for the torque.
+/// Whether a line of the start holds at all instants.
+///
+/// The acceleration is the one from rest, where both members and the friction between them require the torque.
 pub fn holds_from_rest(line: &str) -> Option<bool> {
     static RESTS: OnceLock<Vec<Moment>> = OnceLock::new();
     let rests = RESTS.get_or_init(|| {

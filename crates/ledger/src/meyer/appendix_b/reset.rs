@@ -28,13 +28,16 @@ pub fn reset(
             let pins: Vec<u32> = all.iter().filter(agree).map(|at| at.pins()).collect();
             Finding::new(
                 pins.len() == all.len(),
-                format!("the nearest to the follower's axis of all pins by coordinates is there for {pins:?} pins"),
+                format!(
+                    "of all pins by coordinates, the pin nearest to the follower's axis is there for {pins:?} pins"
+                ),
             )
         })
         .corrected(corrected, RESET_ANGLE)
 }
 
-/// After which angle the driver's angle is reset: that between two pins, if the correction gives it, or as printed.
+/// The angle after which the driver's angle is reset: the angle between two pins, if the correction gives it, or as
+/// printed.
 fn modulus(at: &Mechanism, stated: Stated) -> f64 {
     let said = stated.decimals();
     let is = |said: &Decimal, angle: f64| said.is_rounding_of(angle) || said.is_rounding_of(angle.to_degrees());

@@ -27,7 +27,7 @@ pub fn holds_in_a_step(tex: &str) -> Option<bool> {
     reading::holds(tex, &moments.collect::<Vec<_>>())
 }
 
-/// What y' is made of: x and y.
+/// The slope y' as a function of x and y.
 pub type Slope = fn(f64, f64) -> f64;
 
 /// Where the printed formulas ask for the slope, one after the other.
@@ -79,7 +79,7 @@ fn halved(slope: Slope, exact: fn(f64, f64, f64) -> f64) -> f64 {
     error(STEP / 8.0) / error(STEP / 16.0)
 }
 
-/// The same for two equations that are not linear in both variables.
+/// How many times smaller the error is, for two equations that are not linear in both variables.
 pub fn halvings() -> [f64; 2] {
     [
         halved(|x, y| x * y, |x, y, h| y * libm::exp(h * (x + h / 2.0))),
@@ -92,7 +92,7 @@ pub fn thirty_second() -> Finding {
     let found = halvings();
     Finding::new(
         found.iter().all(|ratio| power_of_two(*ratio) == Some(5)),
-        format!("for half the step the error is {:.0} and {:.0} times smaller", found[0], found[1]),
+        format!("with half the step the error is {:.0} and {:.0} times smaller", found[0], found[1]),
     )
 }
 

@@ -16,7 +16,7 @@ const RESULTS: [(Column, &str, &str, &str); 4] = [
     (Column::Period, "period", "time between two peaks of the run", "sec"),
 ];
 
-/// The claims of all rows of a mechanism, after those of its heading.
+/// The claims of all rows of a mechanism, after the claims of its heading.
 pub fn claims() -> Vec<Claim> {
     let of_table = |mechanism| {
         let own = rows().iter().filter(move |row| row.mechanism == mechanism);
@@ -49,7 +49,7 @@ fn of_row(row: &'static Row) -> Vec<Claim> {
             .by(Evidence::RungeKutta, move || as_run_by_steps(row)[result])
             // How finely a result could be read from a print-out: one unit of its last place.
             .read_to(move || column.unit())
-            .read_as("Read from a print-out to a unit of the last place.")
+            .read_as("The value is read from a print-out to a unit of the last place.")
             .expecting(row.expected(column).unwrap_or(Verdict::Reproduced));
         let claim = claim.right(
             Evidence::Quadrature,
@@ -69,10 +69,10 @@ fn of_row(row: &'static Row) -> Vec<Claim> {
 }
 
 /// Why a rise time cannot be checked.
-const NO_DEFINITION: &str = "The rise lasts until the terminal velocity is reached to one per cent, but of which velocity \
-                             that is, and from when an engagement counts, is not said: that at each angle and the average \
-                             of peak and minimum, for example, give different times. No definition that was tried gives \
-                             more than a minority of this column";
+const NO_DEFINITION: &str = "The rise lasts until the terminal velocity is reached to one per cent. But the thesis \
+                             does not say which velocity that is, or from when an engagement counts. For example, the \
+                             velocity at each angle and the average of peak and minimum give different times. No \
+                             definition that we tried gives more than a minority of this column";
 
 /// The results of all rows, each run made once.
 type Results<const N: usize> = OnceLock<Vec<[f64; N]>>;

@@ -17,7 +17,7 @@ pub fn strongest() -> impl Iterator<Item = &'static Row> {
     series().filter_map(|own| own.last())
 }
 
-/// The rows of a mechanism with the least friction, by rising torque: those whose engagements differ longest.
+/// The rows of a mechanism with the least friction, by rising torque; their engagements differ longest.
 pub fn least_braked(mechanism: Mechanism) -> Option<&'static [Row]> {
     let own = series().filter(|own| own[0].mechanism == mechanism);
     own.min_by(|a, b| a[0].friction().total_cmp(&b[0].friction()))
@@ -31,8 +31,9 @@ pub fn comparable(mechanism: Mechanism) -> Option<&'static [Row]> {
     series().find(|own| own[0].mechanism == mechanism && own[0].printed(Column::Friction) == COMMON_FRICTION)
 }
 
-/// The four-pin rows that may be the run drawn in Fig. 8, which the thesis does not name: their first minimum rounds to
-/// the rise time printed of the figure. None if the motion of a row has no solution.
+/// The four-pin rows that may be the run drawn in Fig. 8, which the thesis does not name.
+///
+/// Their first minimum rounds to the rise time printed for the figure. None if the motion of a row has no solution.
 pub fn of_fig_8() -> Option<Vec<&'static Row>> {
     that_may_be_of_fig_8(&Hypothesis::WITHOUT_LAG)
 }

@@ -8,8 +8,9 @@ use geneva_dynamics::program::{Line, Printout, Readings};
 use geneva_mimic::language::{Choices, DataSet, Deck, Layout, Program, deck_named};
 use std::sync::OnceLock;
 
-/// The names of the deck that the program of the thesis has otherwise, and the claims that have its numbers: the reset
-/// angle and π.
+/// The names of the deck with other values in the program of the thesis: the reset angle and π.
+///
+/// Each comes with the claim that has the program's number.
 pub const AS_LISTED: [(&str, &str); 2] = [("RESET", "meyer.listing.quarter-turn"), ("PI", "meyer.listing.pi")];
 
 /// The escapement's deck, with some names set to other numbers than its cards have. None if there is no such name, or if
@@ -20,7 +21,7 @@ pub fn deck(set: &[(&str, f64)]) -> Option<Deck> {
     set.iter().all(|(name, value)| deck.set(name, *value)).then_some(deck)
 }
 
-/// What the program of the thesis has otherwise, with its numbers.
+/// The names with other values in the program of the thesis, with its numbers.
 pub fn as_listed() -> [(&'static str, f64); 2] {
     AS_LISTED.map(|(name, id)| (name, printed(id)))
 }
@@ -31,8 +32,10 @@ pub fn data(program: &Program, row: &Row) -> DataSet {
     DataSet(names.zip(Hypothesis::as_run().data_card(row)).collect())
 }
 
-/// What a run of a program with a row's data card gives, read off its printed columns: time, angle through which the
-/// driver has turned, its speed and acceleration, and the follower's speed. The angle is reset after `reset` radians.
+/// The result of a run of a program with a row's data card, read off its printed columns.
+///
+/// The columns are the time, the angle through which the driver has turned, its speed and acceleration, and the
+/// follower's speed. The angle is reset after `reset` radians.
 pub fn run(program: &Program, row: &Row, reset: f64, choices: &Choices) -> Option<Run> {
     let printed = program.run(&data(program, row), choices).ok()?;
     let line = |row: &Vec<f64>| {
@@ -43,8 +46,10 @@ pub fn run(program: &Program, row: &Row, reset: f64, choices: &Choices) -> Optio
     Some(Readings::of(&Printout { lines, work: printed.work }, reset)?.into())
 }
 
-/// All rows by the deck, run once: as it stands, with the angle between two pins for the reset, or with what the program of
-/// the thesis has otherwise.
+/// All rows by the deck, run once.
+///
+/// The deck runs as it is, with the angle between two pins for the reset, or with the values of the program of the
+/// thesis.
 pub fn runs(reset: Reset) -> Option<&'static [Run]> {
     static RUNS: [OnceLock<Option<Vec<Run>>>; 2] = [const { OnceLock::new() }; 2];
     let (kept, set) = match reset {

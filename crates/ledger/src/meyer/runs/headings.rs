@@ -33,13 +33,14 @@ pub fn claims(mechanism: Mechanism) -> Vec<Claim> {
 
 /// The inertia of a member, of the pair with which the table comes out best.
 fn inertia(place: Place, id: &'static str, numbers: [&'static str; 2], mechanism: Mechanism, member: usize) -> Claim {
-    let meaning = leaked(format!("moment of inertia of the {} in the runs, a datum", MEMBERS[member]));
+    let meaning = leaked(format!("moment of inertia of the {} in the runs, a given value", MEMBERS[member]));
     place
         .value(id, numbers[member], UNIT, meaning)
         .by(Quadrature, move || data::inertias(mechanism)[member] * motion::units_in_one(UNIT))
         .by(RungeKutta, move || data::inertias_in_steps(mechanism)[member] * motion::units_in_one(UNIT))
         .read_as(
-            "Computed is that of the pair of inertias with which all peaks, minima and periods of the table come out best.",
+            "The computed value belongs to the pair of inertias that reproduces all peaks, minima and periods of the \
+             table best.",
         )
 }
 
@@ -63,7 +64,8 @@ pub fn of_headings() -> Claim {
             })
         })
         .read_as(
-            "The runs summed up below a heading, this one and that of three pins, are of the mechanism that it names.",
+            "The runs summed up below a heading, this one and the heading for three pins, are of the mechanism that \
+             it names.",
         )
         .corrected(
             "Six Pin Mechanism, with the driver's angle reset after 90° (and so the Three Pin Mechanism)",
@@ -82,7 +84,7 @@ fn hypothesis(stated: Stated) -> Hypothesis {
 fn counted(of: &Hypothesis, what: &str, unit: f64, off: fn(&Hypothesis, &Row) -> Option<f64>) -> Finding {
     let others = || rows().iter().filter(|row| row.mechanism != Mechanism::FOUR_PIN);
     let near = others().filter(|row| off(of, row).is_some_and(|off| off.abs() <= unit * (1.0 + 1e-9))).count();
-    Finding::new(near == others().count(), format!("{near} of {} {what} come out to one unit", others().count()))
+    Finding::new(near == others().count(), format!("{near} of {} {what} agree to one unit", others().count()))
 }
 
 /// The claims of the axes of Figs. 10 and 11.

@@ -11,20 +11,20 @@ pub const EXPLAINED: [Column; 3] = [Column::Peak, Column::Minimum, Column::Perio
 pub struct Score {
     /// The hypothesis.
     pub hypothesis: Hypothesis,
-    /// Its runs, row by row; none where the program came to no end.
+    /// The runs of the hypothesis, row by row; none where the program came to no end.
     pub runs: Vec<Option<Run>>,
-    /// Its fit to peak, minimum and period.
+    /// The hypothesis's fit to peak, minimum and period.
     pub fits: [Fit; 3],
 }
 
 impl Score {
-    /// Of a hypothesis.
+    /// The score of a hypothesis.
     pub fn of(hypothesis: Hypothesis) -> Self {
         let runs: Vec<_> = rows().iter().map(|row| hypothesis.run(row)).collect();
         Self { hypothesis, fits: EXPLAINED.map(|column| Fit::of(column, &runs)), runs }
     }
 
-    /// The fit to a column; none for one that is not to be explained.
+    /// The fit to a column; none for a column that is not to be explained.
     pub fn on(&self, column: Column) -> Option<&Fit> {
         self.fits.iter().zip(EXPLAINED).find(|(_, of)| *of == column).map(|(fit, _)| fit)
     }

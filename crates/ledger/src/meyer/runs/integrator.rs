@@ -4,9 +4,9 @@ use super::motion::usual;
 use super::*;
 use geneva_mimic::{Kept, Parameters as Integrator};
 
-/// One parameter of the integrator set otherwise than by default.
+/// One parameter of the integrator, set to something other than its default.
 pub struct Variant {
-    /// In words.
+    /// The variant in words.
     pub name: &'static str,
     change: fn(Integrator) -> Integrator,
 }
@@ -45,11 +45,11 @@ pub const VARIANTS: [Variant; 9] = [
 pub struct Change {
     /// The greatest relative change of a peak, a minimum and a period of the 49 runs.
     pub most: [f64; 3],
-    /// How many of the 147 numbers round to another printed one.
+    /// How many of the 147 numbers round to another printed number.
     pub printed_otherwise: usize,
 }
 
-/// Each variant against the defaults: with the exact sign, and with the delayed one.
+/// Each variant compared with the defaults, with the exact sign and with the delayed sign.
 pub fn changes() -> Option<Vec<(&'static Variant, [Change; 2])>> {
     let delayed = Hypothesis { delay: Some(delay()), ..Hypothesis::WITHOUT_LAG };
     let hypotheses = [Hypothesis::WITHOUT_LAG, delayed];

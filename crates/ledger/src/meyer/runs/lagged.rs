@@ -7,7 +7,7 @@ use super::{Hypothesis, Row, interval};
 use geneva_dynamics::program::Program;
 use nalgebra::Vector2;
 
-/// What a run has whose sign is chosen by the acceleration of a moment before: speeds in rad/s, times in s.
+/// The results of a run whose sign is chosen by the acceleration of a moment before: speeds in rad/s, times in s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lagged {
     /// Greatest speed at a multiple of the print interval.
@@ -159,7 +159,7 @@ impl History {
 }
 
 impl Lagged {
-    /// Of a row as the program ran it; none if it has no two engagements.
+    /// The run of a row as the program ran it; none if it has no two engagements.
     pub fn of(row: &Row) -> Option<Self> {
         let card = Card::of(&Hypothesis::as_run().program(row)?, super::delay());
         run(&card, interval(), super::duration())

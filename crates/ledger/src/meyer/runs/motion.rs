@@ -20,9 +20,9 @@ pub enum Reset {
 /// Which of the two pairs of inertias the runs with six pins had.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SixPin {
-    /// Those in the heading of the table.
+    /// The inertias in the heading of the table.
     AsHeaded,
-    /// Those on the axes of Fig. 11.
+    /// The inertias on the axes of Fig. 11.
     AsDrawn,
 }
 
@@ -79,7 +79,7 @@ impl From<Readings> for Run {
 }
 
 impl Run {
-    /// The number of a column; not a number for one that a run does not give.
+    /// The number of a column; not a number for a column that a run does not give.
     pub fn number(&self, column: Column) -> f64 {
         match column {
             Column::Peak => self.peak,
@@ -92,8 +92,9 @@ impl Run {
 }
 
 impl Hypothesis {
-    /// The one that explains the tables: one reset angle for all, the inertias of Fig. 11, peaks as printed. With the
-    /// sign exact it has a solution over the angle; see [`as_run`](Self::as_run) for what the program adds.
+    /// The hypothesis that explains the tables: one reset angle for all, the inertias of Fig. 11, peaks as printed.
+    ///
+    /// With the sign exact it has a solution over the angle; see [`as_run`](Self::as_run) for what the program adds.
     pub const WITHOUT_LAG: Self = Self {
         reset: Reset::QuarterTurn,
         six_pin: SixPin::AsDrawn,
@@ -105,7 +106,9 @@ impl Hypothesis {
     /// The mechanism as it is.
     pub const IDEAL: Self = Self { reset: Reset::OfTheMechanism, reading: Reading::True, ..Self::WITHOUT_LAG };
 
-    /// What was run: the same with the constants of the listing and its lagged sign. Every cell is judged by it.
+    /// The hypothesis of what was run: [`WITHOUT_LAG`](Self::WITHOUT_LAG) with the listing's constants and lagged sign.
+    ///
+    /// Every cell is judged by it.
     pub fn as_run() -> Self {
         Self { constants: Constants::AsListed, delay: Some(delay()), ..Self::WITHOUT_LAG }
     }
@@ -176,7 +179,7 @@ impl Hypothesis {
         [f64::from(row.mechanism.slots()), start, row.friction(), row.torque(), follower, driver]
     }
 
-    /// The same, read off the lines that the program prints; the true peak is not among them.
+    /// The run, read off the lines that the program prints; the true peak is not among them.
     pub fn by_program(&self, row: &Row, integrator: &geneva_mimic::Parameters) -> Option<Run> {
         let program = self.program(row)?;
         Some(Readings::of(&program.run(integrator).ok()?, program.reset)?.into())
@@ -222,7 +225,7 @@ pub fn parameters_with(row: &Row, [driver, follower]: [f64; 2]) -> Option<Parame
     Parameters::new(row.mechanism, Inertias::new(driver, follower).ok()?, row.torque(), row.friction()).ok()
 }
 
-/// How many of a unit with a power of ten before it are one without.
+/// How many of a unit with a power of ten before it make one unit without it.
 pub fn units_in_one(unit: &str) -> f64 {
     let power = unit.split_once("10^").and_then(|(_, behind)| behind.split(' ').next()?.parse::<i32>().ok());
     power.map_or(f64::NAN, |power| match libm::pow(10.0, f64::from(power.abs())) {
@@ -241,8 +244,10 @@ pub fn interval() -> f64 {
     printed("meyer.listing.print-interval")
 }
 
-/// Of half the printed interval, itself and twice as much, the one with which the peaks of all rows come out best: with
-/// the motion solved over the angle, or by the steps of the program.
+/// The interval that reproduces the peaks of all rows best, of half the printed interval, the interval itself and twice
+/// as much.
+///
+/// The motion is solved over the angle, or by the steps of the program.
 pub fn fitting_interval(by_steps: bool) -> f64 {
     static FITTING: [OnceLock<f64>; 2] = [const { OnceLock::new() }; 2];
     let misfit = |interval: f64| {
@@ -280,8 +285,9 @@ pub fn duration() -> f64 {
     printed("meyer.listing.run-length")
 }
 
-/// The integrator as far as the thesis tells, the rest as it is by default. A step may be longer than the delay; the
-/// old acceleration is then that of the step before.
+/// The integrator as far as the thesis tells, with the defaults for the rest.
+///
+/// A step may be longer than the delay; the old acceleration is then the acceleration of the step before.
 pub fn usual() -> geneva_mimic::Parameters {
     geneva_mimic::Parameters {
         at_smallest_step: AtSmallestStep::Continue,

@@ -1,4 +1,4 @@
-//! Which definition of a rise time could be that of the tables, and how the tables agree with the thesis's own words.
+//! Which definition of a rise time the tables could use, and how the tables agree with the thesis's own words.
 
 use super::*;
 use crate::meyer::terms::MISSING;
@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 
 /// A time that a start from rest has, if so large a part of a velocity may be missing.
 pub struct Definition {
-    /// In words.
+    /// The definition in words.
     pub name: &'static str,
     /// The time, in s.
     pub time: fn(&Start, f64) -> Option<f64>,
@@ -23,7 +23,7 @@ pub struct Start {
 }
 
 impl Start {
-    /// Of a row, as a hypothesis has it.
+    /// The start of a row, under a hypothesis.
     pub fn of(hypothesis: &Hypothesis, row: &Row) -> Option<Self> {
         let engagement = hypothesis.engagement(row)?;
         let lines = engagement.run(interval(), duration()).ok()?;
@@ -61,7 +61,7 @@ impl Start {
     }
 }
 
-/// The parts that are tried: the axes of the thesis's plots have 99 per cent, so the second is its own.
+/// The parts that we try. The axes of the thesis's plots have 99 per cent, so the second part is the thesis's own.
 pub const PARTS: [f64; 4] = [0.005, MISSING, 0.02, 0.05];
 
 /// The definitions nearest to the thesis's, with each of the parts: the time until some velocity of the motion is that
@@ -86,7 +86,7 @@ pub const OF_A_PART: [Definition; 8] = [
     },
 ];
 
-/// Other events of a start, of which two are looked for in the lines of the print-out, which have a time of their own.
+/// Other events of a start. Two of them are looked for in the lines of the print-out, which have a time of their own.
 pub const EVENTS: [Definition; 5] = [
     Definition { name: "the first minimum", time: |start, _| start.first_minimum.map(|minimum| minimum.time) },
     Definition { name: "the first minimum after a hand-over", time: |start, _| start.rise.until_first_minimum() },
@@ -101,7 +101,7 @@ pub const EVENTS: [Definition; 5] = [
     Definition { name: "a printed minimum within 1%", time: |start, _| start.printed_minimum() },
 ];
 
-/// What became of a definition.
+/// The result of trying a definition.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tried {
     /// The definition in words.
@@ -181,14 +181,14 @@ pub fn explained_rows(mechanism: Mechanism, name: &str) -> Vec<&'static Row> {
     rows().iter().filter(|row| row.mechanism == mechanism).filter(explains).collect()
 }
 
-/// Pairs of neighbouring rows that differ in one datum only, by whether the printed rise time goes up with it.
+/// Pairs of neighbouring rows that differ in one value only, by whether the printed rise time goes up with that value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Neighbours {
     /// How many pairs there are.
     pub pairs: usize,
     /// In how many the rise time goes up.
     pub up: usize,
-    /// In how many it stays.
+    /// In how many it stays the same.
     pub equal: usize,
 }
 

@@ -14,7 +14,7 @@ pub struct Fit {
     pub mean: f64,
     /// Printed over computed, less one, where it is farthest from zero.
     pub worst: f64,
-    /// By each law of error: how likely the printed cells are.
+    /// How likely the printed cells are, by each law of error.
     pub likelihoods: [Likelihood; 2],
 }
 
@@ -24,10 +24,10 @@ pub fn within_one(column: Column, runs: &[Run]) -> usize {
 }
 
 impl Fit {
-    /// Of the column, for the runs of all rows; a run that came to nothing explains nothing.
+    /// The fit to a column, for the runs of all rows; a run that came to nothing explains nothing.
     ///
-    /// The statistical model: a printed number is the computed one and an error of unknown spread, rounded to the unit.
-    /// All hypotheses have this one parameter, so that their likelihoods may be compared as they are.
+    /// In the statistical model, a printed number is the computed number plus an error of unknown spread, rounded to
+    /// the unit. All hypotheses have this one parameter, so their likelihoods may be compared as they are.
     pub fn of(column: Column, runs: &[Option<Run>]) -> Self {
         let cells: Vec<_> = rows()
             .iter()

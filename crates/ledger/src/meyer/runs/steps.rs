@@ -10,7 +10,8 @@ use std::collections::HashMap;
 use std::convert::Infallible;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-/// The driver's angles that steps lead to, with what the equation of motion asks of each and of the middle between two.
+/// The driver's angles that steps lead to, with the factors of the equation of motion at each and in the middle between
+/// two.
 #[derive(Clone)]
 pub struct Course {
     /// The driver's angles from the line of centres, or how far it has turned.
@@ -35,7 +36,7 @@ impl Poses {
         Self { angles: angles.into(), ends, middles }
     }
 
-    /// Those of an engagement that starts at entry and lasts for a turn of `reset` radians, found once.
+    /// The poses of an engagement that starts at entry and lasts for a turn of `reset` radians, found once.
     fn engagement(parameters: &Parameters, reset: f64, steps: u32) -> Arc<Self> {
         type Known = Mutex<HashMap<(Mechanism, u64, u32), Arc<Poses>>>;
         static KNOWN: OnceLock<Known> = OnceLock::new();
@@ -59,17 +60,17 @@ impl Poses {
 }
 
 impl Course {
-    /// Through an engagement that starts at entry and lasts for a turn of `reset` radians.
+    /// The course through an engagement that starts at entry and lasts for a turn of `reset` radians.
     pub fn of_engagement(parameters: &Parameters, reset: f64, steps: u32) -> Self {
         Poses::engagement(parameters, reset, steps).course(parameters)
     }
 
-    /// Where the driver has turned so far: `engaged` gives the angle of the pin in its slot.
+    /// The course where the driver has turned so far; `engaged` gives the angle of the pin in its slot.
     pub fn along(parameters: &Parameters, turned: Vec<f64>, engaged: impl Fn(f64) -> f64) -> Self {
         Poses::along(parameters, turned, engaged).course(parameters)
     }
 
-    /// What the equation of motion asks of each angle.
+    /// The factors of the equation of motion at each angle.
     pub fn coefficients(&self) -> &[Coefficients<f64>] {
         &self.ends
     }

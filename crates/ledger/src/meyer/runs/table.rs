@@ -28,13 +28,14 @@ impl Column {
         if matches!(self, Self::Period | Self::Rise) { 1e-3 } else { 1.0 }
     }
 
-    /// Whether a computed number of this column is no more than a unit of the last printed place from the printed one.
+    /// Whether a computed number of this column is no more than a unit of the last printed place from the printed
+    /// number.
     pub fn is_within_one(self, printed: f64, computed: f64) -> bool {
         (printed - computed).abs() <= self.unit() * (1.0 + 1e-9)
     }
 }
 
-/// A mechanism as it stands in ids: the thesis names them by the pins.
+/// A mechanism as it appears in ids; the thesis names mechanisms by the pins.
 pub fn slug(mechanism: Mechanism) -> String {
     format!("{}-pin", mechanism.pins())
 }
@@ -42,7 +43,7 @@ pub fn slug(mechanism: Mechanism) -> String {
 /// One printed row.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
-    /// The table it stands in.
+    /// The table that contains the row.
     pub mechanism: Mechanism,
     /// The printed characters, in the order of the columns.
     cells: [&'static str; 6],
@@ -61,7 +62,7 @@ impl Row {
         self.printed(column).parse().unwrap_or(f64::NAN)
     }
 
-    /// The verdict on record of a column, as it is marked behind the row.
+    /// The verdict on record of a column, as it is marked after the row.
     pub fn expected(&self, column: Column) -> Option<Verdict> {
         let mark = self.marks.chars().nth(column as usize)?;
         MARKS.iter().find(|(of, _)| *of == mark).map(|(_, verdict)| *verdict)
@@ -90,7 +91,7 @@ pub fn rows() -> &'static [Row] {
     ROWS.get_or_init(|| TABLES.iter().flat_map(|(mechanism, table)| read(*mechanism, table)).collect())
 }
 
-/// The rows of one mechanism and one friction, by rising torque: nothing else changes within them.
+/// The rows of one mechanism and one friction, by rising torque; nothing else changes among them.
 pub fn series() -> impl Iterator<Item = &'static [Row]> {
     let alike = |one: &Row, other: &Row| {
         one.mechanism == other.mechanism && one.printed(Column::Friction) == other.printed(Column::Friction)

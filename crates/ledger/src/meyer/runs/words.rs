@@ -3,7 +3,8 @@
 use super::*;
 
 impl Hypothesis {
-    /// In one short line of a figure: reset angle, inertias and reading, then what differs from the usual.
+    /// The hypothesis in one short line of a figure: reset angle, inertias and reading, then what differs from the
+    /// usual.
     pub fn brief_words(&self) -> String {
         let reset = match self.reset {
             Reset::OfTheMechanism => "reset after 360°/m",

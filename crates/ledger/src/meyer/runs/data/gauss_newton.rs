@@ -10,24 +10,24 @@ use nalgebra::{Matrix2, Vector2};
 const OF_A_ROW: u32 = 1000;
 const OF_A_TABLE: u32 = 1500;
 
-/// What is found.
+/// A number found, and how far it can be off.
 pub struct Found {
     /// The number that was sought.
     pub value: f64,
-    /// By how much it changes if each result was read a unit of its last place otherwise, at random.
+    /// By how much the number changes if each result was misread at random by a unit of its last place.
     pub reach: f64,
     /// The misfits that are left.
     misfits: Vec<f64>,
 }
 
-/// The torque with which a row's minimum and period come out best, in in lb.
+/// The torque with which a row's minimum and period are reproduced best, in in lb.
 pub fn torque(row: &Row) -> Option<Found> {
     let [driver, follower] = printed_inertias(row);
     let motion = motion(row.mechanism, row.friction(), driver / follower, OF_A_ROW)?;
     best(FIRST_TORQUE, |torque| Some(misfits(row, &motion, BUT_FOR_THE_PEAK, torque / follower).collect()))
 }
 
-/// The friction with which a row's minimum and period come out best.
+/// The friction with which a row's minimum and period are reproduced best.
 pub fn friction(row: &Row) -> Option<Found> {
     let [driver, follower] = printed_inertias(row);
     best(FIRST_FRICTION, |friction| {
@@ -36,7 +36,7 @@ pub fn friction(row: &Row) -> Option<Found> {
     })
 }
 
-/// The inertias of driver and follower with which a mechanism's peaks, minima and periods come out best, in in lb s².
+/// The inertias of driver and follower that reproduce a mechanism's peaks, minima and periods best, in in lb s².
 pub fn inertias(mechanism: Mechanism) -> Option<[f64; 2]> {
     // For each ratio of the two the follower is found that suits it best.
     let with = |ratio: f64| {
@@ -52,8 +52,9 @@ pub fn inertias(mechanism: Mechanism) -> Option<[f64; 2]> {
     Some([ratio * follower, follower])
 }
 
-/// How finely two inertias are known, in in lb s²: by how much what is found changes if each result was read a unit of
-/// its last place otherwise, at random.
+/// How finely two inertias are known, in in lb s².
+///
+/// It is how much the inertias found change if each result was misread at random by a unit of its last place.
 pub fn uncertainties(mechanism: Mechanism, [driver, follower]: [f64; 2]) -> Option<[f64; 2]> {
     // The sums of the products of the slopes of all results, in the logarithms of the ratio and of the follower.
     let mut products = Matrix2::zeros();

@@ -13,15 +13,16 @@ const FOLLOWERS: [f64; 2] = [1e-8, 1e-2];
 /// The greatest inertia of the driver that comes into question, over the follower's.
 const GREATEST_RATIO: f64 = 10.0;
 
-/// The torque with which a row's minimum and period come out best, in in lb.
+/// The torque with which a row's minimum and period are reproduced best, in in lb.
 pub fn torque(row: &Row) -> Option<f64> {
     let [driver, follower] = printed_inertias(row);
     let steady = Steady::of(row.mechanism, row.friction(), driver / follower)?;
     Some(least(TORQUES, |torque| steady.misfit(row, BUT_FOR_THE_PEAK, torque / follower)))
 }
 
-/// The friction with which a row's minimum and period come out best: between none and the greatest with which the
-/// equation of motion has a solution everywhere.
+/// The friction with which a row's minimum and period are reproduced best.
+///
+/// It is between none and the greatest with which the equation of motion has a solution everywhere.
 pub fn friction(row: &Row) -> Option<f64> {
     let [driver, follower] = printed_inertias(row);
     let greatest = critical_friction(row.mechanism, driver / follower).ok()?.friction;
@@ -31,7 +32,7 @@ pub fn friction(row: &Row) -> Option<f64> {
     }))
 }
 
-/// The inertias of driver and follower with which a mechanism's peaks, minima and periods come out best, in in lb s².
+/// The inertias of driver and follower that reproduce a mechanism's peaks, minima and periods best, in in lb s².
 pub fn inertias(mechanism: Mechanism) -> Option<[f64; 2]> {
     let series: Vec<_> = series().filter(|own| own[0].mechanism == mechanism).collect();
     let most_friction = series.iter().map(|own| own[0].friction()).fold(0.0, f64::max);

@@ -31,14 +31,14 @@ pub(super) fn claims(row: &'static Row, place: Place) -> [Claim; 2] {
     let id = |name: &str| leaked(format!("meyer.app-e.{}.{name}", row.slug()));
     let expected = |column| row.expected(column).unwrap_or(Verdict::Reproduced);
     let friction = place
-        .value(id("friction"), row.printed(Column::Friction), "", "coefficient of friction of the run, a datum")
+        .value(id("friction"), row.printed(Column::Friction), "", "coefficient of friction of the run, a given value")
         .by(Quadrature, move || sections(row)[0])
         .by(RungeKutta, move || tangents(row)[0])
         .read_to(move || tangents(row)[1])
         .read_as(FRICTION)
         .expecting(expected(Column::Friction));
     let torque = place
-        .value(id("torque"), row.printed(Column::Torque), "in lb/rad", "torque of the spring of the run, a datum")
+        .value(id("torque"), row.printed(Column::Torque), "in lb/rad", "torque of the spring of the run, a given value")
         .by(Quadrature, move || sections(row)[1])
         .by(RungeKutta, move || tangents(row)[2])
         .read_as(TORQUE)
@@ -46,13 +46,14 @@ pub(super) fn claims(row: &'static Row, place: Place) -> [Claim; 2] {
     [friction, torque]
 }
 
-const FRICTION: &str = "Computed is the friction with which the row's minimum and period come out best, with its torque \
-                        and the inertias as printed. The peak is left out: none of the printed lines need fall on it. \
-                        The friction is known as finely as the two tell it, if each was read a unit of its last place \
-                        otherwise, at random.";
+const FRICTION: &str = "The computed value is the friction with which the row's minimum and period agree best, with \
+                        its torque and the inertias as printed. We leave out the peak, because none of the printed \
+                        lines need fall on it. The friction is known as finely as minimum and period tell it, if each \
+                        was misread at random by a unit of its last place.";
 
-const TORQUE: &str = "Computed is the torque with which the row's minimum and period come out best, with its friction \
-                      and the inertias as printed. The peak is left out: none of the printed lines need fall on it.";
+const TORQUE: &str = "The computed value is the torque with which the row's minimum and period agree best, with its \
+                      friction and the inertias as printed. We leave out the peak, because none of the printed lines \
+                      need fall on it.";
 
 /// Friction and torque of a row by golden section.
 fn sections(row: &Row) -> [f64; 2] {
@@ -69,20 +70,20 @@ fn tangents(row: &Row) -> [f64; 3] {
     })
 }
 
-/// The inertias of driver and follower, in in lb s², with which a mechanism's table comes out best, by integrals.
+/// The inertias of driver and follower, in in lb s², with which a mechanism's table is reproduced best, by integrals.
 pub fn inertias(mechanism: Mechanism) -> [f64; 2] {
     static FOUND: [OnceLock<[f64; 2]>; 3] = [const { OnceLock::new() }; 3];
     *FOUND[mechanism.index()].get_or_init(|| golden_section::inertias(mechanism).unwrap_or([f64::NAN; 2]))
 }
 
-/// The same in steps.
+/// The inertias with which a mechanism's table is reproduced best, in steps.
 pub(super) fn inertias_in_steps(mechanism: Mechanism) -> [f64; 2] {
     static FOUND: [OnceLock<[f64; 2]>; 3] = [const { OnceLock::new() }; 3];
     *FOUND[mechanism.index()].get_or_init(|| gauss_newton::inertias(mechanism).unwrap_or([f64::NAN; 2]))
 }
 
-/// How finely these are known: by how much they change if each result was read a unit of its last place otherwise, at
-/// random.
+/// How finely the inertias are known: how much they change if each result was misread at random by a unit of its last
+/// place.
 pub fn uncertainties(mechanism: Mechanism) -> Option<[f64; 2]> {
     gauss_newton::uncertainties(mechanism, inertias_in_steps(mechanism))
 }
