@@ -75,7 +75,7 @@ fn outside_of_a_workspace_nothing_is_built() {
         let said = refusal(inside(elsewhere.path(), arguments));
         let here = elsewhere.path().canonicalize().expect("it exists");
         assert!(said.contains("no book found") && said.contains(&*here.to_string_lossy()), "{said}");
-        assert!(said.contains("go to a folder of the project"), "{said}");
+        assert!(said.contains("change to a folder of the project"), "{said}");
     }
     // The verdicts do not need the book.
     let output = inside(elsewhere.path(), &[]).output().expect("the program runs");

@@ -426,9 +426,9 @@ fn a_copy_with_other_numbers_differs() {
 fn a_copy_that_cannot_be_read_is_named() {
     let said = refusal(geneva(&["coverage", "--source", "pin", "--against", "no/such/copy.txt"]));
     assert!(said.starts_with("error: cannot read no/such/copy.txt: "), "{said}");
-    assert!(said.ends_with("; give a text file, your copy of pin, to --against\n"), "{said}");
+    assert!(said.ends_with("; give --against a text file with your copy of pin\n"), "{said}");
     let said = refusal(geneva(&["coverage", "--source", "pin", "--record", "no/such/copy.txt"]));
-    assert!(said.ends_with("; give a text file, your copy of pin, to --record\n"), "{said}");
+    assert!(said.ends_with("; give --record a text file with your copy of pin\n"), "{said}");
 }
 
 #[test]

@@ -148,7 +148,7 @@ fn a_rise_that_is_too_long_is_missing_and_all_else_is_there() {
     let found = object(design, &[]);
     assert!(found["rise_time"].is_null() && found["engagements_to_settle"].is_null());
     assert!(number(&found, "multiplier") < 1.0 && number(&found, "entry_speed") > 0.0);
-    assert!(stdout(&command(design, &[]), 0).contains("more than 100000 engagements"));
+    assert!(stdout(&command(design, &[]), 0).contains("longer than 100000 engagements"));
 }
 
 #[test]

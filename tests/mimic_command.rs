@@ -139,7 +139,7 @@ fn a_listing_is_run_out_of_a_longer_text() {
     assert!(page.ends_with("1,2.0,0.0,1.5,3.0,2.25\n"), "{page}");
     let (_folder, path) = folder("none.txt", "no program here\n");
     let told = refused(&["mimic", "run", "--listing-in", &path]);
-    assert!(told.contains("no program in it"), "{told}");
+    assert!(told.contains("contains no program"), "{told}");
 }
 
 #[test]
@@ -148,12 +148,12 @@ fn what_is_wrong_is_told_all_at_once_and_nothing_is_run() {
     for action in ["check", "sort", "run"] {
         let (text, told, code) = fed(&["mimic", action, "-"], wrong);
         assert!(code == Some(2) && text.is_empty(), "{text}");
-        assert!(told.contains("card 1, column 4: COSS is no function; the nearest is COS"), "{told}");
+        assert!(told.contains("card 1, column 4: COSS is not a function; the nearest is COS"), "{told}");
     }
     let (_, told, _) = fed(&["mimic", "check", "-"], &wrong.replace("COSS", "COS"));
     assert!(told.contains("card 2, column 4: no card defines XX; the nearest is X\n     Y XX+1.\n       ^^"), "{told}");
     let (text, _, code) = fed(&["mimic", "check", "-"], DECK);
-    assert!(code == Some(0) && text.contains("nothing is wrong. 3 statements, 2 integrals"), "{text}");
+    assert!(code == Some(0) && text.contains("no mistakes found. 3 statements, 2 integrals"), "{text}");
 }
 
 #[test]
@@ -161,19 +161,19 @@ fn refusals_name_what_was_asked_and_a_way_out() {
     for (arguments, words) in [
         (
             &["mimic", "run", "no-such-deck"][..],
-            "'no-such-deck': no such file, and no deck of this project; geneva mimic",
+            "'no-such-deck' is neither a file nor a deck of this project; geneva mimic",
         ),
-        (&["mimic", "run", "escapment"], "no deck of this project; the nearest is escapement"),
-        (&["mimic", "decks", "escapment"], "no deck of this project; the nearest is escapement; give one of"),
+        (&["mimic", "run", "escapment"], "nor a deck of this project; the nearest is escapement"),
+        (&["mimic", "decks", "escapment"], "is not a deck of this project; the nearest is escapement; give one of"),
         (&["mimic", "run", "escapement", "--set", "MUU=.2"], "the nearest is MU; give another name"),
         (&["mimic", "run", "decay", "--set", "DTMX=.2"], "the nearest is DTMAX; give another name"),
-        (&["mimic", "run", "-", "--data", "-"], "--data -: standard input has the deck already"),
-        (&["mimic", "decks", "none"], "'none': no deck of this project; give one of escapement"),
-        (&["mimic", "run", "decay", "--set", "LEFT"], "no =; give a name, = and a number"),
-        (&["mimic", "run", "decay", "--set", "NONE=2"], "--set NONE=2: decay has no single card"),
+        (&["mimic", "run", "-", "--data", "-"], "--data -: standard input already holds the deck"),
+        (&["mimic", "decks", "none"], "'none' is not a deck of this project; give one of escapement"),
+        (&["mimic", "run", "decay", "--set", "LEFT"], "no = in it; give a name, = and a number"),
+        (&["mimic", "run", "decay", "--set", "NONE=2"], "--set NONE=2: no CON or PAR card of decay"),
         (&["mimic", "run", "decay", "--set", "HALF=0"], "decay: card 8 (FIN(T,5.*HALF)): the run would end at T = 0"),
-        (&["mimic", "run", "decay", "--set", "=3"], "no name before =; give one"),
-        (&["mimic", "run", "decay", "--tolerance", "1"], "1 must be below 1; give a part of each integral's size"),
+        (&["mimic", "run", "decay", "--set", "=3"], "no name before the =; give a name"),
+        (&["mimic", "run", "decay", "--tolerance", "1"], "1 must be below 1; give a fraction of each integral's size"),
         (&["mimic", "run", "vanderpol", "--set", "MU=1e300"], "vanderpol, run 1 of 2: at T = "),
     ] {
         let told = refused(arguments);
@@ -207,10 +207,7 @@ fn an_answer_takes_the_place_of_nothing_that_is_read() {
         &["mimic", "run", "decay", "--data", &path, "--output", &path],
     ] {
         let told = refused(arguments);
-        assert!(
-            told.contains("would take the place of") && told.contains("give another file"),
-            "{arguments:?}\n{told}"
-        );
+        assert!(told.contains("would overwrite") && told.contains("give another file"), "{arguments:?}\n{told}");
     }
     assert_eq!(fs::read_to_string(&path).expect("it is there"), DECK);
     let new = folder.path().join("new");
@@ -244,8 +241,8 @@ fn a_byte_order_mark_is_no_sign() {
 #[test]
 fn a_drawing_needs_two_points_and_two_names() {
     for (deck, words) in [
-        (" A 1.\n OUT(T,A)\n FIN(A,-1.)\n END\n", "one point is printed, for FIN is true from the start"),
-        (" OUT(T)\n FIN(T,1.)\n END\n", "T alone is printed; a curve needs a second name"),
+        (" A 1.\n OUT(T,A)\n FIN(A,-1.)\n END\n", "only one point is printed, because FIN is true from the start"),
+        (" OUT(T)\n FIN(T,1.)\n END\n", "only T is printed; give the OUT card a second name"),
     ] {
         let (_, told, code) = fed(&["mimic", "run", "-", "--format", "svg"], deck);
         assert!(code == Some(2) && told.contains(words), "{told}");
@@ -255,7 +252,7 @@ fn a_drawing_needs_two_points_and_two_names() {
 #[test]
 fn a_check_reads_the_data_cards_too() {
     let (_, told, code) = fed(&["mimic", "check", "-"], &DECK.replace(" 2.\n", " 2. zz\n"));
-    assert!(code == Some(2) && told.contains("no number, and what stands behind END is data"), "{told}");
+    assert!(code == Some(2) && told.contains("not a number, and everything after END is data"), "{told}");
 }
 
 #[test]

@@ -79,14 +79,11 @@ fn the_length_that_was_given_comes_back() {
 #[test]
 fn what_does_not_fit_is_refused_with_how_much_and_what_to_change() {
     for (options, said) in [
-        (
-            &["--pin-diameter", "60"][..],
-            "less depth of the slots (--pin-diameter 60, --play MM, --bottom-clearance MM)",
-        ),
+        (&["--pin-diameter", "60"][..], "shallower slots (--pin-diameter 60, --play MM, --bottom-clearance MM)"),
         (&["--play", "90"], "--play 90"),
         (&["--bottom-clearance", "45"], "--bottom-clearance 45"),
         (&["--horn", "40"], "a thinner pin or a thinner horn (--pin-diameter MM, --horn 40)"),
-        (&["--wheel-shaft", "80"], "must be less than 69.9750 mm; take a thinner shaft (--wheel-shaft 80)"),
+        (&["--wheel-shaft", "80"], "must be less than 69.9750 mm; give a thinner shaft (--wheel-shaft 80)"),
         (&["--driver-shaft", "30"], "(--driver-shaft 30)"),
         (&["--pin-diameter", "0.01", "--play", "200"], "mm"),
     ] {
@@ -128,7 +125,7 @@ fn sizes_that_had_better_not_be_made_are_made_with_a_warning() {
     assert!(warnings(&[]).is_empty());
     for (options, said) in [
         (&["--play", "0"][..], "without play"),
-        (&["--pin-diameter", "1", "--play", "0.2"], "meets its rim"),
+        (&["--pin-diameter", "1", "--play", "0.2"], "hits its rim"),
         (&["--horn", "0.5"], "the horn is only 0.500 mm thick"),
     ] {
         let found = warnings(options);

@@ -93,7 +93,7 @@ impl Identity<6> for GrowthOfKineticEnergy {
     }
 }
 
-/// What the pose says of the follower is what the pin's place says: φ' and φ'' for any motion of the driver.
+/// The pose gives the follower the same φ' and φ'' as the pin's place does, for any motion of the driver.
 ///
 /// Variables: p = (r/c) cos θ, q = (r/c) sin θ, θ', θ''.
 pub struct PoseOfThePin {

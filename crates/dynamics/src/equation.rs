@@ -126,7 +126,7 @@ pub struct Acceleration {
 }
 
 impl Coefficients<f64> {
-    /// The one acceleration at this speed of the driver (≥ 0, radians per unit of time), with the sign of the bars.
+    /// The unique acceleration at this speed of the driver (≥ 0, radians per unit of time), with the sign of the bars.
     ///
     /// # Errors
     ///

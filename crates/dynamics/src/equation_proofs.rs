@@ -1,4 +1,4 @@
-//! Why the equation of motion has one solution, and why its sign can be told beforehand, as identities.
+//! Identities that show why the equation of motion has one solution, and why its sign is known beforehand.
 //!
 //! Notation as in [`equation`](crate::equation); A to E and θ' are free variables, so nothing depends on what they
 //! stand for. Where the slopes A + D and A − D are divided by, they are the variables instead of A and D.

@@ -28,7 +28,7 @@ pub enum Error {
         asked: f64,
     },
     /// A quantity outside its range.
-    #[error("{name} {asked}: it must lie from {least} to {most}; give a number between")]
+    #[error("{name} {asked}: it must be from {least} to {most}; give a number in this range")]
     OutOfRange {
         /// Which quantity.
         name: &'static str,
@@ -41,19 +41,21 @@ pub enum Error {
     },
     /// A speed of the driver that is negative or not finite, or whose square is not finite.
     #[error(
-        "{name} {asked}: it and its square must be finite, and it not negative, because friction is taken against \
-         forward motion; give zero or more"
+        "{name} {asked}: it must not be negative, because friction is taken to oppose forward motion, and its square must \
+         be finite; give zero or more"
     )]
     Speed {
-        /// At which place.
+        /// Which speed.
         name: &'static str,
         /// What was asked for, in radians per unit of time.
         asked: f64,
     },
     /// So much friction that somewhere no acceleration, or more than one, obeys the equation of motion.
     #[error(
-        "friction coefficient {asked}: from {limit} on, the equation of motion has no single solution at {angle} rad \
-         from the line of centres; give less friction or a driver with more inertia"
+        "friction coefficient {asked} is too high for this mechanism: from about {} on it may jam, because the motion is \
+         not determined {:.1}° from the line of centres; give less friction or a driver with more inertia",
+        told(*.limit),
+        .angle.to_degrees()
     )]
     TooMuchFriction {
         /// What was asked for, dimensionless.
@@ -65,8 +67,10 @@ pub enum Error {
     },
     /// A ≤ |D|, or a coefficient that is not a number: no acceleration, or more than one.
     #[error(
-        "A = {a} does not exceed |D| = {d}: the equation has no solution or more than one; lower the friction or raise \
-         the driver's inertia"
+        "A = {} is not more than |D| = {}, so the motion is not determined; lower the friction or raise the driver's \
+         inertia",
+        told(*.a),
+        told(*.d)
     )]
     NotUnique {
         /// A, dimensionless.
@@ -76,10 +80,9 @@ pub enum Error {
     },
     /// A reset angle that is not positive, or that takes the pin past the far side of its circle.
     #[error(
-        "reset angle {asked} rad: a pin's motion must be taken up again after a positive turn of less than {limit} \
-         rad, where the pin is farthest from the follower; give {turn} over the number of pins, or another angle in \
-         range",
-        turn = std::f64::consts::TAU
+        "reset angle {asked} rad: the driver's angle must be reset after more than 0 and less than {} rad, where the pin \
+         is farthest from the follower; give 2π over the number of pins, or another angle in this range",
+        told(*.limit)
     )]
     Reset {
         /// What was asked for, in radians.
@@ -89,8 +92,9 @@ pub enum Error {
     },
     /// So near the critical friction, or with such different inertias, that the motion has no scale to be computed at.
     #[error(
-        "A - |D| = {margin} at {angle} rad: the equation changes there too quickly to be computed; lower the friction, \
-         or take inertias that are less different"
+        "A - |D| = {margin:.1e} at a crank angle of {:.2}°: the motion changes there too quickly to be computed; lower the \
+         friction, or choose inertias that differ less",
+        .angle.to_degrees()
     )]
     TooSharp {
         /// Crank angle in radians where the equation changes too quickly.
@@ -100,15 +104,16 @@ pub enum Error {
     },
     /// Nothing brakes faster running more than slower running: the speed grows without end.
     #[error(
-        "no terminal speed: an engagement takes a difference of speeds to {multiplier} of itself; give friction that \
-         grows with the load, in the slot or in the bearings"
+        "there is no terminal speed, because a difference of speeds doesn't shrink from one engagement to the next (the \
+         multiplier is {}); give friction that grows with the load, in the slot or in the bearings",
+        told(*.multiplier)
     )]
     NoTerminalSpeed {
         /// Multiplier of the return map, dimensionless; one, or within rounding of it.
         multiplier: f64,
     },
     /// More engagements, or more printed lines, than are allowed.
-    #[error("more than {limit} {name}: allow more, or ask for less time or more friction")]
+    #[error("more than {limit} {name} are needed; allow more, or give less time or more friction")]
     TooMany {
         /// Engagements, or printed lines.
         name: &'static str,
@@ -117,8 +122,8 @@ pub enum Error {
     },
     /// A pin as thick as its crank is long, or thicker.
     #[error(
-        "pin radius {asked} crank radii: it must be below 1, or the pin's surface slides one way only; give a \
-         thinner pin"
+        "pin radius {asked} crank radii: it must be below 1, because otherwise the pin's surface slides one way only; give \
+         a thinner pin"
     )]
     PinTooThick {
         /// The radius that was asked for, in crank radii.
@@ -126,8 +131,7 @@ pub enum Error {
     },
     /// A constant drag torque on the driver that the driving torque does not overcome.
     #[error(
-        "driver's drag torque {asked}: the driving torque {torque} does not overcome it; give less drag \
-         torque or more torque"
+        "driver's drag torque {asked}: the driving torque {torque} can't overcome it; give less drag torque or more torque"
     )]
     DragTorque {
         /// What was asked for, in the unit of the driving torque.
@@ -137,8 +141,10 @@ pub enum Error {
     },
     /// Friction on the pin's surface and in the follower's journal holds the follower against any normal force.
     #[error(
-        "self-locking: friction of pin and follower's journal has the arm {taken} crank radii, and on the line of \
-         centres the normal force has only {lever}; give a thinner pin, a thinner journal or less friction"
+        "the mechanism locks itself: the friction of pin and follower's journal has an arm of {} crank radii, but on the \
+         line of centres the normal force has only {}; give a thinner pin, a thinner journal or less friction",
+        told(*.taken),
+        told(*.lever)
     )]
     SelfLocking {
         /// μ ρ + μ_b r_b √(1 + μ²), the arm of the friction in crank radii.
@@ -148,8 +154,10 @@ pub enum Error {
     },
     /// With these joints somewhere no acceleration, or more than one, obeys the equation of motion.
     #[error(
-        "the factor of the acceleration is {margin} at {angle} rad from the line of centres, and must be positive for \
-         one solution; give less friction, thinner joints or a driver with more inertia"
+        "the mechanism may jam {:.1}° from the line of centres: the motion is determined only where the factor of the \
+         acceleration is positive, but there it is {}; give less friction, thinner joints or a driver with more inertia",
+        .angle.to_degrees(),
+        told(*.margin)
     )]
     Jams {
         /// The factor of θ'' over I_f there, dimensionless; not positive.
@@ -158,7 +166,9 @@ pub enum Error {
         angle: f64,
     },
     /// A crank angle outside the engagement, or not a number.
-    #[error("crank angle {asked} rad: a pin is in its slot from -{limit} to {limit}; give an angle between")]
+    #[error(
+        "crank angle {asked} rad: a pin is in its slot from -{limit:.4} to {limit:.4} rad; give an angle in this range"
+    )]
     OutsideTheSlot {
         /// What was asked for, in radians.
         asked: f64,
@@ -167,17 +177,20 @@ pub enum Error {
     },
     /// The driver comes to rest within an engagement.
     #[error(
-        "the driver comes to rest at about {angle} rad from the line of centres: friction takes more than the torque \
-         gives; give more torque, less drag torque or a faster start"
+        "the driver comes to rest about {:.1}° from the line of centres, because friction takes more than the torque \
+         gives; give more torque, less drag torque or a faster start",
+        .angle.to_degrees()
     )]
     Stalls {
         /// Crank angle in radians about which it does.
         angle: f64,
     },
-    /// No speed was found that the return map takes to itself.
+    /// No speed was found that the return map leaves unchanged.
     #[error(
-        "no steady speed found: an engagement entered at {entry} is left at {exit}; give more steps, less drag torque \
-         or more friction that grows with the load"
+        "no steady speed was found: an engagement entered at {} is left at {}; give more steps, less drag torque or more \
+         friction that grows with the load",
+        told(*.entry),
+        told(*.exit)
     )]
     NotRepeated {
         /// Speed at the last entry that was tried, in radians per unit of time.
@@ -187,8 +200,8 @@ pub enum Error {
     },
     /// The steps that are allowed do not reach the tolerance.
     #[error(
-        "relative tolerance {tolerance}: with the most steps allowed, halving them still changes the result by \
-         {reached}; allow more, or take less friction or inertias that are less different"
+        "relative tolerance {tolerance}: even with the most steps allowed, halving them still changes the result by \
+         {reached:.1e}; allow more, or give less friction or inertias that differ less"
     )]
     NotSettled {
         /// Relative tolerance that was asked for, dimensionless.
@@ -199,6 +212,12 @@ pub enum Error {
     /// The integrator of the program of 1973 stopped, in its own words.
     #[error("{0}")]
     Stopped(String),
+}
+
+/// A number in a message, to four significant digits.
+fn told(value: f64) -> String {
+    let rounded: f64 = format!("{value:.3e}").parse().unwrap_or(value);
+    rounded.to_string()
 }
 
 /// The value, if it is positive and finite.

@@ -17,7 +17,7 @@ pub enum Flank {
     Neither,
 }
 
-/// What acts between pin and slot at one instant. Forces as moments at the crank radius: lengths have not been chosen
+/// Forces between pin and slot at one instant. They are moments at the crank radius: lengths have not been chosen
 /// yet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContactForces {

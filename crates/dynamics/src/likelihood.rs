@@ -5,7 +5,7 @@
 
 use std::f64::consts::SQRT_2;
 
-/// How likely rounded numbers are.
+/// Likelihood of rounded numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Likelihood {
     /// The spread of the errors with which they are most likely, in units of the last place.
@@ -14,12 +14,12 @@ pub struct Likelihood {
     pub log: f64,
 }
 
-/// How errors are distributed about the computed number.
+/// Distribution of errors about the computed number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Law {
     /// Normal: large errors are all but impossible.
     Normal,
-    /// Exponential to either side: large errors happen now and then, as when somebody misreads a print-out.
+    /// Exponential to either side: large errors happen now and then, as when a print-out is misread.
     Exponential,
 }
 

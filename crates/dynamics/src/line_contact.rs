@@ -14,7 +14,7 @@ use std::f64::consts::PI;
 /// An elastic material.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Material {
-    /// What it is called, in one word as it is typed.
+    /// Name of the material, in one word as it is typed.
     pub name: &'static str,
     /// Modulus of elasticity, in Pa.
     pub modulus: f64,

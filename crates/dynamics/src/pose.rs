@@ -2,7 +2,7 @@
 
 use geneva_kinematics::{Field, Jet, Turn, pin_slot};
 
-/// Where the mechanism stands, with the crank radius as the unit of length: all that the equation of motion asks of the
+/// Pose of the mechanism, with the crank radius as the unit of length: all that the equation of motion asks of the
 /// geometry.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose<S> {

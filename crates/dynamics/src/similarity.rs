@@ -19,7 +19,7 @@ pub struct Scaling {
 }
 
 impl Scaling {
-    /// From the old and the new K/I_f; `None` unless their quotient is positive and finite.
+    /// The scale factor from the old and the new K/I_f; `None` unless their quotient is positive and finite.
     pub fn of_drive(old: f64, new: f64) -> Option<Self> {
         let acceleration = new / old;
         let speed = acceleration.sqrt();
@@ -42,7 +42,8 @@ impl Identity<8> for Similarity {
     }
 }
 
-/// What decides the sign of the friction scales by κ² too, so the sign stays. Variables: A to E, θ', κ.
+/// Similarity of the sign: what decides the sign of the friction scales by κ² too, so the sign stays.
+/// Variables: A to E, θ', κ.
 pub struct SimilarityOfTheSign;
 
 impl Identity<7> for SimilarityOfTheSign {

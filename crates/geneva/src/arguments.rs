@@ -1,4 +1,4 @@
-//! What can be said to the program.
+//! The command line: every command, its options, and their help.
 
 use crate::escapement::EscapementArguments;
 use crate::mimic::MimicArguments;
@@ -14,9 +14,9 @@ use geneva_ledger::{Consequence, Verdict, Work};
 use std::ffi::OsString;
 use std::path::PathBuf;
 
-/// Derives the verdict on every claim of the sources, and builds the book.
+/// Checks every claim of the sources, derives its verdict, and builds the book.
 ///
-/// Without a command: verifies all claims, says what differs, builds the book and says where it is.
+/// Without a command: checks all claims, reports what no longer matches the record, builds the book and says where it is.
 #[derive(Debug, Parser)]
 #[command(
     name = "geneva",
@@ -24,25 +24,25 @@ use std::path::PathBuf;
     max_term_width = 100,
     after_help = "\
 Examples:
-  geneva                                       verify all claims and build the book
-  geneva claims --source pin --format json     the claims of one source as data
-  geneva errata                                what is wrong in the sources
-  geneva coverage --source pin                 which claim each line of a source belongs to
-  geneva wheel --stations 6 --rpm 360          sizes, times and peaks of a wheel of your own
+  geneva                                       check all claims and build the book
+  geneva claims --source pin --format json     the claims of one source as JSON
+  geneva errata                                the mistakes in the sources
+  geneva coverage --source pin                 the claims on each line of a source
+  geneva wheel --stations 6 --rpm 360          sizes, times and peaks of your own wheel
   geneva quick-return --ground 0.3 --crank 0.1 --crank-angle 75 --rpm 60
-                                               a quick-return mechanism of your own, at an instant
+                                               your own quick-return mechanism, at one instant
   geneva escapement --slots 4 --friction 0.3 --torque 2 --driver-inertia 1 --follower-inertia 15
-                                               a Geneva escapement of your own: how fast it runs
+                                               your own Geneva escapement: how fast it runs
   geneva sweep --slots 4 --friction 0.1:0.4:7 --inertia-ratio 0.1:1:10 --output sweep.csv
-                                               many escapements, a row for each
-  geneva mimic run predators                   a deck of cards in the language of 1973
+                                               many escapements, one row each
+  geneva mimic run predators                   run a deck of cards in the language of 1973
   geneva book --open                           build the book and open it
-  geneva completions bash                      completions for a shell
+  geneva completions bash                      shell completions for bash
 
-Exit codes: 0 all is as recorded, 1 something differs, 2 bad usage, bad input or no access."
+Exit codes: 0 everything matches the record, 1 something differs, 2 bad usage, bad input or no access."
 )]
 pub struct Arguments {
-    /// What to do; without it, verify and build.
+    /// What to do; without it, check all claims and build the book.
     #[command(subcommand)]
     pub command: Option<Command>,
 }
@@ -51,8 +51,8 @@ pub struct Arguments {
 ///
 /// # Errors
 ///
-/// What is wrong with it, or what asks for help or the version. Values are told back harmless for a terminal, and cut
-/// where they are long.
+/// Says what is wrong with it, or answers a request for help or the version. Values are repeated in a form that is harmless
+/// for a terminal, and cut where they are long.
 pub fn parse(line: impl IntoIterator<Item = OsString>) -> Result<Arguments, clap::Error> {
     let line: Vec<_> = line.into_iter().collect();
     Arguments::try_parse_from(&line).map_err(|error| {
@@ -89,14 +89,14 @@ fn plain(error: &clap::Error) -> String {
 /// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// List the claims: what is printed, what is computed, the verdict
+    /// List the claims: what is printed, what we compute, and the verdict
     #[command(after_help = "\
 Examples:
   geneva claims --source pin
   geneva claims --verdict corrected
   geneva claims --format json --output claims.json")]
     Claims(ClaimsArguments),
-    /// List what is wrong in the sources, the gravest first: printed, right, why, and who else says so
+    /// List the mistakes in the sources, most serious first, each with its correction, reason and witness
     #[command(after_help = "\
 Examples:
   geneva errata
@@ -104,17 +104,17 @@ Examples:
   geneva errata --source jazar --all
   geneva errata --format markdown --output errata.md")]
     Errata(ErrataArguments),
-    /// Show line by line which claim or exception each number of a source belongs to
+    /// Show the claims on each line of a source, or compare the numbers in your copy of it with ours
     #[command(after_help = "\
 Examples:
   geneva coverage
   geneva coverage --source pin --against my-copy.txt
   geneva coverage --source pin --record my-copy.txt > pin.inventory
 
-With --against, exit code 1 says that a line of the copy has other numbers than the ledger. With --record, claims and \
-exceptions stay where the numbers of a line have not changed; the rest is to be filled in by hand.")]
+With --against, the exit code is 1 if the numbers on some line of your copy differ from the ledger's. With --record, a \
+line keeps its claims and exceptions if its numbers haven't changed; you fill in the rest by hand.")]
     Coverage(CoverageArguments),
-    /// Compute or draw a wheel: its sizes, its times, its motion and its loads
+    /// Compute or draw a Geneva wheel: sizes, times, motion and loads
     #[command(after_help = "\
 Examples:
   geneva wheel --stations 6 --rpm 360 --crank-radius 50
@@ -128,9 +128,9 @@ Examples:
   geneva wheel --stations 6 --crank-radius 50 --thickness 8 --format stl --output wheel.stl
   geneva wheel --index-time 0.4 --dwell-time 1
 
-An option that would change nothing is refused, with what to add.")]
+An option that would have no effect is refused, and the message says what to add.")]
     Wheel(Box<WheelArguments>),
-    /// Compute or draw a quick-return mechanism: velocities and accelerations at an instant
+    /// Compute or draw a quick-return mechanism: velocities and accelerations at one instant
     #[command(after_help = "\
 Examples:
   geneva quick-return --ground 0.3 --crank 0.1 --crank-angle 75 --rpm 60
@@ -141,7 +141,7 @@ Examples:
 
 The pin on the crank slides in the slot of the lever, which turns about its pivot.")]
     QuickReturn(QuickReturnArguments),
-    /// Compute or draw a Geneva escapement: its terminal speed, period and rise from rest
+    /// Compute or draw a Geneva escapement: terminal speed, period and rise from rest
     #[command(after_help = "\
 Examples:
   geneva escapement --slots 4 --friction 0.3 --torque 2 --driver-inertia 1 --follower-inertia 15
@@ -152,11 +152,11 @@ Examples:
   geneva escapement --slots 6 --friction 0.2 --torque 1 --driver-inertia 1 --follower-inertia 5 \\
                     --reset-deg 90
 
-A spring turns the driver. Its pins, all round, push the slotted follower on from stop to stop: one pin enters as the \
-one before it leaves. Any coherent units will do: a torque in in lb with inertias in in lb s², or in N m \
-with kg m². Times are then in s, and speeds in rad/s.")]
+A spring turns the driver. The driver's pins are spaced all the way round and push the slotted follower from stop to \
+stop: each pin enters as the one before it leaves. Any coherent units will do, for example a torque in in lb with inertias \
+in in lb s², or N m with kg m². Times are then in s, and speeds in rad/s.")]
     Escapement(EscapementArguments),
-    /// Compute many escapements: ranges of friction, inertia ratio and torque, as CSV
+    /// Compute many escapements over ranges of friction, inertia ratio and torque, as CSV
     #[command(after_help = "\
 Examples:
   geneva sweep --slots 4 --friction 0.1:0.4:7 --inertia-ratio 0.1
@@ -164,18 +164,18 @@ Examples:
   geneva sweep --slots 6 --friction 0.3 --inertia-ratio 0.6 --torque 1:100:5:log \\
                --follower-inertia 1e-5 --threads 2 --output sweep.csv
 
-A range has its two ends, how many values there are with them, and how they are spaced. Rows go through the torques \
-first, then through the inertia ratios, the frictions and the slots; there may be ten million. Units are those of \
-geneva escapement, and so is every number.
+A range gives its two ends, the number of values including both ends, and how they are spaced. Rows run through the \
+torques first, then through the inertia ratios, the frictions and the slots. There can be up to ten million rows. Units \
+and numbers are those of geneva escapement.
 
-The status in the last column is ok; jams where the friction is the critical one or more; no-terminal-speed where there \
-is no friction; too-sharp where the motion changes too quickly to be computed; long-rise where only the rise takes too \
-many engagements to be followed. What there is no number for is empty.
+The last column is the status: ok; jams if the friction is critical or more; no-terminal-speed if there is no friction; \
+too-sharp if the motion changes too quickly to be computed; long-rise if only the rise takes too many engagements to be \
+followed. A number that doesn't exist is left empty.
 
-Interrupted, it leaves FILE as it was, or not there. An end by force in the moment when complete rows are put in place \
-may leave FILE.unfinished- with some letters behind it, which can be deleted.")]
+If you interrupt a sweep, FILE stays as it was, or is not created. If the program is killed just as it puts the complete \
+rows in place, it may leave FILE.unfinished- with some letters after it, which you can delete.")]
     Sweep(SweepArguments),
-    /// Check, sort or run a deck in MIMIC, the simulation language of the 1973 computations
+    /// Check, sort or run a deck in MIMIC, the simulation language of the 1973 thesis
     #[command(
         disable_help_subcommand = true,
         after_help = "\
@@ -199,7 +199,7 @@ Examples:
   geneva book test"
     )]
     Book(BookArguments),
-    /// Write the completions for a shell to standard output
+    /// Write shell completions to standard output
     #[command(after_help = "\
 Example:
   geneva completions bash > ~/.local/share/bash-completion/completions/geneva")]
@@ -208,7 +208,7 @@ Example:
         #[arg(value_name = "SHELL")]
         shell: clap_complete::Shell,
     },
-    /// Be mdBook's preprocessor: a book comes in on standard input and goes out on standard output
+    /// Act as mdBook's preprocessor: read a book from standard input and write it to standard output
     #[command(
         hide = true,
         disable_help_subcommand = true,
@@ -220,67 +220,67 @@ Example, in book.toml:
     Preprocess(PreprocessArguments),
 }
 
-/// Which claims, and how.
+/// Options of `geneva claims`.
 #[derive(Args, Debug)]
 pub struct ClaimsArguments {
-    /// Only those of this source
+    /// List only the claims of this source
     #[arg(long, value_parser = sources())]
     pub source: Option<Work>,
-    /// Only those with this derived verdict
+    /// List only the claims with this verdict
     #[arg(long, value_parser = verdicts())]
     pub verdict: Option<Verdict>,
-    /// How to write them
+    /// Output format
     #[arg(long, default_value = "text", value_parser = formats(&[
-        (Format::Text, "A table for reading"),
-        (Format::Json, "An array of objects, with all that is known of each claim"),
-        (Format::Csv, "The same, a row for each claim"),
+        (Format::Text, "A readable table"),
+        (Format::Json, "An array of objects, with everything known about each claim"),
+        (Format::Csv, "The data of the JSON, one row per claim"),
     ]))]
     pub format: Format,
-    /// Where to write them.
+    /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
 }
 
-/// Which slips, and how.
+/// Options of `geneva errata`.
 #[derive(Args, Debug)]
 pub struct ErrataArguments {
-    /// Only those of this source; without it, those of the documents
+    /// List only the mistakes in this source [default: all sources but wild]
     #[arg(long, value_parser = sources())]
     pub source: Option<Work>,
-    /// Only those with this consequence
+    /// List only the mistakes with this consequence
     #[arg(long, value_parser = consequences(), conflicts_with = "all")]
     pub consequence: Option<Consequence>,
-    /// Also what the copy at hand has lost or changed, of which nobody knows whether the original has it
+    /// Also list what the copy we had has lost or changed; we don't know whether the original has it too
     #[arg(long)]
     pub all: bool,
-    /// How to write them
+    /// Output format
     #[arg(long, default_value = "text", value_parser = formats(&[
-        (Format::Text, "Paragraphs for reading"),
+        (Format::Text, "Readable paragraphs"),
         (Format::Json, "An array of objects"),
-        (Format::Csv, "The same, a row for each slip"),
+        (Format::Csv, "The data of the JSON, one row per mistake"),
         (Format::Markdown, "A list by source"),
     ]))]
     pub format: Format,
-    /// Where to write them.
+    /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
 }
 
-/// Which source's coverage, and whether to compare it with a copy or to record one.
+/// Options of `geneva coverage`.
 #[derive(Args, Debug)]
 pub struct CoverageArguments {
-    /// Only this source
+    /// Show only this source
     #[arg(long, value_parser = documents())]
     pub source: Option<Work>,
-    /// Compare the numbers in each line with those in your own copy of the source's text
+    /// Compare the numbers on each line with those in FILE, your own copy of the source's text
     #[arg(long, value_name = "FILE", requires = "source")]
     pub against: Option<PathBuf>,
-    /// Write the ledger's inventory file anew, with the numbers of your own copy of the source's text
+    /// Write a new inventory file for the ledger, with the numbers in FILE, your own copy of the source's text
     #[arg(long, value_name = "FILE", requires = "source", conflicts_with = "against")]
     pub record: Option<PathBuf>,
 }
 
-/// Build or test.
+/// Options of `geneva book`.
 #[derive(Args, Debug)]
 pub struct BookArguments {
     /// What to do with the book; without it, build.
@@ -291,7 +291,7 @@ pub struct BookArguments {
     pub build: BuildArguments,
 }
 
-/// What can be done with the book.
+/// Actions of `geneva book`.
 #[derive(Debug, Subcommand)]
 pub enum BookAction {
     /// Build the book; this is what `geneva book` does
@@ -299,26 +299,26 @@ pub enum BookAction {
 Example:
   geneva book build --output public --open")]
     Build(BuildArguments),
-    /// Compile and run every Rust block of every chapter
+    /// Compile and run every Rust block in every chapter
     #[command(after_help = "\
 Example:
   geneva book test")]
     Test,
 }
 
-/// Where the book goes.
+/// Options of `geneva book build`.
 #[derive(Args, Debug, Default)]
 pub struct BuildArguments {
-    /// The directory to build into; a book that is there is replaced when the new one is complete
+    /// Build into this directory; a book already there is replaced once the new one is complete
     /// [default: target/book in the workspace]
     #[arg(long, value_name = "DIR", alias = "out")]
     pub output: Option<PathBuf>,
-    /// Open the book when it is built
+    /// Open the book once it is built
     #[arg(long)]
     pub open: bool,
 }
 
-/// What mdBook wants of its preprocessor.
+/// Options of `geneva preprocess`, as mdBook gives them.
 #[derive(Args, Debug)]
 pub struct PreprocessArguments {
     /// A question instead of a book.
@@ -326,44 +326,44 @@ pub struct PreprocessArguments {
     pub question: Option<Question>,
 }
 
-/// What mdBook asks before it hands over a book.
+/// Questions that mdBook asks before it passes a book.
 #[derive(Debug, Subcommand)]
 pub enum Question {
-    /// Exit with 0 if the renderer is supported, with 1 if not
+    /// Exit with 0 if the renderer is supported, otherwise with 1
     Supports {
-        /// mdBook's name of the renderer
+        /// mdBook's name for the renderer
         renderer: String,
     },
 }
 
-/// Where an answer goes.
+/// Where the output goes.
 #[derive(Args, Debug)]
 pub struct Output {
-    /// The file to write, or - for standard output; a file that is there is replaced when the new one is complete
+    /// Write to this file, or to standard output (-); an existing file is replaced once the new one is complete
     #[arg(long, value_name = "FILE", default_value = "-")]
     pub output: String,
 }
 
-/// How an answer is written. A word means the same to every command that knows it.
+/// Output formats. A word means the same to every command that knows it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
-    /// For reading.
+    /// Readable text.
     Text,
-    /// For reading, as a line printer wrote it.
+    /// Text as a line printer wrote it.
     Print,
-    /// With all that is known and all digits.
+    /// Everything known, with all digits.
     Json,
-    /// A series: a row for each claim, slip or time.
+    /// A series: one row per claim, mistake or time.
     Csv,
-    /// A drawing, a file of its own.
+    /// A drawing as a standalone file.
     Svg,
-    /// A drawing for machines that cut.
+    /// A drawing for cutting machines.
     Dxf,
     /// A model for OpenSCAD.
     Scad,
     /// A mesh for printing.
     Stl,
-    /// For pages.
+    /// Markdown for a page.
     Markdown,
 }
 
@@ -383,26 +383,25 @@ impl Format {
         }
     }
 
-    /// Refuses an option that says something of this format only, if another is wanted; `what` alone has such a thing.
+    /// Refuses an option that applies to this format only, if another is wanted; `what` is what it applies to.
     pub fn only_with(self, wanted: Self, option: &str, typed: Option<String>, what: &str) -> anyhow::Result<()> {
         match typed {
             Some(typed) if wanted != self => {
-                bail!("{option} {typed}: only {what} has one; give --format {} with it, or leave it out", self.name())
+                bail!("{option} {typed} applies only to {what}; give --format {} with it, or leave it out", self.name())
             }
             _ => Ok(()),
         }
     }
 }
 
-/// The formats of a command and what each is there. One that has no series says what to use instead of CSV.
+/// The formats of a command, each with its help. A command without a series says what to use instead of CSV.
 pub fn formats(known: &'static [(Format, &'static str)]) -> impl TypedValueParser<Value = Format> {
     let has_series = known.iter().any(|(format, _)| *format == Format::Csv);
     let names = known.iter().map(|(format, told)| PossibleValue::new(format.name()).help(*told));
     let refused = (!has_series).then(|| PossibleValue::new(Format::Csv.name()).hide(true));
     PossibleValuesParser::new(names.chain(refused)).try_map(move |name| {
         let format = known.iter().map(|(format, _)| *format).find(|format| format.name() == name);
-        format
-            .ok_or("csv is for a series, a row for each of many, and this is one mechanism; give json for its numbers")
+        format.ok_or("csv is for a series of rows, but this is a single mechanism; use json for its numbers")
     })
 }
 

@@ -17,7 +17,7 @@ pub fn run(wanted: BookArguments, streams: &mut dyn Streams) -> anyhow::Result<O
     Ok(Outcome::AsRecorded)
 }
 
-/// Builds the book, says where it is and how to open it, and opens it if that is wanted.
+/// Builds the book, says where it is and how to open it, and opens it on request.
 pub fn build(wanted: &BuildArguments, streams: &mut dyn Streams) -> anyhow::Result<()> {
     let root = workspace::root()?;
     let out = wanted.output.clone().unwrap_or_else(|| root.join("target").join("book"));
@@ -36,7 +36,7 @@ pub fn build(wanted: &BuildArguments, streams: &mut dyn Streams) -> anyhow::Resu
     }
     if wanted.open {
         open::that_detached(&first_page)
-            .with_context(|| format!("no program opens {}: open it in a browser", first_page.display()))?;
+            .with_context(|| format!("no program was found to open {}; open it in a browser", first_page.display()))?;
     } else {
         streams.print(&format!("Open {} in a browser.\n", first_page.display()))?;
     }

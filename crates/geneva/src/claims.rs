@@ -6,7 +6,7 @@ use crate::output::{WIDTH, count, cut, heading, style};
 use geneva_ledger::{Decimal, Judged, Verdict, claims, in_full, verdict, verdicts, verdicts_of};
 use geneva_press::records;
 
-/// The claims that are wanted, as they are wanted.
+/// The claims that are wanted, in the format that is wanted.
 pub fn page(wanted: &ClaimsArguments) -> anyhow::Result<String> {
     let of_verdict = |judged: &&Judged| wanted.verdict.is_none_or(|verdict| judged.verdict == verdict);
     let rows: Vec<_> = derived(wanted).into_iter().filter(of_verdict).collect();

@@ -1,5 +1,4 @@
-//! Which claim or exception each number of a source belongs to, whether a copy has the same numbers, and the inventory
-//! file that a copy asks for.
+//! The claims and exceptions on each line of a source, the comparison with a copy, and the inventory file for a copy.
 
 use crate::arguments::CoverageArguments;
 use crate::input;
@@ -58,12 +57,12 @@ fn inventory(work: Work, lines: &[Line]) -> String {
 
 /// The copy of a source that an option names.
 fn copy(work: Work, option: &str, file: &Path) -> anyhow::Result<String> {
-    let bytes = input::file(file, &format!("a text file, your copy of {work}, to {option}"))?;
+    let bytes = input::file(file, &format!("{option} a text file with your copy of {work}"))?;
     // Digits are the same in every encoding that a copy is likely to have.
     let text = String::from_utf8_lossy(&bytes).into_owned();
     if let Some((at, _)) = text.lines().enumerate().find(|(_, line)| line.len() > LONGEST_LINE) {
         bail!(
-            "{}: line {} has more than {LONGEST_LINE} characters; give your copy of {work} with its lines, to {option}",
+            "{}: line {} has more than {LONGEST_LINE} characters; give {option} your copy of {work} with its line breaks",
             shown_path(file),
             at + 1
         );
@@ -87,23 +86,23 @@ fn compare(inventory: &[Line], text: &str) -> (String, Outcome) {
         if found == ours {
             // A line without numbers agrees with any text.
             agreeing += usize::from(!found.is_empty());
-            page += &format!("line {number:>4}  the same numbers\n");
+            page += &format!("line {number:>4}  same numbers\n");
             continue;
         }
         differing += 1;
-        page += &format!("line {number:>4}  OTHER NUMBERS\n");
+        page += &format!("line {number:>4}  DIFFERENT NUMBERS\n");
         page += &wrapped("    in your copy:   ", &listed(&found));
         page += &wrapped("    in the ledger:  ", &listed(ours));
     }
     page += &match differing {
-        0 => format!("{} compared: all have the ledger's numbers\n", count(compared, "line")),
+        0 => format!("{} compared: all numbers match the ledger\n", count(compared, "line")),
         _ if agreeing == 0 => {
             format!(
-                "{} compared: no number agrees with the ledger; is it a copy of this source?\n",
+                "{} compared: no number matches the ledger; is this a copy of the right source?\n",
                 count(compared, "line")
             )
         }
-        _ => format!("{} compared: {differing} with other numbers than the ledger\n", count(compared, "line")),
+        _ => format!("{} compared: {differing} with numbers that differ from the ledger\n", count(compared, "line")),
     };
     (page, Outcome::as_recorded_if(differing == 0))
 }
@@ -128,7 +127,7 @@ mod tests {
         for (copy, differing) in [("1.5\n2.6\n", 1), ("1.5\n", 1), ("1.5\n2.5\n3.5\n", 1), ("", 2)] {
             let (page, outcome) = compare(&inventory, copy);
             assert_eq!(outcome, Outcome::Differs, "{copy}");
-            assert_eq!(page.matches("OTHER NUMBERS").count(), differing, "{page}");
+            assert_eq!(page.matches("DIFFERENT NUMBERS").count(), differing, "{page}");
         }
     }
 
@@ -138,9 +137,9 @@ mod tests {
         let inventory = [line(1, "1.5"), line(2, "none"), line(3, "2.5")];
         for copy in ["", "\n\n\n", "7\n\n8\n"] {
             let (page, _) = compare(&inventory, copy);
-            assert!(page.contains("no number agrees with the ledger; is it a copy of this source?"), "{page}");
+            assert!(page.contains("no number matches the ledger; is this a copy of the right source?"), "{page}");
         }
         let (page, _) = compare(&inventory, "1.5\n\n8\n");
-        assert!(page.contains("1 with other numbers"), "{page}");
+        assert!(page.contains("1 with numbers that differ"), "{page}");
     }
 }

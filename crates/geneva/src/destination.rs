@@ -1,4 +1,4 @@
-//! Where an answer goes: to standard output as it comes, or to a file that is complete or not there.
+//! Where the output goes: to standard output as it comes, or to a file that is either complete or not there.
 //!
 //! What is for a file is collected in a file without a name, which the system takes away with the program, however that
 //! ends. When it is complete it is copied beside the file, and the copy takes its place. Only a program that is
@@ -11,7 +11,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Seek, Write};
 use std::path::{Path, PathBuf};
 
-/// Where an answer is written.
+/// Where the output is written.
 pub enum Destination {
     /// Standard output.
     Output,
@@ -33,22 +33,24 @@ impl Destination {
                 // The mode counts for the superuser too.
                 ensure!(
                     !there.permissions().readonly(),
-                    "--output {asked}: a file that is there and may not be written; give another, or - for standard output"
+                    "--output {asked} is a read-only file; give another file, or - for standard output"
                 );
                 OpenOptions::new().write(true).open(&target).map_err(|error| unwritable(asked, &error))?;
             }
             Ok(there) if there.is_dir() => {
-                bail!("--output {asked}: a folder; give a file in it, or - for standard output")
+                bail!("--output {asked} is a folder; give a file in it, or - for standard output")
             }
-            Ok(_) => bail!("--output {asked}: not a file that can be replaced; give another, or - for standard output"),
+            Ok(_) => {
+                bail!("--output {asked} is not a file that can be replaced; give another, or - for standard output")
+            }
             Err(_) if asked.ends_with(std::path::is_separator) => {
-                bail!("--output {asked}: a folder that is not there; give a file, or - for standard output")
+                bail!("--output {asked} is a folder that doesn't exist; give a file, or - for standard output")
             }
             Err(_) if target.file_name().is_none() => {
-                bail!("--output '{asked}': no file; give one, or - for standard output")
+                bail!("--output '{asked}' is not a file; give one, or - for standard output")
             }
             Err(_) if target.is_symlink() => {
-                bail!("--output {asked}: a link that leads nowhere; give a file, or - for standard output")
+                bail!("--output {asked} is a link that leads nowhere; give a file, or - for standard output")
             }
             Err(_) => {}
         }
@@ -84,13 +86,13 @@ impl Destination {
     }
 }
 
-/// That what was asked for is none of the files that are read: the answer would take the place of one.
+/// Refuses to write the output over one of the files that are read.
 pub fn apart_from<'a>(asked: &str, inputs: impl IntoIterator<Item = &'a Path>) -> anyhow::Result<()> {
     let Some(target) = fs::canonicalize(asked).ok().filter(|_| asked != STANDARD_OUTPUT) else { return Ok(()) };
     let own = inputs.into_iter().find(|input| is_one_file(input, &target));
     match own {
         Some(own) => bail!(
-            "--output {asked}: it would take the place of {}, which is read; give another file, or - for standard output",
+            "--output {asked} would overwrite {}, which is an input; give another file, or - for standard output",
             own.display()
         ),
         None => Ok(()),
@@ -146,14 +148,14 @@ fn replace(target: &Path, mut collected: File) -> io::Result<()> {
     Ok(())
 }
 
-/// Those of any new file; the system takes away what the user's mask does.
+/// The permissions of any new file; the system takes away what the user's mask does.
 #[cfg(unix)]
 fn usual() -> Option<fs::Permissions> {
     use std::os::unix::fs::PermissionsExt;
     Some(fs::Permissions::from_mode(0o666))
 }
 
-/// Those that the system gives.
+/// None: the system gives its own.
 #[cfg(not(unix))]
 fn usual() -> Option<fs::Permissions> {
     None
@@ -165,7 +167,5 @@ fn folder(target: &Path) -> &Path {
 
 fn unwritable(target: &str, error: &io::Error) -> anyhow::Error {
     let cause = in_words(error);
-    anyhow!(
-        "cannot write {target}: {cause}; give another --output, in a folder that is there, or - for standard output"
-    )
+    anyhow!("cannot write {target}: {cause}; give another --output, in a folder that exists, or - for standard output")
 }

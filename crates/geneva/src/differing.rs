@@ -1,4 +1,4 @@
-//! What is told beside an answer when a verdict is not the one on record.
+//! The error beside an answer when a claim no longer matches the record.
 
 use crate::output::{Streams, count, wrapped};
 use clap::builder::styling::AnsiColor;
@@ -7,7 +7,7 @@ use geneva_ledger::Judged;
 /// At most this many claims are named.
 const MOST: usize = 10;
 
-/// Names the claims that differ from the record on standard error, if there are any.
+/// Names on standard error the claims that no longer match the record, if there are any.
 pub fn tell<'a>(verdicts: impl IntoIterator<Item = &'a Judged>, streams: &mut dyn Streams) {
     let differing: Vec<_> = verdicts.into_iter().filter(|judged| !judged.holds()).collect();
     if !differing.is_empty() {
@@ -15,18 +15,18 @@ pub fn tell<'a>(verdicts: impl IntoIterator<Item = &'a Judged>, streams: &mut dy
     }
 }
 
-/// A line or two for each claim: what is on record, what is derived, and where it is stated.
+/// A line or two for each claim: the recorded verdict, the derived one, and where the claim is stated.
 fn page(differing: &[&Judged]) -> String {
     let red = AnsiColor::Red.on_default().bold();
-    let are = if differing.len() == 1 { "is" } else { "are" };
-    let mut page = format!("{red}error:{red:#} {} {are} not as recorded\n", count(differing.len(), "claim"));
+    let matches = if differing.len() == 1 { "matches" } else { "match" };
+    let mut page = format!("{red}error:{red:#} {} no longer {matches} the record\n", count(differing.len(), "claim"));
     for judged in differing.iter().take(MOST) {
         let (claim, at) = (judged.claim, judged.claim.stated_at);
         if judged.verdict == claim.expected {
-            page += &format!("  {}: {} as on record, but\n", claim.id, claim.expected);
+            page += &format!("  {}: still {}, but\n", claim.id, claim.expected);
             judged.faults.iter().for_each(|fault| page += &wrapped("    ", fault));
         } else {
-            page += &format!("  {}: on record {}, derived {}\n", claim.id, claim.expected, judged.verdict);
+            page += &format!("  {}: recorded as {}, now {}\n", claim.id, claim.expected, judged.verdict);
         }
         page += &format!("    {}:{}\n", at.file(), at.line());
     }
@@ -37,7 +37,7 @@ fn page(differing: &[&Judged]) -> String {
 }
 
 const REMEDY: &str = "Compare the printed characters with the source. If they are right, either the calculation or the \
-                      verdict on record is wrong. `geneva` without arguments shows what each check found.";
+                      recorded verdict is wrong. Run `geneva` without arguments to see what each check found.";
 
 #[cfg(test)]
 mod tests {
@@ -57,8 +57,8 @@ mod tests {
     fn a_claim_that_differs_is_named_with_both_verdicts_and_its_file() {
         let page = page(&[&judged("2.43")]);
         for part in [
-            "1 claim is not as recorded\n",
-            "  pin.made-up: on record reproduced, derived not-reproduced\n",
+            "1 claim no longer matches the record\n",
+            "  pin.made-up: recorded as reproduced, now not-reproduced\n",
             "differing.rs:",
             "Compare the printed characters",
         ] {

@@ -1,4 +1,4 @@
-//! What is wrong in the sources: slips, the gravest consequence first.
+//! The mistakes in the sources, most serious consequence first.
 
 use crate::arguments::{ErrataArguments, Format};
 use crate::claims::with_unit;
@@ -8,11 +8,11 @@ use geneva_ledger::{Consequence, Judged, Places, Work, in_full, slips, slips_in,
 use geneva_press::records;
 use std::slice;
 
-/// The slips that are wanted, as they are wanted.
+/// The mistakes that are wanted, in the format that is wanted.
 pub fn page(wanted: &ErrataArguments) -> anyhow::Result<String> {
     let of_source =
         |places: &Places| wanted.source.map_or(places.is_of_a_document(), |source| places.main().claim.work == source);
-    // What the copy at hand has lost is no slip of a source: it is shown when it is asked for.
+    // What the copy has lost is no mistake of a source: it is listed only on request.
     let of_consequence = |places: &Places| match wanted.consequence {
         Some(consequence) => places.slip.consequence == consequence,
         None => wanted.all || places.slip.consequence != Consequence::Copy,
@@ -23,7 +23,7 @@ pub fn page(wanted: &ErrataArguments) -> anyhow::Result<String> {
     match wanted.format {
         Format::Json => fields::json(&slips.iter().map(records::slip).collect::<Vec<_>>()),
         Format::Csv => {
-            // A source without slips has the header of the others.
+            // A source without mistakes has the header of the others.
             let header = first.or_else(|| geneva_ledger::slips().first().cloned());
             fields::csv(header.as_ref().map(records::slip).as_ref(), slips.iter().map(records::slip))
         }
@@ -37,7 +37,7 @@ pub fn derived(wanted: &ErrataArguments) -> Vec<&'static Judged> {
     wanted.source.map_or_else(|| verdicts().iter().collect(), verdicts_of)
 }
 
-/// The slips of each consequence, if there are any.
+/// The mistakes of each consequence, if there are any.
 fn by_consequence(slips: &[Places]) -> impl Iterator<Item = (Consequence, Vec<&Places>)> {
     let of = |consequence| slips.iter().filter(|places| places.slip.consequence == consequence).collect::<Vec<_>>();
     Consequence::ALL.iter().map(move |consequence| (*consequence, of(*consequence))).filter(|(_, of)| !of.is_empty())
@@ -47,7 +47,7 @@ fn text(slips: &[Places]) -> String {
     let bold = heading();
     let mut page = overview(slips);
     for (consequence, of) in by_consequence(slips) {
-        page += &wrapped("", &format!("{}, {}: {}.", consequence, count(of.len(), "slip"), consequence.meaning()));
+        page += &wrapped("", &format!("{}, {}: {}.", consequence, count(of.len(), "mistake"), consequence.meaning()));
         page.push('\n');
         for places in of {
             let (slip, main) = (&places.slip, places.main());
@@ -66,10 +66,10 @@ fn text(slips: &[Places]) -> String {
             page.push('\n');
         }
     }
-    page + &count(slips.len(), "slip") + "\n"
+    page + &count(slips.len(), "mistake") + "\n"
 }
 
-/// What changes a result or a conclusion, some lines each: the first screen.
+/// The mistakes that change a result or a conclusion, a few lines each: the first screen.
 fn overview(slips: &[Places]) -> String {
     let bold = heading();
     let mut page = String::new();
@@ -81,7 +81,7 @@ fn overview(slips: &[Places]) -> String {
         for places in of {
             let main = places.main();
             let numbers = places.greatest_change().map_or_else(String::new, |change| {
-                format!("; {}, {} at most", count(places.wrong_numbers().count(), "number"), percent(change))
+                format!("; {} wrong by up to {}", count(places.wrong_numbers().count(), "number"), percent(change))
             });
             let says = format!("{} -> {}{numbers}", with_unit(&in_full(main.claim), main.claim.unit), right(main));
             page += &wrapped(&format!("  {}  ", places.slip.id), &says);
@@ -91,7 +91,7 @@ fn overview(slips: &[Places]) -> String {
     page
 }
 
-/// What should stand in the place of the printed characters.
+/// What should be printed instead.
 fn right(judged: &Judged) -> String {
     with_unit(&judged.corrected().unwrap_or_default(), judged.claim.unit)
 }
@@ -108,7 +108,7 @@ fn percent(share: f64) -> String {
     format!("{:.places$} %", 100.0 * share)
 }
 
-/// The other claims that a slip reaches; of many of one table only how many.
+/// The other claims that a mistake reaches; of many in one table only how many.
 fn others(places: &Places) -> String {
     const MOST: usize = 8;
     let ids: Vec<_> = places.claims.iter().skip(1).map(|judged| judged.claim.id).collect();
@@ -123,7 +123,7 @@ fn markdown(slips: &[Places], works: &[Work]) -> String {
         page += &format!("\n## {work}\n\n{}\n", work.citation());
         let of_work: Vec<_> = slips.iter().filter(|places| places.main().claim.work == *work).cloned().collect();
         if of_work.is_empty() {
-            page += &format!("\nNothing of the kind in {}.\n", count(work.claims().len(), "claim"));
+            page += &format!("\nNothing to list among {}.\n", count(work.claims().len(), "claim"));
         }
         for (consequence, of) in by_consequence(&of_work) {
             page += &format!("\n### {}\n\n", consequence.heading());
@@ -171,7 +171,7 @@ mod tests {
         assert_eq!([0.9, 0.0165, 0.0017].map(percent), ["90 %", "1.7 %", "0.17 %"]);
     }
 
-    /// The ids of the slips that are listed for these options.
+    /// The ids of the mistakes that are listed for these options.
     fn listed(options: &[&str]) -> Vec<String> {
         let line = [&["geneva", "errata", "--format", "json"], options].concat();
         let Some(Command::Errata(wanted)) = Arguments::parse_from(line).command else { panic!("{options:?}") };
@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn the_options_select_the_slips_of_the_ledger() {
+    fn the_options_select_the_mistakes_of_the_ledger() {
         let expected = |wanted: &dyn Fn(&Places) -> bool| -> Vec<_> {
             slips().iter().filter(|places| wanted(places)).map(|places| places.slip.id.to_owned()).collect()
         };

@@ -1,5 +1,5 @@
-//! What a command tells is one list of fields: the sheet for reading, the JSON, the CSV and the check that every number
-//! is one are made of it.
+//! The answer of a command is one list of fields, from which come the readable sheet, the JSON, the CSV and the check that
+//! every number is finite.
 //!
 //! In JSON a list of fields is an object, in CSV a row. CSV is for a series: a row for each claim, time or escapement. A
 //! single thing has a [`Report`].
@@ -17,7 +17,7 @@ pub struct Field {
     line: Option<Line>,
 }
 
-/// A number under its name and what is said of it. Number, unit and direction are empty where words say it all.
+/// A number under its name, and its explanation. Number, unit and direction are empty where words say it all.
 struct Line {
     name: &'static str,
     number: String,
@@ -27,13 +27,13 @@ struct Line {
 }
 
 impl Field {
-    /// A value without a unit. It has no line, unless it gets one: the title says it, or another line, or nobody asks for
-    /// it on a sheet.
+    /// A value without a unit. It has no line unless it gets one: the title or another line may say it, or the sheet doesn't
+    /// need it.
     pub fn new(key: &'static str, value: impl Into<Value>) -> Self {
         Self::in_unit(key, value, "")
     }
 
-    /// The same with a unit.
+    /// A value with a unit, without a line.
     pub fn in_unit(key: &'static str, value: impl Into<Value>, unit: &'static str) -> Self {
         Self { key, value: value.into(), unit, line: None }
     }
@@ -73,7 +73,7 @@ impl Field {
     }
 }
 
-/// What is told of one thing: a title, what all numbers have in common, sections of fields, and a last word. A section
+/// The report on one thing: a title, what all numbers have in common, sections of fields, and a closing note. A section
 /// without lines has no heading.
 pub struct Report {
     pub title: String,
@@ -93,7 +93,7 @@ impl Report {
         self.sections.iter().flat_map(|(_, fields)| fields)
     }
 
-    /// Whether every number is one.
+    /// Whether every number is finite.
     pub fn is_finite(&self) -> bool {
         self.fields().all(|field| field.value.is_finite())
     }

@@ -3,7 +3,7 @@
 //! Every command turns its arguments into text. What the text says comes from the ledger, of a wheel or a quick-return
 //! mechanism from the kinematics and the figures, of an escapement from the dynamics, of a deck from the language, and
 //! the book from the press. Exit
-//! codes: 0 all is as recorded, 1 something differs, 2 bad usage, bad input or no access.
+//! codes: 0 everything matches the record, 1 something differs, 2 bad usage, bad input or no access.
 //!
 //! The program is [`main`]. It is a library too, so that a test can ask thousands of lines with [`answer`] without starting
 //! a process for each.
@@ -45,18 +45,18 @@ pub fn main() -> ExitCode {
     respond(std::env::args_os(), &mut Own).into()
 }
 
-/// What a command line comes to where nothing is a terminal: what the process would write, and its exit code.
+/// The answer to a command line where nothing is a terminal: what the process would write, and its exit code.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Answer {
     /// What goes to standard output, without colours. The rows of a sweep are not here: they are written as they come.
     pub stdout: String,
     /// What goes to standard error, without colours.
     pub stderr: String,
-    /// The exit code: 0 all is as recorded, 1 something differs, 2 bad usage, bad input or no access.
+    /// The exit code: 0 everything matches the record, 1 something differs, 2 bad usage, bad input or no access.
     pub code: u8,
 }
 
-/// Does what the program does with a command line, the program's name first, and keeps what it says.
+/// Runs a command line, the program's name first, and keeps what it says.
 ///
 /// Files are read and written, and the environment counts, as for the program.
 pub fn answer(line: impl IntoIterator<Item = OsString>) -> Answer {
@@ -118,7 +118,7 @@ fn say(text: &str, to: &Output, streams: &mut dyn Streams) -> anyhow::Result<Out
     Ok(Outcome::AsRecorded)
 }
 
-/// What happens without arguments. The book is built even if some verdict differs.
+/// Checks all claims and builds the book, even if some verdict differs: what happens without arguments.
 fn verify_and_build(streams: &mut dyn Streams) -> anyhow::Result<Outcome> {
     let verdicts = {
         let _step = progress::step("deriving the verdicts");
@@ -129,7 +129,7 @@ fn verify_and_build(streams: &mut dyn Streams) -> anyhow::Result<Outcome> {
     Ok(as_recorded(verdicts, streams))
 }
 
-/// Whether each of these verdicts is the one on record. Those that differ are named on standard error.
+/// Whether each of these verdicts matches the record. Those that differ are named on standard error.
 fn as_recorded<'a>(
     verdicts: impl IntoIterator<Item = &'a geneva_ledger::Judged>,
     streams: &mut dyn Streams,

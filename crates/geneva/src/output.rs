@@ -16,16 +16,16 @@ pub const WIDTH: usize = 100;
 /// What a command found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
-    /// All is as recorded, or there was nothing to compare.
+    /// Everything matches the record, or there was nothing to compare.
     AsRecorded,
-    /// Something differs.
+    /// Something differs from the record.
     Differs,
-    /// It could not be done, and the reader has been told why.
+    /// The command failed, and the reader has been told why.
     Failed,
 }
 
 impl Outcome {
-    /// As recorded, if it is.
+    /// `AsRecorded` if it is, otherwise `Differs`.
     pub fn as_recorded_if(it_is: bool) -> Self {
         if it_is { Self::AsRecorded } else { Self::Differs }
     }
@@ -59,7 +59,7 @@ pub trait Streams {
 /// The streams of this process.
 pub struct Own;
 
-/// What is told if standard output takes nothing.
+/// The message if standard output takes nothing.
 pub const UNWRITABLE: &str = "cannot write to standard output";
 
 // A standard output that is closed (`>&-`) cannot be told from one that nobody wants to see: the runtime opens /dev/null in

@@ -15,11 +15,11 @@ pub fn run(call: PreprocessArguments, streams: &mut dyn Streams) -> anyhow::Resu
     }
     ensure!(
         !stdin().is_terminal(),
-        "mdBook calls this command and hands it a book; to build the book, call `geneva book`"
+        "mdBook runs this command and passes it a book; to build the book, run `geneva book`"
     );
     let (context, book) = parse_input(stdin().lock()).map_err(|error| {
         anyhow!(
-            "standard input is no book of mdBook 0.5 ({}). mdBook calls this command; to build the book, call `geneva book`",
+            "standard input is not a book of mdBook 0.5 ({}). mdBook runs this command; to build the book, run `geneva book`",
             chain(&error)
         )
     })?;

@@ -47,7 +47,7 @@ pub fn shown_path(path: &Path) -> String {
     escaped(&path.to_string_lossy()).into_owned()
 }
 
-/// An error and its causes in one line, each once: what the system says without its number.
+/// An error and its causes in one line, each once, and the system's words without their number.
 pub fn chain(error: &anyhow::Error) -> String {
     let mut said = Vec::new();
     for cause in error.chain() {
@@ -63,7 +63,7 @@ pub fn chain(error: &anyhow::Error) -> String {
     said.join(": ")
 }
 
-/// What the system says of an error, without its number and without the names of temporary files.
+/// The system's words for an error, without its number and without the names of temporary files.
 pub fn in_words(error: &io::Error) -> String {
     if let Some(number) = error.raw_os_error() {
         let words = error.to_string();

@@ -1,4 +1,4 @@
-//! What is going on, on a terminal.
+//! Progress, on a terminal.
 
 use indicatif::{ProgressBar, ProgressStyle};
 use std::borrow::Cow;
@@ -14,7 +14,7 @@ pub fn step(name: impl Into<Cow<'static, str>>) -> Step {
     Step(bar)
 }
 
-/// A bar of so many things, such as rows, or nothing if standard error is no terminal, or in any case if it is hidden.
+/// A bar that counts things such as rows; nothing if it is hidden or standard error is not a terminal.
 pub fn bar(count: usize, things: &'static str, hidden: bool) -> Step {
     let bar = if hidden { ProgressBar::hidden() } else { ProgressBar::new(count as u64) };
     let bar = bar.with_message(things);
@@ -26,7 +26,7 @@ pub fn bar(count: usize, things: &'static str, hidden: bool) -> Step {
 }
 
 impl Step {
-    /// So many things more.
+    /// Counts so many things more.
     pub fn add(&self, count: usize) {
         self.0.inc(count as u64);
     }

@@ -1,15 +1,15 @@
-//! What all verdicts come to: a small table, and whatever differs from the record.
+//! A summary of all verdicts: a small table, and every claim that no longer matches the record.
 
 use crate::claims::with_unit;
 use crate::output::{count, field, heading, style, wrapped};
 use geneva_ledger::{Consequence, Judged, Kind, Truth, Verdict, Work, in_full, slips_of};
 
-/// Verdicts of the documents by source, and each claim that does not stand as recorded, also of those elsewhere.
+/// The verdicts of the documents by source, and each claim, also on pages elsewhere, that no longer matches the record.
 pub fn page(verdicts: &[Judged]) -> String {
     table(verdicts) + "\n" + &differences(verdicts)
 }
 
-/// How many statements and examples on pages elsewhere are right and wrong, if all stand as recorded.
+/// How many statements and examples on pages elsewhere are right and wrong, if all match the record.
 fn elsewhere(verdicts: &[Judged]) -> String {
     let said = |of: &dyn Fn(&Judged) -> bool| -> usize {
         verdicts.iter().filter(|judged| !judged.claim.work.is_document() && of(judged)).count()
@@ -25,11 +25,18 @@ fn elsewhere(verdicts: &[Judged]) -> String {
     if told.is_empty() {
         return String::new();
     }
-    wrapped("", &format!("Elsewhere {}: each stands as recorded. geneva claims --source wild", told.join(" and ")))
+    wrapped(
+        "",
+        &format!("Elsewhere {}: all verdicts match the record. See geneva claims --source wild", told.join(" and ")),
+    )
 }
 
+/// The row of the claims that no longer match the record.
+const CHANGED: &str = "changed since recorded";
+
 fn table(verdicts: &[Judged]) -> String {
-    let label = Verdict::ALL.iter().map(|verdict| verdict.slug().len()).max().unwrap_or(0);
+    let names = Verdict::ALL.iter().map(|verdict| verdict.slug()).chain([CHANGED]);
+    let label = names.map(str::len).max().unwrap_or(0);
     let columns: Vec<(&str, Option<Work>)> =
         Work::DOCUMENTS.iter().map(|work| (work.slug(), Some(*work))).chain([("all", None)]).collect();
     let line = |name: &str, cell: &dyn Fn(&str, Option<Work>) -> String| -> String {
@@ -59,18 +66,18 @@ fn table(verdicts: &[Judged]) -> String {
         table += &format!("{}\n", line(truth.slug(), &|_, work| tally(&|judged| judged.truth() == *truth, work)));
     }
     table += &format!("\n{}\n", line("all claims", &|_, work| tally(&|_| true, work)));
-    table + &format!("{}\n", line("not as recorded", &|_, work| tally(&|judged| !judged.holds(), work)))
+    table + &format!("{}\n", line(CHANGED, &|_, work| tally(&|judged| !judged.holds(), work)))
 }
 
 fn differences(verdicts: &[Judged]) -> String {
     let differing: Vec<_> = verdicts.iter().filter(|judged| !judged.holds()).collect();
     if differing.is_empty() {
         let documents = verdicts.iter().filter(|judged| judged.claim.work.is_document()).count();
-        let stands = format!("{}: each stands as recorded.\n", count(documents, "claim"));
+        let stands = format!("{}: all verdicts match the record.\n", count(documents, "claim"));
         return stands + &wrapped("", &wrong()) + &elsewhere(verdicts);
     }
     let bold = heading();
-    let mut page = format!("{} of {} not as recorded:\n", differing.len(), count(verdicts.len(), "claim"));
+    let mut page = format!("{} of {} changed since recorded:\n", differing.len(), count(verdicts.len(), "claim"));
     for judged in differing {
         let claim = judged.claim;
         page += &format!("\n{bold}{}{bold:#}  {}\n", claim.id, claim.locator);
@@ -91,13 +98,13 @@ fn differences(verdicts: &[Judged]) -> String {
     page + "\n"
 }
 
-/// How many things are wrong in the sources, by what they do. What the copy at hand has lost is not among them.
+/// How many mistakes the sources have, by consequence. What the copy has lost is not among them.
 fn wrong() -> String {
     let of = |consequence| slips_of(consequence).count();
     let told = Consequence::ALL.iter().filter(|consequence| **consequence != Consequence::Copy);
     let all: usize = told.clone().map(|consequence| of(*consequence)).sum();
     let parts: Vec<_> = told.map(|consequence| format!("{} {consequence}", of(*consequence))).collect();
-    format!("{} in the sources ({}): geneva errata", count(all, "slip"), parts.join(", "))
+    format!("{} in the sources ({}). See geneva errata", count(all, "mistake"), parts.join(", "))
 }
 
 #[cfg(test)]
@@ -110,7 +117,7 @@ mod tests {
         judged_in(Work::Pin, printed)
     }
 
-    /// An example that nobody builds, and that is right.
+    /// An example that is right, and that no source builds.
     fn example() -> Judged {
         let fits =
             |stated: geneva_ledger::Stated| geneva_ledger::Finding::new(stated.pick(true, false), "seven thirds");
@@ -143,9 +150,9 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_said_of_claims_that_stand() {
+    fn nothing_is_said_of_claims_that_match_the_record() {
         let page = page(&[judged("2.33")]);
-        assert!(page.contains("\n1 claim: each stands as recorded.\n"), "{page}");
+        assert!(page.contains("\n1 claim: all verdicts match the record.\n"), "{page}");
         // Behind a list that may fill its line.
         assert!(page.ends_with("geneva errata\n"), "{page}");
     }
@@ -153,8 +160,11 @@ mod tests {
     #[test]
     fn what_is_said_elsewhere_has_a_line_of_its_own_and_no_column() {
         let page = page(&[judged("2.33"), judged_in(Work::Wild, "2.33"), judged_in(Work::Wild, "2.33"), example()]);
-        assert!(page.contains("\n1 claim: each stands as recorded.\n"), "{page}");
-        assert!(page.contains("\nElsewhere 2 statements (2 right) and 1 example (1 right): each stands"), "{page}");
+        assert!(page.contains("\n1 claim: all verdicts match the record.\n"), "{page}");
+        assert!(
+            page.contains("\nElsewhere 2 statements (2 right) and 1 example (1 right): all verdicts match"),
+            "{page}"
+        );
         let total = page.lines().find(|line| line.starts_with("all claims")).expect("a total");
         let numbers: Vec<_> = total.split_whitespace().filter(|word| *word != "–").collect();
         assert_eq!(numbers, ["all", "claims", "1", "1"], "{page}");

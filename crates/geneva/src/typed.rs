@@ -1,8 +1,8 @@
-//! Numbers as they are typed at the command line, each with the range in which it can be computed with, and as they are
-//! told back.
+//! Numbers as they are typed at the command line, each with the range in which we can compute with it, and as messages
+//! repeat them.
 //!
-//! The parser of an option hands over a number that the option may have. Where one number is possible only with another,
-//! the command says so.
+//! The parser of an option returns a number that the option may have. If one number is possible only with another, the
+//! command says so.
 
 use crate::printable::shown;
 use geneva_kinematics::wheel::STATIONS;
@@ -21,22 +21,25 @@ pub const MOST_THREADS: usize = 1024;
 
 /// A number above zero.
 pub fn positive(text: &str) -> Result<f64, String> {
-    above_zero(text, number(text).ok_or("not a number; give one above zero, with a point before its decimals")?)
+    above_zero(text, number(text).ok_or("not a number; give one above zero, with a decimal point, not a comma")?)
 }
 
 /// A length in metres, above zero: the unit of all lengths of a quick-return mechanism.
 pub fn metres(text: &str) -> Result<f64, String> {
-    above_zero(text, number(text).ok_or("not a length; give metres above zero, with a point before the decimals")?)
+    above_zero(text, number(text).ok_or("not a length; give metres above zero, with a decimal point, not a comma")?)
 }
 
 /// A length in millimetres, above zero: the unit of all lengths of a wheel.
 pub fn millimetres(text: &str) -> Result<f64, String> {
-    above_zero(text, number(text).ok_or("not a length; give millimetres above zero, with a point before the decimals")?)
+    above_zero(
+        text,
+        number(text).ok_or("not a length; give millimetres above zero, with a decimal point, not a comma")?,
+    )
 }
 
 /// A number that is zero or more.
 pub fn zero_or_more(text: &str) -> Result<f64, String> {
-    let value = number(text).ok_or("not a number; give zero or more, with a point before the decimals")?;
+    let value = number(text).ok_or("not a number; give zero or more, with a decimal point, not a comma")?;
     if value < 0.0 || value.is_nan() {
         let most = COMPUTABLE.end();
         return Err(format!("{} is not zero or more; give zero, or a number up to {most:e}", shown(text.trim())));
@@ -47,10 +50,10 @@ pub fn zero_or_more(text: &str) -> Result<f64, String> {
 
 /// Turns a minute in either sense, counter-clockwise above zero.
 pub fn turns_a_minute(text: &str) -> Result<f64, String> {
-    let value = number(text).ok_or("not a speed; give turns a minute, with a point before the decimals")?;
+    let value = number(text).ok_or("not a speed; give turns per minute, with a decimal point, not a comma")?;
     if value == 0.0 || value.is_nan() {
         return Err(
-            "the crank must turn, or nothing moves; give turns a minute, above zero for counter-clockwise or below it \
+            "the crank must turn, or nothing moves; give turns per minute, above zero for counter-clockwise or below zero \
              for clockwise"
                 .to_owned(),
         );
@@ -60,7 +63,7 @@ pub fn turns_a_minute(text: &str) -> Result<f64, String> {
 
 /// An angle in degrees. Which are possible, the mechanism says.
 pub fn degrees(text: &str) -> Result<f64, &'static str> {
-    number(text).ok_or("not an angle; give degrees, with a point before the decimals")
+    number(text).ok_or("not an angle; give degrees, with a decimal point, not a comma")
 }
 
 /// An angle in degrees, of which every finite one is possible.
@@ -70,7 +73,7 @@ pub fn finite_degrees(text: &str) -> Result<f64, String> {
         Ok(value)
     } else {
         Err(format!(
-            "{} is no angle to compute with; give degrees between −{MOST_DEGREES:e} and {MOST_DEGREES:e}",
+            "{} is not a usable angle; give degrees between −{MOST_DEGREES:e} and {MOST_DEGREES:e}",
             shown(text.trim())
         ))
     }
@@ -83,17 +86,17 @@ pub fn slots(text: &str) -> Result<u32, String> {
 
 /// A number of a wheel's stations. Which are possible, the library says.
 pub fn stations(text: &str) -> Result<u32, String> {
-    whole(text, "stations", &format!("a whole number from {} to {}", STATIONS.start(), STATIONS.end()))
+    whole(text, "stations", &format!("an integer from {} to {}", STATIONS.start(), STATIONS.end()))
 }
 
 /// A number of a driver's pins. Which are possible, the library says.
 pub fn pins(text: &str) -> Result<u32, String> {
-    whole(text, "pins", "a whole number from 1 up")
+    whole(text, "pins", "an integer of 1 or more")
 }
 
 /// A number of threads.
 pub fn threads(text: &str) -> Result<NonZeroUsize, String> {
-    let possible = format!("a whole number from 1 to {MOST_THREADS}");
+    let possible = format!("an integer from 1 to {MOST_THREADS}");
     let threads: NonZeroUsize = whole(text, "threads", &possible)?;
     if threads.get() > MOST_THREADS { Err(format!("too many threads; give {possible}")) } else { Ok(threads) }
 }
@@ -122,12 +125,12 @@ fn computable(text: &str, value: f64) -> Result<f64, String> {
     }
     let (least, most) = (COMPUTABLE.start(), COMPUTABLE.end());
     Err(format!(
-        "{} is too large or too small to compute with; give one that a machine can have, between {least:e} and {most:e}",
+        "{} is too large or too small to compute with; give a number between {least:e} and {most:e}",
         shown(text.trim())
     ))
 }
 
-/// A number that was typed, with all its digits, as it can be typed again.
+/// A number that was typed, with all its digits, in a form that can be typed again.
 pub fn as_typed(value: f64) -> String {
     let written = format!("{value:?}");
     written.strip_suffix(".0").map_or(written.clone(), str::to_owned)
@@ -135,10 +138,21 @@ pub fn as_typed(value: f64) -> String {
 
 /// A computed limit in a message, to six significant digits: never below it, so that what is said of it holds.
 pub fn rounded_up(limit: f64) -> String {
+    six_digits(limit, 1.0)
+}
+
+/// A computed limit in a message, to six significant digits: never above it, so that a number up to it is accepted.
+pub fn rounded_down(limit: f64) -> String {
+    six_digits(limit, -1.0)
+}
+
+/// `limit` to six significant digits, never on the other side of it than `side`, which is 1 or −1.
+fn six_digits(limit: f64, side: f64) -> String {
     let nearest: f64 = format!("{limit:.5e}").parse().unwrap_or(limit);
     let exponent = format!("{limit:e}").split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
     let half = 0.5 * 10_f64.powi(exponent.unwrap_or(0) - 5);
-    as_typed(if nearest >= limit { nearest } else { format!("{:.5e}", limit + half).parse().unwrap_or(limit) })
+    let is_safe = (nearest - limit) * side >= 0.0;
+    as_typed(if is_safe { nearest } else { format!("{:.5e}", limit + side * half).parse().unwrap_or(limit) })
 }
 
 /// The number that a reader would have typed: rounded to fifteen digits, which any number between typed ones may need.
@@ -160,6 +174,8 @@ mod tests {
         assert_eq!([0.1 + 0.2, 3e-4 * 3.0, 0.0].map(rounded), [0.3, 9e-4, 0.0]);
         let limits = [0.424_956_373_400_169_8, 0.424_956_9, 2.0, 1.6e-16, 0.999_999_9].map(rounded_up);
         assert_eq!(limits, ["0.424957", "0.424957", "2", "1.6e-16", "1"]);
+        let limits = [19.471_220_634_490_69, 25.714_285_714_285_715, 90.0, 13.846_153_846_153_847].map(rounded_down);
+        assert_eq!(limits, ["19.4712", "25.7142", "90", "13.8461"]);
     }
 
     #[test]
@@ -172,7 +188,7 @@ mod tests {
             (zero_or_more("-0.30"), "-0.30 is not zero or more; give zero, or a number up to 1e30"),
             (positive(&"1".repeat(3000)), "1111…"),
             (positive("1e31"), "between 1e-30 and 1e30"),
-            (metres("0,1"), "metres above zero, with a point before the decimals"),
+            (metres("0,1"), "metres above zero, with a decimal point"),
             (zero_or_more("nan"), "nan is not zero or more"),
             (turns_a_minute("-0"), "the crank must turn"),
             (turns_a_minute("-1e-31"), "-1e-31 is too large or too small"),

@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 
 /// The workspace around the current directory.
 pub fn root() -> anyhow::Result<PathBuf> {
-    let here = std::env::current_dir().context("there is no current directory: go to one that exists")?;
+    let here = std::env::current_dir().context("the current directory doesn't exist; change to one that does")?;
     find(&here).map(Path::to_owned).with_context(|| {
         format!(
             "no book found: neither {} nor a folder above it holds book/book.toml and crates/ledger; \
-             go to a folder of the project and try again",
+             change to a folder of the project and try again",
             here.display()
         )
     })

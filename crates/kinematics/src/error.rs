@@ -34,14 +34,14 @@ pub enum KinematicsError {
         crank_radius: f64,
     },
     /// The number of a wheel's stations is outside [`STATIONS`].
-    #[error("{0} stations: a wheel has {least} to {most}; give a number between them", least = STATIONS.start(), most = STATIONS.end())]
+    #[error("{0} stations: a wheel has from {least} to {most}; give a number in this range", least = STATIONS.start(), most = STATIONS.end())]
     Stations(u32),
     /// So many pins do not fit: one would enter before the one before it has left, or there is none at all.
     #[error(
-        "{asked} pins: a driver for {stations} stations carries {}, or a pin would enter before the one before \
-         it has left; give {}",
-        if *most == 1 { "1".to_owned() } else { format!("1 to {most}") },
-        if *most == 1 { "1" } else { "a number between them" }
+        "{asked} pins: a driver for {stations} stations has {}, because otherwise a pin would enter before the previous one \
+         has left; give {}",
+        if *most == 1 { "only 1".to_owned() } else { format!("1 to {most}") },
+        if *most == 1 { "1" } else { "a number in this range" }
     )]
     Pins {
         /// How many were asked for.
@@ -52,7 +52,7 @@ pub enum KinematicsError {
         stations: u32,
     },
     /// The axes of a wheel are so far apart that nothing of one part is near the other.
-    #[error("centre distance {asked} mm: nothing is near anything there; give {most} mm at most")]
+    #[error("centre distance {asked} mm: so far apart, the parts are nowhere near each other; give {most} mm at most")]
     TooFarApart {
         /// The distance that was asked for, in millimetres.
         asked: f64,
@@ -61,15 +61,15 @@ pub enum KinematicsError {
     },
     /// The distances of driver and wheel stay nearly the same over so much of the turn that the least one is not found from
     /// the crank angles that may be looked at.
-    #[error("the least clearance is not found from {limit} crank angles: give a thicker pin or more play")]
+    #[error("{limit} crank angles are too few to find the least clearance; give a thicker pin or more play")]
     TooManyAngles {
         /// Crank angles that may be looked at.
         limit: u32,
     },
     /// The axes of a wheel stand where its pin never passes the rim.
     #[error(
-        "a centre distance wrong by {asked}, as a part of it: the pin enters if it is wrong by more than {least:.4} and less \
-         than {most:.4}; give a part between them"
+        "centre distance wrong by a fraction of {asked}: the pin enters its slot only if this is more than {least:.4} and less \
+         than {most:.4}; give a fraction in this range"
     )]
     Misplaced {
         /// The part that was asked for, dimensionless.
@@ -80,13 +80,12 @@ pub enum KinematicsError {
         most: f64,
     },
     /// A wheel's crank angle beyond half a turn to either side, or not finite, in radians.
-    #[error("crank angle {0} rad: within a turn it goes from −π to π; give whole turns by their number")]
+    #[error("crank angle {0} rad: within a turn it goes from −π to π; count whole turns separately")]
     Turn(f64),
     /// A wheel's crank angle outside the engagement, or not finite.
     #[error(
-        "crank angle {asked} rad: the pin is in the slot from {} to {most} rad from the line of centres; give an angle \
-         between them",
-        -most
+        "crank angle {asked} rad: the pin is in the slot from −{most:.4} to {most:.4} rad from the line of centres; give an \
+         angle in this range"
     )]
     OutsideEngagement {
         /// The angle asked for, in radians.
@@ -96,8 +95,7 @@ pub enum KinematicsError {
     },
     /// A wheel angle that no pin in a slot gives, or that is not finite.
     #[error(
-        "wheel angle {asked} rad: during an index it goes from {} to {most} rad; give an angle between them",
-        -most
+        "wheel angle {asked} rad: during an index it goes from −{most:.4} to {most:.4} rad; give an angle in this range"
     )]
     WheelAngle {
         /// The angle asked for, in radians.
@@ -107,8 +105,8 @@ pub enum KinematicsError {
     },
     /// Lengths of a quick-return mechanism so different that their ratio is not a number a machine can hold.
     #[error(
-        "ground distance {ground} and crank {crank}: their ratio is beyond what can be computed; give lengths of one \
-         mechanism"
+        "ground distance {ground} and crank {crank}: their ratio is too large or too small to compute with; give lengths of \
+         one mechanism"
     )]
     Ratio {
         /// The ground distance, in the caller's unit.
@@ -126,8 +124,8 @@ pub enum KinematicsError {
     },
     /// The lever's ray does not meet the crank's circle.
     #[error(
-        "lever angle {asked}°: the lever does not reach it; it swings {} −{limit}° and {limit}° from the direction to \
-         the crank's axis; give an angle there, or a crank angle (all are possible)",
+        "lever angle {asked}° is out of reach: the lever swings {} −{limit:.4}° and {limit:.4}° from the direction to the \
+         crank's axis; give an angle in this range, or a crank angle (all are possible)",
         if *open { "between, but not to," } else { "between" }
     )]
     BeyondTheSwing {
@@ -140,8 +138,8 @@ pub enum KinematicsError {
     },
     /// The lever's pivot is inside the crank's circle or on it: its ray leaves the circle once.
     #[error(
-        "lever angle {asked}°, near branch: with the crank at least as long as the ground distance the lever meets the \
-         crank's circle in one point only; take the far branch"
+        "lever angle {asked}°, near branch: the crank is at least as long as the ground distance, so the lever's ray meets \
+         the crank's circle only once; take the far branch"
     )]
     OnlyFar {
         /// The lever angle that was asked for, in degrees.
@@ -149,8 +147,8 @@ pub enum KinematicsError {
     },
     /// The pin is on the lever's pivot, where the lever has no direction.
     #[error(
-        "crank angle 180° with a crank as long as the ground distance: the pin is on the lever's pivot, and the lever \
-         has no direction; any other crank angle is possible"
+        "crank angle 180°: with a crank as long as the ground distance, the pin is on the lever's pivot and the lever has \
+         no direction; give any other crank angle"
     )]
     PinOnPivot,
 }

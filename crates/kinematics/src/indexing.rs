@@ -9,7 +9,7 @@ use crate::error::size;
 use crate::wheel::{AccelerationPeak, Motion, Phase};
 use std::f64::consts::{PI, TAU};
 
-/// Where the jerk is greatest while a pin is in a slot, and how great.
+/// Greatest jerk while a pin is in a slot, and where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct JerkPeak {
     /// Crank angle in radians, zero or positive; at its negative the jerk is the same.
@@ -76,7 +76,7 @@ pub trait Indexing {
     /// Where the acceleration is greatest, and how great; at the end of the engagement if it is greatest there.
     fn acceleration_peak(&self) -> AccelerationPeak;
 
-    /// Where the jerk is greatest while a pin is in a slot, and how great.
+    /// Greatest jerk while a pin is in a slot, and where it is.
     fn jerk_peak(&self) -> JerkPeak;
 
     /// α, half the angle between successive slots, in radians: π/N.

@@ -79,7 +79,7 @@ impl InternalWheel {
         Ok(Self { stations, sine: libm::sin(half_pitch), cosine: libm::cos(half_pitch) })
     }
 
-    /// The same with a number of pins, of which only one is possible.
+    /// An internal wheel with a number of pins, of which only one is possible.
     ///
     /// # Errors
     ///

@@ -182,7 +182,7 @@ impl Identity<2> for VelocityRatio {
     }
 }
 
-/// Where can a four-slot follower stand still as the pin enters? The condition on k = l / R, multiplied out.
+/// Standstill of a four-slot follower as the pin enters: the condition on k = l / R, multiplied out.
 ///
 /// The slots of four are 90° apart, so the pin enters and leaves at β = ±45°: k − cos θ = sin θ. The follower stands
 /// still if k cos θ = 1. With cos θ = 1/k and sin θ = k − 1/k the pin is on its circle, cos² + sin² = 1, exactly if

@@ -57,7 +57,7 @@ pub fn pin_from_pivot<S: Field>(ratio: &S, crank: &Turn<S>) -> Vector2<S> {
     Vector2::new(ratio.clone() - crank.cos.clone(), crank.sin.clone())
 }
 
-/// The same for a moving crank, as a power series.
+/// Path of the pin seen from the follower's pivot for a moving crank, in crank radii, as a power series.
 pub fn pin_path<S: Field, const N: usize>(ratio: &S, crank: &Turn<Jet<S, N>>) -> Vector2<Jet<S, N>> {
     pin_from_pivot(&Jet::constant(ratio.clone()), crank)
 }

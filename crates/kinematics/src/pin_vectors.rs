@@ -34,7 +34,7 @@ impl<S: Field> PinMotion<S> {
     }
 }
 
-/// Where the pin is, from the follower's pivot, as a power series of a moving crank: (l + R cos φ, R sin φ).
+/// Position of the pin, from the follower's pivot, as a power series of a moving crank: (l + R cos φ, R sin φ).
 pub fn path<S: Field, const N: usize>(
     crank_radius: &S,
     centre_distance: &S,

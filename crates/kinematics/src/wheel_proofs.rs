@@ -15,7 +15,7 @@ pub(crate) fn direction_rate<const N: usize>(path: &Vector2<Jet<Expression, N>>)
     angular_velocity(path).expect("the pin is off the wheel's axis")
 }
 
-/// That of the external wheel.
+/// Angular velocity of the external wheel as a series.
 pub(crate) fn wheel_velocity<const N: usize>(
     ratio: Expression,
     crank: &Turn<Jet<Expression, N>>,
@@ -121,7 +121,7 @@ fn four_acceleration(root: Expression, crank: &Turn<Expression>) -> Expression {
     root * crank.sin / (square * square)
 }
 
-/// Which quantity of a wheel's motion an identity for any number of stations is about; equations are of the external wheel.
+/// Quantity of a wheel's motion in an identity for any number of stations; equations are of the external wheel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// tan φ, from Eq. (5.30).
@@ -149,7 +149,7 @@ impl Quantity {
         }
     }
 
-    /// That of the external wheel.
+    /// The quantity of the external wheel at a crank angle.
     fn of_the_place(self, ratio: Expression, crank: &Turn<Expression>) -> Expression {
         self.of_the_path(&pin_path(&ratio, &crank.moving::<4>(Expression::ONE)))
     }

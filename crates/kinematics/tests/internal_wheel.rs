@@ -13,7 +13,7 @@ fn what_cannot_be_built_is_said_with_what_can() {
     assert_eq!(InternalWheel::new(2), Err(KinematicsError::Stations(2)));
     assert!(InternalWheel::new(1001).is_err());
     let message = InternalWheel::with_pins(6, 2).unwrap_err().to_string();
-    assert!(message.contains("2 pins") && message.contains("carries 1,") && message.ends_with("give 1"), "{message}");
+    assert!(message.contains("2 pins") && message.contains("has only 1,") && message.ends_with("give 1"), "{message}");
 }
 
 #[test]

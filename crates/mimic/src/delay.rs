@@ -3,7 +3,7 @@
 use std::collections::VecDeque;
 use thiserror::Error;
 
-/// What a delay line says of a time between two of its entries.
+/// Value of a delay line at a time between two of its entries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Interpolation {
     /// The straight line between the two.
@@ -12,7 +12,7 @@ pub enum Interpolation {
     Hold,
 }
 
-/// What a delay line says of a time after its latest entry: it is asked for one if a step is longer than the delay.
+/// Value of a delay line at a time after its latest entry, which is needed if a step is longer than the delay.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Extrapolation {
     /// The latest entry. Nothing is made up, but the delay is then longer than was asked for, up to a whole step.
@@ -51,7 +51,7 @@ struct Entry {
     value: f64,
 }
 
-/// What a delay line cannot do.
+/// Errors of a delay line.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum DelayError {
     /// A capacity below two: between which entries should it read?
@@ -64,7 +64,7 @@ pub enum DelayError {
     #[error("initial value {0:?}: it must be finite")]
     Initial(f64),
     /// A value that is not finite.
-    #[error("value {asked:?} at time {time:?}: it must be finite; look for where it comes from")]
+    #[error("value {asked:?} at time {time:?}: it must be finite; find out where it comes from")]
     Value {
         /// The value, in the quantity's own unit.
         asked: f64,
@@ -134,7 +134,7 @@ impl<const CAPACITY: usize> DelayLine<CAPACITY> {
         Ok(Self { delay, initial, interpolation, extrapolation, entries: VecDeque::new(), forgotten: false })
     }
 
-    /// How many entries there is memory for: at least as many as there are.
+    /// Number of entries that there is memory for.
     pub fn room(&self) -> usize {
         self.entries.capacity()
     }

@@ -43,7 +43,7 @@ impl fmt::Display for Allowed {
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum ParameterError {
     /// A number outside its range.
-    #[error("{name} {asked:?}: it must be {allowed}; give such a number")]
+    #[error("{name} {asked:?}: it must be {allowed}; give a number that is")]
     Range {
         /// The field of [`Parameters`](crate::Parameters).
         name: &'static str,
@@ -53,7 +53,7 @@ pub enum ParameterError {
         allowed: Allowed,
     },
     /// A bound on the number of steps that is zero or above [`MOST_STEPS`].
-    #[error("most_steps {0}: it must be from 1 to {MOST_STEPS}; give a number between them")]
+    #[error("most_steps {0}: it must be from 1 to {MOST_STEPS}; give a number in this range")]
     MostSteps(u64),
     /// There are more points to print than steps to reach them with.
     #[error(
@@ -68,7 +68,7 @@ pub enum ParameterError {
     },
 }
 
-/// What was found not to be finite.
+/// Quantity that was found not to be finite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Quantity {
     /// The state that the run was to start from.
@@ -89,7 +89,7 @@ impl fmt::Display for Quantity {
     }
 }
 
-/// What stopped a run.
+/// Cause that stopped a run.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum Cause<F> {
     /// The error is too large and the step cannot be made smaller.
@@ -120,7 +120,9 @@ pub enum Cause<F> {
         value: f64,
     },
     /// The bound on the number of steps is reached.
-    #[error("{most_steps} steps, refused ones included, are made; allow more, a larger error or a shorter run")]
+    #[error(
+        "the limit of {most_steps} steps, refused ones included, is reached; allow more, a larger error or a shorter run"
+    )]
     TooManySteps {
         /// The bound.
         most_steps: u64,
@@ -130,7 +132,7 @@ pub enum Cause<F> {
     System(F),
 }
 
-/// Where a run was stopped, and by what.
+/// Point where a run was stopped, and the cause.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error("stopped at time {time:?} in state {:?}: {cause}", .state.as_slice())]
 pub struct Stopped<const D: usize, F> {

@@ -1,11 +1,11 @@
-//! What a run may be told, and what it does by default.
+//! Parameters of a run, and their defaults.
 
 use crate::{Allowed, ParameterError};
 
 /// The most that [`Parameters::most_steps`] may be: up to here the multiples of the print interval are well apart.
 pub const MOST_STEPS: u64 = 1_000_000_000_000;
 
-/// Which of the values of a step the run goes on with.
+/// Value of a step with which the run goes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kept {
     /// The whole step: order 4, the larger error of the two.
@@ -16,7 +16,7 @@ pub enum Kept {
     Extrapolated,
 }
 
-/// What to do if the error is too large and the step cannot be made smaller.
+/// Action if the error is too large and the step cannot be made smaller.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum AtSmallestStep {
     /// End the run with an error.
@@ -25,7 +25,7 @@ pub enum AtSmallestStep {
     Continue,
 }
 
-/// How a run is made.
+/// Parameters of a run.
 ///
 /// The thesis gives the print interval `DT`, the run length and the relative error. The other fields are named because
 /// it does not give them: a result that depends on them is not a result of the thesis. Work::Meyer1973, Appendix B.
@@ -124,7 +124,7 @@ impl Parameters {
 
     /// A run with steps of one length, shorter only where a printed point is nearer; no step is refused for its error.
     ///
-    /// Those that miss the tolerance are counted: [`Work::forced`](crate::Work::forced).
+    /// Steps that miss the tolerance are counted: [`Work::forced`](crate::Work::forced).
     pub fn with_fixed_step(step: f64, print_interval: f64, run_length: f64) -> Self {
         Self {
             smallest_step: step,

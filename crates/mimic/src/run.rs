@@ -31,7 +31,7 @@ pub struct Work {
     pub accepted: u64,
     /// Steps that were tried and refused.
     pub rejected: u64,
-    /// Those of the accepted steps whose error is too large: see [`AtSmallestStep::Continue`].
+    /// Accepted steps whose error is too large: see [`AtSmallestStep::Continue`].
     pub forced: u64,
     /// Evaluations of the right-hand side.
     pub evaluations: u64,

@@ -4,7 +4,7 @@ use geneva_kinematics::wheel::{Loop, Sizes};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
-/// How the parts lie on the drawing.
+/// Arrangement of the parts on the drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Layout {
     /// In place, as they run: the wheel's axis at the origin, the driver's at (c, 0), in the middle of a dwell.

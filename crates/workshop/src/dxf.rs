@@ -47,7 +47,7 @@ impl File {
     }
 
     fn number(&mut self, code: u16, value: f64) -> &mut Self {
-        // A whole number is written with its point, and no zero with a sign.
+        // An integer is written with its point, and no zero with a sign.
         self.group(code, format_args!("{:?}", value + 0.0))
     }
 

@@ -8,12 +8,12 @@ use geneva_kinematics::KinematicsError;
 use geneva_kinematics::wheel::{Face, Loop, Outline, Sizes};
 use nalgebra::{Vector2, Vector3};
 
-/// How a part becomes a solid.
+/// Thickness and accuracy of a solid made from a part.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solid {
     /// Thickness of the wheel, of the locking disc and of the plate, in millimetres.
     pub thickness: f64,
-    /// How far a chord may leave its arc, in millimetres.
+    /// Greatest distance of a chord from its arc, in millimetres.
     pub tolerance: f64,
 }
 
@@ -42,7 +42,7 @@ impl Mesh {
         self.triangles.iter().map(|[a, b, c]| a.dot(&b.cross(c))).sum::<f64>() / 6.0
     }
 
-    /// The same moved along the first axis, in millimetres.
+    /// The surface moved along the first axis, in millimetres.
     pub(crate) fn moved(mut self, x: f64) -> Self {
         self.triangles.iter_mut().flatten().for_each(|corner| corner.x += x);
         self
@@ -149,7 +149,7 @@ pub fn wheel_mesh(sizes: &Sizes, solid: Solid) -> Result<Mesh, KinematicsError> 
 ///
 /// # Errors
 ///
-/// Those of [`wheel_mesh`].
+/// As for [`wheel_mesh`].
 pub fn driver_mesh(sizes: &Sizes, solid: Solid) -> Result<Mesh, KinematicsError> {
     let Solid { thickness, tolerance } = solid.checked()?;
     let Outline { disc, plate, pins, .. } = sizes.outline();

@@ -26,18 +26,18 @@ pub fn scad(sizes: &Sizes, solid: Solid) -> Result<String, KinematicsError> {
         ("pins", f64::from(sizes.wheel.pins()), "pins of the driver"),
         ("crank_radius", sizes.crank_radius, "driver's axis to a pin's centre"),
         ("pin_diameter", sizes.pin_diameter, "diameter of a pin"),
-        ("slot_width", sizes.slot_width, "pin and play"),
-        ("bottom_clearance", sizes.bottom_clearance, "slots are so much deeper than the pins need"),
-        ("locking_arc_radius", sizes.locking_arc_radius, "hollows of the wheel"),
+        ("slot_width", sizes.slot_width, "pin diameter plus play"),
+        ("bottom_clearance", sizes.bottom_clearance, "how much deeper the slots are than the pins need"),
+        ("locking_arc_radius", sizes.locking_arc_radius, "of the hollows in the wheel"),
         ("locking_disc_radius", disc, "0: there is no dwell"),
         ("crescent_centre", cut[0], "driver's axis to the centre of the cut"),
-        ("crescent_radius", cut[1], "from the motion: depends on all sizes above"),
+        ("crescent_radius", cut[1], "follows from the motion, so it depends on all sizes above"),
         ("plate_radius", sizes.plate_radius, "plate behind the wheel"),
         ("wheel_bore", sizes.wheel_bore(), "diameter; 0 for none"),
         ("driver_bore", sizes.driver_bore(), "diameter; 0 for none"),
         ("thickness", thickness, "wheel, locking disc and plate"),
         ("axial_play", sizes.play.slot, "between wheel and plate"),
-        ("tolerance", tolerance, "a chord leaves its arc by this at most"),
+        ("tolerance", tolerance, "greatest distance of a chord from its arc"),
     ];
     let mut text = String::from("// Geneva wheel and driver; lengths in millimetres, angles in degrees.\n");
     for (name, value, meaning) in variables {

@@ -3,7 +3,7 @@
 //! Let e point along the slot from the follower's axis to the pin's centre, at the distance R, and n across it, in the
 //! sense in which the pin drives the follower on. On the follower acts N n + μ |N| σ e at R e + s ρ n, where s is the
 //! sign of N and σ that of the sliding; on the driver the opposite force at the same point. The follower turns from e
-//! towards n by φ', the driver the other way round by θ'.
+//! towards n by φ', the driver in the opposite sense by θ'.
 //!
 //! *Sliding.* The pin's centre goes along the slot by R'. Its surface point s ρ n is taken along e by θ' s ρ, and the
 //! slot's side there by −φ' s ρ. So the surface slides by R' + s ρ (θ' + φ').
@@ -22,7 +22,7 @@ use super::Joints;
 use crate::{Pose, Sign};
 use geneva_kinematics::Field;
 
-/// Where the pin's centre is in the slot, and its rates with the driver's angle. Lengths in crank radii.
+/// Place of the pin's centre in the slot, and its rates with the driver's angle. Lengths in crank radii.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reach<S> {
     /// R, from the follower's axis, in crank radii.
@@ -43,7 +43,7 @@ pub struct Arms<S> {
 }
 
 impl Reach<f64> {
-    /// Of a pose: R² is its square, dR/dθ = a sin θ / R.
+    /// The place for a pose: R² is its square, dR/dθ = a sin θ / R.
     pub fn of_pose(pose: &Pose<f64>) -> Self {
         let radius = pose.square.sqrt();
         // At the ends a cos θ − 1 is zero but for rounding.
@@ -87,7 +87,7 @@ impl Journals {
 }
 
 impl<S: Field> Arms<S> {
-    /// With journals whose torques have these arms over |N| = s N: both take from what the force gives.
+    /// This contact with journals whose torques have these arms over |N| = s N: both take from what the force gives.
     pub fn with_journals(&self, driver: &S, follower: &S, flank: Sign) -> Self {
         Self {
             follower: self.follower.clone() - flank.of(follower.clone()),

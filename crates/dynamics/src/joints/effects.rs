@@ -51,7 +51,7 @@ impl Varied {
     }
 }
 
-/// What joints do to the steady motion.
+/// Effect of joints on the steady motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Effect {
     /// The value of what is varied, in its own unit: that of the field of [`Joints`].

@@ -11,7 +11,7 @@
 //!
 //! **Its flank.** λ > 0 makes the signs of N and M one. Multiply M by I_D + m q I_f and put the solution in: m drops
 //! out, and what is left is I_D (I_f p θ'² + H) + q I_f (K − G). If both factors of θ'' are positive, this number
-//! tells the flank. It knows neither the friction nor the pin's radius nor the journals: the pin bears on the flank on
+//! decides the flank. It knows neither the friction nor the pin's radius nor the journals: the pin bears on the flank on
 //! which it would bear without any friction. Proven in [`equation_proofs`](super::equation_proofs).
 
 use super::Joints;
@@ -21,7 +21,7 @@ use crate::error::not_negative;
 use crate::{Error, Parameters, Sign};
 use geneva_kinematics::Field;
 
-/// What the equation of motion asks of one crank angle but for the contact; inertias and torques over I_f.
+/// Terms of the equation of motion at one crank angle, without the contact; inertias and torques over I_f.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Terms<S> {
     /// I_D / I_f, dimensionless.
@@ -60,7 +60,7 @@ impl<S: Field> Terms<S> {
     }
 }
 
-/// What happens at one instant.
+/// Motion and forces at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Motion {
     /// θ'', in radians per square of the unit of time.
@@ -131,13 +131,13 @@ impl Escapement {
         self.joints
     }
 
-    /// How far before the line of centres, in radians, the sliding of a pin of finite radius on the leading flank turns
+    /// Angle before the line of centres, in radians, where the sliding of a pin of finite radius on the leading flank turns
     /// outward; on the trailing flank it turns as far behind. Zero for a pin that is a point.
     pub fn reversal_angle(&self) -> f64 {
         self.reversal
     }
 
-    /// What happens at a crank angle (radians from the line of centres, within the engagement) and a speed of the
+    /// Motion and forces at a crank angle (radians from the line of centres, within the engagement) and a speed of the
     /// driver (≥ 0, radians per unit of time).
     ///
     /// # Errors
@@ -201,7 +201,7 @@ pub struct Power {
 }
 
 impl Power {
-    /// What friction takes in all three places, in the same unit.
+    /// Power that friction takes in all three places, in the same unit.
     pub fn losses(&self) -> f64 {
         self.sliding + self.driver_bearing + self.follower_bearing
     }
@@ -223,7 +223,7 @@ impl Power {
 }
 
 impl Escapement {
-    /// Where the power goes at a crank angle (radians, within the engagement) and a speed of the driver (≥ 0).
+    /// Balance of power at a crank angle (radians, within the engagement) and a speed of the driver (≥ 0).
     ///
     /// # Errors
     ///

@@ -1,4 +1,4 @@
-//! Why the flank can be told beforehand, how speeds scale, and what the equation goes over to, as identities.
+//! Identities that show why the flank is known beforehand, how speeds scale, and the limits of the equation.
 //!
 //! The factor of θ'', I_D/I_f + m q, is a variable instead of I_D/I_f, because it is divided by. p, q, m, the drive and
 //! the drag torque are free: nothing depends on what they stand for.
@@ -37,14 +37,14 @@ impl Identity<7> for FlankDecider {
     }
 }
 
-/// With drive, drag torque and θ'² times κ, θ'' and what tells the flank are κ times what they were.
+/// Similarity: with drive, drag torque and θ'² times κ, θ'' and the number that decides the flank grow by κ.
 ///
 /// So speeds go as √(K/I_f) if there is no constant torque, or one that grows with K. The arms of pin and journals
 /// stand in m alone, which stays. Variables: factor of θ'', m, q, p, drive, drag torque, θ'², κ.
 pub enum Similarity {
     /// Of θ''.
     Gain,
-    /// Of the number that tells the flank.
+    /// Of the number that decides the flank.
     Flank,
 }
 

@@ -14,7 +14,7 @@ use geneva_mimic::runge_kutta_step;
 use nalgebra::SVector;
 use std::ops::RangeInclusive;
 
-/// How many steps an engagement can be divided into.
+/// Numbers of steps into which an engagement can be divided.
 pub const STEPS: RangeInclusive<u32> = 16..=65_536;
 
 /// Most changes of the flank that are looked for within one step.
@@ -76,7 +76,7 @@ impl Escapement {
         self.passage_of_square(square, steps)
     }
 
-    /// The same from the square of the speed.
+    /// The passage of an engagement from the square of the entry speed.
     pub(super) fn passage_of_square(&self, square: f64, steps: u32) -> Result<Passage, Error> {
         if !STEPS.contains(&steps) {
             return Err(Error::OutOfRange {

@@ -17,7 +17,7 @@ mod readings;
 
 pub use readings::Readings;
 
-/// How the program chooses between the two signs of C θ'² + D θ''.
+/// Rule by which the program chooses between the two signs of C θ'² + D θ''.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Contact {
     /// The one sign that agrees with itself.

@@ -1,8 +1,8 @@
-//! What somebody with a ruler reads off a run's printed lines.
+//! Values that a reader with a ruler takes from a run's printed lines.
 
 use super::{Line, Printout};
 
-/// What is read off the lines of a run.
+/// Values read off the lines of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Readings {
     /// Greatest speed of all lines, in radians per unit of time.
@@ -16,7 +16,7 @@ pub struct Readings {
 }
 
 impl Readings {
-    /// From the lines of a run whose driver's angle is reset after `reset` radians; none if the run has no two hand-overs.
+    /// The readings of a run whose driver's angle is reset after `reset` radians; none if the run has no two hand-overs.
     pub fn of(printout: &Printout, reset: f64) -> Option<Self> {
         let lines = &printout.lines;
         let last = (lines.last()?.turned / reset).floor();

@@ -91,7 +91,7 @@ impl Engagement {
         Self::with_tolerance(parameters, TOLERANCE)
     }
 
-    /// The same to another relative tolerance, of [`TOLERANCES`]. A greater one takes less time.
+    /// The engagement of an escapement, to a relative tolerance of [`TOLERANCES`]. A greater one takes less time.
     ///
     /// # Errors
     ///
@@ -260,7 +260,7 @@ impl Engagement {
         })
     }
 
-    /// The same, with subintervals so short that what lies between their nodes is as good as the integrals.
+    /// This engagement with subintervals so short that values between their nodes are as good as the integrals.
     pub(super) fn refined(&self) -> Result<Self, Error> {
         Self::divided(&self.parameters, self.reset, self.end, self.tolerance, &Scales::between(self.tolerance))
     }

@@ -1,11 +1,11 @@
 //! The exponential function of many numbers at once.
 //!
 //! With no table, no solution and no call the compiler can work on several numbers in one instruction. Only sums, products
-//! and the bits of a whole number are used, so that the result is the same everywhere.
+//! and the bits of an integer are used, so that the result is the same everywhere.
 
 use std::f64::consts::{LN_2, LOG2_E};
 
-/// Adding it rounds to a whole number, which is then in the lowest bits.
+/// Adding it rounds to an integer, which is then in the lowest bits.
 const ROUND: f64 = 6_755_399_441_055_744.0;
 
 /// ln 2 to as many bits as leave its product with an exponent exact.
@@ -56,7 +56,7 @@ pub(super) fn exponentials<const N: usize>(powers: &[f64; N]) -> [f64; N] {
     }
     let mut values = [0.0; N];
     for index in 0..N {
-        // The whole number's bits, moved to the place of the exponent.
+        // The integer's bits, moved to the place of the exponent.
         let power_of_two = f64::from_bits((shifted[index].to_bits() << 52).wrapping_add(1.0_f64.to_bits()));
         values[index] = (even[index] + odd[index] * rest[index]) * power_of_two;
     }

@@ -6,7 +6,7 @@ use super::quadrature::{NODES, NodalValues};
 use super::subinterval::{NodeMapping, Nodes, NodesOf, Solution, middle};
 use crate::Error;
 
-/// What the motion over one engagement is from one speed at entry.
+/// Motion over one engagement from one speed at entry.
 #[derive(Clone, Debug)]
 pub struct Passage<'a> {
     pub(super) engagement: &'a Engagement,
@@ -138,7 +138,7 @@ impl<'a> Passage<'a> {
         self.switch.map(|switch| self.engagement.circle.angle(switch.at))
     }
 
-    /// How long it takes, in units of time.
+    /// Duration, in units of time.
     pub fn duration(&self) -> f64 {
         self.time / self.engagement.unit
     }

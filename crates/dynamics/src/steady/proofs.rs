@@ -59,7 +59,8 @@ impl Identity<6> for SwitchingFactors {
     }
 }
 
-/// What two motions differ by decays at p = 2 (ρ + σ k) k/(i + ρ² + σ k ρ) per ψ: −2 (B + S C)/(A + S D)/(1 + 2 ρ).
+/// Rate at which the difference of two motions decays:
+/// p = 2 (ρ + σ k) k/(i + ρ² + σ k ρ) per ψ: −2 (B + S C)/(A + S D)/(1 + 2 ρ).
 ///
 /// With the sign plus; the other is μ → −μ. Variables: a, tan(θ/2), i, μ.
 pub struct RateOfDecay;

@@ -20,7 +20,7 @@ pub(crate) struct GaussLegendre {
     /// By value, then by point of the lower half: what a pair of equal values counts in the integral up to the point,
     /// less half of the whole.
     of_equal: [[f64; HALF]; HALF],
-    /// The same for a pair of opposite values, whose whole is zero.
+    /// By value, then by point: what a pair of opposite values counts, whose whole is zero.
     of_opposite: [[f64; HALF]; HALF],
 }
 
@@ -29,7 +29,7 @@ const HALF: usize = NODES / 2;
 
 static RULE: LazyLock<GaussLegendre> = LazyLock::new(GaussLegendre::new);
 
-/// The one rule, made at the first call.
+/// The Gauss-Legendre rule, made at the first call.
 pub(crate) fn rule() -> &'static GaussLegendre {
     &RULE
 }

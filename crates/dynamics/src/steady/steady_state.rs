@@ -65,7 +65,7 @@ impl Balance {
         (self.back.1 + self.forth.1) / (self.back.0 * -libm::expm1(log))
     }
 
-    /// The same to some digits, without a logarithm if there is little cancellation.
+    /// The u at the switch that repeats itself to some digits, without a logarithm if there is little cancellation.
     fn about(&self, log: impl FnOnce() -> f64) -> f64 {
         let difference = self.back.0 - self.forth.0;
         if difference > 1e-6 * self.back.0 { (self.back.1 + self.forth.1) / difference } else { self.repeated(log()) }

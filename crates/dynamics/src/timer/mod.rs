@@ -19,13 +19,13 @@ pub struct Strongest {
 /// in the unit of the torque.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Accelerations {
-    /// Of the driver, θ''.
+    /// Strongest acceleration of the driver, θ''.
     pub driver: Strongest,
-    /// Of the follower, φ''.
+    /// Strongest acceleration of the follower, φ''.
     pub follower: Strongest,
     /// Normal force between pin and slot times the crank radius.
     pub normal_moment: Strongest,
-    /// By how much the follower's acceleration jumps as one pin hands over to the next, in radians per square of the
+    /// Jump of the follower's acceleration as one pin hands over to the next, in radians per square of the
     /// unit of time: entry less exit.
     pub jump: f64,
 }
@@ -36,8 +36,8 @@ pub struct Accelerations {
 pub const INSTANTS: usize = 4000;
 
 impl Accelerations {
-    /// Of the steady motion of an escapement; to about four digits where a quantity has a kink at its strongest, and to
-    /// more elsewhere.
+    /// The accelerations in the steady motion of an escapement; to about four digits where a quantity has a kink at its
+    /// strongest, and to more elsewhere.
     ///
     /// # Errors
     ///
@@ -107,7 +107,7 @@ pub struct Sensitivities {
 const CHANGE: f64 = 1e-3;
 
 impl Sensitivities {
-    /// Of an escapement, to about nine digits; the one to the torque is exact.
+    /// The sensitivities of an escapement, to about nine digits; the one to the torque is exact.
     ///
     /// # Errors
     ///
@@ -138,7 +138,7 @@ fn power(f: impl Fn(f64) -> Result<f64, Error>) -> Result<f64, Error> {
     Ok(half + (half - whole) / 3.0)
 }
 
-/// How an escapement forgets how it was started.
+/// Settling: how an escapement forgets the way it was started.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settling {
     /// Factor by which one engagement reduces a small difference of two speeds, dimensionless.
@@ -148,7 +148,7 @@ pub struct Settling {
 }
 
 impl Settling {
-    /// Of an escapement.
+    /// The settling of an escapement.
     ///
     /// # Errors
     ///

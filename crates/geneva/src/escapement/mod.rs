@@ -16,7 +16,7 @@ use geneva_figures::escapement::{mechanism, normal_force};
 use geneva_figures::runs::speeds;
 use geneva_kinematics::Mechanism;
 
-/// Which escapement, and how.
+/// Options of `geneva escapement`.
 #[derive(Args, Debug)]
 pub struct EscapementArguments {
     /// Number of slots of the follower: 3, 4 or 6; the driver then has 6, 4 or 3 pins
@@ -34,34 +34,34 @@ pub struct EscapementArguments {
     /// Moment of inertia of the follower about its axis, above zero
     #[arg(long, value_name = "I", value_parser = typed::positive, allow_hyphen_values = true)]
     pub follower_inertia: f64,
-    /// The units of torque and inertias, where they are to be told in SI units too
+    /// Units of torque and inertias, to report them in SI units too
     #[arg(long, value_enum)]
     pub units: Option<Units>,
-    /// Turn of the driver in degrees after which its angle is reset to the pin's entering; another than the default
-    /// is not what a mechanism does, but what a program does that resets the angle at a fixed value
+    /// Turn of the driver, in degrees, after which its angle is reset to where a pin enters. A mechanism does what the
+    /// default does; another value does what a program does that resets the angle at a fixed value
     /// [default: 360 over the number of pins]
     #[arg(long, alias = "modulus-deg", value_name = "D", value_parser = typed::degrees, allow_hyphen_values = true)]
     pub reset_deg: Option<f64>,
     /// How long the run from rest lasts; only with --format csv
-    /// [default: the rise and three periods more, or a hundred engagements if that is less; ten without friction]
+    /// [default: the rise plus three periods, or a hundred engagements if that is shorter; ten without friction]
     #[arg(long, value_name = "T", value_parser = typed::positive, allow_hyphen_values = true)]
     pub duration: Option<f64>,
-    /// Time from line to line of the run; only with --format csv
-    /// [default: the round number that puts 100 to 250 lines in the last engagement; more for a long --duration]
+    /// Time between the lines of the run; only with --format csv
+    /// [default: the round number that puts 100 to 250 lines in the last engagement; longer for a long --duration]
     #[arg(long, value_name = "T", value_parser = typed::positive, allow_hyphen_values = true)]
     pub interval: Option<f64>,
-    /// How to write it
+    /// Output format
     #[arg(long, default_value = "text", value_parser = formats(&[
-        (Format::Text, "A sheet for reading, which says what is measured from where"),
+        (Format::Text, "A readable sheet, which says where everything is measured from"),
         (Format::Json, "An object with all digits: the steady state and the rise from rest"),
-        (Format::Csv, "The run from rest, a row for each time"),
-        (Format::Svg, "A drawing, a file of its own; --figure says which"),
+        (Format::Csv, "The run from rest, one row per time"),
+        (Format::Svg, "A drawing as a standalone file; --figure chooses which"),
     ]))]
     pub format: Format,
-    /// Which drawing; only with --format svg [default: mechanism]
+    /// Which drawing to make; only with --format svg [default: mechanism]
     #[arg(long, value_enum)]
     pub figure: Option<FigureName>,
-    /// Where to write it.
+    /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
 }
@@ -69,7 +69,7 @@ pub struct EscapementArguments {
 /// Coherent systems of units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Units {
-    /// Inch, pound (a force) and second: torque in in lb, inertias in in lb s²
+    /// Inch, pound-force and second: torque in in lb, inertias in in lb s²
     InLbS,
     /// Metre, kilogram and second: torque in N m, inertias in kg m²
     Si,
@@ -88,22 +88,22 @@ impl Units {
     }
 }
 
-/// What can be drawn.
+/// The drawings of an escapement.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum FigureName {
-    /// The mechanism to scale
+    /// The mechanism, to scale
     #[default]
     Mechanism,
-    /// Normal force and torque of the friction over one engagement of the steady state
+    /// Normal force and friction torque over one engagement of the steady state
     NormalForce,
-    /// Speeds of driver and follower over the first engagements from rest, in rad/s and ms: for torques and inertias
-    /// with the second in their units
+    /// Speeds of driver and follower over the first engagements from rest, in rad/s and ms; for torques and inertias
+    /// whose unit of time is the second
     Run,
 }
 
 const INTRODUCTION: &str = "Times are in the unit of time of the torque and the inertias, and speeds in radians per \
-                            unit of time: s and rad/s for lb, in and s, or for N, m and kg. Crank angles are measured \
-                            at the driver's axis from the line of centres, negative before it.";
+                            unit of time. With lb, in and s, or with N, m and kg, these are s and rad/s. Crank angles \
+                            are measured at the driver's axis from the line of centres, negative before it.";
 
 /// How near to the steady speed the rise from rest must come.
 const SETTLED: f64 = 0.01;
@@ -112,7 +112,7 @@ const SETTLED: f64 = 0.01;
 const RISE_TIME: &str = "time from rest, with a pin at its entry, until an engagement begins with at least 99 % of the \
                          entry speed of the steady state";
 
-/// The escapement that is wanted, as it is wanted.
+/// The escapement that is wanted, in the format that is wanted.
 pub fn page(wanted: &EscapementArguments) -> anyhow::Result<String> {
     Format::Csv.only_with(wanted.format, "--duration", wanted.duration.map(as_typed), "a run")?;
     Format::Csv.only_with(wanted.format, "--interval", wanted.interval.map(as_typed), "a run")?;
@@ -128,7 +128,7 @@ pub fn page(wanted: &EscapementArguments) -> anyhow::Result<String> {
             let report = report.map_err(|error| unsteady(wanted, error))?;
             ensure!(
                 report.is_finite(),
-                "--reset-deg {}: too small to compute with; give more, or leave it out",
+                "--reset-deg {} is too small to compute with; give a larger angle, or leave it out",
                 as_typed(reset_deg)
             );
             if wanted.format == Format::Json { fields::json(&report) } else { Ok(report.sheet()) }
@@ -136,13 +136,14 @@ pub fn page(wanted: &EscapementArguments) -> anyhow::Result<String> {
     }
 }
 
-/// What was typed, if there is such an escapement; too much friction is refused in terms of the option and in degrees.
+/// The parameters that were typed, if there is such an escapement; too much friction is refused in terms of the option and
+/// in degrees.
 fn parameters(wanted: &EscapementArguments) -> anyhow::Result<Parameters> {
     let mechanism = Mechanism::new(wanted.slots)?;
     let inertias = Inertias::new(wanted.driver_inertia, wanted.follower_inertia)?;
     match Parameters::new(mechanism, inertias, wanted.torque, wanted.friction) {
         Err(Error::TooMuchFriction { asked, limit, angle }) => bail!(
-            "--friction {}: from {} on the mechanism may jam: the equation of motion has no single solution \
+            "--friction {} is too high for this mechanism: from {} on it may jam, because the motion is not determined \
              {:.2}° to either side of the line of centres; give less friction, or a driver with more inertia",
             as_typed(asked),
             rounded_up(limit),
@@ -152,7 +153,7 @@ fn parameters(wanted: &EscapementArguments) -> anyhow::Result<Parameters> {
     }
 }
 
-/// The reset angle of a mechanism in degrees: 360 over the number of pins, a whole number.
+/// The reset angle of a mechanism in degrees: 360 over the number of pins, an integer.
 pub fn own_reset(mechanism: Mechanism) -> f64 {
     360.0 / f64::from(mechanism.pins())
 }
@@ -172,13 +173,13 @@ fn unsteady(wanted: &EscapementArguments, error: Error) -> anyhow::Error {
     match error {
         Error::Reset { asked, limit } => no_reset(wanted.reset_deg.unwrap_or(asked.to_degrees()), limit),
         Error::NoTerminalSpeed { .. } => anyhow!(
-            "--friction {friction}: there is no terminal speed, because nothing brakes and the driver gains speed \
+            "--friction {friction}: there is no terminal speed, because nothing brakes the driver and it gains speed \
              without end; give a friction above zero, or --format csv for the run from rest"
         ),
         Error::TooSharp { angle, margin } => anyhow!(
             "--friction {friction}, --driver-inertia {}, --follower-inertia {}: the motion changes too quickly to be \
              computed at {:.2}° from the line of centres, where A − |D| is {margin:.1e}; give less friction, or \
-             inertias that are less different",
+             inertias that differ less",
             as_typed(wanted.driver_inertia),
             as_typed(wanted.follower_inertia),
             angle.to_degrees()
@@ -190,14 +191,14 @@ fn unsteady(wanted: &EscapementArguments, error: Error) -> anyhow::Error {
 /// A reset angle that is out of range, and the range. The limit is in radians.
 pub fn no_reset(asked_deg: f64, limit: f64) -> anyhow::Error {
     anyhow!(
-        "--reset-deg {}: the driver's angle must be reset after a turn above 0° and below {}°, where the pin is \
-         farthest from the follower; give one between, or leave it out for what a mechanism does",
+        "--reset-deg {}: the driver's angle must be reset after more than 0° and less than {}°, where the pin is \
+         farthest from the follower; give an angle in this range, or leave it out for a real mechanism",
         as_typed(asked_deg),
         limit.to_degrees().round()
     )
 }
 
-/// What there is to say, if the escapement has a steady state.
+/// The report on an escapement, if it has a steady state.
 ///
 /// Times are in the unit of time of torque and inertias, speeds in radians per unit of time.
 fn report(
@@ -233,11 +234,11 @@ fn mechanism_fields(parameters: &Parameters, reset_deg: f64, units: Option<Units
     let (mechanism, inertias, torque) = (parameters.mechanism(), parameters.inertias(), parameters.torque());
     let own = own_reset(mechanism);
     let reset_angle = if reset_deg == own {
-        "turn of the driver from one pin's entering to the next's".to_owned()
+        "turn of the driver from one pin's entry to the next".to_owned()
     } else {
         format!(
-            "turn of the driver after which its angle is reset; what follows is a calculation's, for the next pin \
-             enters after {own}°"
+            "turn of the driver after which its angle is reset; what follows is only a calculation, because in a \
+             mechanism the next pin enters after {own}°"
         )
     };
     let mut fields = vec![
@@ -247,9 +248,9 @@ fn mechanism_fields(parameters: &Parameters, reset_deg: f64, units: Option<Units
         Field::new("torque", torque),
         Field::new("driver_inertia", inertias.driver()),
         Field::new("follower_inertia", inertias.follower()),
-        Field::new("inertia_ratio", inertias.ratio()).line("inertia ratio", "driver's over follower's"),
+        Field::new("inertia_ratio", inertias.ratio()).line("inertia ratio", "the driver's inertia over the follower's"),
         Field::in_unit("engagement_half_angle_deg", mechanism.engagement_half_angle().to_degrees(), "°")
-            .line("half-angle", "crank angle where a pin leaves its slot; it enters as far before the line"),
+            .line("half-angle", "crank angle where a pin leaves its slot; it enters as far before the line of centres"),
         Field::in_unit("reset_deg", reset_deg, "°").line("reset angle", reset_angle),
     ];
     if let Some(unit) = units.map(Units::torque_n_m) {
@@ -271,12 +272,12 @@ fn existence_fields(parameters: &Parameters) -> Vec<Field> {
     let (margin, margin_angle) = least_margin(mechanism, ratio, friction)
         .map_or((f64::NAN, f64::NAN), |least| (least.margin, least.angle.to_degrees()));
     let jams = format!(
-        "from which on it may jam, {}° to either side of the line of centres; the friction is {} % of it",
+        "from here on it may jam, {}° to either side of the line of centres; the friction given is {} % of this",
         number(critical_angle),
         number(100.0 * friction / critical)
     );
     let least = format!(
-        "least A − |D|, which is above zero where there is one motion; {}° to either side of the line of centres",
+        "least A − |D|, which is above zero where the motion is determined; {}° to either side of the line of centres",
         number(margin_angle)
     );
     vec![
@@ -309,7 +310,7 @@ fn steady_fields(state: &SteadyState, passes_centres: bool) -> Vec<Field> {
         Field::new("mean_of_extremes", state.mean_of_extremes()).line("mean of extremes", "of peak and minimum speed"),
         Field::new("period", state.period).line("period", "from one engagement to the next"),
         Field::new("multiplier", state.multiplier)
-            .line("multiplier", "what an engagement leaves of a small difference of speeds"),
+            .line("multiplier", "part of a small difference of speeds that one engagement leaves"),
         Field::new("switch_angles_deg", switches).words("sign changes", format!("of the friction term: {told}")),
     ]
 }
@@ -318,8 +319,7 @@ fn rise_fields(rise: Option<(usize, f64)>) -> Vec<Field> {
     let (engagements, time) = rise.unzip();
     let mut duration = Field::new("rise_time", time).line("rise time", RISE_TIME);
     if time.is_none() {
-        duration =
-            duration.words("rise time", format!("more than {MOST_CYCLES} engagements; it would be the {RISE_TIME}"));
+        duration = duration.words("rise time", format!("longer than {MOST_CYCLES} engagements; it is the {RISE_TIME}"));
     }
     vec![
         duration,
@@ -358,7 +358,7 @@ fn drawing(wanted: &EscapementArguments, parameters: &Parameters, engagement: &E
             if let Some(reset_angle) = wanted.reset_deg {
                 ensure!(
                     reset_angle == own_reset(parameters.mechanism()),
-                    "--reset-deg {}: the normal force is drawn over an engagement of the mechanism; leave it out",
+                    "--reset-deg {}: --figure normal-force shows an engagement of a real mechanism; leave --reset-deg out",
                     as_typed(reset_angle)
                 );
             }
@@ -377,10 +377,10 @@ mod tests {
 
     #[test]
     fn a_pound_is_a_mass_of_a_pound_under_standard_gravity() {
-        // 1 in = 254/1e4 m, 1 lb = 45359237/1e8 kg and 980665/1e5 m/s²: their product is a fraction of whole numbers.
+        // 1 in = 254/1e4 m, 1 lb = 45359237/1e8 kg and 980665/1e5 m/s²: their product is a fraction of integers.
         let fraction = (254_u64 * 45_359_237 * 980_665) as f64 / 1e17;
         approx::assert_relative_eq!(Units::InLbS.torque_n_m(), fraction, max_relative = 1e-15);
-        // The other way round, as tables have it: a newton metre is 8.850746 inch pounds.
+        // The inverse, as tables give it: a newton metre is 8.850746 inch pounds.
         approx::assert_relative_eq!(1.0 / Units::InLbS.torque_n_m(), 8.850_746, max_relative = 1e-7);
         assert_eq!(Units::Si.torque_n_m(), 1.0);
     }

@@ -45,7 +45,7 @@ pub fn csv(engagement: &Engagement, duration: Option<f64>, interval: Option<f64>
     };
     ensure!(
         interval <= duration,
-        "--interval {}: longer than the run, which lasts {}; give less, or a longer --duration",
+        "--interval {} is longer than the run, which lasts {}; give a shorter interval, or a longer --duration",
         as_typed(interval),
         as_typed(duration)
     );
@@ -97,7 +97,7 @@ fn round(time: f64) -> f64 {
 fn refused(duration: f64, interval: f64, error: Error) -> anyhow::Error {
     match error {
         Error::TooMany { name, .. } => anyhow!(
-            "--duration {}, --interval {}: more than {MOST_PRINTED} {name}; give a shorter duration or a longer interval",
+            "--duration {} with --interval {} gives more than {MOST_PRINTED} {name}; give a shorter duration or a longer interval",
             as_typed(duration),
             as_typed(interval)
         ),

@@ -1,9 +1,9 @@
-//! What there is: decks, functions, control cards.
+//! Lists of the decks, the functions and the control cards.
 
 use crate::output::{heading, wrapped};
 use geneva_mimic::language::{CARDS, DECKS, FUNCTIONS};
 
-/// The decks of this project, with what their first lines say.
+/// The decks of this project, each with its first lines of comment.
 pub fn decks() -> String {
     let said = |text: &str| {
         let lines = text.lines().take_while(|line| line.len() > 1 && line.starts_with('*'));
@@ -12,7 +12,7 @@ pub fn decks() -> String {
     DECKS.iter().map(|(name, text)| wrapped(&format!("{name:<12}"), &said(text))).collect()
 }
 
-/// The functions and the control cards, with where they are known from.
+/// The functions and the control cards, each with the evidence for it.
 pub fn functions() -> String {
     let bold = heading();
     let mut page = format!("{bold}Functions{bold:#}\n");
@@ -20,7 +20,7 @@ pub fn functions() -> String {
         let called = format!("{}({})", function.name, function.arguments);
         page += &wrapped(&format!("  {called:<20}"), &format!("{} [{}]", function.meaning, function.evidence.words()));
     }
-    page += &format!("\n{bold}Cards, and names that are known without a card{bold:#}\n");
+    page += &format!("\n{bold}Control cards, and names that need no card{bold:#}\n");
     for card in &CARDS {
         let written = format!("{}{}", card.name, card.arguments);
         let written =

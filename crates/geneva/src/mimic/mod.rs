@@ -6,6 +6,7 @@ mod told;
 use crate::arguments::{Format, Output, formats};
 use crate::destination::apart_from;
 use crate::input::{self, STANDARD_INPUT};
+use crate::output::count;
 use crate::printable::{shown, shown_path};
 use crate::progress;
 use crate::threads::Threads;
@@ -21,23 +22,23 @@ use geneva_mimic::{AtSmallestStep, Interpolation, Kept};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 
-/// What to do with a deck.
+/// Options of `geneva mimic`.
 #[derive(Args, Debug)]
 pub struct MimicArguments {
-    /// What to do
+    /// Action
     #[command(subcommand)]
     pub action: Action,
 }
 
-/// What can be done.
+/// Actions of `geneva mimic`.
 #[derive(Debug, Subcommand)]
 pub enum Action {
-    /// Say what is wrong with a deck: the card, the column, what is allowed there
+    /// Check a deck: report each mistake with its card, its column and what is allowed there
     Check {
         /// Which deck.
         #[command(flatten)]
         deck: DeckArguments,
-        /// Where to write it.
+        /// Where the output goes.
         #[command(flatten)]
         to: Output,
     },
@@ -46,7 +47,7 @@ pub enum Action {
         /// Which deck.
         #[command(flatten)]
         deck: DeckArguments,
-        /// Where to write it.
+        /// Where the output goes.
         #[command(flatten)]
         to: Output,
     },
@@ -57,13 +58,13 @@ pub enum Action {
         /// The deck to print
         #[arg(value_name = "NAME")]
         name: Option<String>,
-        /// Where to write it.
+        /// Where the output goes.
         #[command(flatten)]
         to: Output,
     },
-    /// List the functions and the control cards, and where each is known from
+    /// List the functions and control cards, each with the evidence for it
     Functions {
-        /// Where to write it.
+        /// Where the output goes.
         #[command(flatten)]
         to: Output,
     },
@@ -72,69 +73,71 @@ pub enum Action {
 /// Which deck.
 #[derive(Args, Debug)]
 pub struct DeckArguments {
-    /// A file, - for standard input, or the name of a deck of this project (geneva mimic decks)
+    /// A file, - for standard input, or the name of a deck of this project (see geneva mimic decks)
     #[arg(value_name = "DECK", required_unless_present = "listing_in")]
     pub deck: Option<String>,
-    /// Take the deck out of a longer text, such as your own copy of the thesis: from the first PAR or CON card to END
+    /// Take the deck from a longer text, such as your own copy of the thesis: everything from the first PAR or CON card to
+    /// END
     #[arg(long, value_name = "FILE", conflicts_with = "deck")]
     pub listing_in: Option<PathBuf>,
-    /// Where the fields of a card stand [default: columns, if every card keeps to them]
+    /// Where the fields of a card are [default: columns, if every card keeps to them]
     #[arg(long, value_enum)]
     pub layout: Option<LayoutName>,
-    /// Give a name another number: one of a CON or PAR card, in every set, or one that a single card defines
+    /// Give a name another value: a name on a CON or PAR card, for every set of data, or a name that a single card defines
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting, allow_hyphen_values = true)]
     pub set: Vec<(String, f64)>,
 }
 
-/// Where the fields of a card stand.
+/// Where the fields of a card are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum LayoutName {
-    /// Control before column 10, result from 10 on, expression from 19 on
+    /// Control before column 10, result from column 10, expression from column 19
     Columns,
-    /// With blanks between them
+    /// Separated by blanks
     Free,
 }
 
-/// Which deck is run, with which data, and how.
+/// Options of `geneva mimic run`.
 #[derive(Args, Debug)]
 pub struct RunArguments {
     /// Which deck.
     #[command(flatten)]
     pub deck: DeckArguments,
-    /// Data cards, in place of those behind the deck's END; - for standard input
+    /// File of data cards that replace those after the deck's END; - for standard input
     #[arg(long, value_name = "FILE")]
     pub data: Option<PathBuf>,
-    /// Data of the thesis, in place of data cards: for a PAR card with slots, angle at the start, friction, torque, and
-    /// the inertias of follower and driver
+    /// Data of the thesis in place of data cards, for a PAR card with slots, angle at the start, friction, torque, and the
+    /// inertias of follower and driver
     #[arg(long, value_enum, conflicts_with = "data")]
     pub runs: Option<RunsName>,
-    /// Largest relative error of a step, by the whole step against two halves
+    /// Largest relative error of a step, estimated by comparing the whole step with two half steps
     #[arg(long, value_name = "T", value_parser = tolerance, default_value = "5e-6", allow_hyphen_values = true)]
     pub tolerance: f64,
-    /// Size below which an integral is judged as if it had this size, or the largest of all so far if that is smaller
+    /// Size below which the error of an integral is judged as if it had this size, or the largest of all so far if that is
+    /// smaller
     #[arg(long, value_name = "SIZE", value_parser = typed::positive, default_value = "1e-3", allow_hyphen_values = true)]
     pub floor: f64,
-    /// Which value of a step is kept; nobody says which MIMIC kept
+    /// Which value of a step is kept; we don't know which one MIMIC kept
     #[arg(long, value_enum, default_value_t = KeptName::HalfSteps)]
     pub kept: KeptName,
-    /// What happens where a step would have to be shorter than DTMIN
+    /// What to do if a step would have to be shorter than DTMIN
     #[arg(long, value_enum, default_value_t = AtDtmin::Keep)]
     pub at_dtmin: AtDtmin,
-    /// How a TDL reads between the values that it keeps
+    /// How a TDL interpolates between the values that it keeps
     #[arg(long, value_enum, default_value_t = Between::Linear)]
     pub delay_between: Between,
     /// How many values a TDL keeps
     #[arg(long, value_enum, default_value_t = DelayKeeps::All)]
     pub delay_keeps: DelayKeeps,
-    /// How to write it
+    /// Output format
     #[arg(long, default_value = "print", value_parser = formats(&[
-        (Format::Print, "As the line printer wrote it: tables, and plots in characters"),
+        (Format::Print, "Tables and character plots, as the line printer wrote them"),
         (Format::Json, "An array with an object for each run: parameters, columns, steps, forced_steps, steps_longer_than_delay, rows"),
-        (Format::Csv, "A row for each printed point, with the number of its run"),
-        (Format::Svg, "The first plot of the first run as a drawing; of all OUT columns against the first without PLO"),
+        (Format::Csv, "One row per printed point, with the number of its run"),
+        (Format::Svg, "The first plot of the first run as a drawing; without PLO, all OUT columns against the first"),
     ]))]
     pub format: Format,
-    /// Where to write it.
+    /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
 }
@@ -149,36 +152,36 @@ pub enum RunsName {
 /// Which value of a step is kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum KeptName {
-    /// That of the whole step
+    /// The value of the whole step
     FullStep,
-    /// That of the two half steps
+    /// The value of the two half steps
     HalfSteps,
-    /// Both, extrapolated
+    /// Both values, extrapolated
     Extrapolated,
 }
 
-/// What happens where a step would have to be shorter than DTMIN.
+/// What to do if a step would have to be shorter than DTMIN.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum AtDtmin {
-    /// The step is kept, and counted
+    /// Keep the step, and count it
     Keep,
-    /// The run stops
+    /// Stop the run
     Stop,
 }
 
-/// How a delay reads between its values.
+/// How a delay interpolates between its values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Between {
-    /// The straight line
+    /// Along a straight line
     Linear,
-    /// The earlier of the two
+    /// With the earlier of the two values
     Hold,
 }
 
 /// How many values a delay keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum DelayKeeps {
-    /// Those of all steps
+    /// The values of all steps
     All,
     /// As many as its third argument says
     AsAsked,
@@ -186,14 +189,14 @@ pub enum DelayKeeps {
 
 /// NAME=VALUE.
 fn setting(text: &str) -> Result<(String, f64), String> {
-    let (name, value) = text.split_once('=').ok_or("no =; give a name, = and a number")?;
+    let (name, value) = text.split_once('=').ok_or("no = in it; give a name, = and a number")?;
     if name.trim().is_empty() {
-        return Err("no name before =; give one of the deck's, = and a number".to_owned());
+        return Err("no name before the =; give a name of the deck, = and a number".to_owned());
     }
     let value = value.trim().parse().ok().filter(|value: &f64| value.is_finite());
     Ok((
         name.trim().to_ascii_uppercase(),
-        value.ok_or("no number behind =; give one, with a point before its decimals")?,
+        value.ok_or("no number after the =; give one, with a decimal point, not a comma")?,
     ))
 }
 
@@ -203,10 +206,10 @@ fn tolerance(text: &str) -> Result<f64, String> {
     if value < 1.0 {
         return Ok(value);
     }
-    Err(format!("{} must be below 1; give a part of each integral's size, such as 5e-6", shown(text.trim())))
+    Err(format!("{} must be below 1; give a fraction of each integral's size, such as 5e-6", shown(text.trim())))
 }
 
-/// What is wanted.
+/// The answer to the action that is wanted.
 pub fn page(action: &Action) -> anyhow::Result<String> {
     apart_from(&destination(action).output, inputs(action))?;
     match action {
@@ -227,7 +230,7 @@ pub fn page(action: &Action) -> anyhow::Result<String> {
         Action::Decks { name: Some(name), .. } => deck_named(name).map(str::to_owned).ok_or_else(|| {
             let known = DECKS.map(|(name, _)| name);
             anyhow!(
-                "'{}': no deck of this project{}; give one of {}",
+                "'{}' is not a deck of this project{}; give one of {}",
                 shown(name),
                 nearest(name, known),
                 known.join(", ")
@@ -237,7 +240,7 @@ pub fn page(action: &Action) -> anyhow::Result<String> {
     }
 }
 
-/// Where it is to be written.
+/// Where the output of an action goes.
 pub fn destination(action: &Action) -> &Output {
     match action {
         Action::Check { to, .. } | Action::Sort { to, .. } | Action::Decks { to, .. } | Action::Functions { to } => to,
@@ -278,7 +281,7 @@ fn read(wanted: &DeckArguments) -> anyhow::Result<(String, Deck)> {
         (_, Some(path)) => {
             let (name, text) = text_of(path)?;
             let listing = listing_in(&text).map(str::to_owned).ok_or_else(|| {
-                anyhow!("{name}: no program in it; one begins with a card PAR(…) or CON(…) and ends with END")
+                anyhow!("{name} contains no program; give a text with one, from a card PAR(…) or CON(…) to END")
             })?;
             (name, listing)
         }
@@ -286,14 +289,14 @@ fn read(wanted: &DeckArguments) -> anyhow::Result<(String, Deck)> {
         (Some(deck), None) => {
             let own = deck_named(deck).ok_or_else(|| {
                 anyhow!(
-                    "'{}': no such file, and no deck of this project{}; geneva mimic decks lists them",
+                    "'{}' is neither a file nor a deck of this project{}; geneva mimic decks lists the decks",
                     shown_path(Path::new(deck)),
                     nearest(deck, DECKS.map(|(name, _)| name))
                 )
             })?;
             (deck.clone(), own.to_owned())
         }
-        (None, None) => bail!("no deck; give a file, or --listing-in FILE"),
+        (None, None) => bail!("the deck is missing; give a file, or --listing-in FILE"),
     };
     let layout = match wanted.layout {
         Some(LayoutName::Columns) => Layout::Columns,
@@ -305,8 +308,8 @@ fn read(wanted: &DeckArguments) -> anyhow::Result<(String, Deck)> {
         let is_parameter = deck.parameters().contains(&set.as_str());
         ensure!(
             is_parameter || deck.set(set, *value),
-            "--set {}={}: {name} has no single card without a control variable that defines that name, and no CON or \
-             PAR card that names it{}; give another name",
+            "--set {}={}: no CON or PAR card of {name} lists this name, and no single card without a control variable \
+             defines it{}; give another name",
             shown(set),
             as_typed(*value),
             nearest(set, deck.parameters().into_iter().chain(deck.results()))
@@ -323,16 +326,16 @@ fn run(wanted: &RunArguments) -> anyhow::Result<String> {
     let reads_both = wanted.data.as_deref() == Some(Path::new(STANDARD_INPUT))
         && (wanted.deck.deck.as_deref() == Some(STANDARD_INPUT)
             || wanted.deck.listing_in.as_deref() == Some(Path::new(STANDARD_INPUT)));
-    ensure!(!reads_both, "--data -: standard input has the deck already; give a file for one of the two");
+    ensure!(!reads_both, "--data -: standard input already holds the deck; give a file for one of the two");
     let (name, mut deck) = read(&wanted.deck)?;
     if let Some(path) = &wanted.data {
         let (file, text) = text_of(path)?;
         ensure!(
             !text.trim().is_empty() || deck.parameters().is_empty(),
-            "--data {}: {} is empty; give as many numbers as the CON and PAR cards have names, {}",
+            "--data {}: {} is empty; give {}, one for each name on the CON and PAR cards",
             shown_path(path),
             if path == Path::new(STANDARD_INPUT) { "standard input" } else { "the file" },
-            deck.parameters().len()
+            count(deck.parameters().len(), "number")
         );
         deck = deck.with_data(&file, &text);
     }
@@ -388,7 +391,7 @@ fn data_sets(wanted: &RunArguments, name: &str, deck: &Deck) -> anyhow::Result<V
         ensure!(
             names.len() == columns,
             "--runs appendix-e: each of these runs gives {columns} numbers (slots, angle at the start, friction, torque, \
-             inertias of follower and driver), and the CON and PAR cards of {name} ask for {}; give a deck that asks for \
+             inertias of follower and driver), but the CON and PAR cards of {name} ask for {}; give a deck that asks for \
              {columns}, such as escapement",
             names.len()
         );

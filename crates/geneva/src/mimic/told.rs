@@ -1,4 +1,4 @@
-//! What is told of a deck and its runs.
+//! Reports on a deck and its runs.
 
 use crate::output::{count, heading, wrapped};
 use anyhow::ensure;
@@ -9,14 +9,14 @@ use std::io::Write;
 /// Most bytes of a print-out: plots have more of them than the numbers that they show.
 const MOST_PRINTED: usize = 64_000_000;
 
-/// That nothing is wrong, and what the deck has.
+/// The report on a deck without mistakes: its size and its notes.
 pub fn checked(name: &str, deck: &Deck, program: &Program) -> String {
     let (integrals, instructions) = program.size();
     let dead = program.sorted().iter().filter(|of| of.is_dead).count();
     let mut page = wrapped(
         "",
         &format!(
-            "{name}: nothing is wrong. {}, {}, {} for each evaluation; {} without an effect on what is printed.",
+            "{name}: no mistakes found. {}, {}, {} per evaluation; {} without an effect on what is printed.",
             count(program.sorted().len(), "statement"),
             count(integrals, "integral"),
             count(instructions, "instruction"),
@@ -65,8 +65,8 @@ pub fn print_outs(name: &str, runs: &[Run]) -> anyhow::Result<String> {
         pages += &print_out(run, &title(at));
         ensure!(
             pages.len() <= MOST_PRINTED,
-            "{name}: the print-outs of the first {} have more than {} MB, which is the most; give fewer data sets, or \
-             --format csv",
+            "{name}: the print-outs of the first {} are larger than {} MB, the most that is written; give fewer data sets, \
+             or --format csv",
             count(at + 1, "run"),
             MOST_PRINTED / 1_000_000
         );
@@ -109,7 +109,7 @@ pub fn json(runs: &[Run]) -> anyhow::Result<String> {
     Ok(String::from_utf8(page)?)
 }
 
-/// A row for each printed point: the run's number and parameters, and the columns.
+/// One row per printed point: the run's number and parameters, and the columns.
 pub fn csv(runs: &[Run]) -> anyhow::Result<String> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let Some(first) = runs.first() else { return Ok(String::new()) };
@@ -134,12 +134,12 @@ pub fn svg(name: &str, runs: &[Run]) -> anyhow::Result<String> {
     };
     anyhow::ensure!(
         names.len() > 1,
-        "{name}: {} alone is printed; a curve needs a second name on the OUT card",
+        "{name}: only {} is printed; give the OUT card a second name, which a curve needs",
         names.join(", ")
     );
     anyhow::ensure!(
         points.len() > 1,
-        "{name}: one point is printed, for FIN is true from the start; a curve needs two: change the FIN card"
+        "{name}: only one point is printed, because FIN is true from the start; a curve needs two, so change the FIN card"
     );
     let parameters: Vec<_> = run.parameters.iter().map(|(name, value)| format!("{name} = {value}")).collect();
     let title = if parameters.is_empty() { name.to_owned() } else { format!("{name}: {}", parameters.join(", ")) };

@@ -1,5 +1,5 @@
-//! What is special at an instant: which stroke, whether the lever is at rest, whether the pin is on the line of centres;
-//! and what that means in words.
+//! Special instants: which stroke, whether the lever is at rest, whether the pin is on the line of centres; and these facts
+//! in words.
 
 use geneva_kinematics::quick_return::{Branch, Position, QuickReturn};
 
@@ -10,7 +10,7 @@ const AT_REST: f64 = 4e-8;
 /// Sine or cosine of a typed angle that is zero but for rounding.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// Why a vector is zero that need not be.
+/// Why a vector that need not be zero is reported as zero.
 pub const NOT_TOLD: &str = "too small to tell from zero";
 
 /// The part of the crank's turn at an instant.
@@ -24,7 +24,7 @@ pub enum Stroke {
     End,
 }
 
-/// What is so at an instant, at any speed.
+/// Facts about an instant that hold at any speed.
 #[derive(Clone, Copy, Debug)]
 pub struct Instant {
     /// On which branch the pin is.
@@ -53,7 +53,7 @@ impl Stroke {
 }
 
 impl Instant {
-    /// What is so with the parts there.
+    /// The facts for the parts in this position.
     pub fn of(linkage: &QuickReturn, position: &Position) -> Self {
         let ratio = linkage.ratio();
         let (swings, half_speed) = (ratio > 1.0, ratio == 1.0);
@@ -81,21 +81,21 @@ impl Instant {
     /// Which of the points on its ray the pin is at.
     pub fn branch_in_words(&self) -> &'static str {
         match self.branch {
-            _ if self.lever_at_rest => "near and far in one: the lever is tangent to the crank's circle",
-            _ if !self.swings => "far: the lever's ray meets the crank's circle in one point only",
-            Branch::Near => "near: of the two places on the lever's ray, the one nearer to its pivot",
-            Branch::Far => "far: of the two places on the lever's ray, the one farther from its pivot",
+            _ if self.lever_at_rest => "near and far coincide: the lever is tangent to the crank's circle",
+            _ if !self.swings => "far: the lever's ray meets the crank's circle only once",
+            Branch::Near => "near: of the two points on the lever's ray, the one nearer to its pivot",
+            Branch::Far => "far: of the two points on the lever's ray, the one farther from its pivot",
         }
     }
 
     /// Which stroke the lever is on, and what that means.
     pub fn stroke_in_words(&self) -> &'static str {
         match (self.stroke, self.swings) {
-            (Stroke::End, true) => "between the two: the lever reverses at the end of its swing",
+            (Stroke::End, true) => "between the strokes: the lever reverses at the end of its swing",
             (Stroke::Slow, true) => "slow: the lever turns with the crank",
             (Stroke::Fast, true) => "fast: the lever turns against the crank",
-            _ if self.half_speed => "the only one: the lever turns with the crank, at half its speed",
-            (Stroke::End, false) => "between the two: the lever is at right angles to the line of centres",
+            _ if self.half_speed => "the only stroke: the lever turns with the crank, at half its speed",
+            (Stroke::End, false) => "between the strokes: the lever is at right angles to the line of centres",
             (Stroke::Slow, false) => "slow: the lever is on the side of the crank's axis",
             (Stroke::Fast, false) => "fast: the lever is on the side away from the crank's axis",
         }

@@ -6,7 +6,7 @@ mod vector;
 
 use crate::arguments::{Format, Output, formats, name_of};
 use crate::fields;
-use crate::typed::{self, as_typed};
+use crate::typed::{self, as_typed, rounded_down};
 use anyhow::{anyhow, ensure};
 use clap::{Args, ValueEnum};
 use geneva_figures::quick_return::{acceleration_diagram, mechanism, velocity_diagram};
@@ -14,37 +14,37 @@ use geneva_kinematics::KinematicsError;
 use geneva_kinematics::quick_return::{Branch, Drive, Position, QuickReturn};
 use std::f64::consts::PI;
 
-/// Which mechanism, at which instant, and how.
+/// Options of `geneva quick-return`.
 #[derive(Args, Debug)]
 pub struct QuickReturnArguments {
-    /// Distance of the crank's axis from the lever's pivot in metres, above zero
+    /// Distance from the lever's pivot to the crank's axis, in metres, above zero
     #[arg(long, value_name = "M", value_parser = typed::metres, allow_hyphen_values = true)]
     pub ground: f64,
-    /// Distance of the pin from the crank's axis in metres, above zero; with one below the ground distance the lever
-    /// swings to and fro, with one above it the lever turns round and round
+    /// Distance from the crank's axis to the pin, in metres, above zero. If it is less than the ground distance, the lever
+    /// swings to and fro; if it is more, the lever turns round and round
     #[arg(long, value_name = "M", value_parser = typed::metres, allow_hyphen_values = true)]
     pub crank: f64,
     /// Where the mechanism is: one of the two.
     #[command(flatten)]
     pub angle: Angle,
-    /// Which of the two points where the lever's ray meets the crank's circle the pin is at; only with --lever-angle
+    /// At which of the two points where the lever's ray meets the crank's circle the pin is; only with --lever-angle
     /// [default: far]
     #[arg(long, value_enum, requires = "lever_angle", conflicts_with = "crank_angle")]
     pub branch: Option<BranchName>,
-    /// Speed of the crank in turns a minute, counter-clockwise above zero and clockwise below; constant
+    /// Constant speed of the crank in turns per minute: above zero counter-clockwise, below zero clockwise
     #[arg(long, value_name = "R", value_parser = typed::turns_a_minute, allow_hyphen_values = true)]
     pub rpm: f64,
-    /// How to write it
+    /// Output format
     #[arg(long, default_value = "text", value_parser = formats(&[
-        (Format::Text, "A sheet for reading, which says what is measured from where and in which sense"),
-        (Format::Json, "An object with all digits; a vector that is zero has null for its direction"),
-        (Format::Svg, "A drawing to scale, a file of its own; --figure says which"),
+        (Format::Text, "A readable sheet, which says where everything is measured from and in which sense"),
+        (Format::Json, "An object with all digits; a zero vector has null for its direction"),
+        (Format::Svg, "A drawing to scale as a standalone file; --figure chooses which"),
     ]))]
     pub format: Format,
-    /// Which drawing; only with --format svg [default: mechanism]
+    /// Which drawing to make; only with --format svg [default: mechanism]
     #[arg(long, value_enum)]
     pub figure: Option<FigureName>,
-    /// Where to write it.
+    /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
 }
@@ -53,11 +53,11 @@ pub struct QuickReturnArguments {
 #[derive(Args, Debug)]
 #[group(required = true, multiple = false)]
 pub struct Angle {
-    /// Direction from the crank's axis to the pin in degrees, counter-clockwise from the direction that points from
-    /// the lever's pivot to the crank's axis; this or --lever-angle
+    /// Direction from the crank's axis to the pin, in degrees counter-clockwise from the direction that points from
+    /// the lever's pivot to the crank's axis; give this or --lever-angle
     #[arg(long, value_name = "DEG", value_parser = typed::degrees, allow_hyphen_values = true)]
     pub crank_angle: Option<f64>,
-    /// Direction from the lever's pivot to the pin in degrees, counter-clockwise from the same direction; this
+    /// Direction from the lever's pivot to the pin, in degrees counter-clockwise from the same direction; give this
     /// or --crank-angle
     #[arg(long, value_name = "DEG", value_parser = typed::degrees, allow_hyphen_values = true)]
     pub lever_angle: Option<f64>,
@@ -66,14 +66,14 @@ pub struct Angle {
 /// Where the pin is on the lever's ray.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum BranchName {
-    /// The one nearer to the lever's pivot: the lever is on its fast stroke
+    /// The point nearer to the lever's pivot: the lever is on its fast stroke
     Near,
-    /// The one farther from it: the lever is on its slow stroke
+    /// The point farther from the lever's pivot: the lever is on its slow stroke
     #[default]
     Far,
 }
 
-/// What can be drawn.
+/// The drawings of a quick-return mechanism.
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
 pub enum FigureName {
     /// The mechanism
@@ -88,7 +88,7 @@ pub enum FigureName {
 /// Crank radii from the lever's pivot below which rounding would show in the lever's acceleration.
 const NEAREST: f64 = 1e-3;
 
-/// The mechanism that is wanted, as it is wanted.
+/// The mechanism that is wanted, in the format that is wanted.
 pub fn page(wanted: &QuickReturnArguments) -> anyhow::Result<String> {
     Format::Svg.only_with(wanted.format, "--figure", wanted.figure.and_then(name_of), "a drawing")?;
     let linkage = QuickReturn::new(wanted.ground, wanted.crank).map_err(|error| impossible(wanted, error))?;
@@ -129,24 +129,24 @@ fn impossible(wanted: &QuickReturnArguments, error: KinematicsError) -> anyhow::
     match error {
         KinematicsError::Angle { name, asked } => {
             let option = if name == "lever angle" { "--lever-angle" } else { "--crank-angle" };
-            anyhow!("{option} {}: no finite angle; give an angle in degrees", as_typed(asked))
+            anyhow!("{option} {} is not a finite angle; give an angle in degrees", as_typed(asked))
         }
         KinematicsError::BeyondTheSwing { asked, limit, open } => anyhow!(
-            "--lever-angle {}: the lever does not reach it; with {ground} and {crank} it swings {} −{limit}° and \
-             {limit}°; give an angle there, or a --crank-angle ({} possible)",
+            "--lever-angle {} is out of reach: with {ground} and {crank} the lever swings {} −{limit}° and {limit}°; give \
+             an angle in this range, or a --crank-angle ({} possible)",
             as_typed(asked),
             if open { "between, but not to," } else { "between" },
             if open { "all but 180° are" } else { "all are" },
-            limit = as_typed(limit),
+            limit = rounded_down(limit),
         ),
         KinematicsError::OnlyFar { .. } => anyhow!(
-            "--branch near: with {crank}, at least as long as {ground}, the lever's ray meets the crank's circle in \
-             one point only, the far one; give --branch far (all lever angles{} are possible)",
+            "--branch near: with {crank}, which is at least as long as {ground}, the lever's ray meets the crank's circle \
+             only once, at the far point; give --branch far (all lever angles{} are possible)",
             if wanted.crank > wanted.ground { "" } else { " between −90° and 90°" },
         ),
         KinematicsError::PinOnPivot => anyhow!(
-            "--crank-angle {}: with {crank}, as long as {ground}, the pin is on the lever's pivot, and the lever has no \
-             direction; give another angle (all but 180° are possible)",
+            "--crank-angle {}: with {crank}, which is as long as {ground}, the pin is on the lever's pivot, so the lever \
+             has no direction; give another angle (all but 180° are possible)",
             as_typed(wanted.angle.crank_angle.unwrap_or_default())
         ),
         // Lengths that can be typed are possible, and so is their ratio.
@@ -161,8 +161,8 @@ fn too_near(wanted: &QuickReturnArguments, linkage: &QuickReturn, position: &Pos
         None => ("--crank-angle", wanted.angle.crank_angle.unwrap_or_default()),
     };
     anyhow!(
-        "{option} {}: the pin is {:.1e} crank radii from the lever's pivot, too near to compute the lever's motion; give \
-         an angle for which it is at least {NEAREST} from it",
+        "{option} {}: the pin is only {:.1e} crank radii from the lever's pivot, too near to compute the lever's motion; \
+         give an angle at which it is at least {NEAREST} crank radii away",
         as_typed(asked),
         position.pin_distance / linkage.crank(),
     )

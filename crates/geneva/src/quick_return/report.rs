@@ -1,4 +1,4 @@
-//! What there is to say of a mechanism at an instant, and which way everything points and turns.
+//! The report on a mechanism at an instant, and which way everything points and turns.
 
 use super::instant::{Instant, NOT_TOLD, Stroke};
 use super::vector::Vector;
@@ -10,26 +10,26 @@ use geneva_kinematics::quick_return::{Branch, Drive, Motion, Position, QuickRetu
 /// What the numbers are measured from, and what adds up.
 const INTRODUCTION: &str = "\
 Angles and directions are counter-clockwise from the direction that points from the lever's pivot to the crank's axis. \
-The crank turns at constant speed. The pin's velocity is the sum of that of the lever's point under it and of its \
-sliding in the slot. The two terms of its acceleration are together the sum of those of the lever's point, of the \
-sliding and of Coriolis.";
+The crank turns at constant speed. The pin's velocity is the velocity of the lever's point under it plus its sliding \
+velocity in the slot. The two terms of its acceleration add up to the terms of the lever's point, of the sliding and of \
+Coriolis.";
 
-/// What no length, angle or speed that was let through should lead to.
+/// The error that no accepted length, angle or speed should lead to.
 const BEYOND: &str =
-    "the motion there is beyond what can be computed; give other lengths, another angle or another speed";
+    "the motion there is too large or too small to compute; give other lengths, another angle or another speed";
 
 /// Which way a vector points.
 enum Way<'a> {
     /// Outwards or inwards, seen from the lever's pivot.
     Along,
-    /// The way in which it turns the point at which it is about the lever's pivot.
+    /// The way in which it turns its point about the lever's pivot.
     Across,
-    /// The way that is said.
+    /// The way that this text says.
     Is(&'a str),
 }
 use Way::{Across, Along, Is};
 
-/// What is seen at the instant.
+/// The instant, with the motion of the lever.
 struct Seen {
     instant: Instant,
     rpm: f64,
@@ -191,7 +191,7 @@ impl Seen {
             .of_size(vector.magnitude, format!("at {:>7}°", direction(degrees)))
     }
 
-    /// What the lever's angular velocity is like.
+    /// The sense of the lever's angular velocity, in words.
     fn lever_speed_in_words(&self) -> String {
         if self.instant.lever_at_rest {
             return "zero: the lever is at the end of its swing".to_owned();
@@ -200,14 +200,14 @@ impl Seen {
         format!("{}, {with} the crank", sense(self.lever_speed))
     }
 
-    /// What the lever's angular acceleration does.
+    /// The sense and effect of the lever's angular acceleration, in words.
     fn lever_acceleration_in_words(&self, tangential: &Vector) -> String {
         let turning = sense(self.lever_acceleration);
         if tangential.direction_deg.is_none() {
             return format!("zero: {}", self.instant.no_angular_acceleration());
         }
         if self.instant.lever_at_rest {
-            return format!("{turning}: it starts on its way back");
+            return format!("{turning}: the lever starts on its way back");
         }
         let slows = (self.lever_speed > 0.0) != (self.lever_acceleration > 0.0);
         format!("{turning}: the lever {}", if slows { "slows down" } else { "speeds up" })
@@ -219,11 +219,11 @@ fn strokes(strokes: &Strokes, instant: &Instant) -> Vec<Field> {
     let swing = Field::in_unit("swing_limit_deg", strokes.swing_limit.map(f64::to_degrees), "°");
     let swing = match strokes.swing_limit {
         None => swing
-            .words("swing", "none: the crank is longer than the ground distance, and the lever turns round and round"),
+            .words("swing", "none: the crank is longer than the ground distance, so the lever turns round and round"),
         Some(_) if instant.half_speed => swing.words(
             "swing",
-            "none: with a crank as long as the ground distance the pin passes through the lever's pivot at 180°, where \
-             the lever has no direction",
+            "none: the crank is as long as the ground distance, so the pin passes through the lever's pivot at 180°, \
+             where the lever has no direction",
         ),
         Some(_) => swing.line("swing limit", "greatest lever angle, to either side"),
     };
@@ -233,7 +233,7 @@ fn strokes(strokes: &Strokes, instant: &Instant) -> Vec<Field> {
     if time_ratio.is_some() {
         slow = slow.line("slow stroke", "of a turn of the crank");
         fast = fast.line("fast stroke", "of a turn of the crank");
-        ratio = ratio.line("time ratio", "time of the slow stroke over that of the fast one");
+        ratio = ratio.line("time ratio", "time of the slow stroke over the time of the fast stroke");
     } else {
         ratio = ratio.words("time ratio", "none: there is no fast stroke");
     }

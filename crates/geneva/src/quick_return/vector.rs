@@ -25,12 +25,12 @@ impl Vector {
         Self { magnitude, direction_deg, x, y }
     }
 
-    /// The same without a direction, if it is known to be zero but for rounding.
+    /// Drops the direction if the vector is known to be zero but for rounding.
     pub fn zero_if(self, known: bool) -> Self {
         Self { direction_deg: self.direction_deg.filter(|_| !known), ..self }
     }
 
-    /// The same without a direction, if it is a difference of vectors of this size and no more than their rounding.
+    /// Drops the direction if the vector is a difference of vectors of this size and no more than their rounding.
     pub fn zero_below(self, size: f64) -> Self {
         let lost = self.magnitude <= ROUNDING * size;
         self.zero_if(lost)

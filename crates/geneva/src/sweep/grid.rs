@@ -38,17 +38,13 @@ impl Grid {
     pub fn new(wanted: &SweepArguments) -> anyhow::Result<Self> {
         let mechanisms = wanted.slots.iter().map(|count| Mechanism::new(*count)).collect::<Result<Vec<_>, _>>()?;
         let again = wanted.slots.iter().enumerate().find(|(at, one)| wanted.slots[..*at].contains(one));
-        ensure!(
-            again.is_none(),
-            "--slots: {} is given twice; give each number once",
-            again.map_or(0, |(_, slots)| *slots)
-        );
+        ensure!(again.is_none(), "--slots lists {} twice; give each number once", again.map_or(0, |(_, slots)| *slots));
         let axes =
             [wanted.friction.count(), wanted.inertia_ratio.count(), wanted.torque.count(), mechanisms.len() as u64];
         let rows = axes.into_iter().fold(1_u64, u64::saturating_mul);
         ensure!(
             rows <= MOST_ROWS,
-            "{} frictions × {} inertia ratios × {} torques × {} numbers of slots: more than {MOST_ROWS} rows; give \
+            "{} frictions × {} inertia ratios × {} torques × {} numbers of slots are more than {MOST_ROWS} rows; give \
              smaller counts",
             axes[0],
             axes[1],

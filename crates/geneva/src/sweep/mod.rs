@@ -21,33 +21,33 @@ use row::Status;
 use std::io::IsTerminal;
 use std::num::NonZeroUsize;
 
-/// Which escapements, and where their rows go.
+/// Options of `geneva sweep`.
 #[derive(Args, Debug)]
 pub struct SweepArguments {
-    /// Numbers of slots of the follower, each 3, 4 or 6, with commas between
+    /// Numbers of slots of the follower, each 3, 4 or 6, separated by commas
     #[arg(long, value_name = "N[,N...]", value_parser = typed::slots, value_delimiter = ',', required = true,
           allow_negative_numbers = true)]
     pub slots: Vec<u32>,
-    /// Coefficients of friction between pin and slot, zero or more: FROM:TO:COUNT, FROM:TO:COUNT:log, or a single one
+    /// Coefficient of friction between pin and slot, zero or more: FROM:TO:COUNT, FROM:TO:COUNT:log, or a single number
     #[arg(long, value_name = "RANGE", value_parser = Range::zero_or_more, allow_hyphen_values = true)]
     pub friction: Range,
-    /// Moments of inertia of the driver over that of the follower, above zero
+    /// Moment of inertia of the driver over that of the follower, above zero
     #[arg(long, value_name = "RANGE", value_parser = Range::positive, allow_hyphen_values = true)]
     pub inertia_ratio: Range,
-    /// Torques of the spring on the driver, above zero; speeds grow with their square root
+    /// Torque of the spring on the driver, above zero; speeds grow with its square root
     #[arg(long, value_name = "RANGE", value_parser = Range::positive, default_value = "1", allow_hyphen_values = true)]
     pub torque: Range,
     /// Moment of inertia of the follower about its axis, above zero
     #[arg(long, value_name = "I", value_parser = typed::positive, default_value = "1", allow_hyphen_values = true)]
     pub follower_inertia: f64,
-    /// Turn of the driver in degrees after which its angle is reset to the pin's entering, one for all slots
-    /// [default: 360 over the number of pins, which is what a mechanism does]
+    /// Turn of the driver, in degrees, after which its angle is reset to where a pin enters; one value for all slots
+    /// [default: 360 over the number of pins, as in a mechanism]
     #[arg(long, alias = "modulus-deg", value_name = "D", value_parser = typed::degrees, allow_hyphen_values = true)]
     pub reset_deg: Option<f64>,
-    /// How the values of a range are spaced that does not say so itself
+    /// Spacing of the ranges that don't give their own
     #[arg(long, value_enum, default_value_t)]
     pub spacing: Spacing,
-    /// How many threads compute; the rows do not depend on it
+    /// Number of threads; the rows don't depend on it
     /// [default: RAYON_NUM_THREADS, or as many as the machine has]
     #[arg(long, value_name = "N", value_parser = typed::threads, allow_negative_numbers = true)]
     pub threads: Option<NonZeroUsize>,
@@ -61,7 +61,7 @@ const BLOCK: usize = 16;
 /// Blocks that are held before they are written.
 const HELD: usize = 128;
 
-/// Computes and writes the rows; what there is to say if they are in a file.
+/// Computes and writes the rows; returns a summary if they are in a file.
 pub fn written(wanted: &SweepArguments) -> anyhow::Result<Option<String>> {
     let grid = Grid::new(wanted)?;
     let pool = Threads::new(wanted.threads)?.pool()?;

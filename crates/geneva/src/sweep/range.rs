@@ -7,10 +7,10 @@ use clap::ValueEnum;
 /// How the values of a range are spaced.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
 pub enum Spacing {
-    /// Equal differences
+    /// Equal differences between neighbouring values
     #[default]
     Linear,
-    /// Equal ratios; only for values above zero
+    /// Equal ratios of neighbouring values; only for values above zero
     Log,
 }
 
@@ -24,7 +24,7 @@ pub struct Range {
 }
 
 /// How a range is written.
-const FORM: &str = "not a range; give FROM:TO:COUNT, as 0.1:0.3:5, or FROM:TO:COUNT:log, or a single number";
+const FORM: &str = "not a range; give FROM:TO:COUNT, such as 0.1:0.3:5, or FROM:TO:COUNT:log, or a single number";
 
 impl Range {
     /// A range of numbers above zero.
@@ -47,14 +47,15 @@ impl Range {
             [from, to, count, spacing] => (from, to, count, Some(Spacing::from_str(spacing, false))),
             _ => return Err(FORM.to_owned()),
         };
-        let spacing = spacing.transpose().map_err(|_| format!("'{}' is no spacing; give linear or log", parts[3]))?;
+        let spacing =
+            spacing.transpose().map_err(|_| format!("'{}' is not a spacing; give linear or log", parts[3]))?;
         let count = count.parse().ok().filter(|count| *count > 0);
-        let count = count.ok_or("the COUNT of a range is a whole number; give 1 or more")?;
+        let count = count.ok_or("the COUNT of a range must be an integer; give 1 or more")?;
         let range = Self { from: value(from)?, to: value(to)?, count, spacing };
         if (range.from == range.to) != (range.count == 1) {
             let count = range.count;
             return Err(format!(
-                "{count} from {from} to {to}: give two different ends and a COUNT of 2 or more, or one number"
+                "{from}:{to}:{count} is not a range; give two different ends and a COUNT of 2 or more, or a single number"
             ));
         }
         Ok(range)
@@ -65,12 +66,12 @@ impl Range {
         self.count
     }
 
-    /// The values of an option. There must not be too many of them.
+    /// The values of a range; `option` names it in errors.
     pub fn values(&self, option: &str, usual: Spacing) -> anyhow::Result<Vec<f64>> {
         let spacing = self.spacing.unwrap_or(usual);
         ensure!(
             spacing == Spacing::Linear || (self.from > 0.0 && self.to > 0.0) || self.count == 1,
-            "{option} {}:{}:{}: equal ratios do not start from zero; give ends above zero, or the spacing linear",
+            "{option} {}:{}:{}: equal ratios can't start or end at zero; give ends above zero, or linear spacing",
             as_typed(self.from),
             as_typed(self.to),
             self.count

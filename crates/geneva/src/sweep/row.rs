@@ -1,4 +1,4 @@
-//! One row: an escapement, and what the library says of it.
+//! One row: an escapement, and its motion or why it has none.
 
 use super::grid::Cell;
 use crate::escapement::{engagement, rise};
@@ -6,12 +6,12 @@ use crate::fields::Row;
 use geneva_dynamics::steady::SteadyState;
 use geneva_dynamics::{Error, Inertias, Parameters};
 
-/// What became of a row.
+/// Status of a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Status {
-    /// All is there.
+    /// Every number is there.
     Ok,
-    /// The friction is the critical one or more.
+    /// The friction is critical or more.
     Jams,
     /// Nothing brakes.
     NoTerminalSpeed,

@@ -1,4 +1,4 @@
-//! The wheel at crank angles: one after another over a turn of the driver, or those that were asked for.
+//! The wheel at crank angles: every degree of a turn of the driver, or the angles that were asked for.
 
 use super::made::Made;
 use crate::fields::{self, Field, Row, Value, number};
@@ -21,7 +21,7 @@ pub struct Instant {
 }
 
 impl Instant {
-    /// At this crank angle in degrees, from the middle of the first index on: of any turn, or one before it.
+    /// The wheel at this crank angle in degrees, counted from the middle of the first index, in any turn.
     pub fn new(made: &Made, degrees: f64) -> anyhow::Result<Self> {
         let wheel = made.wheel.indexing();
         let turns = libm::round(degrees / 360.0);
@@ -44,7 +44,7 @@ impl Instant {
         self.motion.stations as f64 * step + self.motion.angle.to_degrees()
     }
 
-    /// All that is told of it.
+    /// Everything reported about it.
     pub fn row(&self, made: &Made) -> Row {
         let (motion, pin, load) = (&self.motion, self.pin, self.load);
         let speed = made.speed();
@@ -85,7 +85,12 @@ impl Instant {
             ("jerk_ratio", "jerk", "× driver speed³", ""),
             ("wheel_jerk_rad_s3", "", "rad/s³", ""),
             ("sliding_ratio", "sliding", "× pin speed", "along the slot; negative while the pin goes in"),
-            ("coriolis_ratio", "Coriolis", "× pin's own", "acceleration of the pin, over that on the crank circle"),
+            (
+                "coriolis_ratio",
+                "Coriolis",
+                "× pin's own",
+                "acceleration of the pin, over its acceleration on the crank circle",
+            ),
             ("wheel_torque_nm", "wheel torque", "N m", "positive while the pin drives the wheel"),
             ("pin_force_n", "pin force", "N", "at right angles to the slot"),
             ("crank_torque_nm", "crank torque", "N m", ""),
@@ -117,11 +122,14 @@ pub fn csv(made: &Made, asked: &[f64]) -> anyhow::Result<String> {
 pub fn rows(made: &Made, degrees: &[f64]) -> anyhow::Result<Vec<Row>> {
     let rows = degrees.iter().map(|at| Ok(Instant::new(made, *at)?.row(made))).collect::<anyhow::Result<Vec<_>>>()?;
     let finite = rows.iter().flat_map(|row| &row.0).all(|(_, value)| value.is_finite());
-    ensure!(finite, "the wheel is beyond what can be computed; give other sizes, speeds or inertias");
+    ensure!(
+        finite,
+        "some number of this wheel is too large or too small to compute with; give other sizes, speeds or inertias"
+    );
     Ok(rows)
 }
 
-/// A number of degrees as it is told in words.
+/// A number of degrees as it appears in a sentence.
 pub fn degrees_told(radians: f64) -> String {
     number(radians.abs().to_degrees())
 }

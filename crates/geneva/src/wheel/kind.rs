@@ -1,4 +1,4 @@
-//! The three kinds of wheel, as they are asked for.
+//! The three kinds of wheel.
 
 use clap::ValueEnum;
 use geneva_figures::{Figure, stations};
@@ -8,14 +8,14 @@ use geneva_kinematics::internal_wheel::InternalWheel;
 use geneva_kinematics::spherical_wheel::SphericalWheel;
 use geneva_kinematics::wheel::Wheel;
 
-/// How wheel and driver lie to each other.
+/// Kinds of wheel: how wheel and driver are arranged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Kind {
-    /// Side by side: the wheel turns against the driver
+    /// Driver beside the wheel: they turn in opposite senses
     External,
-    /// The driver within the wheel: both turn in one sense, the wheel for more than half of each turn
+    /// Driver inside the wheel: they turn in the same sense, the wheel for more than half of each turn
     Internal,
-    /// Axes that cross at right angles: half of each turn motion, half dwell
+    /// Axes that cross at right angles: half of each turn is motion, half is dwell
     Spherical,
 }
 
@@ -37,19 +37,19 @@ impl Kind {
         match self {
             Self::External => {
                 "Crank angles are measured at the driver's axis from the line of centres, which joins the two axes. The \
-                 driver turns at constant speed. While a pin is in a slot the wheel turns against the driver; it slows \
-                 down past the line of centres as it sped up before it."
+                 driver turns at constant speed. While a pin is in a slot, the wheel turns in the opposite sense. It slows \
+                 down past the line of centres just as it sped up before it."
             }
             Self::Internal => {
-                "The driver is within the wheel, whose slots open inwards. Crank angles are measured from mid-index, where \
-                 the pin is deepest in its slot: on the line of centres, on the far side of the driver's axis. The driver \
-                 turns at constant speed, and the wheel in the same sense; it slows down past mid-index as it sped up \
-                 before it."
+                "The driver is inside the wheel, whose slots open inwards. Crank angles are measured from mid-index, where \
+                 the pin is deepest in its slot; it is then on the line of centres, on the far side of the driver's axis. \
+                 The driver turns at constant speed, and the wheel in the same sense. The wheel slows down past mid-index \
+                 just as it sped up before it."
             }
             Self::Spherical => {
-                "The axes cross at right angles, the slots lie along meridians of a sphere about the crossing, and the pin \
-                 points to it. Crank angles are measured from mid-index, where the pin is deepest in its slot. The driver \
-                 turns at constant speed; the wheel slows down past mid-index as it sped up before it."
+                "The axes cross at right angles. The slots follow meridians of a sphere about the crossing point, and the \
+                 pin points to it. Crank angles are measured from mid-index, where the pin is deepest in its slot. The driver \
+                 turns at constant speed. The wheel slows down past mid-index just as it sped up before it."
             }
         }
     }
@@ -62,7 +62,7 @@ impl Kind {
         }
     }
 
-    /// Where a crank angle in degrees lies, in words; its size as it is written.
+    /// A crank angle in words: how far before or past the middle, with its size as it is written.
     pub fn place(self, degrees: f64, written: &str) -> String {
         let (with, on) = if self == Self::External { ("with a pin ", "on ") } else { ("", "at ") };
         let middle = self.middle();
@@ -99,7 +99,7 @@ impl AnyWheel {
         }
     }
 
-    /// What all kinds do.
+    /// The indexing that all kinds share.
     pub fn indexing(&self) -> &dyn Indexing {
         match self {
             Self::External(wheel) => wheel,
@@ -135,7 +135,7 @@ impl AnyWheel {
         }
     }
 
-    /// A drawing to no scale.
+    /// A drawing that is not to scale.
     pub fn drawing(&self) -> Figure {
         match self {
             Self::External(wheel) => stations::mechanism(wheel),

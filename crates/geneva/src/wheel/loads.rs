@@ -1,4 +1,4 @@
-//! What is told of a wheel's loads.
+//! The loads of a wheel, as they are reported.
 
 use super::cycle::degrees_told;
 use super::made::Made;
@@ -34,11 +34,11 @@ pub fn fields(made: &Made) -> anyhow::Result<Vec<Field>> {
     let from = if loads.is_some() { from.words("braking", holds) } else { from };
     let fields = vec![
         Field::in_unit("inertia_kgm2", made.inertia, "kg m²")
-            .line("moment of inertia", "of the wheel and what turns with it"),
+            .line("moment of inertia", "of the wheel and everything that turns with it"),
         Field::in_unit("wheel_inertia_kgm2", made.wheel_inertia, "kg m²")
-            .line("", "of which the wheel itself, from its outline, thickness and density"),
+            .line("", "part of the wheel itself, from its outline, thickness and density"),
         Field::in_unit("friction_torque_nm", made.friction_torque, "N m")
-            .line("friction torque", "on the wheel; of no other friction is anything included"),
+            .line("friction torque", "on the wheel; no other friction is included"),
         Field::in_unit("peak_wheel_torque_nm", driving(torque).map(|peak| peak.value), "N m")
             .line("peak wheel torque", place(driving(torque))),
         Field::new("peak_wheel_torque_at_deg", at(driving(torque))),
@@ -46,16 +46,16 @@ pub fn fields(made: &Made) -> anyhow::Result<Vec<Field>> {
             .line("peak pin force", place(driving(moment))),
         Field::new("peak_pin_force_at_deg", at(driving(moment).filter(|_| made.crank_radius.is_some()))),
         Field::in_unit("peak_contact_pressure_mpa", pressure, "MPa")
-            .line("peak contact pressure", "between pin and slot under that force, along their whole length (Hertz)"),
+            .line("peak contact pressure", "between pin and slot at that force, along their whole length (Hertz)"),
         Field::in_unit("peak_crank_torque_nm", driving(crank).map(|peak| peak.value), "N m")
             .line("peak crank torque", place(driving(crank))),
         Field::new("peak_crank_torque_at_deg", at(driving(crank))),
         Field::in_unit("peak_power_w", driving(crank).zip(speed).map(|(peak, speed)| peak.value * speed), "W")
-            .line("peak power", "there"),
+            .line("peak power", "at the same angle"),
         Field::in_unit("rms_crank_torque_nm", loads.as_ref().map(|loads| loads.rms_crank_torque()), "N m")
-            .line("RMS crank torque", "over the driver's turn: it heats a motor"),
+            .line("RMS crank torque", "over a turn of the driver; this heats a motor"),
         Field::in_unit("mean_crank_torque_nm", loads.as_ref().map(|loads| loads.mean_crank_torque()), "N m")
-            .line("mean crank torque", "over the driver's turn: what the friction torque takes"),
+            .line("mean crank torque", "over a turn of the driver; this is what the friction torque takes"),
         Field::in_unit("braking_wheel_torque_nm", braking(torque).map(|peak| peak.value), "N m")
             .line("braking wheel torque", place(braking(torque))),
         Field::in_unit("braking_pin_force_n", braking(moment).and_then(force), "N")

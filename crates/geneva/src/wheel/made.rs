@@ -1,4 +1,4 @@
-//! A wheel made of what was asked for: its kind and numbers, its size, its speed, what it carries.
+//! A wheel made from the options: its kind and numbers, its size, its speed, its load.
 
 use super::WheelArguments;
 use super::kind::{AnyWheel, Kind};
@@ -12,13 +12,13 @@ use geneva_kinematics::indexing::Indexing;
 use geneva_kinematics::wheel::{Choices, Play, Remedy, Scale, ShaftOf, Sizes, SizesError};
 use std::f64::consts::PI;
 
-/// A wheel, and what was given of it.
+/// A wheel, and what the options say about it.
 pub struct Made {
     pub wheel: AnyWheel,
     pub rpm: Option<f64>,
     /// Crank radius in millimetres.
     pub crank_radius: Option<f64>,
-    /// Sizes of the parts, of an external wheel.
+    /// Sizes of the parts of an external wheel.
     pub sizes: Option<Sizes>,
     /// Moment of inertia of the wheel and what turns with it, in kg m².
     pub inertia: Option<f64>,
@@ -32,7 +32,7 @@ pub struct Made {
 
 impl Made {
     pub fn new(wanted: &WheelArguments) -> anyhow::Result<Self> {
-        let Some(stations) = wanted.stations else { bail!("no number of stations; give --stations N") };
+        let Some(stations) = wanted.stations else { bail!("the number of stations is missing; give --stations N") };
         let kind = wanted.kind.unwrap_or(Kind::External);
         let wheel = AnyWheel::new(kind, stations, wanted.pins.unwrap_or(1))?;
         let scale = scale(wanted);
@@ -67,7 +67,7 @@ impl Made {
         Ok(Self { wheel, rpm: wanted.rpm, crank_radius, sizes, inertia, wheel_inertia, friction_torque, contact })
     }
 
-    /// The drawing: in true size with dimensions, where there are sizes of the parts; else to no scale.
+    /// The drawing: in true size with dimensions if the parts have sizes, otherwise not to scale.
     pub fn drawing(&self) -> Figure {
         self.sizes.as_ref().map_or_else(|| self.wheel.drawing(), dimensions)
     }
@@ -116,7 +116,7 @@ fn choices(wanted: &WheelArguments) -> Choices {
     }
 }
 
-/// What is said of sizes that do not fit, with the options that change them, as they were typed.
+/// The error about sizes that don't fit, with the options that change them, as they were typed.
 fn with_options(error: &SizesError, wanted: &WheelArguments) -> anyhow::Error {
     let of = |remedy: &Remedy| match remedy {
         Remedy::ThinnerPin => ("--pin-diameter", wanted.pin_diameter),
@@ -143,8 +143,8 @@ fn crank_radius(wheel: &AnyWheel, scale: Scale) -> anyhow::Result<f64> {
         Scale::CentreDistance(distance) => match wheel.centre_distance_ratio() {
             Some(ratio) => distance / ratio,
             None => bail!(
-                "--centre-distance {}: the axes of a spherical wheel cross, and have no distance; give \
-                 --crank-radius or --wheel-radius",
+                "--centre-distance {}: the axes of a spherical wheel cross, so there is no distance between them; give \
+                 --crank-radius or --wheel-radius instead",
                 as_typed(distance)
             ),
         },

@@ -12,7 +12,7 @@ mod workshop;
 
 use crate::arguments::{Format, Output, formats};
 use crate::fields;
-use crate::typed::{self, as_typed};
+use crate::typed::{self, as_typed, rounded_down};
 use anyhow::ensure;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -20,124 +20,125 @@ use geneva_dynamics::line_contact::{MATERIALS, Material};
 use kind::Kind;
 use made::Made;
 
-/// Which wheel, and how.
+/// Options of `geneva wheel`.
 #[derive(Args, Debug)]
 pub struct WheelArguments {
-    /// Number of slots, 3 to 1000: stops in one turn of the wheel
+    /// Number of slots, from 3 to 1000; the wheel stops this many times in one turn
     #[arg(long, value_name = "N", required_unless_present_any = ["index_time", "dwell_time"],
         value_parser = typed::stations, allow_negative_numbers = true)]
     pub stations: Option<u32>,
-    /// Number of evenly spaced pins on the driver. External: at most 2N/(N − 2), or two would be in slots at once;
-    /// internal: 1; spherical: 1 or 2 [default: 1]
+    /// Number of evenly spaced pins on the driver. External wheels: at most 2N/(N − 2), or two pins would be in slots at
+    /// once. Internal wheels: 1. Spherical wheels: 1 or 2 [default: 1]
     #[arg(long, value_name = "P", value_parser = typed::pins, allow_negative_numbers = true)]
     pub pins: Option<u32>,
-    /// How wheel and driver lie to each other [default: external]
+    /// Kind of wheel [default: external]
     #[arg(long = "type", value_name = "TYPE", value_enum)]
     pub kind: Option<Kind>,
-    /// Distance of a pin's centre from the driver's axis in millimetres; this, or one of the next two, gives sizes in mm
+    /// Distance from the driver's axis to a pin's centre, in millimetres; give this or one of the next two for sizes in mm
     #[arg(long, value_name = "MM", value_parser = typed::millimetres, allow_hyphen_values = true,
         conflicts_with_all = ["centre_distance", "wheel_radius"])]
     pub crank_radius: Option<f64>,
-    /// Distance between the two axes in millimetres
+    /// Distance between the two axes, in millimetres
     #[arg(long, value_name = "MM", value_parser = typed::millimetres, allow_hyphen_values = true,
         conflicts_with = "wheel_radius")]
     pub centre_distance: Option<f64>,
-    /// Distance of a pin's centre from the wheel's axis as it enters, in millimetres
+    /// Distance from the wheel's axis to a pin's centre as the pin enters, in millimetres
     #[arg(long, value_name = "MM", value_parser = typed::millimetres, allow_hyphen_values = true)]
     pub wheel_radius: Option<f64>,
-    /// Diameter of the pins in millimetres [default: one that fits]
+    /// Diameter of the pins, in millimetres [default: one that fits]
     #[arg(long, value_name = "MM", value_parser = typed::millimetres, allow_hyphen_values = true)]
     pub pin_diameter: Option<f64>,
-    /// How much wider slot and locking arc are than what runs in them, in millimetres, zero or more; bores have a quarter of
-    /// it [default: a thousandth of the centre distance, or less where parts are small]
+    /// How much wider slots and locking arcs are than the parts that run in them, in millimetres, zero or more; bores have
+    /// a quarter of it [default: a thousandth of the centre distance, or less if parts are small]
     #[arg(long, value_name = "MM", value_parser = typed::zero_or_more, allow_hyphen_values = true)]
     pub play: Option<f64>,
-    /// Least thickness of the wheel between a slot and a locking arc in millimetres [default: the pin's diameter]
+    /// Least thickness of the wheel between a slot and a locking arc, in millimetres [default: the pin's diameter]
     #[arg(long, value_name = "MM", value_parser = typed::millimetres, allow_hyphen_values = true)]
     pub horn: Option<f64>,
     /// How much deeper the slots are than the pins need, in millimetres, zero or more [default: a twentieth of the pin's
     /// diameter]
     #[arg(long, value_name = "MM", value_parser = typed::zero_or_more, allow_hyphen_values = true)]
     pub bottom_clearance: Option<f64>,
-    /// Diameter of the wheel's shaft in millimetres [default: half of the greatest]
+    /// Diameter of the wheel's shaft, in millimetres [default: half of the largest possible]
     #[arg(long, value_name = "MM", value_parser = typed::millimetres, allow_hyphen_values = true)]
     pub wheel_shaft: Option<f64>,
-    /// Diameter of the driver's shaft in the plane of the wheel, in millimetres [default: half of the greatest; none where
-    /// that would be very thin]
+    /// Diameter of the driver's shaft in the plane of the wheel, in millimetres [default: half of the largest possible; none
+    /// if that would be very thin]
     #[arg(long, value_name = "MM", value_parser = typed::millimetres, allow_hyphen_values = true)]
     pub driver_shaft: Option<f64>,
-    /// Speed of the driver in turns a minute, above zero; gives times, rad/s, rad/s² and rad/s³
+    /// Speed of the driver in turns per minute, above zero; adds times in s, and motion in rad/s, rad/s² and rad/s³
     #[arg(long, value_name = "R", value_parser = typed::positive, allow_hyphen_values = true)]
     pub rpm: Option<f64>,
-    /// Moment of inertia in kg m², zero or more, of all that turns with the wheel, and of the wheel itself unless --density
-    /// is given; with --rpm it gives torques and, with a size, the pin's force, all without the friction of pin, locking
-    /// disc, bearings and gear
+    /// Moment of inertia, in kg m², zero or more, of everything that turns with the wheel, including the wheel itself unless
+    /// you give --density. With --rpm it gives torques and, if you also give a size, the force on the pin. These loads leave
+    /// out the friction of pin, locking disc, bearings and gear
     #[arg(long, value_name = "KGM2", value_parser = typed::zero_or_more, allow_hyphen_values = true)]
     pub inertia: Option<f64>,
-    /// Thickness of the wheel in millimetres: with --density for the wheel's own inertia; for the pressure between pin and
-    /// slot; and of the parts in OpenSCAD and STL files
+    /// Thickness of the wheel, in millimetres: needed for the wheel's own inertia (with --density), for the pressure between
+    /// pin and slot, and for OpenSCAD and STL files
     #[arg(long, value_name = "MM", value_parser = typed::millimetres, allow_hyphen_values = true)]
     pub thickness: Option<f64>,
-    /// Density of the wheel in kg/m³: with --thickness and a size the wheel's own inertia is computed, and added to --inertia
+    /// Density of the wheel, in kg/m³; with --thickness and a size, the wheel's own inertia is computed and added to --inertia
     #[arg(long, value_name = "KGM3", value_parser = typed::positive, allow_hyphen_values = true)]
     pub density: Option<f64>,
-    /// Torque in N m with which friction brakes the wheel, zero or more
+    /// Torque of the friction that brakes the wheel, in N m, zero or more
     #[arg(long, value_name = "NM", value_parser = typed::zero_or_more, allow_hyphen_values = true)]
     pub friction_torque: Option<f64>,
-    /// Material of the pins: with that of the wheel, --thickness and what gives the pin's force, the pressure between pin and
-    /// slot
+    /// Material of the pins; with --wheel-material, --thickness and the options that give the force on the pin, it gives the
+    /// pressure between pin and slot
     #[arg(long, value_name = "MATERIAL", value_parser = materials(), requires = "wheel_material")]
     pub pin_material: Option<Material>,
     /// Material of the wheel
     #[arg(long, value_name = "MATERIAL", value_parser = materials(), requires = "pin_material")]
     pub wheel_material: Option<Material>,
-    /// A crank angle in degrees at which the motion is told; may be given again
+    /// Crank angle, in degrees, at which to report the motion; can be repeated
     #[arg(long, value_name = "DEG", value_parser = typed::finite_degrees, allow_hyphen_values = true)]
     pub at: Vec<f64>,
-    /// A wheel angle in degrees from the middle of an index, at which the motion is told; may be given again
+    /// Wheel angle, in degrees from the middle of an index, at which to report the motion; can be repeated
     #[arg(long, value_name = "DEG", value_parser = typed::finite_degrees, allow_hyphen_values = true)]
     pub at_wheel: Vec<f64>,
-    /// Wanted time of one index in seconds: with --dwell-time, and instead of --stations and --rpm, the wheels that come
-    /// nearest
+    /// Time that one index should take, in seconds; give it with --dwell-time, and instead of --stations and --rpm, to get
+    /// the wheels that come nearest
     #[arg(long, value_name = "S", value_parser = typed::positive, allow_hyphen_values = true, requires = "dwell_time")]
     pub index_time: Option<f64>,
-    /// Wanted time of one dwell in seconds
+    /// Time that one dwell should take, in seconds
     #[arg(long, value_name = "S", value_parser = typed::positive, allow_hyphen_values = true, requires = "index_time")]
     pub dwell_time: Option<f64>,
-    /// How to write it
+    /// Output format
     #[arg(long, default_value = "text", value_parser = formats(&[
-        (Format::Text, "A sheet for reading, which says what is measured from where"),
-        (Format::Json, "An object with all digits; null where an option that it needs is missing"),
-        (Format::Csv, "The cycle: a row for each degree of a turn of the driver, or for each --at"),
-        (Format::Svg, "A drawing, a file of its own; with a size in mm, with dimensions"),
+        (Format::Text, "A readable sheet, which says where everything is measured from"),
+        (Format::Json, "An object with all digits; null for values that need an option you didn't give"),
+        (Format::Csv, "The cycle, one row per degree of a turn of the driver, or one per --at"),
+        (Format::Svg, "A drawing as a standalone file; with dimensions if you give a size"),
         (Format::Dxf, "The outlines of all parts side by side, in mm, with true arcs; needs a size"),
-        (Format::Scad, "A model for OpenSCAD in mm, which moves; needs a size and --thickness"),
+        (Format::Scad, "A moving model for OpenSCAD, in mm; needs a size and --thickness"),
         (Format::Stl, "Meshes of the parts side by side, in mm; needs a size and --thickness"),
     ]))]
     pub format: Format,
-    /// Where to write it.
+    /// Where the output goes.
     #[command(flatten)]
     pub to: Output,
 }
 
-/// Most angles at which the motion is told at once.
+/// Most angles at which the motion is reported at once.
 const MOST_INSTANTS: usize = 10_000;
 
-/// The crank angles in degrees at which the motion is to be told.
+/// The crank angles in degrees at which to report the motion.
 fn instants(wanted: &WheelArguments, made: &Made) -> anyhow::Result<Vec<f64>> {
     let asked = wanted.at.len() + wanted.at_wheel.len();
     ensure!(
         asked <= MOST_INSTANTS,
-        "--at and --at-wheel are given {asked} times; at most {MOST_INSTANTS} angles are told at once: give fewer, or none \
-         for --format csv, which has a row for each degree"
+        "--at and --at-wheel give {asked} angles, but at most {MOST_INSTANTS} can be reported at once; give fewer, or none \
+         with --format csv, which has a row for each degree"
     );
     let wheel = made.wheel.indexing();
     let most = 180.0 / f64::from(wheel.stations());
     let of_the_wheel = wanted.at_wheel.iter().map(|degrees| {
         ensure!(
             degrees.abs() <= most,
-            "--at-wheel {}: during an index the wheel's angle goes from −{most}° to {most}°; give one between them",
-            as_typed(*degrees)
+            "--at-wheel {}: during an index the wheel turns from −{most}° to {most}°; give an angle in this range",
+            as_typed(*degrees),
+            most = rounded_down(most)
         );
         Ok(wheel.crank_at(degrees.to_radians())?.to_degrees())
     });
@@ -150,7 +151,7 @@ fn materials() -> impl TypedValueParser<Value = Material> {
         .try_map(|name| MATERIALS.into_iter().find(|material| material.name == name).ok_or("not a known material"))
 }
 
-/// The wheel that is wanted, as it is wanted.
+/// The wheel that is wanted, in the format that is wanted.
 pub fn page(wanted: &WheelArguments) -> anyhow::Result<String> {
     if let (Some(index), Some(dwell)) = (wanted.index_time, wanted.dwell_time) {
         idle::beside_times(wanted)?;
@@ -167,7 +168,7 @@ pub fn page(wanted: &WheelArguments) -> anyhow::Result<String> {
             let report = report::report(&made, &instants(wanted, &made)?, format == Format::Text)?;
             ensure!(
                 report.is_finite(),
-                "the wheel is beyond what can be computed; give other sizes, speeds or inertias"
+                "some number of this wheel is too large or too small to compute with; give other sizes, speeds or inertias"
             );
             if format == Format::Json { fields::json(&report) } else { Ok(report.sheet()) }
         }

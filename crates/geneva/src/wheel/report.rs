@@ -1,4 +1,4 @@
-//! What there is to say of a wheel: the sheet and the object.
+//! The report on a wheel, as a sheet and as an object.
 //!
 //! Ratios of length are to the crank radius; those of velocity, acceleration and jerk to the driver's angular speed, its
 //! square and its cube; fractions are of the driver's turn. What needs something that was not given is missing.
@@ -78,9 +78,9 @@ fn cycle_fields(made: &Made) -> anyhow::Result<Vec<Field>> {
         Field::in_unit("dwell_fraction", wheel.dwell_fraction(), "× driver turn")
             .line("dwell fraction", "while the wheel is locked"),
         Field::in_unit("indexing_time_s", speed.map(|speed| wheel.indexing_time(speed)).transpose()?, "s")
-            .line("indexing time", "from a pin's entering to its leaving"),
+            .line("indexing time", "from when a pin enters to when it leaves"),
         Field::in_unit("dwell_time_s", speed.map(|speed| wheel.dwell_time(speed)).transpose()?, "s")
-            .line("dwell time", "from its leaving to the next pin's entering"),
+            .line("dwell time", "from when it leaves to when the next pin enters"),
     ])
 }
 
@@ -92,7 +92,7 @@ fn motion(made: &Made) -> Vec<Field> {
     let at_entry = if wheel.dwell_fraction() > 0.0 {
         "as a pin enters: a jump from zero"
     } else {
-        "as a pin enters: a jump from as much deceleration"
+        "as a pin enters: a jump from an equal deceleration"
     };
     let at_end = wheel.engagement_half_angle();
     let place = |angle: f64| {
@@ -115,7 +115,7 @@ fn motion(made: &Made) -> Vec<Field> {
         // Of the peak of deceleration; that of acceleration is as far before the middle.
         Field::new("peak_acceleration_angle_deg", acceleration.angle.to_degrees()),
         Field::in_unit("peak_jerk_ratio", jerk.ratio, "× driver speed³")
-            .line("peak jerk", format!("{jerk_at}; without the jumps at the ends")),
+            .line("peak jerk", format!("{jerk_at}; not counting the jumps at the ends")),
         Field::in_unit("peak_jerk_rad_s3", speed.map(|speed| speed * speed * speed * jerk.ratio), "rad/s³").also(),
     ]
 }
@@ -139,22 +139,22 @@ fn told(length: f64) -> String {
     if typed.len() <= 8 { typed } else { crate::fields::number(length) }
 }
 
-/// Which options would say more.
+/// Which options would add to the report.
 fn missing(made: &Made) -> String {
     let sizes = if made.wheel.kind() == Kind::Spherical {
         "--crank-radius MM or --wheel-radius MM"
     } else {
         "--crank-radius MM, --centre-distance MM or --wheel-radius MM"
     };
-    let lengths = made.crank_radius.is_none().then(|| format!("For sizes in mm add {sizes}."));
-    let rates = made.rpm.is_none().then(|| "For s, rad/s and rad/s² add --rpm R.".to_owned());
+    let lengths = made.crank_radius.is_none().then(|| format!("For sizes in mm, add {sizes}."));
+    let rates = made.rpm.is_none().then(|| "For s, rad/s and rad/s², add --rpm R.".to_owned());
     let loads = made.inertia.is_none().then(|| {
-        let speed = if made.rpm.is_none() { "that and " } else { "" };
-        format!("For torques add {speed}--inertia KGM2.")
+        let also = if made.rpm.is_none() { "also " } else { "" };
+        format!("For torques, {also}add --inertia KGM2.")
     });
     let without = made.rpm.and(made.inertia).map(|_| {
         let parts = "the pin, the locking disc, the driver's bearings and the gear";
-        format!("The loads are without the friction of {parts}, so the motor needs more.")
+        format!("The loads leave out the friction of {parts}, so the motor needs more.")
     });
     lengths.into_iter().chain(rates).chain(loads).chain(without).collect::<Vec<_>>().join(" ")
 }

@@ -1,4 +1,4 @@
-//! What is told of the parts of an external wheel in millimetres.
+//! The parts of an external wheel in millimetres, as they are reported.
 
 use super::cycle::degrees_told;
 use super::made::Made;
@@ -36,10 +36,11 @@ pub fn parts(made: &Made) -> Vec<Field> {
     let disc = sizes.and_then(|sizes| sizes.locking_disc);
     vec![
         mm("pin_diameter_mm", of(|sizes| sizes.pin_diameter)).line("pin diameter", ""),
-        mm("play_mm", of(|sizes| sizes.play.slot)).line("play", "of slot and locking arc: how much wider they are"),
+        mm("play_mm", of(|sizes| sizes.play.slot))
+            .line("play", "how much wider slots and locking arcs are than what runs in them"),
         mm("bore_play_mm", of(|sizes| sizes.play.bore))
-            .line("bore play", "how much wider bores are than their shafts, which run in them"),
-        mm("slot_width_mm", of(|sizes| sizes.slot_width)).line("slot width", "pin diameter and play"),
+            .line("bore play", "how much wider bores are than the shafts that run in them"),
+        mm("slot_width_mm", of(|sizes| sizes.slot_width)).line("slot width", "pin diameter plus play"),
         mm("slot_depth_mm", of(|sizes| sizes.slot_depth))
             .line("slot depth", "from the wheel radius to the bottom of its round end"),
         mm("bottom_clearance_mm", of(|sizes| sizes.bottom_clearance))
@@ -48,26 +49,29 @@ pub fn parts(made: &Made) -> Vec<Field> {
         mm("tip_radius_mm", of(|sizes| sizes.tip_radius))
             .line("tip radius", "wheel's axis to the corners of the slots: the blank"),
         mm("horn_thickness_mm", of(|sizes| sizes.horn_thickness))
-            .line("horn thickness", "least between a slot and a locking arc"),
-        mm("slot_web_mm", of(|sizes| sizes.web)).line("web between slots", "least, between the ends of two"),
-        mm("bore_web_mm", of(Sizes::bore_web)).line("web at the bore", "least, between a slot's end and the bore"),
+            .line("horn thickness", "least thickness between a slot and a locking arc"),
+        mm("slot_web_mm", of(|sizes| sizes.web))
+            .line("web between slots", "least thickness between the ends of two slots"),
+        mm("bore_web_mm", of(Sizes::bore_web))
+            .line("web at the bore", "least thickness between a slot's end and the bore"),
         mm("locking_arc_radius_mm", of(|sizes| sizes.locking_arc_radius))
             .line("locking arc radius", "its centre is at the centre distance, half a pitch from a slot"),
         mm("locking_radius_mm", disc.map(|disc| disc.radius))
-            .line("locking disc radius", "the locking arc's less the play on one side"),
+            .line("locking disc radius", "that of the locking arc, less the play on one side"),
         mm("crescent_radius_mm", disc.map(|disc| disc.crescent.radius))
             .line("crescent radius", "of the cut in the disc"),
         mm("crescent_centre_mm", disc.map(|disc| disc.crescent.centre))
             .line("crescent centre", "driver's axis to the cut's centre, towards the pin"),
         mm("plate_radius_mm", of(|sizes| sizes.plate_radius)).line("plate radius", "of the driver, behind the wheel"),
         mm("wheel_shaft_mm", shaft(|sizes| sizes.wheel_shaft)).line("wheel shaft", "diameter"),
-        mm("wheel_shaft_limit_mm", of(|sizes| sizes.wheel_shaft_limit)).line("wheel shaft limit", "it must be thinner"),
-        mm("wheel_bore_mm", shaft(Sizes::wheel_bore)).line("wheel bore", "diameter: shaft and bore play"),
+        mm("wheel_shaft_limit_mm", of(|sizes| sizes.wheel_shaft_limit))
+            .line("wheel shaft limit", "the shaft must be thinner"),
+        mm("wheel_bore_mm", shaft(Sizes::wheel_bore)).line("wheel bore", "diameter: shaft plus bore play"),
         mm("driver_shaft_mm", shaft(|sizes| sizes.driver_shaft))
             .line("driver shaft", "diameter in the plane of the wheel"),
         mm("driver_shaft_limit_mm", of(|sizes| sizes.driver_shaft_limit))
-            .line("driver shaft limit", "it must be thinner"),
-        mm("driver_bore_mm", shaft(Sizes::driver_bore)).line("driver bore", "diameter: shaft and bore play"),
+            .line("driver shaft limit", "the shaft must be thinner"),
+        mm("driver_bore_mm", shaft(Sizes::driver_bore)).line("driver bore", "diameter: shaft plus bore play"),
     ]
 }
 
@@ -88,7 +92,10 @@ pub fn tolerances(made: &Made) -> anyhow::Result<Vec<Field>> {
     };
     let not_found = |field: Field, name, is_found: bool| {
         if sizes.is_some() && !is_found {
-            field.words(name, "not found: the play is too small against the parts for a search of this length")
+            field.words(
+                name,
+                "not found: the play is so small compared with the parts that the search would take too long",
+            )
         } else {
             field
         }
@@ -96,14 +103,16 @@ pub fn tolerances(made: &Made) -> anyhow::Result<Vec<Field>> {
     let nearest = mm("least_clearance_mm", least.map(|least| least.distance))
         .line("least clearance", least.map_or_else(String::new, |least| nearest_told(made, &least)));
     let nearer = mm("centres_nearer_mm", tolerance.map(|tolerance| tolerance.nearer))
-        .line("axes nearer", "at most, or parts touch; loose shafts bring them nearer by the bore play");
+        .line("axes nearer", "at most, or parts touch; loose shafts bring the axes nearer by the bore play");
     let farther = mm("centres_farther_mm", tolerance.map(|tolerance| tolerance.farther))
         .line("axes farther", "at most, or the pin meets a corner of its slot or parts touch");
     let play = sizes.and_then(Sizes::dwell_play);
     let degrees = |key, radians: Option<f64>| Field::in_unit(key, radians.map(f64::to_degrees), "°");
     let at_greatest = play.map_or_else(String::new, |play| {
         let until = degrees_told(play.until_entry);
-        format!("to one side: forwards {until}° of the crank before a pin enters, backwards as much past its leaving")
+        format!(
+            "to one side: forwards {until}° of crank angle before a pin enters, backwards as far past where it leaves"
+        )
     });
     let pin_speed = made.speed().zip(made.crank_radius).map(|(speed, radius)| speed * radius);
     let knock = sizes.and_then(Sizes::knock).zip(pin_speed);
@@ -114,30 +123,34 @@ pub fn tolerances(made: &Made) -> anyhow::Result<Vec<Field>> {
         Field::new("least_clearance_at_deg", least.map(|least| least.crank_angle.to_degrees())),
         not_found(nearer, "axes nearer", tolerance.is_some()),
         not_found(farther, "axes farther", tolerance.is_some()),
-        mm("bottom_gap_mm", sizes.map(Sizes::bottom_gap))
-            .line("gap at the bottom", "slot end may be so much too far out, with crank radius and centres as drawn"),
+        mm("bottom_gap_mm", sizes.map(Sizes::bottom_gap)).line(
+            "gap at the bottom",
+            "the slot end may be this much too far out, with crank radius and centres as drawn",
+        ),
         mm("crank_radius_tolerance_mm", sizes.and_then(Sizes::crank_radius_tolerance))
             .line("longer crank", "at most, or the pin sticks at entry or on the slot's bottom"),
-        mm("locking_gap_mm", sizes.and_then(Sizes::locking_gap))
-            .line("gap of the disc", "disc radius may be so much too long, arc radius and centres together too short"),
+        mm("locking_gap_mm", sizes.and_then(Sizes::locking_gap)).line(
+            "gap of the disc",
+            "the disc radius may be this much too long, or arc radius and centre distance together too short",
+        ),
         degrees("slot_direction_tolerance_deg", sizes.and_then(Sizes::slot_direction_tolerance))
-            .line("slot direction", "a slot may be off its place between the locking arcs, to either side"),
+            .line("slot direction", "a slot may be this far out of place between the locking arcs, to either side"),
         degrees("dwell_backlash_deg", play.map(|play| play.middle))
             .line("backlash in the dwell", "of the wheel, to either side, in the middle of the dwell"),
         Field::in_unit("dwell_backlash_held_fraction", play.map(|play| play.held), "× dwell")
-            .line("", "about the middle of the dwell, in which it is no greater"),
+            .line("", "part of the dwell, about its middle, in which it is no greater"),
         degrees("greatest_dwell_backlash_deg", play.map(|play| play.greatest)).line("greatest backlash", at_greatest),
         degrees("greatest_dwell_backlash_until_entry_deg", play.map(|play| play.until_entry)),
         speed("knock_mm_s", |knock| knock.centred)
             .line("knock at entry", "of the pin on the wall, if the wheel is in the middle of its backlash"),
         speed("knock_within_backlash_mm_s", |knock| knock.within)
-            .line("", "at most, if it is within the backlash of mid-dwell"),
+            .line("", "at most, if the wheel is within the backlash of mid-dwell"),
         speed("greatest_knock_mm_s", |knock| knock.drifted)
-            .line("", "at most, on a horn's corner, if it is within the greatest backlash"),
+            .line("", "at most, on a horn's corner, if the wheel is within the greatest backlash"),
     ])
 }
 
-/// What a maker should know of sizes that fit all the same.
+/// What a maker should know about sizes that do fit.
 pub fn warnings(made: &Made) -> Vec<Field> {
     let found = made.sizes.map(|sizes| sizes.warnings()).unwrap_or_default();
     let texts: Vec<Value> = found.iter().map(|warning| Value::Text(warning.to_string())).collect();

@@ -65,7 +65,7 @@ fn row(of: &Candidate, cycle: f64) -> Row {
     ])
 }
 
-/// The proposals, as they are wanted.
+/// The proposals, in the format that is wanted.
 pub fn page(index: f64, dwell: f64, kind: Option<Kind>, format: Format) -> anyhow::Result<String> {
     let (cycle, wanted) = (index + dwell, index / (index + dwell));
     let found = nearest(wanted, kind);
@@ -83,9 +83,9 @@ pub fn page(index: f64, dwell: f64, kind: Option<Kind>, format: Format) -> anyho
 }
 
 const INTRODUCTION: &str = "\
-The ratio of dwell to index follows from the kind of wheel and its numbers of stations and pins alone; the driver's speed \
-makes it faster or slower as a whole. These wheels come nearest, each at the speed at which index and dwell together last \
-as long as is wanted.";
+The ratio of dwell to index depends only on the kind of wheel and its numbers of stations and pins. The driver's speed \
+only makes the whole cycle faster or slower. These wheels come nearest, each at the speed at which index and dwell together \
+last as long as you want.";
 
 fn sheet(index: f64, dwell: f64, found: &[Candidate], kind: Option<Kind>) -> Report {
     let wanted = index / (index + dwell);
@@ -93,7 +93,7 @@ fn sheet(index: f64, dwell: f64, found: &[Candidate], kind: Option<Kind>) -> Rep
     let exact = found.first().is_some_and(|of| (of.motion - wanted).abs() <= SAME);
     let note = if exact { String::new() } else { bounds(wanted, kind) };
     Report {
-        title: format!("Index in {} s, dwell of {} s: wheels that come nearest", as_typed(index), as_typed(dwell)),
+        title: format!("Wheels nearest to an index of {} s and a dwell of {} s", as_typed(index), as_typed(dwell)),
         introduction: INTRODUCTION,
         sections: std::iter::once(("Wanted", vec![ratio(dwell / index)])).chain(sections).collect(),
         note,
@@ -124,7 +124,7 @@ fn lines(of: &Candidate, cycle: f64, wanted: f64) -> Vec<Field> {
     ]
 }
 
-/// What no wheel of these kinds does, if that is why none is near.
+/// The bounds of these kinds of wheel, and a way round them.
 fn bounds(wanted: f64, kind: Option<Kind>) -> String {
     let kinds = Kind::ALL.into_iter().filter(|of| kind.is_none_or(|kind| kind == *of));
     let all: Vec<f64> = kinds.flat_map(candidates).map(|of| of.motion).collect();
@@ -134,15 +134,15 @@ fn bounds(wanted: f64, kind: Option<Kind>) -> String {
     let stations = STATIONS.end();
     if wanted < least {
         format!(
-            "No wheel of these with up to {stations} stations dwells longer than {longest} times its index: for more, stop \
-             the driver in the dwell, or have the driver turned by another wheel."
+            "No such wheel with up to {stations} stations dwells longer than {longest} times its index. For a longer dwell, \
+             stop the driver during the dwell, or let another wheel turn the driver."
         )
     } else if wanted > most {
-        format!("No wheel of these with up to {stations} stations dwells less than {shortest} times its index.")
+        format!("No such wheel with up to {stations} stations dwells for less than {shortest} times its index.")
     } else {
         format!(
-            "No wheel of these with up to {stations} stations has the wanted ratio. A driver whose speed changes can \
-             have it."
+            "No such wheel with up to {stations} stations has the ratio you want, but a driver whose speed varies can give \
+             it."
         )
     }
 }

@@ -16,11 +16,12 @@ const OF_CENTRE_DISTANCE: f64 = 1e-4;
 /// has use for.
 const MOST_CORNERS: f64 = 200_000.0;
 
-/// Whether this format can be had of this kind of wheel: files for machines are of external ones.
+/// Whether this format is available for this kind of wheel; files for machines are for external wheels only.
 pub fn makes(kind: Kind, format: Format) -> anyhow::Result<()> {
     ensure!(
         kind == Kind::External || !matches!(format, Format::Dxf | Format::Scad | Format::Stl),
-        "--format {}: there are no parts of {} wheels to make; give --type external, or --format svg for a drawing",
+        "--format {} is not available for {} wheels, whose parts are not worked out; choose --type external, or --format svg \
+         for a drawing",
         format.name(),
         kind.name()
     );
@@ -31,23 +32,20 @@ pub fn makes(kind: Kind, format: Format) -> anyhow::Result<()> {
 pub fn file(made: &Made, thickness: Option<f64>, format: Format) -> anyhow::Result<String> {
     let name = format.name();
     let Some(sizes) = &made.sizes else {
-        bail!(
-            "--format {name}: parts are made in mm; give a size with it: --crank-radius MM, --centre-distance MM or \
-             --wheel-radius MM"
-        );
+        bail!("--format {name} needs a size in mm; add --crank-radius MM, --centre-distance MM or --wheel-radius MM");
     };
     if format == Format::Dxf {
         return Ok(dxf(sizes, Layout::Apart));
     }
     let Some(thickness) = thickness else {
-        bail!("--format {name}: a solid has a thickness; give --thickness MM with it");
+        bail!("--format {name} needs a thickness; add --thickness MM");
     };
     let solid = Solid { thickness, tolerance: tolerance(sizes) };
     let corners = if format == Format::Stl { corners(sizes, solid.tolerance) } else { 0.0 };
     ensure!(
         corners <= MOST_CORNERS,
-        "--format stl, --play {}: with chords of a tenth of the play the outlines have {corners:.0} corners; at most \
-         {MOST_CORNERS} are written; give a larger --play or fewer --stations, or --format scad",
+        "--format stl, --play {}: with chords of a tenth of the play the outlines would have {corners:.0} corners, but at \
+         most {MOST_CORNERS} are written; give a larger --play or fewer --stations, or choose --format scad",
         as_typed(sizes.play.slot)
     );
     Ok(if format == Format::Stl { stl(sizes, solid)? } else { scad(sizes, solid)? })

@@ -34,7 +34,7 @@ impl Mechanism {
         libm::tan(0.5 * self.follower_half_angle())
     }
 
-    /// How far outside the rim, in crank radii, the nearest pin is that is in no slot, while the first pin is at this
+    /// Distance outside the rim, in crank radii, of the nearest pin that is in no slot, while the first pin is at this
     /// driver angle in radians.
     ///
     /// Never negative but for rounding; it goes to zero as the next pin comes to its slot.
@@ -65,7 +65,7 @@ impl Identity<2> for RimExcess {
     }
 }
 
-/// How a pin comes to its slot: at the driver angle δ before the hand-over it is beside the slot's centre line by
+/// Approach of a pin to its slot: at the driver angle δ before the hand-over it is beside the slot's centre line by
 /// r δ² + …, and outside the rim by r δ + ….
 ///
 /// So the pin comes in from one side, and the edge of the mouth there must be cut back by about ρ²/r for a pin of

@@ -25,7 +25,7 @@ pub struct Configuration<S> {
     pub pins: Vec<Vector2<S>>,
     /// Centre lines of all n slots, clockwise.
     pub slots: Vec<Slot<S>>,
-    /// Which pins are in slots, as (pin, slot), the first pin first: one pair, or two at the hand-over.
+    /// Pins in slots, as (pin, slot), the first pin first: one pair, or two at the hand-over.
     ///
     /// Never none: the pins stand 2π/m apart, and each is engaged over 2π/m.
     pub engaged: Vec<(usize, usize)>,

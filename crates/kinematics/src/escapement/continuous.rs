@@ -21,7 +21,7 @@ pub struct Continuous {
     slots: u32,
 }
 
-/// What the follower does as one pin takes over from the next.
+/// Motion of the follower as one pin takes over from the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum AtHandOver {
     /// It turns on: 1/m + 1/n is below one half.
@@ -33,7 +33,8 @@ pub enum AtHandOver {
 }
 
 impl Continuous {
-    /// So many pins and slots; `None` unless the follower's axis is outside the circle of the pins, 1/m + 2/n < 1.
+    /// A mechanism with so many pins and slots; `None` unless the follower's axis is outside the circle of the pins,
+    /// 1/m + 2/n < 1.
     ///
     /// a > 1 is sin(π/m + π/n) > sin(π/n), so π/m + 2π/n < π.
     pub fn new(pins: u32, slots: u32) -> Option<Self> {
@@ -82,7 +83,7 @@ impl Continuous {
         libm::cos(crank + slot) * libm::sin(slot) / libm::sin(crank)
     }
 
-    /// What the follower does at the hand-over, by whole numbers: 2 (m + n) against m n.
+    /// Motion of the follower at the hand-over, by integers: 2 (m + n) against m n.
     pub fn at_hand_over(&self) -> AtHandOver {
         let [m, n] = [self.pins, self.slots].map(u64::from);
         match (2 * (m + n)).cmp(&(m * n)) {

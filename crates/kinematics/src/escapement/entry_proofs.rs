@@ -119,7 +119,7 @@ pub enum PinsAndSlots {
     /// m = 2n / (n − 2) is the third line multiplied out:
     /// (1/m + 1/n − 1/2) 2mn / (n − 2) = −(m − 2n / (n − 2)). Meyer 1973, fourth line of Eq. (1-3).
     Pins,
-    /// (m − 2)(n − 2) − 4 = 2mn (1/2 − 1/m − 1/n): the third line asks for two whole numbers whose product is 4.
+    /// (m − 2)(n − 2) − 4 = 2mn (1/2 − 1/m − 1/n): the third line asks for two integers whose product is 4.
     Factors,
     /// m − 2 = 4 / (n − 2), m by the fourth line: above zero for every n, and as small as one likes only as n grows
     /// without end. Meyer 1973, remark after the table of Eq. (1-3).

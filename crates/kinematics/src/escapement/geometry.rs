@@ -10,7 +10,7 @@ use std::fmt;
 /// crank radius; lengths are in crank radii, the radius of the pins' circle.
 ///
 /// A pin must enter as the one before it leaves. It is in its slot while the driver turns by 2π/m and the follower by
-/// 2π/n; at entry the crank is at right angles to the slot, so π/m + π/n = π/2 and m = 2 n / (n − 2), a whole number
+/// 2π/n; at entry the crank is at right angles to the slot, so π/m + π/n = π/2 and m = 2 n / (n − 2), an integer
 /// above two for three, four and six slots only. They are ordered by rising number of slots. Meyer 1973, Eq. (1-3) and
 /// the table after it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -24,7 +24,7 @@ pub struct Mechanism {
 /// A mechanism that does not exist, or an angle at which its first pin is in no slot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum EscapementError {
-    /// For a follower with this many slots, no whole number of pins keeps one always engaged and the follower at rest at
+    /// For a follower with this many slots, no integer number of pins keeps one always engaged and the follower at rest at
     /// each hand-over.
     Slots(u32),
     /// What the wheel refuses.
@@ -59,15 +59,15 @@ impl From<KinematicsError> for EscapementError {
     }
 }
 
-/// How many pins keep one engaged in so many slots, if each comes and goes along its slot: m = 2 n / (n − 2). Meyer
+/// Number of pins that keep one engaged in so many slots, if each comes and goes along its slot: m = 2 n / (n − 2). Meyer
 /// 1973, Eq. (1-3).
 ///
-/// In general no whole number. `None` for two slots or fewer, which no number of pins serves.
+/// In general it is not an integer. `None` for two slots or fewer, which no number of pins serves.
 pub fn pins_needed(slots: u32) -> Option<Rational> {
     (slots > 2).then(|| rational(2 * i64::from(slots), i64::from(slots) - 2))
 }
 
-/// All pairs (slots, pins) of positive whole numbers with 1/m + 1/n = 1/2, by rising slots.
+/// All pairs (slots, pins) of positive integers with 1/m + 1/n = 1/2, by rising slots.
 ///
 /// The condition is (m − 2)(n − 2) = 4 ([`entry_proofs::PinsAndSlots`](super::entry_proofs::PinsAndSlots)), so n − 2 is
 /// a divisor of 4 and m − 2 the other one. Both divisors are positive: with negative ones m and n would be 1 and −2, or
@@ -95,12 +95,12 @@ impl Mechanism {
     ///
     /// # Errors
     ///
-    /// [`EscapementError::Slots`] if Eq. (1-3) gives no whole number of pins above two.
+    /// [`EscapementError::Slots`] if Eq. (1-3) gives no integer number of pins above two.
     pub fn new(slots: u32) -> Result<Self, EscapementError> {
         Self::ALL.into_iter().find(|one| one.slots == slots).ok_or(EscapementError::Slots(slots))
     }
 
-    /// The same as a wheel: it gives the motion, and has no dwell.
+    /// The mechanism as a wheel, which gives the motion and has no dwell.
     pub fn wheel(self) -> Wheel {
         Wheel::of_fitting_counts(self.slots, self.pins)
     }

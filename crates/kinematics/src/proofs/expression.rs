@@ -76,7 +76,7 @@ impl Expression {
         Self::new(Built::Variable(index))
     }
 
-    /// A root: a constant that is no whole number and equal to no other expression.
+    /// A root: a constant that is not an integer and equal to no other expression.
     pub(super) fn root() -> Self {
         Self::new(Built::Root)
     }

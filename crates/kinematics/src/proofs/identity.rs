@@ -42,7 +42,7 @@ impl Form {
     }
 }
 
-/// What makes an identity certain: a polynomial of these degrees that is zero on so many points is zero.
+/// Proof of an identity: a polynomial of these degrees that is zero on so many points is zero.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Proof {
     /// Bound of the degree of the difference's numerator, in each variable.
@@ -83,7 +83,7 @@ impl std::error::Error for Refutation {}
 ///
 /// The difference's expression tells the degree of its numerator, at most. A polynomial of degree at most d in a
 /// variable that vanishes at d + 1 values of it vanishes for all; over several variables the same holds on the product
-/// grid. The values are the whole numbers from 2 up; an identity must have no pole there.
+/// grid. The values are the integers from 2 up; an identity must have no pole there.
 ///
 /// # Errors
 ///
@@ -151,7 +151,7 @@ fn on_a_grid(
     Ok(Proof { degrees, points })
 }
 
-/// The values of a variable are 2, 3, 4 …: whole numbers keep the fractions short; zero and one are where formulas have
+/// The values of a variable are 2, 3, 4 …: integers keep the fractions short; zero and one are where formulas have
 /// their poles.
 const LEAST: usize = 2;
 

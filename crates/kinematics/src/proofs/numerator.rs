@@ -1,6 +1,6 @@
-//! The numerator of an expression's value, in whole numbers.
+//! The numerator of an expression's value, in integers.
 //!
-//! Where the variables are whole numbers, an expression is a whole number over powers of those that it divides by. The
+//! Where the variables are integers, an expression is an integer over powers of those that it divides by. The
 //! denominator is known from the steps, so it need not be computed: only numerators are, with no fraction to reduce. As
 //! no divisor is zero, the expression is zero exactly if its numerator is.
 
@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, HashMap};
 /// What was divided by: the number of each divisor's numerator, with its power.
 type Divisors = BTreeMap<usize, u32>;
 
-/// How a whole number is made of others that stand before it.
+/// How an integer is made of others that stand before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Made {
     Variable(usize),
@@ -21,7 +21,7 @@ enum Made {
     Product(usize, usize),
 }
 
-/// The whole numbers that an expression's numerator is made of, for one point of a grid after another.
+/// The integers that an expression's numerator is made of, for one point of a grid after another.
 pub(super) struct Numerator {
     /// For each variable the numbers that change if it and those before it do.
     changing: Vec<Vec<(usize, Made)>>,

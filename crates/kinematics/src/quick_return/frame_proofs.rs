@@ -22,7 +22,7 @@ impl Identity<5> for VelocityInAFrame {
     }
 }
 
-/// How ω × ω × p without brackets is read.
+/// Reading of ω × ω × p without brackets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Brackets {
     /// ω × (ω × p), which is −ω² p in the plane.
@@ -37,9 +37,9 @@ pub enum Brackets {
 pub struct AccelerationInAFrame {
     /// Whether to compare along the frame's first axis or its second.
     pub first: bool,
-    /// How the double product is read.
+    /// Reading of the double product.
     pub brackets: Brackets,
-    /// How many times ω × ṗ is counted.
+    /// Number of times that ω × ṗ is counted.
     pub coriolis: i64,
 }
 

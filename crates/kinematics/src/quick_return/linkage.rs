@@ -18,12 +18,12 @@ pub struct QuickReturn {
     crank: f64,
 }
 
-/// Which of the two points where the lever's ray meets the crank's circle the pin is at.
+/// Branch of the lever: at which of the two points where its ray meets the crank's circle the pin is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Branch {
-    /// The one nearer to the lever's pivot: the lever is on its fast stroke.
+    /// The point nearer to the lever's pivot: the lever is on its fast stroke.
     Near,
-    /// The one farther from it: the lever is on its slow stroke.
+    /// The point farther from the lever's pivot: the lever is on its slow stroke.
     Far,
 }
 
@@ -109,7 +109,7 @@ impl QuickReturn {
         Ok(Position { crank: *crank, lever, pin_distance: distance * self.crank })
     }
 
-    /// The same at a crank angle in degrees, of any size and sign.
+    /// The position at a crank angle in degrees, of any size and sign.
     ///
     /// # Errors
     ///

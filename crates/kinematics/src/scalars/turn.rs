@@ -27,7 +27,7 @@ impl<S: Field> Turn<S> {
         Self { cos: (S::one() - square) / scale.clone(), sin: S::integer(2) * t.clone() / scale }
     }
 
-    /// The same angle with the opposite sign.
+    /// This angle with the opposite sign.
     pub fn reversed(&self) -> Self {
         Self { cos: self.cos.clone(), sin: -self.sin.clone() }
     }

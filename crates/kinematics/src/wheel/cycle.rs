@@ -48,7 +48,7 @@ impl Wheel {
     ///
     /// # Errors
     ///
-    /// Those of [`engaged`](Self::engaged).
+    /// As for [`engaged`](Self::engaged).
     #[inline]
     pub fn velocity_ratio(&self, crank: f64) -> Result<f64, KinematicsError> {
         let (size, most) = (crank.abs(), self.engagement_half_angle());
@@ -79,9 +79,9 @@ impl Wheel {
         })
     }
 
-    /// The same after `turns` whole turns of the driver and `crank` radians, −π to π, of the next.
+    /// The motion after `turns` whole turns of the driver and `crank` radians, −π to π, of the next.
     ///
-    /// At crank angle zero a pin is on the line of centres. Turns are counted in whole numbers, so the wheel's angle
+    /// At crank angle zero a pin is on the line of centres. Turns are counted in integers, so the wheel's angle
     /// has no running error however many there are. At the very ends of an engagement the wheel is in it.
     ///
     /// # Errors

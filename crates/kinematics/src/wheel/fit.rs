@@ -1,4 +1,4 @@
-//! What is said of sizes that do not fit: what, by how much, and what to change.
+//! Errors about sizes that don't fit: what is in the way, by how much, and what to change.
 
 use crate::KinematicsError;
 use std::fmt;
@@ -7,13 +7,13 @@ use thiserror::Error;
 /// A change of what was chosen that makes room.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Remedy {
-    /// Of the pins.
+    /// A thinner pin.
     ThinnerPin,
-    /// Of the horns.
+    /// A thinner horn.
     ThinnerHorn,
-    /// Of slot, locking arc or both.
+    /// Less play of slot, locking arc or both.
     LessPlay,
-    /// Of the slots, at their bottom.
+    /// Less depth of the slots, at their bottom.
     LessDepth,
 }
 
@@ -32,7 +32,7 @@ impl fmt::Display for Remedy {
             Self::ThinnerPin => "a thinner pin",
             Self::ThinnerHorn => "a thinner horn",
             Self::LessPlay => "less play",
-            Self::LessDepth => "less depth of the slots",
+            Self::LessDepth => "shallower slots",
         })
     }
 }
@@ -50,14 +50,16 @@ fn told(remedies: &[Remedy]) -> String {
     remedies.iter().map(Remedy::to_string).collect::<Vec<_>>().join(" or ")
 }
 
-/// Sizes of which no two parts can be made that run in each other.
+/// Sizes from which no working parts can be made.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum SizesError {
     /// A number of stations or pins, or a length, that no wheel has.
     #[error(transparent)]
     Kinematics(#[from] KinematicsError),
     /// A play or a clearance that is negative or not finite.
-    #[error("{name} {asked} mm: it must be zero or more and finite; give how much wider or deeper the hollow is")]
+    #[error(
+        "{name} {asked} mm: it must be finite and not negative; give zero or more, by how much the hollow is wider or deeper"
+    )]
     Play {
         /// Which play or clearance.
         name: &'static str,
@@ -65,7 +67,7 @@ pub enum SizesError {
         asked: f64,
     },
     /// Parts in each other's way.
-    #[error("{what}, by {by:.4} mm; take {}", told(remedies))]
+    #[error("{what} by {by:.4} mm; choose {}", told(remedies))]
     DoesNotFit {
         /// What is in the way.
         what: &'static str,
@@ -77,7 +79,7 @@ pub enum SizesError {
     /// A shaft that leaves no material, or that something runs against.
     #[error(
         "{name} shaft, diameter {asked} mm: it must be less than {most:.4} mm{}",
-        if *most > 0.0 { "; take a thinner shaft" } else { ", so there is no room for one in the plane of the wheel" }
+        if *most > 0.0 { "; give a thinner shaft" } else { ", so there is no room for one in the plane of the wheel" }
     )]
     Shaft {
         /// Which shaft.

@@ -51,7 +51,7 @@ impl Edge {
         }
     }
 
-    /// The same turned about the origin by an angle in radians and then moved.
+    /// The edge turned about the origin by an angle in radians and then moved.
     pub fn placed(&self, angle: f64, by: Vector2<f64>) -> Self {
         let turn = Turn::from_radians(angle);
         let at = |p: Vector2<f64>| Vector2::new(turn.cos * p.x - turn.sin * p.y, turn.sin * p.x + turn.cos * p.y) + by;
@@ -112,7 +112,7 @@ impl Loop {
         Self { edges: vec![Edge::Arc { centre, radius, start: 0.0, sweep }] }
     }
 
-    /// The same turned about the origin by an angle in radians and then moved, in millimetres.
+    /// The loop turned about the origin by an angle in radians and then moved, in millimetres.
     pub fn placed(&self, angle: f64, by: Vector2<f64>) -> Self {
         Self { edges: self.edges.iter().map(|edge| edge.placed(angle, by)).collect() }
     }
@@ -165,7 +165,7 @@ impl Face {
         std::iter::once(&self.outer).chain(&self.holes)
     }
 
-    /// The same turned about the origin by an angle in radians and then moved, in millimetres.
+    /// The face turned about the origin by an angle in radians and then moved, in millimetres.
     pub fn placed(&self, angle: f64, by: Vector2<f64>) -> Self {
         let holes = self.holes.iter().map(|hole| hole.placed(angle, by)).collect();
         Self { outer: self.outer.placed(angle, by), holes }

@@ -9,7 +9,7 @@ use nalgebra::Vector2;
 
 type Point = Vector2<f64>;
 
-/// What of the wheel the pin meets first as it comes in.
+/// Part of the wheel that the pin meets first as it comes in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EntryContact {
     /// The wall that it then pushes.
@@ -54,7 +54,7 @@ const PLACES: u32 = 64;
 const HALVINGS: u32 = 50;
 
 impl Sizes {
-    /// With what speed the pin knocks at its entry, by how far the wheel has turned within its play. None without a locking
+    /// Speed with which the pin knocks at its entry, by how far the wheel has turned within its play. None without a locking
     /// disc, and if the pin meets nothing of the wheel.
     ///
     /// While the pin comes to the driving wall, the blow grows with the way that it has across the slot; it is greatest where
@@ -79,7 +79,7 @@ impl Sizes {
         Some(Knock { centred, within, drifted: within.max(most(0.0, play.greatest)) })
     }
 
-    /// How far the wheel can turn to either side before a wall of the slot meets the pin, at a crank angle of the
+    /// Backlash of the wheel to either side before a wall of the slot meets the pin, at a crank angle of the
     /// engagement in radians; in radians.
     ///
     /// The gap over the pin's distance from the wheel's axis: greatest on the line of centres.
@@ -96,7 +96,7 @@ impl Sizes {
         Ok(libm::asin((self.slot_gap() / r).min(1.0)))
     }
 
-    /// How a pin comes to the wheel at rest if the axes are farther apart than they should be, in millimetres, or nearer
+    /// Entry of a pin into the wheel at rest if the axes are farther apart than they should be, in millimetres, or nearer
     /// (below zero). The wheel is in the middle of its play. `None` if the pin does not meet a slot, its mouth or the rim
     /// beside it.
     ///
@@ -107,7 +107,7 @@ impl Sizes {
         self.first_contact(centre_error, 0.0)
     }
 
-    /// How a pin comes to a wheel that has turned forwards by an angle in radians from the middle of its play, or backwards
+    /// Entry of a pin into a wheel that has turned forwards by an angle in radians from the middle of its play, or backwards
     /// (below zero). `None` if the pin meets nothing of it.
     ///
     /// In the slot's frame the driver's axis is then at c (cos(α − δ), sin(α − δ)), and the crank angle counts from δ less.

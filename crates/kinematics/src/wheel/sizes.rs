@@ -11,7 +11,7 @@ use super::fit::Remedy::{LessDepth, LessPlay, ThinnerHorn, ThinnerPin};
 use super::fit::{ShaftOf, SizesError};
 use crate::error::length;
 
-/// The one length that is given; it makes millimetres of a wheel's ratios.
+/// The length that is given; it turns a wheel's ratios into millimetres.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Scale {
     /// Distance of the pin's centre from the driver's axis, in millimetres.
@@ -22,7 +22,7 @@ pub enum Scale {
     WheelRadius(f64),
 }
 
-/// How much wider each hollow is than what runs in it; the gap on each side is half as much.
+/// Play: how much wider each hollow is than what runs in it; the gap on each side is half as much.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Play {
     /// Width of a slot less the pin's diameter, in millimetres.
@@ -43,14 +43,14 @@ const OF_BORES: f64 = 0.25;
 const OF_BOTTOM: f64 = 0.05;
 
 impl Play {
-    /// So much play of slot and locking arc, in millimetres, and a quarter of it of the bores: a shaft that is loose in its
+    /// This play of slot and locking arc, in millimetres, and a quarter of it of the bores: a shaft that is loose in its
     /// bore brings the axes nearer.
     pub fn of(play: f64) -> Self {
         Self { slot: play, locking: play, bore: OF_BORES * play }
     }
 }
 
-/// What a designer may choose; what is not chosen has a default.
+/// Choices of a designer; everything not chosen has a default.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Choices {
     /// Diameter of the pins, in millimetres. By default the least of 0.3 a, ⅔ (c − a) and 0.9 √(a (c − R)): the first
@@ -169,11 +169,7 @@ impl Sizes {
         fits(web, "the ends of two neighbouring slots run into each other", &[ThinnerPin, LessPlay, LessDepth])?;
         let locking_arc_radius = a - half - horn_thickness;
         let tip_radius = libm::hypot(wheel_radius, half);
-        fits(
-            locking_arc_radius + tip_radius - c,
-            "the locking arcs do not reach the wheel",
-            &[ThinnerPin, ThinnerHorn],
-        )?;
+        fits(locking_arc_radius + tip_radius - c, "the locking arcs miss the wheel", &[ThinnerPin, ThinnerHorn])?;
         let passing = c - a - pin_diameter / 2.0;
         let plate_radius = a + pin_diameter / 2.0 + (pin_diameter / 2.0).min(passing / 2.0);
         let mut sizes = Self {

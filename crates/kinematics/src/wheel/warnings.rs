@@ -25,17 +25,17 @@ pub enum Warning {
     },
 }
 
-/// A wall that is thinner than this part of the pin's diameter is told.
+/// A wall that is thinner than this part of the pin's diameter gets a warning.
 const THIN: f64 = 0.2;
 
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::NoPlay => f.write_str("without play, parts that are exactly as drawn jam"),
+            Self::NoPlay => f.write_str("without play, parts made exactly as drawn will jam"),
             Self::CanMiss { turns } => write!(
                 f,
-                "in the dwell the wheel can turn by {:.2}°, and the pin then meets its rim beside the slot: take less play or \
-                 a thicker pin",
+                "during the dwell the wheel can turn by {:.2}°, and the pin then hits its rim beside the slot: choose less play \
+                 or a thicker pin",
                 turns.to_degrees()
             ),
             Self::ThinWall { wall, thickness } => {
@@ -46,7 +46,7 @@ impl fmt::Display for Warning {
 }
 
 impl Sizes {
-    /// What a maker should know before making these parts; nothing for most.
+    /// Warnings to a maker of these parts; none for most sizes.
     pub fn warnings(&self) -> Vec<Warning> {
         let is_tight = self.play.slot == 0.0 || self.locking_gap() == Some(0.0);
         let turns = self.dwell_play().filter(|play| play.can_miss).map(|play| play.greatest);

@@ -102,7 +102,7 @@ fn six_stations_have_the_sizes_of_a_right_triangle() {
 fn what_does_not_fit_is_said() {
     let pin = |pin| Choices { pin_diameter: Some(pin), ..Choices::default() };
     let message = sized(3, &pin(30.0)).unwrap_err().to_string();
-    assert!(message.contains("slots run into each other, by ") && message.contains("thinner pin"), "{message}");
+    assert!(message.contains("slots run into each other by ") && message.contains("thinner pin"), "{message}");
     // With a pin of 0.4 a no arc through the edges of the opening is right.
     let message = sized(12, &pin(0.4 * 100.0 * libm::sin(std::f64::consts::PI / 12.0))).unwrap_err().to_string();
     assert!(message.contains("run into the wheel's horns"), "{message}");
@@ -114,7 +114,7 @@ fn what_does_not_fit_is_said() {
         assert!(message.starts_with("clearance at the slot's bottom"), "{message}");
     }
     let message = sized(6, &Choices { bottom_clearance: Some(40.0), ..Choices::default() }).unwrap_err().to_string();
-    assert!(message.contains("slots run into each other") && message.contains("less depth"), "{message}");
+    assert!(message.contains("slots run into each other") && message.contains("shallower slots"), "{message}");
     for play in [-0.1, f64::INFINITY, f64::NAN] {
         let choices = Choices { play: Some(Play { locking: play, ..Play::of(0.1) }), ..Choices::default() };
         let message = sized(6, &choices).unwrap_err().to_string();

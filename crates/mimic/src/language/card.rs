@@ -10,7 +10,7 @@ use core::ops::Range;
 /// Most characters of a card. The machine's had eighty.
 pub(super) const LONGEST: usize = 1000;
 
-/// Where the fields of a card stand: logical control variable, result, expression.
+/// Layout of a card: where its logical control variable, result and expression are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Layout {
     /// In columns, as in the deck of the encyclopedia: control before column 10, result from 10 to 16 with a sign = in
@@ -133,7 +133,7 @@ fn control_card(found: &[Placed]) -> Option<Result<Fields, Problems>> {
     None
 }
 
-/// The one name in a field, if there is something in it.
+/// The only name in a field, if there is something in it.
 fn only(field: &[Placed], what: &'static str) -> Result<Option<Word>, Problems> {
     match field {
         [] => Ok(None),
@@ -201,7 +201,7 @@ fn fields_before_expression(found: &[Placed], end: usize) -> Result<usize, Probl
         return Err(vec![(first.at.clone(), expected("the name of a result, or a control card", Some(first)))]);
     };
     let Some(second) = found.get(1) else {
-        return Err(vec![(end..end + 1, expected("an expression behind the name", None))]);
+        return Err(vec![(end..end + 1, expected("an expression after the name", None))]);
     };
     let Some(second_name) = second.name() else {
         let gap_before = second.at.start > first.at.end;

@@ -22,9 +22,9 @@ pub(super) struct DataCard {
 }
 
 /// What is wrong where no number is.
-const NO_NUMBER: &str = "no number; write it as 2., .05 or 5.E-6, with blanks or commas between";
+const NO_NUMBER: &str = "not a number; write it as 2., .05 or 5.E-6, with blanks or commas between numbers";
 const EMPTY_PLACE: &str = "no number before this comma; write one, such as 0., or leave the comma out";
-const NO_NUMBER_BEHIND_END: &str = "no number, and what stands behind END is data; write it as 2., .05 or 5.E-6, with \
+const NO_NUMBER_BEHIND_END: &str = "not a number, and everything after END is data; write it as 2., .05 or 5.E-6, with \
                                     blanks or commas between, or put the card before END";
 
 impl DataCard {
@@ -114,7 +114,7 @@ impl Deck {
         let mut reader = Reader { deck: self, next: 0 };
         if self.data.iter().map(DataCard::weight).sum::<usize>() > MOST_NUMBERS {
             let words =
-                format!("the data have more than {MOST_NUMBERS} numbers up to here, which is the most; part them");
+                format!("the data have more than {MOST_NUMBERS} numbers up to here, the most that is read; split them");
             return Err(reader.refuse(self.data.len() - 1, 0..1, words));
         }
         let names = self.parameters().len();
@@ -132,7 +132,7 @@ impl Deck {
                 return Err(reader.refuse(reader.next - 1, 0..1, words));
             }
             if sets.len() > MOST_SETS {
-                return Err(reader.refuse(reader.next, 0..1, format!("more than {MOST_SETS} sets; part the data")));
+                return Err(reader.refuse(reader.next, 0..1, format!("more than {MOST_SETS} sets; split the data")));
             }
         }
         if reader.next < self.data.len() {
@@ -186,7 +186,7 @@ impl Reader<'_> {
             return Err(match &self.deck.data_file {
                 None => {
                     let words = format!(
-                        "no number is left for {name}: the card has {count}, and as many numbers must stand behind END"
+                        "no number is left for {name}: the card has {count}, and as many numbers must follow END"
                     );
                     Faults(vec![self.deck.fault(group.card, 0..1, Problem::Data(words))])
                 }
@@ -209,7 +209,7 @@ impl Reader<'_> {
             })?;
             let Some(word) = names.next() else {
                 let words = format!(
-                    "one number more than card {} {}has names; the numbers for another card begin a new data card",
+                    "one number more than card {} {}has names; start a new data card for the numbers of another card",
                     group.card,
                     if self.deck.data_file.is_some() { "of the deck " } else { "" }
                 );

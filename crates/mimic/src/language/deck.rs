@@ -42,7 +42,7 @@ pub(super) struct PlotCards {
     pub(super) zero: Option<Listed>,
 }
 
-/// What a plot shows, of one run.
+/// Plot of one run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plot {
     /// What is plotted against what: X, then the others.
@@ -73,7 +73,7 @@ pub struct Deck {
 }
 
 impl Deck {
-    /// What is worth a look, though nothing is wrong: comments that could be statements.
+    /// Notes on a deck without mistakes: comments that could be statements.
     pub fn notes(&self) -> &[String] {
         &self.notes
     }

@@ -258,7 +258,7 @@ impl<'a> Parser<'a> {
         Ok(sign.at.end)
     }
 
-    /// A function behind its opening parenthesis. One that nobody knows is told, and reading goes on.
+    /// A function after its opening parenthesis. An unknown one is reported, and reading goes on.
     fn call(&mut self, name: &str, at: Range<usize>) -> Read<usize> {
         self.deeper(&at)?;
         let mut arguments = Vec::new();

@@ -1,20 +1,20 @@
-//! What is wrong with a deck: the card, the columns, what is allowed there, and the nearest name that is known.
+//! Mistakes in a deck: the card, the columns, what is allowed there, and the nearest known name.
 
 use core::fmt;
 use core::ops::Range;
 use thiserror::Error;
 
-/// What is wrong at a place of a card.
+/// Mistakes at a place of a card.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum Problem {
     /// A sign that means nothing here.
-    #[error("the sign {0:?} means nothing on a card; use letters, digits, and . + - * / ( ) , =")]
+    #[error("the character {0:?} has no meaning on a card; use letters, digits, and . + - * / ( ) , =")]
     Sign(char),
     /// Digits that are no number.
-    #[error("{0} is no number; write it as 2., .05, 57.3 or 5.E-6")]
+    #[error("{0} is not a number; write it as 2., .05, 57.3 or 5.E-6")]
     Number(String),
     /// A card of more characters than can be read.
-    #[error("the card has {length} characters; at most {most} are read: divide it by a further name")]
+    #[error("the card has {length} characters, but at most {most} are read; split it with another name")]
     TooLong {
         /// Its characters.
         length: usize,
@@ -25,13 +25,15 @@ pub enum Problem {
     #[error("a deck has at most {0} lines up to its END, and this is one more; shorten it")]
     TooManyCards(usize),
     /// More on the cards than is read.
-    #[error("the cards up to here have more than {0} names, numbers and signs, which is the most; shorten the deck")]
+    #[error(
+        "the cards up to here have more than {0} names, numbers and signs, the most that is read; shorten the deck"
+    )]
     TooManyWords(usize),
     /// Parentheses in parentheses without end.
-    #[error("parentheses stand more than {0} deep; divide the expression by a further name")]
+    #[error("parentheses are nested more than {0} deep; split the expression with another name")]
     TooDeep(usize),
     /// Something else was due.
-    #[error("expected {expected}, and {found} stands here")]
+    #[error("expected {expected}, but found {found}")]
     Expected {
         /// What was due.
         expected: &'static str,
@@ -39,12 +41,12 @@ pub enum Problem {
         found: String,
     },
     /// Two arithmetic signs in a row.
-    #[error("two signs in a row; put the second with its number in parentheses")]
+    #[error("two signs in a row; put the second one and its number in parentheses")]
     TwoSigns,
     /// A control field and a result, or a result and a difference.
     #[error(
-        "{first} {second} {sign} … may be a result under {first}, or the result {first}; write = behind the result, or \
-         no blank before the sign"
+        "{first} {second} {sign} … may be a result under {first}, or the result {first}; write = after the result, or no \
+         blank before the sign"
     )]
     Ambiguous {
         /// The first name.
@@ -54,16 +56,16 @@ pub enum Problem {
         /// The sign behind them.
         sign: char,
     },
-    /// A function that nobody knows.
-    #[error("{name} is no function{}; geneva mimic functions lists them", but_near(.nearest))]
+    /// An unknown function.
+    #[error("{name} is not a function{}; geneva mimic functions lists them", but_near(.nearest))]
     UnknownFunction {
         /// Its name.
         name: String,
         /// The nearest that is known.
         nearest: Option<String>,
     },
-    /// A control card that nobody knows.
-    #[error("{name} is no control card{}; they are CON, PAR, FIN, HDR, OUT, PLO, SCA, ZER and END", but_near(.nearest))]
+    /// An unknown control card.
+    #[error("{name} is not a control card{}; the control cards are CON, PAR, FIN, HDR, OUT, PLO, SCA, ZER and END", but_near(.nearest))]
     UnknownCard {
         /// Its name.
         name: String,
@@ -85,12 +87,12 @@ pub enum Problem {
     UnknownName {
         /// The name.
         name: String,
-        /// What may be meant; empty if nobody knows.
+        /// What may be meant; empty if unknown.
         hint: String,
     },
     /// A control card where an expression is due.
     #[error(
-        "{0} is a control card, no function; it stands by itself, without a result and a control variable before it"
+        "{0} is a control card, not a function; write it by itself, without a result or a control variable before it"
     )]
     CardInExpression(String),
     /// A name that is already something else.
@@ -112,8 +114,8 @@ pub enum Problem {
         /// The card of the first definition.
         first: usize,
     },
-    /// A number where a truth is due, or the other way round.
-    #[error("{what} must be a {expected}, and this is a {found}")]
+    /// A number where a truth is due, or a truth where a number is due.
+    #[error("{what} must be a {expected}, but this is a {found}")]
     Type {
         /// What it is for.
         what: String,
@@ -132,7 +134,7 @@ pub enum Problem {
         names: Vec<String>,
     },
     /// Initial values that wait for each other.
-    #[error("an initial value that waits for itself: {}; begin one of them with a number", circle(.names))]
+    #[error("an initial value that depends on itself: {}; let one of them begin with a number", circle(.names))]
     InitialLoop {
         /// The names, each of which needs the next.
         names: Vec<String>,
@@ -157,7 +159,7 @@ pub enum Problem {
         why: &'static str,
     },
     /// A card that follows nothing.
-    #[error("{card} belongs behind a PLO card; put it there, once")]
+    #[error("{card} belongs after a PLO card; put it there, once")]
     WithoutPlot {
         /// The card.
         card: &'static str,
@@ -227,14 +229,14 @@ impl fmt::Display for Fault {
     }
 }
 
-/// All that is wrong with a deck, in the order of its cards.
+/// All mistakes of a deck, in the order of its cards.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub struct Faults(pub Vec<Fault>);
 
 /// Most faults that are collected of cards, and of what does not fit together.
 pub(super) const MOST_FAULTS: usize = 50_000;
 
-/// Most faults that are told in words, the first ones; the others are counted.
+/// Most faults that are listed, the first ones; the others are counted.
 pub(super) const MOST_TOLD: usize = 50;
 
 impl fmt::Display for Faults {
@@ -261,11 +263,11 @@ impl Faults {
     }
 }
 
-/// What other languages call by another name.
+/// Names of functions in other languages, and their names in MIMIC.
 const ELSEWHERE: [(&str, &str); 5] = [("LN", "LOG"), ("ALOG", "LOG"), ("SQRT", "SQR"), ("ATAN", "ATN"), ("TIME", "T")];
 
-/// The known name that is nearest to a word, if one is near: that of the same thing in other languages, or one in which
-/// two signs at most are other, missing, too many or exchanged.
+/// The known name that is nearest to a word, if one is near: the name of the same thing in another language, or one in
+/// which at most two characters differ, are missing, are too many or are swapped.
 pub fn nearest_to<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<String> {
     let known: Vec<&str> = known.into_iter().collect();
     let same = ELSEWHERE.iter().find(|(other, _)| *other == word).map(|(_, own)| *own);

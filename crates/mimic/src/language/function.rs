@@ -2,7 +2,7 @@
 
 use super::code::Operation;
 
-/// Where a word of the language is known from.
+/// Evidence for a word of the language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Evidence {
     /// The thesis uses it, and its text or its results show what it does: Work::Meyer1973, Appendix B.
@@ -16,7 +16,7 @@ pub enum Evidence {
 }
 
 impl Evidence {
-    /// In words.
+    /// The evidence in words.
     pub fn words(self) -> &'static str {
         match self {
             Self::Thesis => "the thesis, Appendix B",
@@ -124,14 +124,14 @@ pub static FUNCTIONS: [Function; 26] = [
         (2, 2),
         (Numbers, Integral),
         Both,
-        "the integral of A over T; B at T = 0. Under a control variable that is false it stands still",
+        "integral of A over T; B at T = 0. It stands still under a control variable that is false",
     ),
     function(
         ("TDL", "A, B, C"),
         (2, 3),
         (Numbers, Delay),
         Thesis,
-        "A at T − B, and 0 before there is one; B must be known before the run. What C is, nobody says: perhaps how \
+        "A at T − B, and 0 before there is one; B must be known before the run. We don't know what C is: perhaps how \
          many values are kept",
     ),
     function(
@@ -153,9 +153,9 @@ pub static FUNCTIONS: [Function; 26] = [
         (2, 2),
         (Numbers, Plain(Operation::Remainder)),
         Thesis,
-        "what is left of A after whole multiples of B, with the sign of A, as in FORTRAN",
+        "remainder of A divided by B, with the sign of A, as in FORTRAN",
     ),
-    function(("ABS", "A"), (1, 1), (Numbers, Plain(Operation::Absolute)), Thesis, "the size of A"),
+    function(("ABS", "A"), (1, 1), (Numbers, Plain(Operation::Absolute)), Thesis, "absolute value of A"),
     function(("SIN", "A"), (1, 1), (Numbers, Plain(Operation::Sine)), Thesis, "sine of A radians"),
     function(("COS", "A"), (1, 1), (Numbers, Plain(Operation::Cosine)), Thesis, "cosine of A radians"),
     function(
@@ -163,13 +163,13 @@ pub static FUNCTIONS: [Function; 26] = [
         (1, 2),
         (Numbers, Plain(Operation::ArcTangent)),
         Assumed,
-        "the angle in radians whose tangent is A; with B that of the point B, A",
+        "angle in radians whose tangent is A; with B, the angle of the point (B, A)",
     ),
     function(("SQR", "A"), (1, 1), (Numbers, Plain(Operation::SquareRoot)), Assumed, "square root of A"),
     function(("EXP", "A"), (1, 1), (Numbers, Plain(Operation::Exponential)), Assumed, "e to the power A"),
     function(("LOG", "A"), (1, 1), (Numbers, Plain(Operation::Logarithm)), Assumed, "natural logarithm of A"),
-    function(("MAX", "A, B, ..."), (2, ANY), (Numbers, Folded(Operation::Greatest)), Assumed, "the greatest"),
-    function(("MIN", "A, B, ..."), (2, ANY), (Numbers, Folded(Operation::Least)), Assumed, "the least"),
+    function(("MAX", "A, B, ..."), (2, ANY), (Numbers, Folded(Operation::Greatest)), Assumed, "the greatest of them"),
+    function(("MIN", "A, B, ..."), (2, ANY), (Numbers, Folded(Operation::Least)), Assumed, "the least of them"),
     function(
         ("LIM", "A, B, C"),
         (3, 3),
@@ -192,20 +192,20 @@ pub static FUNCTIONS: [Function; 26] = [
         "logical switch: B if A is TRUE, C if it is FALSE",
     ),
     function(("AND", "A, B, ..."), (2, ANY), (Truths, Folded(Operation::And)), Assumed, "TRUE if all are"),
-    function(("IOR", "A, B, ..."), (2, ANY), (Truths, Folded(Operation::Or)), Assumed, "TRUE if one is, or more"),
+    function(("IOR", "A, B, ..."), (2, ANY), (Truths, Folded(Operation::Or)), Assumed, "TRUE if at least one is"),
     function(
         ("EOR", "A, B, ..."),
         (2, ANY),
         (Truths, Folded(Operation::Exclusive)),
         Assumed,
-        "TRUE if an odd number of them is",
+        "TRUE if an odd number of them are",
     ),
     function(
         ("LIN", "A, B, C, D"),
         (4, 4),
         (Numbers, Limited),
         Assumed,
-        "limited integral: of A over T, B at T = 0; it stands still below C while A < 0, and above D while A > 0",
+        "limited integral of A over T; B at T = 0. It stands still below C while A < 0, and above D while A > 0",
     ),
     function(
         ("FTR", "A, B, C"),
@@ -219,22 +219,22 @@ pub static FUNCTIONS: [Function; 26] = [
         (3, 3),
         (Numbers, Slope),
         Assumed,
-        "change of A over that of B since the point that was kept before; C at T = 0, and the last one while B rests",
+        "change of A over the change of B since the last kept point; C at T = 0, and unchanged while B rests",
     ),
     function(
         ("ZOH", "A, B"),
         (2, 2),
         (Numbers, Sample),
         Assumed,
-        "zero-order hold: A as it was at the first point that was kept at or after the last multiple of B",
+        "zero-order hold: A as it was at the first kept point at or after the last multiple of B",
     ),
     function(
         ("IMP", "A, B"),
         (2, 2),
         (Numbers, Implicit),
         Assumed,
-        "implicit: the value that B gives back, where B may depend on it; found by repetition, beginning with A: 1000 \
-         times at most, until the two agree to 1E-12 of their size. It stands alone in its expression",
+        "implicit: the value that B gives back, where B may depend on it; found by repetition, beginning with A, at most \
+         1000 times, until the two agree to 1E-12 of their size. It must be alone in its expression",
     ),
     function(("TAN", "A"), (1, 1), (Numbers, Plain(Operation::Tangent)), Assumed, "tangent of A radians"),
 ];

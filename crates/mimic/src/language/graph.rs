@@ -281,7 +281,7 @@ impl<'a> Graph<'a> {
                 }
                 [_, second, ..] => {
                     let Statement { card, expression, .. } = &self.deck.statements[second];
-                    let problem = Problem::Misplaced("a loop can have one IMP; here are two in one loop");
+                    let problem = Problem::Misplaced("a loop can have only one IMP, but there are two in one loop");
                     self.fault(*card, expression.columns(), problem);
                 }
             }
@@ -317,7 +317,7 @@ impl<'a> Graph<'a> {
         };
         if !begins_free || control.is_some() {
             let problem = Problem::Misplaced(
-                "IMP stands under no control variable, and begins with a number, or a name that its loop does not change",
+                "IMP can't be under a control variable, and begins with a number, or a name that its loop does not change",
             );
             return self.fault(*card, expression.columns(), problem);
         }

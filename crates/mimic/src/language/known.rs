@@ -118,7 +118,7 @@ impl Graph<'_> {
             for (at, (node, columns)) in statement.expression.nodes.iter().enumerate() {
                 let Node::Call(function, _) = node else { continue };
                 if FUNCTIONS[*function].kind == Kind::Implicit && at != statement.expression.root() {
-                    let problem = Problem::Misplaced("IMP stands alone in its expression; give its value a name");
+                    let problem = Problem::Misplaced("IMP must be alone in its expression; give its value a name");
                     told.push((statement.card, columns.clone(), problem));
                 }
             }
@@ -135,7 +135,7 @@ impl Graph<'_> {
                     let kind = FUNCTIONS[*function].kind;
                     if !matches!(kind, Kind::Plain(_) | Kind::Folded(_)) {
                         let problem =
-                            Problem::Misplaced("a function with a memory stands on a card of its own; name it");
+                            Problem::Misplaced("a function with a memory needs a card of its own; give it a name");
                         told.push((listed.card, columns.clone(), problem));
                     }
                 }

@@ -352,7 +352,7 @@ impl Machine<'_> {
                 text: program.card_text(of.card),
                 reason: match of.more {
                     More::TimeConstant(_) => format!("{} has a time constant of zero", of.name),
-                    _ => format!("the rate of {} is no number", of.name),
+                    _ => format!("the rate of {} is not a number", of.name),
                 },
             },
             _ => program.origin(registers, register),

@@ -53,7 +53,7 @@ pub fn print_out(run: &Run, title: &str) -> String {
     if run.work.forced > 0 {
         let _ = writeln!(
             page,
-            "\n{} of {} steps were as short as they may be and missed the tolerance.",
+            "\n{} of {} steps were as short as allowed and still missed the tolerance.",
             run.work.forced, run.work.accepted
         );
     }

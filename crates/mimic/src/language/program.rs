@@ -181,7 +181,7 @@ impl Program {
         self.outputs.iter().flatten().map(|(name, _)| name.clone()).collect()
     }
 
-    /// How many integrals there are, and how many instructions in an evaluation of their integrands.
+    /// Number of integrals, and of instructions in an evaluation of their integrands.
     pub fn size(&self) -> (usize, usize) {
         (self.states.len(), self.each.instructions.len())
     }

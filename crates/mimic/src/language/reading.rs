@@ -330,7 +330,7 @@ impl Reading {
             self.faults.push(Fault { file: None, card: 0, columns: 0..0, text: String::new(), problem });
         };
         if !ended {
-            missing("END", "put one behind the last card, and data cards behind it");
+            missing("END", "put one after the last card, and data cards after it");
         }
         if !has_end_card {
             missing("FIN", "say when a run ends, such as FIN(T,10.)");
@@ -345,7 +345,7 @@ impl Reading {
             if wanted != Some(given) {
                 let allowed = match wanted {
                     Some(wanted) => format!("{wanted}, one for each name of the OUT card of the same number"),
-                    None => format!("none, for there is no OUT card of its number, {}", number + 1),
+                    None => format!("none, because there is no OUT card with its number, {}", number + 1),
                 };
                 self.count(*card, word, given, allowed);
             }

@@ -30,17 +30,17 @@ const MOST_DELAYS: usize = 256;
 /// Which values a delay keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum RememberedPoints {
-    /// Those of all kept points, whatever the third argument of `TDL` says.
+    /// The values of all kept points, whatever the third argument of `TDL` says.
     All,
     /// As many, equally far apart in the delay, as the third argument says.
     AsAsked,
 }
 
-/// What the two decks and their texts leave open.
+/// Choices that the two decks and their texts leave open.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Choices {
-    /// How steps are made. Its print interval is DT where no DT card is; its run length and its least, greatest and
-    /// first step are not used, for FIN, DTMIN and DTMAX say them.
+    /// Parameters of the integrator. Its print interval is DT where no DT card is; its run length and its least, greatest and
+    /// first step are not used, because FIN, DTMIN and DTMAX give them.
     ///
     /// Default: that of [`Parameters`], but a step that cannot be made smaller is kept, and counted: a deck may have
     /// switches, and to pass one within the tolerance may take a step shorter than any.
@@ -70,14 +70,14 @@ impl Default for Choices {
     }
 }
 
-/// What a run prints.
+/// Printed result of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
     /// The names of CON and PAR with their numbers, each in its own unit.
     pub parameters: Vec<(String, f64)>,
     /// The words of each HDR card.
     pub headings: Vec<Vec<String>>,
-    /// How many columns each OUT card has.
+    /// Number of columns of each OUT card.
     pub widths: Vec<usize>,
     /// The names of all OUT cards.
     pub columns: Vec<String>,

@@ -111,7 +111,7 @@ fn is_mantissa(text: &[char]) -> bool {
     text.iter().any(char::is_ascii_digit) && text.iter().all(|sign| sign.is_ascii_digit() || *sign == '.')
 }
 
-/// Whether it is a whole number with an exponent, such as 5E3: no name is meant.
+/// Whether it is an integer with an exponent, such as 5E3: no name is meant.
 fn is_exponent(text: &str) -> bool {
     text.split_once('E').is_some_and(|(mantissa, exponent)| {
         let digits = |text: &str| !text.is_empty() && text.chars().all(|sign| sign.is_ascii_digit());

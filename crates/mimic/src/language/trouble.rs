@@ -11,7 +11,7 @@ pub enum Trouble {
     #[error("no number for {0}; every name of a CON or PAR card needs one")]
     Missing(String),
     /// A number for a name that is no parameter.
-    #[error("{0} is no name of a CON or PAR card")]
+    #[error("no CON or PAR card has the name {0}")]
     Unknown(String),
     /// Too many integrals or delays.
     #[error("the program has {asked} {what}; at most {most} can be run together")]
@@ -84,7 +84,7 @@ pub enum Trouble {
     },
     /// Too many steps.
     #[error(
-        "at T = {time}: {steps} steps are made and FIN is not reached; {origin}; give a larger tolerance, DTMIN, DTMAX \
+        "at T = {time}: FIN is not reached after {steps} steps; {origin}; give a larger tolerance, DTMIN, DTMAX \
          or gap between switching on and off, or an earlier FIN",
         time = told(*.time)
     )]
@@ -98,7 +98,7 @@ pub enum Trouble {
     },
     /// The limit of printed rows is reached.
     #[error(
-        "at T = {time}: {rows} rows are printed and FIN is not reached; give a longer DT or an earlier FIN, or print \
+        "at T = {time}: FIN is not reached after {rows} printed rows; give a longer DT or an earlier FIN, or print \
              fewer names",
         time = told(*.time)
     )]
@@ -120,10 +120,10 @@ pub enum Trouble {
         /// What is wrong.
         error: DelayError,
     },
-    /// A delay within which more values are kept than there is room for.
+    /// A delay that spans more values than there is room for.
     #[error(
-        "at T = {time}: card {card} ({text}): within the delay of {delay} there are more than {capacity} kept steps, and \
-         as many values are remembered; give a larger tolerance or DTMIN, or let the delay keep as many values as its \
+        "at T = {time}: card {card} ({text}): the delay of {delay} spans more than {capacity} kept steps, and no \
+         more values are remembered; give a larger tolerance or DTMIN, or let the delay keep as many values as its \
          third argument says (--delay-keeps as-asked)",
         time = told(*.time),
         delay = told(*.delay)
@@ -143,7 +143,7 @@ pub enum Trouble {
     /// The delays of a run remember more values than there is room for.
     #[error(
         "at T = {time}: {delays} TDL, the longest of which goes back by {longest}, need room for more than {most} values, \
-         which is the most; give fewer or shorter delays, longer steps (DTMAX or DT) or an earlier FIN, or let each \
+         the most that is remembered; give fewer or shorter delays, longer steps (DTMAX or DT) or an earlier FIN, or let each \
          delay keep as many values as its third argument says (--delay-keeps as-asked)",
         time = told(*.time),
         longest = told(*.longest)
@@ -160,7 +160,7 @@ pub enum Trouble {
     },
     /// All runs of a deck come to more than one answer can hold.
     #[error(
-        "the first {runs} data sets come to {asked} {what}; all together can come to {most}: give fewer data sets, {way_out} or an \
+        "the first {runs} data sets need {asked} {what}, but all together can have at most {most}; give fewer data sets, {way_out} or an \
              earlier FIN"
     )]
     TooMuch {
@@ -181,7 +181,7 @@ pub enum Trouble {
 }
 
 impl Trouble {
-    /// The same where so many steps before it missed the tolerance.
+    /// Adds the number of steps before it that missed the tolerance.
     pub(super) fn after_forced_steps(self, steps: u64) -> Self {
         match self {
             Self::NonFinite { time, origin, .. } => Self::NonFinite { time, origin, forced: steps },
@@ -215,7 +215,7 @@ fn after_forced(steps: u64) -> String {
     }
 }
 
-/// What went wrong in which run.
+/// Error of a run, with its number.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[error("data set {number}: {trouble}")]
 pub struct RunError {

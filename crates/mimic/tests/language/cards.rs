@@ -119,12 +119,12 @@ fn data_are_read_by_the_names_of_their_cards() {
     assert!(refused("").contains("no number is left for K"), "{}", refused(""));
     assert!(refused("1.\n2. 3.\n4.\n5.\n").contains("no number is left for B"));
     assert!(refused("1. 2.\n").contains("card 8, column 4: one number more than card 2 has names"));
-    assert!(refused("1.\n2. X\n").contains("card 9, column 4: no number"));
-    assert!(refused("1.\n2. X\n").contains("no number, and what stands behind END is data"));
+    assert!(refused("1.\n2. X\n").contains("card 9, column 4: not a number"));
+    assert!(refused("1.\n2. X\n").contains("not a number, and everything after END is data"));
     assert!(refused("1.\n2.,,3.\n").contains("card 9, column 4: no number before this comma; write one"));
     assert!(refused("1.\n,2.,3.\n").contains("card 9, column 1: no number before this comma"));
     let twice = deck(" OUT(T)\n FIN(T,.1)\n END\n END\n").data_sets().expect_err("no data").to_string();
-    assert!(twice.contains("card 4, column 2: no number, and what stands behind END is data"), "{twice}");
+    assert!(twice.contains("card 4, column 2: not a number, and everything after END is data"), "{twice}");
     let one = deck(" PAR(A)\n OUT(A)\n FIN(T,.1)\n END\n").data_sets().expect_err("no data").to_string();
     assert!(one.contains("the card has 1 name, and"), "{one}");
     let none = deck(" CON(K)\n X K\n OUT(X)\n FIN(T,.1)\n END\n 1.\n 2.\n").data_sets().expect_err("left over");
@@ -180,5 +180,5 @@ fn faults_of_a_file_of_data_name_it_and_its_line() {
     );
     assert!(told.ends_with("\n    4. 5.\n         ^"), "{told}");
     assert!(refused("").starts_with("some.cards, line 1, column 1: no number is left for A"));
-    assert!(refused("1. X 3.\n").starts_with("some.cards, line 1, column 4: no number;"));
+    assert!(refused("1. X 3.\n").starts_with("some.cards, line 1, column 4: not a number;"));
 }

@@ -26,25 +26,25 @@ fn each_fault_has_its_card_its_column_and_a_way_out() {
         (" Y COS(XX)\n", 8, "no card defines XX; the nearest is X"),
         (" Y 2T\n", 4, "no card defines 2T; if it is a product, write 2.*T"),
         (" Y TIME\n", 4, "no card defines TIME; the nearest is T"),
-        (" Y LN(X)\n", 4, "LN is no function; the nearest is LOG"),
-        (" Y SQRT(X)\n", 4, "SQRT is no function; the nearest is SQR"),
-        (" Y ATAN(X)\n", 4, "ATAN is no function; the nearest is ATN"),
-        (" A FIN(X,.1)\n", 4, "FIN is a control card, no function; it stands by itself, without a result and"),
-        (" A OUT(X)\n", 4, "OUT is a control card, no function"),
+        (" Y LN(X)\n", 4, "LN is not a function; the nearest is LOG"),
+        (" Y SQRT(X)\n", 4, "SQRT is not a function; the nearest is SQR"),
+        (" Y ATAN(X)\n", 4, "ATAN is not a function; the nearest is ATN"),
+        (" A FIN(X,.1)\n", 4, "FIN is a control card, not a function; write it by itself, without a result or"),
+        (" A OUT(X)\n", 4, "OUT is a control card, not a function"),
         (" HDR(T,A,B)\n", 2, "HDR has 3, but takes 2, one for each name of the OUT card of the same number"),
         (" Y SIN(X,X)\n", 4, "SIN has 2 arguments, but takes 1 argument: SIN(A)"),
         (" Y MAX(X)\n", 4, "takes 2 or more arguments: MAX(A, B, ...)"),
         (" Y 2.*(X+1.\n", 12, "expected a closing parenthesis"),
         (" Y 2.*\n", 7, "expected a name, a number or a parenthesis"),
         (" Y X*-2.\n", 6, "two signs in a row"),
-        (" Y X $ 2.\n", 6, "the sign '$' means nothing"),
-        (" Y 1.2.3\n", 4, "1.2.3 is no number"),
+        (" Y X $ 2.\n", 6, "the character '$' has no meaning"),
+        (" Y 1.2.3\n", 4, "1.2.3 is not a number"),
         (" Y X 2.\n", 4, ""),
         (" COS(X)\n", 2, "expected the name of a result before the function"),
         (" PRA(X)\n", 2, "the nearest is PAR"),
         (" OUT X\n", 6, "expected an opening parenthesis"),
         (" FIN(T)\n", 2, "takes two"),
-        (" SCA(1.,2.)\n", 2, "SCA belongs behind a PLO card"),
+        (" SCA(1.,2.)\n", 2, "SCA belongs after a PLO card"),
         (" PLO(T)\n", 2, "takes two names or more"),
         (" OUT(2.*X)\n", 6, "expected a name"),
         (" T 2.\n", 2, "T is time"),
@@ -57,7 +57,7 @@ fn each_fault_has_its_card_its_column_and_a_way_out() {
         (" X Y 2.\n", 4, ""),
         (" Y TDL(X,X,100.)\n", 4, "the delay of a TDL must be known before the run, but X changes with it"),
         (" DT X/10.\n", 5, "DT must be known before the run, but X changes with it"),
-        (" Y 2.*IMP(1.,X)\n", 7, "IMP stands alone"),
+        (" Y 2.*IMP(1.,X)\n", 7, "IMP must be alone"),
         (" A B -2.\n", 6, "may be a result under A, or the result A"),
         (" Y\n", 3, "expected an expression"),
         (" 2. X\n", 2, "expected the name of a result"),
@@ -89,7 +89,7 @@ fn loops_are_told_by_the_names_around_them() {
     assert!(told.contains("E → E;"), "{told}");
     assert!(!told.contains("D →"), "{told}");
     let told = faults_of(" X INT(Y,X0)\n Y 2.\n X0 X+1.\n OUT(X)\n FIN(T,1.)\n END\n");
-    assert!(told.contains("an initial value that waits for itself: X → X0 → X"), "{told}");
+    assert!(told.contains("an initial value that depends on itself: X → X0 → X"), "{told}");
     // What a memory gives closes no loop.
     for memory in ["INT(A,0.)", "TDL(A,.1)", "FTR(A,.1)", "LIN(A,0.,0.,1.)"] {
         let text = format!(" A B+1.\n B {memory}\n OUT(A)\n FIN(T,1.)\n END\n");
@@ -174,7 +174,9 @@ fn a_control_card_behind_a_name_is_told_once() {
 fn a_heading_has_an_out_card_and_a_word_for_each_of_its_names() {
     let cards = |heading: &str| format!(" {heading}\n OUT(T)\n HDR(ONE)\n FIN(T,1.)\n END\n");
     let told = faults_of(&cards("HDR(T)"));
-    assert!(told.contains("card 3, column 2: HDR has 1, but takes none, for there is no OUT card of its number, 2"));
+    assert!(
+        told.contains("card 3, column 2: HDR has 1, but takes none, because there is no OUT card with its number, 2")
+    );
     // Of an OUT card that cannot be read nothing is known.
     assert_eq!(faults_of(&cards("OUT(2.*T)")).matches("card ").count(), 1, "{}", faults_of(&cards("OUT(2.*T)")));
     let text = " HDR(TIME,DISPL)\n OUT(T,T)\n HDR(ONE)\n OUT(T)\n FIN(T,1.)\n END\n";
@@ -224,7 +226,7 @@ fn signs_that_a_terminal_obeys_are_refused_on_every_card() {
     for sign in ['\u{1b}', '\u{7}', '\0', '\u{7f}', '\u{9b}', '\u{b}', '\u{85}', '\u{202e}', '\u{2066}', '\u{2028}'] {
         for card in [format!(" HDR({sign}[31mBAD)"), format!(" B{sign} 2."), format!(" OUT({sign}A)")] {
             let told = faults_of(&cards(&card));
-            assert!(told.contains(&format!("the sign {sign:?} means nothing on a card")), "{card:?}: {told:?}");
+            assert!(told.contains(&format!("the character {sign:?} has no meaning on a card")), "{card:?}: {told:?}");
             // The quoted card keeps its columns, and nothing reaches a terminal.
             assert!(!told.contains(sign) && told.contains('\u{fffd}'), "{told:?}");
         }

@@ -133,7 +133,7 @@ fn what_cannot_be_run_is_refused() {
         ),
         (
             " X INT(-X,1.)\n DTMAX 1.E-9\n OUT(T,X)\n FIN(-X,1.)\n END\n",
-            "10000000 steps are made and FIN is not reached; most are as long as DTMAX, 1e-9, allows; give a larger",
+            "FIN is not reached after 10000000 steps; most are as long as DTMAX, 1e-9, allows; give a larger",
         ),
         (
             " DTMIN 5.4\n OUT(T)\n FIN(T,1.)\n END\n",
@@ -147,10 +147,7 @@ fn what_cannot_be_run_is_refused() {
         (" OUT(T)\n FIN(T,0.)\n END\n", "card 2 (FIN(T,0.)): the run would end at T = 0"),
         (" OUT(T)\n FIN(T,1.E9)\n END\n", "at most 1000000 DT away (numbers in a row: 1); give a longer DT"),
         (" X TDL(T,-1.)\n OUT(X)\n FIN(T,1.)\n END\n", "card 1 (X TDL(T,-1.)): delay -1.0"),
-        (
-            " X INT(1.,0.)\n OUT(X)\n FIN(-X,1.)\n END\n",
-            "at T = 100000: 1000000 rows are printed and FIN is not reached",
-        ),
+        (" X INT(1.,0.)\n OUT(X)\n FIN(-X,1.)\n END\n", "at T = 100000: FIN is not reached after 1000000 printed rows"),
     ] {
         let told = trouble(text);
         assert!(told.contains(words), "{text}\n{told}");
@@ -172,7 +169,7 @@ fn all_runs_together_have_a_bound_too() {
     let text = " PAR(A)\n X A\n DT 1.E-6\n OUT(T,X,X,X)\n PLO(T,X)\n FIN(T,.25)\n END\n1.\n2.\n3.\n";
     let told = trouble(text);
     for words in [
-        "data set 2: the first 2 data sets come to 3500126 numbers to print, with the headings counted as 8 rows; all together can come to 3000000",
+        "data set 2: the first 2 data sets need 3500126 numbers to print, with the headings counted as 8 rows, but all together can have at most 3000000",
         "give fewer data sets, a longer DT, fewer names",
     ] {
         assert!(told.contains(words), "{told}");
@@ -181,7 +178,7 @@ fn all_runs_together_have_a_bound_too() {
     let wide = text.replace("OUT(T,X,X,X)", &format!("OUT(T{})", ",X".repeat(96)));
     assert!(trouble(&wide).contains("at most 30000 DT away (numbers in a row: 100)"), "{}", trouble(&wide));
     let open = wide.replace("FIN(T", "FIN(X-X+T");
-    assert!(trouble(&open).contains("30000 rows are printed and FIN is not reached"), "{}", trouble(&open));
+    assert!(trouble(&open).contains("FIN is not reached after 30000 printed rows"), "{}", trouble(&open));
 }
 
 #[test]

@@ -19,7 +19,7 @@ fn all_runs_have_so_many_steps_together() {
     }
     let told = runs.add(&program, Ok(made)).expect_err("more than can be").to_string();
     assert!(
-        told.contains("the first 3 data sets come to 30000000") && told.contains("steps of integrals and delays;"),
+        told.contains("the first 3 data sets need 30000000") && told.contains("steps of integrals and delays,"),
         "{told}"
     );
     assert_eq!(runs.into_inner().len(), 2);
@@ -48,6 +48,6 @@ fn many_integrals_have_fewer_steps() {
         assert!(told.contains("more than 7 steps, which is the most;"), "{told}");
         // A run whose end is not known begins, and stops at the bound.
         let told = refused(&unknown, &few);
-        assert!(told.contains("7 rows are printed and FIN is not reached"), "{told}");
+        assert!(told.contains("FIN is not reached after 7 printed rows"), "{told}");
     }
 }

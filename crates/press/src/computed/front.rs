@@ -1,4 +1,4 @@
-//! Of the first page: how many claims are right, how many rows describe no mechanism, how many cells come out.
+//! The first page: how many claims are right, how many rows describe no mechanism, how many cells are reproduced.
 
 use super::Number;
 use crate::lookup::of_documents;

@@ -1,4 +1,4 @@
-//! Numbers of ours in a sentence: what a chapter says with a number that no source prints.
+//! Our numbers in a sentence: what a chapter says with a number that no source prints.
 
 mod escapement;
 mod front;

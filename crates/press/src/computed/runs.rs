@@ -1,4 +1,4 @@
-//! Of the comparison: how many cells come out, how likely the tables are, and what chance would give.
+//! The comparison of the runs: how many cells are reproduced, how likely the tables are, and what chance would give.
 
 use super::Number;
 use crate::lookup::judged;
@@ -103,14 +103,14 @@ fn own_meaning(reading: usize) -> anyhow::Result<String> {
     Ok(tried.as_run.rows().to_string())
 }
 
-/// How many rows have this verdict on a datum.
-fn found(datum: &str, verdict: Verdict) -> anyhow::Result<String> {
-    Ok(data(datum)?.iter().filter(|judged| judged.verdict == verdict).count().to_string())
+/// How many rows have this verdict on a value.
+fn found(value: &str, verdict: Verdict) -> anyhow::Result<String> {
+    Ok(data(value)?.iter().filter(|judged| judged.verdict == verdict).count().to_string())
 }
 
-/// A datum of all rows.
-fn data(datum: &str) -> anyhow::Result<Vec<&'static Judged>> {
-    rows().iter().map(|row| judged(&format!("meyer.app-e.{}.{datum}", row.slug()))).collect()
+/// The verdicts on a value in all rows.
+fn data(value: &str) -> anyhow::Result<Vec<&'static Judged>> {
+    rows().iter().map(|row| judged(&format!("meyer.app-e.{}.{value}", row.slug()))).collect()
 }
 
 /// How many cells a hypothesis gives to the printed digit.
@@ -174,7 +174,7 @@ fn margin() -> anyhow::Result<f64> {
     Ok(margins.fold(f64::INFINITY, f64::min))
 }
 
-/// The same if no error may spread by less than half a unit.
+/// The margin of the best combination if no error may spread by less than half a unit.
 fn coarse_margin() -> anyhow::Result<f64> {
     const COARSE: f64 = 0.5;
     let log = |score: &Score, law: usize| {

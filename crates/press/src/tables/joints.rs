@@ -19,18 +19,19 @@ const COMPARED: [(f64, f64, f64); 8] = [
     (0.1, 0.2, 0.2),
 ];
 
-/// By how much joints change the mean speed of the three mechanisms.
+/// The change of the mean speed of the three mechanisms with such joints.
 pub fn speeds() -> anyhow::Result<Table> {
-    let caption = "What the joints do to the mean speed, against ideal joints. Pin: its radius, in crank radii; journals: \
-                   radius of both, in crank radii, and their friction. Inertias as in the runs of the thesis, friction in \
-                   the slot μ = 1/4. In brackets: on paper only, for the slots would run into one another";
+    let caption = "Change of the mean speed compared with ideal joints. The first column gives the radius of the pin, and \
+                   the radius and friction of both journals; radii are in crank radii. Inertias are as in the runs of the \
+                   thesis, and the friction in the slot is μ = 1/4. Values in brackets exist on paper only, because the \
+                   slots would run into one another";
     compared(caption, |effect| signed(100.0 * (effect.mean_speed - 1.0), 1) + "&nbsp;%")
 }
 
 /// The multiplier with such joints.
 pub fn multipliers() -> anyhow::Result<Table> {
-    let caption = "What the joints do to the multiplier, the part of a difference of speed squared that an engagement \
-                   leaves. The same joints, inertias and friction";
+    let caption = "The multiplier with these joints: the part of a difference of speed squared that one engagement leaves. \
+                   Joints, inertias and friction are as in the table of the mean speed";
     compared(caption, |effect| format!("{:.3}", effect.multiplier))
 }
 

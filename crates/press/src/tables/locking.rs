@@ -20,7 +20,8 @@ pub fn arcs() -> anyhow::Result<Table> {
         Ok(row)
     });
     let caption = format!(
-        "The locking arcs, planar (p) and spherical with axes at right angles (s), for a locking disc of {JOURNAL} crank radii"
+        "Length of the locking arcs of planar wheels (p) and of spherical wheels with axes at right angles (s), for a locking \
+         disc of {JOURNAL} crank radii"
     );
     let head =
         ["Stations", "p, in wheel radii", "in crank radii", "angle", "s, in wheel radii", "in crank radii", "angle"];

@@ -8,7 +8,7 @@ pub fn functions() -> anyhow::Result<Table> {
     let rows = FUNCTIONS.iter().map(|function| {
         Ok(row(&format!("{}({})", function.name, function.arguments), function.meaning, function.evidence))
     });
-    table("The functions of MIMIC as they are built here", Cells::Words, &["Function", "Value", "Known from"], rows)
+    table("The functions of MIMIC as we built them", Cells::Words, &["Function", "Value", "Known from"], rows)
 }
 
 /// The control cards, and the names that are known without a card.
@@ -17,7 +17,7 @@ pub fn cards() -> anyhow::Result<Table> {
         let gap = if card.arguments.is_empty() || card.arguments.starts_with('(') { "" } else { " " };
         Ok(row(&format!("{}{gap}{}", card.name, card.arguments), card.meaning, card.evidence))
     });
-    let caption = "Control cards, and names that are known without a card";
+    let caption = "Control cards, and names that need no card";
     table(caption, Cells::Words, &["Card", "What it does", "Known from"], rows)
 }
 

@@ -26,7 +26,7 @@ pub fn terms() -> anyhow::Result<Table> {
         })
     });
     let head = ["Vector", "Magnitude", "Direction", "Sense"];
-    let caption = "All vectors of the problem; directions counter-clockwise from lever’s pivot to crank’s axis";
+    let caption = "All vectors of the problem. Directions are counter-clockwise from the line from the lever’s pivot to the crank’s axis";
     table(caption, Cells::Words, &head, rows)
 }
 
@@ -86,7 +86,7 @@ pub fn branches() -> anyhow::Result<Table> {
     });
     let head = ["Quantity", "Far point", "Near point", "With the misprinted angle"];
     table(
-        "The problem at both points of the crank’s circle, and with the misprinted angle",
+        "The problem solved at both points of the crank’s circle, and with the misprinted angle",
         Cells::NamedNumbers,
         &head,
         rows,

@@ -1,4 +1,4 @@
-//! What hostile readings have overturned: each reading with the claims whose answer it changed.
+//! The claims that hostile readings have overturned: each reading with the claims whose answer it changed.
 
 use crate::html::{Cells, Table, table};
 use geneva_ledger::Kind;
@@ -150,13 +150,13 @@ pub fn readings() -> anyhow::Result<Table> {
     });
     let head = [
         "Reading",
-        "Claims then on record",
+        "Claims in the ledger at the time",
         "Numbers overturned",
         "Equations",
         "Statements and figures",
-        "Sentences of the book to change",
+        "Sentences of the book that had to change",
     ];
-    table("What hostile readings have overturned", Cells::Words, &head, rows)
+    table("Claims that hostile readings have overturned", Cells::Words, &head, rows)
 }
 
 #[cfg(test)]

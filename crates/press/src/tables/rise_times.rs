@@ -22,11 +22,12 @@ pub fn definitions() -> anyhow::Result<Table> {
     let part = |part: f64| format!("{}&nbsp;%", 100.0 * part);
     let parts = PARTS.map(part);
     let ideal = format!("the mechanism, <br>{}", part(MISSING));
-    let mut head = vec!["Time from rest until what is near the steady one"];
+    let mut head = vec!["Time from rest until which quantity is near its steady value"];
     head.extend(parts.iter().map(String::as_str));
     head.extend(["by chance, <br>at most", &ideal]);
-    let caption = "Printed rise times, of 49, explained to one unit of the last place by the runs as they were, if so much \
-                   of the steady velocity may be missing; how many chance would explain; and how many the mechanism does";
+    let caption = "How many of the 49 printed rise times each definition explains, to one unit of the last place, with the \
+                   runs as they were, if so much of the steady velocity may be missing; how many chance would explain; and \
+                   how many the real mechanism explains";
     table(caption, Cells::NamedNumbers, &head, rows)
 }
 
@@ -49,7 +50,7 @@ pub fn events() -> anyhow::Result<Table> {
         "by <br>chance",
         "The mechanism, <br>of 49",
     ];
-    table("Printed rise times explained by other events of a start", Cells::NamedNumbers, &head, rows)
+    table("How many printed rise times are explained by other events of a start", Cells::NamedNumbers, &head, rows)
 }
 
 /// The words of the thesis on which claims turn.
@@ -60,7 +61,12 @@ pub fn terms() -> anyhow::Result<Table> {
         Ok(vec![escape(term.word), meaning, escape(term.rests_on), used.to_string()])
     });
     let head = ["Word", "Meaning", "Rests on", "Claims"];
-    table("Words of the thesis on which verdicts turn: one meaning for all its claims", Cells::Words, &head, rows)
+    table(
+        "Words of the thesis on which verdicts depend, each with one meaning for all claims",
+        Cells::Words,
+        &head,
+        rows,
+    )
 }
 
 /// Printed rise times times √K: equal within a group, were they defined by the motion alone.
@@ -80,7 +86,7 @@ pub fn groups() -> anyhow::Result<Table> {
     });
     let head = ["Rows", "1000 t √K, by rising K", "One number <br>for all?", "Or if one row is misread?"];
     table(
-        "Printed rise times t, in s, times the root of K, in in·lb: one number in each group by the law of similarity",
+        "Printed rise times t, in s, times the square root of K, in in·lb. By the law of similarity, each group should have one number",
         Cells::Words,
         &head,
         rows,

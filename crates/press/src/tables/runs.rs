@@ -1,4 +1,4 @@
-//! The thesis's runs: what explains the printed tables, what does not matter to them, and what they should have been.
+//! The thesis's runs: what explains the printed tables, what does not matter to them, and the correct values.
 
 use crate::html::{Cells, Table, table};
 use crate::lookup::judged;
@@ -38,16 +38,17 @@ pub fn hypotheses() -> anyhow::Result<Table> {
         "Reset <br>after",
         "Six-pin <br>inertias",
         "Peaks",
-        "Besides",
+        "In addition",
         "Right to one <br>unit, of 147",
         "ln L, <br>normal",
         "ln L, <br>exponential",
     ];
-    let says = "Ten hypotheses about the 49 runs: cells within one unit of the last printed place, and log-likelihood";
+    let says = "Ten hypotheses about the 49 runs, with the number of cells within one unit of the last printed place, and the \
+                log-likelihood";
     table(says, Cells::Numbers, &head, rows)
 }
 
-/// The same column by column.
+/// The hypotheses column by column.
 pub fn by_column() -> anyhow::Result<Table> {
     let rows = (1..).zip(scores()).map(|(number, score)| {
         let mut row = vec![number.to_string()];
@@ -55,8 +56,8 @@ pub fn by_column() -> anyhow::Result<Table> {
         Ok(row)
     });
     let head = ["No.", "Peaks", "worst, <br>%", "Minima", "worst, <br>%", "Periods", "worst, <br>%"];
-    let says = "The ten hypotheses column by column: cells right to the printed digit / to one unit, of 49, and the worst \
-                deviation, printed over computed less one";
+    let says = "The ten hypotheses column by column: how many of the 49 cells are right to the printed digit / to one unit, and \
+                the worst deviation, which is printed over computed, less one";
     table(says, Cells::Numbers, &head, rows)
 }
 
@@ -80,12 +81,12 @@ pub fn delays() -> anyhow::Result<Table> {
         "Minima",
         "Periods",
     ];
-    let says = "The program as listed with other lags: cells right to the digit / to one unit, and the mean of the printed \
-                peaks over the computed ones less one";
+    let says = "The program as listed, with other lags: cells right to the printed digit / to one unit, and the mean of the \
+                printed peaks over the computed peaks, less one";
     table(says, Cells::Numbers, &head, rows)
 }
 
-/// What changes when the integrator is told otherwise what the thesis does not tell.
+/// What changes when the integrator differs in ways that the thesis leaves open.
 pub fn integrator() -> anyhow::Result<Table> {
     let changes = integrators::changes().context("a run of the program of 1973 comes to no end")?;
     let rows = changes.iter().map(|(variant, changes)| {
@@ -104,7 +105,7 @@ pub fn integrator() -> anyhow::Result<Table> {
         "Period, with <br>the lag",
         "Other <br>digits",
     ];
-    let says = "Largest changes, in millionths, if the integrator does otherwise what the thesis does not tell";
+    let says = "Largest changes, in millionths, if the integrator differs in ways that the thesis leaves open";
     table(says, Cells::NamedNumbers, &head, rows)
 }
 
@@ -137,27 +138,27 @@ pub fn inertias() -> anyhow::Result<Table> {
         "Follower, <br>found",
         "Follower, in <br>the heading",
     ];
-    let says = "Moments of inertia with which the peaks, minima and periods of a table come out best, in 10⁻⁶ in lb s²; all \
-                frictions and torques as printed";
+    let says = "Moments of inertia that best reproduce the peaks, minima and periods of a table, in 10⁻⁶ in lb s²; all \
+                frictions and torques are as printed";
     table(says, Cells::Numbers, &head, rows)
 }
 
-/// The runs with six pins, printed and as they should have been.
+/// The runs with six pins, printed and corrected.
 pub fn six_pin() -> anyhow::Result<Table> {
     corrected(Mechanism::SIX_PIN, &Hypothesis::IDEAL)
 }
 
-/// The same of four pins.
+/// The runs with four pins, printed and corrected.
 pub fn four_pin() -> anyhow::Result<Table> {
     corrected(Mechanism::FOUR_PIN, &Hypothesis::IDEAL)
 }
 
-/// The same of three pins.
+/// The runs with three pins, printed and corrected.
 pub fn three_pin() -> anyhow::Result<Table> {
     corrected(Mechanism::THREE_PIN, &Hypothesis::IDEAL)
 }
 
-/// The same of six pins with the inertias of the table's heading.
+/// The runs with six pins and the inertias of the table's heading, printed and corrected.
 pub fn six_pin_as_headed() -> anyhow::Result<Table> {
     corrected(Mechanism::SIX_PIN, &Hypothesis { six_pin: SixPin::AsHeaded, ..Hypothesis::IDEAL })
 }
@@ -177,8 +178,8 @@ fn corrected(mechanism: Mechanism, hypothesis: &Hypothesis) -> anyhow::Result<Ta
     ];
     let [driver, follower] = hypothesis.inertias(mechanism).map(|inertia| fixed(1e6 * inertia, 0));
     let says = format!(
-        "{} pins, as printed and as it should be: K in in·lb, speeds in rad/s, periods in s; inertia of the driver {driver} \
-         · 10⁻⁶, of the follower {follower} · 10⁻⁶ in lb s²",
+        "{} pins, printed and right values: K in in·lb, speeds in rad/s, periods in s; the inertia of the driver is {driver} \
+         · 10⁻⁶ in lb s², of the follower {follower} · 10⁻⁶ in lb s²",
         match mechanism.pins() {
             3 => "Three",
             4 => "Four",

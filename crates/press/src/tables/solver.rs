@@ -38,8 +38,8 @@ pub fn speeds() -> anyhow::Result<Table> {
             ]));
         }
     }
-    let head = ["Solver", "Error asked for", "Evaluations", "Time of 49, ms", "Largest relative error"];
-    table("Cost and error of the solvers, for 49 escapements of all three mechanisms", Cells::NamedNumbers, &head, rows)
+    let head = ["Solver", "Error allowed", "Evaluations", "Time for 49, ms", "Largest relative error"];
+    table("Cost and error of the solvers for 49 escapements of all three mechanisms", Cells::NamedNumbers, &head, rows)
 }
 
 /// Maps of the terminal speed: time against points.
@@ -55,6 +55,11 @@ pub fn maps() -> anyhow::Result<Table> {
             format!("{:.2}", 1e3 * one.milliseconds / points as f64),
         ]))
     });
-    let head = ["Points", "Error asked for", "Threads", "Time, s", "Time of a point, µs"];
-    table("Maps of the terminal speed over friction and inertias, of all three mechanisms", Cells::Numbers, &head, rows)
+    let head = ["Points", "Error allowed", "Threads", "Time, s", "Time per point, µs"];
+    table(
+        "Time for maps of the terminal speed over friction and inertias, for all three mechanisms",
+        Cells::Numbers,
+        &head,
+        rows,
+    )
 }

@@ -1,4 +1,4 @@
-//! What a clockmaker asks: settling, sensitivity, accelerations and mean speed of the thesis's mechanisms.
+//! A clockmaker's questions: settling, sensitivity, accelerations and mean speed of the thesis's mechanisms.
 
 use crate::html::{Cells, Table, table};
 use crate::numbers::signed;
@@ -64,8 +64,9 @@ pub fn settling() -> anyhow::Result<Table> {
         "time to 1 %, <small>ms</small>",
     ];
     let caption = format!(
-        "Settling with a lighter follower: {}, driver, friction and torque kept. The multiplier is what one engagement \
-         leaves of a small difference of speed squared; engagements and time until it is down to one per cent",
+        "Settling with a lighter follower: {}, with driver, friction and torque kept. The multiplier is the part of a small \
+         difference of speed squared that one engagement leaves. The last columns give the engagements and the time until it \
+         is down to one per cent",
         with_torque(example()?).replace("&nbsp;", " ") + " in lb"
     );
     table(&caption, Cells::NamedNumbers, &head, rows)
@@ -92,10 +93,10 @@ pub fn sensitivity() -> anyhow::Result<Table> {
         "power of <br>friction",
         "half the <br>friction",
     ];
-    let caption = "What changes the rate: seconds that the timer gains in a day (loses, with a minus) for one per cent more \
-                   of torque, friction, or inertia of driver or follower; the power of the friction with which the mean \
-                   speed goes; and by how much half the friction speeds it up. Ideal mechanisms, inertias of the thesis's \
-                   runs; how strong the spring is does not matter";
+    let caption = "What changes the rate: the seconds that the timer gains in a day (or loses, with a minus) if the torque, \
+                   the friction, or the inertia of driver or follower is one per cent larger; the power of the friction to \
+                   which the mean speed is proportional; and how much half the friction speeds it up. The mechanisms are \
+                   ideal, with the inertias of the thesis's runs; the strength of the spring does not matter";
     table(caption, Cells::NamedNumbers, &head, rows)
 }
 
@@ -130,10 +131,10 @@ pub fn accelerations() -> anyhow::Result<Table> {
         "follower's <br>jump",
         "pin force, <small>× spring’s</small>",
     ];
-    let caption = "Greatest accelerations by size, in 1000 rad/s², with the driver angle from the line of centres; the jump \
-                   of the follower's acceleration at the hand-over; and the greatest force on the pin over that of the \
-                   spring at the crank radius. Ideal mechanisms; of each friction the run of the thesis with the \
-                   strongest spring";
+    let caption = "Greatest accelerations by size, in 1000 rad/s², each with the driver angle from the line of centres; the \
+                   jump of the follower's acceleration when the next pin takes over; and the greatest force on the pin over \
+                   the force of the spring at the crank radius. The mechanisms are ideal; for each friction the table shows \
+                   the run of the thesis with the strongest spring";
     table(caption, Cells::NamedNumbers, &head, rows)
 }
 
@@ -152,9 +153,9 @@ pub fn mean_speed() -> anyhow::Result<Table> {
     });
     let head =
         ["run", "printed <br>extremes", "right <br>extremes", "over a <br>revolution", "too great <br>by the factor"];
-    let caption = "Two meanings of an average speed, in rad/s: the mean of peak and minimum as the thesis prints them, the \
-                   same of the right ones, and the mean over a revolution; the factor is that of the two last. Of each \
-                   mechanism and friction the run with the weakest spring";
+    let caption = "Two meanings of an average speed, in rad/s: the mean of peak and minimum, from the numbers that the thesis \
+                   prints and from the right ones; and the mean over a revolution. The factor compares the last two. For \
+                   each mechanism and friction the table shows the run with the weakest spring";
     table(caption, Cells::NamedNumbers, &head, rows)
 }
 

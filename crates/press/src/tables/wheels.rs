@@ -8,7 +8,7 @@ use std::ops::RangeInclusive;
 
 /// The table for the numbers of stations from the first to the second, written with a space between.
 pub fn wheels(range: &str) -> anyhow::Result<Table> {
-    let stations = parsed(range).ok_or_else(|| anyhow!("`{range}`: two whole numbers are expected, as in `3 18`"))?;
+    let stations = parsed(range).ok_or_else(|| anyhow!("`{range}`: two integers are expected, as in `3 18`"))?;
     let (first, last) = (*stations.start(), *stations.end());
     let head = [
         "stations",
@@ -22,9 +22,10 @@ pub fn wheels(range: &str) -> anyhow::Result<Table> {
         "at <small>crank angle</small>",
     ];
     let caption = format!(
-        "Wheels of {first} to {last} stations, one pin, driver at constant speed. Moves and dwells say which number of \
-         stations to take; centre distance and wheel radius how large it is; speed and accelerations how hard it is moved; \
-         the last column at which crank angle before and past the line of centres the acceleration is greatest"
+        "Wheels with {first} to {last} stations, one pin, and a driver at constant speed. The times of moving and dwelling \
+         tell you how many stations to choose, centre distance and wheel radius how large the wheel is, and speed and \
+         accelerations how hard it is driven. The last column is the crank angle, before and past the line of centres, where \
+         the acceleration is greatest"
     );
     table(&caption, Cells::Numbers, &head, stations.map(row))
 }

@@ -106,7 +106,7 @@ impl Double {
         Self { hi: 2.0 * self.hi, lo: 2.0 * self.lo }
     }
 
-    /// The number as a whole number of parts of one (a power of two) and the rest, both in its own unit: the product of
+    /// The number as an integer number of parts of one (a power of two) and the rest, both in its own unit: the product of
     /// the first with a short factor is exact.
     pub fn parted(self, parts_of_one: f64) -> (f64, f64) {
         let head = libm::floor(self.hi * parts_of_one) / parts_of_one;
@@ -114,7 +114,7 @@ impl Double {
     }
 }
 
-/// n π / d for whole numbers below 2²⁶, with a second part that is itself right to 50 bits.
+/// n π / d for integers below 2²⁶, with a second part that is itself right to 50 bits.
 ///
 /// Near the ends of the engagement that second part is all that is left of an angle.
 pub(in crate::wheel) fn fraction_of_pi(n: u32, d: u32) -> Double {

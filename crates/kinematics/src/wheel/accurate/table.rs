@@ -1,7 +1,7 @@
 //! Sines and versed sines, from a table of nodes about 1/256 apart and short series between them.
 //!
 //! The versed sine 1 − cos stands for the cosine: it keeps its digits where the angle is small. The nodes are not
-//! evenly spaced: the tangent t of half a node's angle is a whole number of 2⁻¹³, so that 1 + t² times its sine 2t,
+//! evenly spaced: the tangent t of half a node's angle is an integer multiple of 2⁻¹³, so that 1 + t² times its sine 2t,
 //! its cosine 1 − t² and its versed sine 2t² are exact in `f64`, and a formula that can do without the factor needs
 //! no table of sines.
 
@@ -22,7 +22,7 @@ const NODES_PER_RADIAN: f64 = 256.0;
 /// Enough for a quarter turn, and a power of two, so that no index needs a check.
 const NODES: usize = 512;
 const TANGENTS_PER_ONE: f64 = 8192.0;
-/// 3 · 2⁵¹: adding it rounds to a whole number, which then stands in the low bits of the sum.
+/// 3 · 2⁵¹: adding it rounds to an integer, which then stands in the low bits of the sum.
 const WHOLE: f64 = 6_755_399_441_055_744.0;
 
 static TABLE: [Node; NODES] = {
