@@ -69,16 +69,17 @@
     const fill = body => {
         body.innerHTML = known[body.dataset.of];
         body.removeAttribute('aria-busy');
-        reach(body);
     };
     globalThis.genevaDetails = details => {
         known = details;
         waiting.forEach(fill);
+        waiting.forEach(reach);
         waiting.clear();
     };
     const ask = body => {
         if (known) {
             fill(body);
+            reach(body);
             return;
         }
         if (waiting.size === 0) {

@@ -29,11 +29,26 @@ const geneva = (() => {
     };
     const fault = (kind, element, what) => ({ kind, at: element ? place(element) : 'page', what });
 
-    /** Opens everything that is folded, and waits for what is loaded then. What is off the screen is laid out, too. */
+    /**
+     * Opens everything that is folded, and waits for what is loaded then. What is off the screen is laid out, too.
+     *
+     * What is asked for in a list of claims is made alike for all claims of a kind and a verdict: of these it opens the first,
+     * and every one that shows formulas.
+     */
     const unfold = async () => {
-        document.querySelectorAll('main details').forEach(of => { of.open = true; });
+        const looks = new Set();
+        const isOpened = details => {
+            const row = details.closest('.claims > li');
+            if (!row || !details.matches('.asked')) {
+                return true;
+            }
+            const isNew = !looks.has(row.className);
+            looks.add(row.className);
+            return isNew || row.matches('.corrected');
+        };
+        [...document.querySelectorAll('main details')].filter(isOpened).forEach(of => { of.open = true; });
         document.querySelectorAll('.claims > li').forEach(of => { of.style.contentVisibility = 'visible'; });
-        while (document.querySelector('main [aria-busy="true"]')) {
+        while (document.querySelector('main details[open] > [aria-busy="true"]')) {
             await new Promise(done => { setTimeout(done, 10); });
         }
     };
