@@ -322,6 +322,16 @@ fn the_pages_lead_from_one_to_the_next_in_the_order_of_the_book() {
 }
 
 #[test]
+fn code_is_as_it_is_typed() {
+    for (name, page) in pages() {
+        for code in within(page, "code").into_iter().map(text) {
+            let made = ["–", "—", "“", "”", "‘", "’"].into_iter().find(|sign| code.contains(sign));
+            assert_eq!(made, None, "{name}: `{code}` has a sign that no keyboard has");
+        }
+    }
+}
+
+#[test]
 fn formulas_are_there_without_scripts() {
     let files = files();
     let pin = String::from_utf8_lossy(&files["pin.html"]).into_owned();

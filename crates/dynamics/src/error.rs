@@ -52,8 +52,9 @@ pub enum Error {
     },
     /// So much friction that somewhere no acceleration, or more than one, obeys the equation of motion.
     #[error(
-        "friction coefficient {asked}: from {limit} on, the equation of motion has no single solution at {angle} rad \
-         from the line of centres; give less friction or a driver with more inertia"
+        "friction coefficient {asked}: from {limit:.4} on, the equation of motion has no single solution at {:.1}° from \
+         the line of centres; give less friction or a driver with more inertia",
+        .angle.to_degrees()
     )]
     TooMuchFriction {
         /// What was asked for, dimensionless.

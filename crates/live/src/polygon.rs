@@ -31,6 +31,7 @@ pub const LIVE: Live = Live {
         Quantity { name: "sliding", label: "sliding velocity v_rel" },
         Quantity { name: "coriolis", label: "Coriolis acceleration 2 ω₄ v_rel" },
     ],
+    others: &[],
     drag: Some(Drag { control: "crank", at_right: 0.0, sense: 1.0 }),
     files: &[],
     draw,

@@ -3,6 +3,7 @@
 use super::errata;
 use super::findings::how;
 use super::inline::{badge, computed, place, rounded, with_unit};
+use crate::formula::broken;
 use crate::html::{Cells, escape, table, tex_or_text};
 use crate::lookup;
 use crate::pages::{PAGES, Records, Section, page_of_claim, page_of_slip};
@@ -43,7 +44,7 @@ fn claim(judged: &Judged) -> anyhow::Result<Vec<String>> {
     // A form needs more room than a column of numbers has.
     let (name, numbers) = match computed(judged) {
         Some(computed) => (name, format!("{printed}<br>computed {computed}{}", right(judged))),
-        None => (format!("{name}<div class=\"form\">{printed}</div>"), "–".to_owned()),
+        None => (format!("{name}<div class=\"form\">{}</div>", broken(&printed)), "–".to_owned()),
     };
     Ok(vec![name, format!("{}{} <div>{checked}</div>", badge(judged.verdict), slip(judged)), numbers])
 }
