@@ -8,7 +8,7 @@ document.body.addEventListener('keydown', event => {
 });
 
 // What scrolls sideways can be reached by keyboard.
-const scrollable = () => document.querySelectorAll('main :is(pre > code, .display, dd, .form, .fig, .drawing, .table-wrapper)').forEach(element => {
+const scrollable = () => document.querySelectorAll('main :is(.display, .form)').forEach(element => {
     if (element.scrollWidth > element.clientWidth) {
         element.tabIndex = 0;
     }

@@ -9,7 +9,7 @@
     const elements = new Set('circle desc g line path svg text title tspan'.split(' '));
     const attributes = new Set(('aria-labelledby class cx cy d dx dy fill fill-opacity fill-rule font-family font-size font-style ' +
         'id opacity paint-order r role stroke stroke-dasharray stroke-linecap stroke-linejoin stroke-opacity stroke-width ' +
-        'text-anchor viewBox x x1 x2 xmlns y y1 y2').split(' '));
+        'text-anchor viewBox width x x1 x2 xmlns y y1 y2').split(' '));
     let module, thread, queue = Promise.resolve();
 
     // The module is text in a script, so that a page opened from disk can load it too; once, when it is first needed.

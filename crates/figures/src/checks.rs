@@ -1,6 +1,7 @@
 //! What holds of every figure, and how tests read a drawing back.
 
 use crate::Figure;
+use crate::svg::TEXT_SIZE;
 use nalgebra::Vector2;
 use roxmltree::{Document, Node};
 use std::f64::consts::PI;
@@ -67,6 +68,13 @@ impl<'a> Drawing<'a> {
     pub fn arrow(&self, name: &str) -> Option<[Vector2<f64>; 2]> {
         let parts = self.all(name);
         (parts.len() == 2).then(|| [self.path(name, 0)[0], self.path(name, 1)[0]])
+    }
+
+    /// The base line of the first text that says this.
+    #[track_caller]
+    pub fn base_line(&self, text: &str) -> f64 {
+        let is_text = |node: &Node<'_, '_>| node.tag_name().name() == "text" && words(node) == text;
+        number(&self.0.descendants().find(is_text).expect("there"), "y")
     }
 
     /// All texts.
@@ -216,7 +224,7 @@ fn text_area(node: &Node<'_, '_>) -> Option<[Vector2<f64>; 2]> {
     }
     let (mut width, mut x) = (0.0_f64, 0.0_f64);
     for span in node.children().filter(Node::is_element) {
-        let size = span.attribute("font-size").map_or(21.0, |size| size.parse().expect("a number"));
+        let size = span.attribute("font-size").map_or(TEXT_SIZE, |size| size.parse().expect("a number"));
         x += span.attribute("dx").map_or(0.0, |dx| dx.parse().expect("a number"));
         x += span.text().unwrap_or_default().chars().count() as f64 * 0.54 * size;
         width = width.max(x);

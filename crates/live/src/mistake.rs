@@ -88,7 +88,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         None => "own reset angles".to_owned(),
     };
     let name = if setting.late.is_some() { format!("{angle}, sign late") } else { angle };
-    let figure = one_agreement(&Compared { name, cells: cells.clone() }, "rad/s or ms");
+    let figure = one_agreement(&Compared { name, cells: cells.clone() }, "1 rad/s or 1 ms");
     let count =
         |of: &dyn Fn(&Cell) -> bool| cells.iter().filter(|cell| of(cell) && cell.is_within_one()).count() as f64;
     let of_pins = |mechanism: Mechanism| count(&|cell: &Cell| cell.mechanism == mechanism);

@@ -15,7 +15,7 @@ pub const LIVE: Live = Live {
            acceleration. With two it closes at every angle.",
     controls: &[
         Control::slider("crank", "crank angle φ", "°", [0.0, 360.0], 0.5, 60.0).typed(TURNS).playing(30.0),
-        Control::slider("factor", "times ω₄ v_rel", "", [0.0, 3.0], 1.0, 2.0).typed([-10.0, 10.0]),
+        Control::slider("factor", "times ω₄ vᵣₑₗ", "", [0.0, 3.0], 1.0, 2.0).typed([-10.0, 10.0]),
     ],
     presets: &[
         Preset { name: "forgotten: 0", arguments: "factor=0" },
@@ -28,8 +28,8 @@ pub const LIVE: Live = Live {
         Quantity { name: "gap", label: "gap of the acceleration polygon" },
         Quantity { name: "lever-speed", label: "lever's angular velocity ω₄" },
         Quantity { name: "lever-acceleration", label: "lever's angular acceleration α₄" },
-        Quantity { name: "sliding", label: "sliding velocity v_rel" },
-        Quantity { name: "coriolis", label: "Coriolis acceleration 2 ω₄ v_rel" },
+        Quantity { name: "sliding", label: "sliding velocity vᵣₑₗ" },
+        Quantity { name: "coriolis", label: "Coriolis acceleration 2 ω₄ vᵣₑₗ" },
     ],
     others: &[],
     drag: Some(Drag { control: "crank", at_right: 0.0, sense: 1.0 }),
@@ -60,4 +60,16 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         Number::significant("coriolis", coriolis, 4, &acceleration),
     ];
     Ok(Answer::new(figure, numbers))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::LIVE;
+
+    #[test]
+    fn indices_are_set_as_indices() {
+        let labels = LIVE.controls.iter().map(|control| control.label).chain(LIVE.quantities.iter().map(|of| of.label));
+        let with_index: Vec<&str> = labels.filter(|label| label.contains("rel") || label.contains("ᵣₑₗ")).collect();
+        assert_eq!(with_index, ["times ω₄ vᵣₑₗ", "sliding velocity vᵣₑₗ", "Coriolis acceleration 2 ω₄ vᵣₑₗ"]);
+    }
 }

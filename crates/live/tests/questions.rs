@@ -189,8 +189,8 @@ fn what_a_preset_makes_a_figure_say_is_short_numbers_and_of_its_own_drawing() {
     for live in LIVE {
         let given = GIVEN.iter().find(|(name, _)| *name == live.name).map_or("", |(_, given)| given);
         for preset in live.presets {
-            let arguments =
-                Arguments::parse(&format!("{given}&{}", preset.arguments).trim_start_matches('&').to_owned());
+            let setting = format!("{given}&{}", preset.arguments);
+            let arguments = Arguments::parse(setting.trim_start_matches('&'));
             let (message, caption) = match live.answer(&arguments.expect("arguments")) {
                 Ok(answer) => (answer.message.unwrap_or_default(), answer.figure.caption),
                 Err(message) => (message, String::new()),

@@ -25,6 +25,14 @@ pub enum Scale {
     Logarithmic,
     /// The same, with marks at powers of ten that are written as such.
     Decades,
+    /// Linear from −1 to 1, logarithmic beyond on either side; a decade is as long as a unit.
+    SymmetricLog,
+}
+
+/// How far from zero a value lies on a symmetric logarithmic scale, in decades.
+fn signed_decades(value: f64) -> f64 {
+    let size = value.abs();
+    if size <= 1.0 { value } else { (1.0 + libm::log10(size)).copysign(value) }
 }
 
 /// One axis: what it covers, the marks on it, and its title.
@@ -40,6 +48,8 @@ pub struct Axis {
     pub scale: Scale,
     /// What it shows, with the unit.
     pub title: Option<Label>,
+    /// What is written at the marks instead of their numbers.
+    pub names: Vec<String>,
     /// Whether the marks have numbers, and lines across the frame.
     pub numbered: bool,
     pub grid: bool,
@@ -48,12 +58,28 @@ pub struct Axis {
 impl Axis {
     /// An axis with these marks, numbered with so many digits after the point.
     pub fn new(scale: Scale, range: Range<f64>, marks: Vec<f64>, decimals: usize) -> Self {
-        Self { range, marks, decimals, scale, title: None, numbered: true, grid: true }
+        Self { range, marks, decimals, scale, title: None, names: Vec::new(), numbered: true, grid: true }
     }
 
     /// A linear axis with marks at whole numbers.
     pub fn whole(range: Range<f64>, marks: impl IntoIterator<Item = f64>) -> Self {
         Self::new(Scale::Linear, range, marks.into_iter().collect(), 0)
+    }
+
+    /// An axis with a strip for each of several kinds, the first at the top: around 1, around 2, and so on.
+    pub fn of_kinds(names: impl IntoIterator<Item = String>) -> Self {
+        let names: Vec<String> = names.into_iter().collect();
+        let count = names.len().max(1);
+        let marks = (1..=names.len()).map(|number| number as f64);
+        Self { names, ..Self::whole(count as f64 + 0.5..0.5, marks) }.without_grid()
+    }
+
+    /// A symmetric logarithmic axis, with marks at zero and at powers of ten to either side.
+    pub fn symmetric_log(limit: f64) -> Self {
+        let powers: Vec<f64> = (0..20).map(power).take_while(|mark| *mark <= limit).collect();
+        let below = powers.iter().rev().map(|mark| -mark);
+        let marks = below.chain(std::iter::once(0.0)).chain(powers.iter().copied()).collect();
+        Self::new(Scale::SymmetricLog, -limit..limit, marks, 0)
     }
 
     /// An axis in at least so many round steps that holds zero and both values, with some room beyond them.
@@ -153,6 +179,10 @@ impl Axis {
         let share = match self.scale {
             Scale::Linear => (value - start) / (end - start),
             Scale::Logarithmic | Scale::Decades => libm::log(value / start) / libm::log(end / start),
+            Scale::SymmetricLog => {
+                let [value, start, end] = [value, start, end].map(signed_decades);
+                (value - start) / (end - start)
+            }
         };
         share.clamp(-FAR, FAR)
     }
@@ -163,14 +193,22 @@ impl Axis {
         match self.scale {
             Scale::Linear => start + share * (end - start),
             Scale::Logarithmic | Scale::Decades => start * libm::exp(share * libm::log(end / start)),
+            Scale::SymmetricLog => {
+                let [start, end] = [start, end].map(signed_decades);
+                let decades = start + share * (end - start);
+                let size = decades.abs();
+                if size <= 1.0 { decades } else { libm::exp10(size - 1.0).copysign(decades) }
+            }
         }
     }
 
     /// A mark's number as it is written.
     pub fn written(&self, value: f64) -> String {
+        let named = self.marks.iter().position(|mark| *mark == value).and_then(|number| self.names.get(number));
         match self.scale {
             _ if !self.numbered => String::new(),
-            Scale::Linear => with_minus_sign(&fixed(value, self.decimals)),
+            _ if named.is_some() => named.cloned().unwrap_or_default(),
+            Scale::Linear | Scale::SymmetricLog => with_minus_sign(&fixed(value, self.decimals)),
             Scale::Logarithmic => with_minus_sign(&trimmed(value, self.decimals)),
             Scale::Decades => power_of_ten(value),
         }
@@ -248,10 +286,28 @@ mod tests {
 
     #[test]
     fn the_value_at_a_share_has_that_share() {
-        for scale in [Scale::Linear, Scale::Logarithmic, Scale::Decades] {
+        for scale in [Scale::Linear, Scale::Logarithmic, Scale::Decades, Scale::SymmetricLog] {
             let axis = Axis::new(scale, 0.1..30.0, vec![], 1);
             assert!([0.0, 0.3, 1.0].iter().all(|share| (axis.share(axis.value_at(*share)) - share).abs() < 1e-12));
         }
+    }
+
+    #[test]
+    fn a_symmetric_log_axis_is_linear_within_one_and_a_decade_is_as_long_as_a_unit() {
+        let axis = Axis::symmetric_log(100.0);
+        assert_eq!(axis.marks, [-100.0, -10.0, -1.0, 0.0, 1.0, 10.0, 100.0]);
+        let shares = [0.0, 0.5, 1.0, 10.0, 100.0].map(|value| axis.share(value));
+        for (share, expected) in shares.into_iter().zip([3.0, 3.5, 4.0, 5.0, 6.0]) {
+            assert!((share - expected / 6.0).abs() < 1e-12, "{shares:?}");
+        }
+        assert!([0.25, 3.0, 70.0].iter().all(|value| (axis.share(*value) + axis.share(-value) - 1.0).abs() < 1e-12));
+    }
+
+    #[test]
+    fn kinds_are_written_by_name_and_the_first_is_at_the_top() {
+        let axis = Axis::of_kinds(["six", "four"].map(str::to_owned));
+        assert_eq!([1.0, 2.0].map(|mark| axis.written(mark)), ["six", "four"]);
+        assert_eq!([axis.share(1.0), axis.share(2.0)], [0.75, 0.25]);
     }
 
     #[test]

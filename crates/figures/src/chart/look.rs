@@ -71,6 +71,9 @@ pub enum Mark {
     Diamond,
     /// A triangle.
     Triangle,
+    /// A triangle whose tip points to the left, or to the right: for what is beyond an edge, with its tip there.
+    Left,
+    Right,
     /// A circle filled with the paper's colour.
     Ring,
     /// A circle through which the curve can be seen.
@@ -146,7 +149,13 @@ pub fn draw_marks(canvas: &mut Canvas, places: &[Pixels], marker: &Marker) {
         }
         return;
     }
-    let corners: &[(f64, f64)] = if mark == Mark::Triangle { &[(0.0, -0.64), (0.6, 1.04), (-1.2, 0.0)] } else { &[] };
+    // The first corner, and the steps from there.
+    let corners: &[(f64, f64)] = match mark {
+        Mark::Triangle => &[(0.0, -0.64), (0.6, 1.04), (-1.2, 0.0)],
+        Mark::Left => &[(0.0, 0.0), (1.1, -0.6), (0.0, 1.2)],
+        Mark::Right => &[(0.0, 0.0), (-1.1, -0.6), (0.0, 1.2)],
+        _ => &[],
+    };
     let begin = |at: &Pixels| corners.first().map_or(*at, |(x, y)| at + Vector2::new(*x, *y) * size);
     let mut path = Path::empty(1);
     for place in places {
@@ -154,7 +163,7 @@ pub fn draw_marks(canvas: &mut Canvas, places: &[Pixels], marker: &Marker) {
         path = match mark {
             // Square ends stand across the line, however short it is.
             Mark::Diamond => path.line_by(&Vector2::new(0.1, 0.1)),
-            Mark::Triangle => {
+            _ if !corners.is_empty() => {
                 let steps = corners.iter().skip(1).map(|(x, y)| Vector2::new(*x, *y) * size);
                 steps.fold(path, |path, step| path.line_by(&step)).close()
             }
@@ -165,7 +174,7 @@ pub fn draw_marks(canvas: &mut Canvas, places: &[Pixels], marker: &Marker) {
         return;
     }
     let shape = Shape::path(path);
-    if mark == Mark::Triangle {
+    if !corners.is_empty() {
         let shape = shape.fill(shade);
         canvas.draw(if size >= RIMMED { shape.stroke(PAPER, 1.2) } else { shape }.class(class));
         return;

@@ -22,9 +22,8 @@ use look::draw_marks;
 use nalgebra::Vector2;
 use panel::Column;
 
-/// Width of a figure, in pixels: with panels one under another, and in columns.
+/// Width of a figure, in pixels.
 const WIDTH: f64 = 640.0;
-const WIDE: f64 = 840.0;
 /// From line to line of the key, and from the left side to it, in pixels.
 const LINE: f64 = 28.0;
 const LEFT: f64 = 16.0;
@@ -99,7 +98,7 @@ impl Chart {
         Self { panels: panels.into_iter().collect(), ..Self::default() }
     }
 
-    /// The same panels row by row in so many columns, on a wider page.
+    /// The same panels row by row in so many columns.
     pub fn in_columns(self, columns: usize) -> Self {
         Self { columns, ..self }
     }
@@ -116,7 +115,7 @@ impl Chart {
         let rows = || self.panels.chunks(self.columns.max(1));
         let room = |row: &[Panel]| row.iter().map(Panel::room).fold(0.0, f64::max);
         let panels: f64 = rows().map(room).sum();
-        let size = Vector2::new(self.width(), head + panels + FOOT);
+        let size = Vector2::new(WIDTH, head + panels + FOOT);
         let mut canvas = Canvas::new(size.x, size.y);
         for (entry, at) in self.key.iter().zip(&places) {
             entry.draw(&mut canvas, at);
@@ -128,31 +127,26 @@ impl Chart {
             }
             top += room(row);
         }
-        let kind = if rows().count() > 1 { Kind::Panels } else { Kind::Plot };
-        words.figure(canvas, kind, series)
+        words.figure(canvas, Kind::Plot, series)
     }
 
-    /// The panels one under another in the right half of a wide page, and in its left half what `draw` draws there.
-    pub fn figure_beside(self, words: Words, series: Series, draw: impl FnOnce(&mut Canvas)) -> Figure {
+    /// The panels one under another, below what `draw` draws on so much of the page's height.
+    pub fn figure_below(self, words: Words, series: Series, above: f64, draw: impl FnOnce(&mut Canvas)) -> Figure {
         let height: f64 = self.panels.iter().map(Panel::room).sum();
-        let size = Vector2::new(WIDE, height + FOOT);
+        let size = Vector2::new(WIDTH, above + height + FOOT);
         let mut canvas = Canvas::new(size.x, size.y);
         draw(&mut canvas);
-        let mut top = 0.0;
+        let mut top = above;
         for panel in &self.panels {
-            draw_panel(panel, &mut canvas, size, &Column::of(1, 2, size.x), top);
+            draw_panel(panel, &mut canvas, size, &Column::of(0, 1, size.x), top);
             top += panel.room();
         }
         words.figure(canvas, Kind::Plot, series)
     }
 
-    fn width(&self) -> f64 {
-        if self.columns > 1 { WIDE } else { WIDTH }
-    }
-
     /// Where the entries of the key begin: in equal columns, or one after another if that takes fewer lines.
     fn key_places(&self) -> Vec<Pixels> {
-        let room = self.width() - LEFT;
+        let room = WIDTH - LEFT;
         let widest = self.key.iter().map(Entry::width).fold(1.0, f64::max);
         let columns = ((room / widest) as usize).clamp(1, self.key.len().max(1));
         let place = |x: f64, line: usize| Vector2::new(LEFT + x, 18.0 + LINE * line as f64);
@@ -203,9 +197,9 @@ mod tests {
         let heights: Vec<f64> = corners.iter().skip(1).step_by(2).copied().collect();
         let widths: Vec<f64> = corners.iter().step_by(2).copied().collect();
         // In from the left, out at the top, and in again.
-        assert_eq!((data.matches('M').count(), widths[0], heights.len()), (2, 66.0, 5), "{data}");
+        assert_eq!((data.matches('M').count(), widths[0], heights.len()), (2, 70.0, 5), "{data}");
         assert!(
-            heights.iter().all(|y| (22.0..=222.0).contains(y)) && widths.iter().all(|x| (66.0..=574.0).contains(x))
+            heights.iter().all(|y| (22.0..=222.0).contains(y)) && widths.iter().all(|x| (70.0..=570.0).contains(x))
         );
         assert_eq!(Drawing::of(&some).all("marks")[0].attribute("d").expect("a path").matches('M').count(), 2);
         for outside in [[(0.2, 2.0), (0.8, 3.0)], [(-0.2, 0.9), (0.1, 1.3)], [(2.0, 0.1), (2.0, 0.9)]] {
@@ -228,7 +222,7 @@ mod tests {
             let path = drawing.path("curve", number);
             [path[0], path[path.len() - 1]]
         });
-        assert!(ends[0][1].x < ends[1][0].x && ends[1][1].x < WIDE, "{ends:?}");
+        assert!(ends[0][1].x < ends[1][0].x && ends[1][1].x < WIDTH, "{ends:?}");
         assert!(ends[2][0].x == ends[0][0].x && ends[2][1].y > ends[1][0].y, "{ends:?}");
     }
 

@@ -4,6 +4,7 @@ use super::axis::Axis;
 use super::look::{Marker, Stroke};
 use super::names::{Name, Spot, write};
 use super::pen::{ENLARGED, Look, Pen, colour};
+use crate::parts::arrow;
 use crate::svg::{Canvas, Label, Pixels, Placing, part_within};
 use crate::theme::Shade;
 use nalgebra::Vector2;
@@ -11,13 +12,15 @@ use plotters::prelude::*;
 use std::ops::Range;
 
 /// Room at the left and the right of a frame: for the numbers of the axes; beside another panel, at the right, less.
-const SIDE: f64 = 66.0;
+const SIDE: f64 = 70.0;
 const BETWEEN: f64 = 28.0;
 /// From the side of a panel to its titles.
 const INDENT: f64 = 8.0;
 /// Room above a frame: for the title of the y axis; below it for the numbers of the x axis, and for its title.
 const ABOVE: f64 = 44.0;
 const NUMBERS: f64 = 34.0;
+/// Room below a frame whose x axis has no numbers: the lowest number of its y axis ends there.
+const UNNUMBERED: f64 = 16.0;
 const TITLE: f64 = 36.0;
 /// Length of a tick; the numbers are twice as far from the frame.
 const TICK: f64 = 6.0;
@@ -33,6 +36,14 @@ enum Layer {
     Curve { points: Vec<(f64, f64)>, stroke: Stroke },
     /// Equal marks, as far as they lie in the frame.
     Marks { points: Vec<(f64, f64)>, marker: Marker },
+}
+
+/// What becomes infinite for an instant, such as the acceleration in a blow: it leaves the frame.
+#[derive(Clone, Copy, Debug)]
+struct Impulse {
+    x: f64,
+    upwards: bool,
+    stroke: Stroke,
 }
 
 /// From where to where on the page a panel goes, and its frame.
@@ -61,6 +72,7 @@ pub struct Panel {
     left: Axis,
     right: Axis,
     layers: Vec<Layer>,
+    impulses: Vec<Impulse>,
     names: Vec<Name>,
 }
 
@@ -68,7 +80,15 @@ impl Panel {
     /// An empty frame of this height in pixels.
     pub fn new(height: f64, x: &Axis, left: &Axis) -> Self {
         let right = left.blank();
-        Self { height, x: x.clone(), left: left.clone(), right, layers: Vec::new(), names: Vec::new() }
+        Self {
+            height,
+            x: x.clone(),
+            left: left.clone(),
+            right,
+            layers: Vec::new(),
+            impulses: Vec::new(),
+            names: Vec::new(),
+        }
     }
 
     /// Other marks and words at the right: for what belongs to the same heights.
@@ -101,6 +121,12 @@ impl Panel {
         self
     }
 
+    /// An arrow from zero to the top of the frame, or to its foot: what becomes infinite for an instant.
+    pub fn impulse(mut self, x: f64, upwards: bool, stroke: Stroke) -> Self {
+        self.impulses.push(Impulse { x, upwards, stroke });
+        self
+    }
+
     /// A line from the foot of the frame to its top.
     pub fn vertical(self, x: f64, stroke: Stroke) -> Self {
         let Range { start, end } = self.left.range;
@@ -124,9 +150,15 @@ impl Panel {
         self
     }
 
+    /// The values at the foot of the frame and at its top.
+    pub fn ends(&self) -> [f64; 2] {
+        let Range { start, end } = self.left.range;
+        [start, end]
+    }
+
     /// The room that it takes, from the line above its frame to the end of what stands below.
     pub fn room(&self) -> f64 {
-        let numbers = if self.x.numbered && !self.x.marks.is_empty() { NUMBERS } else { 0.0 };
+        let numbers = if self.x.numbered && !self.x.marks.is_empty() { NUMBERS } else { UNNUMBERED };
         let above = if self.left.title.is_some() { ABOVE } else { ABOVE / 2.0 };
         above + self.height + numbers + if self.x.title.is_some() { TITLE } else { 0.0 }
     }
@@ -150,6 +182,9 @@ impl Panel {
         let frame = self.frame(column, top);
         self.plot(canvas, size, &frame)?;
         self.titles(canvas, column, &frame);
+        for (impulse, [from, to]) in self.impulses.iter().zip(self.arrows(&frame)) {
+            arrow(canvas, &from, &to, impulse.stroke.shade, impulse.stroke.width, impulse.stroke.class);
+        }
         let all = self.placing(&frame, |_| true);
         let off_curves = self.placing(&frame, |curve| !self.is_named(curve));
         write(canvas, &frame, all, off_curves, &self.names);
@@ -237,6 +272,13 @@ impl Panel {
         }
     }
 
+    /// Tail and tip of each impulse.
+    fn arrows(&self, frame: &Frame) -> Vec<[Pixels; 2]> {
+        let Range { start, end } = self.left.range;
+        let arrow = |of: &Impulse| [0.0, if of.upwards { end } else { start }].map(|y| frame.at(of.x, y));
+        self.impulses.iter().map(arrow).collect()
+    }
+
     /// Whether a curve has its name on it.
     fn is_named(&self, curve: &[(f64, f64)]) -> bool {
         self.names.iter().any(|name| matches!(&name.spot, Spot::On(points) if points == curve))
@@ -247,6 +289,9 @@ impl Panel {
         let [least, greatest] = frame.corners;
         let room = Vector2::new(6.0, 4.0);
         let mut placing = Placing::within(least + room, greatest - room);
+        for [from, to] in self.arrows(frame) {
+            placing.avoid(&from, &to, 2.0);
+        }
         for layer in &self.layers {
             match layer {
                 Layer::Area { .. } => {}

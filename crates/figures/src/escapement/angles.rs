@@ -64,8 +64,8 @@ pub fn angles(escapement: &Mechanism, crank: f64) -> Result<Figure, FigureError>
         ),
         format!(
             "A general position of the escapement with {} pins and {} slots, to scale at θ = {theta}; both angles are \
-             negative before the line of centres. The pin's distance from the line of centres belongs to both \
-             angles: r sin θ = R sin φ; its foot divides c into r cos θ and R cos φ.",
+             negative before the line of centres. The pin is as far from the line of centres by either angle: r sin θ = R sin φ. The foot of that \
+             distance divides c into r cos θ and R cos φ.",
             escapement.pins(),
             escapement.slots()
         ),

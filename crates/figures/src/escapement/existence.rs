@@ -77,8 +77,9 @@ pub fn existence(designs: &[Design]) -> Figure {
              acceleration at every angle.{marked}"
         ),
         "Critical friction of the three mechanisms over their inertias (curves), and the runs of the thesis (marks of \
-         the same colour). Below its curve a mechanism has exactly one acceleration at every angle of the engagement; \
-         above it there are angles with none, or with two. A light driver bears little friction.",
+         the same colour). Below its curve, a mechanism has exactly one acceleration at every angle of the engagement. Above \
+             it, some angles have none, or two. The lighter the driver, the less friction the mechanism can \
+             stand.",
     );
     Chart::new([panel]).key(key).figure(words, Series::new(columns, rows(&inertias.range, &designs)))
 }
@@ -99,7 +100,7 @@ fn axes(designs: &[&Design]) -> [Axis; 2] {
     let start = ratios().fold(INERTIAS.start, |least, one| least.min(one / 1.6));
     let end = ratios().fold(INERTIAS.end, |most, one| most.max(one * 1.6));
     let top = designs.iter().map(|design| design.friction).fold(FRICTION, f64::max);
-    let ratio = Label::words("inertia of the driver over that of the follower, ").and_symbol("I").sub("D");
+    let ratio = Label::words("inertia of the driver over the follower's, ").and_symbol("I").sub("D");
     let ratio = ratio.and(" / ").and_symbol("I").sub("f");
     let friction = Label::words("coefficient of friction ").and_symbol("μ");
     [Axis::logarithmic(start..end).titled(ratio), Axis::from_zero(0.0, top, 4.0).titled(friction)]

@@ -94,7 +94,7 @@ pub fn forces(parameters: &Parameters, crank: f64, speed: f64) -> Result<Figure,
             shown(parameters)
         ),
     );
-    Ok(words.figure(canvas, Kind::Steps, series))
+    Ok(words.figure(canvas, Kind::Diagram, series))
 }
 
 /// The state in numbers, below the panels.

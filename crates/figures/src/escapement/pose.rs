@@ -53,33 +53,23 @@ impl Bodies {
         Ok(Self::new(escapement, layout, [theta, phi], margins))
     }
 
-    /// The same in a column of this width.
-    pub fn in_column(escapement: &Mechanism, theta: f64, width: f64, margins: Margins) -> Result<Self, FigureError> {
+    /// The mechanism at a driver angle within ±π/m in the middle of the page, of this height with its margins.
+    pub fn of_height(escapement: &Mechanism, theta: f64, height: f64, margins: Margins) -> Result<Self, FigureError> {
+        let large = Self::at(escapement, theta, margins)?;
+        let above = margins.above + margins.below;
+        let scale = large.view.scale * (height - above) / (large.height - above);
+        let breadth = (WIDTH - 2.0 * margins.side) * scale / large.view.scale;
+        let left = (WIDTH - breadth) / 2.0 + DISC * scale;
+        let view = View { origin: Vector2::new(left, margins.above + (height - above) / 2.0), scale };
         let layout = escapement.layout(theta)?;
-        let phi = escapement.wheel().engaged(theta)?.angle;
-        Ok(Self::wide(escapement, layout, [theta, phi], width, margins))
-    }
-
-    /// The same mechanism elsewhere on the page.
-    pub fn moved(&self, by: &Pixels) -> Self {
-        let view = View { origin: self.view.origin + by, ..self.view };
-        Self { view, axis: self.axis + by, pivot: self.pivot + by, ..self.clone() }
+        Ok(Self { view, axis: view.origin, pivot: view.place(&layout.follower_axis), height, ..large })
     }
 
     /// The mechanism with its parts in these places.
     pub fn new(escapement: &Mechanism, layout: Configuration<f64>, angles: [f64; 2], margins: Margins) -> Self {
-        Self::wide(escapement, layout, angles, WIDTH, margins)
-    }
-
-    fn wide(
-        escapement: &Mechanism,
-        layout: Configuration<f64>,
-        [theta, phi]: [f64; 2],
-        width: f64,
-        margins: Margins,
-    ) -> Self {
+        let [theta, phi] = angles;
         let star = Star::of_wheel(&escapement.wheel());
-        let scale = (width - 2.0 * margins.side) / (DISC + star.centre + star.rim);
+        let scale = (WIDTH - 2.0 * margins.side) / (DISC + star.centre + star.rim);
         let half = DISC.max(star.rim) * scale;
         let view = View { origin: Vector2::new(margins.side + DISC * scale, margins.above + half), scale };
         let pivot = view.place(&layout.follower_axis);

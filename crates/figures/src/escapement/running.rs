@@ -1,9 +1,9 @@
-//! The escapement at an instant of its run from rest, beside its speed and the force between pin and slot.
+//! The escapement at an instant of its run from rest, above its speed and the force between pin and slot.
 
 use super::pose::{Bodies, Margins};
 use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
 use crate::number::{degrees, fixed, shown, significant};
-use crate::svg::{Canvas, Label, Pixels, Shape};
+use crate::svg::{Canvas, Label, Shape};
 use crate::theme::{CORIOLIS, DRIVER, FOLLOWER, INK};
 use crate::{Figure, FigureError, Series, Words};
 use geneva_dynamics::Parameters;
@@ -13,8 +13,8 @@ use geneva_dynamics::steady::{Engagement, Printed};
 /// Engagements that are shown, and instants in all of them.
 const SHOWN: usize = 6;
 const INSTANTS: usize = 600;
-/// The mechanism's column and its margins, in pixels.
-const COLUMN: f64 = 420.0;
+/// Height of the mechanism, and its margins, in pixels.
+const HEIGHT: f64 = 300.0;
 const MARGINS: Margins = Margins { side: 8.0, above: 8.0, below: 8.0 };
 /// Heights of the two frames, in pixels.
 const FRAMES: [f64; 2] = [170.0, 110.0];
@@ -56,25 +56,22 @@ pub fn running(engagement: &Engagement, share: f64) -> Result<Figure, FigureErro
     let now = instants.get(at.min(INSTANTS - 1)).filter(|_| at != usize::MAX).ok_or(FigureError::Share(share))?;
 
     let panels = panels(&instants, now, &starts, [steady.minimum.speed, steady.peak.speed], duration);
-    let height: f64 = panels.iter().map(Panel::room).sum();
-    let bodies = Bodies::in_column(&parameters.mechanism(), now.line.angle, COLUMN, MARGINS)?;
-    let down = Pixels::new(0.0, (height - bodies.height) / 2.0);
-    let bodies = bodies.moved(&down);
+    let bodies = Bodies::of_height(&parameters.mechanism(), now.line.angle, HEIGHT, MARGINS)?;
     let (m, speed) = (parameters.mechanism().pins(), significant(now.line.speed, 4));
     let words = Words::new(
         "live-escapement",
         format!("A Geneva escapement with {m} pins, {} ms after its start", fixed(1000.0 * now.line.time, 1)),
         format!(
-            "At the left the mechanism to scale at a driver angle of {}. At the right, over the time of six engagements from \
+            "Above, the mechanism to scale at a driver angle of {}. Below it, over the time of six engagements from \
              rest, the driver's speed, {speed} rad/s at this instant, between dashed lines at {} and {} rad/s, the least and \
-             the greatest of the steady motion; and below it the normal force, positive where the pin drives the follower.",
+             the greatest of the steady motion; and at the foot the normal force, positive where the pin drives the follower.",
             degrees(now.line.angle),
             significant(steady.minimum.speed, 4),
             significant(steady.peak.speed, 4)
         ),
         format!(
-            "The first six engagements from rest. Above, the driver's speed; dashed, the least and the greatest of the steady \
-             motion. Below, the force between pin and slot, N r / K: positive on the leading flank, negative on the trailing \
+            "The first six engagements from rest. In the middle is the driver's speed; dashed, the least and the greatest of the \
+             steady motion. At the foot is the force between pin and slot, N r / K: positive on the leading flank, negative on the trailing \
              one. The mark in the drawing is where the pin bears. {}",
             shown(parameters)
         ),
@@ -84,7 +81,7 @@ pub fn running(engagement: &Engagement, share: f64) -> Result<Figure, FigureErro
         instants.iter().step_by(4).map(|at| [at.line.time, at.line.angle.to_degrees(), at.line.speed, at.normal]);
     let series = Series::new(columns, rows.collect::<Vec<_>>());
     let flank = flank(now.normal);
-    Ok(Chart::new(panels).figure_beside(words, series, |canvas: &mut Canvas| {
+    Ok(Chart::new(panels).figure_below(words, series, HEIGHT, |canvas: &mut Canvas| {
         bodies.draw_driver(canvas, 1.8);
         bodies.draw_follower(canvas, 2.0);
         bodies.draw_line_of_centres(canvas);

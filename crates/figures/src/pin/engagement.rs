@@ -49,8 +49,8 @@ pub fn over_the_engagement(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed:
             short(jump.abs(), 4),
         ),
         format!(
-            "The whole engagement at a driver speed of {driver}. The wheel starts and stops at rest, but its \
-             acceleration jumps at both ends; where the wheel is fastest the pin stops in the slot and turns back.{}",
+            "The whole engagement at a driver speed of {driver}. The wheel starts from rest and comes to rest, but its acceleration jumps at both ends. Where the \
+             wheel is fastest, the pin stops in the slot and turns back.{}",
             if within {
                 format!(" The dotted line is the instant φ = {}.", degrees(now[0].to_radians()))
             } else {

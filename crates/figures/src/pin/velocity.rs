@@ -12,13 +12,13 @@ use nalgebra::Vector2;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Width of the drawing, in pixels: narrow enough for its letters to be read on a phone.
-const WIDTH: f64 = 460.0;
+const WIDTH: f64 = 484.0;
 /// The largest the triangle may be: width and height in pixels. Labels stand beside it.
 const ROOM: Pixels = Vector2::new(250.0, 350.0);
 /// Free space above and below the triangle, in pixels.
 const MARGIN: f64 = 50.0;
 /// How far the triangle stands to the left of the middle, twice, in pixels: the labels at its right are longer.
-const ASIDE: f64 = 50.0;
+const ASIDE: f64 = 56.0;
 /// Half the width of the slot, and how far it goes on beyond the arrow in it, in pixels.
 const SLOT: f64 = 12.0;
 const BEYOND: f64 = 24.0;
@@ -97,8 +97,8 @@ pub fn velocity_triangle(mechanism: &PinSlot, crank: &Turn<f64>, driver_speed: f
              {along}. The angle between the pin's velocity and the slot is {gamma}."
         ),
         format!(
-            "The velocity triangle at φ = {phi}, to scale. The pin's velocity is that of the wheel's point under it, \
-             across the slot, plus the sliding velocity, along the slot."
+            "The velocity triangle at φ = {phi}, to scale. The pin's velocity is the sum of two: the velocity of the wheel's point under it, across the slot, \
+             and the sliding velocity, along the slot."
         ),
     );
     words.figure(canvas, Kind::Diagram, series)

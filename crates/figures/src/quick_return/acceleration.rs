@@ -81,12 +81,12 @@ pub fn acceleration_diagram(
             turning(alpha_4)
         ),
         format!(
-            "The acceleration diagram at ψ = {}, in five steps. Normal and Coriolis terms follow from the velocities; \
-             of the two terms left only the directions are known, and two directions close the polygon. The pole is o.",
+            "The acceleration diagram at ψ = {}, in five steps. The normal and the Coriolis terms follow from the velocities. Of the last two terms we know only the \
+             directions, but two directions are enough to close the polygon. The pole is o.",
             degrees(instant.lever_angle)
         ),
     );
-    words.figure(diagram.draw(), Kind::Steps, Series::new(columns, rows))
+    words.figure(diagram.draw(), Kind::Diagram, Series::new(columns, rows))
 }
 
 /// The vectors: from the pole the pin's, then the lever's side in its order; what is known comes first.

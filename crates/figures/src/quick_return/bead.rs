@@ -7,7 +7,7 @@ use crate::{Figure, Series, Words};
 use nalgebra::Vector2;
 
 /// Size of the drawing and where the lever's pivot is, in pixels.
-const SIZE: Pixels = Vector2::new(460.0, 402.0);
+const SIZE: Pixels = Vector2::new(480.0, 402.0);
 const PIVOT: Pixels = Vector2::new(20.0, 288.0);
 /// What the bead slides in one step, and its distance from the pivot at the middle moment, in pixels.
 const SLIDE: f64 = 80.0;
@@ -63,8 +63,8 @@ pub fn bead_on_a_lever() -> Figure {
          Two strips of equal length show what the second step has more, both across the lever: the slide has turned \
          with the lever, and the carry is longer because the bead is farther out. Each is v Δt times ω Δt.",
         "A bead on a turning lever, at three moments Δt apart. Each step is a slide (green) and a carry (blue). Dashed: the \
-         first slide drawn again at B. The two strips are what the second step has more, each v Δt · ω Δt across the \
-         lever. Both speeds are constant; the angles are drawn large.",
+         first slide drawn again at B. The two strips show how much longer the second step is: across the lever, by v Δt · ω Δt for each \
+             strip. Both speeds are constant, and the angles are drawn large.",
     );
     words.figure(canvas, Kind::Mechanism, series)
 }

@@ -57,10 +57,12 @@ impl Layout {
         Self::fitted(linkage, instant, top, false)
     }
 
-    /// The same with room for the lever at all angles, half-way down a page of this height.
-    pub fn of_the_turn(linkage: &QuickReturn, instant: &Instant, height: f64) -> Self {
+    /// The same with room for the lever at all angles, in the middle of the head of a page of this width.
+    pub fn of_the_turn(linkage: &QuickReturn, instant: &Instant, width: f64) -> Self {
         let own = Self::fitted(linkage, instant, 0.0, true);
-        Self::fitted(linkage, instant, (height - own.height) / 2.0, true)
+        let by = Pixels::new((width - WIDTH) / 2.0, 0.0);
+        let view = View { origin: own.view.origin + by, ..own.view };
+        Self { view, pivot: own.pivot + by, axis: own.axis + by, pin: own.pin + by, ..own }
     }
 
     fn fitted(linkage: &QuickReturn, instant: &Instant, top: f64, whole_turn: bool) -> Self {

@@ -77,12 +77,11 @@ pub fn mechanism(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>,
             turning(omega_4)
         ),
         format!(
-            "The mechanism to scale at ψ = {psi}. The pin P₂ on the crank slides in the slot of the lever; P₄ is the \
-             lever's point under it, at the same place at this instant. At the “other point” of its circle the pin would be \
+            "The mechanism to scale at ψ = {psi}. The pin P₂ on the crank slides in the slot of the lever; P₄ is the point of the lever under it, in the same place at this instant. At the “other point” of its circle the pin would be \
              with the same ψ. Counter-clockwise is positive."
         ),
     );
-    words.figure(canvas, Kind::TallMechanism, series)
+    words.figure(canvas, Kind::Mechanism, series)
 }
 
 /// Angles, senses and names, the most bound to their places first.
@@ -135,7 +134,7 @@ fn names(
         for angle in [limit, -limit] {
             let end = at.swing_end(angle);
             let from = at.pivot.lerp(&end, 0.3);
-            let label = Label::words(&format!("end of swing {}", degrees(angle))).shade(FOLLOWER);
+            let label = Label::words(&format!("swing end {}", degrees(angle))).shade(FOLLOWER);
             placing.put(canvas, &label, beside_line(&from, &end, &NEAR));
         }
     }

@@ -1,24 +1,23 @@
-//! The mechanism beside its two vector diagrams.
+//! The mechanism above its two vector diagrams.
 
 use super::instant::{Instant, a, cleared, coriolis, v, written};
 use super::linkage::{Layout, bodies};
 use crate::number::{degrees, trimmed};
-use crate::parts::{arrow, scale_bar};
+use crate::parts::{WIDTH, arrow, scale_bar};
 use crate::svg::{Canvas, DASHED, Kind, Label, Pixels, Placing, Shape, View, around, beside_line};
 use crate::theme::{CORIOLIS, DRIVER, FOLLOWER, INK, RELATIVE, Shade};
 use crate::{Figure, Series, Words};
 use geneva_kinematics::quick_return::{Drive, Position, QuickReturn};
 use nalgebra::Vector2;
 
-/// Size of the page in pixels, where the mechanism ends, and the room of a diagram about its middle.
-const PAGE: Pixels = Vector2::new(840.0, 560.0);
-const DIVIDE: f64 = 450.0;
-const ROOM: Pixels = Vector2::new(280.0, 176.0);
+/// Size of a diagram's part of the page, in pixels, and the room of its vectors about its middle.
+const PART: Pixels = Vector2::new(WIDTH / 2.0, 300.0);
+const ROOM: Pixels = Vector2::new(256.0, 206.0);
 const MARGIN: f64 = 8.0;
-/// Room for a scale bar at the top of a diagram's half of the page.
+/// Room for a scale bar at the top of a diagram.
 const BAR: f64 = 36.0;
 /// Scales that a diagram may have between one and its double.
-const PER_OCTAVE: f64 = 2.0;
+const PER_OCTAVE: f64 = 4.0;
 /// A vector of fewer pixels is not drawn.
 const SHORTEST: f64 = 1.0;
 /// How far labels may stand from their vectors, in pixels.
@@ -37,25 +36,26 @@ struct Arrow {
 /// `factor` times ω₄ × v_rel.
 ///
 /// The lever's and the sliding acceleration are those of the motion. So the polygon closes with a factor of 2 alone; with
-/// another its gap is drawn. Series, a row for each
-/// vector in the order that the first column's name gives: components along O4 → O2 and across it, and magnitude.
+/// another its gap is drawn. The terms follow one another as in the steps of the [acceleration
+/// diagram](super::acceleration_diagram) at the printed position, at every angle alike. Series, a row for each vector in
+/// the order that the first column's name gives: components along O4 → O2 and across it, and magnitude.
 pub fn polygons(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>, factor: f64, unit: &str) -> Figure {
     let here = diagrams(&Instant::new(linkage, position, drive), factor);
     let instant = Instant::new(linkage, position, drive);
-    let mut canvas = Canvas::new(PAGE.x, PAGE.y);
-    let layout = Layout::of_the_turn(linkage, &instant, PAGE.y);
-    let mut placing = Placing::within(Vector2::zeros(), Vector2::new(DIVIDE, PAGE.y));
+    let layout = Layout::of_the_turn(linkage, &instant, WIDTH);
+    let height = layout.height;
+    let mut canvas = Canvas::new(WIDTH, height + PART.y);
+    let mut placing = Placing::within(Vector2::zeros(), Vector2::new(WIDTH, height));
     bodies(&mut canvas, &mut placing, &layout, linkage, &instant);
     let pin = Label::words("P").sub("2").and(", P").sub("4");
     placing.put(&mut canvas, &pin, around(&layout.pin, 1.0, &[12.0, 18.0, 26.0, 36.0]));
 
-    let half = PAGE.y / 2.0;
     for (k, (arrows, unit)) in here.iter().zip([format!("{unit}/s"), format!("{unit}/s²")]).enumerate() {
-        let top = half * k as f64;
-        let view = fitting(arrows, Vector2::new((DIVIDE + PAGE.x) / 2.0, top + BAR + (half - BAR) / 2.0));
-        let corners = [Vector2::new(DIVIDE, top + BAR), Vector2::new(PAGE.x - MARGIN, top + half)];
-        scale_bar(&mut canvas, &Vector2::new(DIVIDE + MARGIN, top + BAR / 2.0), view.scale, false, &unit);
-        draw(&mut canvas, corners, &view, arrows);
+        let corner = Vector2::new(PART.x * k as f64, height);
+        let view = fitting(arrows, corner + Vector2::new(PART.x / 2.0, (BAR + PART.y) / 2.0));
+        let margin = Vector2::new(MARGIN, MARGIN);
+        scale_bar(&mut canvas, &(corner + Vector2::new(2.0 * MARGIN, BAR / 2.0)), view.scale, false, &unit);
+        draw(&mut canvas, [corner + Vector2::new(MARGIN, BAR), corner + PART - margin], &view, arrows);
     }
 
     let [velocities, accelerations] = &here;
@@ -68,17 +68,18 @@ pub fn polygons(linkage: &QuickReturn, position: &Position, drive: &Drive<f64>, 
         "live-polygon",
         format!("Quick-return mechanism at a crank angle of {phi}, and its vector diagrams"),
         format!(
-            "At the left the mechanism to scale. At the right above, the velocity of the pin is the sum of the lever's and \
-             the sliding one. Below, the acceleration of the pin against the sum of the lever's normal and tangential ones, \
-             the sliding one, and {times} times the lever's angular velocity times the sliding velocity: the polygon {closes}."
+            "Above, the mechanism to scale. Below it at the left, the velocity of the pin is the sum of the lever's velocity and \
+             the sliding velocity. At the right, the acceleration of the pin, and end to end the Coriolis acceleration, counted \
+             {times} times the lever's angular velocity times the sliding velocity, the lever's normal and tangential \
+             accelerations, and the sliding acceleration. The polygon {closes}."
         ),
         format!(
-            "The mechanism at φ = {phi} with its velocities and accelerations; the Coriolis acceleration is counted {times} \
-             times ω₄ v_rel. The polygon {closes}."
+            "The mechanism at φ = {phi}, with its velocities and accelerations. The Coriolis acceleration is counted {times} \
+             times ω₄ vᵣₑₗ. The polygon {closes}."
         ),
     );
     let columns = [
-        ("1 v_2, 2 v_4, 3 v_rel, 4 a_2, 5 an_4, 6 at_4, 7 at_rel, 8 Coriolis, 9 gap", "1"),
+        ("1 v_2, 2 v_4, 3 v_rel, 4 a_2, 5 Coriolis, 6 an_4, 7 at_4, 8 at_rel, 9 gap", "1"),
         ("x", unit),
         ("y", unit),
         ("magnitude", unit),
@@ -113,12 +114,13 @@ fn diagrams(instant: &Instant, factor: f64) -> [Vec<Arrow>; 2] {
     let pin = motion.pin_normal + motion.pin_tangential;
     let counted = terms.coriolis * (factor / 2.0);
     let mut tail = zero;
-    let mut accelerations = vec![arrow("a-pin", a("", "2"), DRIVER, zero, pin)];
+    let part = if motion.pin_tangential == zero { "n" } else { "" };
+    let mut accelerations = vec![arrow("a-pin", a(part, "2"), DRIVER, zero, pin)];
     for (name, symbol, shade, vector) in [
+        ("a-coriolis", coriolis(), CORIOLIS, counted),
         ("a-lever-normal", a("n", "4"), FOLLOWER, terms.follower_normal),
         ("a-lever-tangential", a("t", "4"), FOLLOWER, terms.follower_tangential),
         ("a-sliding", a("t", "rel"), RELATIVE, terms.sliding_tangential),
-        ("a-coriolis", coriolis(), CORIOLIS, counted),
     ] {
         accelerations.push(arrow(name, symbol, shade, tail, vector));
         tail += vector;
@@ -149,5 +151,78 @@ fn draw(canvas: &mut Canvas, corners: [Pixels; 2], at: &View, arrows: &[Arrow]) 
         let [from, to] = ends(drawn);
         let label = drawn.symbol.clone().shade(drawn.shade);
         placing.put(canvas, &label, beside_line(&from, &to, &NEAR).into_iter().chain(around(&to, 0.0, &NEAR)));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::{Drawing, sound};
+    use crate::quick_return::acceleration_diagram;
+
+    fn linkage() -> QuickReturn {
+        QuickReturn::new(0.45, 0.2).expect("sound")
+    }
+
+    /// Where the vectors of the accelerations begin, in pixels from the pole over the length of the pin's.
+    fn tails(figure: &Figure, pin: &str) -> Vec<Vector2<f64>> {
+        let drawing = Drawing::of(figure);
+        let [pole, tip] = drawing.arrow(pin).expect("drawn");
+        let tail = |name| (drawing.arrow(name).expect("drawn")[0] - pole) / (tip - pole).norm();
+        ["a-coriolis", "a-lever-normal", "a-lever-tangential", "a-sliding"].map(tail).to_vec()
+    }
+
+    #[test]
+    fn terms_follow_one_another_as_in_the_steps() {
+        let position = linkage().at_lever_degrees(20.0, geneva_kinematics::quick_return::Branch::Far).expect("there");
+        let drive = Drive::steady(5.235_987_755_982_988);
+        let live = tails(&polygons(&linkage(), &position, &drive, 2.0, "m"), "a-pin");
+        let steps = acceleration_diagram(&linkage(), &position, &drive, "m");
+        // The last step is drawn last: its arrows are the last two paths of each class.
+        let drawing = Drawing::of(&steps);
+        let last = |name: &str, path: usize| {
+            let count = drawing.count(name);
+            drawing.path(name, count - 2 + path)[0]
+        };
+        let (pole, length) = (last("a-pin-normal", 0), (last("a-pin-normal", 1) - last("a-pin-normal", 0)).norm());
+        for (name, tail) in ["a-coriolis", "a-lever-normal", "a-lever-tangential", "a-sliding"].into_iter().zip(live) {
+            let expected = (last(name, 0) - pole) / length;
+            assert!((tail - expected).norm() < 0.01, "{name} begins at {tail:?}, in the steps at {expected:?}");
+        }
+    }
+
+    #[test]
+    fn the_diagrams_fill_their_parts_and_every_label_is_clear_of_its_line() {
+        for crank in (0..360).step_by(15) {
+            let position = linkage().at_crank_degrees(f64::from(crank)).expect("there");
+            let figure = polygons(&linkage(), &position, &Drive::steady(5.0), 2.0, "m");
+            sound(&figure);
+            let drawing = Drawing::of(&figure);
+            let view = [
+                "v-pin",
+                "v-lever",
+                "v-sliding",
+                "a-pin",
+                "a-lever-normal",
+                "a-lever-tangential",
+                "a-sliding",
+                "a-coriolis",
+            ];
+            let ends = |names: &[&str]| -> Vec<Vector2<f64>> {
+                names.iter().filter_map(|name| drawing.arrow(name)).flatten().collect()
+            };
+            for names in [&view[..3], &view[3..]] {
+                let ends = ends(names);
+                let least = ends.iter().fold(ends[0], |a, b| a.inf(b));
+                let greatest = ends.iter().fold(ends[0], |a, b| a.sup(b));
+                let size = (greatest - least).component_div(&ROOM);
+                assert!(size.max() > 0.8 && size.max() < 1.01, "{crank}°: {size:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_label_of_an_acceleration_without_a_part_has_its_index_on_the_line() {
+        assert!(!a("", "2").beside(&Vector2::zeros(), &Vector2::zeros(), 0.0).contains("></tspan>"));
     }
 }

@@ -14,7 +14,7 @@ const LARGER: f64 = 1.5;
 const MARGIN: f64 = 42.0;
 const LAST_MARGIN: f64 = 52.0;
 /// From line to line of a step's words, and from their first line to the top of the step.
-const LINE: f64 = 27.0;
+const LINE: f64 = 34.0;
 const FIRST_LINE: f64 = 22.0;
 /// Left of a step's number, and of its words.
 const NUMBER: f64 = 20.0;

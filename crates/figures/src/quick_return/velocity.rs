@@ -90,11 +90,11 @@ pub fn velocity_diagram(linkage: &QuickReturn, position: &Position, drive: &Driv
             turning(omega_4)
         ),
         format!(
-            "The velocity diagram at ψ = {psi}, in three steps. One vector is known; of the other two only the \
-             directions, and two directions close a triangle. The pole is o."
+            "The velocity diagram at ψ = {psi}, in three steps. We know one vector completely and only the directions of the other two, but two directions are \
+             enough to close the triangle. The pole is o."
         ),
     );
-    words.figure(diagram.draw(), Kind::Steps, Series::new(columns, rows))
+    words.figure(diagram.draw(), Kind::Diagram, Series::new(columns, rows))
 }
 
 /// v_2 = v_4 + v_rel.

@@ -1,20 +1,19 @@
-//! Printed numbers against computed ones, under two hypotheses side by side.
+//! By how much printed numbers differ from computed ones, in units of the last printed digit.
 
-use crate::chart::{Axis, Chart, Entry, Marker, Panel, Scale, Spot, Stroke, of_mechanism};
+use crate::chart::{Axis, Chart, Entry, Mark, Marker, Panel, Stroke, of_mechanism};
 use crate::svg::Label;
 use crate::theme::FILL;
 use crate::{Figure, Series, Words};
 use geneva_kinematics::Mechanism;
 
-/// Marks of both axes, and how far beyond the outermost numbers they go.
-const MARKS: [f64; 7] = [1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0];
-const ROOM: f64 = 1.15;
-const ROOM_FOR_OTHERS: f64 = 1.6;
-/// Steps of the edges of the strip of one unit.
-const STEPS: u32 = 60;
-/// Where the count may stand, in shares of the frame.
-const COUNT: [[f64; 2]; 3] = [[0.34, 0.92], [0.33, 0.86], [0.32, 0.8]];
-const SIZE: f64 = 6.5;
+/// Differences up to this many units have their place on the axis; a mark at its edge stands for a greater one.
+const LIMIT: f64 = 300.0;
+/// Height of a mechanism's strip, in pixels, and how much of it its marks take.
+const STRIP: f64 = 58.0;
+const TAKEN: f64 = 0.7;
+const SIZE: f64 = 8.0;
+/// What a mark beyond the edge is drawn as, for the captions.
+const BEYOND: &str = "An arrowhead at the edge is a number that is farther off.";
 
 /// One printed number and the computed one, both in units of the last printed place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,9 +27,14 @@ pub struct Cell {
 }
 
 impl Cell {
+    /// By how much the printed number is greater.
+    fn residual(&self) -> f64 {
+        self.printed - self.computed
+    }
+
     /// Whether the two are no more than a unit apart.
     pub fn is_within_one(&self) -> bool {
-        (self.printed - self.computed).abs() <= 1.0 + 1e-9
+        self.residual().abs() <= 1.0 + 1e-9
     }
 }
 
@@ -44,93 +48,119 @@ pub struct Compared {
 }
 
 impl Compared {
+    /// How many are within one unit, of how many.
     fn count(&self) -> String {
         format!("{} of {}", self.cells.iter().filter(|cell| cell.is_within_one()).count(), self.cells.len())
     }
+
+    /// Whether a difference has no place on the axis.
+    fn goes_beyond(&self) -> bool {
+        self.cells.iter().any(|cell| cell.residual().abs() > LIMIT)
+    }
 }
 
-/// Printed numbers against computed ones on logarithmic axes: a panel for each of two hypotheses about the same cells.
+/// Printed numbers less the computed ones, in units of the last printed digit: a panel for each of two hypotheses about
+/// the same cells, one under the other.
 ///
-/// A strip along the diagonal holds the numbers that are off by one unit at most. `unit` says what a unit is, `others`
-/// what else is to be said of the runs in the caption. Series, a row for each cell: slots, printed, computed by either.
-pub fn agreement(hypotheses: &[Compared; 2], unit: &str, others: &str) -> Figure {
-    let values = || hypotheses.iter().flat_map(|one| &one.cells).flat_map(|cell| [cell.printed, cell.computed]);
-    let values = || values().filter(|value| *value > 0.0 && value.is_finite());
-    let (least, most) = (values().fold(f64::INFINITY, f64::min), values().fold(0.0, f64::max));
-    let range = if least < most { least / ROOM..most * ROOM } else { 1.0..1000.0 };
-    let marks = MARKS.into_iter().filter(|mark| range.contains(mark)).collect();
-    let axis = Axis::new(Scale::Logarithmic, range, marks, 0);
-    let x = axis.clone().titled(Label::words(&format!("printed, in {unit}")));
-    let panels = hypotheses.each_ref().map(|hypothesis| panel(hypothesis, &axis, &x));
+/// In each a strip for every mechanism, over one symmetric logarithmic axis; numbers that differ by one unit at most are on
+/// shaded ground. `units` says what a unit is, `others` what else is to be said of the runs in the caption. Series, a row
+/// for each cell: slots, printed, computed by either.
+pub fn agreement(hypotheses: &[Compared; 2], units: &str, others: &str) -> Figure {
     let [before, after] = hypotheses;
+    let beyond = if hypotheses.iter().any(Compared::goes_beyond) { BEYOND } else { "" };
     let words = Words::new(
         "runs-agreement",
-        "Printed numbers against computed ones, under two hypotheses",
+        "Printed numbers minus computed ones, in units of the last printed digit",
         format!(
-            "Two panels with logarithmic axes, printed numbers to the right, computed ones upwards, and a diagonal. \
-             Left, computed with {}: four pins lie on the diagonal, six and three pins off it to either side; {} are \
-             within one unit. Right, {}: all lie on the diagonal or close to it; {} are within one unit.",
+            "Two panels, one above the other, with strips for six, four and three pins. A mark is a printed number; its place \
+             from left to right is the printed number minus the computed one. Above, computed for {}: four pins are in the \
+             shaded band of one unit either way or close to it, nearly all six pins are to its right and three pins to its \
+             left; {} numbers are in the band. Below, computed by {}: nearly all marks are in the band, {}.",
             before.name,
             before.count(),
             after.name,
             after.count()
         ),
-        format!(
-            "Each mark is one printed number of Appendix E: peak and minimum of the driver's speed and period of 49 \
-             runs, in {unit}. On the diagonal the computed number is the printed one. Counted as agreeing are those \
-             within one unit of the last printed place, the shaded strip. Left, the mechanisms: the driver's angle is reset as each \
-             needs it, and the peaks are the true ones; right, the program as listed: after 90° for all three, and the peaks are the largest on the print-out. {others}"
-        )
-        .trim_end(),
+        [
+            "By how many units of its last digit does each printed number differ from the computed one? Each mark is a peak or \
+             a minimum of the driver's speed, or a period, in one of the 49 runs of Appendix E.",
+            &format!("A unit is {units}; the shaded band is one unit either way."),
+            "Above, we computed the mechanisms, each with its own reset angle and its true peaks. Below, we ran the program as \
+             it is listed: it resets all three after 90°, and a peak is the largest speed on the print-out.",
+            beyond,
+            others,
+        ]
+        .into_iter()
+        .filter(|sentence| !sentence.is_empty())
+        .collect::<Vec<_>>()
+        .join(" "),
     );
     let columns = [("n", "1"), ("printed", "unit"), ("own reset", "unit"), ("one reset", "unit")];
     let rows = before.cells.iter().zip(&after.cells);
     let rows = rows.map(|(a, b)| [f64::from(a.mechanism.slots()), a.printed, a.computed, b.computed]);
-    Chart::new(panels).in_columns(2).key(key()).figure(words, Series::new(columns, rows))
+    let x = Axis::symmetric_log(LIMIT);
+    let panels = [panel(before, &x.clone().unnumbered()), panel(after, &titled(x))];
+    Chart::new(panels).key(key()).figure(words, Series::new(columns, rows))
 }
 
-/// The same for one hypothesis, on axes of the printed numbers alone, so that hypotheses can be compared one after another.
+/// Printed numbers less the computed ones under one hypothesis, on the axis of [`agreement`].
 ///
 /// Series, a row for each cell: slots, printed, computed.
-pub fn one_agreement(hypothesis: &Compared, unit: &str) -> Figure {
-    let printed = || hypothesis.cells.iter().map(|cell| cell.printed).filter(|value| *value > 0.0);
-    let (least, most) = (printed().fold(f64::INFINITY, f64::min), printed().fold(0.0, f64::max));
-    let range = if least < most { least / ROOM_FOR_OTHERS..most * ROOM_FOR_OTHERS } else { 1.0..1000.0 };
-    let marks = MARKS.into_iter().filter(|mark| range.contains(mark)).collect();
-    let axis = Axis::new(Scale::Logarithmic, range, marks, 0);
-    let x = axis.clone().titled(Label::words(&format!("printed, in {unit}")));
+pub fn one_agreement(hypothesis: &Compared, units: &str) -> Figure {
+    let beyond = if hypothesis.goes_beyond() { format!(" {BEYOND}") } else { String::new() };
     let words = Words::new(
         "live-mistake",
-        format!("Printed numbers against computed ones: {}", hypothesis.name),
+        format!("Printed numbers minus computed ones: {}", hypothesis.name),
         format!(
-            "Logarithmic axes, printed numbers to the right, computed ones upwards, and a diagonal. Computed with {}, {} are \
-             within one unit of the last printed place.",
+            "Strips for six, four and three pins. A mark is a printed number; its place from left to right is the printed \
+             number minus the one computed with {}. In the shaded band, one unit either way, are {}.",
             hypothesis.name,
             hypothesis.count()
         ),
         format!(
-            "Each mark is one printed number of Appendix E in {unit}, against the computed one. Computed with {}: {} agree \
-             within a unit of the last printed place, the shaded strip.",
+            "Each mark is one printed number of Appendix E minus the number computed with {}, in units of its last printed \
+             digit ({units}). In the shaded band, one unit either way, are {}.{beyond}",
             hypothesis.name,
             hypothesis.count()
         ),
     );
     let rows = hypothesis.cells.iter().map(|cell| [f64::from(cell.mechanism.slots()), cell.printed, cell.computed]);
     let series = Series::new([("n", "1"), ("printed", "unit"), ("computed", "unit")], rows);
-    Chart::new([panel(hypothesis, &axis, &x)]).key(key()).figure(words, series)
+    Chart::new([panel(hypothesis, &titled(Axis::symmetric_log(LIMIT)))]).key(key()).figure(words, series)
 }
 
-/// The cells of a hypothesis, the diagonal and the strip of one unit about it.
-fn panel(hypothesis: &Compared, axis: &Axis, x: &Axis) -> Panel {
-    let y = axis.clone().titled(Label::words(&format!("computed: {}", hypothesis.name)));
-    let panel = Panel::new(330.0, x, &y).area(strip(axis), FILL, "one-unit");
-    let ends = [axis.range.start, axis.range.end];
-    let panel = panel.curve(ends.map(|end| (end, end)), Stroke::thin("diagonal"));
-    let panel = Mechanism::ALL.into_iter().fold(panel, |panel, mechanism| {
-        let own = hypothesis.cells.iter().filter(|cell| cell.mechanism == mechanism);
-        panel.marks(own.map(|cell| (cell.printed, cell.computed)), marker(mechanism))
-    });
-    panel.name(Label::words(&format!("{} agree", hypothesis.count())), Spot::Free(COUNT.to_vec()))
+fn titled(x: Axis) -> Axis {
+    x.titled(Label::words("printed minus computed, in units of the last digit"))
+}
+
+/// The cells of a hypothesis in strips, and the band of one unit.
+fn panel(hypothesis: &Compared, x: &Axis) -> Panel {
+    let y = Axis::of_kinds(Mechanism::ALL.map(|mechanism| mechanism.pins().to_string()));
+    let count = y.blank().titled(Label::words(&format!("{} within ±1", hypothesis.count())));
+    let y = y.titled(Label::words(&hypothesis.name));
+    let panel = Panel::new(STRIP * Mechanism::ALL.len() as f64, x, &y).right(count);
+    let panel = panel.band(-1.0..1.0, FILL, "one-unit").vertical(0.0, Stroke::thin("zero"));
+    (1..).map(f64::from).zip(Mechanism::ALL).fold(panel, |panel, (strip, mechanism)| {
+        let panel = if strip > 1.0 { panel.horizontal(strip - 0.5, Stroke::edge()) } else { panel };
+        let points = points(hypothesis, mechanism, strip);
+        let beyond =
+            |side: f64| points.iter().filter(move |(x, _)| side * x > LIMIT).map(move |(_, y)| (side * LIMIT, *y));
+        let [left, right] = [-1.0, 1.0].map(|side| beyond(side).collect::<Vec<_>>());
+        let own = of_mechanism(mechanism.slots()).1.sized(SIZE);
+        let [to_left, to_right] =
+            [Mark::Left, Mark::Right].map(|mark| Marker { mark, ..own }.sized(11.0).class("beyond"));
+        panel.marks(points, own).marks(left, to_left).marks(right, to_right)
+    })
+}
+
+/// The differences of a mechanism's cells, one below the other in its strip in the order of the tables.
+fn points(hypothesis: &Compared, mechanism: Mechanism, strip: f64) -> Vec<(f64, f64)> {
+    let own: Vec<&Cell> = hypothesis.cells.iter().filter(|cell| cell.mechanism == mechanism).collect();
+    let place = |(k, cell): (usize, &&Cell)| {
+        let share = (k as f64 + 0.5) / own.len() as f64 - 0.5;
+        (cell.residual(), strip + TAKEN * share)
+    };
+    own.iter().enumerate().map(place).filter(|(x, _)| x.is_finite()).collect()
 }
 
 fn key() -> [Entry; 3] {
@@ -140,51 +170,60 @@ fn key() -> [Entry; 3] {
     })
 }
 
-fn marker(mechanism: Mechanism) -> Marker {
-    of_mechanism(mechanism.slots()).1.sized(SIZE)
-}
-
-/// What is within one unit of the diagonal, as far as it lies between the ends of the axes.
-fn strip(axis: &Axis) -> Vec<(f64, f64)> {
-    let (start, end) = (axis.range.start, axis.range.end);
-    let at = |step: u32| axis.value_at(f64::from(step) / f64::from(STEPS));
-    let above = (0..=STEPS).map(|step| (at(step), (at(step) + 1.0).min(end)));
-    let below = (0..=STEPS).rev().map(|step| (at(step), (at(step) - 1.0).max(start)));
-    above.chain(below).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::checks::{Drawing, drawn, sound};
 
-    fn compared(name: &str, quotient: f64) -> Compared {
-        let cell = |(k, mechanism)| {
-            let printed = 9.0 * f64::from(k);
-            Cell { mechanism, printed, computed: quotient * printed }
+    fn compared(name: &str, off: f64) -> Compared {
+        let cell = |mechanism| Cell { mechanism, printed: 30.0, computed: 30.0 - off };
+        Compared { name: name.to_owned(), cells: Mechanism::ALL.map(cell).to_vec() }
+    }
+
+    /// Where the first mark of each path of a class is.
+    fn places(drawing: &Drawing<'_>, class: &str) -> Vec<[f64; 2]> {
+        let place = |data: &str| {
+            let mut numbers = data.trim_start_matches('M').split([' ', 'h', 'l', 'L']).map(|word| word.parse::<f64>());
+            [0, 1].map(|_| numbers.next().expect("two").expect("a number"))
         };
-        Compared { name: name.to_owned(), cells: (1..).zip(Mechanism::ALL).map(cell).collect() }
+        drawing.all(class).iter().map(|mark| place(mark.attribute("d").expect("a path"))).collect()
     }
 
     #[test]
-    fn what_agrees_lies_on_the_diagonal_and_what_is_too_high_above_it() {
-        let figure = agreement(&[compared("own angle", 1.5), compared("90°", 1.0)], "units", "Made up.");
+    fn marks_are_as_far_from_zero_as_printed_and_computed_differ() {
+        let figure = agreement(&[compared("own angle", 10.0), compared("90°", -0.5)], "1 rad/s", "Made up.");
         sound(&figure);
-        assert!(figure.caption.ends_with("Made up."));
+        assert!(figure.caption.ends_with("Made up.") && !figure.caption.contains(BEYOND));
         let drawing = Drawing::of(&figure);
         let texts = drawing.texts();
-        assert!(texts.contains(&"0 of 3 agree".to_owned()) && texts.contains(&"3 of 3 agree".to_owned()), "{texts:?}");
-        for (panel, above) in [(0, true), (1, false)] {
-            let diagonal = drawing.path("diagonal", panel);
-            let [from, to] = [diagonal[0], diagonal[1]];
-            for mark in drawing.all("marks").iter().skip(3 * panel).take(3) {
-                let data = mark.attribute("d").expect("a path").split('M').nth(1).expect("a mark");
-                let at: Vec<f64> =
-                    data.split([' ', 'h', 'l']).take(2).map(|word| word.parse().expect("a number")).collect();
-                let share = (at[0] - from.x) / (to.x - from.x);
-                let off = from.y + share * (to.y - from.y) - at[1];
-                assert_eq!(off > 20.0, above, "{off} in panel {panel}");
-            }
+        for count in ["0 of 3 within ±1", "3 of 3 within ±1", "6", "4", "3"] {
+            assert!(texts.iter().any(|text| text == count), "{texts:?}");
+        }
+        let zero = drawing.path("zero", 0)[0].x;
+        let band = drawing.path("one-unit", 0);
+        let unit = (band[2].x - zero).abs();
+        let marks = places(&drawing, "marks");
+        assert_eq!(marks.len(), 6);
+        for (k, [x, _]) in marks.iter().enumerate() {
+            let expected = if k < 3 { 2.0 * unit } else { -0.5 * unit };
+            assert!((x - zero - expected).abs() < 0.2, "{x} {zero} {unit}");
+        }
+        // Six pins at the top, three at the foot of each panel.
+        assert!(marks[..3].windows(2).all(|pair| pair[0][1] < pair[1][1]), "{marks:?}");
+    }
+
+    #[test]
+    fn what_is_beyond_the_axis_is_an_arrowhead_at_its_edge() {
+        let off = |off: f64| one_agreement(&compared("own angle", off), "1 rad/s");
+        for (off, side) in [(off(1e4), 1.0), (off(-1e4), -1.0)] {
+            sound(&off);
+            assert!(off.caption.ends_with(BEYOND));
+            let drawing = Drawing::of(&off);
+            let zero = drawing.path("zero", 0)[0].x;
+            let edge = drawing.path("edge", 0).iter().map(|end| side * (end.x - zero)).fold(0.0, f64::max);
+            let beyond = places(&drawing, "beyond");
+            assert_eq!((beyond.len(), drawing.count("marks")), (3, 0));
+            assert!(beyond.iter().all(|[x, _]| (side * (x - zero) - edge).abs() < 7.0), "{beyond:?} {edge}");
         }
     }
 
@@ -198,6 +237,6 @@ mod tests {
     #[test]
     fn nothing_is_drawn_too() {
         let nothing = Compared { name: "nothing".to_owned(), cells: vec![] };
-        drawn(&agreement(&[nothing.clone(), nothing], "units", ""));
+        drawn(&agreement(&[nothing.clone(), nothing], "1 rad/s", ""));
     }
 }

@@ -73,8 +73,9 @@ pub fn aliasing(engagement: &Engagement, interval: f64, duration: f64) -> Result
             significant(most, 4)
         ),
         format!(
-            "The driver's speed about five peaks of one run, and the lines of its print-out. The true peaks are alike after the start from rest, \
-             {} rad/s; the printed ones swing between {} and {} rad/s. {} Torque K = {} in lb.",
+            "The driver's speed around five peaks of one run, and the lines of its print-out. After the start \
+             from rest all true peaks are {} rad/s, but the printed peaks swing between {} and {} rad/s, because \
+             the print-out seldom has a line at the peak. {} Torque K = {} in lb.",
             fixed(actual, 1),
             fixed(least, 1),
             fixed(most, 1),

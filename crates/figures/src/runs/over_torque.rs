@@ -53,7 +53,7 @@ pub fn over_torque(group: &Group) -> Result<Figure, FigureError> {
     match group.own_reset() {
         Some(own) => key.extend([
             Entry::curve(as_run, Label::words(&format!("as run, reset after {}", degrees(group.reset)))),
-            Entry::curve(as_run.dashed(DASHES), Label::words(&format!("right, after {}", degrees(own)))),
+            Entry::curve(as_run.dashed(DASHES), Label::words(&format!("mechanism, after {}", degrees(own)))),
         ]),
         None => key.push(Entry::curve(as_run, Label::words("computed"))),
     }
@@ -132,11 +132,11 @@ fn words(group: &Group, families: &[Family]) -> Words {
     );
     let says = match group.own_reset() {
         Some(_) => format!(
-            "The marks lie on the unbroken line, the driver's angle reset after {}, and not on the dashed one, the \
-             mechanism.",
+            "The marks are on the solid line, for which the driver's angle is reset after {}, and not on the \
+             dashed line of the mechanism.",
             degrees(group.reset)
         ),
-        None => "Here the reset is right, and the marks lie on the mechanism's own line.".to_owned(),
+        None => "Here the reset is right, and the marks are on the mechanism's own line.".to_owned(),
     };
     Words::new(
         format!("runs-{name}-pin"),

@@ -37,7 +37,7 @@ pub fn reset_angle(scans: &[Scan]) -> Figure {
     let best: Vec<String> = scans.iter().map(told).collect();
     let words = Words::new(
         "runs-reset-angle",
-        "How many printed numbers come out, over the reset angle",
+        "How many printed numbers are reproduced, over the reset angle",
         format!(
             "A curve for each mechanism over the reset angle from {} to {} degrees. Each has a sharp peak: {}.",
             range.start,
@@ -45,8 +45,8 @@ pub fn reset_angle(scans: &[Scan]) -> Figure {
             best.join("; ")
         ),
         format!(
-            "Leave the reset angle free and count the peaks, minima and periods of Appendix E that come within one unit, \
-             with the true peaks and the inertias of the thesis's Fig. 11: {}.",
+            "How many peaks, minima and periods of Appendix E are reproduced to within one unit if the program \
+             resets at another angle? Computed with the true peaks and the inertias of the thesis's Fig. 11: {}.",
             best.join("; ")
         ),
     );
@@ -67,7 +67,7 @@ fn stroke(mechanism: Mechanism) -> Stroke {
 /// Where most of a mechanism's numbers come out, and how many.
 fn told(scan: &Scan) -> String {
     let most = scan.counts.iter().max_by_key(|(_, count)| *count).copied().unwrap_or_default();
-    format!("with {} pins most come out at {}°: {} of {}", scan.mechanism.pins(), most.0, most.1, scan.cells)
+    format!("with {} pins the most agree at {}°, {} of {}", scan.mechanism.pins(), most.0, most.1, scan.cells)
 }
 
 /// The tens from one number to another.
@@ -89,7 +89,7 @@ mod tests {
         };
         let figure = reset_angle(&[scan(Mechanism::SIX_PIN, 70), scan(Mechanism::THREE_PIN, 90)]);
         sound(&figure);
-        assert!(figure.caption.contains("with 6 pins most come out at 70°: 40 of 48"), "{}", figure.caption);
+        assert!(figure.caption.contains("with 6 pins the most agree at 70°, 40 of 48"), "{}", figure.caption);
         assert_eq!(figure.series.rows[30], [90.0, 20.0, 40.0]);
     }
 }

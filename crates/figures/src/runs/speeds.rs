@@ -72,7 +72,7 @@ pub fn speeds(engagement: &Engagement, others: &str) -> Result<Figure, FigureErr
     };
     let key = [
         Entry::curve(driver, symbol("driver ", "θ", &driver)),
-        Entry::curve(follower, symbol("follower ", "φ", &follower).and(", the other way round")),
+        Entry::curve(follower, symbol("follower ", "φ", &follower).and(", in its own sense")),
         Entry::marks([minimum], Label::words(&format!("first minimum, after {} ms", fixed(ms(first), 1)))),
     ];
     let greatest = rows.iter().map(|row| row[2]).fold(0.0, f64::max);
@@ -90,7 +90,7 @@ pub fn speeds(engagement: &Engagement, others: &str) -> Result<Figure, FigureErr
             fixed(ms(first), 1)
         ),
         format!(
-            "From rest. The driver slows down while it speeds the follower up, and gets the motion back as the \
+            "A run from rest. The driver slows down as it speeds the follower up, and it speeds up again as the \
              follower stops. The follower's speed is counted in its own sense, against the driver's. {others}"
         )
         .trim_end(),

@@ -1,10 +1,11 @@
 //! Why a crescent about the wheel's axis bites: how far a horn's tip stays from it, and from the one that is cut instead.
 
-use crate::chart::{Axis, Chart, Entry, Panel, Stroke};
+use crate::chart::{Axis, Chart, Panel, Stroke};
 use crate::svg::Label;
 use crate::theme::{DRIVER, INK, RELATIVE};
 use crate::{Figure, FigureError, Series, Words};
 use geneva_kinematics::wheel::{Crescent, LockingDisc, Sizes};
+use std::f64::consts::FRAC_PI_4;
 
 /// Steps of the crank from the middle of the engagement to its end.
 const PLACES: u32 = 120;
@@ -42,24 +43,25 @@ pub fn crescent(sizes: &Sizes) -> Result<Figure, FigureError> {
     let y = Axis::from_zero(least, most, 4.0).titled(Label::words("gap at the horn’s tip, mm"));
     let points = |column: usize| rows.iter().map(move |row| (row[0], row[column]));
     let (bites, passes) = (Stroke::new(DRIVER).wide(2.0).dashed("8 6"), Stroke::new(RELATIVE).wide(2.0));
-    let panel =
-        Panel::new(HEIGHT, &x, &y).curve(points(1), bites).curve(points(2), passes).horizontal(0.0, Stroke::new(INK));
-    let key = [
-        Entry::curve(bites, Label::words("arc about the wheel’s axis")),
-        Entry::curve(passes, Label::words("the crescent of the drawing")),
-    ];
+    let panel = Panel::new(HEIGHT, &x, &y)
+        .curve(points(1), bites)
+        .curve(points(2), passes)
+        .horizontal(0.0, Stroke::new(INK))
+        .near(points(1), -FRAC_PI_4, Label::words("arc about the wheel’s axis").shade(bites.shade))
+        .near(points(2), 3.0 * FRAC_PI_4, Label::words("the crescent of the drawing").shade(passes.shade));
     let words = Words::new(
         "wheel-crescent",
         format!("Gap between a horn's tip and the crescent, {} stations", sizes.wheel.stations()),
         "Two curves over the crank angle while the tip of a horn is within the locking disc. For the arc about the wheel's axis the gap \
          falls below zero over a part of the engagement: the disc bites into the horn. For the other crescent it stays above \
          zero.",
-        "The horn behind the slot as it passes through the locking disc's circle, past the line of centres. Below zero the disc \
-         bites into it, with an arc of the rim's radius about the wheel's axis in mid-index. The horn before \
-         the slot passes as the mirror image, before the line of centres. Rigid parts, pin in the middle of its slot.",
+        "The gap as the horn behind the slot passes through the circle of the locking disc, past the line of \
+             centres. Below zero the disc bites into the horn. That happens with an arc of the rim's radius about \
+             the wheel's axis in mid-index. The horn in front of the slot is the mirror image, before the line of \
+             centres. Rigid parts, pin in the middle of its slot.",
     );
     let columns = [("theta", "deg"), ("gap about axis", "mm"), ("gap", "mm")];
-    Ok(Chart::new([panel]).key(key).figure(words, Series::new(columns, rows)))
+    Ok(Chart::new([panel]).figure(words, Series::new(columns, rows)))
 }
 
 #[cfg(test)]

@@ -42,7 +42,7 @@ pub fn dimensions(sizes: &Sizes) -> Figure {
 /// Only the dimensions along the line of centres are in the drawing. Series: as of [`dimensions`].
 pub fn dimensions_on_a_page(sizes: &Sizes) -> Figure {
     let length = sizes.tip_radius + sizes.centre_distance + sizes.plate_radius;
-    drawn(sizes, ON_A_PAGE / length, Kind::TallMechanism)
+    drawn(sizes, ON_A_PAGE / length, Kind::Mechanism)
 }
 
 fn drawn(sizes: &Sizes, scale: f64, kind: Kind) -> Figure {

@@ -1,11 +1,12 @@
 //! How far the wheel turns loosely, over a dwell.
 
-use crate::chart::{Axis, Chart, Entry, Panel, Stroke};
+use crate::chart::{Axis, Chart, Panel, Stroke};
 use crate::number::fixed;
 use crate::svg::Label;
 use crate::theme::{DRIVER, RELATIVE};
 use crate::{Figure, Series, Words};
 use geneva_kinematics::wheel::Sizes;
+use std::f64::consts::PI;
 
 /// Steps of the crank over the dwell.
 const PLACES: u32 = 480;
@@ -34,11 +35,13 @@ pub fn dwell_play(sizes: &Sizes) -> Figure {
     let y = Axis::from_zero(0.0, most, 4.0).titled(Label::words("backlash, °"));
     let points = |column: usize| rows.iter().map(move |row| (row[0], row[column]));
     let (forwards, backwards) = (Stroke::new(DRIVER).wide(2.0), Stroke::new(RELATIVE).wide(2.0).dashed("8 6"));
-    let panel = Panel::new(HEIGHT, &x, &y).curve(points(2), backwards).curve(points(1), forwards);
-    let key = [
-        Entry::curve(backwards, Label::words("backwards")),
-        Entry::curve(forwards, Label::words("forwards, as in the index")),
-    ];
+    let first_third = || points(2).take(rows.len() / 3);
+    let last_third = || points(1).skip(rows.len() * 2 / 3);
+    let panel = Panel::new(HEIGHT, &x, &y)
+        .curve(points(2), backwards)
+        .curve(points(1), forwards)
+        .near(first_third(), 0.0, Label::words("backwards").shade(backwards.shade))
+        .near(last_third(), PI, Label::words("forwards, as it indexes").shade(forwards.shade));
     let words = Words::new(
         "wheel-dwell-play",
         format!("Backlash in the dwell, {} stations", sizes.wheel.stations()),
@@ -52,7 +55,7 @@ pub fn dwell_play(sizes: &Sizes) -> Figure {
          until a pin is near enough to hold it. Rigid parts with the play of this chapter's design.",
     );
     let columns = [("crank", "deg"), ("forwards", "deg"), ("backwards", "deg")];
-    Chart::new([panel]).key(key).figure(words, Series::new(columns, rows))
+    Chart::new([panel]).figure(words, Series::new(columns, rows))
 }
 
 #[cfg(test)]

@@ -64,8 +64,7 @@ pub fn extremes(stations: RangeInclusive<u32>) -> Figure {
             crossing(&rows)
         ),
         "More stations, gentler motion: the wheel's peak speed over the driver's, its peak acceleration and its jump of \
-         acceleration at entry over the square of the driver's speed, for a driver of constant speed. Numbers of stations \
-         are whole: the dashed lines only join the marks.",
+         acceleration at entry over the square of the driver's speed, for a driver of constant speed. The number of stations is an integer, so the dashed lines only join the marks.",
     );
     Chart::new([panel]).figure(words, Series::new(columns, rows))
 }

@@ -47,8 +47,8 @@ pub fn indexing(wheel: &Wheel) -> Figure {
         ),
         format!(
             "One indexing of a wheel with {} stations, its driver at constant speed. Above: the wheel's angle φ and its \
-             speed over the driver's, φ′/θ′. Below: its acceleration over the square of the driver's speed, φ″/θ′². It \
-             jumps at entry and at exit, where the jerk is infinite. A prime is a rate of change with time.",
+             speed over the driver's, φ′/θ′. Below: its acceleration over the square of the driver's speed, φ″/θ′². The acceleration jumps at entry and at exit, where the jerk is infinite. A prime means a rate of \
+             change with time.",
             wheel.stations()
         ),
     );

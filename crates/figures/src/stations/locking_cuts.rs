@@ -1,10 +1,11 @@
 //! How near the wheel's horns come to the locking disc, with two cuts in it.
 
-use crate::chart::{Axis, Chart, Entry, Panel, Stroke, kind};
+use crate::chart::{Axis, Chart, Panel, Stroke, kind};
 use crate::number::fixed;
 use crate::svg::Label;
 use crate::{Figure, FigureError, Series, Words};
 use geneva_kinematics::wheel::{Choices, Crescent, LockingDisc, Play, Scale, Sizes, Wheel};
+use std::f64::consts::FRAC_PI_4;
 use std::ops::RangeInclusive;
 
 /// Steps of an engagement.
@@ -74,13 +75,12 @@ pub fn locking_cuts(slots: RangeInclusive<u32>, disc: f64) -> Result<Figure, Fig
     let (least, most) = (values().fold(-1.0, f64::min), values().fold(1.0, f64::max));
     let y = Axis::spanning(least, most, 5.0).titled(Label::words("gap in % of the centre distance"));
     let mut panel = Panel::new(340.0, &x, &y).horizontal(0.0, Stroke::thin("touching"));
-    let names = ["wheel's radius, about its axis", "through the disc's edges"];
-    let mut key = Vec::new();
+    let names = ["arc of the wheel's radius", "arc through the disc's edges"];
     for (number, name) in names.into_iter().enumerate() {
         let (stroke, marker) = kind(1 - number);
         let points = || rows.iter().map(move |row| (row[0], row[number + 1]));
         panel = panel.curve(points(), stroke.wide(1.6)).marks(points(), marker.class("point"));
-        key.push(Entry::both((stroke.wide(1.6), marker), Label::words(name).shade(marker.shade)));
+        panel = panel.near(points(), FRAC_PI_4, Label::words(name).shade(marker.shade));
     }
     let bites = rows.iter().filter(|row| row[1] < 0.0).count();
     let clears = rows.iter().filter(|row| row[2] >= 0.0).count();
@@ -99,7 +99,7 @@ pub fn locking_cuts(slots: RangeInclusive<u32>, disc: f64) -> Result<Figure, Fig
         ),
     );
     let columns = [("N", "1"), ("gap wheel's radius", "% of c"), ("gap through edges", "% of c")];
-    Ok(Chart::new([panel]).key(key).figure(words, Series::new(columns, rows)))
+    Ok(Chart::new([panel]).figure(words, Series::new(columns, rows)))
 }
 
 #[cfg(test)]

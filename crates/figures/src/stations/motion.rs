@@ -82,7 +82,7 @@ pub fn turning(wheel: &Wheel) -> Figure {
         format!("A Geneva wheel with {} slots, turning", wheel.stations()),
         "A driver turns evenly and carries a pin. The pin enters a slot of the star wheel, turns the wheel by one station and \
          leaves; then the wheel stands still, held by the driver's locking disc, until the pin comes round again.",
-        "A driver turns evenly; the wheel turns in steps and stands still in between.",
+        "The driver turns at constant speed. The wheel turns in steps and stands still in between.",
     );
     words.figure(canvas, Kind::Mechanism, series(&keys))
 }

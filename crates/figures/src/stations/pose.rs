@@ -50,6 +50,17 @@ impl Bodies {
         Self { star, driver, view, pivot, axis: view.place(&Vector2::new(star.centre, 0.0)), height }
     }
 
+    /// The mechanism as large as it can be in the middle of this room.
+    pub fn within(wheel: &Wheel, room: Pixels, margins: Margins) -> Self {
+        let wide = Self::new(wheel, room.x, margins);
+        let above = margins.above + margins.below;
+        let share = ((room.y - above) / (wide.height - above)).min(1.0);
+        let beside = margins.left + margins.right;
+        let breadth = beside + share * (room.x - beside);
+        let bodies = Self::new(wheel, breadth, margins);
+        bodies.moved(&(Vector2::new(room.x - breadth, room.y - bodies.height) / 2.0))
+    }
+
     /// The same bodies elsewhere on the page.
     pub fn moved(&self, by: &Pixels) -> Self {
         let view = View { origin: self.view.origin + by, ..self.view };

@@ -1,9 +1,9 @@
-//! The wheel at a crank angle beside the curves of its motion, at the right distance of the axes or another.
+//! The wheel at a crank angle above the curves of its motion, at the right distance of the axes or another.
 
 use super::pose::{Bodies, Margins, counted};
 use crate::chart::{Axis, Chart, Mark, Marker, Panel, Stroke};
 use crate::number::{degrees, significant, with_minus_sign, without_noise};
-use crate::parts::pin_circle;
+use crate::parts::{WIDTH, pin_circle};
 use crate::svg::{Canvas, Label, Pixels};
 use crate::theme::{DRIVER, FOLLOWER, INK, RELATIVE, Shade};
 use crate::{Figure, FigureError, Series, Words};
@@ -11,8 +11,8 @@ use geneva_kinematics::wheel::{Misplaced, Motion};
 use nalgebra::Vector2;
 use std::f64::consts::PI;
 
-/// The mechanism's column, and the space about it, in pixels.
-const COLUMN: f64 = 420.0;
+/// Room of the mechanism, and the space about it, in pixels.
+const ROOM: Pixels = Vector2::new(WIDTH, 300.0);
 const MARGINS: Margins = Margins { left: 8.0, right: 8.0, above: 8.0, below: 8.0 };
 /// Height of a frame, in pixels, and the least height of all three with their titles.
 const FRAME: f64 = 96.0;
@@ -23,6 +23,13 @@ const DWELL: f64 = 14.0;
 const MARKS: f64 = 30.0;
 /// Where a curve stands at the crank angle.
 const HERE: Marker = Marker::new(INK, Mark::Disc).sized(11.0).class("here");
+
+/// The marks at the ends of a jump, in pixels.
+const JUMP: f64 = 9.0;
+
+/// What the arrows are.
+const IMPULSES: &str =
+    "Where a curve jumps, its rate of change is infinite for an instant: an impulse, drawn as an arrow.";
 
 /// One of the curves: its name, its colour and its value.
 type Curve = (&'static str, Shade, fn(&Motion) -> f64);
@@ -51,17 +58,16 @@ pub fn running(misplaced: &Misplaced, crank: f64) -> Result<Figure, FigureError>
     let end = (half + DWELL.to_radians()).min(pitch / 2.0).max(half.min(pitch / 2.0));
     let rows = rows(misplaced, half.min(end), end)?;
 
-    let bodies = Bodies::new(wheel, COLUMN, MARGINS);
+    let bodies = Bodies::within(wheel, ROOM, MARGINS);
     let axis = bodies.view.place(&Vector2::new(misplaced.centre_distance_ratio(), 0.0));
-    let titles = panels(&rows, near.to_degrees(), &motion, end.to_degrees());
-    let height: f64 = titles.iter().map(Panel::room).sum();
-    let placed = Bodies { axis, ..bodies }.moved(&Pixels::new(0.0, (height - bodies.height) / 2.0));
+    let placed = Bodies { axis, ..bodies };
+    let panels = panels(&rows, near.to_degrees(), &motion, end.to_degrees());
     let blow = misplaced.entry_velocity_ratio();
     let words = words(misplaced, crank, &motion, blow);
     let columns =
         [("theta", "deg"), ("phi", "rad"), ("phi'/theta'", "1"), ("phi''/theta'^2", "1"), ("phi'''/theta'^3", "1")];
     let series = Series::new(columns, rows);
-    Ok(Chart::new(titles).figure_beside(words, series, |canvas: &mut Canvas| {
+    Ok(Chart::new(panels).figure_below(words, series, ROOM.y, |canvas: &mut Canvas| {
         pin_circle(canvas, &placed.axis, placed.view.scale);
         placed.draw(canvas, crank, motion.angle, 2.0);
     }))
@@ -97,6 +103,8 @@ fn panels(rows: &[[f64; 5]], near: f64, motion: &Motion, end: f64) -> Vec<Panel>
         let count = ((end + 1e-9) / MARKS) as i32;
         (-count..=count).map(|k| MARKS * f64::from(k))
     };
+    // Rest, advance and rest: two rows at one angle are a jump.
+    let parts: Vec<&[[f64; 5]]> = rows.chunk_by(|a, b| a[0] < b[0]).collect();
     let panel = |(k, (name, shade, value)): (usize, &Curve)| {
         let column = || rows.iter().map(move |row| row[k + 2]);
         let [least, most] = [column().fold(0.0, f64::min), column().fold(0.0, f64::max)];
@@ -109,11 +117,34 @@ fn panels(rows: &[[f64; 5]], near: f64, motion: &Motion, end: f64) -> Vec<Panel>
         } else {
             x.unnumbered()
         };
-        Panel::new(FRAME, &x, &y)
-            .horizontal(0.0, Stroke::thin("zero"))
-            .curve(rows.iter().map(|row| (row[0], row[k + 2])), Stroke::new(*shade))
-            .vertical(near, Stroke::thin("now").wide(1.0).dashed("2 4"))
-            .marks([(near, value(motion))], HERE)
+        let mut panel = Panel::new(FRAME, &x, &y).horizontal(0.0, Stroke::thin("zero"));
+        for part in &parts {
+            panel = panel.curve(part.iter().map(|row| (row[0], row[k + 2])), Stroke::new(*shade));
+        }
+        let jump = |pair: &[&[[f64; 5]]], column: usize| match pair {
+            [[.., before], [after, ..]] => (before[0], [before[column], after[column]]),
+            _ => (0.0, [0.0, 0.0]),
+        };
+        for (pair, sense) in parts.windows(2).zip([1.0, -1.0]) {
+            let (theta, [before, after]) = jump(pair, k + 2);
+            // A jump is a ring at rest and a disc on the advance; the rate of what jumps is an impulse.
+            if before != after {
+                let (still, moving) = if sense > 0.0 { (before, after) } else { (after, before) };
+                let ends = [(Mark::Ring, still, "still"), (Mark::Disc, moving, "moving")];
+                panel = ends.into_iter().fold(panel, |panel, (mark, value, class)| {
+                    panel.marks([(theta, value)], Marker::new(*shade, mark).sized(JUMP).class(class))
+                });
+            }
+            let (_, [before, after]) = jump(pair, k + 1);
+            if k > 0 && before != after {
+                panel = panel.impulse(theta, after > before, Stroke::new(*shade).class("impulse"));
+                if sense > 0.0 {
+                    let edge = panel.ends()[usize::from(after > before)];
+                    panel = panel.near([(theta, 0.7 * edge)], PI, Label::words("impulse").shade(*shade));
+                }
+            }
+        }
+        panel.vertical(near, Stroke::thin("now").wide(1.0).dashed("2 4")).marks([(near, value(motion))], HERE)
     };
     CURVES.iter().enumerate().map(panel).collect()
 }
@@ -134,7 +165,7 @@ fn words(of: &Misplaced, crank: f64, motion: &Motion, blow: f64) -> Words {
         "live-wheel",
         format!("A wheel with {stations} and {pins}, {distance}, at a crank angle of {}", degrees(crank)),
         format!(
-            "At the left the mechanism to scale. At the right, over the crank angle of the nearest pin, the wheel's velocity, \
+            "Above, the mechanism to scale. Below it, over the crank angle of the nearest pin, the wheel's velocity, \
              acceleration and jerk over the driver's speed, its square and its cube; a dot on each at the crank angle: {}, \
              {} and {}. As the pin enters the velocity jumps by {}.",
             number(motion.velocity),
@@ -144,7 +175,53 @@ fn words(of: &Misplaced, crank: f64, motion: &Motion, blow: f64) -> Words {
         ),
         format!(
             "A wheel with {stations} and {pins}, {distance}: velocity, acceleration and jerk of the wheel over the driver's \
-             speed, its square and its cube. The dots are at the crank angle of the drawing."
+             speed, its square and its cube. The dots are at the crank angle of the drawing. {IMPULSES}"
         ),
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::{Drawing, drawn};
+    use crate::svg::TEXT_SIZE;
+    use geneva_kinematics::wheel::Wheel;
+
+    fn figure(error: f64) -> Figure {
+        let wheel = Wheel::new(4).expect("possible");
+        running(&Misplaced::new(&wheel, error).expect("possible"), 0.3).expect("drawn")
+    }
+
+    #[test]
+    fn what_jumps_is_not_joined_and_its_rate_is_an_impulse() {
+        let figure = figure(0.0);
+        drawn(&figure);
+        let drawing = Drawing::of(&figure);
+        // Rest, advance and rest again for each of three; the velocity is continuous, acceleration and jerk jump.
+        assert_eq!((drawing.count("curve"), drawing.count("still"), drawing.count("moving")), (9, 4, 4));
+        assert_eq!(drawing.count("impulse"), 4, "shaft and head, at entry and at exit");
+        assert!(drawing.texts().contains(&"impulse".to_owned()) && figure.caption.contains("impulse"));
+        // Both accelerations jump up, from rest and to rest.
+        for arrow in [0, 2] {
+            assert!(drawing.path("impulse", arrow + 1)[0].y < drawing.path("impulse", arrow)[0].y - 10.0);
+        }
+    }
+
+    #[test]
+    fn a_blow_is_an_impulse_of_the_acceleration() {
+        assert_eq!(Drawing::of(&figure(0.01)).count("impulse"), 8);
+    }
+
+    #[test]
+    fn no_title_touches_the_numbers_of_the_panel_above() {
+        let figure = figure(0.0);
+        let drawing = Drawing::of(&figure);
+        let frames: Vec<f64> =
+            [0, 1, 2].map(|panel| drawing.path("now", panel).iter().map(|end| end.y).fold(0.0, f64::max)).to_vec();
+        for (title, foot) in [("acceleration", frames[0]), ("jerk", frames[1])] {
+            let base = drawing.base_line(title);
+            // A digit is less than three quarters of its size high, and half of it is below the foot of the frame.
+            assert!(base - 0.75 * TEXT_SIZE > foot + 0.375 * TEXT_SIZE + 4.0, "{title}: {base} below {foot}");
+        }
+    }
 }

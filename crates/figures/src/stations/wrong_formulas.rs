@@ -1,9 +1,10 @@
 //! What wrong formulas make of wheels, by the number of slots.
 
-use crate::chart::{Axis, Chart, Entry, Panel, Stroke, kind};
+use crate::chart::{Axis, Chart, Panel, Stroke, kind};
 use crate::number::{short, trimmed};
 use crate::svg::Label;
 use crate::{Figure, Series, Words};
+use std::f64::consts::FRAC_PI_2;
 
 /// A wrong formula, compared with the right one.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,14 +48,13 @@ pub fn wrong_formulas(formulas: &[Compared]) -> Figure {
         for (number, formula) in formulas.iter().enumerate().filter(|(_, of)| of.is_right_somewhere() == somewhere) {
             let (stroke, marker) = kind(number);
             panel = panel.curve(formula.points(), stroke.wide(1.6)).marks(formula.points(), marker.class("point"));
+            // Where they are farthest apart.
+            let last_third = formula.points().filter(|(slots, _)| 3.0 * (slots - first) >= 2.0 * (last - first));
+            panel = panel.near(last_third, FRAC_PI_2, Label::words(&formula.name).shade(marker.shade));
         }
         panel
     };
-    let key = formulas.iter().enumerate().map(|(number, formula)| {
-        let look = kind(number);
-        Entry::both((look.0.wide(1.6), look.1), Label::words(&formula.name).shade(look.1.shade))
-    });
-    Chart::new([panel(true), panel(false)]).key(key).figure(words(formulas, [first, last]), series(formulas))
+    Chart::new([panel(true), panel(false)]).figure(words(formulas, [first, last]), series(formulas))
 }
 
 /// For which numbers of slots a formula is right.
@@ -99,8 +99,9 @@ fn words(formulas: &[Compared], [first, last]: [f64; 2]) -> Words {
             said(false)
         ),
         format!(
-            "What the formulas give, over what is right. On the thin line a formula is right. Those of the upper panel meet \
-             there, at {right} slots, and part to both sides of it; those of the lower panel are right for no number of slots."
+            "What each formula gives, over the right value. On the thin line a formula is right. The formulas in \
+             the upper panel are right for {right} slots and wrong on both sides of it. The formulas in the lower \
+             panel are right for no number of slots."
         ),
     )
 }

@@ -92,10 +92,10 @@ pub fn collapse(groups: &[Group]) -> Result<Figure, FigureError> {
             rows.len()
         ),
         format!(
-            "The law of similarity: divided by the scales that torque and inertias make, the printed rows of all torques \
-         fall together (marks). The unbroken curves are the mechanisms', the broken ones those of the program of 1973, \
-         which resets the driver's angle after 90°. For four pins the two are one. The rows of six and three pins lie \
-         on the broken curves: they are runs of the program and not of the mechanisms. Driver's moment of inertia \
+            "The law of similarity: torque and inertias set the scales. Divided by them, the printed rows of all \
+             torques coincide (marks). The solid curves are for the mechanisms, the broken curves for the program \
+             of 1973, which resets the driver's angle after 90°. For four pins both are the same. The rows for six and three pins are on the broken curves, so they \
+             are runs of the program and not of the mechanisms. Driver's moment of inertia \
          over the follower's: {inertias}."
         ),
     );

@@ -87,7 +87,7 @@ pub fn contact(escapement: &Escapement, instants: [(f64, f64); 2]) -> Result<Fig
             parameters.friction()
         ),
     );
-    Ok(words.figure(canvas, Kind::Steps, series))
+    Ok(words.figure(canvas, Kind::Diagram, series))
 }
 
 impl Instant {
@@ -111,7 +111,7 @@ fn panel(canvas: &mut Canvas, at: &Instant, count: usize, top: f64) {
     let (right, up) = (Vector2::new(1.0, 0.0), Vector2::new(0.0, -1.0));
     let corner = Vector2::new(20.0, top + 24.0);
     numbered(canvas, &corner, count);
-    let title = if at.side > 0.0 { "The pin drives: leading flank, " } else { "The pin holds back: trailing flank, " };
+    let title = if at.side > 0.0 { "Pin drives: leading flank, " } else { "Pin holds back: trailing flank, " };
     let title = Label::words(title).and_symbol("N").and(if at.side > 0.0 { " > 0, " } else { " < 0, " });
     let title = title.and_symbol("θ").and(&format!(" = {}", degrees(at.theta)));
     canvas.label(&(corner + right * 22.0), &right, 0.0, &title.bare());

@@ -1,9 +1,10 @@
 //! What the size of the joints costs: mean speed and multiplier against it.
 
-use crate::chart::{Axis, Chart, Entry, Panel, kind};
+use crate::chart::{Axis, Chart, Panel, kind};
 use crate::number::{significant, with_hyphens};
 use crate::svg::Label;
 use crate::{Figure, Series, Words};
+use std::f64::consts::FRAC_PI_2;
 
 /// A curve of more points has no marks on them.
 const MARKED: usize = 16;
@@ -51,13 +52,16 @@ pub fn losses(size: &str, shown: &str, speeds: &[Line], multipliers: &[Line]) ->
         groups[k].iter().fold(Panel::new(260.0, &x, &y.titled(Label::words(titles[k]))), |panel, line| {
             let (points, (stroke, marker)) = (finite(line), kind(number(line)));
             let panel = panel.curve(points.iter().copied(), stroke.wide(2.2).class("loss"));
+            let name = Label::words(&with_hyphens(&line.name)).shade(stroke.shade);
+            // Named once, where the lines are farthest apart: the looks are the same in both panels.
+            let is_named = groups.iter().take(k).any(|lines| lines.iter().any(|other| other.name == line.name));
+            let last_half = points.iter().skip(points.len() / 2).copied();
+            let falls = points.first().zip(points.last()).is_some_and(|(first, last)| last.1 < first.1);
+            let first = if falls { -FRAC_PI_2 } else { FRAC_PI_2 };
+            let panel = if is_named { panel } else { panel.near(last_half, first, name) };
             if points.len() <= MARKED { panel.marks(points, marker.sized(8.0)) } else { panel }
         })
     });
-    let key = names
-        .iter()
-        .enumerate()
-        .map(|(k, name)| Entry::both(kind(k), Label::words(&with_hyphens(name)).shade(kind(k).0.shade)));
     let said = groups.into_iter().zip(titles).flat_map(|(lines, title)| {
         lines.iter().filter_map(move |line| {
             let points = finite(line);
@@ -74,7 +78,10 @@ pub fn losses(size: &str, shown: &str, speeds: &[Line], multipliers: &[Line]) ->
             "Two panels over the {size}: the mean speed over that of the ideal mechanism, and the multiplier. {}.",
             said.join("; ")
         ),
-        format!("Mean speed over that of the ideal mechanism, and multiplier, over the {size}. Shown: {shown}."),
+        format!(
+            "How the mean speed (over the mean speed of the ideal mechanism) and the multiplier depend on the \
+             {size}. Shown: {shown}."
+        ),
     );
     let rows = groups.into_iter().enumerate().flat_map(|(panel, lines)| {
         lines.iter().flat_map(move |line| {
@@ -83,7 +90,7 @@ pub fn losses(size: &str, shown: &str, speeds: &[Line], multipliers: &[Line]) ->
         })
     });
     let series = Series::new([("panel", "1"), ("line", "1"), ("size", "1"), ("value", "1")], rows);
-    Chart::new(panels).key(key).figure(words, series)
+    Chart::new(panels).figure(words, series)
 }
 
 #[cfg(test)]

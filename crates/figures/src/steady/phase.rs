@@ -144,8 +144,7 @@ fn words(parameters: &Parameters, steady: &SteadyState, unit: f64, cycle: &Round
             significant(steady.peak.speed / unit, 3)
         ),
         format!(
-            "Successive engagements, numbered, from rest and from twice the steady speed; each begins at the left with \
-             the speed with which the one before ended at the right. The third is close to the steady cycle. At the \
+            "Successive engagements, numbered, from rest and from twice the steady speed; each begins at the left with the speed at which the last one ended at the right. The third is close to the steady cycle. At the \
              diamonds the follower begins to run ahead of the pin, and the contact changes flank. {}",
             shown(parameters)
         ),

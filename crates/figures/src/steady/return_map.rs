@@ -108,7 +108,8 @@ pub fn return_map(parameters: &Parameters) -> Result<Figure, FigureError> {
             significant(added, 4)
         ),
         format!(
-            "One engagement takes the square of the speed at entry to that at exit (solid). Where the curve crosses the \
+            "The solid line gives the square of the speed at the end of an engagement from its square at the \
+             start. Where the curve crosses the \
              dashed diagonal, the motion is steady. Go up or down to the curve and across to the diagonal, and the next \
              engagement begins: the first two from rest and from above have numbers. At the crossing a small difference \
              shrinks to {multiplier} of itself in each engagement. Without friction (dotted) each engagement adds the \

@@ -96,8 +96,7 @@ pub fn work_precision(measurements: &[Measurement]) -> Figure {
              left is better. The smallest errors: {}.",
             best.join("; ")
         ),
-        "The largest relative error in the speeds of all runs, of all three mechanisms, over the work that was done. A \
-         curve that runs lower needs less work for the same error; a steeper one gains more from further work.",
+        "The largest relative error in the speeds of all runs, of all three mechanisms, over the work that was done. A lower curve needs less work for the same error, and a steeper curve gains more from further work.",
     );
     Chart::new(panels).key(key).figure(words, Series::new(columns, rows).to_decimals(DECIMALS))
 }

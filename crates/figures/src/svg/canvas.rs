@@ -10,26 +10,20 @@ use crate::number::trimmed;
 pub enum Kind {
     /// Bodies and joints, to scale.
     Mechanism,
-    /// The same with words below, on more height than width.
-    TallMechanism,
     /// Vectors and angles, to scale.
     Diagram,
     /// Curves over axes.
     Plot,
-    /// Diagrams in numbered steps, on more height than width.
-    Steps,
-    /// Curves over axes one under another, on more height than width.
-    Panels,
     /// Bodies in their true size on paper: [`PIXELS_PER_MILLIMETRE`].
     TrueSize,
 }
 
-/// Pixels of the view box to a millimetre of a drawing in true size: its letters are 3.5 mm high.
+/// Pixels of the view box to a millimetre of a drawing in true size: its type is 3.7 mm high.
 pub const PIXELS_PER_MILLIMETRE: f64 = 6.0;
 
-/// A drawing narrower than this is shown so many times as wide as its view box, and not as wide as the page.
-const NARROW: f64 = 600.0;
-const ENLARGED: f64 = 1.15;
+/// Width of a drawing on the screen over that of its view box: its letters are then as large as the body's. A narrower
+/// screen shows the same drawing smaller, as wide as the screen.
+const ON_SCREEN: f64 = 0.75;
 
 /// A drawing in the making.
 #[derive(Clone, Debug)]
@@ -72,22 +66,17 @@ impl Canvas {
     pub fn finish(self, kind: Kind, id: &str, title: &str, description: &str) -> String {
         let class = match kind {
             Kind::Mechanism | Kind::TrueSize => "mechanism",
-            Kind::TallMechanism => "mechanism tall",
             Kind::Diagram => "diagram",
             Kind::Plot => "plot",
-            Kind::Steps => "diagram tall",
-            Kind::Panels => "plot tall",
         };
         let size = if matches!(kind, Kind::TrueSize) {
             let [width, height] = [self.width, self.height].map(|size| trimmed(size / PIXELS_PER_MILLIMETRE, 3));
             format!(" width=\"{width}mm\" height=\"{height}mm\"")
-        } else if self.width < NARROW {
-            format!(" style=\"max-width:min(100%,{}px)\"", trimmed(ENLARGED * self.width, 0))
         } else {
-            String::new()
+            format!(" width=\"{}\"", trimmed(ON_SCREEN * self.width, 0))
         };
         let opening = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\" class=\"{class}\"{size} role=\"img\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {}\"{size} class=\"{class}\" role=\"img\" \
              aria-labelledby=\"{id}-title {id}-desc\" font-family=\"sans-serif\" font-size=\"{}\">",
             trimmed(self.width, 2),
             trimmed(self.height, 2),

@@ -5,13 +5,13 @@ use crate::number::{trimmed, with_minus_sign};
 use crate::theme::{INK, PAPER, Shade};
 
 /// Height of the letters of a label, in pixels of the view box.
-pub const TEXT_SIZE: f64 = 21.0;
+pub const TEXT_SIZE: f64 = 22.0;
 /// Height of a subscript's letters over that of its symbol.
-const SUBSCRIPT: f64 = 0.74;
+const SUBSCRIPT: f64 = 0.84;
 /// How far a subscript stands below the line.
-const DROP: f64 = 6.0;
+const DROP: f64 = 7.0;
 /// How far a superscript stands above the line.
-const RISE: f64 = 8.0;
+const RISE: f64 = 10.0;
 /// Half the height of a digit: from the middle of a label to its base line.
 const HALF_HEIGHT: f64 = 0.36 * TEXT_SIZE;
 /// Heights above and below the base line that letters reach at most, over the text's size.
@@ -61,14 +61,20 @@ impl Label {
     }
 
     /// Adds a subscript.
-    pub fn sub(mut self, index: &str) -> Self {
-        self.runs.push((Style::Subscript, index.to_owned()));
-        self
+    pub fn sub(self, index: &str) -> Self {
+        self.index(Style::Subscript, index)
     }
 
     /// Adds a superscript; a subscript that follows stands under it.
-    pub fn sup(mut self, index: &str) -> Self {
-        self.runs.push((Style::Superscript, index.to_owned()));
+    pub fn sup(self, index: &str) -> Self {
+        self.index(Style::Superscript, index)
+    }
+
+    /// Adds an index. An empty one is left out: browsers ignore the shift of an empty span, and what follows would drop.
+    fn index(mut self, style: Style, index: &str) -> Self {
+        if !index.is_empty() {
+            self.runs.push((style, index.to_owned()));
+        }
         self
     }
 
@@ -131,7 +137,9 @@ impl Label {
         };
         let lowered = self.runs.iter().any(|(style, _)| *style == Style::Subscript);
         let below = DESCENT * TEXT_SIZE + if lowered { DROP - 2.0 } else { 0.0 };
-        [Pixels::new(left, base - ASCENT * TEXT_SIZE), Pixels::new(left + width, base + below)]
+        let raised = self.runs.iter().any(|(style, _)| *style == Style::Superscript);
+        let above = if raised { RISE + ASCENT * SUBSCRIPT * TEXT_SIZE } else { ASCENT * TEXT_SIZE };
+        [Pixels::new(left, base - above), Pixels::new(left + width, base + below)]
     }
 
     /// A generous guess at the label's width, in pixels: fonts differ.

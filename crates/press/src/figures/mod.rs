@@ -168,6 +168,44 @@ fn designs() -> anyhow::Result<Vec<escapement::Design>> {
 mod tests {
     use super::*;
 
+    /// The value of an attribute in an opening tag.
+    fn attribute<'a>(tag: &'a str, name: &str) -> Option<&'a str> {
+        let (_, rest) = tag.split_once(&format!(" {name}=\""))?;
+        Some(rest.split_once('"')?.0)
+    }
+
+    /// Width of a drawing on a phone of 390 px, from edge to edge, and the least height of letters there, in pixels.
+    const PHONE: f64 = 382.0;
+    const SMALLEST: f64 = 11.0;
+    /// Of the body's letters, in pixels: on a wide screen those of drawings are neither much larger nor much smaller.
+    const BODY: f64 = 16.0;
+
+    #[test]
+    fn the_letters_of_every_figure_can_be_read_on_a_phone_and_are_as_large_as_the_text_on_a_wide_screen() {
+        for (name, draw) in FIGURES {
+            let svg = draw().expect("drawn").svg;
+            let opening = svg.lines().next().expect("an opening tag");
+            let number = |text: &str| text.parse::<f64>().expect("a number");
+            let units = attribute(opening, "viewBox").and_then(|of| of.split(' ').nth(2)).map(number).expect("a width");
+            let width = attribute(opening, "width").expect("a width on the screen");
+            // A drawing in true size says its width in millimetres.
+            let on_screen = width.strip_suffix("mm").map_or_else(|| number(width), |mm| number(mm) * 96.0 / 25.4);
+            let sizes = svg.split('<').filter_map(|tag| attribute(tag, "font-size")).map(number);
+            let smallest = sizes.fold(f64::INFINITY, f64::min) * on_screen.min(PHONE) / units;
+            assert!(smallest >= SMALLEST, "{name}: letters of {smallest} px on a phone");
+            let usual = attribute(opening, "font-size").map(number).expect("a size") * on_screen / units;
+            assert!((usual / BODY - 1.0).abs() < 0.15, "{name}: letters of {usual} px beside text of {BODY} px");
+        }
+    }
+
+    #[test]
+    fn no_caption_writes_an_index_with_an_underscore() {
+        for (name, draw) in FIGURES {
+            let caption = draw().expect("drawn").caption;
+            assert!(!caption.contains('_'), "{name}: {caption}");
+        }
+    }
+
     #[test]
     fn the_id_of_a_figure_is_its_name() {
         for (name, _) in FIGURES {

@@ -20,7 +20,7 @@ pub fn agreement() -> anyhow::Result<Figure> {
     let of = |hypothesis: &Hypothesis, name: &str| {
         Ok::<_, anyhow::Error>(Compared { name: name.to_owned(), ..compared(rows::score(hypothesis)?)? })
     };
-    let compared = [of(&Hypothesis::IDEAL, "own reset angle")?, of(&Hypothesis::as_run(), "reset after 90°")?];
+    let compared = [of(&Hypothesis::IDEAL, "the mechanisms")?, of(&Hypothesis::as_run(), "the program as listed")?];
     let inertias = Mechanism::ALL.map(|mechanism| {
         let [driver, follower] = Hypothesis::WITHOUT_LAG.inertias(mechanism).map(|inertia| fixed(1e6 * inertia, 0));
         format!("{driver} and {follower} with {} pins", mechanism.pins())
@@ -29,7 +29,7 @@ pub fn agreement() -> anyhow::Result<Figure> {
         "Inertias of driver and follower: {} (10⁻⁶ in lb s²); frictions and torques as in the tables.",
         inertias.join(", ")
     );
-    Ok(runs::agreement(&compared, "rad/s or ms", &says))
+    Ok(runs::agreement(&compared, "1 rad/s or 1 ms", &says))
 }
 
 /// How many of a mechanism's numbers come out, over the reset angle: where the pins of neither fit the program.
