@@ -92,6 +92,25 @@ fn no_decimal_of_the_ledger_is_typed_in_a_chapter() {
     }
 }
 
+/// Computed numbers that stand in prose with more digits than the source prints: page, claim, and why.
+const MORE_DIGITS: [(&str, &str, &str); 2] = [
+    ("pin.md", "pin.follower-speed", "it is what the printed number is compared with"),
+    ("quick-return.md", "quick-return.lever-length", "the sentence says that it has more digits"),
+];
+
+#[test]
+fn no_number_in_prose_has_more_digits_than_its_source_but_for_a_reason() {
+    let mut found = Vec::new();
+    for (file, text) in chapters() {
+        for rest in text.split("{{value:").skip(1) {
+            let id = rest.split("}}").next().expect("its end").to_owned();
+            found.push((file.clone(), id));
+        }
+    }
+    let allowed = MORE_DIGITS.map(|(file, id, _)| (file.to_owned(), id.to_owned()));
+    assert_eq!(found, allowed, "take {{{{printed:…}}}}, or {{{{right:…}}}} where the printed number is not right");
+}
+
 #[test]
 fn every_figure_is_shown_in_some_chapter() {
     let all: String = chapters().into_iter().map(|(_, text)| text).collect();

@@ -154,12 +154,42 @@ fn a_number_beyond_the_slider_is_computed_or_refused_as_at_the_command_line() {
     of(&mut browser, "wheel", &typed("stations", "30"));
     let title = of(&mut browser, "wheel", "f.querySelector('svg title').textContent");
     assert!(title.as_str().is_some_and(|title| title.contains("30 stations")), "{title}");
-    let message = "g.querySelector('.message').textContent";
+    let message = "f.querySelector('.message').textContent";
     of(&mut browser, "wheel", &typed("pins", "40"));
     let refused = geneva_kinematics::wheel::Wheel::with_pins(30, 40).expect_err("too many").to_string();
     assert_eq!(of(&mut browser, "wheel", message), json!(refused));
     of(&mut browser, "wheel", &typed("stations", "2"));
     assert_eq!(of(&mut browser, "wheel", message), json!("stations N 2: give 3 to 100"));
+}
+
+/// Controls that cannot be seen together with the whole drawing and the numbers. A reader has scrolled to the figure, and then
+/// to the control if it is not in sight: nothing of the three may be outside the window, under its bar or under another.
+const APART: &str = "(async () => { const found = []; const shown = f.querySelector('.shown'); const bar = \
+     document.querySelector('#mdbook-menu-bar'); \
+     for (const input of g.querySelectorAll('.moved input[name], .moved select')) { \
+     const label = input.labels[0], box = g.querySelector(`[data-box=${input.name}]`) ?? input; \
+     const end = Math.max(...[label, input, box].map(of => of.getBoundingClientRect().bottom)); \
+     const figure = f.getBoundingClientRect().top - 60; \
+     scrollBy({ top: Math.max(figure, end - innerHeight + 6), behavior: 'instant' }); await new Promise(requestAnimationFrame); \
+     const isHit = of => { const { left, right, top, bottom } = of.getBoundingClientRect(); const hit = \
+     document.elementFromPoint((left + right) / 2, (top + bottom) / 2); return top >= 0 && bottom <= innerHeight && (hit === of || of.contains(hit)) }; \
+     const from = Math.max(bar.getBoundingClientRect().bottom, 0); \
+     for (const [of, name] of [[f.querySelector('svg'), 'drawing'], [f.querySelector('.results'), 'numbers']]) { \
+     const { top, bottom } = of.getBoundingClientRect(); if (top < from - 1 || bottom > innerHeight + 1) { \
+     found.push(`${input.name}: ${name} ${Math.round(top)} to ${Math.round(bottom)}`) } } \
+     for (const of of [label, input, box]) { if (!isHit(of)) { found.push(`${input.name} is covered`) } } } return found })()";
+
+#[test]
+fn drawing_numbers_and_the_control_in_use_share_a_screen() {
+    let Some(mut browser) = browser() else { return };
+    for window in [[390, 844], [1280, 800]] {
+        browser.show_in(window, Medium::Light);
+        for (name, page) in PAGES {
+            open(&mut browser, page, "");
+            let apart = of(&mut browser, name, &format!("await {APART}"));
+            assert_eq!(apart, json!([]), "{name} at {window:?}");
+        }
+    }
 }
 
 /// Types a number into the box of a control.
@@ -175,8 +205,8 @@ fn a_refused_setting_leaves_no_number_of_another_one() {
     let Some(mut browser) = browser() else { return };
     browser.show(1280, Medium::Light);
     open(&mut browser, "making", "");
-    let shown = "[[...g.querySelectorAll('output')].map(o => o.value).join(), f.querySelector('svg').outerHTML, \
-                 g.querySelector('.stale').checkVisibility(), g.querySelector('.message').textContent]";
+    let shown = "[[...f.querySelectorAll('output')].map(o => o.value).join(), f.querySelector('svg').outerHTML, \
+                 f.querySelector('.stale').checkVisibility(), f.querySelector('.message').textContent]";
     let first = of(&mut browser, "design", shown);
     assert_eq!([&first[2], &first[3]], [&json!(false), &json!("")]);
     of(&mut browser, "design", &typed("pin", "60"));

@@ -11,7 +11,8 @@ const RECORDS: [&str; 6] = ["ledger", "coverage", "errata", "architecture", "404
 
 /// Elements whose text is no running text.
 const SKIPPED: [&str; 13] = [
-    "script", "style", "pre", "table", "svg", "nav", "figure", "template", "form", "button", "select", "footer", "noscript",
+    "script", "style", "pre", "table", "svg", "nav", "figure", "template", "form", "button", "select", "footer",
+    "noscript",
 ];
 
 /// Elements that count as one word, whatever is in them.
@@ -119,7 +120,8 @@ fn all() -> Vec<Sentence<'static>> {
                 continue;
             }
             for text in sentences(&block) {
-                let bare = |word: &str| word.trim_matches(|of: char| !of.is_alphanumeric()).replace('’', "'").to_lowercase();
+                let bare =
+                    |word: &str| word.trim_matches(|of: char| !of.is_alphanumeric()).replace('’', "'").to_lowercase();
                 let words = text.split_whitespace().map(bare).filter(|word| !word.is_empty()).collect();
                 all.push(Sentence { page, text, words });
             }
@@ -146,7 +148,13 @@ const AT_MOST: &[Habit] = &[
         of.has_any(&["stand|stands|lie|lies in|on|at|behind|beside|under|for|below|above|with|by", "is|are told"])
     }),
     ("comes out, is off, the other way round", 0.5, |of| {
-        of.has_any(&["come|comes out", "is|are|be off", "read otherwise", "the other way round", "one way or the other"])
+        of.has_any(&[
+            "come|comes out",
+            "is|are|be off",
+            "read otherwise",
+            "the other way round",
+            "one way or the other",
+        ])
     }),
     ("an impersonal somebody", 0.5, |of| of.has_any(&["nobody|somebody", "no one", "it is said|told|asked|shown"])),
     ("so and the same for what they stand for", 0.5, |of| of.has_any(&["is|are|does so", "the like"])),

@@ -9,8 +9,7 @@ document.body.addEventListener('keydown', event => {
 
 // What scrolls sideways can be reached by keyboard.
 // The page of all claims sees to its own rows, of which it lays out only those on the screen.
-const scrolling = ':is(pre > code, .display, dd, .form, .fig, .drawing, .table-wrapper)';
-const scrollable = () => document.querySelectorAll(`main ${scrolling}:not(.claims *)`).forEach(element => {
+const scrollable = () => document.querySelectorAll('main :is(.display, .form):not(.claims *)').forEach(element => {
     if (element.scrollWidth > element.clientWidth) {
         element.tabIndex = 0;
     }

@@ -9,7 +9,7 @@
     const elements = new Set('circle desc g line path svg text title tspan'.split(' '));
     const attributes = new Set(('aria-labelledby class cx cy d dx dy fill fill-opacity fill-rule font-family font-size font-style ' +
         'id opacity paint-order r role stroke stroke-dasharray stroke-linecap stroke-linejoin stroke-opacity stroke-width ' +
-        'text-anchor viewBox x x1 x2 xmlns y y1 y2').split(' '));
+        'text-anchor viewBox width x x1 x2 xmlns y y1 y2').split(' '));
     let module, thread, queue = Promise.resolve();
 
     // The module is text in a script, so that a page opened from disk can load it too; once, when it is first needed.
@@ -112,7 +112,8 @@
         const form = figure.querySelector('form');
         const inputs = [...form.querySelectorAll('input[name], select')];
         const player = form.querySelector('[data-play]');
-        const [message, ignored, stale] = ['message', 'ignored', 'stale'].map(name => form.querySelector(`.${name}`));
+        const [message, ignored, stale] = ['message', 'ignored', 'stale'].map(name => figure.querySelector(`.${name}`));
+        const outputs = figure.querySelectorAll('output');
         const box = input => form.querySelector(`[data-box="${input.name}"]`);
         const follows = input => input.dataset.follows !== undefined;
         const first = Object.fromEntries(inputs.map(input => [input.name, follows(input) ? '' : input.value]));
@@ -142,7 +143,7 @@
             figure.classList.add('refused');
             stale.hidden = false;
             // No number stays that would seem to be of this setting.
-            form.querySelectorAll('output').forEach(output => output.value = '–');
+            outputs.forEach(output => output.value = '–');
             say(why, true);
         };
         const show = ({ error, numbers, followers: told, message: words, progress, caption, svg }) => {
@@ -154,7 +155,7 @@
             stale.hidden = true;
             followers.forEach(input => write(input, told.find(({ name }) => name === input.name).value));
             const texts = Object.fromEntries(numbers.map(({ name, text }) => [name, text]));
-            form.querySelectorAll('output').forEach(output => output.value = texts[output.name] ?? '–');
+            outputs.forEach(output => output.value = texts[output.name] ?? '–');
             say(progress ? `${progress.done} of ${progress.all} runs` : words ?? '', words);
             figure.querySelector('.drawing').replaceChildren(drawing);
             figure.querySelector('.says').textContent = caption;
@@ -287,7 +288,7 @@
             last = 0;
             form.querySelector('[data-do=play]').textContent = on ? 'Pause' : 'Play';
             // What runs is not read out.
-            form.querySelector('dl').setAttribute('aria-live', on ? 'off' : 'polite');
+            figure.querySelector('.results').setAttribute('aria-live', on ? 'off' : 'polite');
             if (on) {
                 requestAnimationFrame(frame);
             }

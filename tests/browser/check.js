@@ -60,6 +60,9 @@ const geneva = (() => {
         localStorage.removeItem('mdbook-sidebar');
     };
 
+    /** Opens it again. */
+    const openList = () => document.querySelector('#mdbook-sidebar-toggle-anchor:not(:checked)')?.click();
+
     /** What is wider than its box. `scrolling`: the elements that may be, since they scroll by design. */
     const tooWide = scrolling => {
         const found = [];
@@ -81,6 +84,38 @@ const geneva = (() => {
             const hides = ['hidden', 'clip'].includes(getComputedStyle(of).overflowY);
             if (hides && of.clientHeight > 1 && of.scrollHeight > of.clientHeight + 1) {
                 found.push(fault('cut', of, `“${words(of.textContent)}” is cut off below, by ${of.scrollHeight - of.clientHeight} px`));
+            }
+        }
+        return found;
+    };
+
+    /** Drawings that are wider than their box, or leave the screen. */
+    const drawings = () => {
+        const found = [];
+        for (const svg of main().querySelectorAll('svg')) {
+            const [own, box] = [svg, svg.parentElement].map(of => of.getBoundingClientRect());
+            const out = Math.max(-own.left, own.right - window.innerWidth, box.left - own.left, own.right - box.right);
+            if (isShown(svg) && out > 1) {
+                found.push(fault('wide', svg, `the drawing leaves its box, by ${Math.round(out)} px`));
+            }
+        }
+        return found;
+    };
+
+    /** Marks that a finger does not hit: less than so many pixels wide or high, but for what other marks take of them. */
+    const targets = size => {
+        const found = [];
+        for (const mark of main().querySelectorAll('.mark')) {
+            if (!isShown(mark)) {
+                continue;
+            }
+            mark.scrollIntoView({ block: 'center', behavior: 'instant' });
+            const box = mark.getBoundingClientRect();
+            const [x, y, far] = [(box.left + box.right) / 2, (box.top + box.bottom) / 2, size / 2 - 1];
+            const hits = [[far, 0], [-far, 0], [0, far], [0, -far]].every(([right, down]) =>
+                document.elementFromPoint(x + right, y + down)?.closest('.mark'));
+            if (!hits) {
+                found.push(fault('target', mark, `is smaller than ${size} px`));
             }
         }
         return found;
@@ -199,6 +234,7 @@ const geneva = (() => {
         const controls = 'a[href], button, summary, input, select, textarea, [tabindex], [onclick], [role="button"]';
         const look = style => [style.outlineStyle, style.outlineWidth, style.outlineColor, style.boxShadow, style.borderColor,
             style.backgroundColor, style.textDecoration].join();
+        const kinds = new Set();
         for (const control of main().querySelectorAll(controls)) {
             if (!isShown(control) || control.disabled) {
                 continue;
@@ -207,6 +243,12 @@ const geneva = (() => {
                 found.push(fault('keyboard', control, `“${words(control.textContent)}” is not reached by the Tab key`));
                 continue;
             }
+            // One of each kind: those in the same places of the page have the same styles.
+            const kind = place(control).replace(/#[^ ]*|:nth-of-type\(\d+\)/g, '');
+            if (kinds.has(kind) && !control.id) {
+                continue;
+            }
+            kinds.add(kind);
             const style = getComputedStyle(control);
             const before = look(style);
             control.focus({ preventScroll: true, focusVisible: true });
@@ -238,49 +280,90 @@ const geneva = (() => {
         }));
     };
 
-    /** What axe-core finds, colours aside. */
-    const accessibility = () => {
+    /** The looks or rows that were good on an earlier page. */
+    const known = name => new Set(JSON.parse(localStorage.getItem(name) ?? '[]'));
+    const learn = (name, all) => localStorage.setItem(name, JSON.stringify([...all]));
+
+    /**
+     * What axe-core finds, colours aside. Its time goes with the number of elements. So what it has no rule for is left out,
+     * the parts of formulas, drawings and code; and of table rows that differ in their words only it sees one. The page is
+     * of no use afterwards.
+     */
+    const accessibility = async () => {
+        main().querySelectorAll('math, pre > code').forEach(of => { of.textContent = of.textContent; });
+        main().querySelectorAll('svg > :not(title, desc)').forEach(of => of.remove());
+        const rows = known('good rows');
+        for (const row of main().querySelectorAll('tbody tr')) {
+            const alike = row.outerHTML.replace(/>[^<]+</g, '>x<').replace(/="[^"]+"/g, '="x"');
+            if (rows.has(alike)) {
+                row.remove();
+            }
+            rows.add(alike);
+        }
         const tags = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'];
-        return axeFinds(document, { type: 'tag', values: tags }, { rules: { 'color-contrast': { enabled: false } } });
+        const found = await axeFinds(document, { type: 'tag', values: tags }, { rules: { 'color-contrast': { enabled: false } } });
+        if (found.every(({ at }) => !at.includes('tr'))) {
+            learn('good rows', rows);
+        }
+        return found;
+    };
+
+    /** The numbers of a colour: red, green, blue, and how much of what is below it covers. */
+    const colour = text => {
+        const numbers = /^rgba?\(([^)]*)\)$/.exec(text)?.[1].split(/[ ,/]+/).map(Number);
+        return numbers && [...numbers.slice(0, 3), numbers[3] ?? 1];
+    };
+    const over = ([r, g, b, share], below) => [r, g, b].map((part, k) => share * part + (1 - share) * below[k]);
+    const luminance = parts => {
+        const [r, g, b] = parts.map(part => part / 255).map(part => part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4);
+        return 0.2126 * r + 0.7152 * g + 0.0722 * b;
     };
 
     /**
-     * Text too faint on its ground, by axe-core. It takes its time: one element of each look is shown to it, and no look
-     * that was good on an earlier page.
+     * Text too faint on its ground (WCAG 1.4.3). Where it may be, by the colours of the text and of what is behind it, axe-core
+     * says whether it is: it takes its time.
      */
     const contrast = async () => {
-        const good = new Set(JSON.parse(localStorage.getItem('good looks') ?? '[]'));
         const looks = new Map();
         const grounds = new Map();
+        // The colour behind an element, or null where there is more than colours.
         const ground = element => {
             if (!element) {
-                return '';
+                return [255, 255, 255];
             }
             if (!grounds.has(element)) {
                 const { backgroundColor, backgroundImage, opacity } = getComputedStyle(element);
-                const own = backgroundColor === 'rgba(0, 0, 0, 0)' && backgroundImage === 'none' && opacity === '1';
-                const below = ground(element.parentElement);
-                grounds.set(element, own ? below : `${below} ${backgroundColor} ${backgroundImage} ${opacity}`);
+                const [own, below] = [colour(backgroundColor), ground(element.parentElement)];
+                const isPlain = own && below && backgroundImage === 'none' && opacity === '1';
+                grounds.set(element, isPlain ? over(own, below) : null);
             }
             return grounds.get(element);
         };
         for (const element of document.body.querySelectorAll('*')) {
             const hasText = [...element.childNodes].some(of => of.nodeType === Node.TEXT_NODE && of.data.trim());
-            if (hasText && isShown(element)) {
-                const { color, fontSize, fontWeight } = getComputedStyle(element);
-                const look = [color, fontSize, fontWeight, ground(element)].join('|');
-                const known = looks.get(look);
-                if (!good.has(look) && (!known || element.childElementCount < known.childElementCount)) {
-                    looks.set(look, element);
+            if (!hasText || !isShown(element)) {
+                continue;
+            }
+            const { color, fontSize, fontWeight } = getComputedStyle(element);
+            const [text, behind, size] = [colour(color), ground(element), parseFloat(fontSize)];
+            const needed = size >= 24 || size >= 18.66 && fontWeight >= 700 ? 3 : 4.5;
+            if (text && behind) {
+                const [low, high] = [over(text, behind), behind].map(luminance).sort((a, b) => a - b);
+                if ((high + 0.05) / (low + 0.05) > needed + 0.01) {
+                    continue;
                 }
             }
+            looks.set([color, fontSize, fontWeight, behind ?? place(element)].join('|'), element);
         }
-        if (looks.size === 0) {
+        const good = known('good looks');
+        const doubtful = [...looks].filter(([look]) => !good.has(look));
+        if (doubtful.length === 0) {
             return [];
         }
-        const found = await axeFinds({ include: [...looks.values()] }, { type: 'rule', values: ['color-contrast'] });
+        const include = doubtful.map(([, element]) => element);
+        const found = await axeFinds({ include }, { type: 'rule', values: ['color-contrast'] });
         if (found.length === 0) {
-            localStorage.setItem('good looks', JSON.stringify([...good, ...looks.keys()]));
+            learn('good looks', [...good, ...looks.keys()]);
         }
         return found;
     };
@@ -297,5 +380,5 @@ const geneva = (() => {
         return { counts, text: text.textContent.replace(/\s+/g, ' ').trim() };
     };
 
-    return { unfold, closeList, tooWide, notes, labels, keyboard, load, accessibility, contrast, content };
+    return { unfold, closeList, openList, tooWide, drawings, targets, notes, labels, keyboard, load, accessibility, contrast, content };
 })();

@@ -145,7 +145,12 @@ impl Browser {
 
     /// Shows pages from now on at this width, on this medium. The page that is open changes with it.
     pub fn show(&mut self, width: u32, medium: Medium) {
-        let size = json!({ "width": width, "height": 900, "deviceScaleFactor": 1, "mobile": false });
+        self.show_in([width, 900], medium);
+    }
+
+    /// Shows pages from now on in a window of this width and height, on this medium.
+    pub fn show_in(&mut self, [width, height]: [u32; 2], medium: Medium) {
+        let size = json!({ "width": width, "height": height, "deviceScaleFactor": 1, "mobile": false });
         self.command("Emulation.setDeviceMetricsOverride", size);
         let (media, scheme) = match medium {
             Medium::Light => ("screen", "light"),
@@ -158,6 +163,17 @@ impl Browser {
             { "name": "prefers-reduced-motion", "value": "reduce" },
         ]);
         self.command("Emulation.setEmulatedMedia", json!({ "media": media, "features": features }));
+    }
+
+    /// Shows the page that is open at this width, on this medium, and waits until its scripts know.
+    pub fn turn(&mut self, width: u32, medium: Medium) {
+        let is_dark = medium == Medium::Dark;
+        self.evaluate(&format!(
+            "globalThis.scheme = matchMedia('(prefers-color-scheme: dark)'); globalThis.turned = scheme.matches === {is_dark} || \
+             new Promise(done => scheme.addEventListener('change', () => done(true), {{ once: true }})); null"
+        ));
+        self.show(width, medium);
+        self.evaluate("turned");
     }
 
     /// Whether the scripts of pages that are opened from now on run. Those of [`Self::evaluate`] do.

@@ -25,7 +25,7 @@ const HOSTILE: [&str; 16] = [
 ];
 
 /// What the open page's figure shows, without the words about the address.
-const SHOWN: &str = "[[...g.querySelectorAll('[name]')].map(of => of.value).join(), [...g.querySelectorAll('[data-box]')].map(of => \
+const SHOWN: &str = "[[...f.querySelectorAll('[name]')].map(of => of.value).join(), [...g.querySelectorAll('[data-box]')].map(of => \
                      of.value).join(), f.querySelector('.says').textContent, f.querySelector('svg').outerHTML]";
 
 /// Opens addresses of a figure's page one after the other, and gives what the figure shows and says of each.
@@ -35,7 +35,7 @@ fn visit(browser: &mut Browser, name: &str, figure: &str, settings: &[String]) -
         name,
         &format!(
             "(async () => {{ {SETTLED}; const all = []; for (const setting of {}) {{ location.hash = '#fig-{figure}?' + setting; await \
-             settled(); all.push({{ setting, shown: {SHOWN}, ignored: g.querySelector('.ignored').textContent, refused: \
+             settled(); all.push({{ setting, shown: {SHOWN}, ignored: f.querySelector('.ignored').textContent, refused: \
              f.classList.contains('refused') }}) }} return all }})()",
             json!(settings)
         ),
@@ -130,7 +130,7 @@ fn the_addresses_that_ran_scripts_and_the_one_that_froze_open_the_figure_as_at_f
         let shown = of(
             &mut browser,
             name,
-            "[document.title, g.querySelector('.ignored').textContent, f.querySelectorAll('img, script').length, \
+            "[document.title, f.querySelector('.ignored').textContent, f.querySelectorAll('img, script').length, \
              f.classList.contains('refused')]",
         );
         assert!(!shown[0].as_str().is_some_and(|title| title.contains("ran")), "{page} {setting}");
@@ -153,7 +153,7 @@ fn own_links_open_again() {
         let shown = of(&mut browser, name, &format!("[g.querySelector('[data-do=link]').hash, {SHOWN}]"));
         open(&mut browser, "about", "");
         open(&mut browser, page, shown[0].as_str().expect("a link"));
-        let again = of(&mut browser, name, &format!("[g.querySelector('.ignored').textContent, {SHOWN}]"));
+        let again = of(&mut browser, name, &format!("[f.querySelector('.ignored').textContent, {SHOWN}]"));
         assert_eq!(again[0], json!(""), "{name} {}", shown[0]);
         assert!(again[1][2] == shown[1][2] && again[1][3] == shown[1][3], "{name} {}", shown[0]);
     }

@@ -40,8 +40,8 @@ fn a_module_that_traps_or_never_ends_is_replaced_and_the_figure_says_so() {
              if (message.code) {{ made += 1 }} super.postMessage(message.code && made === 1 ? {{ code: broken }} : message) }} }}; \
              const broken = await WebAssembly.compile(new Uint8Array({})); \
              const f = document.querySelector('[data-live=wheel]'), g = f.querySelector('form'); \
-             const says = () => [g.querySelector('.message').textContent, g.querySelector('.stale').hidden, \
-             [...g.querySelectorAll('output')].map(of => of.value).join('')]; \
+             const says = () => [f.querySelector('.message').textContent, f.querySelector('.stale').hidden, \
+             [...f.querySelectorAll('output')].map(of => of.value).join('')]; \
              let frames = 0; const count = () => {{ frames += 1; requestAnimationFrame(count) }}; count(); \
              const box = g.querySelector('[data-box=crank]'), type = value => {{ box.value = value; box.dispatchEvent(new Event('input', \
              {{ bubbles: true }})) }}; \
@@ -178,7 +178,7 @@ fn every_figure_moves_under_its_policy_from_disk_and_from_a_server() {
                  .find(of => !of.closest('span').previousElementSibling.dataset.follows); box.value = Number(box.value) + \
                  Number(box.closest('span').previousElementSibling.step); box.dispatchEvent(new Event('input', { bubbles: true })); \
                  await settled(); await settled(); return [before !== f.querySelector('.drawing').innerHTML, \
-                 f.classList.contains('refused'), g.querySelector('.message').textContent] })()",
+                 f.classList.contains('refused'), f.querySelector('.message').textContent] })()",
             );
             assert_eq!([&shown[0], &shown[1]], [&json!(true), &json!(false)], "{place} {page}: {shown}");
             let violation = browser.events().into_iter().find(|event| event["method"] == "Log.entryAdded");

@@ -43,6 +43,12 @@ impl Series {
         Self { columns: columns.into_iter().map(column).collect(), rows, decimals: DECIMALS }
     }
 
+    /// The value of this column in the first row, if there is one.
+    pub fn value(&self, name: &str) -> Option<f64> {
+        let at = self.columns.iter().position(|column| column.name == name)?;
+        self.rows.first()?.get(at).copied()
+    }
+
     /// The same, written to so many decimals.
     pub fn to_decimals(self, decimals: usize) -> Self {
         Self { decimals, ..self }

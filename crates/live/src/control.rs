@@ -23,6 +23,8 @@ pub struct Live {
     pub given: &'static [&'static str],
     /// What is told beside the drawing, in its order.
     pub quantities: &'static [Quantity],
+    /// What is told apart from it, in its order: what has no room in the drawing.
+    pub others: &'static [Quantity],
     /// What the pointer moves in the drawing.
     pub drag: Option<Drag>,
     /// What can be taken away.

@@ -52,6 +52,18 @@ pub const LIVE: Live = Live {
         Quantity { name: "blow", label: "the pin knocks with" },
         Quantity { name: "hardest", label: "with a drifted wheel up to" },
     ],
+    others: &[
+        Quantity { name: "locking-play", label: "locking play" },
+        Quantity { name: "bore-play", label: "bore play" },
+        Quantity { name: "slot-bottom-clearance", label: "slot bottom clearance" },
+        Quantity { name: "locking-arc-radius", label: "locking arc radius" },
+        Quantity { name: "horn-thickness", label: "horn thickness" },
+        Quantity { name: "web-between-slots", label: "web between slots" },
+        Quantity { name: "crescent-radius", label: "crescent radius" },
+        Quantity { name: "crescent-centre-from-driver", label: "crescent centre from the driver's axis" },
+        Quantity { name: "wheel-bore-diameter", label: "diameter of the wheel's bore" },
+        Quantity { name: "driver-bore-diameter", label: "diameter of the driver's bore" },
+    ],
     drag: None,
     files: &[
         File {
@@ -173,5 +185,7 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
         _ => message,
     };
     let followers = vec![("pin", sizes.pin_diameter), ("play", sizes.play.slot)];
-    Ok(Answer { followers, message, ..Answer::new(stations::dimensions_on_a_page(&sizes), numbers) })
+    let figure = stations::dimensions_on_a_page(&sizes);
+    numbers.extend(LIVE.others.iter().filter_map(|of| Some(millimetres(of.name, figure.series.value(of.name)?))));
+    Ok(Answer { followers, message, ..Answer::new(figure, numbers) })
 }

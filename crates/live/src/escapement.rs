@@ -6,7 +6,7 @@ use geneva_dynamics::existence::critical_friction;
 use geneva_dynamics::steady::Engagement;
 use geneva_dynamics::timer::Sensitivities;
 use geneva_dynamics::{Error, Inertias, Parameters};
-use geneva_figures::escapement;
+use geneva_figures::{Figure, escapement};
 use geneva_kinematics::Mechanism;
 
 /// Seconds of a day.
@@ -45,6 +45,7 @@ pub const LIVE: Live = Live {
         Quantity { name: "engagements", label: "pins until within 1 %" },
         Quantity { name: "critical", label: "may jam from μ =" },
     ],
+    others: &[],
     drag: None,
     files: &[],
     draw,
@@ -72,7 +73,11 @@ fn draw(settings: &Settings) -> Result<Answer, String> {
                 shown(asked),
                 angle.to_degrees()
             ));
-            return Ok(Answer { message, ..Answer::new(figure, [critical]) });
+            let caption =
+                "The escapement with its driver at the angle where it may jam: with so much friction, its equation of \
+                           motion has no single solution there."
+                    .to_owned();
+            return Ok(Answer { message, ..Answer::new(Figure { caption, ..figure }, [critical]) });
         }
         other => other.map_err(words)?,
     };

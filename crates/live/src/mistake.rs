@@ -46,6 +46,7 @@ pub const LIVE: Live = Live {
         Quantity { name: "normal", label: "ln L, normal errors" },
         Quantity { name: "exponential", label: "ln L, exponential errors" },
     ],
+    others: &[],
     drag: None,
     files: &[],
     draw,

@@ -31,6 +31,7 @@ pub const LIVE: Live = Live {
         Quantity { name: "sliding", label: "sliding velocity vᵣₑₗ" },
         Quantity { name: "coriolis", label: "Coriolis acceleration 2 ω₄ vᵣₑₗ" },
     ],
+    others: &[],
     drag: Some(Drag { control: "crank", at_right: 0.0, sense: 1.0 }),
     files: &[],
     draw,

@@ -32,6 +32,7 @@ pub const LIVE: Live = Live {
         Quantity { name: "angle", label: "wheel angle φ" },
         Quantity { name: "index", label: "turn of the wheel for a pin" },
     ],
+    others: &[],
     drag: Some(Drag { control: "crank", at_right: 180.0, sense: -1.0 }),
     files: &[],
     draw,

@@ -3,7 +3,7 @@
 //! `GENEVA_FUZZ` sets how many questions are asked, `GENEVA_FUZZ_SEED` where the sequence starts; see CONTRIBUTING.md.
 
 use fastrand::Rng;
-use geneva_live::{LIVE, Live, answer};
+use geneva_live::{Arguments, LIVE, Live, answer};
 
 /// Questions of a normal test run.
 const QUESTIONS: u64 = 400;
@@ -180,6 +180,30 @@ fn data_of_the_page_cannot_be_replaced() {
         for pair in given.split('&') {
             let text = answer(&format!("{name}?{given}&{pair}"));
             assert!(text.contains("is given twice"), "{name} {pair}: {text}");
+        }
+    }
+}
+
+#[test]
+fn what_a_preset_makes_a_figure_say_is_short_numbers_and_of_its_own_drawing() {
+    for live in LIVE {
+        let given = GIVEN.iter().find(|(name, _)| *name == live.name).map_or("", |(_, given)| given);
+        for preset in live.presets {
+            let setting = format!("{given}&{}", preset.arguments);
+            let arguments = Arguments::parse(setting.trim_start_matches('&'));
+            let (message, caption) = match live.answer(&arguments.expect("arguments")) {
+                Ok(answer) => (answer.message.unwrap_or_default(), answer.figure.caption),
+                Err(message) => (message, String::new()),
+            };
+            for word in message.split(|c: char| !c.is_ascii_digit() && c != '.') {
+                let digits = word.chars().filter(char::is_ascii_digit).count();
+                assert!(digits <= 6, "{} {}: {word} in: {message}", live.name, preset.name);
+            }
+            assert!(!message.contains(" rad "), "{}: an angle is in degrees: {message}", live.name);
+            if live.name == "escapement" {
+                let jams = message.contains("no single solution");
+                assert_eq!(caption.contains("no single solution"), jams, "{}: {message} {caption}", preset.name);
+            }
         }
     }
 }

@@ -14,7 +14,7 @@ use anyhow::Context;
 use mdbook_driver::MDBook;
 use mdbook_preprocessor::Preprocessor;
 
-use crate::{libraries, minify, policy, search};
+use crate::{cards, libraries, minify, policy, search};
 use site::Site;
 pub use site::abandon;
 
@@ -48,6 +48,7 @@ fn render(book: &mut MDBook, new: &Path) -> anyhow::Result<()> {
     book.config.build.build_dir = new.to_owned();
     book.build()?;
     search::index(new)?;
+    cards::label(new)?;
     minify::trim(new)?;
     policy::add(new)?;
     list::write(new)

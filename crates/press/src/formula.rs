@@ -11,8 +11,9 @@ use math_core::{LatexError, LatexToMathML, MathCoreConfig, MathDisplay};
 
 /// The markup of one formula, on one line; it may stand in HTML and in Markdown alike, table cells included.
 ///
-/// A displayed formula comes in a `<span class="display">` that scrolls when it is wider than the page. What
-/// the book's font has no sign for is an error, and so is an equation that would be numbered without a `\tag`.
+/// A displayed formula comes in a `<span class="display">`, in [pieces](broken) between which its line may break; one that
+/// is aligned in a table has no such places, and scrolls where it is wider than the page. What the book's font has no sign
+/// for is an error, and so is an equation that would be numbered without a `\tag`.
 pub fn formula(tex: &str, display: bool) -> anyhow::Result<String> {
     let tex = tex.trim();
     // A display with a number of its own is an equation, whether it says so or not; its lines may be aligned.
@@ -20,7 +21,93 @@ pub fn formula(tex: &str, display: bool) -> anyhow::Result<String> {
     let wrapped =
         (display && tex.contains(r"\tag{") && is_equation).then(|| format!(r"\begin{{equation}}{tex}\end{{equation}}"));
     let markup = markup(wrapped.as_deref().unwrap_or(tex), display).with_context(|| format!("the formula `{tex}`"))?;
-    Ok(if display { format!("<span class=\"display\">{markup}</span>") } else { markup })
+    if !display {
+        return Ok(markup);
+    }
+    let in_one_row = markup.strip_prefix(NUMBERED[0]).and_then(|rest| rest.strip_suffix(NUMBERED[2]));
+    Ok(match in_one_row.and_then(|row| row.split_once(NUMBERED[1])).filter(|(row, _)| !row.contains("<mtr>")) {
+        Some((equation, number)) => {
+            let pieces = broken(&format!("<math display=\"block\">{equation}</math>"));
+            format!(
+                "<span class=\"display numbered{}\"><span>{pieces}</span><math>{number}</math></span>",
+                long(&pieces)
+            )
+        }
+        None => {
+            let pieces = broken(&markup);
+            format!("<span class=\"display{}\">{pieces}</span>", long(&pieces))
+        }
+    })
+}
+
+/// The class of a display with a piece of many signs, which is set smaller on a phone.
+fn long(pieces: &str) -> &'static str {
+    const MANY: usize = 24;
+    if pieces.split("</math>").any(|piece| signs(piece) > MANY) { " long" } else { "" }
+}
+
+/// How many letters, numbers and operators there are in a piece of markup.
+fn signs(markup: &str) -> usize {
+    ["<mi>", "<mn>", "<mo>", "<mo "].iter().map(|sign| markup.matches(sign).count()).sum()
+}
+
+/// What stands before, between and behind an equation in one row and its number.
+const NUMBERED: [&str; 3] = [
+    "<math display=\"block\"><mtable displaystyle=\"true\" scriptlevel=\"0\" style=\"width: 100%\"><mtr><mtd style=\"width: \
+     50%\"></mtd><mtd>",
+    "</mtd><mtd style=\"width: 50%;text-align: right;justify-items: end;\">",
+    "</mtd></mtr></mtable></math>",
+];
+
+/// A formula in pieces, each a `math` element: its line may break between them, as TeX breaks it, before a sign that relates
+/// or adds and behind a wide space, but not within braces, fractions and roots. No browser breaks inside one element. A
+/// formula of few signs fits every screen, and stays whole.
+pub fn broken(markup: &str) -> String {
+    const FEW: usize = 14;
+    if signs(markup) <= FEW {
+        return markup.to_owned();
+    }
+    let inner = markup.strip_prefix("<math display=\"block\">").or_else(|| markup.strip_prefix("<math>"));
+    let Some((inner, behind)) = inner.and_then(|inner| inner.split_once("</math>")) else { return markup.to_owned() };
+    let places = places(inner);
+    if places.is_empty() {
+        return markup.to_owned();
+    }
+    let starts = std::iter::once(0).chain(places.iter().copied());
+    let ends = places.iter().copied().chain([inner.len()]);
+    let pieces = starts.zip(ends).map(|(from, to)| {
+        let piece = &inner[from..to];
+        // At the beginning of a row a sign would be taken for that of a number.
+        let piece = if from == 0 { piece.to_owned() } else { piece.replacen("<mo", "<mo form=\"infix\"", 1) };
+        format!("<math>{piece}</math>")
+    });
+    pieces.collect::<String>() + behind
+}
+
+/// Where the row of a formula may break.
+fn places(inner: &str) -> Vec<usize> {
+    const SIGNS: [&str; 10] = ["=", "&lt;", "&gt;", "≤", "≥", "≈", "≠", "+", "−", "⇒"];
+    let (mut places, mut depth) = (Vec::new(), 0);
+    for (at, _) in inner.match_indices('<') {
+        let Some((tag, rest)) = inner[at..].split_once('>') else { break };
+        if tag.starts_with("</") {
+            depth -= 1;
+        } else if tag.ends_with('/') {
+            if depth == 0 && tag.starts_with("<mspace width=\"2em\"") {
+                places.push(at + tag.len() + 1);
+            }
+        } else {
+            // A sign of a number says that it has no space before it.
+            let is_sign = ["<mo", "<mo rspace=\"0\""].contains(&tag);
+            if depth == 0 && is_sign && rest.split('<').next().is_some_and(|sign| SIGNS.contains(&sign)) {
+                places.push(at);
+            }
+            depth += 1;
+        }
+    }
+    places.retain(|place| (1..inner.len()).contains(place));
+    places.dedup();
+    places
 }
 
 fn markup(tex: &str, display: bool) -> anyhow::Result<String> {
@@ -154,12 +241,25 @@ mod tests {
     fn a_display_may_bear_the_number_of_its_source() {
         let markup = formula(r"a = b \tag{1-7}", true).expect("an equation");
         assert!(markup.contains("1") && !markup.contains("tag"), "{markup}");
+        assert!(
+            markup.starts_with("<span class=\"display numbered\"><span><math") && !markup.contains("<mtable"),
+            "{markup}"
+        );
         assert!(formula(r"a = b \tag{1-7}", false).is_err(), "a formula in a line has no number");
     }
 
     #[test]
     fn mathml_and_nothing_else() {
         assert_eq!(formula("a_1", false).unwrap(), "<math><msub><mi>a</mi><mn>1</mn></msub></math>");
+        let broken = formula("a_1 a_2 a_3 a_4 = -b_1 b_2 b_3 b_4 + c", true).unwrap();
+        let pieces: Vec<&str> = broken.split("<math>").collect();
+        assert_eq!(pieces.len(), 4, "{broken}");
+        assert!(
+            pieces[2].starts_with("<mo form=\"infix\"") && pieces[3].starts_with("<mo form=\"infix\">+"),
+            "{broken}"
+        );
+        let whole = formula("\\frac{a_1 a_2 a_3 a_4 + b_1 b_2 b_3 b_4}{c = d}", true).unwrap();
+        assert_eq!(whole.matches("<math").count(), 1, "{whole}");
         let display = formula(" a ", true).unwrap();
         assert_eq!(display, "<span class=\"display\"><math display=\"block\"><mi>a</mi></math></span>");
     }

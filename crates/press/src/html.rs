@@ -3,11 +3,16 @@
 use crate::maths;
 use std::panic::Location;
 
-/// Text as HTML that stands in Markdown and in HTML blocks alike: no character of it is markup in either.
+/// Text as HTML that stands in Markdown and in HTML blocks alike: no character of it is markup in either, and no dashes
+/// or points are joined to a typographer's one.
 pub fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
+    let (mut before, mut rest) = (' ', text.chars().peekable());
+    while let Some(c) = rest.next() {
+        let is_one_of_many = before == c || rest.peek() == Some(&c);
+        before = c;
         match c {
+            '-' | '.' if is_one_of_many => out.push_str(&format!("&#{};", u32::from(c))),
             '&' => out.push_str("&amp;"),
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
@@ -175,6 +180,7 @@ mod tests {
     #[test]
     fn no_character_is_left_that_markdown_or_html_would_take() {
         assert_eq!(escape("a<b & c_d*e"), "a&lt;b &amp; c&#95;d&#42;e");
+        assert_eq!(escape("--set a-b ... c."), "&#45;&#45;set a-b &#46;&#46;&#46; c.");
         assert_eq!(tex_or_text("10 mm").expect("text"), "10 mm");
         assert!(tex_or_text(r"\sqrt{2}").expect("TeX").contains("math"));
     }

@@ -6,6 +6,7 @@
 
 // The book.
 pub mod building;
+mod cards;
 mod edition;
 mod libraries;
 mod minify;

@@ -15,9 +15,9 @@ use std::f64::consts::PI;
 const ON_A_PAGE: f64 = 560.0;
 /// Free space at the edges, and from the bodies to the first line of dimensions, in pixels.
 const MARGIN: f64 = 30.0;
-const TO_FIRST: f64 = 40.0;
+const TO_FIRST: f64 = 32.0;
 /// From one line of dimensions, or of words, to the next.
-const ROW: f64 = 44.0;
+const ROW: f64 = 36.0;
 const LINE: f64 = 30.0;
 /// Coordinates are written to so many decimals of a pixel.
 const DECIMALS: usize = 3;
@@ -37,9 +37,9 @@ pub fn dimensions(sizes: &Sizes) -> Figure {
     drawn(sizes, PIXELS_PER_MILLIMETRE, Kind::TrueSize)
 }
 
-/// The same as large as a page has room for.
+/// Wheel and driver as large as a page has room for.
 ///
-/// Series: as of [`dimensions`].
+/// Only the dimensions along the line of centres are in the drawing. Series: as of [`dimensions`].
 pub fn dimensions_on_a_page(sizes: &Sizes) -> Figure {
     let length = sizes.tip_radius + sizes.centre_distance + sizes.plate_radius;
     drawn(sizes, ON_A_PAGE / length, Kind::Mechanism)
@@ -54,19 +54,21 @@ fn drawn(sizes: &Sizes, scale: f64, kind: Kind) -> Figure {
     let right = above.right.max(below.right).max((c + reach) * scale).max(left + COLUMN);
     let half = sizes.tip_radius.max(reach) * scale;
     let listed = list(sizes);
-    let lines = listed.len().div_ceil(((right - left) / COLUMN).max(1.0) as usize).max(1);
+    let in_drawing = if is_true { listed.as_slice() } else { &[] };
+    let lines = in_drawing.len().div_ceil(((right - left) / COLUMN).max(1.0) as usize);
     let width = right - left + 2.0 * MARGIN;
     let pivot = Vector2::new(MARGIN - left, MARGIN + above.height() + half);
     let words = pivot.y + half + below.height() + MARGIN;
 
     let view = View { origin: pivot, scale };
-    let mut canvas = Canvas::new(width, words + LINE * lines as f64 + MARGIN);
+    let list = if is_true { LINE * lines as f64 + MARGIN } else { 0.0 };
+    let mut canvas = Canvas::new(width, words + list);
     bodies(&mut canvas, sizes, &view);
     above.draw(&mut canvas, &view, -half, -1.0);
     below.draw(&mut canvas, &view, half, 1.0);
     let unit = Label::words(if is_true { "scale 1 : 1, lengths in mm" } else { "lengths in mm" });
     canvas.label(&Pixels::new(MARGIN, words - 0.5 * LINE), &Pixels::new(1.0, 0.0), 0.0, &unit);
-    for (k, (name, value)) in listed.iter().enumerate() {
+    for (k, (name, value)) in in_drawing.iter().enumerate() {
         let (column, line) = (k / lines, k % lines);
         let at = Pixels::new(MARGIN + COLUMN * column as f64, words + LINE * (line as f64 + 0.5));
         canvas.label(&at, &Pixels::new(1.0, 0.0), 0.0, &Label::words(&format!("{name} {}", trimmed(*value, DIGITS))));

@@ -1,6 +1,7 @@
 //! Of the language: what the escapement's deck gives of the thesis's tables.
 
 use super::Number;
+use crate::html::escape;
 use anyhow::Context;
 use geneva_ledger::claim;
 use geneva_ledger::meyer::runs::{self, Column, Reset, deck, rows};
@@ -17,7 +18,7 @@ pub const NUMBERS: &[(&str, Number)] = &[
 /// What makes the escapement's deck that of the thesis, as options of the command line.
 fn as_listed() -> String {
     let set = deck::AS_LISTED.iter().filter_map(|(name, id)| Some(format!("--set {name}={}", claim(id)?.printed)));
-    format!("<code>{}</code>", set.collect::<Vec<_>>().join(" "))
+    format!("<code>{}</code>", escape(&set.collect::<Vec<_>>().join(" ")))
 }
 
 /// In how many rows a column comes within one unit of the last printed place.

@@ -2,6 +2,7 @@
 
 use super::errata::{entries, right};
 use super::inline::{badge, linked_page, with_unit};
+use crate::formula::broken;
 use crate::html::{Cells, Table, escape, table, tex_or_text};
 use crate::lookup;
 use anyhow::{Context, anyhow};
@@ -23,7 +24,12 @@ fn slips(caption: &str, of: fn(&Judged) -> bool) -> anyhow::Result<Table> {
         let claim = judged.claim;
         let printed = with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?;
         Ok(vec![
-            format!("<a href=\"#slip-{}\">{}</a><div class=\"form\">{printed}</div>", slip.id, escape(claim.meaning)),
+            format!(
+                "<a href=\"#slip-{}\">{}</a><div class=\"form\">{}</div>",
+                slip.id,
+                escape(claim.meaning),
+                broken(&printed)
+            ),
             format!("{} <div>{}</div>", right(judged)?, escape(slip.changes)),
         ])
     });

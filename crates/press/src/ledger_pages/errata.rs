@@ -2,7 +2,7 @@
 
 use super::findings::how;
 use super::inline::{badge, linked_id, rounded, with_unit};
-use crate::formula::changed;
+use crate::formula::{broken, changed};
 use crate::html::{Cells, Table, escape, table, tex_or_text};
 use crate::lookup;
 use crate::pages::page_of_slip;
@@ -103,8 +103,8 @@ pub fn entries(judged: &Judged, places: &Places, in_full_detail: bool) -> anyhow
     let mut out = "<dl>\n".to_owned();
     let mut entry = |term: &str, text: String| out.push_str(&format!("<dt>{term}</dt><dd>{text}</dd>\n"));
     let (printed, corrected) = (in_full(claim), judged.corrected().unwrap_or_default());
-    entry("Printed", with_unit(&changed(&printed, &corrected)?, claim.unit)?);
-    entry("Right", with_unit(&changed(&corrected, &printed)?, claim.unit)?);
+    entry("Printed", with_unit(&broken(&changed(&printed, &corrected)?), claim.unit)?);
+    entry("Right", with_unit(&broken(&changed(&corrected, &printed)?), claim.unit)?);
     if !slip.changes.is_empty() {
         entry("What it does", escape(slip.changes) + &numbers(places));
     }

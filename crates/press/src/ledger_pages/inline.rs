@@ -1,5 +1,6 @@
 //! Pieces of the ledger inside a sentence.
 
+use crate::formula::broken;
 use crate::html::{escape, tex_or_text};
 use crate::pages::address_of_claim;
 use crate::{lookup, maths, numbers};
@@ -67,12 +68,12 @@ pub fn note(id: &str) -> anyhow::Result<String> {
         badge(judged.verdict)
     );
     let mut entry = |term: &str, text: String| out.push_str(&format!("<dt>{term}</dt><dd>{text}</dd>\n"));
-    entry("Printed", with_unit(&tex_or_text(&in_full(claim))?, claim.unit)?);
+    entry("Printed", with_unit(&broken(&tex_or_text(&in_full(claim))?), claim.unit)?);
     if let Some(number) = computed(judged) {
         entry("Computed", with_unit(&number, claim.unit)?);
     }
     if let Some(corrected) = judged.corrected() {
-        entry("Right", with_unit(&tex_or_text(&corrected)?, claim.unit)?);
+        entry("Right", with_unit(&broken(&tex_or_text(&corrected)?), claim.unit)?);
     }
     let evidence: Vec<_> = claim.check.evidence().iter().map(ToString::to_string).collect();
     if !evidence.is_empty() {

@@ -7,6 +7,7 @@ use super::findings::how;
 use super::inline::{computed, place, rounded, with_unit};
 use super::open;
 use crate::data::{FOLDER, File};
+use crate::formula::broken;
 use crate::formula::changed;
 use crate::html::{escape, tex_or_text};
 use crate::lookup;
@@ -101,7 +102,7 @@ fn row(judged: &Judged) -> anyhow::Result<String> {
     let printed = match computed(judged) {
         Some(computed) => format!("<div>{printed}, computed {computed}{}</div>", right(judged)),
         // A form may be wider than the page.
-        None => format!("<div class=\"form\">{printed}</div>"),
+        None => format!("<div class=\"form\">{}</div>", broken(&printed)),
     };
     let found = found(judged);
     let found = if found.is_empty() { found } else { format!("<small>{found}</small>") };

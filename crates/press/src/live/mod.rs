@@ -12,7 +12,7 @@ use geneva_figures::Figure;
 use geneva_kinematics::Mechanism;
 use geneva_ledger::meyer::runs::{Column, Hypothesis, SixPin, delay, duration, interval, rows};
 use geneva_ledger::quick_return::Instant as Lever;
-use geneva_live::{Answer, Arguments, Control, Kind, LIVE, Live, shown};
+use geneva_live::{Answer, Arguments, Control, Kind, LIVE, Live, Quantity, shown};
 
 /// What stands in the book beside a figure's own: the data of a source that it is asked with, and the claims to which its
 /// numbers lead.
@@ -97,43 +97,48 @@ fn html(live: &Live, answer: &Answer) -> anyhow::Result<String> {
         .files
         .iter()
         .map(|file| format!(" <button type=\"button\" data-file=\"{}\">{}</button>", file.name, escape(file.label)));
-    let numbers: Vec<String> = live
-        .quantities
-        .iter()
-        .map(|quantity| {
-            let claim = told(live.name)?.claims.iter().find(|(of, _)| *of == quantity.name);
-            let label = escape(quantity.label);
-            let label = match claim {
-                Some((_, id)) => {
-                    format!("<a href=\"{}\">{label}</a>", address_of_claim(lookup::judged(id)?.claim.id))
-                }
-                None => label,
-            };
-            let text = answer.numbers.iter().find(|number| number.name == quantity.name);
-            let text = text.map_or("–", |number| number.text.as_str());
-            Ok(format!(
-                "<div><dt>{label}</dt><dd><output name=\"{}\">{}</output></dd></div>",
-                quantity.name,
-                escape(text)
-            ))
-        })
-        .collect::<anyhow::Result<_>>()?;
+    let others = if live.others.is_empty() {
+        String::new()
+    } else {
+        format!("\n<dl class=\"others\">{}</dl>", told_of(live, live.others, answer)?)
+    };
     Ok(format!(
-        "<div class=\"drawing\">\n{}\n</div>\n<form hidden>\n<p class=\"hint\"><strong>Try this.</strong> {}</p>\n<div \
-         class=\"moved\">{}</div>\n<p class=\"buttons\"><button type=\"button\" data-do=\"play\">Play</button><button type=\"button\" \
-         data-do=\"back\" aria-label=\"One step back\">◂</button><button type=\"button\" data-do=\"forth\" aria-label=\"One step \
-         forward\">▸</button><button type=\"button\" data-do=\"reset\">Reset</button>{} <a data-do=\"link\" \
-         href=\"#fig-{}\">Link to this setting</a>{}</p>\n<dl aria-live=\"polite\">{}</dl>\n<div role=\"status\"><p \
-         class=\"ignored\"></p>\n<p class=\"message\"></p>\n<p class=\"stale\" hidden>There are no numbers for this setting. The drawing is still that of the \
-         last one that was possible.</p></div>\n</form>",
+        "<div class=\"shown\">\n<div class=\"drawing\">\n{}\n</div>\n<dl class=\"results\" aria-live=\"polite\">{}</dl>\n<div \
+         role=\"status\"><p class=\"ignored\"></p>\n<p class=\"message\"></p>\n<p class=\"stale\" hidden>There are no numbers for \
+         this setting. The drawing is still that of the last one that was possible.</p></div>\n</div>\n<form hidden>\n<p \
+         class=\"hint\"><strong>Try this.</strong> {}</p>\n<div class=\"moved\">{}</div>\n<p class=\"buttons\"><button \
+         type=\"button\" data-do=\"play\">Play</button><button type=\"button\" data-do=\"back\" aria-label=\"One step \
+         back\">◂</button><button type=\"button\" data-do=\"forth\" aria-label=\"One step forward\">▸</button><button \
+         type=\"button\" data-do=\"reset\">Reset</button>{} <a data-do=\"link\" href=\"#fig-{}\">Link to this \
+         setting</a>{}</p>\n</form>{others}",
         answer.figure.svg.trim_end(),
+        told_of(live, live.quantities, answer)?,
         escape(live.hint),
         rows.concat(),
         presets.collect::<String>(),
         live.figure,
         files.collect::<String>(),
-        numbers.concat(),
     ))
+}
+
+/// Quantities with their numbers; a label leads to the claim that says the same of one setting, if there is one.
+fn told_of(live: &Live, quantities: &[Quantity], answer: &Answer) -> anyhow::Result<String> {
+    let claims = told(live.name)?.claims;
+    let entry = |quantity: &Quantity| {
+        let claim = claims.iter().find(|(of, _)| *of == quantity.name);
+        let label = escape(quantity.label);
+        let label = match claim {
+            Some((_, id)) => {
+                format!("<a href=\"{}\">{label}</a>", address_of_claim(lookup::judged(id)?.claim.id))
+            }
+            None => label,
+        };
+        let text = answer.numbers.iter().find(|number| number.name == quantity.name);
+        let text = text.map_or("–", |number| number.text.as_str());
+        let output = format!("<output name=\"{}\">{}</output>", quantity.name, escape(text));
+        Ok(format!("<div><dt>{label}</dt> <dd>{output}</dd></div>"))
+    };
+    Ok(quantities.iter().map(entry).collect::<anyhow::Result<Vec<String>>>()?.concat())
 }
 
 fn attributes(live: &Live) -> anyhow::Result<String> {
