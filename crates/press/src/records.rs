@@ -135,7 +135,7 @@ fn versioned(what: &'static str, rows: impl Iterator<Item = Row>) -> anyhow::Res
 
 /// What was lost or changed on the way from paper to the copies.
 pub fn slips_of_copies() -> impl Iterator<Item = &'static Places> {
-    slips().iter().filter(|places| places.slip.consequence == Consequence::Copy)
+    slips().iter().filter(|places| places.slip.consequence == Consequence::Copy && places.is_of_a_document())
 }
 
 /// Every entry of every line of the documents.

@@ -23,7 +23,7 @@ const GROUPS: [Group; 5] = [
     Group {
         name: "rise-times",
         title: "What is a rise time?",
-        ids: &["meyer.app-e.*.rise", "meyer.fig-8.rise", "meyer.fig-10.rise-axis"],
+        ids: &["meyer.app-e.*.rise", "meyer.fig-8.rise", "meyer.fig-10.rise-axis", "meyer.less-friction"],
     },
     Group {
         name: "drawings",
@@ -32,9 +32,11 @@ const GROUPS: [Group; 5] = [
             "quick-return.figure",
             "quick-return.sense-of-sliding",
             "quick-return.lever-acceleration-sense",
+            "jazar.fig-5.28-sense",
             "jazar.fig-5.30",
             "meyer.fig-1",
             "meyer.fig-2",
+            "meyer.fig-3",
             "meyer.fig-6",
             "meyer.fig-7",
             "meyer.fig-8",
@@ -54,6 +56,7 @@ const GROUPS: [Group; 5] = [
             "meyer.app-b.must-be-solved",
             "meyer.app-b.simultaneous",
             "meyer.app-b.first-seven-cards",
+            "meyer.app-b.delay",
             "meyer.listing.delay-third",
             "meyer.app-d.needed",
         ],
