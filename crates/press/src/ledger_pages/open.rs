@@ -177,7 +177,7 @@ mod tests {
             let heading = format!("## {} {{#{}}}\n", group.title, group.name);
             let section = PAGE.split_once(&heading).map(|(_, rest)| rest.split("\n## ").next().unwrap_or_default());
             let section = section.unwrap_or_else(|| panic!("the page has no `{heading}`"));
-            for part in ["{{open:", "{{open-count:", "**What we tried.**", "**What would settle it.**"] {
+            for part in ["{{open:", "{{open-count:", "**Tried so far.**", "**Still needed.**"] {
                 assert!(section.contains(part), "{}: {part}", group.title);
             }
             assert!(section.contains(&format!("{{{{open:{}}}}}", group.name)), "{}", group.title);
