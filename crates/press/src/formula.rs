@@ -11,7 +11,7 @@ use math_core::{LatexError, LatexToMathML, MathCoreConfig, MathDisplay};
 
 /// The markup of one formula, on one line; it may stand in HTML and in Markdown alike, table cells included.
 ///
-/// A displayed formula comes in a `<span class="display">`, in [pieces](broken) between which its line may break; one that
+/// A displayed formula comes in a `<span class="display">`, in pieces between which its line may break; one that
 /// is aligned in a table has no such places, and scrolls where it is wider than the page. What the book's font has no sign
 /// for is an error, and so is an equation that would be numbered without a `\tag`.
 pub fn formula(tex: &str, display: bool) -> anyhow::Result<String> {
