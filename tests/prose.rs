@@ -33,7 +33,13 @@ struct Sentence<'a> {
     words: Vec<String>,
 }
 
-impl Sentence<'_> {
+impl<'a> Sentence<'a> {
+    fn new(page: &'a str, text: String) -> Self {
+        let bare = |word: &str| word.trim_matches(|of: char| !of.is_alphanumeric()).replace('’', "'").to_lowercase();
+        let words = text.split_whitespace().map(bare).filter(|word| !word.is_empty()).collect();
+        Self { page, text, words }
+    }
+
     /// Whether these words stand in it, one after another; each place allows several, parted by `|`.
     fn has(&self, wanted: &str) -> bool {
         let wanted: Vec<Vec<&str>> = wanted.split(' ').map(|place| place.split('|').collect()).collect();
@@ -97,15 +103,8 @@ fn sentences(block: &str) -> Vec<String> {
     let ends = |word: &str, next: &str| {
         word.ends_with(['.', '?', '!']) && next.starts_with(|first: char| first.is_uppercase() || "“(".contains(first))
     };
-    let pairs = words.iter().zip(words.iter().skip(1).map(Some).chain([None]));
-    let mut found = vec![Vec::new()];
-    for (word, next) in pairs {
-        found.last_mut().expect("never empty").push(*word);
-        if next.is_some_and(|next| ends(word, next)) {
-            found.push(Vec::new());
-        }
-    }
-    found.into_iter().filter(|words| words.len() >= 3).map(|words| words.join(" ")).collect()
+    let parts = words.chunk_by(|word, next| !ends(word, next));
+    parts.filter(|words| words.len() >= 3).map(|words| words.join(" ")).collect()
 }
 
 fn all() -> Vec<Sentence<'static>> {
@@ -119,12 +118,7 @@ fn all() -> Vec<Sentence<'static>> {
             if !block.trim_end().ends_with(['.', ':', '?', '!', ')']) || block.split_whitespace().count() < 4 {
                 continue;
             }
-            for text in sentences(&block) {
-                let bare =
-                    |word: &str| word.trim_matches(|of: char| !of.is_alphanumeric()).replace('’', "'").to_lowercase();
-                let words = text.split_whitespace().map(bare).filter(|word| !word.is_empty()).collect();
-                all.push(Sentence { page, text, words });
-            }
+            all.extend(sentences(&block).into_iter().map(|text| Sentence::new(page, text)));
         }
     }
     all
@@ -209,11 +203,7 @@ fn the_prose_keeps_its_bounds() {
 
 #[test]
 fn each_habit_is_noticed() {
-    let of = |text: &str| {
-        let words = text.split_whitespace();
-        let bare = |word: &str| word.trim_matches(|of: char| !of.is_alphanumeric()).to_lowercase();
-        Sentence { page: "made-up", text: text.to_owned(), words: words.map(bare).collect() }
-    };
+    let of = |text: &str| Sentence::new("made-up", text.to_owned());
     let stilted = [
         "The speed is that of the driver.",
         "Who takes the one for the other plans a slow machine.",

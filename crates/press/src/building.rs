@@ -8,6 +8,7 @@ mod list;
 mod place;
 mod site;
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::Context;
@@ -48,10 +49,30 @@ fn render(book: &mut MDBook, new: &Path) -> anyhow::Result<()> {
     book.config.build.build_dir = new.to_owned();
     book.build()?;
     search::index(new)?;
-    cards::label(new)?;
-    minify::trim(new)?;
-    policy::add(new)?;
+    finish(new)?;
     list::write(new)
+}
+
+/// Puts the last hand to the style sheets, scripts and pages of a built book. A page must not change after it has its policy.
+fn finish(book: &Path) -> anyhow::Result<()> {
+    let entries = fs::read_dir(book).with_context(|| format!("cannot read {}", book.display()))?;
+    for entry in entries {
+        let path = entry.with_context(|| format!("cannot read {}", book.display()))?.path();
+        if path.is_dir() {
+            finish(&path)?;
+            continue;
+        }
+        let finished: fn(&str) -> anyhow::Result<String> = match path.extension().and_then(|kind| kind.to_str()) {
+            Some("css") => |text| Ok(minify::style(text)),
+            Some("js") => |text| Ok(minify::script(text)),
+            Some("html") => |text| policy::guarded(&minify::page(&cards::labelled(text))),
+            _ => continue,
+        };
+        let text = fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
+        let text = finished(&text).with_context(|| format!("cannot finish {}", path.display()))?;
+        fs::write(&path, text).with_context(|| format!("cannot write {}", path.display()))?;
+    }
+    Ok(())
 }
 
 /// Compiles and runs every Rust block of the book of the workspace `root`.

@@ -2,30 +2,12 @@
 //! behind what it is a value of.
 
 use crate::html::{escape, plain};
-use anyhow::Context;
-use std::fs;
-use std::path::Path;
 
 /// What mdBook puts about a table of Markdown.
 const TABLE: &str = "<div class=\"table-wrapper\">";
 
-/// Labels the cells of the tables on all pages in `book`.
-pub fn label(book: &Path) -> anyhow::Result<()> {
-    let entries = fs::read_dir(book).with_context(|| format!("cannot read {}", book.display()))?;
-    for entry in entries {
-        let path = entry.with_context(|| format!("cannot read {}", book.display()))?.path();
-        if path.extension().is_none_or(|kind| kind != "html") {
-            continue;
-        }
-        let text = fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
-        if text.contains(TABLE) {
-            fs::write(&path, labelled(&text)).with_context(|| format!("cannot write {}", path.display()))?;
-        }
-    }
-    Ok(())
-}
-
-fn labelled(page: &str) -> String {
+/// A page with labels in the cells of its tables.
+pub fn labelled(page: &str) -> String {
     let mut parts = page.split(TABLE);
     let mut out = parts.next().unwrap_or_default().to_owned();
     for part in parts {

@@ -3,36 +3,8 @@
 //! Nothing depends on it. The book that plain `mdbook build book` makes looks and works the same; its pages
 //! are nearly forty kilobytes heavier.
 
-use std::fs;
-use std::path::Path;
-
-use anyhow::Context;
-
-/// Drops comments and indentation from the style sheets, the scripts and the frames of all pages in `book`.
-///
-/// The text of a chapter, between `<main>` and `</main>`, is not touched.
-pub fn trim(book: &Path) -> anyhow::Result<()> {
-    let entries = fs::read_dir(book).with_context(|| format!("cannot read {}", book.display()))?;
-    for entry in entries {
-        let path = entry.with_context(|| format!("cannot read {}", book.display()))?.path();
-        if path.is_dir() {
-            trim(&path)?;
-            continue;
-        }
-        let trimmer: fn(&str) -> String = match path.extension().and_then(|kind| kind.to_str()) {
-            Some("css") => style,
-            Some("js") => script,
-            Some("html") => page,
-            _ => continue,
-        };
-        let text = fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
-        fs::write(&path, trimmer(&text)).with_context(|| format!("cannot write {}", path.display()))?;
-    }
-    Ok(())
-}
-
 /// Without comments, indentation and line ends; a comment that opens the file, where a licence stands, is kept.
-fn style(css: &str) -> String {
+pub fn style(css: &str) -> String {
     let (opening, mut rest) = match css.find("*/") {
         Some(end) if css.starts_with("/*") => css.split_at(end + 2),
         _ => ("", css),
@@ -55,7 +27,7 @@ fn style(css: &str) -> String {
 }
 
 /// Without indentation, empty lines and lines that are comments; a comment that opens the file is kept.
-fn script(js: &str) -> String {
+pub fn script(js: &str) -> String {
     let opening = js.lines().take_while(|line| line.starts_with("//")).count();
     let kept = js.lines().enumerate().filter(|(at, line)| {
         let line = line.trim_start();
@@ -65,7 +37,7 @@ fn script(js: &str) -> String {
 }
 
 /// Without indentation, empty lines and comments around the text of the chapter.
-fn page(html: &str) -> String {
+pub fn page(html: &str) -> String {
     match (html.find("<main>"), html.rfind("</main>")) {
         (Some(start), Some(end)) if start < end => {
             format!("{}{}{}", frame(&html[..start]), &html[start..end], frame(&html[end..]))

@@ -13,31 +13,14 @@ use html5ever::tokenizer::{
 use sha2::{Digest, Sha256};
 use std::cell::RefCell;
 use std::collections::BTreeSet;
-use std::fs;
-use std::path::Path;
 
 use crate::base64::base64;
 
 /// The element behind which the policy stands: as the pages have it, and as those that lead on to another have it.
 const BEFORE: [&str; 2] = ["<meta charset=\"UTF-8\">", "<meta charset=\"utf-8\">"];
 
-/// Puts its policy into each page of a built book. The pages must not change afterwards.
-pub fn add(book: &Path) -> anyhow::Result<()> {
-    for entry in fs::read_dir(book).with_context(|| format!("cannot read {}", book.display()))? {
-        let path = entry.with_context(|| format!("cannot read {}", book.display()))?.path();
-        if path.is_dir() {
-            add(&path)?;
-        } else if path.extension().is_some_and(|kind| kind == "html") {
-            let page = fs::read_to_string(&path).with_context(|| format!("cannot read {}", path.display()))?;
-            let guarded = guarded(&page).with_context(|| format!("{} cannot have a policy", path.display()))?;
-            fs::write(&path, guarded).with_context(|| format!("cannot write {}", path.display()))?;
-        }
-    }
-    Ok(())
-}
-
 /// A page with its policy, which is the first thing that a browser reads.
-fn guarded(page: &str) -> anyhow::Result<String> {
+pub fn guarded(page: &str) -> anyhow::Result<String> {
     let split = BEFORE.iter().find_map(|before| page.split_once(before).map(|(head, rest)| (head, before, rest)));
     let (head, before, rest) = split.with_context(|| format!("it has no `{}`", BEFORE[0]))?;
     ensure!(!head.contains("<script"), "a script stands before `{before}`");

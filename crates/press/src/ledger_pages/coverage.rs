@@ -4,7 +4,7 @@ use crate::html::{Cells, table};
 use crate::lookup;
 use crate::records::slips_of_copies;
 use anyhow::bail;
-use geneva_ledger::{Entry, Line, Work};
+use geneva_ledger::{Entry, Line, Places, Work};
 
 /// How much of each document the claims account for, and which characters its copy has lost or changed.
 pub fn page() -> anyhow::Result<String> {
@@ -15,7 +15,7 @@ pub fn page() -> anyhow::Result<String> {
     let head = ["Source", "Lines", "Numbers", "Claims", "Exceptions", "Characters of the copy"];
     let sums = table("Coverage of the sources", Cells::NamedNumbers, &head, rows)?.html();
     // As text, not as code: there are many. Each bears the anchor that it had on a page of its own.
-    let copies = slips_of_copies().map(|places| {
+    let copies = of_documents().map(|places| {
         let id = places.slip.id;
         format!("<a id=\"slip-{id}\" href=\"{}\">{id}</a>", crate::pages::address_of_claim(id))
     });
@@ -24,6 +24,11 @@ pub fn page() -> anyhow::Result<String> {
         "{sums}\n\n## Characters of the copies {{#copies}}\n\nWe read the sources from copies that a machine has made of paper. At \
          these places a character of the copy is wrong, and the context demands another: {copies}.\n"
     ))
+}
+
+/// What the copies of the documents have lost or changed.
+fn of_documents() -> impl Iterator<Item = &'static Places> {
+    slips_of_copies().filter(|places| places.is_of_a_document())
 }
 
 /// The sums of a source.
@@ -37,7 +42,7 @@ fn row(work: Work, lines: &[Line]) -> anyhow::Result<Vec<String>> {
         lines.iter().map(|line| line.numbers.len()).sum(),
         lookup::of_work(work).count(),
         entries().filter(|entry| matches!(entry, Entry::Exception { .. })).count(),
-        slips_of_copies().filter(|places| places.main().claim.work == work).count(),
+        of_documents().filter(|places| places.main().claim.work == work).count(),
     ];
     Ok([vec![work.to_string()], sums.map(|sum| sum.to_string()).into()].concat())
 }
@@ -49,7 +54,7 @@ mod tests {
     #[test]
     fn every_character_of_a_copy_is_counted_with_its_source_and_has_an_anchor() {
         let page = page().expect("a page");
-        let all = slips_of_copies().count();
+        let all = of_documents().count();
         assert_eq!(page.matches("<a id=\"slip-").count(), all);
         let of = |work: &Work| row(*work, work.inventory().expect("lines")).expect("a row")[5].parse::<usize>();
         assert_eq!(Work::DOCUMENTS.iter().map(|work| of(work).expect("a number")).sum::<usize>(), all);

@@ -102,9 +102,9 @@ pub fn entries(judged: &Judged, places: &Places, in_full_detail: bool) -> anyhow
     let (claim, slip) = (judged.claim, &places.slip);
     let mut out = "<dl>\n".to_owned();
     let mut entry = |term: &str, text: String| out.push_str(&format!("<dt>{term}</dt><dd>{text}</dd>\n"));
-    let (printed, corrected) = (in_full(claim), judged.corrected().unwrap_or_default());
-    entry("Printed", with_unit(&broken(&changed(&printed, &corrected)?), claim.unit)?);
-    entry("Right", with_unit(&broken(&changed(&corrected, &printed)?), claim.unit)?);
+    let [printed, corrected] = forms(judged)?;
+    entry("Printed", printed);
+    entry("Right", corrected);
     if !slip.changes.is_empty() {
         entry("What it does", escape(slip.changes) + &numbers(places));
     }
@@ -117,6 +117,13 @@ pub fn entries(judged: &Judged, places: &Places, in_full_detail: bool) -> anyhow
     let more = if in_full_detail { String::new() } else { more };
     out.push_str(&format!("</dl>\n<p>{}{more}</p>", linked_id(claim.id)));
     Ok(out)
+}
+
+/// The printed characters and what should stand in their place, with what differs between the two marked in each.
+pub fn forms(judged: &Judged) -> anyhow::Result<[String; 2]> {
+    let (printed, corrected) = (in_full(judged.claim), judged.corrected().unwrap_or_default());
+    let form = |of: &str, other: &str| with_unit(&broken(&changed(of, other)?), judged.claim.unit);
+    Ok([form(&printed, &corrected)?, form(&corrected, &printed)?])
 }
 
 /// How an erratum was found.

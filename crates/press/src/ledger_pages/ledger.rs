@@ -3,12 +3,12 @@
 //! What is known of all claims together weighs more than all rows. It stands in a script of its own, which the page loads
 //! when the first claim is opened. Without scripts every row is there, and `claims.json` has the rest.
 
+use super::errata::forms;
 use super::findings::how;
 use super::inline::{computed, place, rounded, with_unit};
 use super::open;
 use crate::data::{FOLDER, File};
 use crate::formula::broken;
-use crate::formula::changed;
 use crate::html::{escape, tex_or_text};
 use crate::lookup;
 use crate::pages::{SECTIONS, Section, page_of_slip};
@@ -167,10 +167,10 @@ fn details(judged: &Judged) -> anyhow::Result<String> {
     let missing = if evidence.is_empty() { "What is missing" } else { "How it was checked" };
     entry(missing, how(judged));
     if let Some(erratum) = &claim.erratum {
-        if let Some(corrected) = judged.corrected() {
-            let printed = in_full(claim);
-            entry("Printed", with_unit(&changed(&printed, &corrected)?, claim.unit)?);
-            entry("Right", with_unit(&changed(&corrected, &printed)?, claim.unit)?);
+        if judged.corrected().is_some() {
+            let [printed, corrected] = forms(judged)?;
+            entry("Printed", printed);
+            entry("Right", corrected);
         }
         entry("Why", escape(erratum.slip.reason));
         entry("Second witness", escape(erratum.slip.witness));
