@@ -196,9 +196,10 @@ impl Look<'_> {
         self.browser.evaluate(&format!("geneva.load({})", json!(address(&crate::path(AXE)))));
         let read = self.browser.evaluate("geneva.content()");
         self.check("geneva.keyboard()");
-        // The page follows the system from light to dark; that it also begins in the dark is a test of its own.
-        for medium in [Medium::Light, Medium::Dark] {
-            for width in WIDTHS {
+        // The page follows the system from light to dark; that it also begins in the dark is a test of its own. At each width
+        // first the one and then the other: a new width takes the browser much longer than new colours.
+        for width in WIDTHS {
+            for medium in [Medium::Light, Medium::Dark] {
                 self.turn(width, medium);
                 if width < WIDE {
                     self.browser.evaluate("geneva.closeList()");

@@ -527,7 +527,12 @@ fn colour_is_shown_when_asked_for_and_no_color_wins() {
 #[test]
 fn a_reader_that_has_seen_enough_is_no_error() {
     let jazar = ["claims", "--source", "jazar"];
-    for arguments in [&jazar[..], &[&jazar[..], &["--format", "json"]].concat(), &["errata"], &["completions", "zsh"]] {
+    for arguments in [
+        &jazar[..],
+        &[&jazar[..], &["--format", "json"]].concat(),
+        &["mimic", "run", "escapement"],
+        &["completions", "zsh"],
+    ] {
         let mut child =
             geneva(arguments).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program runs");
         let mut line = String::new();

@@ -164,9 +164,20 @@ fn the_search_finds_the_chapter_that_explains_before_the_records_and_a_claim_by_
         (number, "jazar.html"),
     ];
     ids.extend(chapters.map(|(words, page)| (words, page.to_owned())));
+    // The first words stand in the address, the others are typed into the same page.
+    let Some(mut browser) = opened(&format!("pin.html?search={}", ids[0].0)) else { return };
     for (words, expected) in ids {
-        let Some(mut browser) = opened(&format!("pin.html?search={}", words.replace(' ', "%20"))) else { return };
-        let found = when_there(&mut browser, "document.querySelector('#mdbook-searchresults a')?.getAttribute('href')");
+        browser.evaluate(&format!(
+            "{{ const bar = document.querySelector('#mdbook-searchbar'); if (bar.value !== {0}) {{ bar.value = {0}; \
+             bar.dispatchEvent(new KeyboardEvent('keyup', {{ bubbles: true }})) }} }}",
+            json!(words)
+        ));
+        let first = format!(
+            "document.querySelector('#mdbook-searchresults-header').innerText.includes({}) && \
+             document.querySelector('#mdbook-searchresults a')?.getAttribute('href')",
+            json!(words)
+        );
+        let found = when_there(&mut browser, &first);
         let found = found.as_str().unwrap_or_else(|| panic!("{words}: nothing is found"));
         let (page, fragment) =
             found.rsplit_once('/').map_or(found, |(_, name)| name).split_once('#').unwrap_or((found, ""));

@@ -286,14 +286,14 @@ const geneva = (() => {
 
     /**
      * What axe-core finds, colours aside. Its time goes with the number of elements. So what it has no rule for is left out,
-     * the parts of formulas, drawings and code; and of table rows that differ in their words only it sees one. The page is
+     * the parts of formulas, drawings and code; and of rows that differ in their words only it sees one. The page is
      * of no use afterwards.
      */
     const accessibility = async () => {
         main().querySelectorAll('math, pre > code').forEach(of => { of.textContent = of.textContent; });
         main().querySelectorAll('svg > :not(title, desc)').forEach(of => of.remove());
         const rows = known('good rows');
-        for (const row of main().querySelectorAll('tbody tr')) {
+        for (const row of main().querySelectorAll('tbody tr, .claims > li')) {
             const alike = row.outerHTML.replace(/>[^<]+</g, '>x<').replace(/="[^"]+"/g, '="x"');
             if (rows.has(alike)) {
                 row.remove();
@@ -302,7 +302,7 @@ const geneva = (() => {
         }
         const tags = ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'];
         const found = await axeFinds(document, { type: 'tag', values: tags }, { rules: { 'color-contrast': { enabled: false } } });
-        if (found.every(({ at }) => !at.includes('tr'))) {
+        if (found.every(({ at }) => !/\btr\b|\bli\b/.test(at))) {
             learn('good rows', rows);
         }
         return found;

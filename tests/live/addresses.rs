@@ -2,6 +2,7 @@
 
 use super::{PAGES, SETTLED, browser, of, open};
 use crate::browser::devtools::{Browser, Medium};
+use geneva_live::Control;
 use serde_json::{Value, json};
 
 /// Values that are no number, or none that a control can have, as they stand in an address: most of them broke something once.
@@ -28,13 +29,15 @@ const HOSTILE: [&str; 16] = [
 const SHOWN: &str = "[[...f.querySelectorAll('[name]')].map(of => of.value).join(), [...g.querySelectorAll('[data-box]')].map(of => \
                      of.value).join(), f.querySelector('.says').textContent, f.querySelector('svg').outerHTML]";
 
-/// Opens addresses of a figure's page one after the other, and gives what the figure shows and says of each.
+/// Opens addresses of a figure's page one after the other, and gives what the figure shows and says of each. The rest of the
+/// page is not shown meanwhile: it would be laid out again for each.
 fn visit(browser: &mut Browser, name: &str, figure: &str, settings: &[String]) -> Vec<Value> {
     let visited = of(
         browser,
         name,
         &format!(
-            "(async () => {{ {SETTLED}; const all = []; for (const setting of {}) {{ location.hash = '#fig-{figure}?' + setting; await \
+            "(async () => {{ {SETTLED}; const others = of => of.matches('main') ? [] : [...[...of.parentElement.children].filter(one => \
+             one !== of), ...others(of.parentElement)]; others(f).forEach(of => {{ of.hidden = true }}); const all = []; for (const setting of {}) {{ location.hash = '#fig-{figure}?' + setting; await \
              settled(); all.push({{ setting, shown: {SHOWN}, ignored: f.querySelector('.ignored').textContent, refused: \
              f.classList.contains('refused') }}) }} return all }})()",
             json!(settings)
@@ -52,20 +55,29 @@ fn no_value_in_an_address_does_anything_but_move_a_control_within_its_range() {
         open(&mut browser, page, "");
         let title = browser.evaluate("document.title");
         let first = of(&mut browser, name, SHOWN);
-        let mut settings: Vec<String> = Vec::new();
-        for control in live.controls {
-            settings.extend(HOSTILE.iter().map(|value| format!("{}={value}", control.name)));
-            let [least, most] = control.range;
-            settings.push(format!("{}={}", control.name, least - 1.0));
-            settings.push(format!("{}={}", control.name, most + 1.0));
-            settings.push(format!("{0}={1}&{0}={1}", control.name, control.preset));
+        // All controls at once, each with another value, and each alone.
+        let all = |value: &dyn Fn(usize, &Control) -> String| {
+            let of_each =
+                live.controls.iter().enumerate().map(|(k, control)| format!("{}={}", control.name, value(k, control)));
+            of_each.collect::<Vec<_>>().join("&")
+        };
+        let mut settings: Vec<String> =
+            (0..HOSTILE.len()).map(|turn| all(&|k, _| HOSTILE[(turn + k) % HOSTILE.len()].to_owned())).collect();
+        settings.push(all(&|_, control| (control.range[0] - 1.0).to_string()));
+        settings.push(all(&|_, control| (control.range[1] + 1.0).to_string()));
+        settings.push(all(&|_, control| format!("{}&{}={}", control.preset, control.name, control.preset)));
+        let of_all = settings.len();
+        for (k, control) in live.controls.iter().enumerate() {
+            settings.push(format!("{}={}", control.name, HOSTILE[k % HOSTILE.len()]));
         }
         for given in live.given.iter().chain(&["onload", "innerHTML", "__proto__", ""]) {
             settings.push(format!("{given}=1"));
         }
         browser.events();
-        for visited in visit(&mut browser, name, live.figure, &settings) {
+        for (k, visited) in visit(&mut browser, name, live.figure, &settings).into_iter().enumerate() {
             let told = visited["ignored"].as_str().unwrap_or_default();
+            let named = told.matches('“').count();
+            assert!(k >= of_all || named == live.controls.len(), "{name}: {} of {told}", visited["setting"]);
             assert!(told.contains("it was ignored"), "{name}: nothing is said of {}", visited["setting"]);
             assert!(visited["shown"] == first, "{name}: {} changes the figure", visited["setting"]);
         }
