@@ -16,7 +16,7 @@ const DOTS: &[(&str, &str)] = &[
     ("quick-return.ground", "l"),
     ("quick-return.lever-angle", r"\varphi"),
     ("quick-return.crank", "l_2"),
-    ("quick-return.crank-angle", r"(\pi + \theta)"),
+    ("quick-return.crank-angle", r"\psi"),
     ("quick-return.angle-at-pin", r"\beta"),
 ];
 
@@ -36,7 +36,7 @@ fn at_the_dots(of: &Claim) -> Vec<&'static str> {
 /// What a claim is about that prints one side of an equation alone.
 const MEANT: &[(&str, &str)] = &[
     ("quick-return.rate-conversion", r"\frac{\text{rev}}{\text{min}}"),
-    ("quick-return.supplement", r"\pi + \theta"),
+    ("quick-return.supplement", r"\psi"),
     ("quick-return.coriolis-equation", r"a_\mathrm{Cor}"),
     ("jazar.centre-distance", "l"),
     ("jazar.cutout-centres", r"\text{arcs}"),
@@ -96,10 +96,10 @@ fn of_pin(id: &str, number: usize) -> Moment {
 }
 
 fn of_quick_return(id: &str, number: usize) -> Moment {
-    // The lever's acceleration is a length.
+    // The lever's acceleration is a length, and the crank's angle ψ is from the direction to the crank's axis.
     let state = quick_return(number, 0.0).called([(r"\omega_2", r"\dot\theta"), (r"\omega_4", r"\dot\varphi")]);
-    let acceleration = state.letters()["varphi''"].abs();
-    let state = state.with([(r"\alpha_4", acceleration)]);
+    let [acceleration, crank] = ["varphi''", "theta"].map(|name| state.letters()[name]);
+    let state = state.with([(r"\alpha_4", acceleration.abs()), (r"\psi", PI + crank)]);
     match id {
         "quick-return.sum-of-places" | "quick-return.velocity-in-a-frame" | "quick-return.acceleration-in-a-frame" => {
             frame(number, 1.0)
