@@ -28,7 +28,9 @@ const UNDER_CONDITIONS: &[Condition] = &[
     // Four stations at a third of a right angle from the line of centres, and on it.
     ("pin", r"\frac{\dot\varphi}{\dot\theta} = \frac{\tfrac12", at_the_instant),
     ("pin", r"\frac{\ddot\varphi}{\dot\theta^2} = \frac{\tfrac12", at_the_instant),
-    ("pin", r"\frac{\dot\varphi}{\dot\theta} = \frac{k - 1}{(k-1)^2}", |number| pin(number, Some(2f64.sqrt()), Some(0.0))),
+    ("pin", r"\frac{\dot\varphi}{\dot\theta} = \frac{k - 1}{(k-1)^2}", |number| {
+        pin(number, Some(2f64.sqrt()), Some(0.0))
+    }),
     // With an acceleration of the crank, which the other displays do without.
     ("quick-return", r"\vec{a}_2^\mathrm{n} +", |number| quick_return(number, 1.5)),
     ("jazar", r"\cos^2\theta + \gamma\cos\theta", |number| wheel(number, None, When::AtPeak)),

@@ -35,7 +35,13 @@ pub fn pin(number: usize, ratio: Option<f64>, angle: Option<f64>) -> Moment {
     // The driver turns counter-clockwise, the wheel clockwise.
     let rates = polar_rates(&(ratio * radius), &radius, &phi, &Drive::steady(speed)).expect("off the pivot");
     Moment::default()
-        .with([("R", radius), ("l", ratio * radius), ("k", ratio), (r"\theta", -angle), (r"\varphi", -triangle.angle_at_pivot)])
+        .with([
+            ("R", radius),
+            ("l", ratio * radius),
+            ("k", ratio),
+            (r"\theta", -angle),
+            (r"\varphi", -triangle.angle_at_pivot),
+        ])
         .with([("r", triangle.slot_radius), (r"\gamma", triangle.velocity_angle)])
         .with([("v_P", triangle.pin_speed), ("v_{P'}", triangle.slot_point_speed), ("v_{P/S}", triangle.sliding_speed)])
         .with([
