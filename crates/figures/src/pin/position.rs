@@ -137,7 +137,7 @@ fn sides(canvas: &mut Canvas, at: &Layout, mechanism: &PinSlot, instant: &Instan
     canvas.label(&level, &Pixels::zeros(), 0.0, &length("l", mechanism.ratio()));
     let r = length("r", instant.radius_ratio).shade(FOLLOWER);
     canvas.label(&Vector2::new(WIDTH, level.y), &-right, MARGIN, &r);
-    canvas.label(&Vector2::new(0.0, level.y), &right, MARGIN, &angle_label("φ", -instant.slot_angle));
+    canvas.label(&Vector2::new(0.0, level.y), &right, MARGIN, &angle_label("φ", -instant.slot_angle).of_part("φ"));
     let across = heading(instant.slot_angle + at.side * PI / 2.0);
     canvas.label(&at.pivot.lerp(&at.pin, 0.4), &across, 16.0, &Label::part("r").shade(FOLLOWER).on(FILL));
     let across = heading(instant.crank_angle - at.side * PI / 2.0);
@@ -163,7 +163,7 @@ fn angles(canvas: &mut Canvas, at: &Layout, instant: &Instant) {
     // θ is too narrow for its label: the arc leads out of the triangle to it.
     let out = half_turn + at.side * 0.3;
     part(canvas, "θ", |canvas| arc(canvas, &at.axis, 58.0, crank, out, INK, 1.5));
-    let rest = angle_label("θ", instant.crank_angle - PI);
+    let rest = angle_label("θ", instant.crank_angle - PI).of_part("θ");
     canvas.label(&(at.axis + heading(out) * 58.0), &at.towards(-109.0), 20.0, &rest);
 }
 

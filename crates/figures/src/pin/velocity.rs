@@ -2,7 +2,7 @@
 
 use super::instant::Instant;
 use crate::number::{degrees, significant};
-use crate::parts::{angle_label, arc, arrow, link, right_angle, scale_bar};
+use crate::parts::{angle_label, arc, arrow, link, part, right_angle, scale_bar};
 use crate::svg::{Canvas, DASHED, Kind, Label, Pixels, Shape, View, angle_of, heading};
 use crate::theme::{DRIVER, FILL, FOLLOWER, GRID, INK, RELATIVE};
 use crate::{Figure, Series, Words};
@@ -129,9 +129,9 @@ fn directions(canvas: &mut Canvas, at: &Layout, instant: &Instant) {
     let turn = wrapped(pin - slot);
     let radius = 0.36 * (at.tail - at.tip).norm();
     let out = pin + turn.signum() * 20.0 / radius.max(20.0);
-    arc(canvas, &at.tip, radius, out - wrapped(out - slot), out, INK, 1.5);
+    part(canvas, "γ", |canvas| arc(canvas, &at.tip, radius, out - wrapped(out - slot), out, INK, 1.5));
     let end = at.tip + heading(out) * radius;
-    canvas.label(&end, &at.outwards(&at.tail, &at.tip), 6.0, &angle_label("γ", instant.velocity_angle()));
+    canvas.label(&end, &at.outwards(&at.tail, &at.tip), 6.0, &angle_label("γ", instant.velocity_angle()).of_part("γ"));
 }
 
 /// A reference direction at `corner`, and the angle from it to another, drawn as an arc of so many pixels.
@@ -141,24 +141,28 @@ fn angle_from(canvas: &mut Canvas, corner: &Pixels, reference: f64, angle: f64, 
         return;
     }
     canvas.draw(Shape::line(corner, &(corner + heading(reference) * (radius + 40.0))).stroke(GRID, 1.3).dashed(DASHED));
-    arc(canvas, corner, radius, reference, reference + turn, INK, 1.5);
+    part(canvas, "φ", |canvas| arc(canvas, corner, radius, reference, reference + turn, INK, 1.5));
     let middle = heading(reference + turn / 2.0);
     let label = if with_value {
         Label::words("|").and_symbol("φ").and(&format!("| = {}", degrees(turn.abs())))
     } else {
         Label::words("|").and_symbol("φ").and("|")
     };
-    canvas.label(&(corner + middle * radius), &middle, 8.0, &label);
+    canvas.label(&(corner + middle * radius), &middle, 8.0, &label.of_part("φ"));
 }
 
 /// The three arrows with their symbols and magnitudes.
 fn vectors(canvas: &mut Canvas, at: &Layout, instant: &Instant, unit: &str) {
-    let magnitude =
-        |index: &str, speed: f64| Label::symbol("v").sub(index).and(&format!(" = {} {unit}", significant(speed, 4)));
+    let magnitude = |index: &str, speed: f64| {
+        Label::symbol("v")
+            .sub(index)
+            .of_part(&format!("v_{index}"))
+            .and(&format!(" = {} {unit}", significant(speed, 4)))
+    };
     let [pin, slot_point, sliding] = instant.speeds();
-    arrow(canvas, &at.tail, &at.tip, DRIVER, 3.5, "v-pin");
-    arrow(canvas, &at.tail, &at.corner, FOLLOWER, 3.5, "v-slot-point");
-    arrow(canvas, &at.corner, &at.tip, RELATIVE, 3.5, "v-sliding");
+    part(canvas, "v_P", |canvas| arrow(canvas, &at.tail, &at.tip, DRIVER, 3.5, "v-pin"));
+    part(canvas, "v_P′", |canvas| arrow(canvas, &at.tail, &at.corner, FOLLOWER, 3.5, "v-slot-point"));
+    part(canvas, "v_P/S", |canvas| arrow(canvas, &at.corner, &at.tip, RELATIVE, 3.5, "v-sliding"));
     for (from, to, share, label) in [
         (&at.tail, &at.tip, 0.36, magnitude("P", pin).shade(DRIVER)),
         (&at.tail, &at.corner, 0.5, magnitude("P′", slot_point).shade(FOLLOWER)),
