@@ -63,14 +63,15 @@ const nearest = letter => drawn
     .sort(([one], [other]) => one - other)[0]?.[1];
 const touched = event => event.target.closest('math [data-letter]');
 let over;
-document.querySelector('main').addEventListener('pointerover', event => {
+const point = letter => {
     over?.letter.classList.remove('lit');
     over?.figure && light(over.figure, chosen(over.figure));
-    const letter = event.pointerType === 'mouse' && touched(event);
     over = letter ? { letter, figure: nearest(letter) } : undefined;
     over?.letter.classList.add('lit');
     over?.figure && light(over.figure, letter.dataset.letter);
-});
+};
+document.addEventListener('pointerover', event => point(event.pointerType === 'mouse' && touched(event)));
+document.documentElement.addEventListener('pointerleave', () => point());
 document.querySelector('main').addEventListener('click', event => {
     const letter = touched(event);
     const figure = letter && nearest(letter);

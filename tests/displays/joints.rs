@@ -49,6 +49,7 @@ fn state(number: usize) -> Moment {
 
     Moment::default()
         .with([("r", radius), (r"\dot r", slide * speed), (r"\frac{dr}{d\theta}", slide)])
+        .with([("k", ratio), (r"\theta", angle)])
         .with([("q", q), ("p", parameters.pose(angle).acceleration_ratio()), (r"\dot\varphi", q * speed)])
         .with([
             (r"\dot\theta", speed),

@@ -98,7 +98,7 @@ fn panel(rows: &[[f64; 4]], column: usize, instant: &Instant, drive: &Drive<f64>
     // Beside the mark the value alone: a longer label would stand on the line of the instant.
     let (symbol, unit, value, text) = match column {
         1 => (Label::symbol("φ"), "degrees", phi, degrees(phi.to_radians())),
-        2 => (rate_of("φ"), "rad/s", speed, short(speed, 4)),
+        2 => (rate_of("φ").of_part(""), "rad/s", speed, short(speed, 4)),
         _ => (lever_acceleration(), "rad/s²", rate, short(rate, 4)),
     };
     let values = || rows.iter().map(|row| row[column]);
