@@ -42,6 +42,14 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("timer.average.most", || Ok(fixed(most(&averages()?), 1))),
 ];
 
+/// Friction at which the plot over the friction is set right: one that the thesis ran with all three mechanisms.
+pub const SET: f64 = 0.25;
+
+/// Static coefficients of friction of steel on brass, from the CRC Handbook as E. Hahn quotes it for watchmakers
+/// (Coefficients of Friction for Various Horological Materials, TimeZone, 31 January 2000,
+/// people.timezone.com/library/tmachine/tmachine631687701628067249).
+pub const STEEL_ON_BRASS: [(f64, &str); 3] = [(0.11, "castor oil"), (0.19, "mineral oil"), (0.35, "dry")];
+
 fn seconds(power: f64) -> String {
     format!("{}&nbsp;s", fixed(DAY * power / 100.0, 0))
 }
