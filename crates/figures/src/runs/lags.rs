@@ -17,19 +17,25 @@ pub struct Lag {
     pub peaks: usize,
 }
 
+/// An axis cut off at both ends.
+fn within(axis: Axis, least: f64, most: f64) -> Axis {
+    let marks = axis.marks.iter().copied().filter(|mark| (least..=most).contains(mark)).collect();
+    Axis { range: least..most, marks, ..axis }
+}
+
 /// ln L below its greatest value, with both laws, and the peaks within one unit, over the lag of the sign of the friction.
 ///
 /// `listed` is the lag of the program as listed, `of` how many peaks there are. Series: lag, both ln L, peaks.
 pub fn lags(all: &[Lag], listed: f64, of: usize) -> Figure {
     let most = all.iter().map(|one| one.lag).fold(0.0, f64::max);
-    let axis = Axis::from_zero(0.0, most, 4.0);
-    let room = 0.03 * most;
-    let x = Axis { range: -room..most + room, ..axis };
+    let room = 0.03 * most.max(1e-3);
+    let x = within(Axis::from_zero(0.0, most.max(1e-3), 5.0), -room, most + room);
     let laws = [(0, "normal law", FOLLOWER, Mark::Disc), (1, "exponential law", DRIVER, Mark::Square)];
     let best = |law: usize| all.iter().map(|one| one.likelihoods[law]).fold(f64::NEG_INFINITY, f64::max);
     let below = |law: usize| all.iter().map(move |one| (one.lag, one.likelihoods[law] - best(law)));
     let least = laws.iter().flat_map(|(law, ..)| below(*law)).map(|point| point.1).fold(0.0, f64::min);
-    let y = Axis::from_zero(least, -0.04 * least, 4.0)
+    let bottom = 1.05 * least.min(-1.0);
+    let y = within(Axis::from_zero(bottom, 0.0, 4.0), bottom, -0.06 * bottom)
         .titled(Label::words("ln ").and_symbol("L").and(" below its greatest value"));
     let marked = |panel: Panel| panel.vertical(listed, Stroke::thin("listed").dashed("5 4"));
     let likelihoods = laws.iter().fold(marked(Panel::new(280.0, &x, &y)), |panel, (law, name, shade, mark)| {

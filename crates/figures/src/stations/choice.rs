@@ -11,10 +11,8 @@ use std::ops::RangeInclusive;
 /// The curves of a panel: column of the series, colour, mark, side of the name, name.
 type Curves = [(usize, Shade, Mark, f64, &'static str); 2];
 
-const TIMES: Curves = [
-    (1, DRIVER, Mark::Disc, -FRAC_PI_2, "the wheel moves"),
-    (2, FOLLOWER, Mark::Square, FRAC_PI_2, "the wheel dwells"),
-];
+const TIMES: Curves =
+    [(1, DRIVER, Mark::Disc, -FRAC_PI_2, "the wheel moves"), (2, FOLLOWER, Mark::Square, 0.8, "the wheel dwells")];
 const SIZES: Curves = [
     (3, RELATIVE, Mark::Diamond, FRAC_PI_2, "centre distance"),
     (4, FOLLOWER, Mark::Square, -FRAC_PI_2, "wheel radius"),
@@ -51,7 +49,7 @@ pub fn choice(stations: RangeInclusive<u32>) -> Result<Figure, FigureError> {
             panel
                 .curve(points(), Stroke::new(*shade).wide(2.0).dashed("8 6"))
                 .marks(points(), Marker::new(*shade, *mark).class("point"))
-                .near(points().skip(rows.len() / 2), *side, Label::words(name).shade(*shade))
+                .near(points().skip(rows.len() / 6), *side, Label::words(name).shade(*shade))
         })
     };
     let title = Label::words("number of stations ").and_symbol("N");

@@ -30,7 +30,7 @@ pub fn friction(all: &[Tested], set: f64, pairs: &[(f64, &str)]) -> Result<Figur
         (least, most) = (least.min(*friction), most.max(*friction));
     }
     let range = least * (1.0 - ROOM)..most * (1.0 + ROOM);
-    let steps = Axis::spanning(least, most, 4.0);
+    let steps = Axis::spanning(least, most, 5.0);
     let marks = steps.marks.iter().copied().filter(|mark| range.contains(mark)).collect();
     let x = Axis { marks, range, ..steps }.titled(of_friction());
     let mut rows: Vec<[f64; 3]> = Vec::new();
@@ -63,9 +63,9 @@ pub fn friction(all: &[Tested], set: f64, pairs: &[(f64, &str)]) -> Result<Figur
     }
     // Above the curves, which fall.
     let share = |friction: f64| x.share(friction);
-    for (k, (friction, name)) in pairs.iter().enumerate() {
+    for (friction, name) in pairs {
         let side = if share(*friction) > 0.7 { -0.13 } else { 0.13 };
-        let places = (0..8).map(|step| [share(*friction) + side, 0.93 - 0.06 * f64::from(step) - 0.02 * k as f64]);
+        let places = (0..8).map(|step| [share(*friction) + side, 0.93 - 0.06 * f64::from(step)]);
         panel = panel.name(Label::words(name), Spot::Free(places.collect()));
     }
     let said = curves.iter().filter_map(|(one, curve, _)| {

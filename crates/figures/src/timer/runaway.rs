@@ -184,12 +184,12 @@ fn draw(canvas: &mut Canvas) {
     fixed_pivot(canvas, &centre, 1.0);
     canvas.draw(Shape::circle(&hub, 9.0).fill(PAPER).stroke(INK, 2.0).class("pivot"));
     arc_arrow(canvas, &centre, 0.5 * SCALE, 2.5, 0.7, DRIVER, 2.5);
-    arc_arrow(canvas, &hub, 0.62 * SCALE, FRAC_PI_2 + 0.35, FRAC_PI_2 - 0.35, FOLLOWER, 2.5);
+    arc_arrow(canvas, &hub, 0.24 * SCALE, FRAC_PI_2 + 0.9, FRAC_PI_2 - 0.9, FOLLOWER, 2.5);
     let right = Pixels::new(1.0, 0.0);
     let beside = |point: Pixels, label: Label, canvas: &mut Canvas| canvas.label(&point, &right, 8.0, &label);
     let up = Pixels::new(0.0, -1.0);
     canvas.label(
-        &(centre + Pixels::new(0.0, -0.5 * SCALE)),
+        &(centre + Pixels::new(0.0, -0.5 * SCALE + 16.0)),
         &-up,
         12.0,
         &Label::words("torque ").and_symbol("K").shade(DRIVER),

@@ -10,6 +10,8 @@ use geneva_dynamics::timer::Sensitivities;
 use std::f64::consts::FRAC_PI_2;
 
 const STEPS: u32 = 12;
+/// The y axis goes so many times as far down as the lowest curve: its name stands below it.
+const ROOM: f64 = 1.2;
 /// What is changed by one per cent, and on which side of the curves its name stands.
 const CHANGED: [(&str, f64); 4] = [
     ("torque", FRAC_PI_2),
@@ -47,7 +49,7 @@ pub fn sensitivity(all: &[Tested]) -> Result<Figure, FigureError> {
     }
     let of = |k: usize| rows.iter().map(move |row| row[2 + k]);
     let all_values = || (0..CHANGED.len()).flat_map(of);
-    let y = Axis::from_zero(all_values().fold(0.0, f64::min), all_values().fold(0.0, f64::max), 5.0);
+    let y = Axis::from_zero(ROOM * all_values().fold(0.0, f64::min), all_values().fold(0.0, f64::max), 5.0);
     let y = y.titled(Label::words("gain for 1 % more, minutes a day"));
     let mut panel = Panel::new(430.0, &x, &y).horizontal(0.0, Stroke::thin("none"));
     for (one, curve, marks) in &curves {

@@ -1,7 +1,7 @@
 //! Hours and minutes that a timekeeper gains or loses in a day as its torque changes.
 
 use super::{HOURS, MINUTES};
-use crate::chart::{Axis, Chart, Panel, Spot, Stroke};
+use crate::chart::{Axis, Chart, Panel, Stroke};
 use crate::svg::Label;
 use crate::theme::{DRIVER, FILL, FOLLOWER, INK};
 use crate::{Figure, Series, Words};
@@ -27,10 +27,10 @@ fn gained(torque: f64, power: f64) -> f64 {
 /// the gain in hours with the powers 1/2, 1/3 and 1.
 pub fn torque() -> Figure {
     let torques = |[from, to]: [f64; 2]| (0..=STEPS).map(move |k| from + (to - from) * f64::from(k) / f64::from(STEPS));
-    let panel = |range: [f64; 2], step: f64, unit: f64, height: f64, title: &str| {
+    let panel = |range: [f64; 2], step: f64, unit: f64, height: f64, title: &str, last: bool| {
         let marks = (0..).map(|k| range[0] + step * f64::from(k)).take_while(|mark| *mark <= range[1]);
         let x = Axis::whole(range[0]..range[1], marks);
-        let x = x.titled(Label::words("torque, % of the torque at which it was set"));
+        let x = if last { x.titled(Label::words("torque, % of the torque at which it was set")) } else { x };
         let ends = range.map(|torque| unit * gained(torque, VERGE[1]));
         let y = Axis::from_zero(ends[0], ends[1], 4.0).titled(Label::words(title));
         let points = |power: f64| torques(range).map(move |torque| (torque, unit * gained(torque, power)));
@@ -41,13 +41,13 @@ pub fn torque() -> Figure {
             .horizontal(0.0, Stroke::new(FOLLOWER).class("own-period"))
             .curve(points(ROOT), Stroke::new(DRIVER).class("root"))
     };
-    let wide = panel(WIDE, 10.0, HOURS, 330.0, "gain, hours a day");
+    let wide = panel(WIDE, 10.0, HOURS, 330.0, "gain, hours a day", false);
     let [from, to] = [66.0, 100.0];
     let wide = wide
         .near([(84.0, 0.0)], FRAC_PI_2, Label::words("with a period of its own").shade(FOLLOWER))
         .near([(from, HOURS * gained(from, ROOT))], FRAC_PI_2, Label::words("Geneva, runaway").shade(DRIVER))
-        .name(Label::words("verge with a drag").shade(INK).on(FILL), Spot::Free(vec![[0.33, 0.2], [0.4, 0.25]]));
-    let narrow = panel(NARROW, 1.0, MINUTES, 270.0, "gain, minutes a day");
+        .near([(64.0, HOURS * gained(64.0, VERGE[1]))], -0.5, Label::words("verge with a drag").shade(INK));
+    let narrow = panel(NARROW, 1.0, MINUTES, 270.0, "gain, minutes a day", true);
     let lost = -HOURS * gained(from, ROOT);
     let words = Words::new(
         "timer-torque",
