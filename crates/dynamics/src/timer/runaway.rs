@@ -75,7 +75,8 @@ impl Runaway {
         (self.wheel - self.pallet) / (self.wheel + self.pallet)
     }
 
-    /// The speed over the wheel's angle from a blow to the next, at equal steps: pairs of angle and speed.
+    /// The speed over the wheel's angle from a blow to the next, at equal steps: pairs of an angle in radians and a speed in
+    /// radians per unit of time.
     ///
     /// `after_blow` is the speed just after the blow. Where the drag is greater than the torque the speed may fall to zero.
     pub fn between_blows(&self, torque: f64, after_blow: f64) -> Vec<(f64, f64)> {
@@ -153,7 +154,7 @@ impl Runaway {
         Err(Error::TooMany { name: "blows", limit: BLOWS })
     }
 
-    /// The power of the torque to which the mean speed goes near this torque: d ln(mean speed) / d ln(torque).
+    /// The power of the torque to which the mean speed goes near this torque, dimensionless: d ln(mean speed) / d ln(torque).
     ///
     /// # Errors
     ///
