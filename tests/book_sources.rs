@@ -2,7 +2,7 @@
 
 use geneva_ledger::{Consequence, Decimal, Places, Verdict, numeric_tokens, slips, verdicts};
 use geneva_press::pages::{self, PAGES, Page, Records};
-use geneva_press::{computed, fences, figures};
+use geneva_press::{bibliography, computed, fences, figures};
 use pulldown_cmark::{CodeBlockKind, Event, Parser, Tag};
 
 /// The pages by file name, with their Markdown.
@@ -128,6 +128,13 @@ fn every_number_of_the_lists_is_said_in_some_chapter() {
     for name in computed::names() {
         assert!(all.contains(&format!("{{{{computed:{name}}}}}")), "{name} is computed and not said");
     }
+}
+
+#[test]
+fn every_work_on_the_list_is_cited_and_every_citation_is_on_it() {
+    let chapters = chapters();
+    let cited = bibliography::check(chapters.iter().map(|(_, text)| text.as_str()));
+    assert!(cited.is_ok(), "{cited:?}");
 }
 
 #[test]

@@ -28,6 +28,7 @@ pub mod fields;
 pub mod records;
 
 // What stands for a placeholder.
+pub mod bibliography;
 pub mod computed;
 pub mod figures;
 mod ledger_pages;

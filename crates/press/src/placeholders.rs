@@ -6,7 +6,7 @@
 use crate::data::File;
 use crate::html::{Table, escape};
 use crate::ledger_pages::{compare, elsewhere, errata, inline, lists, open, records};
-use crate::{computed, figures, live, maths, measurements, tables};
+use crate::{bibliography, computed, figures, live, maths, measurements, tables};
 use anyhow::{Context, bail, ensure};
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -33,6 +33,7 @@ use Put::{Alone, Marked, Numbered, Of};
 
 /// Every key, what it says or shows, and how that is made.
 const KEYS: &[(&str, &str, Put)] = &[
+    ("cite", "a work of others, by its key, and after a semicolon where in it", Of(bibliography::cite)),
     ("citation", "what the source is", Of(inline::citation)),
     ("claim", "a claim's printed characters with its mark", Marked(inline::claim)),
     (
@@ -76,6 +77,7 @@ const KEYS: &[(&str, &str, Put)] = &[
     ("value", "a claim's computed number", Of(inline::value)),
     ("verdict", "a claim's mark", Marked(inline::mark)),
     ("verdicts", "the classes of verdict and how many claims have each", Alone(|| Ok(lists::verdicts()?.html()))),
+    ("works", "all works of others that the chapters cite", Alone(bibliography::list)),
     ("wheels", "a table of wheels, from one number of stations to another", Numbered(tables::wheels)),
 ];
 

@@ -1,5 +1,6 @@
 //! The ledger as data: a claim, a slip, a line of a source, all of them in files, and what each of their fields says.
 
+use crate::bibliography;
 use crate::fields::{self, Row, Value};
 use geneva_ledger::{Check, Consequence, Entry, Finding, Judged, Line, Places, Slip, Work, in_full, slips, verdicts};
 use std::collections::BTreeSet;
@@ -114,6 +115,7 @@ pub fn files() -> anyhow::Result<Vec<(&'static str, String)>> {
     let of_sources = slips().iter().filter(|places| places.slip.consequence != Consequence::Copy);
     let copies: Vec<_> = slips_of_copies().map(slip).collect();
     let entries = entries()?;
+    let works: Vec<_> = bibliography::rows().collect();
     Ok(vec![
         ("claims.json", versioned("claims", verdicts().iter().map(claim))?),
         ("errata.json", versioned("errata", of_sources.map(slip))?),
@@ -121,6 +123,7 @@ pub fn files() -> anyhow::Result<Vec<(&'static str, String)>> {
         ("copies.csv", fields::csv(copies.first(), copies.iter().cloned())?),
         ("coverage.json", versioned("entries", entries.iter().cloned())?),
         ("coverage.csv", fields::csv(entries.first(), entries.iter().cloned())?),
+        ("works.csv", fields::csv(works.first(), works.iter().cloned())?),
     ])
 }
 
