@@ -155,7 +155,7 @@ fn ids(page: &[Piece]) -> Vec<String> {
 }
 
 /// What stands in each element of this name; none of them holds another.
-fn within<'a>(page: &'a [Piece], name: &str) -> Vec<&'a [Piece]> {
+pub(crate) fn within<'a>(page: &'a [Piece], name: &str) -> Vec<&'a [Piece]> {
     let starts =
         page.iter().enumerate().filter(|(_, of)| matches!(of, Piece::Start { element, .. } if element == name));
     let inside = starts.map(|(at, _)| {
@@ -165,7 +165,7 @@ fn within<'a>(page: &'a [Piece], name: &str) -> Vec<&'a [Piece]> {
     inside.collect()
 }
 
-fn text(pieces: &[Piece]) -> String {
+pub(crate) fn text(pieces: &[Piece]) -> String {
     pieces.iter().filter_map(|piece| if let Piece::Text(text) = piece { Some(text.as_str()) } else { None }).collect()
 }
 

@@ -7,6 +7,7 @@
 mod book_pages;
 mod book_sources;
 mod browser;
+mod citing;
 mod coverage;
 mod displays;
 mod live;

@@ -5,9 +5,11 @@
 //! Nothing here prints a line, and nothing derives a formula: a table or a figure calls the solvers for what it shows.
 
 // The book.
+pub mod address;
 pub mod building;
 mod cards;
-mod edition;
+pub mod citing;
+pub mod edition;
 mod libraries;
 mod minify;
 pub mod pages;
