@@ -13,6 +13,7 @@ mod displays;
 mod live;
 mod mimic_decks;
 mod pin_over_the_engagement;
+mod printed;
 mod prose;
 mod records;
 mod snapshots;

@@ -14,6 +14,7 @@ mod libraries;
 mod minify;
 pub mod pages;
 mod policy;
+pub mod print;
 pub mod readme;
 mod search;
 
