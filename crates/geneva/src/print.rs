@@ -37,7 +37,13 @@ pub fn run(wanted: &PrintArguments, streams: &mut dyn Streams) -> anyhow::Result
         building::build(&root, &book, Geneva)?;
     }
     let document = book.join(print::FILE);
-    ensure!(document.is_file(), "the book in {} has no page to be printed", root.display());
+    // mdBook has a document of this name, too.
+    let is_ours = fs::read_to_string(&document).is_ok_and(|text| numbers::has_contents(&text));
+    ensure!(
+        is_ours,
+        "the book in {} has no page to be printed: no chapter of the list of pages is in it",
+        root.display()
+    );
     let pdf = folder.path().join("book.pdf");
     let pages = {
         let _step = progress::step("printing");

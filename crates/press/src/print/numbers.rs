@@ -39,9 +39,16 @@ pub fn pages(pdf: &[u8]) -> anyhow::Result<usize> {
     Ok(order.len())
 }
 
+/// Before the name of the place to which a line of the contents leads.
+const BEFORE: &str = "data-page-of=\"";
+
+/// Whether a document has contents for these numbers.
+pub fn has_contents(document: &str) -> bool {
+    document.contains(BEFORE)
+}
+
 /// The document with the number of its page at the end of each line of the contents.
 pub fn numbered(document: &str, places: &Places) -> anyhow::Result<String> {
-    const BEFORE: &str = "data-page-of=\"";
     let mut pieces = document.split(BEFORE);
     let mut out = pieces.next().unwrap_or_default().to_owned();
     for piece in pieces {
@@ -50,7 +57,7 @@ pub fn numbered(document: &str, places: &Places) -> anyhow::Result<String> {
         let page = places.get(id).with_context(|| format!("the printed document has no `{id}`"))?;
         out.push_str(&format!("{BEFORE}{id}\">{page}</span>{rest}"));
     }
-    ensure!(out.contains(BEFORE), "the document has no contents");
+    ensure!(has_contents(&out), "the document has no contents");
     Ok(out)
 }
 
