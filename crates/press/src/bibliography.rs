@@ -55,6 +55,17 @@ const WORKS: &[Work] = &[
         read: "Reference list of a public repository, which also names the chapter on Geneva mechanisms",
     },
     Work {
+        key: "blumenthal",
+        short: "Blumenthal and Nosonovsky",
+        authors: "A. S. Blumenthal and M. Nosonovsky",
+        title: "Friction and Dynamics of Verge and Foliot: How the Invention of the Pendulum Made Clocks Much More \
+                Accurate",
+        published: "Applied Mechanics 1, pages 111–122",
+        year: "2020",
+        address: "https://doi.org/10.3390/applmech1020008",
+        read: "The abstract",
+    },
+    Work {
         key: "britannica",
         short: "Britannica",
         authors: "Encyclopædia Britannica",
@@ -73,6 +84,18 @@ const WORKS: &[Work] = &[
         year: "2015",
         address: "",
         read: "Title page of the tenth edition in a copy at slideshare.net; the publisher's slides for it",
+    },
+    Work {
+        key: "canter",
+        short: "Canter",
+        authors: "A. Canter",
+        title: "The Greatest Horological Inventions of All Time: the Pendulum Clock and Improving the Accuracy of \
+                Timekeeping",
+        published: "a page of Worn & Wound",
+        year: "",
+        address: "https://wornandwound.com/\
+                  the-greatest-horological-inventions-of-all-time-the-pendulum-clock-and-improving-the-accuracy-of-timekeeping",
+        read: "The page at its address",
     },
     Work {
         key: "champneys",
@@ -125,6 +148,16 @@ const WORKS: &[Work] = &[
         read: "Title page and contents in a copy at scribd.com, document 35165668",
     },
     Work {
+        key: "hahn",
+        short: "Hahn",
+        authors: "E. Hahn",
+        title: "Coefficients of Friction for Various Horological Materials",
+        published: "TimeZone",
+        year: "2000",
+        address: "http://people.timezone.com/library/tmachine/tmachine631687701628067249",
+        read: "The page at its address, which quotes the CRC Handbook",
+    },
+    Work {
         key: "hasty",
         short: "Hasty and Potts",
         authors: "C. E. Hasty and J. F. Potts",
@@ -133,6 +166,16 @@ const WORKS: &[Work] = &[
         year: "",
         address: "",
         read: "First page in a copy at cupdf.com",
+    },
+    Work {
+        key: "hoyng",
+        short: "Hoyng and Nieuwenhuizen",
+        authors: "P. Hoyng and A. C. T. Nieuwenhuizen",
+        title: "Dynamics of the verge and foliot clock escapement",
+        published: "arXiv:1604.06681",
+        year: "2016",
+        address: "https://arxiv.org/abs/1604.06681",
+        read: "The abstract",
     },
     Work {
         key: "iso-2768",
@@ -157,6 +200,16 @@ const WORKS: &[Work] = &[
         read: "http://to-pdf.com/iso-286-1 and https://standards.globalspec.com/std/1257201/en-iso-286-1",
     },
     Work {
+        key: "iso-3159",
+        short: "ISO 3159",
+        authors: "International Organization for Standardization",
+        title: "ISO 3159: Timekeeping instruments – Wrist-chronometers with spring balance oscillator",
+        published: "a standard",
+        year: "",
+        address: "https://www.observatoirechronometrique.ch/en/chronometre.html",
+        read: "Its requirements as summed up by the Observatoire chronométrique, at the address",
+    },
+    Work {
         key: "johnson",
         short: "Johnson",
         authors: "K. L. Johnson",
@@ -165,6 +218,16 @@ const WORKS: &[Work] = &[
         year: "1985",
         address: "",
         read: "Reference list at globalauthorid.com; contents at https://www.twirpx.club/file/760701",
+    },
+    Work {
+        key: "menezes",
+        short: "Menezes et al.",
+        authors: "P. L. Menezes, Kishore and S. V. Kailas",
+        title: "Influence of roughness parameters on coefficient of friction under lubricated conditions",
+        published: "Sādhanā 33, pages 181–190",
+        year: "2008",
+        address: "",
+        read: "The abstract",
     },
     Work {
         key: "nuijten",
