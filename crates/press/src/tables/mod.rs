@@ -1,6 +1,6 @@
 //! Tables of computed numbers, beside those of the ledger: by name, or for a range of wheels.
 
-mod joints;
+pub mod joints;
 mod locking;
 mod mimic;
 mod quick_return;
