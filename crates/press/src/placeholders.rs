@@ -216,9 +216,9 @@ fn text(placeholder: &Placeholder, page: Page<'_>, all: &[Shown], files: &mut Ve
         (Of(put) | Marked(put), Some(argument)) => put(argument),
         (Put::Figure, Some(name)) => {
             let figure = figures::by_name(name)?;
-            let svg = figure.svg.trim_end();
+            let svg = figures::on_a_page(&figure);
             let (caption, csv) = (escape(&figure.caption), figure.series.to_csv());
-            let (html, file) = here()?.framed("class=\"fig\"", &caption, svg, figure.source, csv);
+            let (html, file) = here()?.framed("class=\"fig\"", &caption, &svg, figure.source, csv);
             files.push(file);
             Ok(html)
         }
