@@ -29,6 +29,7 @@ pub mod quick_return;
 pub mod runs;
 pub mod stations;
 pub mod steady;
+pub mod timer;
 
 pub use error::FigureError;
 pub use figure::Figure;

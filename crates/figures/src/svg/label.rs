@@ -87,6 +87,11 @@ impl Label {
         self.index(Style::Superscript, index)
     }
 
+    /// Whether a part of it stands below the line.
+    pub fn has_subscript(&self) -> bool {
+        self.runs.iter().any(|(style, _)| *style == Style::Subscript)
+    }
+
     /// Adds an index. An empty one is left out: browsers ignore the shift of an empty span, and what follows would drop.
     fn index(mut self, style: Style, index: &str) -> Self {
         if !index.is_empty() {
@@ -152,7 +157,7 @@ impl Label {
             "end" => x - width,
             _ => x - width / 2.0,
         };
-        let lowered = self.runs.iter().any(|(style, _)| *style == Style::Subscript);
+        let lowered = self.has_subscript();
         let below = DESCENT * TEXT_SIZE + if lowered { DROP - 2.0 } else { 0.0 };
         let raised = self.runs.iter().any(|(style, _)| *style == Style::Superscript);
         let above = if raised { RISE + ASCENT * SUBSCRIPT * TEXT_SIZE } else { ASCENT * TEXT_SIZE };
