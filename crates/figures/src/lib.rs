@@ -22,6 +22,7 @@ mod svg;
 mod theme;
 
 pub mod escapement;
+pub mod notation;
 pub mod pin;
 pub mod printed;
 pub mod quick_return;
