@@ -99,16 +99,7 @@ pub(crate) struct Evaluator<'b> {
 
 impl<'b> Evaluator<'b> {
     pub fn new(mode: Mode, reading: Reading, bindings: Option<&'b Bindings>) -> Self {
-        Self {
-            mode,
-            reading,
-            bindings,
-            noticed: Reading::USUAL,
-            used: Vec::new(),
-            local: None,
-            depth: 0,
-            work: 0,
-        }
+        Self { mode, reading, bindings, noticed: Reading::USUAL, used: Vec::new(), local: None, depth: 0, work: 0 }
     }
 
     pub fn chosen(&self, choice: Reading) -> bool {
@@ -283,7 +274,9 @@ impl<'b> Evaluator<'b> {
         let (next, _) = cursor.look(cursor.at);
         let divisor = self.signed(cursor)?;
         let number = next.and_then(Token::number).and_then(Printed::read);
-        if let Some(number) = number.filter(|_| divisor.literal == Literal::Number && divisor.has_unit && !above.has_unit) {
+        if let Some(number) =
+            number.filter(|_| divisor.literal == Literal::Number && divisor.has_unit && !above.has_unit)
+        {
             self.noticed.note(Reading::QUOTIENT);
             if self.chosen(Reading::QUOTIENT) && number.value != 0.0 {
                 let factor = divisor.number()?.point / number.value;
@@ -352,7 +345,9 @@ impl<'b> Evaluator<'b> {
             | Kind::Basis(_)
             | Kind::Unknown(_) => true,
             Kind::Word(word) => {
-                unit(word).is_some() || word.chars().count() == 1 || self.bindings.is_some_and(|known| known.contains_key(word))
+                unit(word).is_some()
+                    || word.chars().count() == 1
+                    || self.bindings.is_some_and(|known| known.contains_key(word))
             }
             Kind::Operator(c) => "([{√".contains(*c),
             _ => false,

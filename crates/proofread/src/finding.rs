@@ -66,6 +66,8 @@ pub struct Finding {
     pub printed: String,
     /// What is computed, to as many digits and in the same unit; none if the sides have no common unit.
     pub recomputed: Option<String>,
+    /// What keeps the sides from being compared, if that is what was found.
+    pub why: Option<String>,
     /// The single edit that makes the sides agree, if there is exactly one near.
     pub hint: Option<Hint>,
     /// How the characters were read, where there was a choice.
@@ -113,6 +115,7 @@ impl Finding {
             at: printed.span,
             printed: show(&printed.tokens),
             recomputed,
+            why: judgement.obstacle.as_ref().map(ToString::to_string),
             hint,
             reading: judgement.reading.words(),
             names: judgement.used.clone(),

@@ -130,8 +130,7 @@ impl std::ops::Mul for Interval {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
-        let corners =
-            [self.low * other.low, self.low * other.high, self.high * other.low, self.high * other.high];
+        let corners = [self.low * other.low, self.low * other.high, self.high * other.low, self.high * other.high];
         let low = corners.iter().copied().fold(f64::INFINITY, f64::min);
         let high = corners.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         Self { low, point: self.point * other.point, high }

@@ -72,7 +72,8 @@ fn flat(tokens: &[Token]) -> Vec<Token> {
         match &token.kind {
             Kind::Cell => {
                 let next = tokens[at + 1..].iter().find(|token| !token.is_space());
-                let continues = next.is_none_or(|next| matches!(next.kind, Kind::Operator(_) | Kind::Line | Kind::Cell));
+                let continues =
+                    next.is_none_or(|next| matches!(next.kind, Kind::Operator(_) | Kind::Line | Kind::Cell));
                 if related && !continues {
                     out.push(Token::new(Kind::Space(20), span));
                     related = false;
@@ -99,7 +100,9 @@ fn flat(tokens: &[Token]) -> Vec<Token> {
                 out.push(Token::new(Kind::Fraction(inside(above), inside(below)), span));
             }
             Kind::Root(of, index) => out.push(Token::new(Kind::Root(inside(of), inside(index)), span)),
-            Kind::Operator(c) if "∫∂∮∇∬∯…⋯∏∑".contains(*c) => out.push(unknown(&c.to_string(), span)),
+            Kind::Operator(c) if "∫∂∮∇∬∯…⋯∏∑".contains(*c) => {
+                out.push(unknown(&c.to_string(), span))
+            }
             Kind::Operator(c @ ('%' | '°' | '$')) => out.push(Token::new(Kind::Word(c.to_string()), span)),
             Kind::Space(0) => {}
             kind => {
@@ -193,7 +196,12 @@ fn raised(base: &[Token], sup: &[Token], span: Span, out: &mut Vec<Token>) {
         }
         let takes = out.last().is_some_and(|last| match last.kind {
             Kind::Operator(c) => ")]".contains(c),
-            Kind::Word(_) | Kind::Number(_) | Kind::Name(_) | Kind::Fraction(..) | Kind::Root(..) | Kind::Function(_) => true,
+            Kind::Word(_)
+            | Kind::Number(_)
+            | Kind::Name(_)
+            | Kind::Fraction(..)
+            | Kind::Root(..)
+            | Kind::Function(_) => true,
             _ => false,
         });
         out.push(if takes { power() } else { unknown("an exponent of nothing", span) });
@@ -306,12 +314,12 @@ fn merged(tokens: Vec<Token>) -> Vec<Token> {
         };
         let is_word = token.word().is_some();
         let combined = match text {
-            "μ" | "k" | "M" | "n" | "m" | "G" | "p" | "c" => prefixed(token, text, next(if text == "μ" { 3 } else { 0 }), &out),
-            "mm" | "cm" if is_word => {
-                next(255).filter(|(next, _)| matches!(next.word(), Some("Hg" | "water"))).map(|(next, at)| {
-                    (Kind::Word(format!("{text}{}", next.word().unwrap_or_default())), at, next.span)
-                })
+            "μ" | "k" | "M" | "n" | "m" | "G" | "p" | "c" => {
+                prefixed(token, text, next(if text == "μ" { 3 } else { 0 }), &out)
             }
+            "mm" | "cm" if is_word => next(255)
+                .filter(|(next, _)| matches!(next.word(), Some("Hg" | "water")))
+                .map(|(next, at)| (Kind::Word(format!("{text}{}", next.word().unwrap_or_default())), at, next.span)),
             "°" if is_word => next(5).and_then(|(next, behind)| {
                 let scale = match &next.kind {
                     Kind::Word(scale) => scale,
@@ -336,10 +344,12 @@ fn merged(tokens: Vec<Token>) -> Vec<Token> {
             && tokens.get(at + 1).is_some_and(|next| matches!(next.kind, Kind::Power(_)));
         if !abbreviated {
             let function = token.word().and_then(Function::named);
-            out.push(match function.filter(|function| matches!(function, Function::Sin | Function::Cos | Function::Tan)) {
-                Some(function) => Token::new(Kind::Function(function), token.span),
-                None => token.clone(),
-            });
+            out.push(
+                match function.filter(|function| matches!(function, Function::Sin | Function::Cos | Function::Tan)) {
+                    Some(function) => Token::new(Kind::Function(function), token.span),
+                    None => token.clone(),
+                },
+            );
         }
         at += 1;
     }

@@ -3,6 +3,8 @@
 mod binding;
 mod chain;
 mod check;
+#[cfg(feature = "cli")]
+pub mod cli;
 mod evaluate;
 mod finding;
 mod function;
@@ -10,8 +12,8 @@ mod hint;
 mod interval;
 mod join;
 mod printed;
-mod reading;
 pub mod reader;
+mod reading;
 mod surroundings;
 mod token;
 mod unit;

@@ -123,9 +123,13 @@ mod tests {
 
     #[test]
     fn a_recomputed_number_is_written_with_as_many_digits() {
-        for (value, digits, expected) in
-            [(0.577_35, 3, "0.577"), (4210.4, 4, "4210"), (1.234e-7, 2, "1.2e-7"), (5.63e-3, 3, "0.00563"), (0.0, 3, "0")]
-        {
+        for (value, digits, expected) in [
+            (0.577_35, 3, "0.577"),
+            (4210.4, 4, "4210"),
+            (1.234e-7, 2, "1.2e-7"),
+            (5.63e-3, 3, "0.00563"),
+            (0.0, 3, "0"),
+        ] {
             assert_eq!(written(value, digits), expected);
         }
     }

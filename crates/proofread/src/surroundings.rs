@@ -52,7 +52,14 @@ pub(crate) fn meant_false(text: &str, span: Span) -> bool {
         return true;
     }
     const DENIALS: [&str; 9] = [
-        "is false", "not true", "a false statement", "contradiction", "incorrect", "is wrong", "not equal", "is not a solution",
+        "is false",
+        "not true",
+        "a false statement",
+        "contradiction",
+        "incorrect",
+        "is wrong",
+        "not equal",
+        "is not a solution",
         "is inconsistent",
     ];
     DENIALS.iter().any(|denial| rest.contains(denial))

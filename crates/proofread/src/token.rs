@@ -262,26 +262,32 @@ pub fn show(tokens: &[Token]) -> String {
 
 fn show_into(tokens: &[Token], out: &mut String) {
     let bracketed = |inner: &[Token], out: &mut String| {
-        let plain = inner.len() <= 1;
+        let signed = matches!(inner, [sign, _] if sign.is_one_of("+-"));
+        let plain = inner.len() <= 1 || signed;
         out.push_str(if plain { "" } else { "(" });
         show_into(inner, out);
         out.push_str(if plain { "" } else { ")" });
     };
-    for token in tokens {
+    for (at, token) in tokens.iter().enumerate() {
         match &token.kind {
             Kind::Number(text) | Kind::Name(text) | Kind::Unknown(text) => out.push_str(text),
             Kind::Word(text) => {
-                if !text.starts_with(['°', '%']) {
+                if !text.starts_with(['°', '%']) && !out.ends_with(['/', '·', '(', '^', '-']) {
                     out.push(' ');
                 }
                 out.push_str(text);
             }
             Kind::Function(function) => {
-                out.push(' ');
+                out.push_str(if out.ends_with(['(', '/', '√']) { "" } else { " " });
                 out.push_str(function.name());
-                out.push(' ');
+                let raised = tokens.get(at + 1).is_some_and(|next| matches!(next.kind, Kind::Power(_)));
+                out.push_str(if raised { "" } else { " " });
             }
-            Kind::Operator(c) if "=≈+-×±⇒".contains(*c) => out.extend([' ', *c, ' ']),
+            Kind::Operator('-' | '+') if at == 0 || tokens[at - 1].is_one_of("([/·×") => {
+                out.push(if token.is('-') { '−' } else { '+' });
+            }
+            Kind::Operator('-') => out.push_str(" − "),
+            Kind::Operator(c) if "=≈+×±⇒".contains(*c) => out.extend([' ', *c, ' ']),
             Kind::Operator(c) => out.push(*c),
             Kind::Space(0) | Kind::Cell => {}
             Kind::Space(_) | Kind::Line => out.push(' '),

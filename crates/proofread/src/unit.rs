@@ -224,7 +224,8 @@ const NO_UNITS: &str = " as am aA aK aN aJ aV aT aH aC aF aL al ds dA dV dN dK d
     cV cF cT cN cK cJ cS cW cC pcal fA Mbar kL nl pl fl ";
 
 /// Units whose letters also are a product of quantities: read as a unit only directly behind a number.
-const AMBIGUOUS: &str = " kT fL fC mg mV fA mL mA mC nl pV nT fT dN mH mT mK mN nA nV pT pA nC pC kA kV mF fF hc dL ML MV GM MR ";
+const AMBIGUOUS: &str =
+    " kT fL fC mg mV fA mL mA mC nl pV nT fT dN mH mT mK mN nA nV pT pA nC pC kA kV mF fF hc dL ML MV GM MR ";
 
 fn listed(list: &str, word: &str) -> bool {
     list.split_whitespace().any(|of| of == word)
@@ -288,7 +289,8 @@ mod tests {
 
     #[test]
     fn prefixes_and_whole_names_are_told_apart() {
-        for (word, factor) in [("km", 1e3), ("min", 60.0), ("μs", 1e-6), ("ft", 0.3048), ("MeV", 1e6 * EV), ("kg", 1.0)] {
+        for (word, factor) in [("km", 1e3), ("min", 60.0), ("μs", 1e-6), ("ft", 0.3048), ("MeV", 1e6 * EV), ("kg", 1.0)]
+        {
             let found = unit(word).unwrap_or_else(|| panic!("{word}"));
             assert!((found.factor / factor - 1.0).abs() < 1e-12, "{word}: {found:?}");
         }

@@ -18,10 +18,9 @@ pub(crate) struct Units {
 }
 
 fn light_speed() -> Option<Unit> {
-    unit("m").zip(unit("s")).map(|(metre, second)| Unit {
-        factor: 299_792_458.0,
-        dimension: metre.dimension.times(second.dimension, -1.0),
-    })
+    unit("m")
+        .zip(unit("s"))
+        .map(|(metre, second)| Unit { factor: 299_792_458.0, dimension: metre.dimension.times(second.dimension, -1.0) })
 }
 
 fn unit_of(token: Option<&Token>) -> Option<Unit> {

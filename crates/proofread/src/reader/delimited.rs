@@ -7,8 +7,18 @@ const LONGEST: usize = 20_000;
 
 /// Environments whose content is a display.
 pub(crate) const DISPLAYS: [&str; 12] = [
-    "equation", "equation*", "align", "align*", "eqnarray", "eqnarray*", "gather", "gather*", "multline", "multline*",
-    "displaymath", "flalign",
+    "equation",
+    "equation*",
+    "align",
+    "align*",
+    "eqnarray",
+    "eqnarray*",
+    "gather",
+    "gather*",
+    "multline",
+    "multline*",
+    "displaymath",
+    "flalign",
 ];
 const MORE_DISPLAYS: [&str; 5] = ["flalign*", "alignat", "alignat*", "math", "dmath"];
 

@@ -98,7 +98,9 @@ fn until(text: &str, at: usize, open: usize, end: &str, scope: u32, macros: &Mac
     let bytes = text.as_bytes();
     let mut stop = start;
     let close = loop {
-        let Some(rest) = bytes.get(stop..).filter(|rest| !rest.is_empty() && stop - start < LONGEST) else { break None };
+        let Some(rest) = bytes.get(stop..).filter(|rest| !rest.is_empty() && stop - start < LONGEST) else {
+            break None;
+        };
         if rest.starts_with(end.as_bytes()) {
             break Some(stop);
         }
@@ -129,13 +131,15 @@ fn abbreviation(text: &str, at: usize, name: &str, scope: u32, macros: &Macros, 
     let ends = macros.iter().filter(|(_, of)| of.body.trim() == end).map(|(name, _)| format!("\\{name}"));
     let mut ends: Vec<String> = ends.collect();
     ends.sort();
-    let window = &text[behind..(behind..=text.len().min(behind + LONGEST)).rfind(|at| text.is_char_boundary(*at)).unwrap_or(behind)];
-    let is_end = |found: &usize, mark: &str| {
-        !window[found + mark.len()..].starts_with(|c: char| c.is_ascii_alphabetic())
-    };
+    let window = &text
+        [behind..(behind..=text.len().min(behind + LONGEST)).rfind(|at| text.is_char_boundary(*at)).unwrap_or(behind)];
+    let is_end =
+        |found: &usize, mark: &str| !window[found + mark.len()..].starts_with(|c: char| c.is_ascii_alphabetic());
     let nearest = ends
         .iter()
-        .filter_map(|mark| Some((window.match_indices(mark.as_str()).map(|(at, _)| at).find(|at| is_end(at, mark))?, mark)))
+        .filter_map(|mark| {
+            Some((window.match_indices(mark.as_str()).map(|(at, _)| at).find(|at| is_end(at, mark))?, mark))
+        })
         .min();
     let Some((found, mark)) = nearest else { return behind };
     let source = &window[..found];
@@ -156,9 +160,7 @@ fn macros(text: &str) -> Macros {
         let defines = ["newcommand", "renewcommand", "providecommand", "def\\", "DeclareMathOperator"]
             .iter()
             .any(|name| rest.starts_with(name));
-        if defines
-            && let Some((name, meaning, end)) = definition(text, found)
-        {
+        if defines && let Some((name, meaning, end)) = definition(text, found) {
             if out.len() < 2000 {
                 out.insert(name, meaning);
             }
@@ -195,7 +197,8 @@ fn definition(text: &str, at: usize) -> Option<(String, Macro, usize)> {
     if command == "DeclareMathOperator" {
         meaning.body = format!("\\mathrm{{{}}}", meaning.body);
     }
-    let usable = !name.is_empty() && name.chars().all(|c| c.is_ascii_alphabetic()) && name != "text" && name != "mathrm";
+    let usable =
+        !name.is_empty() && name.chars().all(|c| c.is_ascii_alphabetic()) && name != "text" && name != "mathrm";
     usable.then_some((name, meaning, rest.at))
 }
 

@@ -259,8 +259,9 @@ const SCOPES: [&str; 10] =
 /// Elements whose text is not prose.
 const SILENT: [&str; 5] = ["script", "style", "code", "pre", "annotation"];
 /// Elements that do not end a sentence.
-const INLINE: [&str; 16] =
-    ["emphasis", "em", "i", "b", "strong", "span", "a", "link", "term", "sub", "sup", "u", "font", "mark", "small", "br"];
+const INLINE: [&str; 16] = [
+    "emphasis", "em", "i", "b", "strong", "span", "a", "link", "term", "sub", "sup", "u", "font", "mark", "small", "br",
+];
 
 /// Finds the formulas of a document in XML or HTML: MathML, and TeX between the marks that MathJax and KaTeX look for.
 pub(crate) fn read(text: &str, each: &mut Found<'_>) {
@@ -343,7 +344,9 @@ impl Before {
         match last {
             None => self.formula,
             Some(c) if "+-−–×·*/=(^".contains(c) => true,
-            Some(_) => ["times", "plus", "minus", "divided by", "multiplied by"].iter().any(|word| tail.ends_with(word)),
+            Some(_) => {
+                ["times", "plus", "minus", "divided by", "multiplied by"].iter().any(|word| tail.ends_with(word))
+            }
         }
     }
 }

@@ -115,7 +115,8 @@ fn understood(tokens: Vec<Token>) -> Vec<Token> {
                 let exponent = touching && follows_number && matches!(word.as_str(), "e" | "E");
                 let ahead: Vec<Token> = rest.clone().take(2).collect();
                 let sign = usize::from(ahead.first().is_some_and(|token| token.is_one_of("+-")));
-                let power = ahead.get(sign).filter(|token| token.number().is_some_and(|text| !text.contains(['.', ','])));
+                let power =
+                    ahead.get(sign).filter(|token| token.number().is_some_and(|text| !text.contains(['.', ','])));
                 if let Some(power) = power.filter(|power| exponent && power.span.start <= span.end + 1) {
                     let raised: Vec<Token> = ahead[..sign].iter().chain([power]).cloned().collect();
                     out.push(Token::new(Kind::Operator('×'), span));
@@ -126,7 +127,8 @@ fn understood(tokens: Vec<Token>) -> Vec<Token> {
                 }
                 let mut after = rest.clone().skip_while(Token::is_space);
                 let next = after.next();
-                let before_number = next.as_ref().is_some_and(|next| matches!(next.kind, Kind::Number(_)) || next.is('('));
+                let before_number =
+                    next.as_ref().is_some_and(|next| matches!(next.kind, Kind::Number(_)) || next.is('('));
                 if word == "x" && follows_unit && before_number {
                     out.push(Token::new(Kind::Operator('×'), span));
                     continue;
@@ -143,7 +145,9 @@ fn understood(tokens: Vec<Token>) -> Vec<Token> {
                     Kind::Word(word)
                 } else if follows_number && touching && word.chars().all(|c| c.is_ascii_alphabetic()) && single {
                     Kind::Name(word)
-                } else if single && !(PROSE.contains(&word.as_str()) && next.as_ref().is_some_and(|next| next.word().is_some())) {
+                } else if single
+                    && !(PROSE.contains(&word.as_str()) && next.as_ref().is_some_and(|next| next.word().is_some()))
+                {
                     Kind::Name(word)
                 } else if unit(&word).is_some() && follows_unit {
                     Kind::Operator(';')

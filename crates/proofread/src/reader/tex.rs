@@ -167,9 +167,7 @@ impl Tex<'_> {
                 break;
             }
             match c {
-                '%' => {
-                    while self.stack.pop().is_some_and(|sign| sign.c != '\n') {}
-                }
+                '%' => while self.stack.pop().is_some_and(|sign| sign.c != '\n') {},
                 '~' => {
                     self.stack.pop();
                     out.push(token(Kind::Space(2), span));
@@ -316,11 +314,11 @@ impl Tex<'_> {
                 let of = self.argument(depth);
                 push(out, Kind::Root(of, index));
             }
-            "text" | "textrm" | "mathrm" | "textit" | "operatorname" | "mbox" | "textbf" | "texttt" | "mathsf" | "textsf"
-            | "hbox" | "textnormal" | "mathtt" => self.upright(&name, depth, out),
-            "mathbf" | "boldsymbol" | "mathit" | "mathcal" | "bm" | "mathbb" | "mathscr" | "mathfrak" | "pmb" | "boxed"
-            | "underline" | "underbrace" | "overbrace" | "cancel" | "bcancel" | "xcancel" | "ensuremath" | "fbox"
-            | "mathnormal" | "framebox" => {
+            "text" | "textrm" | "mathrm" | "textit" | "operatorname" | "mbox" | "textbf" | "texttt" | "mathsf"
+            | "textsf" | "hbox" | "textnormal" | "mathtt" => self.upright(&name, depth, out),
+            "mathbf" | "boldsymbol" | "mathit" | "mathcal" | "bm" | "mathbb" | "mathscr" | "mathfrak" | "pmb"
+            | "boxed" | "underline" | "underbrace" | "overbrace" | "cancel" | "bcancel" | "xcancel" | "ensuremath"
+            | "fbox" | "mathnormal" | "framebox" => {
                 let inner = self.argument(depth);
                 push(out, Kind::Group(inner));
             }
@@ -330,9 +328,10 @@ impl Tex<'_> {
                     self.stack.pop();
                 }
             }
-            "rm" | "it" | "bf" | "big" | "Big" | "bigg" | "Bigg" | "bigl" | "bigr" | "Bigl" | "Bigr" | "biggl" | "biggr"
-            | "Biggl" | "Biggr" | "displaystyle" | "textstyle" | "limits" | "nolimits" | "scriptstyle" | "nonumber"
-            | "hfill" | "notag" | "noindent" | "hline" | "par" | "allowbreak" | "break" | "relax" | "middle" | "strut" => {}
+            "rm" | "it" | "bf" | "big" | "Big" | "bigg" | "Bigg" | "bigl" | "bigr" | "Bigl" | "Bigr" | "biggl"
+            | "biggr" | "Biggl" | "Biggr" | "displaystyle" | "textstyle" | "limits" | "nolimits" | "scriptstyle"
+            | "nonumber" | "hfill" | "notag" | "noindent" | "hline" | "par" | "allowbreak" | "break" | "relax"
+            | "middle" | "strut" => {}
             "tag" | "label" | "ref" | "cite" | "eqref" | "vspace" | "hspace" | "phantom" | "color" | "intertext"
             | "footnote" | "hphantom" | "vphantom" | "shortintertext" => {
                 self.raw_group();
@@ -345,8 +344,8 @@ impl Tex<'_> {
                 let inner = self.argument(depth);
                 push(out, Kind::Group(inner));
             }
-            "overline" | "bar" | "vec" | "dot" | "ddot" | "hat" | "tilde" | "widehat" | "overrightarrow" | "widetilde"
-            | "acute" => {
+            "overline" | "bar" | "vec" | "dot" | "ddot" | "hat" | "tilde" | "widehat" | "overrightarrow"
+            | "widetilde" | "acute" => {
                 let sign = match name.as_str() {
                     "hat" | "widehat" => "^",
                     "vec" | "overrightarrow" => "→",
@@ -371,7 +370,9 @@ impl Tex<'_> {
             }
             "quad" => push(out, Kind::Space(10)),
             "qquad" => push(out, Kind::Space(20)),
-            "," | ";" | ":" | " " | ">" | "enspace" | "thinspace" | "\n" | "/" | "-" | "\t" => push(out, Kind::Space(2)),
+            "," | ";" | ":" | " " | ">" | "enspace" | "thinspace" | "\n" | "/" | "-" | "\t" => {
+                push(out, Kind::Space(2))
+            }
             "!" => {}
             "%" | "$" => push(out, Kind::Word(name)),
             "{" | "}" | "|" | "#" | "_" => push(out, Kind::Operator(name.chars().next().unwrap_or('|'))),
@@ -400,7 +401,8 @@ impl Tex<'_> {
             merge_letters(inner, out);
             return;
         }
-        let raw: Vec<Sign> = raw.into_iter().map(|sign| if sign.c == '~' { Sign { c: ' ', ..sign } } else { sign }).collect();
+        let raw: Vec<Sign> =
+            raw.into_iter().map(|sign| if sign.c == '~' { Sign { c: ' ', ..sign } } else { sign }).collect();
         words(&raw, out);
     }
 
@@ -441,8 +443,22 @@ impl Tex<'_> {
             }
         }
         const ROWS: [&str; 16] = [
-            "aligned", "align", "split", "gather", "gathered", "eqnarray", "equation", "multline", "array", "flalign",
-            "alignat", "alignedat", "math", "displaymath", "dcases", "subequations",
+            "aligned",
+            "align",
+            "split",
+            "gather",
+            "gathered",
+            "eqnarray",
+            "equation",
+            "multline",
+            "array",
+            "flalign",
+            "alignat",
+            "alignedat",
+            "math",
+            "displaymath",
+            "dcases",
+            "subequations",
         ];
         out.push(token(if ROWS.contains(&base) { Kind::Line } else { Kind::Unknown(name) }, span));
     }

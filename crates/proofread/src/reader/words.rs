@@ -196,7 +196,9 @@ mod tests {
 
     #[test]
     fn numbers_keep_their_commas_and_leave_a_full_stop() {
-        for (text, length) in [("1,234.5 m", 7), ("12,34", 2), ("3.", 1), (".5", 2), ("1,2345", 1), ("0,123", 1), ("x", 0)] {
+        for (text, length) in
+            [("1,234.5 m", 7), ("12,34", 2), ("3.", 1), (".5", 2), ("1,2345", 1), ("0,123", 1), ("x", 0)]
+        {
             assert_eq!(number_length(&signs(text, 0)), length, "{text}");
         }
     }
@@ -207,7 +209,7 @@ mod tests {
         for token in read(text) {
             assert!(text.get(token.span.range()).is_some(), "{token:?}");
         }
-        assert_eq!(show(&read(text)), "9.8 m/s^2 - 20 °C");
+        assert_eq!(show(&read(text)), "9.8 m/s^2 − 20 °C");
         assert_eq!(&text[read(text)[4].span.range()], "s");
     }
 }
