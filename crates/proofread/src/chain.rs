@@ -161,6 +161,11 @@ pub fn chains(formula: &[Token]) -> Vec<Chain> {
                     continue;
                 }
                 splitter.end_chain(token.is('?'), false);
+                // A sum that goes on in the next row behind a comma: its terms are not all here.
+                let row_ends = tokens[at + 1..following[at + 1]].iter().any(|gap| gap.kind == Kind::Line);
+                if token.is(',') && row_ends && next.is_some_and(|next| next.is_one_of("+-")) {
+                    splitter.side.push(Token::new(Kind::Unknown("the rest of the row before".to_owned()), token.span));
+                }
                 continue;
             }
         }

@@ -16,6 +16,8 @@ use crate::verdict::{Judgement, Verdict, evaluated, judge};
 pub struct Options {
     /// Which values of names are put into formulas.
     pub follow: Follow,
+    /// Whether pairs that agree are kept, too.
+    pub agreeing: bool,
 }
 
 /// How much of a document was checked.
@@ -190,7 +192,10 @@ impl Check<'_> {
             return;
         }
         tally.pairs += 1;
-        let Some(list) = List::of(judgement.verdict, !judgement.used.is_empty()) else { return };
+        let list = List::of(judgement.verdict, !judgement.used.is_empty());
+        if list == List::Agreeing && !self.options.agreeing {
+            return;
+        }
         if self.report.findings.len() >= MOST_FINDINGS {
             return;
         }

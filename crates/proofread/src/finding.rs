@@ -2,9 +2,9 @@
 
 use crate::chain::{Chain, Side};
 use crate::hint::Hint;
-use crate::printed::written;
+use crate::printed::{power_of_ten, written};
 use crate::reading::Reading;
-use crate::token::{Kind, Span, Token, show, span_of};
+use crate::token::{Kind, Span, Token, show};
 use crate::value::Value;
 use crate::verdict::{Judgement, Verdict};
 
@@ -17,17 +17,19 @@ pub enum List {
     Units,
     /// Differences that show only with values given elsewhere in the text.
     Bindings,
+    /// Pairs in which nothing is wrong, kept only on request.
+    Agreeing,
 }
 
 impl List {
-    /// The list of a verdict, or none if nothing is wrong.
-    pub(crate) fn of(verdict: Verdict, bound: bool) -> Option<Self> {
+    /// The list of a verdict; `bound` says that values from elsewhere in the text were used.
+    pub(crate) fn of(verdict: Verdict, bound: bool) -> Self {
         match verdict {
             Verdict::Truncated | Verdict::LastDigit | Verdict::Inconsistent | Verdict::Dimensions => {
-                Some(if bound { Self::Bindings } else { Self::Numbers })
+                if bound { Self::Bindings } else { Self::Numbers }
             }
-            Verdict::Units if !bound => Some(Self::Units),
-            _ => None,
+            Verdict::Units if !bound => Self::Units,
+            _ => Self::Agreeing,
         }
     }
 
@@ -37,6 +39,7 @@ impl List {
             Self::Numbers => "numbers",
             Self::Units => "units",
             Self::Bindings => "bindings",
+            Self::Agreeing => "agreeing",
         }
     }
 }
@@ -137,15 +140,30 @@ fn recomputed(computed: &Value, printed: &Value, tokens: &[Token], judgement: &J
         return Some(format!("{} against {}", written(computed, 4), written(printed_point, 4)));
     }
     let factor = if printed.factor == 0.0 { 1.0 } else { printed.factor };
-    let digits = digits_of(tokens);
-    let mut text = written(computed / factor, digits);
-    // The power of ten of the printed number.
-    if let Some(power) = power_of(tokens) {
-        let mantissa = written(computed / factor / crate::printed::power_of_ten(f64::from(power)), digits);
-        text = format!("{mantissa}×10^{power}");
+    let (value, digits) = (computed / factor, digits_of(tokens));
+    let scaled = |power: i32| written(value / power_of_ten(f64::from(power)), digits);
+    let mut text = match power_of(tokens) {
+        // The power of ten of the printed number, or the nearest one if that is far off.
+        Some(power) => {
+            let own = if value == 0.0 { power } else { libm::floor(libm::log10(value.abs())) as i32 };
+            let power = if (-1..=2).contains(&(own - power)) { power } else { own };
+            format!("{} × 10^{power}", scaled(power)).replace("^-", "^−")
+        }
+        None if is_whole(tokens) && libm::fabs(value - libm::round(value)) < 1e-9 && value.abs() < 1e9 => {
+            format!("{}", libm::round(value))
+        }
+        None => written(value, digits),
+    };
+    if let Some(size) = text.strip_prefix('-') {
+        text = format!("−{size}");
     }
     let unit = unit_text(tokens);
-    Some(if unit.is_empty() { text } else { format!("{text} {unit}").replace(" °", "°").replace(" %", "%") })
+    Some(if unit.starts_with(['°', '%']) && !unit.starts_with("°C") { text + &unit } else { format!("{text} {unit}").trim().to_owned() })
+}
+
+/// Whether the number is printed without a point.
+fn is_whole(tokens: &[Token]) -> bool {
+    tokens.iter().find_map(Token::number).is_some_and(|number| !number.contains('.'))
 }
 
 fn digits_of(tokens: &[Token]) -> usize {
@@ -165,6 +183,5 @@ fn power_of(tokens: &[Token]) -> Option<i32> {
 fn unit_text(tokens: &[Token]) -> String {
     let start = tokens.iter().position(|token| token.word().is_some() || matches!(token.kind, Kind::Fraction(..)));
     let unit = start.map_or(&[][..], |start| &tokens[start..]);
-    let _ = span_of(unit);
     show(unit)
 }

@@ -317,9 +317,7 @@ fn merged(tokens: Vec<Token>) -> Vec<Token> {
             "μ" | "k" | "M" | "n" | "m" | "G" | "p" | "c" => {
                 prefixed(token, text, next(if text == "μ" { 3 } else { 0 }), &out)
             }
-            "mm" | "cm" if is_word => next(255)
-                .filter(|(next, _)| matches!(next.word(), Some("Hg" | "water")))
-                .map(|(next, at)| (Kind::Word(format!("{text}{}", next.word().unwrap_or_default())), at, next.span)),
+            "mm" | "cm" | "in" | "inch" | "inches" if is_word => column(&tokens, at, text),
             "°" if is_word => next(5).and_then(|(next, behind)| {
                 let scale = match &next.kind {
                     Kind::Word(scale) => scale,
@@ -354,6 +352,20 @@ fn merged(tokens: Vec<Token>) -> Vec<Token> {
         at += 1;
     }
     out
+}
+
+/// A length of mercury or water as a pressure: cm Hg, inches of mercury.
+fn column(tokens: &[Token], at: usize, length: &str) -> Option<(Kind, usize, Span)> {
+    let words = tokens.iter().enumerate().skip(at + 1).filter(|(_, token)| !token.is_space() && !token.is('.'));
+    let mut words = words.filter(|(_, token)| token.word() != Some("of"));
+    let (last, next) = words.next()?;
+    let of = match next.word()? {
+        "Hg" | "mercury" => "Hg",
+        "water" => "water",
+        _ => return None,
+    };
+    let length = if length.starts_with("in") { "in" } else { length };
+    Some((Kind::Word(format!("{length}{of}")), last, next.span))
 }
 
 /// A prefix and its unit, which stand apart.

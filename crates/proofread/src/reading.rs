@@ -63,7 +63,7 @@ impl Reading {
 
     /// The choices in words.
     pub fn words(self) -> Vec<&'static str> {
-        const WORDS: [(Reading, &str); 10] = [
+        const WORDS: [(Reading, &str); 9] = [
             (Reading::DEGREES, "angles in degrees"),
             (Reading::TURNS, "a revolution counted as 1"),
             (Reading::POINTS, "temperatures on the scale"),
@@ -73,7 +73,6 @@ impl Reading {
             (Reading::DOSE, "rad as the unit of a dose"),
             (Reading::TAG, "the number of an equation at the end"),
             (Reading::ONE_BELOW, "one unit below the stroke"),
-            (Reading::NUMBERS, "numbers without their units"),
         ];
         WORDS.iter().filter(|(choice, _)| self.has(*choice)).map(|(_, words)| *words).collect()
     }

@@ -47,7 +47,8 @@ pub(crate) fn meant_false(text: &str, span: Span) -> bool {
     let sentence = before.rsplit(['.', '?', '!']).next().unwrap_or_default().to_lowercase();
     let rest = after.split_once(['.', '?', '!']).map_or(after.as_str(), |(rest, _)| rest).to_lowercase();
     let asked = after.find(['.', '?', '!']).is_some_and(|at| after[at..].starts_with('?'));
-    let question = ["is ", "are ", "does ", "do "].iter().any(|word| sentence.trim_start().starts_with(word));
+    let mut words = sentence.split(|c: char| !c.is_alphabetic());
+    let question = words.any(|word| ["is", "are", "does", "do", "can", "could", "will", "whether"].contains(&word));
     if asked && question {
         return true;
     }

@@ -152,6 +152,7 @@ const WHOLE: &[Row] = &[
     ("atm", 101_325.0, PRESSURE),
     ("Torr torr mmHg", 133.322, PRESSURE),
     ("cmHg", 1333.22, PRESSURE),
+    ("inHg", 3386.39, PRESSURE),
     ("cmwater", 98.0665, PRESSURE),
     ("mmwater", 9.806_65, PRESSURE),
     ("psi", 6894.757, PRESSURE),

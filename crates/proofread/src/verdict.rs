@@ -277,6 +277,10 @@ fn angles([left, right]: &[Value; 2], points: &[Value; 2], reading: Reading) -> 
             }
         }
     }
+    // Below or above, left or right is said in words.
+    if left.clone().negated().meets(right, 0.0) {
+        return Some(Verdict::Doubtful);
+    }
     let moved = |by: f64| Value { parts: left.parts.map(|part| part.moved(by)), ..left.clone() };
     [PI, -PI, 2.0 * PI, -2.0 * PI].iter().any(|by| moved(*by).meets(right, 0.0)).then_some(Verdict::Rounded)
 }

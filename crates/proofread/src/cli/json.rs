@@ -65,7 +65,7 @@ fn document(checked: &Checked<'_>) -> Value {
 }
 
 fn sum(of: &Sum) -> Value {
-    let [numbers, units, bindings] = of.found;
+    let [numbers, units, bindings, _] = of.found;
     json!({
         "documents": of.documents,
         "found": { "numbers": numbers, "units": units, "bindings": bindings },

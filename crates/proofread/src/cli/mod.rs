@@ -120,6 +120,9 @@ pub struct Arguments {
         hide_possible_values = true
     )]
     bindings: Names,
+    /// Also list pairs that agree, for programs; they count as nothing found
+    #[arg(long)]
+    agreeing: bool,
     /// Report only what has come in since this revision, with the help of git
     #[arg(long, value_name = "REV")]
     since: Option<String>,
@@ -157,7 +160,7 @@ struct Run<'a> {
     writer: Box<dyn Writer>,
     sum: Tally,
     documents: usize,
-    found: [usize; 3],
+    found: [usize; 4],
     failed: bool,
 }
 
@@ -173,8 +176,8 @@ trait Writer {
 struct Sum {
     tally: Tally,
     documents: usize,
-    /// Findings on numbers, units and bindings.
-    found: [usize; 3],
+    /// Findings on numbers, units and bindings, and pairs that agree.
+    found: [usize; 4],
     accepted: usize,
     units_listed: bool,
 }
@@ -199,7 +202,7 @@ impl<'a> Run<'a> {
             writer,
             sum: Tally::default(),
             documents: 0,
-            found: [0; 3],
+            found: [0; 4],
             failed: false,
         })
     }
@@ -241,7 +244,7 @@ impl<'a> Run<'a> {
             let end = self.writer.end(&sum);
             self.streams.print(&end)?;
         }
-        let found = !accepting && self.found.iter().sum::<usize>() > 0;
+        let found = !accepting && self.found[..3].iter().sum::<usize>() > 0;
         Ok(match (self.failed, found) {
             (true, _) => Outcome::Failed,
             (false, true) => Outcome::Found,
@@ -291,7 +294,7 @@ impl<'a> Run<'a> {
             Names::Once => Follow::Once,
             Names::Always => Follow::Always,
         };
-        let mut report = proofread(text, format, Options { follow }).map_err(|why| why.to_string())?;
+        let mut report = proofread(text, format, Options { follow, agreeing: self.arguments.agreeing }).map_err(|why| why.to_string())?;
         report.findings.retain(|finding| finding.list != List::Units || self.arguments.units);
         Ok(report)
     }

@@ -35,7 +35,7 @@ impl Writer for Text {
         if others > 0 {
             text += &format!("{} only define something or contain letters.\n", count(others, "other chain"));
         }
-        let [numbers, units, bindings] = sum.found;
+        let [numbers, units, bindings, _] = sum.found;
         let green = AnsiColor::Green.on_default().bold();
         let red = AnsiColor::Red.on_default().bold();
         if numbers + units + bindings == 0 {

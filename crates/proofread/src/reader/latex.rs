@@ -49,6 +49,14 @@ pub(crate) fn read(text: &str, each: &mut Found<'_>) {
                     ("newcommand" | "renewcommand" | "providecommand" | "def" | "DeclareMathOperator", _) => {
                         at = definition(text, at).map_or(at + 1 + length, |(_, _, end)| end);
                     }
+                    ("verb" | "lstinline", Some(_)) => {
+                        let behind = &text[at + 1 + length..];
+                        let mark = behind.chars().next().unwrap_or('|');
+                        let inside = &behind[mark.len_utf8()..];
+                        let line = inside.find('\n').unwrap_or(inside.len());
+                        let end = inside[..line].find(mark).map_or(0, |end| end + mark.len_utf8());
+                        at += 1 + length + mark.len_utf8() + end;
+                    }
                     (name, _) => at = abbreviation(text, at, name, scope, &macros, each),
                 }
             }
@@ -170,7 +178,12 @@ fn macros(text: &str) -> Macros {
         }
     }
     // What stands for itself would never end.
-    out.retain(|name, of| !of.body.contains(&format!("\\{name}")));
+    out.retain(|name, of| {
+        let uses = of.body.match_indices(&format!("\\{name}")).any(|(at, found)| {
+            !of.body[at + found.len()..].starts_with(|c: char| c.is_ascii_alphabetic())
+        });
+        !uses
+    });
     out
 }
 
