@@ -89,6 +89,8 @@ pub(crate) struct Evaluator<'b> {
     pub bindings: Option<&'b Bindings>,
     /// The choices that made a difference, or could have.
     pub noticed: Reading,
+    /// Whether an inverse function gave an angle.
+    pub inverse: bool,
     /// The names whose values were used.
     pub used: Vec<String>,
     /// The variable of an evaluation bar.
@@ -99,7 +101,7 @@ pub(crate) struct Evaluator<'b> {
 
 impl<'b> Evaluator<'b> {
     pub fn new(mode: Mode, reading: Reading, bindings: Option<&'b Bindings>) -> Self {
-        Self { mode, reading, bindings, noticed: Reading::USUAL, used: Vec::new(), local: None, depth: 0, work: 0 }
+        Self { mode, reading, bindings, noticed: Reading::USUAL, inverse: false, used: Vec::new(), local: None, depth: 0, work: 0 }
     }
 
     pub fn chosen(&self, choice: Reading) -> bool {

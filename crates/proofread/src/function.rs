@@ -42,6 +42,7 @@ impl Evaluator<'_> {
         let mut value = Value { operations: argument.operations + 1, bound: argument.bound, ..Value::of(result) };
         if matches!(function, Function::Arcsin | Function::Arccos | Function::Arctan) {
             self.noticed.note(Reading::DEGREES);
+            self.inverse = true;
             value.angle = Some(Angle::Radians);
         }
         if let Some(power) = power {
