@@ -23,6 +23,7 @@ chapters! {
     wild = "src/wild.md",
     errata = "src/errata.md",
     errata_small = "src/errata-small.md",
+    errata_elsewhere = "src/errata-elsewhere.md",
     open = "src/open.md",
     method = "src/method.md",
     about = "src/about.md",
