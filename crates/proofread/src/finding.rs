@@ -26,7 +26,11 @@ impl List {
     pub(crate) fn of(verdict: Verdict, bound: bool) -> Self {
         match verdict {
             Verdict::Truncated | Verdict::LastDigit | Verdict::Inconsistent | Verdict::Dimensions => {
-                if bound { Self::Bindings } else { Self::Numbers }
+                if bound {
+                    Self::Bindings
+                } else {
+                    Self::Numbers
+                }
             }
             Verdict::Units if !bound => Self::Units,
             _ => Self::Agreeing,
@@ -158,7 +162,11 @@ fn recomputed(computed: &Value, printed: &Value, tokens: &[Token], judgement: &J
         text = format!("−{size}");
     }
     let unit = unit_text(tokens);
-    Some(if unit.starts_with(['°', '%']) && !unit.starts_with("°C") { text + &unit } else { format!("{text} {unit}").trim().to_owned() })
+    Some(if unit.starts_with(['°', '%']) && !unit.starts_with("°C") {
+        text + &unit
+    } else {
+        format!("{text} {unit}").trim().to_owned()
+    })
 }
 
 /// Whether the number is printed without a point.

@@ -246,11 +246,7 @@ fn powers(tokens: &[Token], at: usize, out: &mut Vec<Edit>) {
         all.push(tokens[at + 1].clone());
         all.push(token.clone());
         all.extend_from_slice(&tokens[at + 2..]);
-        out.push(Edit {
-            tokens: all,
-            words: format!("the exponent {power} outside the bracket"),
-            at: token.span,
-        });
+        out.push(Edit { tokens: all, words: format!("the exponent {power} outside the bracket"), at: token.span });
     }
 }
 

@@ -294,7 +294,8 @@ impl<'a> Run<'a> {
             Names::Once => Follow::Once,
             Names::Always => Follow::Always,
         };
-        let mut report = proofread(text, format, Options { follow, agreeing: self.arguments.agreeing }).map_err(|why| why.to_string())?;
+        let mut report = proofread(text, format, Options { follow, agreeing: self.arguments.agreeing })
+            .map_err(|why| why.to_string())?;
         report.findings.retain(|finding| finding.list != List::Units || self.arguments.units);
         Ok(report)
     }
