@@ -56,13 +56,28 @@ fn main() {
                 }
                 let mut changed = text.clone();
                 changed.replace_range(at..=at, &new.to_string());
-                let start = (pair.span.start as usize).saturating_sub(3000);
                 let Ok(after) = proofread(&changed, format, options) else { continue };
-                let _ = start;
                 let seen = after.findings.iter().any(|of| {
                     let here = of.left_span == pair.left_span && of.right_span == pair.right_span;
                     here && of.list != List::Agreeing
                 });
+                if !seen && std::env::var_os("SHOW").is_some() {
+                    let found = after
+                        .findings
+                        .iter()
+                        .find(|of| of.left_span == pair.left_span && of.right_span == pair.right_span);
+                    let [a, b] = [pair.left.as_str(), pair.right.as_str()];
+                    match found {
+                        None => println!("unread: {a} = {b} -> {new}"),
+                        Some(of) => println!(
+                            "{}: {a} = {b} -> {} = {} ({:?})",
+                            of.verdict.name(),
+                            of.left,
+                            of.right,
+                            of.recomputed
+                        ),
+                    }
+                }
                 counts[which][0] += 1;
                 counts[which][1] += usize::from(seen);
             }

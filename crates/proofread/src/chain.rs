@@ -47,6 +47,10 @@ fn relation(token: &Token) -> Option<Relation> {
     }
 }
 
+fn ends_row(token: &Token) -> bool {
+    matches!(token.kind, Kind::Line | Kind::Space(9..))
+}
+
 fn separates(token: &Token) -> bool {
     const WORDS: &str = " and or so where with if for when at but thus since from hence therefore then while Thus Then Hence \
         Therefore So because which gives give yields is as to by of the Solving we that on after before along toward up down \
@@ -162,7 +166,7 @@ pub fn chains(formula: &[Token]) -> Vec<Chain> {
                 }
                 splitter.end_chain(token.is('?'), false);
                 // A sum that goes on in the next row behind a comma: its terms are not all here.
-                let row_ends = tokens[at + 1..following[at + 1]].iter().any(|gap| gap.kind == Kind::Line);
+                let row_ends = tokens[at + 1..following[at + 1]].iter().any(ends_row);
                 if token.is(',') && row_ends && next.is_some_and(|next| next.is_one_of("+-")) {
                     splitter.side.push(Token::new(Kind::Unknown("the rest of the row before".to_owned()), token.span));
                 }

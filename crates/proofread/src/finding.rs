@@ -184,7 +184,7 @@ fn digits_of(tokens: &[Token]) -> usize {
 fn power_of(tokens: &[Token]) -> Option<i32> {
     let at = tokens.iter().position(|token| token.number() == Some("10"))?;
     let Kind::Power(exponent) = &tokens.get(at + 1)?.kind else { return None };
-    crate::evaluate::plain_exponent(exponent).ok().map(|power| power as i32).filter(|_| at > 0)
+    crate::atom::plain_exponent(exponent).ok().map(|power| power as i32).filter(|_| at > 0)
 }
 
 /// What follows the number.

@@ -1,6 +1,7 @@
 //! Functions by name: their arguments with and without brackets, and their values on intervals.
 
-use crate::evaluate::{Cursor, Evaluator, plain_exponent};
+use crate::atom::plain_exponent;
+use crate::evaluate::{Cursor, Evaluator};
 use crate::interval::Interval;
 use crate::reading::Reading;
 use crate::token::{Function, Kind, Token};
@@ -42,6 +43,7 @@ impl Evaluator<'_> {
         let mut value = Value { operations: argument.operations + 1, bound: argument.bound, ..Value::of(result) };
         if matches!(function, Function::Arcsin | Function::Arccos | Function::Arctan) {
             self.noticed.note(Reading::DEGREES);
+            self.inverse = true;
             value.angle = Some(Angle::Radians);
         }
         if let Some(power) = power {

@@ -208,7 +208,7 @@ fn nested(tokens: &[Token], at: usize, near: Near, out: &mut Vec<Edit>) {
 
 fn exponent_of(token: &Token) -> Option<i32> {
     let Kind::Power(exponent) = &token.kind else { return None };
-    let value = crate::evaluate::plain_exponent(exponent).ok()?;
+    let value = crate::atom::plain_exponent(exponent).ok()?;
     (value.fract() == 0.0 && value.abs() < 1000.0).then_some(value as i32)
 }
 
