@@ -21,6 +21,8 @@ pub const NUMBERS: &[(&str, Number)] = &[
     ("found.new.hints", || hints(&new()?)),
     ("found.errata", || Ok(errata()?.len().to_string())),
     ("found.errata-found", || Ok(errata()?.iter().filter(|erratum| erratum.found != "no").count().to_string())),
+    ("found.errata-numbers", || errata_of("number")),
+    ("found.errata-units", || errata_of("unit")),
     ("found.results", || planted(|run| (run.results, run.results_noticed))),
     ("found.operands", || planted(|run| (run.operands, run.operands_noticed))),
     ("found.first.texts", || Ok(texts("first")?)),
@@ -70,6 +72,13 @@ fn unit_misprints() -> anyhow::Result<String> {
 fn hints(flags: &[Flag]) -> anyhow::Result<String> {
     let with = flags.iter().filter(|flag| flag.judgement == Judgement::Real && !flag.hint.is_empty());
     Ok(with.count().to_string())
+}
+
+/// How many of the errata of a kind the program finds.
+fn errata_of(kind: &str) -> anyhow::Result<String> {
+    let errata = errata()?;
+    let of = || errata.iter().filter(|erratum| erratum.kind == kind);
+    Ok(format!("{} of {}", of().filter(|erratum| erratum.found != "no").count(), of().count()))
 }
 
 /// The flags of a round.
