@@ -32,6 +32,7 @@ chapters! {
     ledger = "src/ledger.md",
     coverage = "src/coverage.md",
     fields = "src/fields.md",
+    tests = "src/tests.md",
     solver = "src/solver.md",
     mimic = "src/mimic.md",
     architecture = "src/architecture.md",

@@ -130,6 +130,7 @@ pub static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
         Page { records: Records::Claims, ..behind(LEDGER, "The ledger: every claim") },
         Page { records: Records::Coverage, ..behind(COVERAGE, "Coverage of the sources") },
         behind("fields", "The data, field by field"),
+        behind("tests", "The tests behind the chapters"),
         behind("solver", "The solver"),
         behind("mimic", "The language MIMIC"),
         behind("architecture", "Architecture"),
