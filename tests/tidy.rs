@@ -16,10 +16,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("workshop", &["kinematics"]),
     ("live", &["kinematics", "dynamics", "mimic", "figures", "workshop"]),
     ("press", &["kinematics", "dynamics", "mimic", "ledger", "figures", "live"]),
-    (
-        "geneva",
-        &["kinematics", "dynamics", "mimic", "ledger", "figures", "proofread", "workshop", "live", "press"],
-    ),
+    ("geneva", &["kinematics", "dynamics", "mimic", "ledger", "figures", "proofread", "workshop", "live", "press"]),
 ];
 
 /// Each crate, what it depends on, and whether the version is the workspace's.
