@@ -58,12 +58,11 @@ const WORKS: &[Work] = &[
         key: "blumenthal",
         short: "Blumenthal and Nosonovsky",
         authors: "A. S. Blumenthal and M. Nosonovsky",
-        title: "Friction and Dynamics of Verge and Foliot: How the Invention of the Pendulum Made Clocks Much More \
-                Accurate",
-        published: "Applied Mechanics 1, pages 111–122",
+        title: "Friction and Dynamics of Verge and Foliot: How the Invention of the Pendulum Made Clocks Much More Accurate",
+        published: "Applied Mechanics 1, no. 2, pages 111–122",
         year: "2020",
         address: "https://doi.org/10.3390/applmech1020008",
-        read: "The abstract",
+        read: "Abstract at https://www.mdpi.com/2673-3161/1/2/8",
     },
     Work {
         key: "britannica",
@@ -89,13 +88,11 @@ const WORKS: &[Work] = &[
         key: "canter",
         short: "Canter",
         authors: "A. Canter",
-        title: "The Greatest Horological Inventions of All Time: the Pendulum Clock and Improving the Accuracy of \
-                Timekeeping",
-        published: "a page of Worn & Wound",
+        title: "The Greatest Horological Inventions of All Time: the Pendulum Clock and Improving the Accuracy of Timekeeping",
+        published: "Worn & Wound, a magazine",
         year: "",
-        address: "https://wornandwound.com/\
-                  the-greatest-horological-inventions-of-all-time-the-pendulum-clock-and-improving-the-accuracy-of-timekeeping",
-        read: "The page at its address",
+        address: "https://wornandwound.com/the-greatest-horological-inventions-of-all-time-the-pendulum-clock-and-improving-the-accuracy-of-timekeeping",
+        read: "The beginning of the page at its address",
     },
     Work {
         key: "champneys",
@@ -152,10 +149,10 @@ const WORKS: &[Work] = &[
         short: "Hahn",
         authors: "E. Hahn",
         title: "Coefficients of Friction for Various Horological Materials",
-        published: "TimeZone",
+        published: "TimeZone, a forum; he quotes the CRC Handbook",
         year: "2000",
         address: "http://people.timezone.com/library/tmachine/tmachine631687701628067249",
-        read: "The page at its address, which quotes the CRC Handbook",
+        read: "http://people.timezone.com/library/tmachine/tmachine631687701628067249",
     },
     Work {
         key: "hasty",
@@ -175,7 +172,7 @@ const WORKS: &[Work] = &[
         published: "arXiv:1604.06681",
         year: "2016",
         address: "https://arxiv.org/abs/1604.06681",
-        read: "The abstract",
+        read: "Abstract at https://www.emergentmind.com/papers/1604.06681; the year by the number at arXiv",
     },
     Work {
         key: "iso-2768",
@@ -204,10 +201,10 @@ const WORKS: &[Work] = &[
         short: "ISO 3159",
         authors: "International Organization for Standardization",
         title: "ISO 3159: Timekeeping instruments – Wrist-chronometers with spring balance oscillator",
-        published: "a standard",
-        year: "",
-        address: "https://www.observatoirechronometrique.ch/en/chronometre.html",
-        read: "Its requirements as summed up by the Observatoire chronométrique, at the address",
+        published: "second edition",
+        year: "2009",
+        address: "",
+        read: "Title page in a copy at 123doc.top; criteria at https://www.observatoirechronometrique.ch/en/chronometre.html",
     },
     Work {
         key: "johnson",
@@ -221,13 +218,13 @@ const WORKS: &[Work] = &[
     },
     Work {
         key: "menezes",
-        short: "Menezes et al.",
+        short: "Menezes, Kishore and Kailas",
         authors: "P. L. Menezes, Kishore and S. V. Kailas",
         title: "Influence of roughness parameters on coefficient of friction under lubricated conditions",
-        published: "Sādhanā 33, pages 181–190",
+        published: "Sādhanā 33, part 3, pages 181–190",
         year: "2008",
         address: "",
-        read: "The abstract",
+        read: "Abstract in a copy at https://studylib.net/doc/13482417",
     },
     Work {
         key: "nuijten",
@@ -297,7 +294,8 @@ const WORKS: &[Work] = &[
         published: "a page of the encyclopedia",
         year: "",
         address: "https://en.wikipedia.org/wiki/Verge_escapement",
-        read: "A copy of the page at https://wikimili.com/wiki/Verge_escapement",
+        read: "Copies of the page at https://wikimili.com/wiki/Verge_escapement and, on the accuracy of early clocks, \
+               https://wikisum.wiki/wiki/Verge_and_foliot",
     },
 ];
 
@@ -324,7 +322,7 @@ pub fn list() -> anyhow::Result<String> {
             if work.address.is_empty() { title } else { format!("<a href=\"{}\">{title}</a>", escape(work.address)) };
         let year = if work.year.is_empty() { String::new() } else { format!(", {}", work.year) };
         let (authors, published) = (escape(work.authors), escape(work.published));
-        format!("<li id=\"work-{}\">{authors}: <em>{title}</em>. {published}{year}.</li>", work.key)
+        format!("<li id=\"work-{}\">{authors}: <em>{title}</em>, {published}{year}.</li>", work.key)
     });
     Ok(format!("<ul class=\"works\">\n{}\n</ul>", items.collect::<Vec<_>>().join("\n")))
 }

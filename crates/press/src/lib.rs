@@ -41,6 +41,7 @@ mod tables;
 
 // What these need.
 mod base64;
+mod found;
 mod html;
 mod lookup;
 mod measurements;
